@@ -1,0 +1,1 @@
+"""Arrays in, arrays out: skinning, slices, free-form deformation, meshes."""

@@ -1,0 +1,63 @@
+"""Joint rotations to transforms, and linear blend skinning."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def rotation_matrices(rotations: Array) -> Array:
+    """Return (N, 3, 3) matrices of (N, 3) rotation vectors (Rodrigues), radians."""
+    angle = np.linalg.norm(rotations, axis=1)
+    axis = rotations / np.maximum(angle, 1e-12)[:, None]
+    x, y, z = axis.T
+    zero = np.zeros_like(x)
+    cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
+    sine, cosine = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]
+    return np.eye(3) + sine * cross + (1.0 - cosine) * (cross @ cross)
+
+
+def joint_transforms(joints_m: Array, parents: NDArray[np.int32], rotations: Array) -> Array:
+    """Return (J, 4, 4) posed-from-rest transforms of all joints.
+
+    Parameters
+    ----------
+    joints_m : (J, 3) rest positions, model frame, metres
+    parents : (J,) parent index, -1 for the root; parents come before children
+    rotations : (J, 3) rotation vectors in model axes, radians
+    """
+    local = np.zeros((len(joints_m), 4, 4))
+    local[:, 3, 3] = 1.0
+    local[:, :3, :3] = rotation_matrices(rotations)
+    local[:, :3, 3] = joints_m - np.einsum("jab,jb->ja", local[:, :3, :3], joints_m)
+    moved = np.any(rotations != 0.0, axis=1)
+    posed = np.empty_like(local)
+    for joint, parent in enumerate(parents):
+        if parent < 0:
+            posed[joint] = local[joint]
+        else:
+            posed[joint] = posed[parent] @ local[joint] if moved[joint] else posed[parent]
+    return posed
+
+
+def blend_transforms(transforms: Array, skin_joints: NDArray[np.int32], skin_weights: Array) -> Array:
+    """Return the (V, 3, 4) weighted transform of every vertex."""
+    return np.einsum("vk,vkab->vab", skin_weights, transforms[skin_joints, :3, :])
+
+
+def skin(
+    vertices_m: Array, transforms: Array, skin_joints: NDArray[np.int32], skin_weights: Array
+) -> Array:
+    """Return (V, 3) posed vertices by linear blend skinning, metres."""
+    blended = blend_transforms(transforms, skin_joints, skin_weights)
+    return np.einsum("vab,vb->va", blended[:, :, :3], vertices_m) + blended[:, :, 3]
+
+
+def unskin(
+    posed_m: Array, transforms: Array, skin_joints: NDArray[np.int32], skin_weights: Array
+) -> Array:
+    """Return the (V, 3) rest vertices that :func:`skin` would move to ``posed_m``."""
+    blended = blend_transforms(transforms, skin_joints, skin_weights)
+    return np.linalg.solve(blended[:, :, :3], (posed_m - blended[:, :, 3])[..., None])[..., 0]

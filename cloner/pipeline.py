@@ -1,0 +1,138 @@
+"""The order of the stages, and running them."""
+
+from __future__ import annotations
+
+import hashlib
+import logging
+import resource
+import sys
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from cloner.records.results import Residual, StageResult
+from cloner.stages import (
+    fine,
+    hair,
+    head,
+    join,
+    phenotype,
+    points,
+    proposals,
+    rough,
+    silhouettes,
+    skeleton,
+    textures,
+    views,
+)
+
+log = logging.getLogger(__name__)
+
+Tick = Callable[[float], None]
+"""Called with a fraction 0..1; may raise Cancelled."""
+
+
+@dataclass(frozen=True, slots=True)
+class Stage:
+    """One step of the method.
+
+    ``run(**needs, tick=..., rng=...)`` takes the named values and gives a
+    :class:`StageResult` whose ``values`` hold exactly the names in ``gives``.
+    """
+
+    name: str
+    version: int
+    needs: tuple[str, ...]
+    gives: tuple[str, ...]
+    run: Callable[..., StageResult]
+
+
+STAGES: tuple[Stage, ...] = (
+    Stage("proposals", 1, ("photos",), ("proposals",), proposals.run),
+    Stage("points", 1, ("photos", "proposals", "corrections"), ("body_points", "face_points"), points.run),
+    Stage("views", 1, ("photos", "body_points", "person"), ("views",), views.run),
+    Stage("silhouettes", 1, ("photos", "proposals", "body_points"), ("silhouettes",), silhouettes.run),
+    Stage("phenotype", 1, ("body_points", "silhouettes", "views", "person"), ("phenotype",), phenotype.run),
+    Stage("skeleton", 1, ("body_points", "silhouettes", "phenotype"), ("skeletons",), skeleton.run),
+    Stage("rough", 1, ("skeletons", "silhouettes", "phenotype"), ("rough_bodies",), rough.run),
+    Stage("fine", 1, ("rough_bodies", "silhouettes", "phenotype"), ("bodies",), fine.run),
+    Stage("head", 1, ("photos", "proposals", "face_points", "silhouettes", "phenotype", "person"), ("head",), head.run),
+    Stage("join", 1, ("bodies", "head", "phenotype"), ("joined",), join.run),
+    Stage("hair", 1, ("photos", "proposals", "silhouettes", "joined"), ("shells",), hair.run),
+    Stage("textures", 1, ("photos", "proposals", "silhouettes", "joined", "shells", "head"), ("clone",), textures.run),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class StageReport:
+    """Time, memory, residuals and warnings of one stage."""
+
+    name: str
+    seconds: float
+    cpu_seconds: float
+    peak_mib: float
+    residuals: tuple[Residual, ...]
+    warnings: tuple[str, ...]
+
+
+def stage_rng(seed: int, name: str) -> np.random.Generator:
+    """Return the generator of one stage; a new stage shifts no other."""
+    digest = hashlib.sha256(f"{seed}/{name}".encode()).digest()
+    return np.random.default_rng(int.from_bytes(digest[:8], "little"))
+
+
+def peak_mib() -> float:
+    """Return the process's peak resident memory in MiB."""
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return peak / (1024.0 * 1024.0 if sys.platform == "darwin" else 1024.0)
+
+
+def run(
+    values: Mapping[str, object],
+    *,
+    seed: int = 0,
+    progress: Callable[[str, float], None] = lambda name, fraction: None,
+    stages: tuple[Stage, ...] = STAGES,
+) -> tuple[dict[str, object], list[StageReport]]:
+    """Run the stages in order and return all values with one report a stage.
+
+    Parameters
+    ----------
+    values : mapping
+        At least "photos", "corrections" and "person".
+    seed : int
+        Project seed, from which every stage derives its own generator.
+    progress : callable
+        Called with (stage name, fraction of the whole 0..1); may raise Cancelled.
+    stages : tuple of Stage
+        The stages to run; a stage whose values are all present is skipped.
+    """
+    known = dict(values)
+    reports: list[StageReport] = []
+    for index, stage in enumerate(stages):
+        if all(name in known for name in stage.gives):
+            continue
+
+        def tick(fraction: float, stage: Stage = stage, index: int = index) -> None:
+            progress(stage.name, (index + fraction) / len(stages))
+
+        tick(0.0)
+        wall, cpu = time.perf_counter(), time.process_time()
+        result = stage.run(**{name: known[name] for name in stage.needs}, tick=tick, rng=stage_rng(seed, stage.name))
+        if set(result.values) != set(stage.gives):
+            raise ValueError(f"stage {stage.name} gave {sorted(result.values)}, wanted {stage.gives}")
+        known.update(result.values)
+        report = StageReport(
+            stage.name,
+            time.perf_counter() - wall,
+            time.process_time() - cpu,
+            peak_mib(),
+            result.residuals,
+            result.warnings,
+        )
+        reports.append(report)
+        log.info("%s: %.2f s", stage.name, report.seconds)
+    progress("done", 1.0)
+    return known, reports

@@ -1,0 +1,1 @@
+"""Frozen values that stages take and give; no algorithms, no files."""

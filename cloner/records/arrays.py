@@ -1,0 +1,47 @@
+"""Checks that make arrays inside frozen records truly immutable."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import DTypeLike, NDArray
+
+
+def frozen_array(value: Any, name: str, dtype: DTypeLike, shape: tuple[int | None, ...]) -> NDArray[Any]:
+    """Return a read-only contiguous copy of ``value`` after checking it.
+
+    Parameters
+    ----------
+    value : array_like
+        The array to freeze.
+    name : str
+        Field name used in error messages.
+    dtype : dtype
+        Wanted element type.
+    shape : tuple of int or None
+        Wanted shape; None accepts any length.
+
+    Raises
+    ------
+    ValueError
+        If the shape differs or a float value is not finite.
+    """
+    array = np.array(value, dtype=dtype, order="C", copy=True)
+    if len(shape) != array.ndim or any(
+        want is not None and want != have for want, have in zip(shape, array.shape, strict=True)
+    ):
+        raise ValueError(f"{name} has shape {array.shape}, wanted {shape}")
+    if array.dtype.kind == "f" and not bool(np.isfinite(array).all()):
+        raise ValueError(f"{name} holds values that are not finite")
+    array.setflags(write=False)
+    return array
+
+
+def freeze(record: object, **shapes: tuple[DTypeLike, tuple[int | None, ...]]) -> None:
+    """Replace the named fields of a frozen dataclass by read-only copies.
+
+    Call from ``__post_init__`` with ``field=(dtype, shape)``.
+    """
+    for name, (dtype, shape) in shapes.items():
+        object.__setattr__(record, name, frozen_array(getattr(record, name), name, dtype, shape))

@@ -1,0 +1,86 @@
+"""The finished person."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.records.arrays import freeze
+from cloner.records.bodies import PosedView
+from cloner.records.heads import Shell
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TextureAtlas:
+    """The person's skin and clothes in the generic human's UV atlas.
+
+    Attributes
+    ----------
+    rgb : (S, S, 3) uint8, sRGB
+    coverage : (S, S) uint8
+        255 where a photo saw the texel well, 0 where the colour was filled in.
+    """
+
+    rgb: NDArray[np.uint8]
+    coverage: NDArray[np.uint8]
+
+    def __post_init__(self) -> None:
+        freeze(self, rgb=(np.uint8, (None, None, 3)), coverage=(np.uint8, (None, None)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Clone:
+    """One animatable textured person in rest pose, soles on y = 0.
+
+    Topology, weights, UVs and morph targets' indices are the generic human's
+    (``cloner.generic``); only what differs from it is kept here.
+
+    Attributes
+    ----------
+    vertices_m : (V, 3) float64
+        Model frame: metres, Y up, facing +Z, floor (shoe soles) at y = 0.
+    joints_m : (94, 3) float64, same frame
+    morph_names : tuple of str
+    morph_index : (M,) int32, morph_delta_m : (M, 3) float32, morph_start : (len(names)+1,) int32
+        Sparse morph targets: rows ``morph_start[k]:morph_start[k+1]`` belong to target k.
+    atlas : TextureAtlas
+    shells : tuple of Shell
+        Hair and other loose volumes, same frame as ``vertices_m``.
+    features_m : mapping of str to (3,) float64
+        Named feature points of the finished surface.
+    views : mapping of ViewId to PosedView
+        How to see the clone as each photo saw the person.
+    stature_m : float
+        Barefoot stature; the skull's top is at ``stature_m + sole_m``.
+    sole_m : float
+    """
+
+    vertices_m: NDArray[np.float64]
+    joints_m: NDArray[np.float64]
+    morph_names: tuple[str, ...]
+    morph_index: NDArray[np.int32]
+    morph_delta_m: NDArray[np.float32]
+    morph_start: NDArray[np.int32]
+    atlas: TextureAtlas
+    shells: tuple[Shell, ...]
+    features_m: Mapping[str, NDArray[np.float64]]
+    views: Mapping[ViewId, PosedView]
+    stature_m: float
+    sole_m: float
+
+    def __post_init__(self) -> None:
+        freeze(
+            self,
+            vertices_m=(np.float64, (None, 3)),
+            joints_m=(np.float64, (94, 3)),
+            morph_index=(np.int32, (None,)),
+            morph_delta_m=(np.float32, (None, 3)),
+            morph_start=(np.int32, (len(self.morph_names) + 1,)),
+        )
+        object.__setattr__(self, "features_m", MappingProxyType(dict(self.features_m)))
+        object.__setattr__(self, "views", MappingProxyType(dict(self.views)))

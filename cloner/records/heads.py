@@ -1,0 +1,85 @@
+"""The fitted head and the hair that lies on it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.records.arrays import freeze
+from cloner.records.views import Camera
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HeadFit:
+    """Shape of the head, in rest pose, and the cameras of the face photos.
+
+    Attributes
+    ----------
+    vertices_m : (H, 3) float64
+        ``generic.head_vertices`` in the rest frame of the *generic* head of the
+        same phenotype and stature; the join places them on the body.
+    cameras : mapping of ViewId to Camera
+        Face photos (and body_front's face) relative to that rest head.
+    control_names : tuple of str
+    control_m : (K, 3) float64
+        DFFD control points after the fit, same frame as ``vertices_m``.
+    iris_rgb : (3,) float64 in 0..255
+    iris_radius_m : float
+    side_shown : str
+        "left", "right" or "" when there is no side photo.
+    """
+
+    vertices_m: NDArray[np.float64]
+    cameras: Mapping[ViewId, Camera]
+    control_names: tuple[str, ...]
+    control_m: NDArray[np.float64]
+    iris_rgb: NDArray[np.float64]
+    iris_radius_m: float
+    side_shown: str
+
+    def __post_init__(self) -> None:
+        freeze(
+            self,
+            vertices_m=(np.float64, (None, 3)),
+            control_m=(np.float64, (len(self.control_names), 3)),
+            iris_rgb=(np.float64, (3,)),
+        )
+        object.__setattr__(self, "cameras", MappingProxyType(dict(self.cameras)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shell:
+    """A loose volume over the body: hair (later also skirts and coats).
+
+    Attributes
+    ----------
+    vertices_m : (N, 3) float64, rest pose, model frame of the joined person
+    triangles : (T, 3) int32
+    uv : (N, 2) float64 in 0..1, v downwards
+    skin_joints : (N, 4) int32
+    skin_weights : (N, 4) float64, rows sum to one
+    rgba : (S, S, 4) uint8 texture
+    """
+
+    vertices_m: NDArray[np.float64]
+    triangles: NDArray[np.int32]
+    uv: NDArray[np.float64]
+    skin_joints: NDArray[np.int32]
+    skin_weights: NDArray[np.float64]
+    rgba: NDArray[np.uint8]
+
+    def __post_init__(self) -> None:
+        freeze(
+            self,
+            vertices_m=(np.float64, (None, 3)),
+            triangles=(np.int32, (None, 3)),
+            uv=(np.float64, (None, 2)),
+            skin_joints=(np.int32, (None, 4)),
+            skin_weights=(np.float64, (None, 4)),
+            rgba=(np.uint8, (None, None, 4)),
+        )

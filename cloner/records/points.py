@@ -1,0 +1,146 @@
+"""Feature points in photos: proposals, corrections, and what the fit uses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.records.arrays import freeze
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ViewPoints:
+    """Named feature points of one photo.
+
+    Attributes
+    ----------
+    view : ViewId
+    names : tuple of str
+        Unique point names.
+    points_px : (N, 2) float64, photo pixels, (0, 0) = centre of top-left pixel
+    confidence : (N,) float64 in 0..1
+    corrected : (N,) bool
+        True where an operator placed the point.
+    """
+
+    view: ViewId
+    names: tuple[str, ...]
+    points_px: NDArray[np.float64]
+    confidence: NDArray[np.float64]
+    corrected: NDArray[np.bool_]
+
+    def __post_init__(self) -> None:
+        count = len(self.names)
+        if len(set(self.names)) != count:
+            raise ValueError(f"{self.view}: point names repeat")
+        freeze(
+            self,
+            points_px=(np.float64, (count, 2)),
+            confidence=(np.float64, (count,)),
+            corrected=(np.bool_, (count,)),
+        )
+
+    def get(self, name: str) -> NDArray[np.float64] | None:
+        """Return the (2,) pixel position of a point, or None if absent."""
+        return self.points_px[self.names.index(name)] if name in self.names else None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PointSet:
+    """Feature points of several photos (``BodyPoints`` and ``FacePoints``)."""
+
+    views: Mapping[ViewId, ViewPoints]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "views", MappingProxyType(dict(self.views)))
+
+
+#: Named feature points of the body photos.
+BodyPoints = PointSet
+#: Named feature points of the face photos (and of the face in body_front).
+FacePoints = PointSet
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Proposal:
+    """What nets and colours say about one photo, before any correction.
+
+    Attributes
+    ----------
+    view : ViewId
+    pose_px : (33, 2) float64
+        Pose landmarks in photo pixels (BlazePose order), NaN-free.
+    pose_visibility : (33,) float64 in 0..1; all zero when no pose was found
+    face_px : (468, 2) float64
+        Face-mesh points in photo pixels; zeros when ``face_presence`` is 0.
+    face_depth : (468,) float64
+        Relative depth in the same unit (pixels), smaller = nearer.
+    face_presence : float in 0..1
+    mask : (H, W) uint8
+        Person probability, 0..255, at photo resolution.
+    labels : (H, W) uint8
+        0 background, 1 skin, 2 hair, 3 cloth or other (meaningful on the head).
+    """
+
+    view: ViewId
+    pose_px: NDArray[np.float64]
+    pose_visibility: NDArray[np.float64]
+    face_px: NDArray[np.float64]
+    face_depth: NDArray[np.float64]
+    face_presence: float
+    mask: NDArray[np.uint8]
+    labels: NDArray[np.uint8]
+
+    def __post_init__(self) -> None:
+        freeze(
+            self,
+            pose_px=(np.float64, (33, 2)),
+            pose_visibility=(np.float64, (33,)),
+            face_px=(np.float64, (468, 2)),
+            face_depth=(np.float64, (468,)),
+            mask=(np.uint8, (None, None)),
+            labels=(np.uint8, (None, None)),
+        )
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Proposals:
+    """One proposal a photo."""
+
+    views: Mapping[ViewId, Proposal]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "views", MappingProxyType(dict(self.views)))
+
+
+@dataclass(frozen=True, slots=True)
+class Correction:
+    """One point placed by an operator.
+
+    Attributes
+    ----------
+    x_px, y_px : float
+        Position in photo pixels.
+    photo_digest : str
+        sha256 of the photo it was placed on; "" when unknown.
+    """
+
+    x_px: float
+    y_px: float
+    photo_digest: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Corrections:
+    """Everything operators placed: view -> point name -> correction."""
+
+    points: Mapping[ViewId, Mapping[str, Correction]]
+
+    def __post_init__(self) -> None:
+        inner = {view: MappingProxyType(dict(named)) for view, named in self.points.items()}
+        object.__setattr__(self, "points", MappingProxyType(inner))

@@ -1,0 +1,47 @@
+"""Outlines of the person in the photos."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.records.arrays import freeze
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Silhouette:
+    """The person's outline in one photo.
+
+    Attributes
+    ----------
+    view : ViewId
+    contours_px : tuple of (M, 2) float64
+        Closed polygons in photo pixels; outer boundaries and holes.
+    mask : (H, W) bool
+        The filled outline at photo resolution.
+    sources : tuple of (str, str, float)
+        Per feature segment: its name, "edges" or "mask", and the goodness G^P.
+    """
+
+    view: ViewId
+    contours_px: tuple[NDArray[np.float64], ...]
+    mask: NDArray[np.bool_]
+    sources: tuple[tuple[str, str, float], ...]
+
+    def __post_init__(self) -> None:
+        freeze(self, mask=(np.bool_, (None, None)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SilhouetteSet:
+    """One silhouette a photo."""
+
+    views: Mapping[ViewId, Silhouette]
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "views", MappingProxyType(dict(self.views)))
