@@ -34,6 +34,48 @@ class TextureAtlas:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
+class Joined:
+    """Head and body as one person in rest pose, before texture and hair.
+
+    Attributes
+    ----------
+    vertices_m : (V, 3) float64
+        Model frame: metres, Y up, facing +Z, floor (shoe soles) at y = 0.
+    joints_m : (94, 3) float64, same frame
+    views : mapping of ViewId to PosedView
+        Every photo's camera and pose. Face photos see only the head: their
+        rotations are zero and their camera stands relative to the rest head.
+    morph_names, morph_index, morph_delta_m, morph_start
+        Sparse morph targets scaled to this face, laid out as in :class:`Clone`.
+    features_m : mapping of str to (3,) float64
+    stature_m, sole_m : float
+    """
+
+    vertices_m: NDArray[np.float64]
+    joints_m: NDArray[np.float64]
+    views: Mapping[ViewId, PosedView]
+    morph_names: tuple[str, ...]
+    morph_index: NDArray[np.int32]
+    morph_delta_m: NDArray[np.float32]
+    morph_start: NDArray[np.int32]
+    features_m: Mapping[str, NDArray[np.float64]]
+    stature_m: float
+    sole_m: float
+
+    def __post_init__(self) -> None:
+        freeze(
+            self,
+            vertices_m=(np.float64, (None, 3)),
+            joints_m=(np.float64, (94, 3)),
+            morph_index=(np.int32, (None,)),
+            morph_delta_m=(np.float32, (None, 3)),
+            morph_start=(np.int32, (len(self.morph_names) + 1,)),
+        )
+        object.__setattr__(self, "views", MappingProxyType(dict(self.views)))
+        object.__setattr__(self, "features_m", MappingProxyType(dict(self.features_m)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
 class Clone:
     """One animatable textured person in rest pose, soles on y = 0.
 
