@@ -1,0 +1,165 @@
+"""Results appear whole or not at all."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import fcntl
+import logging
+import os
+import shutil
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Final
+
+from cloner.errors import ClonerError
+
+log = logging.getLogger(__name__)
+
+#: A folder with this file is one of our results and may be replaced by a newer one.
+RESULT_MARK: Final = "report.json"
+_DISK_TROUBLE: Final = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EACCES, errno.EPERM}
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a small file in one step: a temporary neighbour, then ``os.replace``.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written.
+    """
+    temporary = path.with_name(f".{path.name}.partial-{os.getpid()}")
+    try:
+        temporary.write_text(text, encoding="utf-8")
+        temporary.replace(path)
+    except OSError as error:
+        temporary.unlink(missing_ok=True)
+        raise ClonerError("the file cannot be written", "Check the folder's permissions and space", path.name) from error
+
+
+@contextlib.contextmanager
+def result_folder(out: Path, identifier: str) -> Iterator[Path]:
+    """Give a temporary folder that becomes ``out/identifier`` when the block ends well.
+
+    Whatever ends the block otherwise (an error, Ctrl-C) removes the temporary
+    folder, and ``out`` too if it was made here.  An older result of the same
+    name is replaced by renaming.  Temporary folders of killed runs are removed
+    first; a lock on each folder tells the dead from the running.
+
+    Parameters
+    ----------
+    out : Path
+        Folder of all results; made if missing.
+    identifier : str
+        Name of this result, safe as a path component.
+
+    Raises
+    ------
+    ClonerError
+        If ``out`` cannot be written, or holds something else of that name.
+    """
+    made = _make_folders(out)
+    final = out / identifier
+    lock = -1
+    partial: Path | None = None
+    try:
+        _restore_and_sweep(out, identifier)
+        _check_replaceable(final)
+        partial = Path(tempfile.mkdtemp(prefix=f".{identifier}.partial-{os.getpid()}-", dir=out))
+        lock = _lock(partial)
+        inside = partial / identifier  # mkdtemp is private (0700); the result gets ordinary permissions
+        inside.mkdir()
+        yield inside
+        _swap_in(inside, final)
+    except OSError as error:
+        if error.errno in _DISK_TROUBLE:
+            raise _unwritable(out) from error
+        raise
+    finally:
+        if partial is not None:
+            shutil.rmtree(partial, ignore_errors=True)
+        if lock >= 0:
+            os.close(lock)
+        _remove_empty(made)
+
+
+def _unwritable(out: Path) -> ClonerError:
+    hint = "Choose another --out folder, or check its permissions and free space"
+    return ClonerError("the results cannot be written there", hint, out.name or "output folder")
+
+
+def _make_folders(out: Path) -> list[Path]:
+    """Create ``out`` and return the folders that were missing, outermost first."""
+    missing = [folder for folder in (out, *out.parents) if not folder.exists()][::-1]
+    try:
+        out.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=out):
+            pass  # permission bits do not tell the whole truth (read-only mounts, root): try
+    except OSError as error:
+        _remove_empty(missing)
+        raise _unwritable(out) from error
+    return missing
+
+
+def _remove_empty(folders: list[Path]) -> None:
+    """Remove the folders made here that hold nothing, innermost first."""
+    for folder in reversed(folders):
+        with contextlib.suppress(OSError):
+            folder.rmdir()
+
+
+def _lock(folder: Path) -> int:
+    """Return a file descriptor that holds an exclusive lock on a folder while open."""
+    descriptor = os.open(folder, os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        os.close(descriptor)
+        raise
+    return descriptor
+
+
+def _restore_and_sweep(out: Path, identifier: str) -> None:
+    """Undo what a killed run left: put back a result it had moved aside, drop its rest."""
+    for partial in sorted(out.glob(f".{_escaped(identifier)}.partial-*")):
+        try:
+            descriptor = _lock(partial)
+        except OSError:
+            continue  # another run is at work in it
+        try:
+            older = partial / "replaced"
+            if older.is_dir() and not (out / identifier).exists():
+                older.rename(out / identifier)
+            shutil.rmtree(partial, ignore_errors=True)
+            log.info("removed what an interrupted run left behind")
+        finally:
+            os.close(descriptor)
+
+
+def _escaped(identifier: str) -> str:
+    return "".join(f"[{character}]" if character in "*?[" else character for character in identifier)
+
+
+def _check_replaceable(final: Path) -> None:
+    """Refuse to replace anything that is not one of our results, above all photos."""
+    if not final.exists() and not final.is_symlink():
+        return
+    if final.is_dir() and not final.is_symlink() and ((final / RESULT_MARK).is_file() or not any(final.iterdir())):
+        return
+    message = "something that is no earlier result is in the way and will not be replaced"
+    raise ClonerError(message, "Choose another --out folder or --id", final.name)
+
+
+def _swap_in(inside: Path, final: Path) -> None:
+    """Rename the finished result into place, an older one out of it first."""
+    older = inside.parent / "replaced"
+    if final.exists():
+        final.rename(older)
+    try:
+        inside.rename(final)
+    except BaseException:
+        if older.exists():
+            older.rename(final)
+        raise

@@ -1,0 +1,236 @@
+"""A person's folder: photos, what is known of the person, and corrections."""
+
+from __future__ import annotations
+
+import logging
+import math
+import re
+import tomllib
+import unicodedata
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Final
+
+from cloner.errors import ClonerError
+from cloner.frames import ViewId, m_from_cm
+from cloner.project import corrections as corrections_json
+from cloner.project.atomic import write_text
+from cloner.records.photos import Person, Photo, PhotoSet
+from cloner.records.points import Corrections
+from cloner.vision.pictures import read_picture
+
+log = logging.getLogger(__name__)
+
+SUFFIXES: Final = (".jpg", ".jpeg", ".png", ".webp", ".tif", ".tiff", ".heic", ".heif")
+DEFAULT_HEIGHT_CM: Final = 170.0  # taste: near the mean adult; lengths are then marked as unscaled
+SMALLEST_HEIGHT_CM: Final = 60.0  # below the smallest adult ever measured (55 cm), above any typing slip in metres
+LARGEST_HEIGHT_CM: Final = 250.0  # living people stay below; catches millimetres and inches
+LONGEST_IDENTIFIER: Final = 60  # file systems allow 255 bytes; leaves room for our own suffixes
+_PERSON_KEYS: Final = {"name", "height_cm", "notes", "measures"}
+
+
+def find_photos(folder: Path) -> dict[ViewId, Path]:
+    """Return the photo files of a folder by the view their name says.
+
+    Parameters
+    ----------
+    folder : Path
+        Holds ``body_front.jpg`` and so on, in any case, with a suffix of
+        `SUFFIXES`; other files are left alone.
+
+    Raises
+    ------
+    ClonerError
+        If the folder is missing, one view has two files, or neither
+        body_front nor face_front is there.
+    """
+    if not folder.is_dir():
+        raise ClonerError("there is no such folder of photos", "Give the folder that holds the photos", folder.name)
+    found: dict[ViewId, Path] = {}
+    for path in sorted(_entries(folder)):
+        view = _view_of(path)
+        if view is None:
+            continue
+        if view in found:
+            message = f"there are two photos for {view}: {found[view].name} and {path.name}"
+            raise ClonerError(message, "Keep one of them", folder.name)
+        found[view] = path
+    if ViewId.BODY_FRONT not in found and ViewId.FACE_FRONT not in found:
+        have = f"only {', '.join(found)}" if found else "no photo"
+        message = f"{have} with a usable name is here, and one front photo is needed"
+        expected = ", ".join(f"{view}.jpg" for view in ViewId)
+        raise ClonerError(message, f"Name the photos {expected} (png, webp, tiff and heic work too)", folder.name)
+    return {view: found[view] for view in ViewId if view in found}
+
+
+def holds_photos(folder: Path) -> bool:
+    """Return whether a folder holds at least one file named as a view."""
+    return folder.is_dir() and any(_view_of(path) is not None for path in _entries(folder))
+
+
+def load_photos(folder: Path) -> PhotoSet:
+    """Return the decoded photos of a folder.
+
+    Raises
+    ------
+    ClonerError
+        As :func:`find_photos` and :func:`cloner.vision.pictures.read_picture`.
+    """
+    photos = {}
+    for view, path in find_photos(folder).items():
+        picture = read_picture(path)
+        photos[view] = Photo(
+            view=view, rgb=picture.rgb, focal_35mm=picture.focal_35mm, digest=picture.digest, name=path.name
+        )
+    return PhotoSet(photos=photos)
+
+
+def read_person(folder: Path, height_cm: float | None = None, identifier: str | None = None) -> Person:
+    """Return what is known of the person besides the photos.
+
+    Parameters
+    ----------
+    folder : Path
+        May hold ``person.toml`` with name, height_cm, notes and a table measures.
+    height_cm : float or None
+        Barefoot height from the command line; wins over the file.
+    identifier : str or None
+        Name of the result; None derives it from the folder's name.
+
+    Returns
+    -------
+    Person
+        ``stature_is_known`` is False when neither source gave a height.
+
+    Raises
+    ------
+    ClonerError
+        If the file is malformed, has unknown keys, or the height is absurd.
+    """
+    data = _person_table(folder / "person.toml")
+    name = _text(data, "name")
+    notes = _text(data, "notes")
+    source = "person.toml, height_cm" if height_cm is None else "--height-cm"
+    height = height_cm if height_cm is not None else data.get("height_cm")
+    known = height is not None
+    stature_m = m_from_cm(_checked_height(height, source) if known else DEFAULT_HEIGHT_CM)
+    return Person(
+        identifier=safe_identifier(identifier if identifier is not None else folder.resolve().name),
+        name=name,
+        stature_m=stature_m,
+        stature_is_known=known,
+        notes=notes,
+    )
+
+
+def read_measures(folder: Path) -> dict[str, float]:
+    """Return lengths an operator measured on the person, name -> mm, from ``person.toml`` [measures]."""
+    table = _person_table(folder / "person.toml").get("measures", {})
+    if not isinstance(table, dict) or not all(_is_length(value) for value in table.values()):
+        raise ClonerError("measures must be a table of positive numbers in mm", "Correct it", "person.toml, measures")
+    return {str(name): float(value) for name, value in table.items()}
+
+
+def person_warnings(person: Person) -> tuple[str, ...]:
+    """Return what the report must say about the person's data, in plain words."""
+    if person.stature_is_known:
+        return ()
+    return (
+        f"No height was given: {DEFAULT_HEIGHT_CM:.0f} cm is assumed, so every length is unscaled; "
+        "give --height-cm or height_cm in person.toml",
+    )
+
+
+def read_corrections(folder: Path) -> Corrections:
+    """Return the corrections of ``corrections.json``, or none when there is no such file.
+
+    Raises
+    ------
+    ClonerError
+        If the file cannot be read or is malformed.
+    """
+    path = folder / corrections_json.WHERE
+    if not path.exists():
+        return corrections_json.no_corrections()
+    try:
+        text = path.read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise ClonerError("the file cannot be read as text", "Check it or move it away", path.name) from error
+    return corrections_json.from_json(text)
+
+
+def write_corrections(folder: Path, corrections: Corrections) -> None:
+    """Write ``corrections.json`` in one step, so that a crash leaves the old file.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written.
+    """
+    write_text(folder / corrections_json.WHERE, corrections_json.to_json(corrections))
+
+
+def safe_identifier(name: str) -> str:
+    """Return a name that is one harmless path component on every file system.
+
+    Letters and digits of any script stay; everything else becomes "-".  Names
+    that would vanish or hide (dots only, nothing left) become "visitor".
+    """
+    composed = unicodedata.normalize("NFC", name)
+    kept = re.sub(r"[^\w.-]+", "-", composed, flags=re.UNICODE)
+    kept = re.sub(r"\.{2,}", ".", kept).strip("-._ ")
+    while len(kept.encode()) > LONGEST_IDENTIFIER:
+        kept = kept[:-1]
+    reserved = re.fullmatch(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?", kept)
+    return f"visitor-{kept}" if reserved else kept or "visitor"
+
+
+def _entries(folder: Path) -> list[Path]:
+    try:
+        return [path for path in folder.iterdir() if path.is_file()]
+    except OSError as error:
+        raise ClonerError("the folder cannot be read", "Check its permissions", folder.name) from error
+
+
+def _view_of(path: Path) -> ViewId | None:
+    stem = path.stem.lower()
+    if path.suffix.lower() not in SUFFIXES or stem not in set(ViewId):
+        return None
+    return ViewId(stem)
+
+
+def _person_table(path: Path) -> Mapping[str, Any]:
+    """Return the checked table of ``person.toml``; empty when there is none."""
+    if not path.exists():
+        return {}
+    try:
+        data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
+    except tomllib.TOMLDecodeError as error:
+        raise ClonerError(f"this is not valid TOML ({error})", "Write lines like: height_cm = 172", path.name) from error
+    except (OSError, UnicodeDecodeError) as error:
+        raise ClonerError("the file cannot be read as text", "Check it or move it away", path.name) from error
+    unknown = sorted(set(data) - _PERSON_KEYS)
+    if unknown:
+        known = ", ".join(sorted(_PERSON_KEYS))
+        raise ClonerError(f"the key {unknown[0]!r} is not known", f"The keys are {known}", path.name)
+    return data
+
+
+def _text(data: Mapping[str, Any], key: str) -> str:
+    value = data.get(key, "")
+    if not isinstance(value, str):
+        raise ClonerError(f"{key} must be text in quotes", "Put it in quotes", f"person.toml, {key}")
+    return value
+
+
+def _is_length(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value) and value > 0
+
+
+def _checked_height(value: Any, where: str) -> float:
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        raise ClonerError("the height must be a number of centimetres", "Write height_cm = 172", where)
+    if not SMALLEST_HEIGHT_CM <= value <= LARGEST_HEIGHT_CM:  # also refuses nan
+        message = f"a height of {value:g} cm is outside {SMALLEST_HEIGHT_CM:.0f} to {LARGEST_HEIGHT_CM:.0f} cm"
+        raise ClonerError(message, "Give the barefoot height in centimetres", where)
+    return float(value)
