@@ -1,0 +1,65 @@
+"""A clone as posed meshes with one texture each, ready to draw."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.load import load_generic
+from cloner.generic.surfaces import load_surfaces, surface_normals
+from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.wedges import vertex_normals
+from cloner.records.clones import Clone
+
+Array = NDArray[np.float64]
+Image = NDArray[np.uint8]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Layer:
+    """One mesh with one texture, ready to draw.
+
+    Attributes
+    ----------
+    vertices_m : (N, 3) float64, posed, model frame
+    normals : (N, 3) float64, unit
+    triangles : (T, 3) int32
+    uv : (N, 2) float64 or None, v downwards
+    texture : (S, S, 3 or 4) uint8 or None
+        Four channels are blended over what lies behind.
+    colour : (3,) float, 0..1
+        Used where there is no texture.
+    two_sided : bool
+    """
+
+    vertices_m: Array
+    normals: Array
+    triangles: NDArray[np.int32]
+    uv: Array | None = None
+    texture: Image | None = None
+    colour: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    two_sided: bool = False
+
+
+def clone_layers(clone: Clone, rotations: Array | None = None) -> list[Layer]:
+    """Return a clone's posed meshes, opaque ones first."""
+    generic = load_generic()
+    pose = np.zeros((len(clone.joints_m), 3)) if rotations is None else np.asarray(rotations, dtype=np.float64)
+    transforms = joint_transforms(clone.joints_m, generic.joint_parents, pose)
+    posed = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights)
+    normals = surface_normals(posed)
+    layers = [
+        Layer(
+            posed[surface.vertex], normals[surface.vertex], surface.triangles, surface.uv,
+            clone.atlas.rgb if surface.rgba is None else surface.rgba, two_sided=surface.rgba is not None,
+        )
+        for surface in load_surfaces()
+    ]
+    for shell in clone.shells:
+        loose = skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
+        layers.append(
+            Layer(loose, vertex_normals(loose, shell.triangles), shell.triangles, shell.uv, shell.rgba, two_sided=True)
+        )
+    return layers

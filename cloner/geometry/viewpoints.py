@@ -1,0 +1,67 @@
+"""Cameras that look at a body from a named side."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+#: Azimuth of every named side in degrees: 0 in front of the person, 90 at the person's left.
+#: "side" is the samples' side: the camera at the person's right.
+AZIMUTH_DEG: Final = {
+    "front": 0.0,
+    "left": 90.0,
+    "right": -90.0,
+    "side": -90.0,
+    "back": 180.0,
+    "three_quarter": 45.0,
+}
+FOCAL_PER_LONG_SIDE: Final = 2.0  # taste: a 72 mm lens, little perspective, as in a portrait
+MARGIN: Final = 1.06  # taste: air around the figure
+
+
+def look_at(eye_m: Array, target_m: Array) -> Array:
+    """Return the (4, 4) ``camera_from_model`` of a level camera at ``eye_m`` aimed at ``target_m``.
+
+    Raises
+    ------
+    ValueError
+        If the camera would look straight up or down.
+    """
+    forward = np.asarray(target_m, dtype=np.float64) - eye_m
+    forward /= np.linalg.norm(forward)
+    right = np.cross(forward, [0.0, 1.0, 0.0])
+    if np.linalg.norm(right) < 1e-6:
+        raise ValueError("the camera looks straight up or down")
+    right /= np.linalg.norm(right)
+    rows = np.vstack([right, np.cross(forward, right), forward])
+    camera_from_model = np.eye(4)
+    camera_from_model[:3, :3] = rows
+    camera_from_model[:3, 3] = -rows @ eye_m
+    return camera_from_model
+
+
+def framing_camera(points_m: Array, azimuth_deg: float, width_px: int, height_px: int) -> Camera:
+    """Return a level camera on the given side that just frames all points.
+
+    Parameters
+    ----------
+    points_m : (N, 3), model frame
+    azimuth_deg : float
+        0 in front of the person, 90 at the person's left.
+    """
+    azimuth = np.radians(azimuth_deg)
+    outward = np.array([np.sin(azimuth), 0.0, np.cos(azimuth)])
+    target = (points_m.min(axis=0) + points_m.max(axis=0)) / 2.0
+    focal = FOCAL_PER_LONG_SIDE * max(width_px, height_px)
+    rotation = look_at(target + outward, target)[:3, :3]
+    inside = (points_m - target) @ rotation.T
+    # a point at depth z before the target fills |x| f / (d + z) pixels: solve for the distance of each
+    half = np.array([width_px, height_px]) / (2.0 * MARGIN)
+    distance = float((np.abs(inside[:, :2]) * focal / half - inside[:, 2:3]).max())
+    return Camera(width_px, height_px, focal, look_at(target + distance * outward, target))

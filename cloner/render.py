@@ -1,0 +1,289 @@
+"""Pictures of a clone through any camera; only home of pyrender."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any, Final, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.errors import ClonerError
+from cloner.generic.layers import Layer, clone_layers
+from cloner.generic.load import load_generic
+from cloner.geometry.viewpoints import AZIMUTH_DEG, framing_camera
+from cloner.geometry.wedges import vertex_normals
+from cloner.records.clones import Clone
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+Image = NDArray[np.uint8]
+Shading = Literal["photo", "soft"]
+
+#: Samples a pixel and axis; taste: edges as smooth as a camera's, 4x the work.
+SUPERSAMPLE: Final = 2
+#: The renderer's near plane, metres; nothing of a person comes nearer to a lens.
+NEAR_M: Final = 0.05
+FAR_M: Final = 100.0
+#: Largest side GL can draw to on every driver that was tried, pixels.
+LARGEST_SIDE_PX: Final = 8192
+#: Lights of the soft shading in camera axes (x right, y up, z to the viewer) and strength; taste.
+_LIGHTS: Final = (((-0.5, 0.6, 0.8), 1.7), ((0.8, 0.2, 0.6), 0.7), ((0.0, 0.7, -0.8), 0.6))
+_AMBIENT: Final = 0.42  # taste: the shadow side keeps about half its colour
+#: GL's camera axes (y up, z backwards) from ours (y down, z forward).
+_GL_FROM_CAMERA: Final = np.diag([1.0, -1.0, -1.0, 1.0])
+_INSTALL: Final = "Install it with: sudo apt-get install -y libegl1 libgl1-mesa-dri libgles2"
+
+
+def render(
+    clone: Clone,
+    camera: Camera,
+    rotations: Array | None = None,
+    *,
+    shading: Shading = "photo",
+    background: tuple[int, int, int] = (255, 255, 255),
+) -> Image:
+    """Return the (H, W, 3) uint8 sRGB picture of a clone.
+
+    Parameters
+    ----------
+    clone : Clone
+    camera : Camera
+    rotations : (94, 3) or None
+        Rotation vectors of the joints, radians; None is the rest pose.
+    shading, background
+        As in :func:`draw`.
+
+    Raises
+    ------
+    ClonerError
+        If this machine cannot draw.
+    """
+    return draw(clone_layers(clone, rotations), camera, shading=shading, background=background)
+
+
+def render_mask(clone: Clone, camera: Camera, rotations: Array | None = None) -> NDArray[np.bool_]:
+    """Return the (H, W) pixels that body and hair cover by more than half."""
+    return coverage(clone_layers(clone, rotations), camera) > 0.5
+
+
+def render_rgba(
+    clone: Clone, camera: Camera, rotations: Array | None = None, *, shading: Shading = "photo"
+) -> Image:
+    """Return the (H, W, 4) uint8 cut-out of a clone, alpha not multiplied in."""
+    layers = clone_layers(clone, rotations)
+    alpha = coverage(layers, camera)[..., None]
+    colour = draw(layers, camera, shading=shading, background=(0, 0, 0)) / np.maximum(alpha, 1e-3)
+    return np.concatenate([np.clip(colour, 0, 255), 255 * alpha], axis=2).round().astype(np.uint8)
+
+
+def render_mesh(
+    vertices_m: Array,
+    triangles: NDArray[np.int32],
+    camera: Camera,
+    *,
+    colour: tuple[float, float, float] = (0.72, 0.62, 0.56),
+    shading: Shading = "soft",
+    background: tuple[int, int, int] = (255, 255, 255),
+) -> Image:
+    """Return the (H, W, 3) picture of a plain mesh in one colour (sRGB 0..1)."""
+    layer = Layer(vertices_m, vertex_normals(vertices_m, triangles), triangles, colour=colour)
+    return draw([layer], camera, shading=shading, background=background)
+
+
+def standard_camera(clone: Clone, view: str, width_px: int, height_px: int) -> Camera:
+    """Return the camera that frames the clone in rest pose.
+
+    Parameters
+    ----------
+    view : str
+        front, side, left, right, back, three_quarter, and the same after
+        ``face_`` ("face" alone is the face's front). "side" and "right" look
+        from the person's right, three_quarter from the left front.
+
+    Raises
+    ------
+    ValueError
+        If the view is unknown.
+    """
+    side = view.removeprefix("face_") if view != "face" else "front"
+    if side not in AZIMUTH_DEG:
+        raise ValueError(f"unknown view {view!r}; known: {', '.join(AZIMUTH_DEG)}, face, face_...")
+    points = np.vstack([clone.vertices_m, *(shell.vertices_m for shell in clone.shells)])
+    if view.startswith("face"):
+        generic = load_generic()
+        head = clone.vertices_m[generic.vertex_segment == generic.segment_names.index("head")]
+        points = points[points[:, 1] >= head[:, 1].min()]  # long hair must not shrink the face
+        points = points[np.abs(points[:, 0]) <= 1.5 * np.abs(head[:, 0]).max()]  # nor raised shoulders
+    return framing_camera(points, AZIMUTH_DEG[side], width_px, height_px)
+
+
+def draw(
+    layers: Sequence[Layer],
+    camera: Camera,
+    *,
+    shading: Shading = "photo",
+    background: tuple[int, int, int] = (255, 255, 255),
+    supersample: int = SUPERSAMPLE,
+) -> Image:
+    """Return the (H, W, 3) uint8 sRGB picture of some meshes.
+
+    Parameters
+    ----------
+    layers : sequence of Layer
+        Opaque ones first; those with four channels are drawn back to front.
+    camera : Camera
+        Pixel (0, 0) is the centre of the top-left pixel, as everywhere.
+    shading : "photo" or "soft"
+        "photo" shows the texture as it is, to lay beside a photograph; "soft"
+        adds a studio light that moves with the camera.
+    background : 3 ints, 0..255 sRGB
+    supersample : int
+        Samples a pixel and axis.
+
+    Raises
+    ------
+    ClonerError
+        If this machine has no EGL to draw with, or the picture is too large.
+    """
+    pyrender = _pyrender()
+    width, height = camera.width_px * supersample, camera.height_px * supersample
+    if max(width, height) > LARGEST_SIDE_PX:
+        raise ClonerError("The picture is too large to draw", f"Keep it under {LARGEST_SIDE_PX // supersample} pixels",
+                          "render")
+    ambient = _AMBIENT if shading == "soft" else 1.0
+    scene = pyrender.Scene(bg_color=[*(value / 255.0 for value in background), 1.0], ambient_light=[ambient] * 3)
+    model_from_gl = np.linalg.inv(_GL_FROM_CAMERA @ camera.camera_from_model)
+    for layer in layers:
+        scene.add(_mesh(pyrender, layer, camera))
+    scene.add(_lens(pyrender, camera, supersample), pose=model_from_gl)
+    flags = pyrender.RenderFlags.FLAT
+    if shading == "soft":
+        flags = pyrender.RenderFlags.NONE
+        for direction, strength in _LIGHTS:
+            pose = model_from_gl @ _looking_along(-np.array(direction))
+            scene.add(pyrender.DirectionalLight(color=np.ones(3), intensity=strength), pose=pose)
+    with _renderer(width, height) as renderer:
+        large, _ = renderer.render(scene, flags=flags)
+    return _shrink(large[..., :3], supersample)
+
+
+def coverage(layers: Sequence[Layer], camera: Camera, *, supersample: int = SUPERSAMPLE) -> Array:
+    """Return the (H, W) share 0..1 of every pixel that the meshes cover; alpha counts as cover."""
+    white = [
+        Layer(
+            layer.vertices_m, layer.normals, layer.triangles, layer.uv, _white(layer.texture),
+            two_sided=layer.two_sided,
+        )
+        for layer in layers
+    ]
+    return draw(white, camera, background=(0, 0, 0), supersample=supersample)[..., 0] / 255.0
+
+
+def _white(texture: Image | None) -> Image | None:
+    """Return an all-white texture with the same alpha, or None where there is no alpha."""
+    if texture is None or texture.shape[2] == 3:
+        return None
+    white = np.full_like(texture, 255)
+    white[..., 3] = texture[..., 3]
+    return white
+
+
+def _mesh(pyrender: Any, layer: Layer, camera: Camera) -> Any:
+    """Return the layer as a pyrender mesh, its transparent triangles sorted back to front."""
+    textured = layer.texture is not None and layer.uv is not None
+    blended = textured and layer.texture is not None and layer.texture.shape[2] == 4
+    texture = None
+    if textured:
+        sampler = pyrender.Sampler(wrapS=10497, wrapT=10497, minFilter=9987, magFilter=9729)  # repeat, trilinear
+        texture = pyrender.Texture(
+            source=layer.texture, source_channels="RGBA" if blended else "RGB", sampler=sampler
+        )
+    material = pyrender.MetallicRoughnessMaterial(
+        baseColorTexture=texture,
+        baseColorFactor=[*layer.colour, 1.0],
+        metallicFactor=0.0,
+        roughnessFactor=0.9,
+        alphaMode="BLEND" if blended else "OPAQUE",
+        doubleSided=layer.two_sided,
+    )
+    triangles = layer.triangles
+    if blended:
+        depth = camera.to_camera(layer.vertices_m)[:, 2]
+        triangles = triangles[np.argsort(-depth[triangles].mean(axis=1), kind="stable")]
+    # pyrender counts v upwards and we count it downwards
+    uv = np.column_stack([layer.uv[:, 0], 1.0 - layer.uv[:, 1]]) if textured and layer.uv is not None else None
+    primitive = pyrender.Primitive(
+        positions=layer.vertices_m, normals=layer.normals, texcoord_0=uv, indices=triangles, material=material, mode=4
+    )
+    return pyrender.Mesh([primitive])
+
+
+def _lens(pyrender: Any, camera: Camera, supersample: int) -> Any:
+    """Return the pyrender camera; its principal point is the picture's middle, as ours is."""
+    width, height = camera.width_px * supersample, camera.height_px * supersample
+    if camera.pixels_per_m is not None:
+        half = 0.5 / (camera.pixels_per_m * supersample)
+        return pyrender.OrthographicCamera(xmag=width * half, ymag=height * half, znear=NEAR_M, zfar=FAR_M)
+    focal = camera.focal_px * supersample
+    return pyrender.IntrinsicsCamera(focal, focal, width / 2, height / 2, znear=NEAR_M, zfar=FAR_M)
+
+
+def _looking_along(direction: Array) -> Array:
+    """Return a (4, 4) pose whose -z axis points along ``direction``."""
+    z = -direction / np.linalg.norm(direction)
+    x = np.cross([0.0, 1.0, 0.0], z)
+    x /= np.linalg.norm(x)
+    pose = np.eye(4)
+    pose[:3, :3] = np.column_stack([x, np.cross(z, x), z])
+    return pose
+
+
+def _shrink(large: Image, factor: int) -> Image:
+    """Return the picture at 1/factor size, each pixel the mean of its samples."""
+    if factor == 1:
+        return np.ascontiguousarray(large)
+    height, width = large.shape[0] // factor, large.shape[1] // factor
+    total = np.zeros((height, width, large.shape[2]), dtype=np.uint16)
+    for row in range(factor):
+        for column in range(factor):
+            total += large[row::factor, column::factor]
+    return ((total + factor * factor // 2) // (factor * factor)).astype(np.uint8)
+
+
+_local = threading.local()  # a GL context stays on the thread that made it
+
+
+@contextmanager
+def _renderer(width: int, height: int) -> Iterator[Any]:
+    """Give this thread's renderer at the wanted size."""
+    renderer = getattr(_local, "renderer", None)
+    if renderer is None:
+        try:
+            renderer = _pyrender().OffscreenRenderer(width, height)
+        except Exception as error:  # noqa: BLE001 - PyOpenGL raises a dozen unrelated kinds for a missing driver
+            raise ClonerError("This machine cannot draw: EGL gives no context", _INSTALL, "EGL") from error
+        _local.renderer = renderer
+    renderer.viewport_width, renderer.viewport_height = width, height
+    yield renderer
+
+
+def _pyrender() -> Any:
+    """Return the pyrender module, repaired for NumPy 2.
+
+    Raises
+    ------
+    ClonerError
+        If the EGL library is missing.
+    """
+    os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
+    if not hasattr(np, "infty"):
+        np.infty = np.inf  # type: ignore[attr-defined]  # pyrender 0.1.45 asks for the name NumPy 2 dropped
+    try:
+        import pyrender  # noqa: PLC0415 - it looks for a GL library while it is imported
+    except Exception as error:  # noqa: BLE001 - ImportError, AttributeError or OSError, by driver
+        raise ClonerError("This machine cannot draw: the EGL library is missing", _INSTALL, "EGL") from error
+    return pyrender
