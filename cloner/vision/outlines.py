@@ -1,0 +1,158 @@
+"""A person's outline in one photo: edges linked along the contour of a rough mask.
+
+References
+----------
+W.-S. Lee, J. Gu, N. Magnenat-Thalmann, "Generating Animatable 3D Virtual Humans from
+Photographs", Eurographics 2000, section 3.5; method note section 4 and its "Beyond".
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.vision.loops import (
+    MaskLoop,
+    figure_height,
+    fill_polygons,
+    mask_loops,
+    place_feature_points,
+)
+from cloner.vision.band import Band, LinkParams, gather_band
+from cloner.vision.tracing import trace_loop
+
+Floats = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class OutlineLoop:
+    """One closed contour of the outline.
+
+    Attributes
+    ----------
+    polygon : ndarray, shape (M, 2), float64
+        Sub-pixel corners, not repeated at the end, px.
+    is_hole : bool
+        Whether it bounds a hole (between arm and torso, between legs).
+    feature_points : ndarray, shape (K, 2), float64
+        The feature points, on the mask's contour, in walking order, px.
+    feature_rows : ndarray, shape (K,), intp
+        Row of each in the caller's ``feature_points_px``; -1 for points placed here.
+    sources : tuple of str
+        Per feature segment (from point k to k + 1, the last back to the first) ``'edges'`` or
+        ``'mask'``.
+    goodness : ndarray, shape (K,), float64
+        G^P of the best path of each feature segment; 0 where there was none.
+    covered : ndarray, shape (K,), float64
+        Share of each feature segment's length that lies on edges, 0..1.
+    """
+
+    polygon: Floats
+    is_hole: bool
+    feature_points: Floats
+    feature_rows: NDArray[np.intp]
+    sources: tuple[str, ...]
+    goodness: Floats
+    covered: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outline:
+    """Outline of the person in one photo.
+
+    Attributes
+    ----------
+    loops : tuple of OutlineLoop
+        Outer contours and holes, longest first; empty where the mask shows nobody.
+    filled : ndarray, shape (H, W), bool
+        Pixels whose centres lie inside.
+    height_px : float
+        Height of the figure in the mask, px; lengths scale with it.
+    """
+
+    loops: tuple[OutlineLoop, ...]
+    filled: Bools
+    height_px: float
+
+
+def extract_outline(
+    rgb: NDArray[np.uint8],
+    mask: NDArray[np.float32],
+    feature_points_px: Floats | None = None,
+    *,
+    params: LinkParams | None = None,
+) -> Outline:
+    """Trace a person's outline along image edges, near the contour of a rough mask.
+
+    Parameters
+    ----------
+    rgb : ndarray, shape (H, W, 3), uint8
+        The upright photo.
+    mask : ndarray, shape (H, W), float32
+        Probability 0..1 that a pixel shows the person; roughly right, edges may be soft.
+    feature_points_px : ndarray, shape (N, 2), float64, optional
+        Ordered closed list of points near the outer outline, px; each consecutive pair bounds
+        a feature segment.  Placed on the mask's contour where not given, and always on holes.
+    params : LinkParams, optional
+        Lengths in figure heights, and weights.
+
+    Returns
+    -------
+    Outline
+        Where no path of edges is good enough the mask's contour stands in.
+
+    Notes
+    -----
+    Departures from the paper: the feature segment L is the mask contour's piece between two
+    feature points, not the straight line; magnitudes are weighted by the colours on both sides
+    of the edge; what the best path leaves uncovered is searched again as a shorter L.
+    """
+    settings = params or LinkParams()
+    height = figure_height(mask)
+    loops = mask_loops(mask, height_px=height) if height > 0 else []
+    if not loops:
+        return Outline((), np.zeros(mask.shape, dtype=bool), height)
+    bands = gather_band(rgb, mask, loops, height_px=height, params=settings)
+    traced = []
+    for index, (loop, band) in enumerate(zip(loops, bands, strict=True)):
+        given = feature_points_px if index == 0 else None
+        traced.append(_trace(loop, band, given, height, settings))
+    filled = fill_polygons([t.polygon for t in traced], [t.is_hole for t in traced], mask.shape)
+    return Outline(tuple(traced), filled, height)
+
+
+def _trace(
+    loop: MaskLoop,
+    band: Band,
+    feature_points_px: Floats | None,
+    height_px: float,
+    params: LinkParams,
+) -> OutlineLoop:
+    """Return one contour of the outline."""
+    if feature_points_px is not None and len(feature_points_px) >= 2:
+        gaps = np.linalg.norm(feature_points_px[:, None] - loop.points[None], axis=2)
+        at = gaps.argmin(axis=1)
+        # The contour's own order rules: two points given in the wrong order, or the whole list
+        # walked the other way, still bound the same pieces.
+        indices, rows = np.unique(at, return_index=True)
+    else:
+        indices = place_feature_points(
+            loop,
+            spacing_px=params.spacing * height_px,
+            smooth_px=max(params.corner_scale * height_px, 1.0),
+        )
+        rows = np.full(len(indices), -1)
+    trace = trace_loop(loop, band, indices, height_px=height_px, params=params)
+    sources = tuple("edges" if c >= params.edges_share else "mask" for c in trace.covered)
+    return OutlineLoop(
+        trace.polygon,
+        loop.is_hole,
+        loop.points[indices],
+        rows.astype(np.intp),
+        sources,
+        trace.goodness,
+        trace.covered,
+    )
