@@ -1,0 +1,57 @@
+"""Files written whole or not at all, and pictures as bytes."""
+
+from __future__ import annotations
+
+import io
+import os
+import tempfile
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from cloner.errors import ClonerError
+
+JPEG_QUALITY: Final = 92  # taste: no visible blocks on skin, a tenth of the PNG's size
+
+
+def write_bytes(path: Path, data: bytes) -> None:
+    """Write a file under a temporary name in its folder, then move it into place.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be made or written to.
+    """
+    temporary = ""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+        with os.fdopen(handle, "wb") as stream:
+            stream.write(data)
+        os.chmod(temporary, 0o644)  # mkstemp keeps files private; results are meant to be shared
+        os.replace(temporary, path)
+    except OSError as error:
+        raise ClonerError(
+            f"The file cannot be written: {error.strerror or error}", "Choose another folder or free some space",
+            path.name,
+        ) from error
+    finally:
+        if temporary and os.path.exists(temporary):
+            os.unlink(temporary)
+
+
+def jpeg_bytes(rgb: NDArray[np.uint8], quality: int = JPEG_QUALITY) -> bytes:
+    """Return an (H, W, 3) picture as JPEG with full colour resolution."""
+    stream = io.BytesIO()
+    Image.fromarray(rgb).save(stream, "JPEG", quality=quality, subsampling=0)
+    return stream.getvalue()
+
+
+def png_bytes(pixels: NDArray[np.uint8]) -> bytes:
+    """Return an (H, W), (H, W, 3) or (H, W, 4) picture as PNG, packed fast rather than small."""
+    stream = io.BytesIO()
+    Image.fromarray(pixels).save(stream, "PNG", compress_level=3)
+    return stream.getvalue()

@@ -1,0 +1,87 @@
+"""The binary side of a glTF file: arrays in, accessor numbers out."""
+
+from __future__ import annotations
+
+from typing import Any, Final
+
+import numpy as np
+import pygltflib
+from numpy.typing import NDArray
+
+_COMPONENT: Final = {
+    np.dtype(np.uint8): pygltflib.UNSIGNED_BYTE,
+    np.dtype(np.uint16): pygltflib.UNSIGNED_SHORT,
+    np.dtype(np.uint32): pygltflib.UNSIGNED_INT,
+    np.dtype(np.float32): pygltflib.FLOAT,
+}
+_KIND: Final = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
+
+
+class GltfBuffer:
+    """Collects arrays for one ``pygltflib.GLTF2`` and keeps its accessor table in step."""
+
+    def __init__(self, gltf: Any) -> None:
+        self._gltf = gltf
+        self._chunks: list[bytes] = []
+        self._length = 0
+
+    def data(self) -> bytes:
+        """Return everything added so far."""
+        return b"".join(self._chunks)
+
+    def view(self, data: bytes, target: int | None = None) -> int:
+        """Add raw bytes and return their buffer view; every view starts on 4 bytes."""
+        view = pygltflib.BufferView(buffer=0, byteOffset=self._length, byteLength=len(data), target=target)
+        padding = b"\0" * (-len(data) % 4)
+        self._chunks += [data, padding]
+        self._length += len(data) + len(padding)
+        self._gltf.bufferViews.append(view)
+        return len(self._gltf.bufferViews) - 1
+
+    def attribute(self, values: NDArray[Any], *, bounds: bool = False) -> int:
+        """Add a vertex attribute (N, k) and return its accessor; ``bounds`` adds min and max."""
+        view = self.view(np.ascontiguousarray(values).tobytes(), pygltflib.ARRAY_BUFFER)
+        return self._accessor(values, view, bounds=bounds)
+
+    def indices(self, values: NDArray[Any]) -> int:
+        """Add the (N,) corners of triangles, as short as they fit, and return the accessor."""
+        flat = values.reshape(-1)
+        flat = flat.astype(np.uint16 if flat.max(initial=0) < 65535 else np.uint32)
+        return self._accessor(flat, self.view(flat.tobytes(), pygltflib.ELEMENT_ARRAY_BUFFER))
+
+    def matrices(self, values: NDArray[np.float64]) -> int:
+        """Add (N, 4, 4) matrices, stored by columns as glTF wants, and return the accessor."""
+        flat = np.ascontiguousarray(values.transpose(0, 2, 1)).reshape(-1, 16).astype(np.float32)
+        return self._accessor(flat, self.view(flat.tobytes()))
+
+    def sparse(self, count: int, index: NDArray[Any], values: NDArray[np.float32]) -> int:
+        """Add a (count, 3) attribute that is zero except in the rows ``index`` (ascending, may be empty)."""
+        accessor = pygltflib.Accessor(
+            componentType=pygltflib.FLOAT,
+            count=count,
+            type="VEC3",
+            min=np.minimum(values.min(axis=0, initial=0.0), 0.0).astype(float).tolist(),
+            max=np.maximum(values.max(axis=0, initial=0.0), 0.0).astype(float).tolist(),
+        )
+        if len(index):
+            rows = index.astype(np.uint16 if count < 65535 else np.uint32)
+            accessor.sparse = pygltflib.AccessorSparse(
+                count=len(rows),
+                indices=pygltflib.AccessorSparseIndices(
+                    bufferView=self.view(rows.tobytes()), componentType=_COMPONENT[rows.dtype]
+                ),
+                values=pygltflib.AccessorSparseValues(bufferView=self.view(values.astype(np.float32).tobytes())),
+            )
+        self._gltf.accessors.append(accessor)
+        return len(self._gltf.accessors) - 1
+
+    def _accessor(self, values: NDArray[Any], view: int, *, bounds: bool = False) -> int:
+        width = 1 if values.ndim == 1 else values.shape[1]
+        accessor = pygltflib.Accessor(
+            bufferView=view, componentType=_COMPONENT[values.dtype], count=len(values), type=_KIND[width]
+        )
+        if bounds:
+            accessor.min = values.min(axis=0).astype(float).tolist()
+            accessor.max = values.max(axis=0).astype(float).tolist()
+        self._gltf.accessors.append(accessor)
+        return len(self._gltf.accessors) - 1

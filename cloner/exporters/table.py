@@ -1,0 +1,15 @@
+"""The formats a clone can leave in; each row's ``export`` loads on first use.
+
+``export(clone, folder, *, name="clone") -> tuple[Path, ...]`` writes the
+files and returns their paths.
+"""
+
+from __future__ import annotations
+
+from cloner.registry import Registry
+
+EXPORTERS = Registry("format")
+EXPORTERS.add("glb", "cloner.exporters.gltf:export")
+EXPORTERS.add("wrl", "cloner.exporters.vrml97:export")
+EXPORTERS.add("obj", "cloner.exporters.meshes:export_obj")
+EXPORTERS.add("ply", "cloner.exporters.meshes:export_ply")
