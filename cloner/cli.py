@@ -1,0 +1,185 @@
+"""The command line: ``cloner clone``, ``batch``, ``render``, ``evaluate``, ``gui`` and ``doctor``."""
+
+from __future__ import annotations
+
+import json
+import logging
+import signal
+import sys
+from pathlib import Path
+from types import FrameType
+from typing import Annotated, Final
+
+import typer
+
+import cloner
+from cloner.batch import BatchRow, batch_folder, summary_table
+from cloner.cloning import DEFAULT_FORMATS, clone_folder
+from cloner.errors import Cancelled, ClonerError
+from cloner.terminal import ProgressLine
+
+EXIT_INPUT: Final = 2
+EXIT_CANCELLED: Final = 130  # 128 + SIGINT, as shells have it
+EXIT_SOME_FAILED: Final = 1
+
+app = typer.Typer(
+    name="cloner",
+    help="Five photographs and a height in, an animatable textured human out. Offline; nothing leaves this machine.",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode=None,
+)
+
+HeightOption = Annotated[float | None, typer.Option("--height-cm", help="Barefoot height in cm; wins over person.toml.")]
+FormatOption = Annotated[str, typer.Option("--format", help="Formats to write, with commas: glb,wrl,obj,ply.")]
+SeedOption = Annotated[int, typer.Option("--seed", help="The same photos and seed give the same clone.")]
+OutOption = Annotated[Path, typer.Option("--out", help="Folder that receives the results.")]
+
+
+@app.callback(invoke_without_command=True)
+def _common(
+    verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Log every stage with its time.")] = False,
+    version: Annotated[bool, typer.Option("--version", help="Say the version and stop.")] = False,
+) -> None:
+    """Set up logging; the commands do the work."""
+    level = logging.INFO if verbose else logging.WARNING
+    logging.basicConfig(level=level, format="%(levelname)s %(name)s: %(message)s", stream=sys.stderr)
+    if version:
+        typer.echo(f"cloner {cloner.__version__}")
+        raise typer.Exit
+
+
+@app.command("clone")
+def _clone(
+    photos_dir: Annotated[Path, typer.Argument(help="Folder with body_front.jpg, body_side.jpg, ...")],
+    out: OutOption,
+    height_cm: HeightOption = None,
+    formats: FormatOption = ",".join(DEFAULT_FORMATS),
+    seed: SeedOption = 0,
+    identifier: Annotated[str | None, typer.Option("--id", help="Name of the result's folder.")] = None,
+) -> None:
+    """Clone one person from a folder of photos."""
+    with ProgressLine() as progress:
+        outcome = clone_folder(
+            photos_dir,
+            out,
+            height_cm=height_cm,
+            formats=split_formats(formats),
+            seed=seed,
+            identifier=identifier,
+            progress=progress,
+        )
+    for warning in outcome.warnings:
+        typer.echo(f"note: {warning}", err=True)
+    typer.echo(f"{outcome.folder}: done in {outcome.report['timings']['seconds']:.0f} s")
+    typer.echo(f"{outcome.folder / 'report.html'}")
+
+
+@app.command("batch")
+def _batch(
+    photos_root: Annotated[Path, typer.Argument(help="Folder that holds one folder of photos a visitor.")],
+    out: OutOption,
+    formats: FormatOption = ",".join(DEFAULT_FORMATS),
+    seed: SeedOption = 0,
+    again: Annotated[bool, typer.Option("--again", help="Clone those with a result once more.")] = False,
+) -> None:
+    """Clone every visitor below a folder; one failure does not stop the rest."""
+
+    def tell(row: BatchRow) -> None:
+        typer.echo(f"{row.identifier}: {row.message}", err=True)
+
+    with ProgressLine() as progress:
+        rows = batch_folder(
+            photos_root, out, formats=split_formats(formats), seed=seed, again=again, progress=progress, told=tell
+        )
+    typer.echo(summary_table(rows))
+    if any(row.status == "failed" for row in rows):
+        raise typer.Exit(EXIT_SOME_FAILED)
+
+
+@app.command("render")
+def _render(
+    clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
+    out: Annotated[Path, typer.Option("--out", help="PNG file to write.")],
+    view: Annotated[str, typer.Option("--view", help="front, side, left, back, three_quarter, face, ...")] = "front",
+    size: Annotated[str, typer.Option("--size", help="Width x height in pixels.")] = "800x1200",
+) -> None:
+    """Draw a finished clone."""
+    from cloner.picture import draw_file
+
+    draw_file(clone_path, view, out, size)
+    typer.echo(str(out))
+
+
+@app.command("evaluate")
+def _evaluate(
+    visitors: Annotated[list[Path], typer.Argument(help="Folders of visitors with truth, such as samples/anna.")],
+    sets: Annotated[list[str] | None, typer.Option("--set", help="plain, booth or handheld; all by default.")] = None,
+    out: Annotated[Path | None, typer.Option("--out", help="Keep the clones in this folder.")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print the rows as JSON.")] = False,
+) -> None:
+    """Score clones of visitors whose truth is known."""
+    from cloner.evaluate import evaluate_visitors, format_table
+
+    rows = evaluate_visitors(visitors, sets, out)
+    typer.echo(json.dumps(rows, indent=1) if as_json else format_table(rows))
+
+
+@app.command("gui")
+def _gui(
+    folder: Annotated[Path | None, typer.Argument(help="Folder of photos to open.")] = None,
+) -> None:
+    """Open the window."""
+    from cloner_gui.app import run_app
+
+    raise typer.Exit(run_app(folder))
+
+
+@app.command("doctor")
+def _doctor(
+    brief: Annotated[bool, typer.Option("--brief", help="Say only what is missing.")] = False,
+) -> None:
+    """Say what is missing on this machine and the line that fixes it."""
+    from cloner.doctor import examine
+
+    findings = examine()
+    for finding in findings:
+        if not brief or not finding.fine:
+            typer.echo(finding.line())
+    if all(finding.fine for finding in findings):
+        typer.echo("Everything Cloner needs is here.")
+    elif any(finding.needed and not finding.fine for finding in findings):
+        raise typer.Exit(EXIT_SOME_FAILED)
+
+
+def split_formats(text: str) -> tuple[str, ...]:
+    """Return the formats in a list with commas, each once, lower case."""
+    names = [name.strip().lower() for name in text.split(",")]
+    return tuple(dict.fromkeys(name for name in names if name))
+
+
+def main() -> None:
+    """Run the command line and exit with its code; the only place that catches errors for it."""
+    signal.signal(signal.SIGTERM, _stop)
+    try:
+        code = app(standalone_mode=False)
+    except ClonerError as error:
+        _say(f"cloner: {error}")
+        code = EXIT_INPUT
+    except (Cancelled, KeyboardInterrupt, typer.Abort):
+        _say("cloner: stopped; nothing half-written was left")
+        code = EXIT_CANCELLED
+    except typer.TyperException as error:  # a wrong option or argument
+        _say(f"cloner: {error.format_message()}")
+        code = error.exit_code
+    sys.exit(code if isinstance(code, int) else 0)
+
+
+def _stop(number: int, frame: FrameType | None) -> None:
+    """Treat a request to end like Ctrl-C, so that temporary folders are removed."""
+    raise KeyboardInterrupt
+
+
+def _say(text: str) -> None:
+    sys.stderr.write(text + "\n")

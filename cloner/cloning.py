@@ -1,0 +1,194 @@
+"""The one way from a folder of photos to a folder of results; behind command line, batch and window."""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+from cloner import pipeline
+from cloner.errors import ClonerError
+from cloner.exporters.table import EXPORTERS
+from cloner.pipeline import StageReport, peak_mib
+from cloner.previews import write_previews
+from cloner.project.atomic import result_folder
+from cloner.project.clone_file import save_clone
+from cloner.project.corrections import check_against
+from cloner.project.folder import load_photos, person_warnings, read_corrections, read_person
+from cloner.records.photos import Person, PhotoSet
+from cloner.records.points import Corrections
+from cloner.report.build import Run, build_report, warnings_of
+from cloner.report.write import write_report
+
+log = logging.getLogger(__name__)
+
+Progress = Callable[[str, float], None]
+"""Called with the step's name and the fraction 0..1 of the whole; may raise Cancelled."""
+
+DEFAULT_FORMATS: Final = ("glb", "wrl")
+PIPELINE_SHARE: Final = 0.85  # measured on the samples: the stages' part of the whole time
+CLONE_FILE: Final = "clone.npz"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CloneOutcome:
+    """What a finished clone left.
+
+    Attributes
+    ----------
+    identifier : str
+    folder : Path
+        Holds all files.
+    report : mapping
+        The content of ``report.json``.
+    values : mapping
+        All values of the pipeline, by name.
+    """
+
+    identifier: str
+    folder: Path
+    report: Mapping[str, Any]
+    values: Mapping[str, Any]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Warnings in plain words."""
+        return tuple(self.report["warnings"])
+
+
+def quiet(step: str, fraction: float) -> None:
+    """Take progress and say nothing."""
+
+
+def clone_photos(
+    photos: PhotoSet,
+    person: Person,
+    corrections: Corrections,
+    *,
+    seed: int = 0,
+    progress: Progress = quiet,
+    known: Mapping[str, object] | None = None,
+) -> tuple[dict[str, Any], list[StageReport]]:
+    """Return all values of the pipeline and one report a stage; writes nothing.
+
+    Parameters
+    ----------
+    photos, person, corrections
+    seed : int
+        Project seed; the same input and seed give the same clone.
+    progress : callable
+    known : mapping, optional
+        Values that are known already (say "proposals"); their stages are skipped.
+
+    Raises
+    ------
+    ClonerError
+        If the photos cannot be cloned.
+    Cancelled
+        If ``progress`` raised it.
+    """
+    values = {**(known or {}), "photos": photos, "person": person, "corrections": corrections}
+    return pipeline.run(values, seed=seed, progress=progress)
+
+
+def clone_folder(
+    photos_dir: Path,
+    out_dir: Path,
+    *,
+    height_cm: float | None = None,
+    formats: Sequence[str] = DEFAULT_FORMATS,
+    seed: int = 0,
+    identifier: str | None = None,
+    progress: Progress = quiet,
+) -> CloneOutcome:
+    """Clone the person in a folder of photos; the result appears whole or not at all.
+
+    Parameters
+    ----------
+    photos_dir : Path
+        Holds the photos, and optionally ``person.toml`` and ``corrections.json``.
+    out_dir : Path
+        Receives a folder named by the person's identifier.
+    height_cm : float or None
+        Barefoot height; wins over ``person.toml``.
+    formats : sequence of str
+        Names of exporters.
+    seed : int
+    identifier : str or None
+        Name of the result's folder; None takes the photo folder's name.
+    progress : callable
+        Called with a step's name and a fraction 0..1; may raise Cancelled.
+
+    Raises
+    ------
+    ClonerError
+        If the input or the output folder is unusable.
+    Cancelled
+        If ``progress`` raised it; nothing is left behind.
+    """
+    wall, cpu = time.perf_counter(), time.process_time()
+    check_formats(formats)
+    progress("photos", 0.0)
+    person = read_person(photos_dir, height_cm, identifier)
+    corrections = read_corrections(photos_dir)
+    with result_folder(out_dir, person.identifier) as folder:
+        photos = load_photos(photos_dir)
+        warnings = (*person_warnings(person), *check_against(corrections, photos))
+        values, stages = clone_photos(
+            photos,
+            person,
+            corrections,
+            seed=seed,
+            progress=lambda step, fraction: progress(step, PIPELINE_SHARE * fraction),
+        )
+        _write_clone(values, formats, folder, progress)
+        run = Run(
+            seconds=time.perf_counter() - wall,
+            cpu_seconds=time.process_time() - cpu,
+            peak_mib=peak_mib(),
+            stages=tuple(stages),
+            seed=seed,
+            formats=tuple(formats),
+            warnings=warnings,
+        )
+        progress("report", 0.97)
+        report = build_report(values, run, _relative_files(folder))
+        write_report(report, folder)
+    progress("done", 1.0)
+    log.info("%s: %.1f s, %d warnings", person.identifier, run.seconds, len(warnings_of(run)))
+    return CloneOutcome(person.identifier, out_dir / person.identifier, report, values)
+
+
+def check_formats(formats: Sequence[str]) -> None:
+    """Refuse formats nobody can write, before any work.
+
+    Raises
+    ------
+    ClonerError
+        If a name is not in the exporters' table.
+    """
+    for name in formats:
+        if name not in EXPORTERS:
+            hint = f"The formats are {', '.join(EXPORTERS)}"
+            raise ClonerError(f"the format {name!r} is not known", hint, "--format")
+
+
+def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path, progress: Progress) -> None:
+    """Write the clone's own file, the exports and the previews."""
+    clone = values["clone"]
+    progress("export", PIPELINE_SHARE)
+    save_clone(clone, folder / CLONE_FILE)
+    for name in formats:
+        EXPORTERS.get(name)(clone, folder)
+    progress("previews", 0.9)
+    points = (values["body_points"], values["face_points"])
+    write_previews(clone, values["photos"], values["proposals"], points, values["silhouettes"], folder)
+
+
+def _relative_files(folder: Path) -> list[str]:
+    """Return every file below a folder, relative to it, with the report's own."""
+    files = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
+    return sorted(files | {"report.json"})

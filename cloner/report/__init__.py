@@ -1,0 +1,1 @@
+"""What is told about a finished clone: ``report.json`` and ``report.html``."""

@@ -1,0 +1,94 @@
+"""How well the finished clone covers the person in every photo."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import binary_erosion, distance_transform_edt
+
+from cloner.frames import ViewId, mm_from_m
+from cloner.generic.layers import clone_layers
+from cloner.records.bodies import PosedView
+from cloner.records.clones import Clone
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.render import coverage
+
+Mask = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Agreement:
+    """Clone against extracted silhouette in one photo.
+
+    Attributes
+    ----------
+    iou : float
+        Intersection over union of the filled outlines; face photos count above the chin only.
+    outline_rms_px, outline_rms_mm : float
+        Root mean square distance between the two outlines, both ways.
+    """
+
+    iou: float
+    outline_rms_px: float
+    outline_rms_mm: float
+
+
+def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, Agreement]:
+    """Return the agreement of every photo that has a silhouette and a camera.
+
+    Notes
+    -----
+    This compares the clone with *our own* outline of the photo; the truth of
+    synthetic visitors is compared by ``cloner evaluate``.
+    """
+    found = {}
+    for view, silhouette in silhouettes.views.items():
+        posed = clone.views.get(view)
+        if posed is None:
+            continue
+        rotations = posed.rotations if view.is_body else None
+        drawn = coverage(clone_layers(clone, rotations), posed.camera, supersample=1) > 0.5  # half a pixel's cover
+        seen = silhouette.mask
+        if view.is_face:
+            last_row = _chin_row(clone, posed, seen.shape[0])
+            drawn, seen = drawn[:last_row], seen[:last_row]
+        found[view] = compare(drawn, seen, _mm_per_pixel(clone, posed))
+    return found
+
+
+def compare(drawn: Mask, seen: Mask, mm_per_px: float) -> Agreement:
+    """Return the agreement of two masks of one size."""
+    union = np.count_nonzero(drawn | seen)
+    iou = np.count_nonzero(drawn & seen) / union if union else 0.0
+    rms_px = _outline_rms_px(drawn, seen)
+    return Agreement(float(iou), rms_px, rms_px * mm_per_px)
+
+
+def _outline_rms_px(drawn: Mask, seen: Mask) -> float:
+    first, second = _boundary(drawn), _boundary(seen)
+    if not first.any() or not second.any():
+        return float(max(drawn.shape))  # nothing to compare: as far off as the photo is large
+    both = np.concatenate([distance_transform_edt(~second)[first], distance_transform_edt(~first)[second]])
+    return float(np.sqrt(np.mean(both**2)))
+
+
+def _boundary(mask: Mask) -> Mask:
+    """Return the mask's outermost pixels, without those on the picture's border."""
+    return np.asarray(mask & ~binary_erosion(mask, border_value=1))
+
+
+def _mm_per_pixel(clone: Clone, posed: PosedView) -> float:
+    """Return the size of a pixel at the depth of the body's or the head's middle."""
+    rows = clone.features_m.get("nose_tip") if posed.view.is_face else None
+    middle = clone.vertices_m.mean(axis=0) if rows is None else rows
+    return mm_from_m(posed.camera.metres_per_pixel(middle))
+
+
+def _chin_row(clone: Clone, posed: PosedView, height_px: int) -> int:
+    chin = clone.features_m.get("chin_bottom")
+    if chin is None:
+        return height_px
+    row = posed.camera.project(np.asarray(chin)[None])[0, 1]
+    return int(np.clip(round(float(row)), 1, height_px))

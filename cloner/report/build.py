@@ -1,0 +1,263 @@
+"""Everything that is told about a clone, as plain JSON values."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.metadata
+import importlib.resources
+import platform
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from importlib.resources.abc import Traversable
+from typing import Any, Final
+
+import numpy as np
+
+import cloner
+from cloner.frames import ViewId
+from cloner.generic.tape import load_tape_rules
+from cloner.geometry.measures import Girth, girth_uncertainty_mm, girths_mm
+from cloner.pipeline import StageReport
+from cloner.records.clones import Clone
+from cloner.records.heads import HeadFit
+from cloner.records.photos import Person, PhotoSet
+from cloner.records.points import PointSet
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.records.views import ViewSet
+from cloner.report.agreement import Agreement, agreements
+
+FORMAT: Final = 1
+LIBRARIES: Final = (
+    "numpy", "scipy", "opencv-contrib-python-headless", "pillow", "scikit-image", "trimesh", "pyrender", "PyOpenGL",
+    "pygltflib", "ai-edge-litert",
+)
+#: Spread of adult stature when none was given, one standard deviation over both sexes, metres (ANSUR II: 0.09).
+UNKNOWN_STATURE_M: Final = 0.09
+GIRTH_NOTE: Final = (
+    "Around the outline that the photos show, so over clothes. The ± is one standard deviation from the outline's "
+    "residual, the shape that two outlines leave open (2 %) and the level; clothes are not in it."
+)
+NO_BODY_NOTE: Final = "There was no body photo: these are the girths of a generic body, not of this person."
+
+
+@dataclass(frozen=True, slots=True)
+class Run:
+    """How a clone was made.
+
+    Attributes
+    ----------
+    seconds, cpu_seconds, peak_mib : float
+        Of everything, from reading the photos to the last file.
+    stages : tuple of StageReport
+    seed : int
+    formats : tuple of str
+    warnings : tuple of str
+        From reading the folder; the stages' own come from their reports.
+    """
+
+    seconds: float
+    cpu_seconds: float
+    peak_mib: float
+    stages: tuple[StageReport, ...]
+    seed: int
+    formats: tuple[str, ...]
+    warnings: tuple[str, ...]
+
+
+def build_report(values: Mapping[str, Any], run: Run, files: Iterable[str] = ()) -> dict[str, Any]:
+    """Return the report of a finished clone as plain JSON values.
+
+    Parameters
+    ----------
+    values : mapping
+        All values of the pipeline, by name.
+    run : Run
+    files : iterable of str
+        Paths of the written files, relative to the report.
+    """
+    person: Person = values["person"]
+    clone: Clone = values["clone"]
+    photos: PhotoSet = values["photos"]
+    seen = agreements(clone, values["silhouettes"])
+    return {
+        "format": FORMAT,
+        "person": _person(person),
+        "photos": {view: _photo(photo) for view, photo in photos.photos.items()},
+        "stature": _stature(clone, person),
+        "girths_mm": _girths(clone, person, seen),
+        "silhouette_iou": {view: round(found.iou, 4) for view, found in seen.items()},
+        "outline_rms": {
+            view: {"px": round(found.outline_rms_px, 2), "mm": round(found.outline_rms_mm, 2)}
+            for view, found in seen.items()
+        },
+        "residuals": _residuals(run.stages),
+        "side_shown": _sides(values["views"], values["head"]),
+        "features": _features(values["body_points"], values["face_points"]),
+        "outline_segments": _outline_segments(values["silhouettes"]),
+        "features_m": {name: _rounded(point, 5) for name, point in sorted(clone.features_m.items())},
+        "timings": _timings(run),
+        "peak_mib": round(run.peak_mib, 1),
+        "seed": run.seed,
+        "formats": list(run.formats),
+        "files": sorted(files),
+        "versions": versions(),
+        "models": model_digests(),
+        "warnings": list(warnings_of(run)),
+    }
+
+
+def warnings_of(run: Run) -> tuple[str, ...]:
+    """Return all warnings once each, in the order in which they arose."""
+    every = [*run.warnings, *(warning for stage in run.stages for warning in stage.warnings)]
+    return tuple(dict.fromkeys(every))
+
+
+def versions() -> dict[str, str]:
+    """Return the versions of Cloner, Python and the libraries that shape the result."""
+    found = {"cloner": cloner.__version__, "python": platform.python_version(), "machine": platform.machine()}
+    for name in LIBRARIES:
+        try:
+            found[name] = importlib.metadata.version(name)
+        except importlib.metadata.PackageNotFoundError:
+            found[name] = "not installed"
+    return found
+
+
+def model_digests() -> dict[str, str]:
+    """Return the sha256 of every shipped model file, by path inside ``cloner_models``."""
+    return {name: hashlib.sha256(file.read_bytes()).hexdigest() for name, file in model_files()}
+
+
+def model_files() -> list[tuple[str, Traversable]]:
+    """Return the shipped model files, by path inside ``cloner_models``."""
+    root = importlib.resources.files("cloner_models")
+    folders = (("", root), ("nets/", root / "nets"))
+    return [
+        (prefix + file.name, file)
+        for prefix, folder in folders
+        for file in sorted(folder.iterdir(), key=lambda file: file.name)
+        if file.name.endswith((".npz", ".tflite"))
+    ]
+
+
+def _person(person: Person) -> dict[str, Any]:
+    return {
+        "identifier": person.identifier,
+        "name": person.name,
+        "height_given_m": round(person.stature_m, 4) if person.stature_is_known else None,
+        "notes": person.notes,
+    }
+
+
+def _photo(photo: Any) -> dict[str, Any]:
+    return {
+        "file": photo.name,
+        "sha256": photo.digest,
+        "width_px": photo.width_px,
+        "height_px": photo.height_px,
+        "focal_35mm": photo.focal_35mm,
+    }
+
+
+def _stature(clone: Clone, person: Person) -> dict[str, Any]:
+    return {
+        "value_m": round(clone.stature_m, 4),
+        "known": person.stature_is_known,
+        "plus_minus_m": None if person.stature_is_known else UNKNOWN_STATURE_M,
+        "sole_m": round(clone.sole_m, 4),
+    }
+
+
+def _girths(clone: Clone, person: Person, seen: Mapping[ViewId, Agreement]) -> dict[str, Any]:
+    body = [found.outline_rms_mm for view, found in seen.items() if view.is_body]
+    values = girths_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
+    if not body:
+        return {"note": NO_BODY_NOTE, "measured": False, "values": _girth_values(values, None)}
+    residual_mm = float(np.sqrt(np.mean(np.square(body))))
+    share = 0.0 if person.stature_is_known else UNKNOWN_STATURE_M / clone.stature_m
+    girths = {name: Girth(value, girth_uncertainty_mm(value, residual_mm, share)) for name, value in values.items()}
+    return {
+        "note": GIRTH_NOTE,
+        "measured": True,
+        "values": _girth_values(values, {name: girth.plus_minus_mm for name, girth in girths.items()}),
+    }
+
+
+def _girth_values(values: Mapping[str, float], spread: Mapping[str, float] | None) -> dict[str, Any]:
+    return {
+        name: {"value": round(value, 1), "plus_minus": None if spread is None else round(spread[name], 1)}
+        for name, value in values.items()
+    }
+
+
+def _residuals(stages: Sequence[StageReport]) -> list[dict[str, Any]]:
+    return [
+        {
+            "stage": stage.name,
+            "name": residual.name,
+            "view": residual.view or None,
+            "value": round(residual.value, 3),
+            "unit": residual.unit,
+        }
+        for stage in stages
+        for residual in stage.residuals
+    ]
+
+
+def _sides(views: ViewSet, head: HeadFit) -> dict[str, str | None]:
+    body = views.views.get(ViewId.BODY_SIDE)
+    return {
+        ViewId.BODY_SIDE: body.side_shown if body is not None else None,
+        ViewId.FACE_SIDE: head.side_shown or None,
+    }
+
+
+def _features(body: PointSet, face: PointSet) -> dict[str, Any]:
+    told: dict[str, Any] = {}
+    for points in (body, face):
+        for view, named in points.views.items():
+            rows = zip(named.names, named.points_px, named.confidence, named.corrected, strict=True)
+            told.setdefault(view, {}).update(
+                {
+                    name: {
+                        "x_px": round(float(point[0]), 2),
+                        "y_px": round(float(point[1]), 2),
+                        "confidence": round(float(confidence), 3),
+                        "source": "corrected" if corrected else "proposed",
+                    }
+                    for name, point, confidence, corrected in rows
+                }
+            )
+    return told
+
+
+def _outline_segments(silhouettes: SilhouetteSet) -> dict[str, Any]:
+    return {
+        view: [
+            {"segment": name, "source": source, "goodness": round(float(goodness), 3)}
+            for name, source, goodness in silhouette.sources
+        ]
+        for view, silhouette in silhouettes.views.items()
+    }
+
+
+def _timings(run: Run) -> dict[str, Any]:
+    return {
+        "seconds": round(run.seconds, 3),
+        "cpu_seconds": round(run.cpu_seconds, 3),
+        "stages": [
+            {
+                "stage": stage.name,
+                "seconds": round(stage.seconds, 3),
+                "cpu_seconds": round(stage.cpu_seconds, 3),
+                "peak_mib": round(stage.peak_mib, 1),
+            }
+            for stage in run.stages
+        ],
+    }
+
+
+def _rounded(point: Any, digits: int) -> list[float]:
+    return [round(float(value), digits) for value in point]
+
+
