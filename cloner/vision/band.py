@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.vision.edges import EdgeMap, detect_edges, refine_subpixel
-from cloner.vision.linking import segments_from_runs, split_curves, walk_curves
+from cloner.vision.linking import FEWEST_POINTS, split_curves, walk_curves
 from cloner.vision.loops import MaskLoop
 from cloner.vision.sides import colour_model, side_evidence
 
@@ -44,6 +44,13 @@ class LinkParams:
         Scale at which the mask's corners are found.
     along : float
         Least cosine between an edge segment and L; steeper ones cross the outline.
+    end_along : float
+        The same for the first and the last segment of a path, which only one neighbour holds:
+        a path's tail must not run off along a crossing line.
+    least_evidence : float
+        Least mean evidence of both sides' colours (0..1) for a segment to be a candidate.
+    fade : float
+        Arc over which the contour between two paths returns to the mask's.
     strength_cap : float
         Normalised magnitude beyond which more contrast says nothing more: an edge far above the
         noise is certainly there, and a poster's is stronger than the outline's.
@@ -59,6 +66,9 @@ class LinkParams:
     spacing: float = 0.08
     corner_scale: float = 0.004
     along: float = 0.4
+    end_along: float = 0.8
+    least_evidence: float = 0.2
+    fade: float = 0.02
     strength_cap: float = 4.0
     least_goodness: float = 4.0
     edges_share: float = 0.5
@@ -80,6 +90,8 @@ class Band:
         Normalised magnitude, at least 1.
     first, count : ndarray, shape (S,), intp
         Points of each segment.
+    along : ndarray, shape (S,), float64
+        Cosine of each segment's angle to the contour.
     """
 
     points: Floats
@@ -88,6 +100,7 @@ class Band:
     strengths: Floats
     first: Ints
     count: Ints
+    along: Floats
 
 
 def gather_band(
@@ -122,9 +135,7 @@ def gather_band(
     offset = top_left.astype(np.float64)
     near = _vicinity(everywhere - offset, edge_map.edges.shape, reach_px=reach)
     curves = walk_curves(edge_map.edges & near)
-    pixels, first = split_curves(
-        [curve.astype(np.float64) for curve in curves], longest_px=params.segment * height_px
-    )
+    pixels, first = split_curves([curve.astype(np.float64) for curve in curves], longest_px=params.segment * height_px)
     if len(pixels) == 0:
         return [_empty_band() for _ in loops]
     local = refine_subpixel(edge_map, pixels)
@@ -142,26 +153,19 @@ def gather_band(
         strange = (nearest < 0) | (nearest >= len(loop.points))
         # A run between two contours may have stray points nearer to the other one.
         if strange.any():
-            distances[take[strange]], nearest[strange] = cKDTree(loop.points).query(
-                local[take[strange]] + offset
-            )
+            distances[take[strange]], nearest[strange] = cKDTree(loop.points).query(local[take[strange]] + offset)
         inward = _across(edge_map, pixels[take], loop.inward[nearest])
-        model = colour_model(
-            smooth, mask[window], _shifted(loop, offset), band_px=reach
-        )
+        model = colour_model(smooth, mask[window], _shifted(loop, offset), band_px=reach)
         evidence = side_evidence(smooth, model, local[take], inward, nearest)
+        clear = np.add.reduceat(evidence, bounds[:-1]) if len(mine) else np.zeros(0)
+        clear = clear >= params.least_evidence * np.diff(bounds)
         strengths = np.maximum(np.minimum(strength[take], params.strength_cap) * evidence, 1.0)
-        bands.append(
-            _directed(
-                local[take] + offset, nearest, distances[take], strengths, bounds, loop, params
-            )
-        )
+        raw = Band(local[take] + offset, nearest, distances[take], strengths, bounds[:-1], np.diff(bounds), np.zeros(0))
+        bands.append(_directed(raw, clear, loop, params))
     return bands
 
 
-def _window(
-    points_px: Floats, shape: tuple[int, ...], *, margin_px: float
-) -> tuple[Floats, tuple[slice, slice]]:
+def _window(points_px: Floats, shape: tuple[int, ...], *, margin_px: float) -> tuple[Floats, tuple[slice, slice]]:
     """Return the part of the picture that holds all points: its corner and its slices."""
     low = np.maximum(np.floor(points_px.min(axis=0) - margin_px), 0)
     high = np.minimum(np.ceil(points_px.max(axis=0) + margin_px) + 1, [shape[1], shape[0]])
@@ -210,37 +214,31 @@ def _shifted(loop: MaskLoop, offset: Floats) -> MaskLoop:
     return MaskLoop(loop.points - offset, loop.tangents, loop.inward, loop.is_hole)
 
 
-def _directed(
-    points: Floats,
-    nearest: Ints,
-    distances: Floats,
-    strengths: Floats,
-    bounds: Ints,
-    loop: MaskLoop,
-    params: LinkParams,
-) -> Band:
-    """Turn segments along the contour and drop those that cross it or are too short."""
-    segments = segments_from_runs(points, bounds, strengths)
-    chord = segments.ends - segments.starts
+def _directed(raw: Band, clear: Bools, loop: MaskLoop, params: LinkParams) -> Band:
+    """Turn segments along the contour; drop those that cross it, are short or not ``clear``."""
+    first, count = raw.first, raw.count
+    last = first + count - 1
+    chord = raw.points[last] - raw.points[first]
     length = np.maximum(np.linalg.norm(chord, axis=1), 1e-9)
-    middle = nearest[segments.first + segments.count // 2]
+    middle = raw.nearest[first + count // 2]
     cosine = (chord * loop.tangents[middle]).sum(axis=1) / length
-    order = np.arange(len(points))
+    order = np.arange(len(raw.points))
     for k in np.flatnonzero(cosine < 0):
-        piece = slice(segments.first[k], segments.first[k] + segments.count[k])
+        piece = slice(first[k], last[k] + 1)
         order[piece] = order[piece][::-1]
-    keep = np.abs(cosine) >= params.along
+    keep = clear & (count >= FEWEST_POINTS) & (np.abs(cosine) >= params.along)
     return Band(
-        points[order],
-        nearest[order],
-        distances[order],
-        strengths[order],
-        segments.first[keep],
-        segments.count[keep],
+        raw.points[order],
+        raw.nearest[order],
+        raw.distances[order],
+        raw.strengths[order],
+        first[keep],
+        count[keep],
+        np.abs(cosine)[keep],
     )
 
 
 def _empty_band() -> Band:
     """Return a band without any edge."""
     none, indices = np.zeros(0), np.zeros(0, dtype=np.intp)
-    return Band(np.zeros((0, 2)), indices, none, none, indices, indices)
+    return Band(np.zeros((0, 2)), indices, none, none, indices, indices, none)

@@ -89,19 +89,20 @@ def strongest_gradient(rgb: NDArray[np.uint8], *, blur_px: float = BLUR_PX) -> I
     smooth = rgb.astype(np.float32)
     if blur_px > 0:
         smooth = cv2.GaussianBlur(smooth, (0, 0), blur_px, borderType=cv2.BORDER_REPLICATE)
-    best = np.zeros(rgb.shape[:2], np.float32)
-    gradient = np.zeros((*rgb.shape[:2], 2), np.float32)
-    for channel in cv2.split(smooth):
-        slopes = [
-            cv2.Sobel(channel, cv2.CV_32F, *order, ksize=3, borderType=cv2.BORDER_REPLICATE)
-            for order in ((1, 0), (0, 1))
-        ]
-        square = slopes[0] * slopes[0] + slopes[1] * slopes[1]
-        wins = square > best
-        best[wins] = square[wins]
-        for axis in (0, 1):
-            gradient[..., axis][wins] = slopes[axis][wins]
-    return gradient / np.float32(SOBEL_GAIN)
+    gain = 1.0 / SOBEL_GAIN
+    slopes = [
+        cv2.Sobel(smooth, cv2.CV_32F, *order, ksize=3, scale=gain, borderType=cv2.BORDER_REPLICATE)
+        for order in ((1, 0), (0, 1))
+    ]
+    best_x, best_y = (cv2.extractChannel(slope, 0) for slope in slopes)
+    best = cv2.magnitude(best_x, best_y)
+    for channel in (1, 2):
+        x, y = (cv2.extractChannel(slope, channel) for slope in slopes)
+        length = cv2.magnitude(x, y)
+        wins = cv2.compare(length, best, cv2.CMP_GT)
+        for source, target in ((x, best_x), (y, best_y), (length, best)):
+            cv2.copyTo(source, wins, target)
+    return np.asarray(cv2.merge([best_x, best_y]), dtype=np.float32)
 
 
 def noise_level(magnitude: Image, *, region: Bools | None = None) -> float:

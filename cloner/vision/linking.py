@@ -8,8 +8,6 @@ Photographs", Eurographics 2000, section 3.5; method note section 4, steps 1, 3 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -24,32 +22,10 @@ SMOOTHNESS_RAD = np.deg2rad(70.0)
 LINK_WEIGHT = 0.5
 #: Least denominator of G^L and G^P, px: positions below half a pixel are not known.
 LEAST_DISTANCE_PX = 0.5
+#: A run of fewer edge points has no direction.
+FEWEST_POINTS = 3
 #: A bridge shorter than this (px) has no direction of its own: it joins neighbours on the grid.
 SHORT_BRIDGE_PX = 2.0
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class EdgeSegments:
-    """Short, nearly straight runs of edge pixels.
-
-    Attributes
-    ----------
-    starts, ends : ndarray, shape (S, 2), float64
-        First and last point of each segment, px.
-    magnitudes : ndarray, shape (S,), float64
-        Mean normalised edge magnitude M >= 1.
-    first, count : ndarray, shape (S,), intp
-        Segment k owns ``points[first[k] : first[k] + count[k]]``.
-    points : ndarray, shape (P, 2), float64
-        Edge points in walking order, px.
-    """
-
-    starts: Floats
-    ends: Floats
-    magnitudes: Floats
-    first: Ints
-    count: Ints
-    points: Floats
 
 
 #: Steps of the walk: straight neighbours first, so that a staircase is not cut short.
@@ -76,8 +52,7 @@ def walk_curves(edges: Bools) -> list[Ints]:
     ----------
     Lee, Gu and Magnenat-Thalmann 2000, section 3.5; method section 4, step 1.
     """
-    height, width = edges.shape
-    stride = width + 2
+    stride = edges.shape[1] + 2
     flat = np.flatnonzero(np.pad(edges, 1).ravel())
     uncoloured = dict.fromkeys(flat.tolist())
     offsets = [dy * stride + dx for dx, dy in _STEPS]
@@ -86,8 +61,9 @@ def walk_curves(edges: Bools) -> list[Ints]:
         for step, (dx, dy) in zip(offsets, _STEPS, strict=True)
         for following, (ex, ey) in zip(offsets, _STEPS, strict=True)
     }
+    numbered = list(enumerate(offsets))
     # Trying the steps by how little they turn makes the first free one the straightest.
-    ordered = {s: sorted(offsets, key=lambda f, s=s: turns[s, f])[:5] for s in offsets}
+    ordered = {step: [f for *_, f in sorted((turns[step, f], k, f) for k, f in numbered)][:5] for step in offsets}
 
     def grow(at: int, trial: list[int]) -> list[int]:
         curve = []
@@ -114,9 +90,7 @@ def walk_curves(edges: Bools) -> list[Ints]:
     return curves
 
 
-def split_curves(
-    curves: list[Floats], *, longest_px: float, deviation_px: float = 1.0
-) -> tuple[Floats, Ints]:
+def split_curves(curves: list[Floats], *, longest_px: float, deviation_px: float = 1.0) -> tuple[Floats, Ints]:
     """Cut curves into runs that are short and nearly straight.
 
     Parameters
@@ -177,33 +151,6 @@ def _worst_bends(points: Floats, first: Ints, deviation_px: float) -> Ints:
     hits = np.flatnonzero((off == worst[run]) & np.isin(run, bent))
     _, unique = np.unique(run[hits], return_index=True)
     return np.asarray(hits[unique], dtype=np.intp)
-
-
-def segments_from_runs(
-    points: Floats, first: Ints, magnitudes: Floats, *, fewest: int = 3
-) -> EdgeSegments:
-    """Return the runs that are long enough as edge segments.
-
-    Parameters
-    ----------
-    points : ndarray, shape (P, 2), float64
-        Edge points, px.
-    first : ndarray, shape (S + 1,), intp
-        Bounds of the runs.
-    magnitudes : ndarray, shape (P,), float64
-        Normalised magnitude of each point; the mean of a run, at least 1, becomes its M.
-    fewest : int
-        Runs of fewer points have no direction and are dropped.
-    """
-    count = np.diff(first)
-    keep = count >= fewest
-    sums = np.concatenate([[0.0], np.cumsum(magnitudes)])
-    mean = (sums[first[1:]] - sums[first[:-1]]) / np.maximum(count, 1)
-    begin = first[:-1][keep]
-    last = begin + count[keep] - 1
-    return EdgeSegments(
-        points[begin], points[last], np.maximum(mean[keep], 1.0), begin, count[keep], points
-    )
 
 
 def bridge(s1: Floats, s2: Floats, c12: Floats) -> tuple[Floats, Floats, Floats]:
@@ -311,6 +258,4 @@ def link_goodness(
     cosines = np.maximum(np.cos(alpha1), 0.0) * np.maximum(np.cos(alpha2), 0.0)
     strength = np.log(np.maximum(m2, 1.0))
     distance = weight * np.asarray(d1_px) + (1.0 - weight) * np.asarray(d2_px)
-    return np.asarray(
-        cosines * (1.0 + cosines * strength) / np.maximum(distance, LEAST_DISTANCE_PX)
-    )
+    return np.asarray(cosines * (1.0 + cosines * strength) / np.maximum(distance, LEAST_DISTANCE_PX))

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
-from skimage.draw import polygon as polygon_pixels
 from skimage.measure import find_contours
 
 Floats = NDArray[np.float64]
@@ -70,7 +69,7 @@ def resample_closed(polygon_px: Floats, *, step_px: float = 1.0) -> Floats:
     """
     closed = np.vstack([polygon_px, polygon_px[:1]])
     arc = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
-    count = max(int(round(arc[-1] / step_px)), 3)
+    count = max(round(float(arc[-1]) / step_px), 3)
     at = np.linspace(0.0, arc[-1], count, endpoint=False)
     return np.column_stack([np.interp(at, arc, closed[:, k]) for k in (0, 1)])
 
@@ -164,9 +163,40 @@ def fill_polygons(polygons_px: list[Floats], are_holes: list[bool], shape: tuple
     for wanted in (False, True):
         for polygon, is_hole in zip(polygons_px, are_holes, strict=True):
             if is_hole == wanted:
-                rows, columns = polygon_pixels(polygon[:, 1], polygon[:, 0], shape)
-                filled[rows, columns] = not is_hole
+                filled[fill_polygon(polygon, shape)] = not is_hole
     return filled
+
+
+def fill_polygon(polygon_px: Floats, shape: tuple[int, int]) -> Bools:
+    """Return the pixels whose centres a closed polygon winds around.
+
+    Each side crosses the pixel rows between its ends; the running sum of the crossings'
+    signs along a row is the winding number.
+
+    Parameters
+    ----------
+    polygon_px : ndarray, shape (M, 2), float64
+    shape : tuple of int
+        (H, W) of the picture.
+
+    Returns
+    -------
+    ndarray, shape (H, W), bool
+    """
+    ahead = np.roll(polygon_px, -1, axis=0)
+    low = np.ceil(np.minimum(polygon_px[:, 1], ahead[:, 1])).astype(np.intp)
+    count = np.ceil(np.maximum(polygon_px[:, 1], ahead[:, 1])).astype(np.intp) - low
+    side = np.repeat(np.arange(len(count)), count)
+    rows = low[side] + np.arange(len(side)) - np.repeat(np.cumsum(count) - count, count)
+    delta = (ahead - polygon_px)[side]
+    x = polygon_px[side, 0] + (rows - polygon_px[side, 1]) * delta[:, 0] / delta[:, 1]
+    columns = np.clip(np.ceil(x), 0, shape[1]).astype(np.intp)
+    seen = (rows >= 0) & (rows < shape[0])
+    flat = rows[seen] * (shape[1] + 1) + columns[seen]
+    signs = np.sign(delta[seen, 1])
+    crossings = np.bincount(flat, weights=signs, minlength=shape[0] * (shape[1] + 1))
+    turns = np.rint(crossings).astype(np.int16).reshape(shape[0], shape[1] + 1)
+    return np.asarray(np.cumsum(turns, axis=1, dtype=np.int16)[:, :-1] != 0)
 
 
 def place_feature_points(loop: MaskLoop, *, spacing_px: float, smooth_px: float) -> Ints:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.vision.band import Band, LinkParams, gather_band
 from cloner.vision.loops import (
     MaskLoop,
     figure_height,
@@ -20,7 +21,6 @@ from cloner.vision.loops import (
     mask_loops,
     place_feature_points,
 )
-from cloner.vision.band import Band, LinkParams, gather_band
 from cloner.vision.tracing import trace_loop
 
 Floats = NDArray[np.float64]

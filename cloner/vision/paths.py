@@ -153,9 +153,7 @@ def best_successors(
     allowed &= (d1 <= longest_bridge_px) & ~np.eye(size, dtype=bool)
     forward = link_goodness(alpha1, alpha2, d1, near.end_distances[None], near.magnitudes[None])
     # Seen from S2 backwards the same joint has S1 as its newcomer: D2 and M2 are S1's.
-    backward = link_goodness(
-        alpha1, alpha2, d1, near.start_distances[:, None], near.magnitudes[:, None]
-    )
+    backward = link_goodness(alpha1, alpha2, d1, near.start_distances[:, None], near.magnitudes[:, None])
     forward = np.where(allowed, forward, 0.0)
     backward = np.where(allowed, backward, 0.0)
     following, preceding = forward.argmax(axis=1), backward.argmax(axis=0)
@@ -182,9 +180,7 @@ def grow_path(seed: int, following: Ints, preceding: Ints) -> tuple[int, ...]:
 def score_path(members: Ints, near: Candidates) -> float:
     """Return G^P of a chain of candidates."""
     vectors = near.ends[members] - near.starts[members]
-    alpha1, alpha2, d = bridge(
-        vectors[:-1], vectors[1:], near.starts[members[1:]] - near.ends[members[:-1]]
-    )
+    alpha1, alpha2, d = bridge(vectors[:-1], vectors[1:], near.starts[members[1:]] - near.ends[members[:-1]])
     ends = np.stack([near.starts[members[0]], near.ends[members[-1]]])
     dt1 = float(np.linalg.norm(ends - near.tail, axis=1).sum())
     counts = near.counts[members]
@@ -192,9 +188,7 @@ def score_path(members: Ints, near: Candidates) -> float:
     return path_goodness(near.totals[members], dt1, dt2, d, alpha1, alpha2)
 
 
-def best_path(
-    near: Candidates, *, longest_bridge_px: float, smoothness_rad: float = SMOOTHNESS_RAD
-) -> Path | None:
+def best_path(near: Candidates, *, longest_bridge_px: float, smoothness_rad: float = SMOOTHNESS_RAD) -> Path | None:
     """Return P* = argmax G^P over the paths grown from every segment.
 
     Parameters
@@ -215,9 +209,7 @@ def best_path(
     ----------
     Method section 4, steps 5 and 6.
     """
-    following, preceding = best_successors(
-        near, longest_bridge_px=longest_bridge_px, smoothness_rad=smoothness_rad
-    )
+    following, preceding = best_successors(near, longest_bridge_px=longest_bridge_px, smoothness_rad=smoothness_rad)
     grown = {grow_path(seed, following, preceding) for seed in range(len(following))}
     best: Path | None = None
     for chain in sorted(grown):

@@ -62,7 +62,7 @@ def colour_model(smooth: Image, mask: Image, loop: MaskLoop, *, band_px: float) 
     band_px : float
         Half width of the vicinity band, px.
     """
-    count = max(int(round(len(loop.points) / max(band_px / 2, 1.0))), 1)
+    count = max(round(len(loop.points) / max(band_px / 2, 1.0)), 1)
     at = (np.arange(count) * len(loop.points) / count).astype(np.intp)
     sides = []
     height, width = mask.shape
@@ -88,7 +88,7 @@ def _nearest_colour(colours: Floats, known: Floats, stations: Ints) -> Floats:
         gap = known[around, depth] - colours[:, None]
         square = np.einsum("nkc,nkc->nk", gap, gap)
         best = np.fmin(best, np.fmin.reduce(square, axis=1))
-    return np.sqrt(best)
+    return np.asarray(np.sqrt(best))
 
 
 def side_evidence(

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from cloner.vision.band import Band, LinkParams
 from cloner.vision.loops import MaskLoop
-from cloner.vision.paths import Candidates, Path, best_path
+from cloner.vision.paths import Candidates, best_path
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
@@ -48,9 +48,7 @@ class _Piece:
     length: int
 
 
-def trace_loop(
-    loop: MaskLoop, band: Band, indices: Ints, *, height_px: float, params: LinkParams
-) -> Trace:
+def trace_loop(loop: MaskLoop, band: Band, indices: Ints, *, height_px: float, params: LinkParams) -> Trace:
     """Trace one contour, feature segment by feature segment.
 
     Parameters
@@ -80,7 +78,12 @@ def trace_loop(
             where.append((at + start) % size)
             points.append(band.points[chosen])
             covered[k] += (at[-1] - at[0] + 1) / piece.length
-    polygon = weave(loop.points, np.concatenate(where), np.concatenate(points))
+    polygon = weave(
+        loop.points,
+        np.concatenate(where),
+        np.concatenate(points),
+        fade_px=max(params.fade * height_px, 1.0),
+    )
     return Trace(polygon, goodness, np.minimum(covered, 1.0))
 
 
@@ -98,7 +101,10 @@ def _search(
         return [], 0.0
     if path.goodness < params.least_goodness:
         return [], path.goodness
-    at, chosen = _positions(loop, band, piece, members[path.members])
+    chain = _trimmed(members[path.members], band.along, params.end_along)
+    if len(chain) == 0:
+        return [], path.goodness
+    at, chosen = _positions(loop, band, piece, chain)
     if len(at) < 2:
         return [], path.goodness
     found = [(at, chosen)]
@@ -114,6 +120,12 @@ def _search(
         shifted = [(a + shift, c) for a, c in more]
         found = shifted + found if is_before else found + shifted
     return found, path.goodness
+
+
+def _trimmed(chain: Ints, along: Floats, least: float) -> Ints:
+    """Drop the first and last segments of a chain while they turn away from the contour."""
+    good = np.flatnonzero(along[chain] >= least)
+    return chain[good[0] : good[-1] + 1] if len(good) else chain[:0]
 
 
 def _candidates(loop: MaskLoop, band: Band, piece: _Piece) -> tuple[Candidates, Ints]:
@@ -143,13 +155,9 @@ def _candidates(loop: MaskLoop, band: Band, piece: _Piece) -> tuple[Candidates, 
     )
 
 
-def _positions(
-    loop: MaskLoop, band: Band, piece: _Piece, chain: Ints
-) -> tuple[Ints, Ints]:
+def _positions(loop: MaskLoop, band: Band, piece: _Piece, chain: Ints) -> tuple[Ints, Ints]:
     """Return a chain's points that advance along a piece, and their positions on it."""
-    chosen = np.concatenate(
-        [np.arange(band.first[k], band.first[k] + band.count[k]) for k in chain]
-    )
+    chosen = np.concatenate([np.arange(band.first[k], band.first[k] + band.count[k]) for k in chain])
     size = len(loop.points)
     at = (band.nearest[chosen] - piece.start) % size
     # Points a little before the piece's start wrap round to almost the whole contour.
@@ -162,7 +170,7 @@ def _positions(
     return np.maximum.accumulate(at).astype(np.intp), chosen.astype(np.intp)
 
 
-def weave(loop_px: Floats, where: Ints, points_px: Floats) -> Floats:
+def weave(loop_px: Floats, where: Ints, points_px: Floats, *, fade_px: float) -> Floats:
     """Join edge points into a closed polygon, following the mask's contour between them.
 
     Parameters
@@ -173,12 +181,15 @@ def weave(loop_px: Floats, where: Ints, points_px: Floats) -> Floats:
         Contour position of each edge point, increasing but for one wrap.
     points_px : ndarray, shape (P, 2), float64
         Edge points in order, px.
+    fade_px : float
+        Arc along the contour over which a displacement dies out, px.
 
     Returns
     -------
     ndarray, shape (M, 2), float64
         The edge points, and between them the contour's points, displaced by the mean of the
-        edges' displacements at both ends of the gap in proportion to the distance from each.
+        edges' displacements at both ends of the gap in proportion to the distance from each,
+        fading to none ``fade_px`` away from either end.
     """
     if len(where) == 0:
         return loop_px.copy()
@@ -191,12 +202,15 @@ def weave(loop_px: Floats, where: Ints, points_px: Floats) -> Floats:
         t = np.arange(1, gaps[k]) / gaps[k]
         following = shift[(k + 1) % len(shift)]
         between = loop_px[(where[k] + np.arange(1, gaps[k])) % size]
-        parts.append((k, between + (1 - t)[:, None] * shift[k] + t[:, None] * following))
+        gap = float(gaps[k])
+        left = (1 - t) * np.exp(-((t * gap / fade_px) ** 2))
+        right = t * np.exp(-(((1 - t) * gap / fade_px) ** 2))
+        parts.append((k, between + left[:, None] * shift[k] + right[:, None] * following))
     if len(where) == 1:
         return np.vstack([points_px, parts[0][1]]) if parts else loop_px.copy()
     pieces, done = [], 0
     for k, between in parts:
         pieces.extend([points_px[done : k + 1], between])
-        done = k + 1
+        done = int(k) + 1
     pieces.append(points_px[done:])
     return np.concatenate(pieces)
