@@ -1,0 +1,104 @@
+"""Photo outlines prepared for fitting: samples with normals, and a distance field."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import map_coordinates
+from scipy.spatial import cKDTree
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class OutlineField:
+    """One photo's outline.
+
+    Attributes
+    ----------
+    samples_px : (M, 2) evenly spaced points on the contours, photo pixels
+    normals : (M, 2) unit outward normals
+    step_px : float
+        Distance between samples along the contour.
+    distance : (h, w) float32
+        Signed distance to the outline in photo pixels, positive outside, on a reduced grid.
+    reduction : float
+        Photo pixels per grid cell.
+    """
+
+    samples_px: Array
+    normals: Array
+    step_px: float
+    distance: NDArray[np.float32]
+    reduction: float
+
+    def signed_distance(self, points_px: Array) -> Array:
+        """Return (N,) distances of photo points to the outline, positive outside."""
+        grid = (points_px + 0.5) / self.reduction - 0.5
+        height, width = self.distance.shape
+        inside = np.clip(grid, 0, [width - 1, height - 1])
+        value = map_coordinates(self.distance, [inside[:, 1], inside[:, 0]], order=1)
+        beyond = np.linalg.norm(grid - inside, axis=1) * self.reduction
+        return np.asarray(value + beyond, dtype=np.float64)
+
+    def without(self, drop: NDArray[np.bool_]) -> OutlineField:
+        """Return the same field with some samples left out."""
+        return OutlineField(self.samples_px[~drop], self.normals[~drop], self.step_px, self.distance, self.reduction)
+
+    def nearest_rim(self, points_px: Array, normals: Array, turn_px: float) -> tuple[NDArray[np.int64], Array]:
+        """Return for every sample the nearest of N points with a like normal.
+
+        Parameters
+        ----------
+        points_px : (N, 2), normals : (N, 2)
+        turn_px : float
+            Distance that a normal turned by 60° counts for.
+
+        Returns
+        -------
+        index : (M,), distance : (M,) in pixels, normals included
+        """
+        tree = cKDTree(np.hstack([points_px, normals * turn_px]))
+        distance, index = tree.query(np.hstack([self.samples_px, self.normals * turn_px]))
+        return index, distance
+
+
+def outline_field(
+    contours_px: tuple[Array, ...], mask: NDArray[np.bool_], *, step_px: float, reduction: float
+) -> OutlineField:
+    """Return samples, normals and the distance field of an outline.
+
+    Parameters
+    ----------
+    contours_px : closed polygons of any orientation, photo pixels
+    mask : (H, W) filled outline
+    step_px : spacing of samples
+    reduction : photo pixels per cell of the distance field, at least 1
+    """
+    small = cv2.resize(mask.astype(np.uint8) * 255, None, fx=1 / reduction, fy=1 / reduction, interpolation=cv2.INTER_AREA)
+    inside = small > 127
+    outside_px = cv2.distanceTransform((~inside).astype(np.uint8), cv2.DIST_L2, 5)
+    inside_px = cv2.distanceTransform(inside.astype(np.uint8), cv2.DIST_L2, 5)
+    distance = np.where(inside, 0.5 - inside_px, outside_px - 0.5).astype(np.float32) * np.float32(reduction)
+    points, normals = [], []
+    for contour in contours_px:
+        closed = np.vstack([contour, contour[:1]])
+        length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
+        count = int(length[-1] // step_px)
+        if count < 8:
+            continue
+        at = np.linspace(0.0, length[-1], count, endpoint=False)
+        sample = np.stack([np.interp(at, length, closed[:, axis]) for axis in (0, 1)], axis=1)
+        along = np.roll(sample, -2, axis=0) - np.roll(sample, 2, axis=0)
+        normal = np.stack([along[:, 1], -along[:, 0]], axis=1)
+        normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9)
+        points.append(sample)
+        normals.append(normal)
+    samples, outward = np.vstack(points), np.vstack(normals)
+    field = OutlineField(samples, outward, step_px, distance, reduction)
+    flip = field.signed_distance(samples + 2 * reduction * outward) < field.signed_distance(samples - 2 * reduction * outward)
+    outward[flip] *= -1
+    return field

@@ -1,0 +1,79 @@
+"""Which vertices make the outline of a posed mesh, and its filled picture."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Triangles = NDArray[np.int32]
+
+
+def fill_triangles(points_px: Array, triangles: Triangles, size: tuple[int, int]) -> NDArray[np.uint8]:
+    """Return the (H, W) picture, 255 inside, of projected triangles.
+
+    Parameters
+    ----------
+    points_px : (V, 2) pixels of the picture
+    triangles : (T, 3)
+    size : (H, W)
+
+    Notes
+    -----
+    OpenCV fills every touched pixel, so the picture is about half a pixel too
+    large on every side; 1/16 px fixed point keeps it from being more.
+    """
+    picture = np.zeros(size, dtype=np.uint8)
+    fixed = np.round(np.clip(points_px, -8000, 8000) * 16).astype(np.int32)
+    corners = fixed[triangles]
+    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    area = first[:, 0].astype(np.int64) * second[:, 1] - first[:, 1].astype(np.int64) * second[:, 0]
+    for corner in corners[area > 0] if (area > 0).sum() > (area < 0).sum() else corners[area < 0]:
+        cv2.fillConvexPoly(picture, corner, 255, cv2.LINE_8, 4)
+    return picture
+
+
+def triangle_normals(vertices_m: Array, triangles: Triangles) -> Array:
+    """Return (T, 3) area-weighted triangle normals."""
+    corner = vertices_m[triangles]
+    return np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+
+
+def vertex_normals(vertices_m: Array, triangles: Triangles) -> Array:
+    """Return (V, 3) unit vertex normals."""
+    face = triangle_normals(vertices_m, triangles)
+    normals = np.zeros_like(vertices_m)
+    for column in range(3):
+        for axis in range(3):
+            normals[:, axis] += np.bincount(triangles[:, column], face[:, axis], len(vertices_m))
+    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+
+
+def rim_vertices(
+    points_px: Array, posed_m: Array, triangles: Triangles, eye_m: Array, size: tuple[int, int], tolerance_px: float
+) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
+    """Return the vertices on the outline of the posed mesh, and its filled picture.
+
+    A vertex is on the rim when triangles around it face both towards and away
+    from the camera and it projects next to the border of the filled picture.
+
+    Parameters
+    ----------
+    points_px : (V, 2) projected vertices in a picture of ``size``
+    posed_m : (V, 3) posed vertices, metres
+    triangles : (T, 3)
+    eye_m : (3,) camera centre in the same frame as ``posed_m``
+    size : (H, W) of the picture
+    tolerance_px : float
+        How far from the picture's border a rim vertex may lie.
+    """
+    normals = triangle_normals(posed_m, triangles)
+    towards = np.einsum("ta,ta->t", normals, eye_m - posed_m[triangles[:, 0]]) > 0
+    faces_in = np.bincount(triangles[towards].ravel(), minlength=len(posed_m)) > 0
+    faces_out = np.bincount(triangles[~towards].ravel(), minlength=len(posed_m)) > 0
+    picture = fill_triangles(points_px, triangles, size)
+    depth = cv2.distanceTransform(cv2.copyMakeBorder(picture, 1, 1, 1, 1, cv2.BORDER_CONSTANT), cv2.DIST_L2, 5)
+    column = np.clip(np.round(points_px[:, 0]).astype(int), -1, size[1]) + 1
+    row = np.clip(np.round(points_px[:, 1]).astype(int), -1, size[0]) + 1
+    return np.flatnonzero(faces_in & faces_out & (depth[row, column] <= tolerance_px)), picture

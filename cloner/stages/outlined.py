@@ -1,0 +1,136 @@
+"""What the skeleton, rough and fine stages share: a body against one photo's outline."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId, mm_from_m
+from cloner.generic.load import load_generic
+from cloner.geometry.contours import OutlineField, outline_field
+from cloner.geometry.rims import fill_triangles, rim_vertices
+from cloner.geometry.skinning import blend_transforms, joint_transforms
+from cloner.geometry.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
+from cloner.records.bodies import BodyMesh, PosedView
+from cloner.records.silhouettes import Silhouette
+
+Array = NDArray[np.float64]
+
+#: Height of the reduced photo on which rims are found, px.
+PICTURE_HEIGHT = 640
+#: Segments made of slices; head, hands and feet are free meshes (method §2).
+GRID_SEGMENTS = (
+    "torso",
+    "pelvis",
+    *(f"{side}_{part}" for part in ("upper_arm", "forearm", "thigh", "calf") for side in ("left", "right")),
+)
+
+
+@functools.cache
+def body_triangles() -> NDArray[np.int32]:
+    """Return the triangles of the generic human's skin, without eyes, teeth, tongue and lashes."""
+    generic = load_generic()
+    triangles = generic.triangles()[0]
+    skin = generic.vertex_part == generic.part_names.index("body")
+    return np.ascontiguousarray(triangles[skin[triangles].all(axis=1)], dtype=np.int32)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outlined:
+    """One photo's pose, camera and outline."""
+
+    posed: PosedView
+    field: OutlineField
+
+    @property
+    def view(self) -> ViewId:
+        """The photo."""
+        return self.posed.view
+
+
+def outlined(posed: PosedView, silhouette: Silhouette) -> Outlined:
+    """Return a photo prepared for comparison with posed bodies."""
+    reduction = max(posed.camera.height_px / PICTURE_HEIGHT, 1.0)
+    field = outline_field(silhouette.contours_px, silhouette.mask, step_px=2.0 * reduction, reduction=reduction)
+    return Outlined(posed, field)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Seen:
+    """A body posed as in a photo: geometry for slices, and model-frame vertices."""
+
+    body: PosedBody
+    posed_m: Array
+    blended: Array
+    mm_per_px: float
+
+
+def see(mesh: BodyMesh, photo: Outlined) -> Seen:
+    """Return the body posed and projected as the photo shows the person."""
+    generic = load_generic()
+    camera = photo.posed.camera
+    transforms = joint_transforms(mesh.joints_m, generic.joint_parents, photo.posed.rotations)
+    blended = blend_transforms(transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    posed_m = np.einsum("vab,vb->va", blended[:, :, :3], mesh.vertices_m) + blended[:, :, 3]
+    joints = np.einsum("jab,jb->ja", transforms[:, :3, :3], mesh.joints_m) + transforms[:, :3, 3]
+    pixels = camera.project(posed_m)
+    reduction = photo.field.reduction
+    size = (photo.field.distance.shape[0], photo.field.distance.shape[1])
+    small = (pixels + 0.5) / reduction - 0.5
+    rim, _ = rim_vertices(small, posed_m, body_triangles(), camera.position_m, size, 2.5)
+    on_rim = np.zeros(len(pixels), dtype=bool)
+    on_rim[rim] = True
+    depth = camera.to_camera(posed_m)[:, 2]
+    size_m = depth / camera.focal_px if camera.pixels_per_m is None else np.full(len(depth), 1.0 / camera.pixels_per_m)
+    lift = rest_lift(blended, camera.camera_from_model[:3, :3], size_m)
+    body = PosedBody(pixels, camera.project(joints), on_rim, lift)
+    return Seen(body, posed_m, blended, mm_from_m(float(np.median(size_m))))
+
+
+def segment_members(name: str) -> NDArray[np.int64]:
+    """Return the vertices whose main segment is ``name``."""
+    generic = load_generic()
+    return np.flatnonzero(generic.vertex_segment == generic.segment_names.index(name))
+
+
+def slice_pairs(seen: Seen, photo: Outlined, name: str, levels: Array, reach_mm: float) -> SlicePairs:
+    """Return the occluding points of a grid segment's slices and their silhouette pixels in one photo."""
+    generic = load_generic()
+    first, second = generic.slice_axis_joints[generic.segment_names.index(name)]
+    axis = (seen.body.joints_px[first], seen.body.joints_px[second])
+    return occluding_pairs(
+        seen.body,
+        segment_members(name),
+        generic.slice_s.astype(np.float64),
+        generic.slice_theta.astype(np.float64),
+        axis,
+        levels,
+        photo.field.signed_distance,
+        reach_mm / seen.mm_per_px,
+    )
+
+
+def views_of(views: dict[ViewId, Outlined], main: ViewId) -> tuple[Outlined, ...]:
+    """Return the photos of one of the paper's two bodies: front or back, and side."""
+    wanted = [view for view in (main, ViewId.BODY_SIDE) if view in views]
+    return tuple(views[view] for view in wanted) or tuple(views.values())
+
+
+def gap_mm(mesh: BodyMesh, photo: Outlined) -> float:
+    """Return the mean distance of the body's rim from the photo's outline, mm (method §7, residual)."""
+    seen = see(mesh, photo)
+    distance = np.abs(photo.field.signed_distance(seen.body.pixels[seen.body.on_rim]))
+    return float(distance.mean()) * seen.mm_per_px
+
+
+def coverage(mesh: BodyMesh, photo: Outlined) -> float:
+    """Return the intersection over union of the body's and the photo's filled outlines."""
+    seen = see(mesh, photo)
+    size = (photo.field.distance.shape[0], photo.field.distance.shape[1])
+    small = (seen.body.pixels + 0.5) / photo.field.reduction - 0.5
+    model = fill_triangles(small, body_triangles(), size) > 0
+    inside = photo.field.distance <= 0
+    return float((model & inside).sum() / max((model | inside).sum(), 1))

@@ -1,0 +1,136 @@
+"""Rough skin (paper §3.4): parts follow their joints, then their end slices the photos.
+
+Each part's matrix is updated by the rotation, scale and translation of its joint
+and child joint; parts stick together through the connection database, which here
+is the smooth overlay of segment weights. Then the left-, right-, front- and
+back-most points of each part's top and bottom slice set the width and depth,
+piecewise affine around the slice and affine between the two slices.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.generic.load import load_generic
+from cloner.geometry.slices import fine_shift
+from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
+from cloner.records.results import Residual, StageResult
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.outlined import GRID_SEGMENTS, Outlined, gap_mm, outlined, see, slice_pairs, views_of
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """Where the end slices of a part lie, and how far its outline may be.
+
+    Attributes
+    ----------
+    end_levels : tuple of float
+        Top and bottom slice, 0..1 along the part; a little inside, where no neighbour hides them.
+    reach_mm : float
+        Farthest silhouette pixel that is believed.
+    """
+
+    end_levels: tuple[float, float] = (0.2, 0.8)
+    reach_mm: float = 45.0
+
+
+def follow_joints(vertices_m: Array, old_m: Array, new_m: Array) -> Array:
+    """Return the vertices after every part followed its joint and child joint.
+
+    Parameters
+    ----------
+    vertices_m : (V, 3)
+    old_m, new_m : (94, 3) joints before and after
+    """
+    generic = load_generic()
+    weights = generic.segment_weights.astype(np.float64)
+    moved = np.zeros_like(vertices_m)
+    for row, name in enumerate(generic.segment_names):
+        first, second = generic.slice_axis_joints[row]
+        if first < 0 or second < 0:
+            first = second = _root_joint(name)
+        moved += weights[:, row : row + 1] * _part_map(vertices_m, old_m[[first, second]], new_m[[first, second]])
+    return moved / np.maximum(weights.sum(axis=1, keepdims=True), 1e-9)
+
+
+def _root_joint(segment: str) -> int:
+    """Return the joint that carries a free segment (head, hand, foot)."""
+    generic = load_generic()
+    side = segment[0]
+    names = {"head": "skullbase", f"{side}_hand": f"{side}_wrist", f"{side}_foot": f"{side}_ankle"}
+    return generic.joint(names.get(segment if segment == "head" else f"{side}_{segment.split('_')[1]}", "HumanoidRoot"))
+
+
+def _part_map(points_m: Array, old: Array, new: Array) -> Array:
+    """Return points moved by the similarity that takes one joint pair on to another."""
+    before, after = old[1] - old[0], new[1] - new[0]
+    length = float(np.linalg.norm(before))
+    if length < 1e-6:
+        return np.asarray(points_m + (new[0] - old[0]))
+    axis = np.cross(before, after) / (length * max(float(np.linalg.norm(after)), 1e-9))
+    turn = np.array([[0.0, -axis[2], axis[1]], [axis[2], 0.0, -axis[0]], [-axis[1], axis[0], 0.0]])
+    matrix = np.eye(3) + turn + 0.5 * turn @ turn
+    along = before / length
+    stretch = float(np.linalg.norm(after)) / length - 1.0
+    local = points_m - old[0]
+    local = local + stretch * np.clip(local @ along, 0.0, length)[:, None] * along
+    return np.asarray(new[0] + local @ matrix.T)
+
+
+def shape_slices(mesh: BodyMesh, photos: tuple[Outlined, ...], levels: Array, reach_mm: float, smooth: float) -> BodyMesh:
+    """Return the body after its slices were moved by T_i,m of every photo.
+
+    The occluding points of front and back photos set the width, those of the side
+    photo the depth; arms have front and back silhouettes only (paper §3.6).
+    """
+    generic = load_generic()
+    vertices = mesh.vertices_m.copy()
+    for photo in photos:
+        seen = see(BodyMesh(vertices, mesh.joints_m), photo)
+        shift = np.zeros_like(vertices)
+        for name in GRID_SEGMENTS:
+            if photo.view is ViewId.BODY_SIDE and name.endswith("arm"):
+                continue
+            row = generic.segment_names.index(name)
+            weight = generic.segment_weights[:, row].astype(np.float64)
+            near = np.flatnonzero(weight > 0)
+            pairs = slice_pairs(seen, photo, name, levels, reach_mm)
+            s = np.clip(generic.slice_s[near].astype(np.float64), 0.0, 1.0)
+            theta = generic.slice_theta[near].astype(np.float64)
+            shift[near] += weight[near, None] * fine_shift(pairs, s, theta, smooth=smooth)
+        vertices += shift
+    return BodyMesh(vertices, mesh.joints_m)
+
+
+def run(
+    *,
+    skeletons: SkeletonSet,
+    silhouettes: SilhouetteSet,
+    phenotype: Phenotype,
+    tick: Callable[[float], None],
+    rng: object,
+) -> StageResult:
+    """Give the front+side and back+side bodies with parts in place, and their mean."""
+    params, generic = Params(), load_generic()
+    vertices, joints = generic.shape(phenotype.coefficients, phenotype.stature_m)
+    photos = {view: outlined(posed, silhouettes.views[view]) for view, posed in phenotype.views.items()}
+    bodies = []
+    chosen: tuple[tuple[ViewId, Skeleton], ...] = (
+        (ViewId.BODY_FRONT, skeletons.front_side),
+        (ViewId.BODY_BACK, skeletons.back_side),
+    )
+    for number, (main, skeleton) in enumerate(chosen):
+        followed = BodyMesh(follow_joints(vertices, joints, skeleton.joints_m), skeleton.joints_m)
+        bodies.append(shape_slices(followed, views_of(photos, main), np.array(params.end_levels), params.reach_mm, 0.0))
+        tick((number + 1) / 2)
+    mean = BodyMesh((bodies[0].vertices_m + bodies[1].vertices_m) / 2, skeletons.consensus.joints_m)
+    residuals = tuple(Residual("outline gap", gap_mm(mean, photo), "mm", view.value) for view, photo in photos.items())
+    return StageResult({"rough_bodies": BodySet(bodies[0], bodies[1], mean)}, residuals)

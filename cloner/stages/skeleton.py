@@ -1,0 +1,100 @@
+"""Two skeletons from key joints (paper §3.3), and their consensus.
+
+Key joints (shoulders, elbows, wrists, hips, knees, ankles) move to the middle of
+the limb's two outline points at their level; the remaining of the 94 joints
+follow by maps between key joints along the hierarchy, hands and feet with their
+parent. Two skeletons result: front and side, back and side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.records.bodies import BodyMesh, Phenotype, Skeleton, SkeletonSet
+from cloner.records.results import Residual, StageResult
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.outlined import Outlined, outlined, see, slice_pairs, views_of
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """Limits of the key joints' motion.
+
+    Attributes
+    ----------
+    reach_mm : float
+        Farthest outline pixel that is believed.
+    most_mm : float
+        A joint centre is never moved farther than this from the phenotype's (taste).
+    """
+
+    reach_mm: float = 40.0
+    most_mm: float = 15.0
+
+
+#: Key joints: the grid segments that meet there, with the slice nearest to the joint.
+KEY_JOINTS = {
+    "elbow": (("upper_arm", 0.9), ("forearm", 0.1)),
+    "wrist": (("forearm", 0.93),),
+    "knee": (("thigh", 0.93), ("calf", 0.07)),
+    "ankle": (("calf", 0.93),),
+}
+
+
+def key_shift(photos: tuple[Outlined, ...], mesh: BodyMesh, side: str, joint: str, params: Params) -> Array:
+    """Return the (3,) rest-pose motion of one key joint towards the middle of the limb's outline, metres."""
+    shifts = []
+    for photo in photos:
+        if photo.view is ViewId.BODY_SIDE:
+            continue
+        seen = see(mesh, photo)
+        for part, level in KEY_JOINTS[joint]:
+            pairs = slice_pairs(seen, photo, f"{side}_{part}", np.array([level]), params.reach_mm)
+            if pairs.valid[0].all():
+                shifts.append(pairs.shift_m[0].mean(axis=0))
+    if not shifts:
+        return np.zeros(3)
+    shift = np.mean(shifts, axis=0)
+    limit = m_from_mm(params.most_mm)
+    return np.asarray(shift * min(1.0, limit / max(float(np.linalg.norm(shift)), 1e-9)))
+
+
+def along_hierarchy(generic: GenericHuman, joints_m: Array, shifts: dict[str, Array]) -> Array:
+    """Return (94, 3) joints after key joints moved; every other joint moves with its nearest key ancestor."""
+    moved = np.zeros_like(joints_m)
+    for row, (name, parent) in enumerate(zip(generic.joint_names, generic.joint_parents, strict=True)):
+        inherited = moved[parent] if parent >= 0 else np.zeros(3)
+        moved[row] = shifts.get(name, inherited)
+    return np.asarray(joints_m + moved)
+
+
+def run(
+    *, silhouettes: SilhouetteSet, phenotype: Phenotype, tick: Callable[[float], None], rng: object
+) -> StageResult:
+    """Give the front+side and back+side skeletons and their consensus, in rest pose."""
+    params, generic = Params(), load_generic()
+    vertices, joints = generic.shape(phenotype.coefficients, phenotype.stature_m)
+    mesh = BodyMesh(vertices, joints)
+    photos = {view: outlined(posed, silhouettes.views[view]) for view, posed in phenotype.views.items()}
+    made = {}
+    for number, main in enumerate((ViewId.BODY_FRONT, ViewId.BODY_BACK)):
+        pair = views_of(photos, main)
+        shifts = {
+            f"{side[0]}_{joint}": key_shift(pair, mesh, side, joint, params)
+            for side in ("left", "right")
+            for joint in KEY_JOINTS
+        }
+        made[main] = along_hierarchy(generic, joints, shifts)
+        tick((number + 1) / 2)
+    front, back = made[ViewId.BODY_FRONT], made[ViewId.BODY_BACK]
+    apart = mm_from_m(float(np.linalg.norm(front - back, axis=1).max()))
+    value = SkeletonSet(Skeleton(front), Skeleton(back), Skeleton((front + back) / 2))
+    return StageResult({"skeletons": value}, (Residual("two skeletons apart, worst joint", apart, "mm"),))

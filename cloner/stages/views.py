@@ -1,0 +1,132 @@
+"""First cameras: focal length from the photo, distance from the stature (method §1).
+
+The photos' body heights are normalised here: one stature, three distances. The
+fit of the phenotype refines heading, tilt and distance afterwards.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId, focal_px_from_35mm, mm_from_m
+from cloner.records.photos import Person, Photo, PhotoSet
+from cloner.records.points import BodyPoints, ViewPoints
+from cloner.records.results import Residual, StageResult
+from cloner.records.views import Camera, View, ViewSet
+
+Array = NDArray[np.float64]
+
+#: camera_from_model rotation of a level camera in front of the person.
+FRONT = np.diag([1.0, -1.0, -1.0])
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """Assumptions about cameras that the photos do not tell.
+
+    Attributes
+    ----------
+    body_focal_35mm, face_focal_35mm : float
+        Stated default focal lengths without EXIF, mm (ordinary zoom of a compact camera or phone).
+    camera_height_m : float
+        Usual height of a hand-held or tripod camera for a standing person.
+    hair_m, sole_m : float
+        Usual height of hair above the skull and of shoe soles below the foot.
+    """
+
+    body_focal_35mm: float = 55.0
+    face_focal_35mm: float = 75.0
+    camera_height_m: float = 1.15
+    hair_m: float = 0.012
+    sole_m: float = 0.022
+
+
+def heading(azimuth: float) -> Array:
+    """Return the (3, 3) camera_from_model rotation of a level camera.
+
+    Parameters
+    ----------
+    azimuth : float
+        Direction of the camera around the person, radians: 0 front, +90° the person's left.
+    """
+    cosine, sine = math.cos(azimuth), math.sin(azimuth)
+    turn = np.array([[cosine, 0.0, -sine], [0.0, 1.0, 0.0], [sine, 0.0, cosine]])
+    return FRONT @ turn
+
+
+def pitched(rotation: Array, pitch: float) -> Array:
+    """Return ``rotation`` with the camera tilted down by ``pitch`` radians."""
+    cosine, sine = math.cos(pitch), math.sin(pitch)
+    return np.array([[1.0, 0.0, 0.0], [0.0, cosine, sine], [0.0, -sine, cosine]]).T @ rotation
+
+
+def focal_px(photo: Photo, default_35mm: float) -> tuple[float, bool]:
+    """Return the focal length in pixels and whether the photo itself told it."""
+    known = photo.focal_35mm is not None and photo.focal_35mm > 0
+    return focal_px_from_35mm(photo.focal_35mm if known else default_35mm, photo.width_px, photo.height_px), known  # type: ignore[arg-type]
+
+
+def level_camera(
+    photo: Photo, focal: float, azimuth: float, top_px: Array, bottom_px: Array, span_m: tuple[float, float], height_m: float
+) -> Camera:
+    """Return the camera at ``height_m`` that sees the span between two pixels.
+
+    Parameters
+    ----------
+    top_px, bottom_px : (2,) pixels of the highest and lowest point of the person
+    span_m : (bottom, top) heights of those points in the model frame, metres
+    """
+    middle_px = (top_px + bottom_px) / 2
+    middle_m = np.array([0.0, sum(span_m) / 2, 0.0])
+    depth = focal * (span_m[1] - span_m[0]) / max(float(bottom_px[1] - top_px[1]), 1.0)
+    centre = np.array([(photo.width_px - 1) / 2, (photo.height_px - 1) / 2])
+    pitch = 0.0
+    for _ in range(4):
+        rotation = pitched(heading(azimuth), pitch)
+        place = np.array([*((middle_px - centre) * depth / focal), depth])
+        offset = place - rotation @ middle_m
+        pitch += math.atan2(height_m - float((-rotation.T @ offset)[1]), depth)
+    matrix = np.eye(4)
+    matrix[:3, :3], matrix[:3, 3] = rotation, offset
+    return Camera(photo.width_px, photo.height_px, focal, matrix)
+
+
+def side_shown(points: ViewPoints) -> str:
+    """Return which side of the person a side photo shows, from where the feet point."""
+    return "left" if "toe_left" in points.names else "right"
+
+
+def run(*, photos: PhotoSet, body_points: BodyPoints, person: Person, tick: object, rng: object) -> StageResult:
+    """Give the first cameras of the body photos.
+
+    Residual "height normalisation" is the spread of the three distances' body
+    heights, mm: how badly the photos disagree about the person's height in
+    pixels once focal lengths are taken into account, seen from equal distance.
+    """
+    params = Params()
+    azimuths = {"front": 0.0, "back": math.pi, "left": math.pi / 2, "right": -math.pi / 2}
+    views: dict[ViewId, View] = {}
+    warnings: list[str] = []
+    for view, points in body_points.views.items():
+        shown = {ViewId.BODY_FRONT: "front", ViewId.BODY_BACK: "back"}.get(view) or side_shown(points)
+        focal, known = focal_px(photos.photos[view], params.body_focal_35mm)
+        top = points.get("head_top")
+        soles = [s for s in (points.get("sole_left"), points.get("sole_right")) if s is not None]
+        if top is None or not soles:
+            raise ValueError(f"{view}: no head top or sole among the points")
+        bottom = np.array([float(np.mean([s[0] for s in soles])), max(float(s[1]) for s in soles)])
+        span = (-params.sole_m, person.stature_m + params.hair_m)
+        camera = level_camera(photos.photos[view], focal, azimuths[shown], top, bottom, span, params.camera_height_m)
+        views[view] = View(view, camera, shown, known)
+        if not known:
+            warnings.append(f"{view}: no focal length in the photo; {params.body_focal_35mm:.0f} mm (35 mm equivalent) assumed.")
+    residuals = []
+    if len(views) > 1:
+        scales = np.array([v.camera.focal_px / v.camera.to_camera(np.zeros((1, 3)))[0, 2] / v.camera.height_px for v in views.values()])
+        spread = mm_from_m(person.stature_m) * float(np.std(scales) / np.mean(scales))
+        residuals.append(Residual("height normalisation", spread, "mm"))
+    return StageResult({"views": ViewSet(views)}, tuple(residuals), tuple(warnings))
