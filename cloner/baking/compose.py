@@ -1,0 +1,133 @@
+"""Photos into texels: visibility per texel, then one multiresolution blend."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.baking.sources import Limits, Source, covered_by_hair, hair_allowed, hair_kept, visible_points
+from cloner.generic.load import GenericHuman
+from cloner.generic.photo_shares import head_weight
+from cloner.geometry.atlas import AtlasMap
+from cloner.geometry.graphs import SurfaceGraph
+from cloner.geometry.partition import border_shares, partition_surface
+from cloner.vision.aligning import sample
+from cloner.vision.blending import blend_pyramids, push_pull
+from cloner.vision.evening import apply_light, light_basis
+
+Array = NDArray[np.float64]
+
+SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden at that very texel
+OWNER_SMOOTHING = 4  # rounds; borders of 2-3 edge lengths' smoothness
+FILL_SHARE = 1e-5  # the smooth fill shows only where no photo does
+
+
+def share_surface(
+    generic: GenericHuman, sources: list[Source], graph: SurfaceGraph, *, band_m: float, head_band_m: float
+) -> Array:
+    """Return (K, V) shares of the sources, mixing over bands along the borders of their regions."""
+    scores = np.stack([source.score for source in sources])
+    owner = partition_surface(scores, graph, smoothing=OWNER_SMOOTHING)
+    head = head_weight(generic)
+    band = head_band_m * head + band_m * (1.0 - head)
+    shares = border_shares(owner, len(sources), graph, band)
+    return np.where(scores > 0.0, shares + SECOND_CHOICE * scores, 0.0)
+
+
+def bake(
+    generic: GenericHuman,
+    atlas: AtlasMap,
+    sources: list[Source],
+    shares: Array,
+    gains: Array,
+    normals: Array,
+    base: NDArray[np.float32],
+    limits: Limits,
+    *,
+    levels: int,
+    tick: Callable[[float], None],
+) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
+    """Return the atlas' colours and which texels a photo saw.
+
+    Parameters
+    ----------
+    shares : (K, V); gains : (K, 4, 3); normals : (V, 3); base : (V, 3) levels
+    levels : int
+        Pyramid levels of the blend.
+    tick : callable, called with fractions 0..1
+
+    Returns
+    -------
+    rgb : (size, size, 3) float32, levels; sensible also outside the charts
+    seen : (size, size) bool, texels that a photo (not a mirrored one) painted
+    """
+    size = atlas.size
+    covered = atlas.covered()
+    ground = np.zeros((size * size, 3), np.float32)
+    ground[atlas.texel] = atlas.interpolate(base)
+    ground = push_pull(ground.reshape(size, size, 3), covered.astype(np.float32))
+    seen = np.zeros(size * size, bool)
+
+    def layers() -> Iterator[tuple[NDArray[np.float32], NDArray[np.float32]]]:
+        yield ground, np.full((size, size), FILL_SHARE, np.float32)
+        for k, source in enumerate(sources):
+            tick(k / len(sources))
+            texel, colour, weight = paint(generic, atlas, source, shares[k], gains[k], normals, limits)
+            if texel.size == 0:
+                continue
+            if not source.mirrored:
+                seen[texel[weight > 2 * FILL_SHARE]] = True
+            yield dense_layer(ground, texel, colour, weight)
+
+    rgb = blend_pyramids(layers(), levels)
+    return rgb, seen.reshape(size, size)
+
+
+def paint(
+    generic: GenericHuman,
+    atlas: AtlasMap,
+    source: Source,
+    share: Array,
+    gain: Array,
+    normals: Array,
+    limits: Limits,
+) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
+    """Return texels (N,), their colours (N, 3) in levels and weights (N,) from one photo."""
+    skin = generic.vertex_part == generic.part_names.index("body")
+    useful = (share > 0.0) & skin & ~generic.region("mouth_interior")
+    rows = atlas.rows_of(useful[atlas.triangles].any(axis=1) & skin[atlas.triangles[:, 0]])
+    sight = source.sight
+    table = np.column_stack(
+        [sight.pixel_px, source.lookup_px, sight.depth_m, sight.cosine, share,
+         hair_allowed(generic), hair_kept(generic), light_basis(normals) @ gain]
+    )
+    values = atlas.interpolate(table, rows)
+    pixel, lookup, depth, cosine, weight = values[:, :2], values[:, 2:4], values[:, 4], values[:, 5], values[:, 6]
+    good = visible_points(source, limits, pixel, lookup, depth, cosine) & (weight > 0.0)
+    good &= ~covered_by_hair(source, pixel, lookup, depth, values[:, 7] > 0.5, values[:, 8] > 0.5)
+    colour = apply_light(sample(source.plate.rgb, lookup[good]), values[good, 9:12])
+    return atlas.texel[rows[good]], colour.astype(np.float32), weight[good]
+
+
+def dense_layer(
+    ground: NDArray[np.float32],
+    texel: NDArray[np.int32],
+    colour: NDArray[np.float32],
+    weight: NDArray[np.float32],
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Return a whole image and weight for texels painted by one photo.
+
+    Elsewhere the image follows the ground plus a smooth difference, so that
+    the pyramid finds no edge where the photo's texels end.
+    """
+    size = ground.shape[0]
+    gap = np.zeros((size * size, 3), np.float32)
+    known = np.zeros(size * size, np.float32)
+    gap[texel] = colour - ground.reshape(-1, 3)[texel]
+    known[texel] = 1.0
+    image = push_pull(gap.reshape(size, size, 3), known.reshape(size, size))
+    image += ground
+    known[texel] = weight
+    return image, known.reshape(size, size)

@@ -1,0 +1,58 @@
+"""Eyes, teeth, tongue and lashes painted into the atlas."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.load import GenericHuman
+from cloner.geometry.atlas import AtlasMap
+from cloner.vision.painting import LASH_RGB, TONGUE_RGB, paint_eye, paint_plain, paint_teeth
+
+USUAL_IRIS_M = 0.00585  # anatomy: 11.7 mm across
+
+
+def paint_parts(
+    generic: GenericHuman,
+    atlas: AtlasMap,
+    rgb: NDArray[np.float32],
+    vertices_m: NDArray[np.float64],
+    iris_rgb: NDArray[np.float64],
+    iris_radius_m: float,
+    rng: np.random.Generator,
+) -> NDArray[np.float32]:
+    """Return the atlas (size, size, 3), levels, with every part but the skin painted."""
+    flat = rgb.reshape(-1, 3).copy()
+    part_of = generic.vertex_part[atlas.triangles[:, 0]]
+    for number, name in enumerate(generic.part_names):
+        if name == "body":
+            continue
+        rows = atlas.rows_of(part_of == number)
+        if rows.size == 0:
+            continue
+        vertices = generic.part(name)
+        points = atlas.interpolate(vertices_m, rows)
+        if name.startswith("eye_"):
+            centre, radius = fit_ball(vertices_m[vertices])
+            spokes = points - centre.astype(np.float32)
+            spokes /= np.maximum(np.linalg.norm(spokes, axis=1, keepdims=True), 1e-9)
+            iris = iris_radius_m if iris_radius_m > 0.0 else USUAL_IRIS_M
+            angle = float(np.arcsin(np.clip(iris / radius, 0.2, 0.7)))
+            colour = paint_eye(spokes, iris_rgb, angle, rng)
+        elif name.startswith("teeth_"):
+            height = points[:, 1] - points[:, 1].min()
+            share = height / max(float(np.ptp(points[:, 1])), 1e-6)
+            colour = paint_teeth(share if name == "teeth_upper" else 1.0 - share)
+        else:
+            colour = paint_plain(rows.size, TONGUE_RGB if name == "tongue" else LASH_RGB)
+        flat[atlas.texel[rows]] = colour
+    return flat.reshape(rgb.shape)
+
+
+def fit_ball(points_m: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+    """Return centre (3,) and radius of the sphere nearest to (N, 3) points (linear least squares)."""
+    middle = points_m.mean(axis=0)
+    local = points_m - middle
+    system = np.column_stack([2.0 * local, np.ones(len(local))])
+    solution = np.linalg.lstsq(system, (local**2).sum(axis=1), rcond=None)[0]
+    return middle + solution[:3], float(np.sqrt(max(solution[3] + (solution[:3] ** 2).sum(), 1e-12)))

@@ -1,0 +1,239 @@
+"""Every photo as a source of colour: where it shows each vertex, and how well."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.generic.load import GenericHuman
+from cloner.generic.photo_shares import mirrored_share, photo_shares
+from cloner.geometry.seeing import Sight, depth_at, look, nearest_of
+from cloner.geometry.skinning import joint_transforms, skin
+from cloner.records.bodies import PosedView
+from cloner.records.clones import Joined
+from cloner.records.heads import Shell
+from cloner.records.photos import PhotoSet
+from cloner.records.points import Proposal, Proposals
+from cloner.records.results import Residual
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.vision.aligning import outline_shift, sample, shift_points
+from cloner.vision.plates import Plate, prepare_plate
+
+Array = NDArray[np.float64]
+
+PERSON_LEVEL = 127  # a net's probability above one half
+HAIR_CLEARANCE_M = 0.002  # a shell nearer than this to the skin is the hairline itself
+HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """When a photo may paint a surface.
+
+    Attributes
+    ----------
+    steepest_cosine : float
+        Surfaces turned farther away take no colour (0.2 = 78 degrees).
+    shift_share : float
+        Largest outline shift, share of the figure's height.
+    face_presence : float
+        Trust in the face net from which its eye contours are believed.
+    """
+
+    steepest_cosine: float = 0.2
+    shift_share: float = 0.02
+    face_presence: float = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Source:
+    """One photo (or its mirror image) as a source of colour for every vertex.
+
+    Attributes
+    ----------
+    view : ViewId
+    mirrored : bool
+    plate : Plate
+    sight : Sight
+    lookup_px : (V, 2) float64
+        Where the photo shows each vertex after the outlines were aligned.
+    hair_m : (h, w) float32
+        Depth of the nearest hair shell, inf where there is none.
+    hair : (H, W) uint8
+        255 where hair may hide what is below it.
+    score : (V,) float64
+        Claim on each vertex: share x cosine, 0 where not seen.
+    """
+
+    view: ViewId
+    mirrored: bool
+    plate: Plate
+    sight: Sight
+    lookup_px: Array
+    hair_m: NDArray[np.float32]
+    hair: NDArray[np.uint8]
+    score: Array
+
+
+def body_triangles(generic: GenericHuman) -> NDArray[np.int32]:
+    """Return the (T, 3) triangles of the skin, without eyes, teeth, tongue and lashes."""
+    triangles = generic.triangles()[0]
+    part = generic.vertex_part[triangles[:, 0]]
+    return triangles[part == generic.part_names.index("body")].astype(np.int32)
+
+
+def pose(generic: GenericHuman, joined: Joined, view: PosedView) -> Array:
+    """Return the (V, 3) vertices as the person stood in one photo, metres."""
+    transforms = joint_transforms(joined.joints_m, generic.joint_parents, view.rotations)
+    return skin(joined.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+
+
+def pose_shell(generic: GenericHuman, joined: Joined, view: PosedView, shell: Shell) -> Array:
+    """Return the (N, 3) vertices of a shell as in one photo, metres."""
+    transforms = joint_transforms(joined.joints_m, generic.joint_parents, view.rotations)
+    return skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
+
+
+def person_mask(view: ViewId, proposal: Proposal, silhouettes: SilhouetteSet) -> NDArray[np.bool_]:
+    """Return the (H, W) person: the extracted outline, or the net's mask where there is none."""
+    silhouette = silhouettes.views.get(view)
+    if silhouette is not None and silhouette.mask.shape == proposal.mask.shape:
+        return silhouette.mask
+    return proposal.mask > PERSON_LEVEL
+
+
+def gather_sources(
+    generic: GenericHuman,
+    photos: PhotoSet,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    joined: Joined,
+    shells: tuple[Shell, ...],
+    limits: Limits,
+) -> tuple[list[Source], list[Residual]]:
+    """Return all photos as sources, side photos also mirrored, and the outline shifts made."""
+    sources: list[Source] = []
+    residuals: list[Residual] = []
+    faces = frozenset(view for view in joined.views if view.is_face and view in photos.photos)
+    for view, posed_view in joined.views.items():
+        if view not in photos.photos or view not in proposals.views:
+            continue
+        plate = make_plate(view, photos, proposals.views[view], silhouettes, limits)
+        if not np.isfinite(plate.inside_px).all():
+            continue
+        source, gap = make_source(generic, joined, shells, posed_view, plate, limits, faces)
+        sources.append(source)
+        residuals.append(Residual("outline_shift", gap, "px", str(view)))
+        if view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+            sources.append(mirror_source(generic, source))
+    return sources, residuals
+
+
+def make_plate(
+    view: ViewId, photos: PhotoSet, proposal: Proposal, silhouettes: SilhouetteSet, limits: Limits
+) -> Plate:
+    """Return the photo without background; see :func:`prepare_plate`."""
+    frontal = proposal.face_presence >= limits.face_presence and view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT)
+    mask = person_mask(view, proposal, silhouettes)
+    return prepare_plate(photos.photos[view].rgb, mask, proposal.labels, proposal.face_px if frontal else None)
+
+
+def make_source(
+    generic: GenericHuman,
+    joined: Joined,
+    shells: tuple[Shell, ...],
+    posed_view: PosedView,
+    plate: Plate,
+    limits: Limits,
+    faces: frozenset[ViewId],
+) -> tuple[Source, float]:
+    """Return one photo as a source and the mean gap between outlines before the shift, px."""
+    triangles = body_triangles(generic)
+    sight = look(pose(generic, joined, posed_view), triangles, posed_view.camera)
+    lookup, gap = align(sight, plate, limits)
+    hair_m = np.full_like(sight.nearest_m, np.inf)
+    for shell in shells:
+        shape = pose_shell(generic, joined, posed_view, shell)
+        hair_m = np.minimum(hair_m, nearest_of(shape, shell.triangles, posed_view.camera))
+    growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1
+    hair = cv2.dilate(plate.hair.astype(np.uint8) * 255, np.ones((growth, growth), np.uint8))
+    source = Source(posed_view.view, False, plate, sight, lookup, hair_m, hair, np.zeros(len(lookup)))
+    seen = visible_points(source, limits, sight.pixel_px, lookup, sight.depth_m, sight.cosine)
+    seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
+    share = photo_shares(generic, posed_view.view, faces=faces)
+    return replace(source, score=share * np.where(seen, sight.cosine, 0.0)), gap
+
+
+def align(sight: Sight, plate: Plate, limits: Limits) -> tuple[Array, float]:
+    """Return lookups (V, 2) after the mesh's outline was carried to the photo's, and the gap, px."""
+    height, width = plate.inside_px.shape
+    small = np.isfinite(sight.nearest_m).astype(np.float32)
+    mesh_mask = cv2.resize(small, (width, height), interpolation=cv2.INTER_LINEAR) > 0.5
+    limit = limits.shift_share * plate.figure_px
+    growth = 2 * int(np.ceil(limit)) + 1
+    usable = cv2.dilate(plate.hair.astype(np.uint8), np.ones((growth, growth), np.uint8)) == 0
+    field, gap = outline_shift(mesh_mask, plate.inside_px, usable, limit)
+    return shift_points(sight.pixel_px, field), gap
+
+
+def mirror_source(generic: GenericHuman, source: Source) -> Source:
+    """Return a side photo as the source of the half of the person that it does not show."""
+    twin = generic.mirror
+    return replace(
+        source,
+        mirrored=True,
+        sight=source.sight.mirrored(twin),
+        lookup_px=source.lookup_px[twin],
+        score=mirrored_share() * source.score[twin],
+    )
+
+
+def hair_allowed(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) where hair in the photo is the surface's own colour: the scalp."""
+    return generic.region("scalp")
+
+
+def hair_kept(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) where hair labels are not believed (brows) unless a shell hides the skin."""
+    return generic.region("face")
+
+
+def visible_points(
+    source: Source,
+    limits: Limits,
+    pixel_px: NDArray[np.floating],
+    lookup_px: NDArray[np.floating],
+    depth_m: NDArray[np.floating],
+    cosine: NDArray[np.floating],
+) -> NDArray[np.bool_]:
+    """Return which of (N,) surface points the photo shows, hair left aside."""
+    seen = source.sight.visible(pixel_px, depth_m, cosine) & (cosine > limits.steepest_cosine)
+    near = sample(source.plate.inside_px, lookup_px)[:, 0] > -limits.shift_share * source.plate.figure_px
+    open_eye = sample(source.plate.eyes.astype(np.uint8), lookup_px)[:, 0] > 0.5
+    return seen & near & ~open_eye
+
+
+def covered_by_hair(
+    source: Source,
+    pixel_px: NDArray[np.floating],
+    lookup_px: NDArray[np.floating],
+    depth_m: NDArray[np.floating],
+    allowed: NDArray[np.bool_],
+    kept: NDArray[np.bool_],
+) -> NDArray[np.bool_]:
+    """Return which of (N,) points lie below hair that is not theirs.
+
+    Parameters
+    ----------
+    source : Source
+    pixel_px, lookup_px : (N, 2); depth_m : (N,)
+    allowed : (N,) scalp, which keeps the hair's colour
+    kept : (N,) face, where only a shell in front counts
+    """
+    labelled = sample(source.hair, lookup_px)[:, 0] > PERSON_LEVEL
+    below = depth_m > depth_at(source.hair_m, pixel_px) + HAIR_CLEARANCE_M
+    return (below | (labelled & ~kept)) & ~allowed

@@ -1,0 +1,68 @@
+"""A mesh as a graph: distances along the surface, averaging, smooth filling."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_matrix, diags
+from scipy.sparse.csgraph import dijkstra
+from scipy.sparse.linalg import splu
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SurfaceGraph:
+    """Edges of a mesh with their lengths, as a symmetric sparse matrix (metres)."""
+
+    lengths: csr_matrix
+
+    def distance_from(self, sources: NDArray[np.bool_], limit_m: float) -> Array:
+        """Return each vertex's distance along edges to the nearest source, metres, at most ``limit_m``."""
+        rows = np.flatnonzero(sources)
+        if rows.size == 0:
+            return np.full(sources.size, limit_m)
+        distance = dijkstra(self.lengths, directed=False, indices=rows, min_only=True, limit=limit_m)
+        return np.minimum(distance, limit_m)
+
+    def smooth(self, values: Array, rounds: int) -> Array:
+        """Return (V, ...) values averaged with their neighbours ``rounds`` times."""
+        link = (self.lengths > 0).astype(np.float64)
+        degree = np.asarray(link.sum(axis=1)).ravel()
+        mean = diags(0.5 / np.maximum(degree, 1.0)) @ link
+        for _ in range(rounds):
+            values = np.where((degree > 0).reshape(-1, *[1] * (values.ndim - 1)), 0.5 * values + mean @ values, values)
+        return values
+
+    def fill(self, values: Array, weight: Array, stiffness: float) -> Array:
+        """Return (V, K) values that keep to ``values`` by ``weight`` and are harmonic elsewhere.
+
+        Solves (W + s L) x = W c with the umbrella Laplacian L; a part without
+        any weight gets the weighted mean of all.
+
+        Parameters
+        ----------
+        values : (V, K)
+        weight : (V,), 0 = unknown
+        stiffness : float
+            Weight s of one edge against one known vertex of weight 1.
+        """
+        link = (self.lengths > 0).astype(np.float64)
+        laplacian = diags(np.asarray(link.sum(axis=1)).ravel()) - link
+        mean = (weight[:, None] * values).sum(0) / max(float(weight.sum()), 1e-12)
+        anchor = 1e-6  # keeps parts without data solvable; far below any real weight
+        system = (diags(weight + anchor) + stiffness * laplacian).tocsc()
+        right = weight[:, None] * values + anchor * mean
+        return np.asarray(splu(system).solve(right))
+
+
+def surface_graph(vertices_m: Array, triangles: NDArray[np.int32]) -> SurfaceGraph:
+    """Return the graph of a triangle mesh's edges."""
+    ends = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]).astype(np.int64)
+    ends = np.unique(np.sort(ends[ends[:, 0] != ends[:, 1]], axis=1), axis=0)
+    length = np.maximum(np.linalg.norm(vertices_m[ends[:, 0]] - vertices_m[ends[:, 1]], axis=1), 1e-6)
+    count = len(vertices_m)
+    half = csr_matrix((length, (ends[:, 0], ends[:, 1])), shape=(count, count))
+    return SurfaceGraph((half + half.T).tocsr())

@@ -1,0 +1,123 @@
+"""What one camera sees of a posed surface: where, how steeply, and what hides it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.geometry.rasters import nearest_depth
+from cloner.geometry.wedges import vertex_normals
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+DEPTH_SCALE = 0.5  # depth picture's size relative to the photo: 4 times faster, 1 px is still 2-3 mm
+#: Occluders grow by this many depth pixels: a limb 4 photo pixels off paints nothing behind it.
+OCCLUDER_GROWTH_PX = 2
+DEPTH_TOLERANCE_M = 0.008  # taste: more than the mesh's coarseness, less than a finger
+STEEPEST_TANGENT = 4.0  # surfaces steeper than 76 degrees are not used at all
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sight:
+    """A posed mesh as one camera sees it.
+
+    Attributes
+    ----------
+    pixel_px : (V, 2) float64
+        Projected vertices, photo pixels.
+    depth_m : (V,) float64
+    cosine : (V,) float64
+        Of the angle between normal and direction to the camera; <= 0 is turned away.
+    nearest_m : (h, w) float32
+        Depth of the nearest surface at ``DEPTH_SCALE``, inf where there is none.
+    guarded_m : (h, w) float32
+        The same with occluders grown.
+    metres_per_pixel : float
+        Size of a depth pixel at the mesh's mean depth.
+    """
+
+    pixel_px: Array
+    depth_m: Array
+    cosine: Array
+    nearest_m: NDArray[np.float32]
+    guarded_m: NDArray[np.float32]
+    metres_per_pixel: float
+
+    def mirrored(self, mirror: NDArray[np.integer]) -> Sight:
+        """Return the sight in which every vertex is seen where its twin is."""
+        return Sight(
+            self.pixel_px[mirror],
+            self.depth_m[mirror],
+            self.cosine[mirror],
+            self.nearest_m,
+            self.guarded_m,
+            self.metres_per_pixel,
+        )
+
+    def visible(
+        self, pixel_px: NDArray[np.floating], depth_m: NDArray[np.floating], cosine: NDArray[np.floating]
+    ) -> NDArray[np.bool_]:
+        """Return which of (N,) surface points the camera sees.
+
+        A point is seen when it faces the camera, lies in the picture and
+        nothing lies nearer than it by more than the tolerance, which grows with the slope.
+        """
+        nearest = depth_at(self.guarded_m, pixel_px)
+        tangent = np.sqrt(np.clip(1.0 - cosine * cosine, 0.0, None)) / np.maximum(cosine, 1e-3)
+        slope = np.minimum(tangent, STEEPEST_TANGENT) * (OCCLUDER_GROWTH_PX + 1) * self.metres_per_pixel
+        # NaN outside the picture compares as not free.
+        return (depth_m <= nearest + DEPTH_TOLERANCE_M + slope) & (cosine > 0.0)
+
+
+def depth_pixels(pixel_px: NDArray[np.floating]) -> NDArray[np.floating]:
+    """Return photo pixels (N, 2) in the depth picture's frame."""
+    return (pixel_px + 0.5) * DEPTH_SCALE - 0.5
+
+
+def depth_at(picture_m: NDArray[np.float32], pixel_px: NDArray[np.floating]) -> NDArray[np.float32]:
+    """Return a depth picture's values at (N, 2) photo pixels, nearest neighbour, NaN outside."""
+    column, row = np.rint(depth_pixels(pixel_px)).astype(np.int32).T
+    height, width = picture_m.shape
+    inside = (column >= 0) & (row >= 0) & (column < width) & (row < height)
+    values = picture_m.ravel()[np.where(inside, row * width + column, 0)]
+    return np.where(inside, values, np.float32(np.nan))
+
+
+def nearest_of(points_m: Array, triangles: NDArray[np.int32], camera: Camera) -> NDArray[np.float32]:
+    """Return the (h, w) depth picture at ``DEPTH_SCALE`` of a surface, metres, inf where there is none."""
+    width, height = int(camera.width_px * DEPTH_SCALE), int(camera.height_px * DEPTH_SCALE)
+    if len(points_m) == 0:
+        return np.full((height, width), np.inf, np.float32)
+    depth = camera.to_camera(points_m)[:, 2]
+    return nearest_depth(depth_pixels(camera.project(points_m)), depth, triangles, width, height)
+
+
+def look(posed_m: Array, triangles: NDArray[np.int32], camera: Camera) -> Sight:
+    """Return what the camera sees of a posed mesh.
+
+    Parameters
+    ----------
+    posed_m : (V, 3) model frame, metres
+    triangles : (T, 3) int32
+    camera : Camera
+    """
+    towards = camera.position_m - posed_m
+    if camera.pixels_per_m is not None:
+        towards = np.broadcast_to(-camera.camera_from_model[2, :3], posed_m.shape)
+    towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
+    cosine = np.einsum("vk,vk->v", vertex_normals(posed_m, triangles), towards)
+    nearest = nearest_of(posed_m, triangles, camera)
+    reach = 2 * OCCLUDER_GROWTH_PX + 1
+    guarded = cv2.erode(nearest, np.ones((reach, reach), np.uint8), borderValue=np.inf)
+    return Sight(
+        pixel_px=camera.project(posed_m),
+        depth_m=camera.to_camera(posed_m)[:, 2],
+        cosine=cosine,
+        nearest_m=nearest,
+        guarded_m=guarded,
+        metres_per_pixel=camera.metres_per_pixel(posed_m.mean(axis=0)) / DEPTH_SCALE,
+    )

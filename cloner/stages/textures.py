@@ -1,0 +1,136 @@
+"""Stage: paint the person with the photos, in the generic human's atlas.
+
+References
+----------
+Method notes section 9 (head texture) and 10 (body texture).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.baking.compose import bake, share_surface
+from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
+from cloner.baking.parts import paint_parts
+from cloner.baking.sources import Limits, body_triangles, gather_sources
+from cloner.generic.charts import generic_atlas, person_graph
+from cloner.generic.load import load_generic
+from cloner.geometry.atlas import AtlasMap
+from cloner.geometry.wedges import vertex_normals
+from cloner.records.clones import Clone, Joined, TextureAtlas
+from cloner.records.heads import HeadFit, Shell
+from cloner.records.photos import PhotoSet
+from cloner.records.points import Proposals
+from cloner.records.results import Residual, StageResult
+from cloner.records.silhouettes import SilhouetteSet
+
+PLAIN_RGB = (190.0, 160.0, 145.0)  # taste: what a person is painted with whom no photo shows
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """Settings of the texture stage.
+
+    Attributes
+    ----------
+    size : int
+        Side of the atlas, texels.
+    levels : int
+        Levels of the Laplacian pyramids; light differences melt over 2**levels texels.
+    band_m, head_band_m : float
+        Half width L of the mixing band between two photos on body and head, metres (taste).
+    limits : Limits
+        When a photo may paint a surface.
+    """
+
+    size: int = 2048
+    levels: int = 5
+    band_m: float = 0.012
+    head_band_m: float = 0.008
+    limits: Limits = field(default_factory=Limits)
+
+
+def run(
+    *,
+    photos: PhotoSet,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    joined: Joined,
+    shells: tuple[Shell, ...],
+    head: HeadFit,
+    tick: Callable[[float], None],
+    rng: np.random.Generator,
+    params: Params | None = None,
+) -> StageResult:
+    """Return the textured clone.
+
+    Residuals: disagreement between photos that show the same surface, in grey
+    levels, before and after evening; gap between mesh and photo outlines that
+    was shifted away, px; share of the charts' texels that a photo saw.
+    """
+    params = params or Params()
+    generic = load_generic()
+    atlas = generic_atlas(generic, params.size)
+    tick(0.15)
+    sources, residuals = gather_sources(generic, photos, proposals, silhouettes, joined, shells, params.limits)
+    tick(0.4)
+    if sources:
+        graph = person_graph(generic, joined.vertices_m)
+        normals = vertex_normals(joined.vertices_m, body_triangles(generic))
+        colours = vertex_colours(sources)
+        gains = even_photos(sources, colours, normals)
+        residuals += compare_photos(sources, colours, gains, normals)
+        base = fill_surface(generic, sources, evened_colours(colours, gains, normals), graph)
+        shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
+        rgb, seen = bake(
+            generic, atlas, sources, shares, gains, normals, base, params.limits,
+            levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
+        )
+    else:
+        rgb = np.tile(np.float32(PLAIN_RGB), (params.size, params.size, 1))
+        seen = np.zeros((params.size, params.size), dtype=bool)
+    rgb = paint_parts(generic, atlas, rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, rng)
+    residuals.append(Residual("texels_seen", 100.0 * float(seen.sum()) / max(atlas.texel.size, 1), "percent"))
+    clone = assemble(joined, shells, finish(atlas, rgb, seen))
+    tick(1.0)
+    warnings = () if sources else ("No photo could be laid on the body: it keeps one plain colour",)
+    return StageResult({"clone": clone}, tuple(residuals), warnings)
+
+
+def finish(atlas: AtlasMap, rgb: NDArray[np.float32], seen: NDArray[np.bool_]) -> TextureAtlas:
+    """Return the atlas as bytes, every texel outside the charts showing its nearest chart's colour.
+
+    A renderer's smaller mip levels average over chart borders; without the
+    padding they would draw seams.
+    """
+    outside = ~atlas.covered()
+    image = np.clip(np.rint(rgb), 0, 255).astype(np.uint8)
+    _, labels = cv2.distanceTransformWithLabels(
+        outside.astype(np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
+    )
+    colour_of = np.zeros((int(labels.max()) + 1, 3), np.uint8)
+    colour_of[labels[~outside]] = image[~outside]
+    return TextureAtlas(colour_of[labels], np.where(seen, 255, 0).astype(np.uint8))
+
+
+def assemble(joined: Joined, shells: tuple[Shell, ...], atlas: TextureAtlas) -> Clone:
+    """Return the finished clone: the joined person with texture and hair."""
+    return Clone(
+        vertices_m=joined.vertices_m,
+        joints_m=joined.joints_m,
+        morph_names=joined.morph_names,
+        morph_index=joined.morph_index,
+        morph_delta_m=joined.morph_delta_m,
+        morph_start=joined.morph_start,
+        atlas=atlas,
+        shells=shells,
+        features_m=joined.features_m,
+        views=joined.views,
+        stature_m=joined.stature_m,
+        sole_m=joined.sole_m,
+    )

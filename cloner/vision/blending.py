@@ -1,0 +1,102 @@
+"""Filling and blending of images by pyramids.
+
+References
+----------
+Burt and Adelson 1983, "A multiresolution spline with application to image mosaics".
+Gortler et al. 1996, "The lumigraph", section 3.4 (push-pull).
+Lee and Magnenat-Thalmann, method notes section 9 (Laplacian blend of front and side).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Image = NDArray[np.float32]
+
+
+def push_pull(values: Image, weight: Image) -> Image:
+    """Return an image that keeps ``values`` where the weight is 1 and is smooth elsewhere.
+
+    Parameters
+    ----------
+    values : (H, W, C) float32
+    weight : (H, W) float32 in 0..1; 0 = unknown
+
+    Returns
+    -------
+    (H, W, C) float32; all zero when nothing is known.
+    """
+    colours, weights = [values * weight[..., None]], [weight]
+    while min(weights[-1].shape) > 1:
+        size = ((weights[-1].shape[1] + 1) // 2, (weights[-1].shape[0] + 1) // 2)
+        colour = cv2.resize(colours[-1], size, interpolation=cv2.INTER_AREA)
+        known = cv2.resize(weights[-1], size, interpolation=cv2.INTER_AREA)
+        # Four times the mean weight, at most one: a single known child is enough to decide its parent.
+        gain = np.minimum(known * 4.0, 1.0) / np.maximum(known, 1e-12)
+        colours.append(_three(colour) * gain[..., None])
+        weights.append(known * gain)
+    filled = colours[-1] / np.maximum(weights[-1], 1e-12)[..., None]
+    for colour, known in zip(colours[-2::-1], weights[-2::-1], strict=True):
+        above = _three(cv2.resize(filled, known.shape[::-1], interpolation=cv2.INTER_LINEAR))
+        filled = colour + (1.0 - known)[..., None] * above
+    return filled
+
+
+def _three(image: NDArray[np.float32]) -> Image:
+    """Give back the channel axis that OpenCV drops from one-channel images."""
+    return image if image.ndim == 3 else image[..., None]
+
+
+def blend_pyramids(layers: Iterable[tuple[Image, Image]], levels: int) -> Image:
+    """Blend images by their Laplacian pyramids, weighted by Gaussian pyramids.
+
+    Every frequency band gets a border as wide as itself: broad light
+    differences melt over many pixels while fine detail never ghosts.
+
+    Parameters
+    ----------
+    layers : iterable of (image (H, W, C) float32, weight (H, W) float32 >= 0)
+        Weights need not sum to one. Images must hold sensible colours also
+        where their weight is zero, else those leak over the border.
+    levels : int
+        Number of halvings; 0 is a plain weighted mean.
+
+    Raises
+    ------
+    ValueError
+        If there is no layer.
+    """
+    sums: list[Image] = []
+    totals: list[Image] = []
+    for image, weight in layers:
+        for level, (band, share) in enumerate(_bands(image, weight, levels)):
+            if level == len(sums):
+                sums.append(np.zeros_like(band))
+                totals.append(np.zeros_like(share))
+            sums[level] += band * share[..., None]
+            totals[level] += share
+    if not sums:
+        raise ValueError("nothing to blend")
+    result: Image | None = None
+    for total, band in zip(totals[::-1], sums[::-1], strict=True):
+        band /= np.maximum(total, 1e-9)[..., None]
+        result = band if result is None else band + _enlarge(result, band.shape)
+    assert result is not None
+    return result
+
+
+def _bands(image: Image, weight: Image, levels: int) -> Iterable[tuple[Image, Image]]:
+    """Yield Laplacian bands with the weights of the same size, fine to coarse."""
+    for _ in range(levels):
+        smaller = _three(cv2.pyrDown(image))
+        yield image - _enlarge(smaller, image.shape), weight
+        image, weight = smaller, cv2.pyrDown(weight)
+    yield image, weight
+
+
+def _enlarge(image: Image, shape: tuple[int, ...]) -> Image:
+    return _three(cv2.pyrUp(image, dstsize=(shape[1], shape[0])))

@@ -1,0 +1,57 @@
+"""Photo repair before it becomes texture: no background in the person's edge."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+THICKNESS_KEPT = 0.55  # taste: a finger thinner than the band keeps the colour of its inner 45 %
+
+
+def repair_bleeding(
+    rgb: NDArray[np.uint8], mask: NDArray[np.bool_], band_px: float
+) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+    """Replace border and background pixels by the nearest safe foreground colour.
+
+    The paper walks from each border pixel along the inward normal to the first
+    safe foreground pixel; the nearest safe pixel of a distance transform is
+    the same pixel, found for all at once. Departure: the colour also fills
+    the whole background, so that a slightly displaced lookup finds the person.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    mask : (H, W) bool, the person
+    band_px : float
+        Width of the unsafe band inside the outline.
+
+    Returns
+    -------
+    repaired : (H, W, 3) uint8; a copy of ``rgb`` when the mask is empty
+    inside_px : (H, W) float32
+        Signed distance to the outline, positive inside, pixels.
+
+    References
+    ----------
+    Method notes section 10.1 (digitisation).
+    """
+    if not mask.any():
+        return rgb.copy(), np.full(mask.shape, -np.inf, np.float32)
+    person = mask.astype(np.uint8)
+    inside = cv2.distanceTransform(person, cv2.DIST_L2, 5)
+    outside = cv2.distanceTransform(1 - person, cv2.DIST_L2, 5)
+    reach = 2 * int(np.ceil(band_px)) + 1
+    thickness = cv2.dilate(inside, np.ones((reach, reach), np.uint8))
+    safe = inside >= np.minimum(band_px, np.maximum(THICKNESS_KEPT * thickness, 1.0))
+    _, labels = cv2.distanceTransformWithLabels(
+        (~safe).astype(np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
+    )
+    colour_of = np.zeros((int(labels.max()) + 1, 3), np.uint8)
+    colour_of[labels[safe]] = rgb[safe]
+    repaired = colour_of[labels]
+    repaired[safe] = rgb[safe]
+    # The nearest pixel alone draws streaks; a small blur outside the safe part hides them.
+    soft = cv2.GaussianBlur(repaired, (0, 0), max(band_px / 2.0, 0.8))
+    repaired = np.where(safe[..., None], repaired, soft)
+    return repaired, (inside - outside).astype(np.float32)
