@@ -145,7 +145,7 @@ def _targets(buffer: GltfBuffer, clone: Clone, surface: Surface) -> list[int]:
     for k in range(len(clone.morph_names)):
         rows = slice(int(clone.morph_start[k]), int(clone.morph_start[k + 1]))
         offset[:] = 0.0
-        np.add.at(offset, clone.morph_index[rows], clone.morph_delta_m[rows])
+        offset[clone.morph_index[rows]] = clone.morph_delta_m[rows]
         own = offset[surface.vertex]
         moved = np.flatnonzero(np.abs(own).max(axis=1) > SMALLEST_OFFSET_M)
         if len(moved) == 0 and still >= 0:

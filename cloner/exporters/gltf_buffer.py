@@ -57,6 +57,7 @@ class GltfBuffer:
     def sparse(self, count: int, index: NDArray[Any], values: NDArray[np.float32]) -> int:
         """Add a (count, 3) attribute that is zero except in the rows ``index`` (ascending, may be empty)."""
         accessor = pygltflib.Accessor(
+            byteOffset=None,
             componentType=pygltflib.FLOAT,
             count=count,
             type="VEC3",
@@ -65,7 +66,7 @@ class GltfBuffer:
         )
         if len(index):
             rows = index.astype(np.uint16 if count < 65535 else np.uint32)
-            accessor.sparse = pygltflib.AccessorSparse(
+            accessor.sparse = pygltflib.Sparse(
                 count=len(rows),
                 indices=pygltflib.AccessorSparseIndices(
                     bufferView=self.view(rows.tobytes()), componentType=_COMPONENT[rows.dtype]

@@ -1,0 +1,74 @@
+"""H-Anim 1.1 names of segments and sites.
+
+References
+----------
+Humanoid Animation Working Group 1999, Specification for a Standard Humanoid, version 1.1, sections 3 and 5.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+_FIXED: Final = {
+    "HumanoidRoot": "sacrum",
+    "sacroiliac": "pelvis",
+    "skullbase": "skull",
+    "temporomandibular": "jaw",
+}
+_SIDED: Final = {
+    "hip": "thigh",
+    "knee": "calf",
+    "ankle": "hindfoot",
+    "subtalar": "midproximal",
+    "midtarsal": "middistal",
+    "metatarsal": "forefoot",
+    "sternoclavicular": "clavicle",
+    "acromioclavicular": "scapula",
+    "shoulder": "upperarm",
+    "elbow": "forearm",
+    "wrist": "hand",
+    "eyeball_joint": "eyeball",
+    "eyelid_joint": "eyelid",
+    "eyebrow_joint": "eyebrow",
+}
+_PHALANGES: Final = {"0": "metacarpal", "1": "proximal", "2": "middle", "3": "distal"}
+_THUMB: Final = {"1": "metacarpal", "2": "proximal", "3": "distal"}
+#: Features of ours that are sites of the standard; all others get their own name and "_pt".
+_SITES: Final = {
+    "head_top": "skull_tip",
+    "nasion": "sellion_pt",
+    "fingertip_left": "l_middle_distal_tip",
+    "fingertip_right": "r_middle_distal_tip",
+    "toe_left": "l_forefoot_tip",
+    "toe_right": "r_forefoot_tip",
+    "acromion_L": "l_acromion_pt",
+    "acromion_R": "r_acromion_pt",
+}
+
+
+def segment_name(joint: str) -> str:
+    """Return the segment that hangs on a joint.
+
+    Raises
+    ------
+    ValueError
+        If the joint is not one of the 94.
+    """
+    if joint in _FIXED:
+        return _FIXED[joint]
+    if joint[0] == "v" and joint[1] in "lct" and joint[2:].isdigit():
+        return joint[1:]  # vl5 carries l5: a vertebra, not a left-side part
+    side, _, bare = joint.partition("_")
+    if side in ("l", "r"):
+        if bare in _SIDED:
+            return f"{side}_{_SIDED[bare]}"
+        finger, number = bare[:-1], bare[-1:]
+        names = _THUMB if finger == "thumb" else _PHALANGES
+        if finger in ("thumb", "index", "middle", "ring", "pinky") and number in names:
+            return f"{side}_{finger}_{names[number]}"
+    raise ValueError(f"unknown H-Anim joint {joint!r}")
+
+
+def site_name(feature: str) -> str:
+    """Return the site that marks a feature point."""
+    return _SITES.get(feature, f"{feature}_pt")

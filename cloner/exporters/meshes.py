@@ -1,0 +1,94 @@
+"""Write a clone's resting surface as OBJ or PLY: no skeleton, no morph targets."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import trimesh
+from numpy.typing import NDArray
+
+from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
+from cloner.generic.surfaces import load_surfaces, surface_normals
+from cloner.geometry.wedges import vertex_normals
+from cloner.records.clones import Clone
+
+
+def export_obj(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
+    """Write ``<name>.obj``, its ``.mtl`` and the pictures in ``textures/``, and return all paths.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written to.
+    """
+    lines, looks = [f"mtllib {name}.mtl\n"], {"atlas": f"textures/{name}_atlas.jpg"}
+    files = {looks["atlas"]: jpeg_bytes(clone.atlas.rgb)}
+    start = 1  # OBJ counts from one
+    for look, points, normals, uv, triangles, rgba in _meshes(clone):
+        if rgba is not None:
+            looks[look] = f"textures/{name}_{look}.png"
+            files[looks[look]] = png_bytes(rgba)
+        lines += [f"v {x:.6f} {y:.6f} {z:.6f}\n" for x, y, z in points.tolist()]
+        lines += [f"vt {u:.6f} {1.0 - v:.6f}\n" for u, v in uv.tolist()]  # OBJ counts v upwards
+        lines += [f"vn {x:.4f} {y:.4f} {z:.4f}\n" for x, y, z in normals.tolist()]
+        lines.append(f"usemtl {look}\n")
+        lines += [f"f {a}/{a}/{a} {b}/{b}/{b} {c}/{c}/{c}\n" for a, b, c in (triangles + start).tolist()]
+        start += len(points)
+    materials = "".join(_material(look, picture) for look, picture in looks.items())
+    files |= {f"{name}.mtl": materials.encode(), f"{name}.obj": "".join(lines).encode()}
+    for relative, data in files.items():
+        write_bytes(folder / relative, data)
+    return (folder / f"{name}.obj", *(folder / relative for relative in files if not relative.endswith(".obj")))
+
+
+def export_ply(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
+    """Write ``<name>.ply`` with one colour a vertex, taken from the textures, and return its path.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written to.
+    """
+    parts = []
+    for _, points, normals, uv, triangles, rgba in _meshes(clone):
+        texture = clone.atlas.rgb if rgba is None else rgba
+        colours = _sample(texture, uv)
+        parts.append(
+            trimesh.Trimesh(points, triangles, vertex_normals=normals, vertex_colors=colours, process=False)
+        )
+    path = folder / f"{name}.ply"
+    write_bytes(path, trimesh.util.concatenate(parts).export(file_type="ply"))
+    return (path,)
+
+
+_Mesh = tuple[
+    str, NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.int32], NDArray[np.uint8] | None
+]
+
+
+def _meshes(clone: Clone) -> list[_Mesh]:
+    """Return look, points, normals, uv, triangles and own texture of every drawn mesh."""
+    normals = surface_normals(clone.vertices_m)
+    meshes: list[_Mesh] = []
+    for surface in load_surfaces():
+        own, look = surface.vertex, "atlas" if surface.rgba is None else surface.name
+        meshes.append((look, clone.vertices_m[own], normals[own], surface.uv, surface.triangles, surface.rgba))
+    for number, shell in enumerate(clone.shells):
+        smooth = vertex_normals(shell.vertices_m, shell.triangles)
+        meshes.append((f"hair_{number}", shell.vertices_m, smooth, shell.uv, shell.triangles, shell.rgba))
+    return meshes
+
+
+def _sample(texture: NDArray[np.uint8], uv: NDArray[np.float64]) -> NDArray[np.uint8]:
+    """Return the (N, 4) nearest texels, opaque where the texture has no alpha."""
+    size = np.array(texture.shape[1::-1])
+    column, row = np.clip(np.floor(uv * size), 0, size - 1).astype(int).T
+    found = texture[row, column]
+    return found if found.shape[1] == 4 else np.column_stack([found, np.full(len(found), 255, np.uint8)])
+
+
+def _material(look: str, picture: str) -> str:
+    """Return one material of an MTL file."""
+    alpha = f"map_d {picture}\n" if picture.endswith(".png") else ""
+    return f"newmtl {look}\nKa 1 1 1\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {picture}\n{alpha}\n"

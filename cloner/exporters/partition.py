@@ -1,0 +1,54 @@
+"""Cut a skinned mesh into rigid pieces, one a joint."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Piece:
+    """The triangles that one joint moves most.
+
+    Attributes
+    ----------
+    joint : int
+    rows : (T',) rows of the triangle table
+    vertex : (N,) mesh vertex of every local vertex, ascending
+    triangles : (T', 3) local vertices
+    """
+
+    joint: int
+    rows: NDArray[np.int64]
+    vertex: NDArray[np.int32]
+    triangles: NDArray[np.int32]
+
+
+def dominant_joint(skin_joints: NDArray[np.integer], skin_weights: NDArray[np.floating]) -> NDArray[np.int64]:
+    """Return the (N,) joint with the largest weight of every vertex."""
+    return np.asarray(np.take_along_axis(skin_joints, skin_weights.argmax(axis=1)[:, None], axis=1)[:, 0], np.int64)
+
+
+def partition(
+    triangles: NDArray[np.int32], skin_joints: NDArray[np.integer], skin_weights: NDArray[np.floating], joints: int
+) -> tuple[Piece, ...]:
+    """Return the pieces of a mesh; every triangle lies in exactly one.
+
+    A triangle goes to the joint with the largest sum of weights over its
+    corners, so neighbouring pieces repeat the very same border vertices.
+    """
+    if len(triangles) == 0:
+        return ()
+    total = np.zeros((len(triangles), joints))
+    row = np.arange(len(triangles))[:, None]
+    for corner in range(3):
+        np.add.at(total, (row, skin_joints[triangles[:, corner]]), skin_weights[triangles[:, corner]])
+    owner = total.argmax(axis=1)
+    pieces = []
+    for joint in np.unique(owner):
+        rows = np.flatnonzero(owner == joint)
+        vertex, local = np.unique(triangles[rows], return_inverse=True)
+        pieces.append(Piece(int(joint), rows, vertex.astype(np.int32), local.reshape(-1, 3).astype(np.int32)))
+    return tuple(pieces)

@@ -1,0 +1,100 @@
+"""Write a clone as VRML97 with the H-Anim 1.1 prototypes.
+
+H-Anim 1.1 knows no skin: the body is cut into rigid pieces by the joint that
+moves each triangle most, and the pieces hang on the joints' segments. Borders
+repeat the same vertices and normals, so the resting body shows no seam. The
+face's morph targets become Displacers. Metres, +Y up, facing +Z.
+
+References
+----------
+ISO/IEC 14772-1:1997 (VRML97); Humanoid Animation Working Group 1999, H-Anim 1.1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from cloner import __version__
+from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
+from cloner.exporters.hanim_names import segment_name, site_name
+from cloner.exporters.hanim_protos import PROTOS
+from cloner.exporters.vrml_segments import row_text, segment_texts
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.surfaces import load_surfaces
+from cloner.geometry.viewpoints import AZIMUTH_DEG
+from cloner.records.clones import Clone
+
+_FIELD_OF_VIEW: Final = 0.6  # radians; taste
+_CREDITS: Final = "Generic human, weights and face units: MakeHuman community, CC0 1.0"
+
+
+def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
+    """Write ``<name>.wrl`` and its pictures in ``textures/``, and return all paths.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written to.
+    """
+    pictures = {f"textures/{name}_atlas.jpg": jpeg_bytes(clone.atlas.rgb)}
+    for surface in load_surfaces():
+        if surface.rgba is not None:
+            pictures[f"textures/{name}_{surface.name}.png"] = png_bytes(surface.rgba)
+    for number, shell in enumerate(clone.shells):
+        pictures[f"textures/{name}_hair_{number}.png"] = png_bytes(shell.rgba)
+    for relative, data in pictures.items():
+        write_bytes(folder / relative, data)
+    scene = folder / f"{name}.wrl"
+    write_bytes(scene, "".join(_scene(clone, name)).encode())
+    return (scene, *(folder / relative for relative in pictures))
+
+
+def _scene(clone: Clone, name: str) -> Iterator[str]:
+    """Yield the file's text."""
+    generic = load_generic()
+    yield f"#VRML V2.0 utf8\n# Written by Cloner {__version__}. {_CREDITS}.\n\n{PROTOS}\n"
+    yield f'WorldInfo {{ title "clone" info [ "{_CREDITS}" "units=metre up=+Y front=+Z" ] }}\n'
+    yield 'NavigationInfo { type [ "EXAMINE" "ANY" ] }\n\n'
+    yield 'DEF hanim_humanoid Humanoid {\nname "clone"\nversion "1.1"\n'
+    yield f'info [ "humanoidVersion=1.1" "authorName=Cloner {__version__}" "height={clone.stature_m:.4f}" ]\n'
+    yield "viewpoints [\n" + "".join(_viewpoints(clone)) + "]\n"
+    yield "humanoidBody [\n"
+    root = int(np.flatnonzero(generic.joint_parents < 0)[0])
+    yield from _joint(clone, generic, root, segment_texts(clone, generic, name))
+    yield "]\n"
+    yield _uses("joints", generic.joint_names)
+    yield _uses("segments", [segment_name(joint) for joint in generic.joint_names])
+    yield _uses("sites", [site_name(feature) for feature in clone.features_m])
+    yield "}\n"
+
+
+def _uses(field: str, names: Sequence[str]) -> str:
+    return f"{field} [\n" + "".join(f"USE hanim_{name}\n" for name in names) + "]\n"
+
+
+def _viewpoints(clone: Clone) -> Iterator[str]:
+    """Yield one Viewpoint a named side, the front first."""
+    low, high = clone.vertices_m.min(axis=0), clone.vertices_m.max(axis=0)
+    middle = (low + high) / 2.0
+    distance = 0.6 * float((high - low).max()) / np.tan(_FIELD_OF_VIEW / 2.0)
+    for side in ("front", "three_quarter", "left", "right", "back"):
+        angle = np.radians(AZIMUTH_DEG[side])
+        place = middle + distance * np.array([np.sin(angle), 0.0, np.cos(angle)])
+        yield (
+            f'Viewpoint {{ description "{side.replace("_", " ")}" position {row_text(place)} '
+            f"orientation 0 1 0 {angle:.5f} fieldOfView {_FIELD_OF_VIEW} }}\n"
+        )
+
+
+def _joint(clone: Clone, generic: GenericHuman, joint: int, segments: list[str]) -> Iterator[str]:
+    """Yield a joint, its segment and every joint below it."""
+    name = generic.joint_names[joint]
+    yield f'DEF hanim_{name} Joint {{ name "{name}" center {row_text(clone.joints_m[joint])} children [\n'
+    yield segments[joint]
+    for child in np.flatnonzero(generic.joint_parents == joint):
+        yield from _joint(clone, generic, int(child), segments)
+    yield "] }\n"
