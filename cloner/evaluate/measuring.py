@@ -1,0 +1,112 @@
+"""Clone a visitor from the photos alone, in a process of its own, and measure the effort."""
+
+from __future__ import annotations
+
+import copyreg
+import multiprocessing
+import time
+from collections.abc import Mapping
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.cloning import clone_folder
+from cloner.exporters.files import jpeg_bytes
+from cloner.pipeline import peak_mib
+from cloner.project.folder import load_photos
+from cloner.records.clones import Clone
+from cloner.records.points import PointSet
+from cloner.records.silhouettes import SilhouetteSet
+
+# Records hold their mappings in MappingProxyType, which pickle does not know.
+copyreg.pickle(MappingProxyType, lambda proxy: (MappingProxyType, (dict(proxy),)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CloneRun:
+    """One clone and what it took.
+
+    Attributes
+    ----------
+    clone : Clone
+    outlines : mapping of view name to (H, W) bool
+        Silhouettes extracted from the photos.
+    face_points : PointSet
+        The points used for the face; without corrections they are the proposals.
+    seconds, cpu_seconds : float
+        Whole clone as ``cloner clone`` does it: decoding, all stages, exports, previews and report.
+    floor_seconds : float
+        Decoding the photos, running the nets once and encoding the texture.
+    peak_mib : float
+        Peak resident memory of the process.
+    """
+
+    clone: Clone
+    outlines: Mapping[str, NDArray[np.bool_]]
+    face_points: PointSet
+    seconds: float
+    cpu_seconds: float
+    floor_seconds: float
+    peak_mib: float
+
+
+def clone_apart(photos: Path, stature_m: float, out: Path) -> CloneRun:
+    """Clone the photos of a folder in a fresh process.
+
+    Parameters
+    ----------
+    photos : Path
+        Holds the photographs and nothing that is true of the visitor.
+    stature_m : float
+        The height that the visitor told, metres.
+    out : Path
+        Receives the clone's folder, as ``cloner clone`` writes it.
+
+    Raises
+    ------
+    ClonerError
+        As the stages do.
+    """
+    context = multiprocessing.get_context("spawn")
+    with ProcessPoolExecutor(max_workers=1, mp_context=context) as pool:
+        return pool.submit(clone_here, photos, stature_m, out).result()
+
+
+def clone_here(photos: Path, stature_m: float, out: Path) -> CloneRun:
+    """Clone the photos of a folder in this process; see :func:`clone_apart`."""
+    clock = _StepClock()
+    wall, cpu = time.perf_counter(), time.process_time()
+    outcome = clone_folder(photos, out, height_cm=100.0 * stature_m, progress=clock)
+    seconds, cpu_seconds, peak = time.perf_counter() - wall, time.process_time() - cpu, peak_mib()
+    clone: Clone = outcome.values["clone"]
+    before = time.perf_counter()
+    load_photos(photos)
+    jpeg_bytes(clone.atlas.rgb)
+    floor = time.perf_counter() - before + clock.spent.get("proposals", 0.0)
+    silhouettes: SilhouetteSet = outcome.values["silhouettes"]
+    return CloneRun(
+        clone=clone,
+        outlines={view.value: silhouette.mask for view, silhouette in silhouettes.views.items()},
+        face_points=outcome.values["face_points"],
+        seconds=seconds,
+        cpu_seconds=cpu_seconds,
+        floor_seconds=floor,
+        peak_mib=peak,
+    )
+
+
+class _StepClock:
+    """A progress callback that adds up the time between steps."""
+
+    def __init__(self) -> None:
+        self.spent: dict[str, float] = {}
+        self._step, self._since = "", time.perf_counter()
+
+    def __call__(self, step: str, fraction: float) -> None:
+        now = time.perf_counter()
+        self.spent[self._step] = self.spent.get(self._step, 0.0) + now - self._since
+        self._step, self._since = step, now

@@ -1,0 +1,130 @@
+"""Bring a clone into the truth's pose and frame: rotations and a rigid motion, never a scale."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import least_squares
+from scipy.spatial import cKDTree
+
+from cloner.evaluate.rulers import apply, fit_similarity
+from cloner.generic.load import GenericHuman
+from cloner.geometry.poses import SIGMAS, pose_matrix
+from cloner.geometry.skinning import blend_transforms, joint_transforms, rotation_matrices, skin
+from cloner.records.clones import Clone
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+#: The truth's joint names and ours; rig centres both.
+JOINTS: Final = {
+    f"{name}_{side}": f"{side.lower()}_{name}"
+    for name in ("shoulder", "elbow", "wrist", "hip", "knee", "ankle")
+    for side in "LR"
+}
+#: How far a joint of another skeleton may lie from ours and still agree, metres; taste.
+_JOINT_SIGMA_M: Final = 0.01
+#: The truth's pose may be far from rest, so the prior only keeps unseen twists still; taste.
+_PRIOR_WEIGHT: Final = 0.1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Posed:
+    """A clone after skinning and a rigid motion; any frame, metres."""
+
+    vertices_m: Array
+    joints_m: Array
+    features_m: Mapping[str, Array]
+
+    def moved(self, transform: Array) -> Posed:
+        """Return the same body moved by a (4, 4) rigid transform."""
+        return Posed(
+            apply(transform, self.vertices_m),
+            apply(transform, self.joints_m),
+            {name: apply(transform, point[None])[0] for name, point in self.features_m.items()},
+        )
+
+
+def pose_clone(clone: Clone, generic: GenericHuman, rotations: Array) -> Posed:
+    """Return the clone's skin, joints and feature points under joint rotations.
+
+    Parameters
+    ----------
+    clone : Clone
+    generic : GenericHuman
+    rotations : (94, 3) float64, rotation vectors in model axes, radians
+    """
+    transforms = joint_transforms(clone.joints_m, generic.joint_parents, rotations)
+    vertices = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights)
+    joints = np.einsum("jab,jb->ja", transforms[:, :3, :3], clone.joints_m) + transforms[:, :3, 3]
+    names = list(clone.features_m)
+    if not names:
+        return Posed(vertices, joints, {})
+    rest = np.array([clone.features_m[name] for name in names])
+    _, near = cKDTree(clone.vertices_m).query(rest)
+    blended = blend_transforms(transforms, generic.skin_joints[near], generic.skin_weights[near])
+    features = np.einsum("nab,nb->na", blended[:, :, :3], rest) + blended[:, :, 3]
+    return Posed(vertices, joints, dict(zip(names, features, strict=True)))
+
+
+def joints_by_truth_name(posed: Posed, generic: GenericHuman) -> dict[str, Array]:
+    """Return the main joints of a posed clone under the truth's names."""
+    return {name: posed.joints_m[generic.joint(ours)] for name, ours in JOINTS.items()}
+
+
+def truth_from_points(found: Mapping[str, Array], truth: Mapping[str, Array]) -> Array:
+    """Return the rigid (4, 4) motion that lays common named points on the truth's.
+
+    Raises
+    ------
+    ValueError
+        If fewer than three names are common.
+    """
+    names = [name for name in found if name in truth]
+    if len(names) < 3:
+        raise ValueError(f"only {len(names)} common points: {names}")
+    source = np.array([found[name] for name in names])
+    return fit_similarity(source, np.array([truth[name] for name in names]), scale=False)
+
+
+def rotations_towards(clone: Clone, generic: GenericHuman, truth_joints: Mapping[str, Array], start: Array) -> Array:
+    """Return the (94, 3) rotations whose joints, moved rigidly, lie nearest the truth's.
+
+    Parameters
+    ----------
+    clone : Clone
+    generic : GenericHuman
+    truth_joints : mapping of str to (3,) float64, truth frame, metres
+    start : (94, 3) float64
+        Rotations to begin from, for example the pose of the front photo.
+    """
+    spread = pose_matrix(generic.joint_names)
+    rows = [generic.joint(JOINTS[name]) for name in JOINTS]
+    goal = np.array([truth_joints[name] for name in JOINTS])
+    parents, rest = generic.joint_parents, clone.joints_m
+
+    def rotations(pose: Array) -> Array:
+        return start + (spread @ pose).reshape(-1, 3)
+
+    def placed(pose: Array) -> Array:
+        transforms = joint_transforms(rest, parents, rotations(pose))[rows]
+        return np.einsum("jab,jb->ja", transforms[:, :3, :3], rest[rows]) + transforms[:, :3, 3]
+
+    def residual(values: Array) -> Array:
+        joints = placed(values[6:])
+        turned = (joints - joints.mean(axis=0)) @ rotation_matrices(values[None, :3])[0].T
+        away = (turned + values[3:6] - goal) / _JOINT_SIGMA_M
+        return np.concatenate([away.ravel(), _PRIOR_WEIGHT * values[6:] / SIGMAS])
+
+    first = np.concatenate([np.zeros(3), goal.mean(axis=0), np.zeros(len(SIGMAS))])
+    best = least_squares(residual, first, method="trf", max_nfev=25)
+    return rotations(best.x[6:])
+
+
+def moved_camera(camera: Camera, target_from_source: Array) -> Camera:
+    """Return the camera that sees ``source`` as the old one sees its moved copy in ``target``."""
+    return replace(camera, camera_from_model=camera.camera_from_model @ target_from_source)

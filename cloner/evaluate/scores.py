@@ -1,0 +1,148 @@
+"""All figures of one clone against its truth, before they become rows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.evaluate import likeness, rulers, skins
+from cloner.evaluate.measuring import CloneRun
+from cloner.evaluate.posing import Posed, joints_by_truth_name, pose_clone, rotations_towards, truth_from_points
+from cloner.evaluate.truth import THREE_QUARTER, Truth, TruthView
+from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, mm_from_m
+from cloner.generic.load import GenericHuman
+from cloner.generic.tape import load_tape_rules
+from cloner.geometry.measures import girths_mm
+from cloner.records.clones import Clone
+from cloner.records.points import PointSet
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Score:
+    """One figure of one subject.
+
+    Attributes
+    ----------
+    metric, view, unit : str
+        View is "" for figures of the whole clone.
+    value : float or None
+        None where nothing could be measured.
+    """
+
+    metric: str
+    view: str
+    unit: str
+    value: float | None
+
+
+def score_run(run: CloneRun, truth: Truth) -> Iterator[Score]:
+    """Yield the figures that only a clone has: outlines, proposals and effort."""
+    for name, outline in run.outlines.items():
+        true = truth.views[name].mask
+        yield Score("outline_iou", name, "", rulers.overlap(outline, true))
+        spread = rulers.spread(rulers.outline_distances_px(outline, true))
+        yield Score("outline_mean_px", name, "px", spread.mean)
+        yield Score("outline_p95_px", name, "px", spread.p95)
+    for view in FACE_VIEWS:
+        if view in run.face_points.views:
+            yield Score(
+                "proposal_mean_percent_iod", view, "%", _proposal_error(run.face_points, truth.views[view], view)
+            )
+    yield Score("seconds", "", "s", run.seconds)
+    yield Score("cpu_seconds", "", "s", run.cpu_seconds)
+    yield Score("floor_seconds", "", "s", run.floor_seconds)
+    yield Score("peak_mib", "", "MiB", run.peak_mib)
+
+
+def score_subject(
+    subject: Clone,
+    clone: Clone,
+    generic: GenericHuman,
+    truth: Truth,
+    *,
+    rng: np.random.Generator,
+    keep: Callable[[str, NDArray[np.uint8]], None] = lambda view, picture: None,
+) -> Iterator[Score]:
+    """Yield the figures that a clone and both baselines have.
+
+    Parameters
+    ----------
+    subject : Clone
+        The clone, the generic human, or another visitor's clone.
+    clone : Clone
+        The visitor's own clone, whose cameras and poses are used for all three.
+    generic : GenericHuman
+    truth : Truth
+    rng : numpy Generator
+    keep : callable
+        Gets the name and the picture of every held-out view.
+    """
+    front = clone.views.get(ViewId.BODY_FRONT)
+    rotations = np.zeros((len(clone.joints_m), 3)) if front is None else front.rotations
+    for view in BODY_VIEWS:
+        if view in clone.views:
+            value = likeness.seen_as_photo(subject, clone, generic, view, truth.views[view].mask)
+            yield Score("silhouette_iou", view, "", value)
+    for name in THREE_QUARTER:
+        if name in truth.views:
+            found, picture = likeness.held_out_likeness(subject, rotations, generic, truth.views[name])
+            keep(name, picture)
+            if not name.startswith("body"):
+                del found["silhouette_iou"]  # the shoulders of a face photo are in no known pose
+            for metric, figure in found.items():
+                yield Score(metric, name, "dE00" if metric == "delta_e" else "", figure)
+    posed = _posed_as_truth(subject, generic, truth, rotations)
+    yield from _surface_scores(posed, generic, truth, rng)
+    yield Score("stature_error_mm", "", "mm", abs(mm_from_m(_stature_m(subject, generic) - truth.stature_m)))
+    girths = girths_mm(subject.vertices_m, subject.joints_m, load_tape_rules())
+    for name, value in girths.items():
+        if name in truth.girths_mm:
+            yield Score(f"girth_{name}_error_mm", "", "mm", abs(value - truth.girths_mm[name]))
+    for where, ratio in likeness.seam_ratios(subject, generic).items():
+        yield Score(f"seam_{where}_ratio", "", "", ratio)
+    yield Score("region_agreement", "", "", None)
+
+
+def _surface_scores(posed: Posed, generic: GenericHuman, truth: Truth, rng: np.random.Generator) -> Iterator[Score]:
+    body = skins.body_surface_mm(posed, generic, truth.surface, rng=rng)
+    yield Score("body_surface_mean_mm", "", "mm", body.mean)
+    yield Score("body_surface_p95_mm", "", "mm", body.p95)
+    face = skins.face_surface_mm(posed, generic, truth.surface, rng=rng)
+    yield Score("face_surface_similarity_mm", "", "mm", face.similarity.mean)
+    yield Score("face_surface_rigid_mm", "", "mm", face.rigid.mean)
+    found, marks = skins.named(posed.features_m), skins.named(truth.surface.marks_m)
+    names = [name for name in skins.LANDMARKS if name in found and name in marks]
+    away = rulers.landmark_distances(np.array([found[n] for n in names]), np.array([marks[n] for n in names]))
+    yield Score("face_landmarks_mean_mm", "", "mm", mm_from_m(float(away.mean())))
+    yield Score("face_landmarks_worst_mm", "", "mm", mm_from_m(float(away.max())))
+
+
+def _posed_as_truth(subject: Clone, generic: GenericHuman, truth: Truth, start: Array) -> Posed:
+    """Return the subject in the truth's pose, laid on its joints without a scale."""
+    rotations = rotations_towards(subject, generic, truth.surface.joints_m, start)
+    posed = pose_clone(subject, generic, rotations)
+    return posed.moved(truth_from_points(joints_by_truth_name(posed, generic), truth.surface.joints_m))
+
+
+def _stature_m(subject: Clone, generic: GenericHuman) -> float:
+    """Return the height of the finished skin above its bare soles, without hair."""
+    top = subject.vertices_m[generic.part("body"), 1].max()
+    return float(top - subject.sole_m)
+
+
+def _proposal_error(points: PointSet, truth: TruthView, view: ViewId) -> float | None:
+    """Return the mean distance of proposed points from the truth, % of the inter-ocular distance."""
+    found: Mapping[str, Array] = dict(zip(points.views[view].names, points.views[view].points_px, strict=True))
+    names = [name for name in found if name in truth.marks_px]
+    if not names:
+        return None
+    away = [np.linalg.norm(found[name] - truth.marks_px[name]) for name in names]
+    left, right = truth.points_m["pupil_L"], truth.points_m["pupil_R"]
+    # in profile the projected distance vanishes: the true one at that depth serves both views
+    iod_px = float(np.linalg.norm(left - right)) / truth.camera.metres_per_pixel((left + right) / 2)
+    return float(100.0 * np.mean(away) / iod_px)
