@@ -1,0 +1,125 @@
+"""Keep a finished clone without loss: ``clone.npz`` beside the exported files."""
+
+from __future__ import annotations
+
+import io
+import json
+import zipfile
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from cloner.errors import ClonerError
+from cloner.exporters.files import png_bytes, write_bytes
+from cloner.frames import ViewId
+from cloner.records.bodies import PosedView
+from cloner.records.clones import Clone, TextureAtlas
+from cloner.records.heads import Shell
+from cloner.records.views import Camera
+
+FORMAT: Final = "cloner-clone"
+VERSION: Final = 1
+_PLAIN: Final = ("vertices_m", "joints_m", "morph_index", "morph_delta_m", "morph_start")
+_SHELL: Final = ("vertices_m", "triangles", "uv", "skin_joints", "skin_weights")
+_AGAIN: Final = "Clone the person again with this version of Cloner"
+
+
+def save_clone(clone: Clone, path: Path) -> None:
+    """Write a clone, bit for bit, as one .npz; pictures inside are PNG.
+
+    Raises
+    ------
+    ClonerError
+        If the file cannot be written.
+    """
+    arrays: dict[str, NDArray[Any]] = {name: getattr(clone, name) for name in _PLAIN}
+    arrays["atlas_rgb_png"] = _packed(clone.atlas.rgb)
+    arrays["atlas_coverage_png"] = _packed(clone.atlas.coverage)
+    for number, shell in enumerate(clone.shells):
+        arrays |= {f"shell_{number}_{name}": getattr(shell, name) for name in _SHELL}
+        arrays[f"shell_{number}_rgba_png"] = _packed(shell.rgba)
+    arrays["features_m"] = np.array(list(clone.features_m.values()), dtype=np.float64).reshape(-1, 3)
+    for view, posed in clone.views.items():
+        arrays[f"view_{view}_rotations"] = posed.rotations
+        arrays[f"view_{view}_camera_from_model"] = posed.camera.camera_from_model
+    facts = {
+        "format": FORMAT,
+        "version": VERSION,
+        "morph_names": list(clone.morph_names),
+        "feature_names": list(clone.features_m),
+        "shells": len(clone.shells),
+        "views": {str(view): _camera_facts(posed.camera) for view, posed in clone.views.items()},
+        "stature_m": clone.stature_m,
+        "sole_m": clone.sole_m,
+    }
+    arrays["facts_json"] = np.frombuffer(json.dumps(facts).encode(), dtype=np.uint8)
+    stream = io.BytesIO()
+    np.savez(stream, allow_pickle=False, **arrays)
+    write_bytes(path, stream.getvalue())
+
+
+def load_clone(path: Path) -> Clone:
+    """Return the clone that :func:`save_clone` wrote.
+
+    Raises
+    ------
+    ClonerError
+        If the file is missing, is no clone, or was written by a newer version.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as archive:
+            arrays = {name: archive[name] for name in archive.files}
+        facts = json.loads(arrays["facts_json"].tobytes())
+        if facts.get("format") != FORMAT or facts["version"] > VERSION:
+            raise ClonerError("The clone was written by a newer version", _AGAIN, path.name)
+        return _clone(arrays, facts)
+    except FileNotFoundError as error:
+        raise ClonerError("The clone is not there", "Run: cloner clone", path.name) from error
+    except (OSError, ValueError, KeyError, AttributeError, zipfile.BadZipFile) as error:
+        raise ClonerError("The file is not a readable clone", _AGAIN, path.name) from error
+
+
+def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
+    """Return the clone of a file's arrays and facts."""
+    views = {}
+    for key, camera in facts["views"].items():
+        lens = Camera(camera_from_model=arrays[f"view_{key}_camera_from_model"], **camera)
+        views[ViewId(key)] = PosedView(ViewId(key), lens, arrays[f"view_{key}_rotations"])
+    shells = tuple(
+        Shell(
+            **{name: arrays[f"shell_{number}_{name}"] for name in _SHELL},
+            rgba=_unpacked(arrays[f"shell_{number}_rgba_png"]),
+        )
+        for number in range(facts["shells"])
+    )
+    return Clone(
+        **{name: arrays[name] for name in _PLAIN},
+        morph_names=tuple(facts["morph_names"]),
+        atlas=TextureAtlas(_unpacked(arrays["atlas_rgb_png"]), _unpacked(arrays["atlas_coverage_png"])),
+        shells=shells,
+        features_m=dict(zip(facts["feature_names"], arrays["features_m"], strict=True)),
+        views=views,
+        stature_m=facts["stature_m"],
+        sole_m=facts["sole_m"],
+    )
+
+
+def _camera_facts(camera: Camera) -> dict[str, Any]:
+    """Return a camera's numbers; JSON keeps every bit of a float."""
+    return {
+        "width_px": int(camera.width_px),
+        "height_px": int(camera.height_px),
+        "focal_px": float(camera.focal_px),
+        "pixels_per_m": None if camera.pixels_per_m is None else float(camera.pixels_per_m),
+    }
+
+
+def _packed(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    return np.frombuffer(png_bytes(pixels), dtype=np.uint8)
+
+
+def _unpacked(data: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    return np.asarray(Image.open(io.BytesIO(data.tobytes())))
