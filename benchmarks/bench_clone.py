@@ -1,0 +1,84 @@
+"""Time and memory of one clone per stage, beside the floor of the same process.
+
+The floor is what no faster code could leave out: decoding the photos, running the nets once and encoding the
+final textures. Run with ``make bench``; give a folder of photos to clone another person.
+"""
+
+from __future__ import annotations
+
+import argparse
+import io
+import json
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from PIL import Image
+
+from cloner import pipeline
+from cloner.cloning import clone_folder
+from cloner.pipeline import peak_mib
+from cloner.project.folder import load_photos
+
+SAMPLE = Path(__file__).resolve().parents[1] / "samples" / "anna" / "plain"
+
+
+def timed(work: Callable[[], Any]) -> tuple[Any, float, float]:
+    """Return the result, wall seconds and CPU seconds."""
+    wall, cpu = time.perf_counter(), time.process_time()
+    value = work()
+    return value, time.perf_counter() - wall, time.process_time() - cpu
+
+
+def encode(clone: Any) -> int:
+    """Encode the textures as the exports do and return the bytes."""
+    size = 0
+    atlas = io.BytesIO()
+    Image.fromarray(clone.atlas.rgb).save(atlas, format="JPEG", quality=92)
+    size += atlas.tell()
+    for shell in clone.shells:
+        picture = io.BytesIO()
+        Image.fromarray(shell.rgba).save(picture, format="PNG")
+        size += picture.tell()
+    return size
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("photos", nargs="?", type=Path, default=SAMPLE)
+    parser.add_argument("--json", action="store_true")
+    chosen = parser.parse_args()
+
+    proposals = tuple(stage for stage in pipeline.STAGES if stage.name == "proposals")
+    photos, decode_s, decode_cpu = timed(lambda: load_photos(chosen.photos))
+    _, nets_s, nets_cpu = timed(lambda: pipeline.run({"photos": photos}, stages=proposals))
+    floor_mib = peak_mib()
+    with tempfile.TemporaryDirectory() as out:
+        outcome, clone_s, clone_cpu = timed(lambda: clone_folder(chosen.photos, Path(out), identifier="bench"))
+    _, encode_s, encode_cpu = timed(lambda: encode(outcome.values["clone"]))
+
+    floor_s, floor_cpu = decode_s + nets_s + encode_s, decode_cpu + nets_cpu + encode_cpu
+    stages = outcome.report["timings"]["stages"]
+    rows = [
+        {"part": "floor: decode photos", "seconds": decode_s, "cpu_seconds": decode_cpu},
+        {"part": "floor: nets once", "seconds": nets_s, "cpu_seconds": nets_cpu},
+        {"part": "floor: encode textures", "seconds": encode_s, "cpu_seconds": encode_cpu},
+        {"part": "floor", "seconds": floor_s, "cpu_seconds": floor_cpu, "peak_mib": floor_mib},
+        *({"part": stage.pop("stage"), **stage} for stage in stages),
+        {"part": "read, export, previews, report", "seconds": clone_s - sum(stage["seconds"] for stage in stages)},
+        {"part": "clone", "seconds": clone_s, "cpu_seconds": clone_cpu, "peak_mib": outcome.report["peak_mib"]},
+    ]
+    if chosen.json:
+        print(json.dumps(rows, indent=1))
+        return
+    print(f"{'part':32} {'s':>7} {'CPU s':>7} {'peak MiB':>9} {'of floor':>9}")
+    for row in rows:
+        cpu = f"{row['cpu_seconds']:7.2f}" if "cpu_seconds" in row else " " * 7
+        peak = f"{row['peak_mib']:9.0f}" if "peak_mib" in row else " " * 9
+        print(f"{row['part']:32} {row['seconds']:7.2f} {cpu} {peak} {row['seconds'] / floor_s:8.2f}x")
+
+
+if __name__ == "__main__":
+    main()
