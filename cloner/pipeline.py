@@ -55,7 +55,7 @@ STAGES: tuple[Stage, ...] = (
     Stage("views", 1, ("photos", "body_points", "person"), ("views",), views.run),
     Stage("silhouettes", 1, ("photos", "proposals", "body_points"), ("silhouettes",), silhouettes.run),
     Stage("phenotype", 1, ("proposals", "body_points", "silhouettes", "views", "person"), ("phenotype",), phenotype.run),
-    Stage("skeleton", 1, ("body_points", "silhouettes", "phenotype"), ("skeletons",), skeleton.run),
+    Stage("skeleton", 1, ("silhouettes", "phenotype"), ("skeletons",), skeleton.run),
     Stage("rough", 1, ("skeletons", "silhouettes", "phenotype"), ("rough_bodies",), rough.run),
     Stage("fine", 1, ("rough_bodies", "silhouettes", "phenotype"), ("bodies",), fine.run),
     Stage("head", 1, ("photos", "proposals", "face_points", "silhouettes", "phenotype", "person"), ("head",), head.run),

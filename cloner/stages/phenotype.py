@@ -30,6 +30,8 @@ Array = NDArray[np.float64]
 Tick = Callable[[float], None]
 
 CAMERA_FREEDOMS = 6
+#: Features of which the lowest in the picture stands on the floor.
+SOLE_FEATURES = tuple(f"{part}_{side}" for part in ("sole", "toe", "heel") for side in ("left", "right"))
 #: Value of hair in ``Proposal.labels``.
 HAIR = 2
 
@@ -65,7 +67,7 @@ class Params:
     hair_spread_mm: float = 8.0
     sole_m: float = 0.022
     sole_spread_m: float = 0.008
-    camera_degrees: tuple[float, float, float] = (2.5, 8.0, 2.0)
+    camera_degrees: tuple[float, float, float] = (1.5, 8.0, 2.0)
     camera_share: tuple[float, float, float] = (0.1, 0.1, 0.15)
     shapes: tuple[int, ...] = (6, 12, 24, 30, 30)
     turns_per_round: int = 3
@@ -140,7 +142,8 @@ class _PointTerm:
             if name in generic.feature_names and (points.corrected[k] or name not in ("head_top", "sole_left", "sole_right"))
         ]
         self.joints = np.array([generic.joint(points.names[k]) for k in joint_rows], dtype=int)
-        vertices = np.array([generic.feature(points.names[k]) for k in feature_rows] + [generic.feature("head_top"), generic.feature("sole_left"), generic.feature("sole_right")], dtype=np.int64)
+        ends = [generic.feature(name) for name in ("head_top", *SOLE_FEATURES)]
+        vertices = np.array([*(generic.feature(points.names[k]) for k in feature_rows), *ends], dtype=np.int64)
         self.model = choose(generic, vertices, stature_m, count)
         rows = joint_rows + feature_rows
         spread = np.where(np.arange(len(rows)) < len(joint_rows), params.joint_mm, params.outline_point_mm)
@@ -156,8 +159,9 @@ class _PointTerm:
         soft = np.linalg.norm(named, axis=1, keepdims=True)
         named = named / np.sqrt(1.0 + (soft / 2.0) ** 2)
         mm, params = self.evidence.mm_per_px, self.params
-        top = (projected[-3, 1] - self.evidence.top_px[1]) * mm - params.hair_mm
-        bottom = (self.evidence.bottom_px[1] - projected[-2:, 1].max()) * mm - mm_from_m(params.sole_m)
+        soles = projected[-len(SOLE_FEATURES) :, 1]
+        top = (projected[-len(SOLE_FEATURES) - 1, 1] - self.evidence.top_px[1]) * mm - params.hair_mm
+        bottom = (self.evidence.bottom_px[1] - soles.max()) * mm - mm_from_m(params.sole_m)
         ends = [top / params.hair_spread_mm, bottom / mm_from_m(params.sole_spread_m)]
         return np.concatenate([named.ravel(), ends])
 
@@ -328,7 +332,7 @@ def run(
 def _sole(generic: GenericHuman, state: _State, evidence: dict[ViewId, _Evidence], posed: dict[ViewId, PosedView], stature_m: float) -> float:
     """Return how far the photos' lowest outline lies below the naked soles, metres, within 0..50 mm."""
     heights = []
-    model = choose(generic, np.array([generic.feature("sole_left"), generic.feature("sole_right")]), stature_m, len(state.shape))
+    model = choose(generic, np.array([generic.feature(name) for name in SOLE_FEATURES]), stature_m, len(state.shape))
     for view, seen in evidence.items():
         vertices, _ = model.posed(state.shape, state.poses[view])
         pixels = posed[view].camera.project(vertices)

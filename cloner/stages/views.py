@@ -40,7 +40,7 @@ class Params:
 
     body_focal_35mm: float = 55.0
     face_focal_35mm: float = 75.0
-    camera_height_m: float = 1.15
+    camera_height_m: float = 1.2
     hair_m: float = 0.012
     sole_m: float = 0.022
 

@@ -1,0 +1,12 @@
+"""Which detector does what; each loads on first use."""
+
+from __future__ import annotations
+
+from cloner.registry import Registry
+
+DETECTORS = Registry("detector")
+DETECTORS.add("people", "cloner.detectors.litert:detect_people")
+DETECTORS.add("pose", "cloner.detectors.litert:detect_pose")
+DETECTORS.add("face", "cloner.detectors.litert:detect_face")
+DETECTORS.add("body_points", "cloner.detectors.body_points:propose_body_points")
+DETECTORS.add("face_points", "cloner.detectors.face_points:propose_face_points")

@@ -1,0 +1,93 @@
+"""Head and body become one person (paper §4).
+
+The head takes the place the body gives it; the neck belongs to the body. The
+generic human's skin is one mesh, so the two meet by a smooth blend over the neck
+and the loop stays closed. Soles are set flat on the floor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import mm_from_m
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.records.bodies import BodyMesh, BodySet, Phenotype, PosedView
+from cloner.records.clones import Joined
+from cloner.records.heads import HeadFit
+from cloner.records.results import Residual, StageResult
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+
+def blend_head(generic: GenericHuman, body: BodyMesh, head: HeadFit) -> Array:
+    """Return (V, 3) vertices: the head's on the head, the body's below, blended over the neck."""
+    vertices = body.vertices_m.copy()
+    share = generic.head_blend[generic.head_vertices].astype(np.float64)[:, None]
+    place = generic.head_vertices
+    vertices[place] = share * head.vertices_m + (1.0 - share) * vertices[place]
+    return vertices
+
+
+def flat_soles(generic: GenericHuman, vertices_m: Array, sole_m: float) -> Array:
+    """Return the vertices with the soles flat at ``-sole_m`` and nothing below them."""
+    flat = vertices_m.copy()
+    flat[:, 1] = np.maximum(flat[:, 1], -sole_m)
+    flat[generic.region("sole"), 1] = -sole_m
+    return flat
+
+
+def on_floor(camera: Camera, sole_m: float) -> Camera:
+    """Return the camera for the frame whose floor is the shoe soles instead of the naked soles."""
+    matrix = camera.camera_from_model.copy()
+    matrix[:3, 3] -= matrix[:3, 1] * sole_m
+    return Camera(camera.width_px, camera.height_px, camera.focal_px, matrix, camera.pixels_per_m)
+
+
+def morphs(generic: GenericHuman, vertices_m: Array) -> tuple[tuple[str, ...], Array, Array, Array]:
+    """Return names, vertex indices, displacements and starts of the face targets, scaled to this face.
+
+    The scale is this face's over the generic's distance between the outer eye corners.
+    """
+    left, right = generic.feature("eye_outer_L"), generic.feature("eye_outer_R")
+    size = np.linalg.norm(vertices_m[left] - vertices_m[right])
+    size /= np.linalg.norm(generic.vertices_m[left] - generic.vertices_m[right])
+    index = np.concatenate([generic.arkit_index, generic.viseme_index])
+    delta = np.concatenate([generic.arkit_delta_m, generic.viseme_delta_m]) * size
+    start = np.concatenate([generic.arkit_start, generic.arkit_start[-1] + generic.viseme_start[1:]])
+    return (*generic.arkit_names, *generic.viseme_names), index, delta, start
+
+
+def run(
+    *, bodies: BodySet, head: HeadFit, phenotype: Phenotype, tick: Callable[[float], None], rng: object
+) -> StageResult:
+    """Give the joined person, standing on the floor.
+
+    Residual "neck step": the largest angle between neighbouring triangles over the
+    join is reported as the change of the surface normal, mm per 10 mm, by the head's
+    distance from the body's own neck before blending.
+    """
+    generic = load_generic()
+    body = bodies.consensus
+    border = generic.head_vertices[(generic.head_blend[generic.head_vertices] > 0.2) & (generic.head_blend[generic.head_vertices] < 0.8)]
+    place = np.searchsorted(generic.head_vertices, border)
+    apart = np.linalg.norm(head.vertices_m[place] - body.vertices_m[border], axis=1)
+    vertices = flat_soles(generic, blend_head(generic, body, head), phenotype.sole_m)
+    lift = np.array([0.0, phenotype.sole_m, 0.0])
+    vertices, joints = vertices + lift, body.joints_m + lift
+    views = {view: PosedView(view, on_floor(posed.camera, phenotype.sole_m), posed.rotations) for view, posed in phenotype.views.items()}
+    for view, camera in head.cameras.items():
+        if view.is_face:
+            views[view] = PosedView(view, on_floor(camera, phenotype.sole_m), np.zeros((94, 3)))
+    names, index, delta, start = morphs(generic, vertices)
+    features = {name: vertices[vertex] for name, vertex in zip(generic.feature_names, generic.feature_vertices, strict=True)}
+    features |= {f"fdp_{name}": vertices[vertex] for name, vertex in zip(generic.fdp_names, generic.fdp_vertices, strict=True)}
+    value = Joined(
+        vertices, joints, views, names, index.astype(np.int32), delta.astype(np.float32), start.astype(np.int32),
+        features, phenotype.stature_m, phenotype.sole_m,
+    )  # fmt: skip
+    residuals = [Residual("head against neck before blending", mm_from_m(float(apart.mean())) if len(apart) else 0.0, "mm")]
+    return StageResult({"joined": value}, tuple(residuals))

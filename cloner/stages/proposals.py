@@ -1,0 +1,84 @@
+"""What nets and colours say about each photo: pose, face, mask, skin and hair.
+
+Runs once a photo; corrections never run it again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.detectors.table import DETECTORS
+from cloner.errors import ClonerError
+from cloner.frames import ViewId
+from cloner.records.photos import Photo, PhotoSet
+from cloner.records.points import Proposal, Proposals
+from cloner.records.results import StageResult
+from cloner.vision.masks import head_hair_labels, refine_mask
+
+#: A face-mesh presence below this is no face (the net's own score, measured on the sample visitors: 1.0).
+FACE_PRESENCE = 0.5
+#: A photo in which less than this share of pixels is the person is refused.
+LEAST_PERSON = 0.01
+
+
+def check_people(photo: Photo) -> None:
+    """Refuse photos without exactly one person.
+
+    Raises
+    ------
+    ClonerError
+        If nobody, or more than one person, is found.
+    """
+    people = DETECTORS.get("people")(photo.rgb)
+    if not people:
+        raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
+    if len(people) > 1:
+        raise ClonerError(
+            f"{len(people)} people found in this photo", "Take it again with one person alone in view", photo.name
+        )
+
+
+def propose(photo: Photo) -> Proposal:
+    """Return pose, face, mask and labels of one photo.
+
+    Raises
+    ------
+    ClonerError
+        If the photo does not show exactly one person.
+    """
+    check_people(photo)
+    pose = DETECTORS.get("pose")(photo.rgb)
+    if pose is None:
+        raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
+    mask = refine_mask(photo.rgb, pose.mask)
+    if float((mask > 0.5).mean()) < LEAST_PERSON:
+        raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
+    face = None
+    if photo.view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
+        face = DETECTORS.get("face")(photo.rgb)
+    seen = face is not None and face.presence >= FACE_PRESENCE
+    points: NDArray[np.float64] = np.asarray(face.points_px, dtype=np.float64) if seen else np.zeros((468, 2))
+    depth: NDArray[np.float64] = np.asarray(face.depth_px, dtype=np.float64) if seen else np.zeros(468)
+    labels = head_hair_labels(photo.rgb, mask, points if seen else None, photo.view)
+    return Proposal(
+        photo.view,
+        pose.points_px,
+        np.asarray(pose.visibility, dtype=np.float64),
+        points,
+        depth,
+        float(face.presence) if seen else 0.0,
+        np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8),
+        labels,
+    )
+
+
+def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: object) -> StageResult:
+    """Give one proposal a photo."""
+    views: dict[ViewId, Proposal] = {}
+    for view, photo in photos.photos.items():
+        views[view] = propose(photo)
+        tick(len(views) / len(photos.photos))
+    return StageResult({"proposals": Proposals(views)})
