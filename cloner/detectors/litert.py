@@ -119,6 +119,59 @@ def _find_faces(photo: Photo, threshold: float = 0.5) -> list[Box]:
     return _distinct(boxes)
 
 
+def _find_people(photo: Photo) -> list[Box]:
+    """Return the bodies in a photo that the pose net confirms, the best first."""
+    people = []
+    for box in _detect("pose_detection", photo, _whole(photo), "person", 0.5):
+        middle, rim = box.keypoints_px[:2]
+        reach = float(np.hypot(*(rim - middle)))
+        if float(_pose_net(photo, _circle(middle, rim, 1.25))[1].ravel()[0]) < 0.5:
+            continue
+        x, y = float(middle[0]), float(middle[1])
+        half = 0.45 * reach  # measured: outstretched hands of the visitors
+        people.append(Box("person", x - half, y - reach, x + half, y + reach, box.score, box.keypoints_px))
+    return _distinct(people, overlap=0.6)
+
+
+def detect_people(rgb: Photo) -> list[Box]:
+    """List the distinct people in a photo, the largest first.
+
+    Bodies count when the pose net confirms them, faces when the mesh net does and no
+    counted body owns them. Anyone under 45 % of the largest one's size is left out:
+    posters, passers-by far behind.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+
+    Returns
+    -------
+    list of Box
+        Empty: nobody. More than one: refuse the photo.
+    """
+    people = _find_people(rgb)
+    tallest = max((p.height_px for p in people), default=0.0)
+    people = [p for p in people if p.height_px >= 0.45 * tallest]
+    faces = [f for f in _find_faces(rgb, 0.6) if _mesh(rgb, _face_crop(f))[1] > 0.5]
+    widest = max((f.width_px for f in faces), default=0.0)
+    owned = [any(_owns(p, f) for p in people) for f in faces]
+    # a body's own face tells how large other faces must be; without one, a tenth of it
+    least = max([f.width_px for f, o in zip(faces, owned, strict=True) if o], default=0.12 * tallest)
+    for face, has_owner in zip(faces, owned, strict=True):
+        if not has_owner and face.width_px >= 0.45 * max(least, 0.0 if people else widest):
+            people.append(face)
+    return sorted(people, key=lambda p: -p.height_px)
+
+
+def _owns(person: Box, face: Box) -> bool:
+    """Whether a face lies where a body's head is, shoulders up."""
+    x, y = (face.left_px + face.right_px) / 2, (face.top_px + face.bottom_px) / 2
+    shoulders, rim = person.keypoints_px[2:4]
+    reach = 1.3 * float(np.hypot(*(rim - shoulders)))
+    near = math.hypot(x - float(shoulders[0]), y - float(shoulders[1])) < reach
+    return near or (person.left_px < x < person.right_px and person.top_px < y < person.bottom_px)
+
+
 # Pose -----------------------------------------------------------------------------------
 
 
@@ -237,3 +290,103 @@ def _portrait_mask(photo: Photo) -> NDArray[np.float32]:
     height, width = photo.shape[:2]
     crop = Crop((width - 1) / 2.0, (height - 1) / 2.0, float(width), float(height))
     return _mean_mask(photo, crop, _selfie_net)
+
+
+# Face -----------------------------------------------------------------------------------
+
+
+@lru_cache(maxsize=1)
+def _mirror_order() -> NDArray[np.intp]:
+    """Return for each of the 468 points the one on the other side of the face."""
+    with (files("cloner_models") / "nets" / "canonical_face.npz").open("rb") as file:
+        vertices = np.load(file)["vertices_cm"].astype(np.float64)
+    gap = np.linalg.norm(vertices[:, None] * np.array([-1.0, 1.0, 1.0]) - vertices[None], axis=-1)
+    order = gap.argmin(axis=1)
+    order.flags.writeable = False
+    return order
+
+
+def _face_crop(box: Box) -> Crop:
+    """Return the square the mesh net wants, from a detected face."""
+    right_eye, left_eye = box.keypoints_px[:2]
+    across, down = (left_eye - right_eye).tolist()
+    side = 1.5 * max(box.width_px, box.height_px)
+    middle = ((box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2)
+    return Crop(*middle, side, side, math.atan2(down, across))
+
+
+def _mesh_crop(points: Floats) -> Crop:
+    """Return the square the mesh net wants, from a first mesh in photo px."""
+    across, down = (points[263, :2] - points[33, :2]).tolist()
+    angle = math.atan2(down, across)
+    turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
+    upright = points[:, :2] @ turn.T
+    low, high = upright.min(axis=0), upright.max(axis=0)
+    middle = turn.T @ ((low + high) / 2)
+    side = 1.5 * float((high - low).max())
+    return Crop(float(middle[0]), float(middle[1]), side, side, angle)
+
+
+def _mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
+    """Return 468 points (x, y photo px; depth px) and the presence of a face."""
+    image = cut(photo, crop, width=FACE_SIDE, height=FACE_SIDE)
+    points, flag = sorted(_run("face_landmark.tflite", image, low=0.0), key=lambda a: -a.size)
+    table = points.reshape(468, 3).astype(np.float64)
+    photo_from_crop = photo_px_from_crop(crop, width=FACE_SIDE, height=FACE_SIDE)
+    moved = move_points(table[:, :2] - 0.5, photo_from_crop)
+    depth = table[:, 2] * crop.width_px / FACE_SIDE
+    return np.column_stack([moved, depth]), float(_sigmoid(flag).ravel()[0])
+
+
+def _mean_mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
+    """Return the mean mesh of a crop and its mirror image; halves the net's jitter."""
+    straight, presence = _mesh(photo, crop)
+    flipped, turned = _mirrored(photo, crop)
+    mirrored, other = _mesh(flipped, turned)
+    mirrored = mirrored[_mirror_order()]
+    mirrored[:, 0] = photo.shape[1] - 1 - mirrored[:, 0]
+    return (straight + mirrored) / 2, min(presence, other)
+
+
+def detect_face(rgb: Photo, box: Box | None = None) -> FaceResult | None:
+    """Find the 468 points of the largest face, near or in a whole-body photo.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    box : Box, optional
+        Where to look, from `detect_people`; found when not given.
+
+    Returns
+    -------
+    FaceResult or None
+        None where no face is seen, as on backs. On profiles the far half is invented
+        and `presence` does not tell; look at `turn_deg`.
+    """
+    if box is None or box.kind != "face":
+        found = _find_faces(rgb, 0.3)
+        if box is not None:
+            found = [f for f in found if _owns(box, f)]
+        likely = [f for f in found if f.score > 0.6] or found
+        box = max(likely, key=lambda f: f.width_px, default=None)
+    if box is None:
+        return None
+    box = _look_closer(rgb, box)
+    points, presence = _mesh(rgb, _face_crop(box))
+    if presence < 0.5:
+        return None
+    for _ in range(2):  # the second crop comes from the first points, as in MediaPipe
+        points, presence = _mean_mesh(rgb, _mesh_crop(points))
+    if presence < 0.5:
+        return None
+    across = float(np.hypot(*(points[263, :2] - points[33, :2])))
+    turn = math.degrees(math.atan2(points[263, 2] - points[33, 2], across))
+    return FaceResult(points[:, :2], points[:, 2], presence, turn, box)
+
+
+def _look_closer(photo: Photo, box: Box) -> Box:
+    """Detect a small face again in a crop round it, where its eyes are sharper."""
+    side = 3.0 * max(box.width_px, box.height_px)
+    middle = ((box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2)
+    near = _detect("face_detection_short_range", photo, Crop(*middle, side, side), "face", 0.5)
+    return near[0] if near and _same(near[0], box, 0.3) else box
