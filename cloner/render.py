@@ -134,7 +134,7 @@ def draw(
     Parameters
     ----------
     layers : sequence of Layer
-        Opaque ones first; those with four channels are drawn back to front.
+        In any order; those with four channels are drawn last, back to front.
     camera : Camera
         Pixel (0, 0) is the centre of the top-left pixel, as everywhere.
     shading : "photo" or "soft"
@@ -157,8 +157,13 @@ def draw(
     ambient = _AMBIENT if shading == "soft" else 1.0
     scene = pyrender.Scene(bg_color=[*(value / 255.0 for value in background), 1.0], ambient_light=[ambient] * 3)
     model_from_gl = np.linalg.inv(_GL_FROM_CAMERA @ camera.camera_from_model)
-    for layer in layers:
-        scene.add(_mesh(pyrender, layer, camera))
+    # pyrender draws blended meshes by their nodes' distance: the farthest layer's node stands farthest away
+    farthest_first = sorted(layers, key=lambda layer: -float(camera.to_camera(layer.vertices_m)[:, 2].mean()))
+    for number, layer in enumerate(farthest_first):
+        place = camera.position_m + (len(layers) - number) * camera.camera_from_model[2, :3]
+        pose = np.eye(4)
+        pose[:3, 3] = place
+        scene.add(_mesh(pyrender, layer, camera, place), pose=pose)
     scene.add(_lens(pyrender, camera, supersample), pose=model_from_gl)
     flags = pyrender.RenderFlags.FLAT
     if shading == "soft":
@@ -192,8 +197,8 @@ def _white(texture: Image | None) -> Image | None:
     return white
 
 
-def _mesh(pyrender: Any, layer: Layer, camera: Camera) -> Any:
-    """Return the layer as a pyrender mesh, its transparent triangles sorted back to front."""
+def _mesh(pyrender: Any, layer: Layer, camera: Camera, place: Array) -> Any:
+    """Return the layer as a pyrender mesh around ``place``, its transparent triangles sorted back to front."""
     textured = layer.texture is not None and layer.uv is not None
     blended = textured and layer.texture is not None and layer.texture.shape[2] == 4
     texture = None
@@ -204,7 +209,8 @@ def _mesh(pyrender: Any, layer: Layer, camera: Camera) -> Any:
         )
     material = pyrender.MetallicRoughnessMaterial(
         baseColorTexture=texture,
-        baseColorFactor=[*layer.colour, 1.0],
+        # pyrender 0.1.45 never looks into a texture for alpha; a factor just below one makes it blend after the rest
+        baseColorFactor=[*layer.colour, 0.9999 if blended else 1.0],
         metallicFactor=0.0,
         roughnessFactor=0.9,
         alphaMode="BLEND" if blended else "OPAQUE",
@@ -217,7 +223,12 @@ def _mesh(pyrender: Any, layer: Layer, camera: Camera) -> Any:
     # pyrender counts v upwards and we count it downwards
     uv = np.column_stack([layer.uv[:, 0], 1.0 - layer.uv[:, 1]]) if textured and layer.uv is not None else None
     primitive = pyrender.Primitive(
-        positions=layer.vertices_m, normals=layer.normals, texcoord_0=uv, indices=triangles, material=material, mode=4
+        positions=layer.vertices_m - place,
+        normals=layer.normals,
+        texcoord_0=uv,
+        indices=triangles,
+        material=material,
+        mode=4,
     )
     return pyrender.Mesh([primitive])
 

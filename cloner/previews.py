@@ -1,0 +1,189 @@
+"""Small pictures that let a person judge a clone: beside the photos, and what was measured in them."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image, ImageDraw
+
+from cloner.exporters.files import jpeg_bytes, write_bytes
+from cloner.frames import ViewId
+from cloner.generic.layers import clone_layers
+from cloner.records.bodies import PosedView
+from cloner.records.clones import Clone
+from cloner.records.photos import Photo, PhotoSet
+from cloner.records.points import PointSet, Proposal, Proposals
+from cloner.records.silhouettes import Silhouette, SilhouetteSet
+from cloner.records.views import Camera
+from cloner.render import coverage, draw, render, standard_camera
+
+FOLDER: Final = "previews"
+HEIGHT_PX: Final = 1000  # taste: a screen's height
+MARGIN: Final = 0.05  # taste: air around the person, share of the person's height
+_BACKDROP: Final = (226, 228, 230)
+_EXTRACTED: Final = (40, 220, 60)
+_CLONE: Final = (255, 40, 220)
+_PROPOSED: Final = (0, 200, 255)
+_CORRECTED: Final = (255, 210, 0)
+_NET: Final = (150, 190, 255)
+
+Pixels = NDArray[np.uint8]
+
+
+@dataclass(frozen=True, slots=True)
+class _Window:
+    """The part of a photo that a preview shows, and its scale.
+
+    Attributes
+    ----------
+    left, top, right, bottom : int
+        In pixels of the scaled photo.
+    scale : float
+        Preview pixels a photo pixel.
+    """
+
+    left: int
+    top: int
+    right: int
+    bottom: int
+    scale: float
+
+    def crop(self, picture: Pixels) -> Pixels:
+        """Return the window of a picture that was drawn at this scale."""
+        return picture[self.top : self.bottom, self.left : self.right]
+
+    def place(self, points_px: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return photo pixels in the cropped preview; pixel centres stay centres."""
+        return (points_px + 0.5) * self.scale - 0.5 - np.array([self.left, self.top])
+
+
+def write_previews(
+    clone: Clone,
+    photos: PhotoSet,
+    proposals: Proposals,
+    points: Sequence[PointSet],
+    silhouettes: SilhouetteSet,
+    folder: Path,
+) -> list[Path]:
+    """Write all pictures into ``folder/previews`` and return their paths.
+
+    ``beside_<view>``: photo and clone through the same camera in the same
+    pose. ``overlay_<view>``: the photo with its feature points (blue; yellow
+    where an operator placed them), the extracted outline (green) and the
+    clone's outline (magenta). ``three_quarter`` and ``face``: the clone alone.
+
+    Parameters
+    ----------
+    points : sequence of PointSet
+        All that the fit used, body and face.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written to.
+    """
+    pictures: dict[str, Pixels] = {}
+    for view, photo in photos.photos.items():
+        posed = clone.views.get(view)
+        if posed is None:
+            continue
+        camera, window = _frame(photo, posed, silhouettes.views.get(view))
+        layers = clone_layers(clone, posed.rotations)
+        drawn = window.crop(draw(layers, camera, background=_BACKDROP))
+        seen = window.crop(_resized(photo.rgb, camera))
+        pictures[f"beside_{view}"] = np.hstack([seen, drawn])
+        cover = window.crop((coverage(layers, camera) > 0.5).astype(np.uint8)) > 0
+        net = proposals.views.get(view)
+        pictures[f"overlay_{view}"] = _overlay(seen, cover, window, silhouettes.views.get(view), points, net, view)
+    pictures["three_quarter"] = _strip(clone, ("front", "three_quarter", "left", "back"), HEIGHT_PX // 2)
+    pictures["face"] = _strip(clone, ("face", "face_three_quarter", "face_side"), HEIGHT_PX * 3 // 4)
+    paths = []
+    for name, picture in pictures.items():
+        paths.append(folder / FOLDER / f"{name}.jpg")
+        write_bytes(paths[-1], jpeg_bytes(picture, quality=88))
+    return paths
+
+
+def _frame(photo: Photo, posed: PosedView, silhouette: Silhouette | None) -> tuple[Camera, _Window]:
+    """Return the photo's camera at preview size and the window around the person."""
+    width, height = photo.width_px, photo.height_px
+    left, top, right, bottom = 0, 0, width, height
+    if posed.view.is_body and silhouette is not None and silhouette.mask.any():
+        rows, columns = (np.flatnonzero(silhouette.mask.any(axis=axis)) for axis in (1, 0))
+        air = MARGIN * float(rows[-1] - rows[0])
+        left, right = int(max(columns[0] - air, 0)), int(min(columns[-1] + air, width))
+        top, bottom = int(max(rows[0] - air, 0)), int(min(rows[-1] + air, height))
+    scale = min(HEIGHT_PX / (bottom - top), 1.0)
+    camera = scaled_camera(posed.camera, scale)
+    edges = [round(edge * scale) for edge in (left, top, right, bottom)]
+    edges[2], edges[3] = min(edges[2], camera.width_px), min(edges[3], camera.height_px)
+    return camera, _Window(*edges, scale=scale)
+
+
+def scaled_camera(camera: Camera, scale: float) -> Camera:
+    """Return the camera of the same photo at another size."""
+    return Camera(
+        round(camera.width_px * scale),
+        round(camera.height_px * scale),
+        camera.focal_px * scale,
+        camera.camera_from_model,
+        None if camera.pixels_per_m is None else camera.pixels_per_m * scale,
+    )
+
+
+def _resized(rgb: Pixels, camera: Camera) -> Pixels:
+    """Return a photo at its scaled camera's size."""
+    size = (camera.width_px, camera.height_px)
+    return np.asarray(Image.fromarray(rgb).resize(size, Image.Resampling.BOX, reducing_gap=2.0))
+
+
+def _overlay(
+    seen: Pixels,
+    cover: NDArray[np.bool_],
+    window: _Window,
+    silhouette: Silhouette | None,
+    points: Sequence[PointSet],
+    net: Proposal | None,
+    view: ViewId,
+) -> Pixels:
+    """Return the photo with outlines and points drawn on it."""
+    marked = seen.copy()
+    marked[_rim(cover)] = _CLONE
+    image = Image.fromarray(marked)
+    pen = ImageDraw.Draw(image)
+    for contour in silhouette.contours_px if silhouette is not None else ():
+        line = window.place(contour)
+        pen.line([*map(tuple, line.tolist()), tuple(line[0].tolist())], fill=_EXTRACTED, width=2)
+    if net is not None and view.is_face and net.face_presence > 0.5:
+        for x, y in window.place(net.face_px).tolist():
+            pen.point((round(x), round(y)), fill=_NET)
+    for named in (each.views[view] for each in points if view in each.views):
+        for (x, y), corrected in zip(window.place(named.points_px).tolist(), named.corrected.tolist(), strict=True):
+            colour = _CORRECTED if corrected else _PROPOSED
+            pen.ellipse((x - 4, y - 4, x + 4, y + 4), outline=colour, width=2)
+    return np.asarray(image)
+
+
+def _rim(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return the pixels of a mask within two pixels of its outside; the picture's own border is none."""
+    inside = mask.copy()
+    for _ in range(2):
+        padded = np.pad(inside, 1, mode="edge")
+        inside = padded[:-2, 1:-1] & padded[2:, 1:-1] & padded[1:-1, :-2] & padded[1:-1, 2:] & inside
+    return mask & ~inside
+
+
+def _strip(clone: Clone, views: Sequence[str], width_px: int) -> Pixels:
+    """Return the resting clone from several sides, softly lit, side by side."""
+    height = HEIGHT_PX if not views[0].startswith("face") else width_px
+    return np.hstack(
+        [
+            render(clone, standard_camera(clone, view, width_px, height), shading="soft", background=_BACKDROP)
+            for view in views
+        ]
+    )
