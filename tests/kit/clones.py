@@ -19,12 +19,24 @@ WHITE_OF_EYE, IRIS, TEETH, TONGUE = (236, 234, 230), (70, 100, 60), (240, 236, 2
 HAIR = (90, 58, 34)
 ATLAS_PX = 1024
 _SEGMENT_COLOURS = {
-    "torso": SHIRT, "left_upper_arm": SHIRT, "right_upper_arm": SHIRT, "pelvis": TROUSERS,
-    "left_thigh": TROUSERS, "right_thigh": TROUSERS, "left_calf": TROUSERS, "right_calf": TROUSERS,
-    "left_foot": SHOES, "right_foot": SHOES, "left_hand": RED_LEFT_HAND,
+    "torso": SHIRT,
+    "left_upper_arm": SHIRT,
+    "right_upper_arm": SHIRT,
+    "pelvis": TROUSERS,
+    "left_thigh": TROUSERS,
+    "right_thigh": TROUSERS,
+    "left_calf": TROUSERS,
+    "right_calf": TROUSERS,
+    "left_foot": SHOES,
+    "right_foot": SHOES,
+    "left_hand": RED_LEFT_HAND,
 }
 _PART_COLOURS = {
-    "eye_left": WHITE_OF_EYE, "eye_right": WHITE_OF_EYE, "teeth_upper": TEETH, "teeth_lower": TEETH, "tongue": TONGUE,
+    "eye_left": WHITE_OF_EYE,
+    "eye_right": WHITE_OF_EYE,
+    "teeth_upper": TEETH,
+    "teeth_lower": TEETH,
+    "tongue": TONGUE,
 }
 
 
@@ -40,11 +52,18 @@ def toy_clone(stature_m: float = 1.70, *, hair: bool = True) -> Clone:
     start = np.concatenate([generic.arkit_start, generic.arkit_start[-1] + generic.viseme_start[1:]])
     delta = np.concatenate([generic.arkit_delta_m, generic.viseme_delta_m]) * (stature_m / 1.70)
     return Clone(
-        vertices_m=vertices, joints_m=joints, morph_names=names,
-        morph_index=np.concatenate([generic.arkit_index, generic.viseme_index]), morph_delta_m=delta,
-        morph_start=start, atlas=_painted(generic), shells=(_cap(generic, vertices),) if hair else (),
+        vertices_m=vertices,
+        joints_m=joints,
+        morph_names=names,
+        morph_index=np.concatenate([generic.arkit_index, generic.viseme_index]),
+        morph_delta_m=delta,
+        morph_start=start,
+        atlas=_painted(generic),
+        shells=(_cap(generic, vertices),) if hair else (),
         features_m={name: vertices[generic.feature(name)] for name in generic.feature_names},
-        views=_views(generic, vertices), stature_m=stature_m, sole_m=0.0,
+        views=_views(generic, vertices),
+        stature_m=stature_m,
+        sole_m=0.0,
     )
 
 
@@ -90,8 +109,12 @@ def _cap(generic: GenericHuman, vertices: NDArray[np.float64]) -> Shell:
     rgba[:, ::4, 3] = 0
     uv = np.column_stack([np.arctan2(outward[:, 0], -outward[:, 2]) / 6.3 + 0.5, (top + 0.01 - points[:, 1]) / 0.2])
     return Shell(
-        points, np.concatenate([local[:, [0, 1, 2]], local[:, [0, 2, 3]]]), np.clip(uv, 0, 1),
-        generic.skin_joints[used], generic.skin_weights[used] / generic.skin_weights[used].sum(1, keepdims=True), rgba,
+        points,
+        np.concatenate([local[:, [0, 1, 2]], local[:, [0, 2, 3]]]),
+        np.clip(uv, 0, 1),
+        generic.skin_joints[used],
+        generic.skin_weights[used] / generic.skin_weights[used].sum(1, keepdims=True),
+        rgba,
     )
 
 

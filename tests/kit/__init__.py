@@ -1,0 +1,1 @@
+"""What tests share: known people, a camera to photograph them, and errors in mm."""
