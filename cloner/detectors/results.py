@@ -32,9 +32,9 @@ class Box:
     score : float
         0..1.
     keypoints_px : (K, 2) float64
-        Person: hip centre, a point on the circle round the body, shoulder centre, a
-        point on the circle round the upper body. Face: right eye, left eye, nose tip,
-        mouth centre, right and left ear (the person's sides).
+        Person: hip centre, a point on the circle round the body, shoulder centre, nose.
+        Face: right eye, left eye, nose tip, mouth centre, right and left ear (the
+        person's sides).
     """
 
     kind: Literal["person", "face"]
