@@ -8,19 +8,22 @@ import signal
 import sys
 from pathlib import Path
 from types import FrameType
-from typing import Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
 import cloner
-from cloner.batch import BatchRow, batch_folder, summary_table
-from cloner.cloning import DEFAULT_FORMATS, clone_folder
 from cloner.errors import Cancelled, ClonerError
 from cloner.terminal import ProgressLine
+
+# The commands import their part when they run: `doctor` must work where a library is missing.
+if TYPE_CHECKING:
+    from cloner.batch import BatchRow
 
 EXIT_INPUT: Final = 2
 EXIT_CANCELLED: Final = 130  # 128 + SIGINT, as shells have it
 EXIT_SOME_FAILED: Final = 1
+DEFAULT_FORMATS: Final = "glb,wrl"
 
 app = typer.Typer(
     name="cloner",
@@ -55,11 +58,13 @@ def _clone(
     photos_dir: Annotated[Path, typer.Argument(help="Folder with body_front.jpg, body_side.jpg, ...")],
     out: OutOption,
     height_cm: HeightOption = None,
-    formats: FormatOption = ",".join(DEFAULT_FORMATS),
+    formats: FormatOption = DEFAULT_FORMATS,
     seed: SeedOption = 0,
     identifier: Annotated[str | None, typer.Option("--id", help="Name of the result's folder.")] = None,
 ) -> None:
     """Clone one person from a folder of photos."""
+    from cloner.cloning import clone_folder
+
     with ProgressLine() as progress:
         outcome = clone_folder(
             photos_dir,
@@ -80,11 +85,12 @@ def _clone(
 def _batch(
     photos_root: Annotated[Path, typer.Argument(help="Folder that holds one folder of photos a visitor.")],
     out: OutOption,
-    formats: FormatOption = ",".join(DEFAULT_FORMATS),
+    formats: FormatOption = DEFAULT_FORMATS,
     seed: SeedOption = 0,
     again: Annotated[bool, typer.Option("--again", help="Clone those with a result once more.")] = False,
 ) -> None:
     """Clone every visitor below a folder; one failure does not stop the rest."""
+    from cloner.batch import batch_folder, summary_table
 
     def tell(row: BatchRow) -> None:
         typer.echo(f"{row.identifier}: {row.message}", err=True)

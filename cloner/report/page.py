@@ -160,7 +160,7 @@ def _table(head: Sequence[str], rows: Iterable[Sequence[str]], *, caption: str) 
 
 def _cell(text: str) -> str:
     numeric = text[:1].isdigit() or text[:1] in {"-", "±"}
-    return f"<td{' class="n"' if numeric else ''}>{escape(text)}</td>"
+    return f"<td{' class=n' if numeric else ''}>{escape(text)}</td>"
 
 
 def _number(value: float) -> str:
