@@ -59,7 +59,7 @@ class _Window:
 
     def place(self, points_px: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return photo pixels in the cropped preview; pixel centres stay centres."""
-        return (points_px + 0.5) * self.scale - 0.5 - np.array([self.left, self.top])
+        return np.asarray((points_px + 0.5) * self.scale - 0.5 - [self.left, self.top])
 
 
 def write_previews(
@@ -120,9 +120,8 @@ def _frame(photo: Photo, posed: PosedView, silhouette: Silhouette | None) -> tup
         top, bottom = int(max(rows[0] - air, 0)), int(min(rows[-1] + air, height))
     scale = min(HEIGHT_PX / (bottom - top), 1.0)
     camera = scaled_camera(posed.camera, scale)
-    edges = [round(edge * scale) for edge in (left, top, right, bottom)]
-    edges[2], edges[3] = min(edges[2], camera.width_px), min(edges[3], camera.height_px)
-    return camera, _Window(*edges, scale=scale)
+    right_edge, bottom_edge = min(round(right * scale), camera.width_px), min(round(bottom * scale), camera.height_px)
+    return camera, _Window(round(left * scale), round(top * scale), right_edge, bottom_edge, scale)
 
 
 def scaled_camera(camera: Camera, scale: float) -> Camera:

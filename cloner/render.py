@@ -2,22 +2,32 @@
 
 from __future__ import annotations
 
+import functools
+import logging
 import os
 import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any, Final, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
+from cloner.generic.framing import standard_camera
 from cloner.generic.layers import Layer, clone_layers
-from cloner.generic.load import load_generic
-from cloner.geometry.viewpoints import AZIMUTH_DEG, framing_camera
+from cloner.generic.painter import paint
 from cloner.geometry.wedges import vertex_normals
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
+
+__all__ = [
+    "Layer", "clone_layers", "coverage", "draw", "render", "render_mask", "render_mesh", "render_rgba", "require_gl",
+    "standard_camera",
+]  # fmt: skip
+
+log = logging.getLogger(__name__)
 
 Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
@@ -56,11 +66,6 @@ def render(
         Rotation vectors of the joints, radians; None is the rest pose.
     shading, background
         As in :func:`draw`.
-
-    Raises
-    ------
-    ClonerError
-        If this machine cannot draw.
     """
     return draw(clone_layers(clone, rotations), camera, shading=shading, background=background)
 
@@ -70,9 +75,7 @@ def render_mask(clone: Clone, camera: Camera, rotations: Array | None = None) ->
     return coverage(clone_layers(clone, rotations), camera) > 0.5
 
 
-def render_rgba(
-    clone: Clone, camera: Camera, rotations: Array | None = None, *, shading: Shading = "photo"
-) -> Image:
+def render_rgba(clone: Clone, camera: Camera, rotations: Array | None = None, *, shading: Shading = "photo") -> Image:
     """Return the (H, W, 4) uint8 cut-out of a clone, alpha not multiplied in."""
     layers = clone_layers(clone, rotations)
     alpha = coverage(layers, camera)[..., None]
@@ -92,33 +95,6 @@ def render_mesh(
     """Return the (H, W, 3) picture of a plain mesh in one colour (sRGB 0..1)."""
     layer = Layer(vertices_m, vertex_normals(vertices_m, triangles), triangles, colour=colour)
     return draw([layer], camera, shading=shading, background=background)
-
-
-def standard_camera(clone: Clone, view: str, width_px: int, height_px: int) -> Camera:
-    """Return the camera that frames the clone in rest pose.
-
-    Parameters
-    ----------
-    view : str
-        front, side, left, right, back, three_quarter, and the same after
-        ``face_`` ("face" alone is the face's front). "side" and "right" look
-        from the person's right, three_quarter from the left front.
-
-    Raises
-    ------
-    ValueError
-        If the view is unknown.
-    """
-    side = view.removeprefix("face_") if view != "face" else "front"
-    if side not in AZIMUTH_DEG:
-        raise ValueError(f"unknown view {view!r}; known: {', '.join(AZIMUTH_DEG)}, face, face_...")
-    points = np.vstack([clone.vertices_m, *(shell.vertices_m for shell in clone.shells)])
-    if view.startswith("face"):
-        generic = load_generic()
-        head = clone.vertices_m[generic.vertex_segment == generic.segment_names.index("head")]
-        points = points[points[:, 1] >= head[:, 1].min()]  # long hair must not shrink the face
-        points = points[np.abs(points[:, 0]) <= 1.5 * np.abs(head[:, 0]).max()]  # nor raised shoulders
-    return framing_camera(points, AZIMUTH_DEG[side], width_px, height_px)
 
 
 def draw(
@@ -147,14 +123,23 @@ def draw(
     Raises
     ------
     ClonerError
-        If this machine has no EGL to draw with, or the picture is too large.
+        If the picture is too large.
+
+    Notes
+    -----
+    A machine without EGL draws with :func:`cloner.generic.painter.paint`: one
+    sample a pixel, so edges are not smooth.
     """
+    ambient = _AMBIENT if shading == "soft" else 1.0
+    if not has_gl():
+        lights = [(np.array(direction) * (1, -1, -1), strength / np.pi) for direction, strength in _LIGHTS]
+        return paint(layers, camera, background=background, lights=lights if shading == "soft" else (), ambient=ambient)
     pyrender = _pyrender()
     width, height = camera.width_px * supersample, camera.height_px * supersample
     if max(width, height) > LARGEST_SIDE_PX:
-        raise ClonerError("The picture is too large to draw", f"Keep it under {LARGEST_SIDE_PX // supersample} pixels",
-                          "render")
-    ambient = _AMBIENT if shading == "soft" else 1.0
+        raise ClonerError(
+            "The picture is too large to draw", f"Keep it under {LARGEST_SIDE_PX // supersample} pixels", "render"
+        )
     scene = pyrender.Scene(bg_color=[*(value / 255.0 for value in background), 1.0], ambient_light=[ambient] * 3)
     model_from_gl = np.linalg.inv(_GL_FROM_CAMERA @ camera.camera_from_model)
     # pyrender draws blended meshes by their nodes' distance: the farthest layer's node stands farthest away
@@ -178,13 +163,7 @@ def draw(
 
 def coverage(layers: Sequence[Layer], camera: Camera, *, supersample: int = SUPERSAMPLE) -> Array:
     """Return the (H, W) share 0..1 of every pixel that the meshes cover; alpha counts as cover."""
-    white = [
-        Layer(
-            layer.vertices_m, layer.normals, layer.triangles, layer.uv, _white(layer.texture),
-            two_sided=layer.two_sided,
-        )
-        for layer in layers
-    ]
+    white = [replace(layer, texture=_white(layer.texture), colour=(1.0, 1.0, 1.0)) for layer in layers]
     return draw(white, camera, background=(0, 0, 0), supersample=supersample)[..., 0] / 255.0
 
 
@@ -192,9 +171,7 @@ def _white(texture: Image | None) -> Image | None:
     """Return an all-white texture with the same alpha, or None where there is no alpha."""
     if texture is None or texture.shape[2] == 3:
         return None
-    white = np.full_like(texture, 255)
-    white[..., 3] = texture[..., 3]
-    return white
+    return np.dstack([np.full((*texture.shape[:2], 3), 255, np.uint8), texture[..., 3]])
 
 
 def _mesh(pyrender: Any, layer: Layer, camera: Camera, place: Array) -> Any:
@@ -204,9 +181,7 @@ def _mesh(pyrender: Any, layer: Layer, camera: Camera, place: Array) -> Any:
     texture = None
     if textured:
         sampler = pyrender.Sampler(wrapS=10497, wrapT=10497, minFilter=9987, magFilter=9729)  # repeat, trilinear
-        texture = pyrender.Texture(
-            source=layer.texture, source_channels="RGBA" if blended else "RGB", sampler=sampler
-        )
+        texture = pyrender.Texture(source=layer.texture, source_channels="RGBA" if blended else "RGB", sampler=sampler)
     material = pyrender.MetallicRoughnessMaterial(
         baseColorTexture=texture,
         # pyrender 0.1.45 never looks into a texture for alpha; a factor just below one makes it blend after the rest
@@ -265,6 +240,29 @@ def _shrink(large: Image, factor: int) -> Image:
     return ((total + factor * factor // 2) // (factor * factor)).astype(np.uint8)
 
 
+def require_gl() -> None:
+    """Draw nothing, but through EGL.
+
+    Raises
+    ------
+    ClonerError
+        If this machine has no EGL; the hint is the line that installs it.
+    """
+    with _renderer(16, 16):
+        pass
+
+
+@functools.cache
+def has_gl() -> bool:
+    """Return whether EGL works here; says so once in the log when it does not."""
+    try:
+        require_gl()
+    except ClonerError as error:
+        log.warning("%s; pictures are drawn without it, their edges not smooth. %s", error.message, error.hint)
+        return False
+    return True
+
+
 _local = threading.local()  # a GL context stays on the thread that made it
 
 
@@ -275,7 +273,7 @@ def _renderer(width: int, height: int) -> Iterator[Any]:
     if renderer is None:
         try:
             renderer = _pyrender().OffscreenRenderer(width, height)
-        except Exception as error:  # noqa: BLE001 - PyOpenGL raises a dozen unrelated kinds for a missing driver
+        except Exception as error:  # PyOpenGL raises a dozen unrelated kinds for a missing driver
             raise ClonerError("This machine cannot draw: EGL gives no context", _INSTALL, "EGL") from error
         _local.renderer = renderer
     renderer.viewport_width, renderer.viewport_height = width, height
@@ -292,9 +290,10 @@ def _pyrender() -> Any:
     """
     os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
     if not hasattr(np, "infty"):
-        np.infty = np.inf  # type: ignore[attr-defined]  # pyrender 0.1.45 asks for the name NumPy 2 dropped
+        # pyrender 0.1.45 asks for the name that NumPy 2 dropped
+        np.infty = np.inf  # type: ignore[attr-defined]  # noqa: NPY201
     try:
-        import pyrender  # noqa: PLC0415 - it looks for a GL library while it is imported
-    except Exception as error:  # noqa: BLE001 - ImportError, AttributeError or OSError, by driver
+        import pyrender  # here, not above: it looks for a GL library while it is imported
+    except Exception as error:  # ImportError, AttributeError or OSError, by driver
         raise ClonerError("This machine cannot draw: the EGL library is missing", _INSTALL, "EGL") from error
     return pyrender

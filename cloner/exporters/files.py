@@ -35,7 +35,8 @@ def write_bytes(path: Path, data: bytes) -> None:
         os.replace(temporary, path)
     except OSError as error:
         raise ClonerError(
-            f"The file cannot be written: {error.strerror or error}", "Choose another folder or free some space",
+            f"The file cannot be written: {error.strerror or error}",
+            "Choose another folder or free some space",
             path.name,
         ) from error
     finally:

@@ -120,8 +120,12 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, generic: GenericHuman) ->
         if surface.rgba is not None:
             texture, mode = _texture(gltf, buffer, png_bytes(surface.rgba), "image/png", surface.name), "BLEND"
         attributes = _attributes(
-            buffer, clone.vertices_m[surface.vertex], normals[surface.vertex], surface.uv,
-            generic.skin_joints[surface.vertex], generic.skin_weights[surface.vertex],
+            buffer,
+            clone.vertices_m[surface.vertex],
+            normals[surface.vertex],
+            surface.uv,
+            generic.skin_joints[surface.vertex],
+            generic.skin_weights[surface.vertex],
         )
         primitives.append(
             pygltflib.Primitive(
@@ -160,7 +164,9 @@ def _hair(gltf: Any, buffer: GltfBuffer, clone: Clone) -> Any:
     """Return the mesh of all shells, or None for a person without any."""
     if not clone.shells:
         return None
-    return pygltflib.Mesh(name="Hair", primitives=[_shell(gltf, buffer, shell, k) for k, shell in enumerate(clone.shells)])
+    return pygltflib.Mesh(
+        name="Hair", primitives=[_shell(gltf, buffer, shell, k) for k, shell in enumerate(clone.shells)]
+    )
 
 
 def _shell(gltf: Any, buffer: GltfBuffer, shell: Shell, number: int) -> Any:

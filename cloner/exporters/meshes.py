@@ -54,9 +54,7 @@ def export_ply(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path
     for _, points, normals, uv, triangles, rgba in _meshes(clone):
         texture = clone.atlas.rgb if rgba is None else rgba
         colours = _sample(texture, uv)
-        parts.append(
-            trimesh.Trimesh(points, triangles, vertex_normals=normals, vertex_colors=colours, process=False)
-        )
+        parts.append(trimesh.Trimesh(points, triangles, vertex_normals=normals, vertex_colors=colours, process=False))
     path = folder / f"{name}.ply"
     write_bytes(path, trimesh.util.concatenate(parts).export(file_type="ply"))
     return (path,)

@@ -58,17 +58,31 @@ def skin_meshes(clone: Clone, generic: GenericHuman, name: str) -> tuple[SkinMes
         own, atlas = surface.vertex, surface.rgba is None
         meshes.append(
             SkinMesh(
-                "atlas" if atlas else surface.name, f"{name}_atlas.jpg" if atlas else f"{name}_{surface.name}.png",
-                not atlas, clone.vertices_m[own], normals[own], surface.uv, surface.triangles,
-                generic.skin_joints[own], generic.skin_weights[own], own,
+                "atlas" if atlas else surface.name,
+                f"{name}_atlas.jpg" if atlas else f"{name}_{surface.name}.png",
+                not atlas,
+                clone.vertices_m[own],
+                normals[own],
+                surface.uv,
+                surface.triangles,
+                generic.skin_joints[own],
+                generic.skin_weights[own],
+                own,
             )
         )
     for number, shell in enumerate(clone.shells):
         meshes.append(
             SkinMesh(
-                f"hair_{number}", f"{name}_hair_{number}.png", True, shell.vertices_m,
-                vertex_normals(shell.vertices_m, shell.triangles), shell.uv, shell.triangles, shell.skin_joints,
-                shell.skin_weights, np.full(len(shell.vertices_m), -1, dtype=np.int32),
+                f"hair_{number}",
+                f"{name}_hair_{number}.png",
+                True,
+                shell.vertices_m,
+                vertex_normals(shell.vertices_m, shell.triangles),
+                shell.uv,
+                shell.triangles,
+                shell.skin_joints,
+                shell.skin_weights,
+                np.full(len(shell.vertices_m), -1, dtype=np.int32),
             )
         )
     return tuple(meshes)

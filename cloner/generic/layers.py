@@ -47,13 +47,18 @@ def clone_layers(clone: Clone, rotations: Array | None = None) -> list[Layer]:
     """Return a clone's posed meshes, opaque ones first."""
     generic = load_generic()
     pose = np.zeros((len(clone.joints_m), 3)) if rotations is None else np.asarray(rotations, dtype=np.float64)
-    transforms = joint_transforms(clone.joints_m, generic.joint_parents, pose)
-    posed = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights)
+    transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), pose)
+    weights = generic.skin_weights.astype(np.float64)
+    posed = skin(clone.vertices_m, transforms, generic.skin_joints.astype(np.int32), weights)
     normals = surface_normals(posed)
     layers = [
         Layer(
-            posed[surface.vertex], normals[surface.vertex], surface.triangles, surface.uv,
-            clone.atlas.rgb if surface.rgba is None else surface.rgba, two_sided=surface.rgba is not None,
+            posed[surface.vertex],
+            normals[surface.vertex],
+            surface.triangles,
+            surface.uv,
+            clone.atlas.rgb if surface.rgba is None else surface.rgba,
+            two_sided=surface.rgba is not None,
         )
         for surface in load_surfaces()
     ]

@@ -83,7 +83,7 @@ def surfaces(generic: GenericHuman) -> tuple[Surface, ...]:
         wanted = [generic.part_names.index(part) for part in parts]
         rows = np.isin(generic.quad_part, wanted)
         triangles, corners = triangulate(generic.quads[rows].astype(np.int32))
-        wedges = split_seams(triangles, generic.quad_uv[rows].reshape(-1)[corners])
+        wedges = split_seams(triangles, generic.quad_uv[rows].reshape(-1)[corners].astype(np.int32))
         uv, rgba = generic.uv[wedges.uv].astype(np.float64), None
         if name == "lashes":
             uv, rgba = _lash_uv(generic, wedges.vertex), lash_texture()

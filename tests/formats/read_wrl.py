@@ -23,7 +23,7 @@ def main(path):
     found = {"low": low, "high": high, "triangles": counter.getTriangleCount(), "nodes": {}}
     for name in sys.argv[2:]:
         found["nodes"][name] = coin.SoNode.getByName(name) is not None
-    print(json.dumps(found))
+    sys.stdout.write(json.dumps(found))
 
 
 main(sys.argv[1])
