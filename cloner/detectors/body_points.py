@@ -25,8 +25,18 @@ POSE_JOINTS = {
     "l_ankle": 27,
     "r_ankle": 28,
 }
-#: BlazePose rows that stand for surface features of the head.
-POSE_FEATURES = {"nose_tip": 0, "ear_outer_L": 7, "ear_outer_R": 8, "pupil_L": 2, "pupil_R": 5}
+#: BlazePose rows that stand for surface features of head and feet.
+POSE_FEATURES = {
+    "nose_tip": 0,
+    "ear_outer_L": 7,
+    "ear_outer_R": 8,
+    "pupil_L": 2,
+    "pupil_R": 5,
+    "heel_left": 29,
+    "heel_right": 30,
+    "toe_left": 31,
+    "toe_right": 32,
+}
 _LEFT_EAR, _RIGHT_EAR = 7, 8
 
 
@@ -106,7 +116,9 @@ def propose_body_points(proposal: Proposal) -> ViewPoints:
 
 
 def _is_seen(name: str, proposal: Proposal) -> bool:
-    """Whether a feature of the head can be seen at all in this view."""
+    """Whether a feature can be seen at all in this view."""
+    if name.startswith(("heel", "toe")):
+        return True
     if proposal.view is ViewId.BODY_BACK:
         return name.startswith("ear")
     if proposal.view is ViewId.BODY_SIDE:
@@ -237,10 +249,3 @@ def _side_points(proposal: Proposal, outline: _Outline, found: dict[str, tuple[A
             _add(found, front_name, np.array([front, round(level[1])]), 0.6)
         _add(found, back_name, np.array([back, round(level[1])]), 0.6)
     _ends(outline, pose, found)
-    feet = outline.mask[int(ankles[1]) :]
-    columns = np.flatnonzero(feet.any(axis=0))
-    if len(columns):
-        row = float(outline.bottom - 0.01 * outline.height)
-        toe, heel = (columns[-1], columns[0]) if forward > 0 else (columns[0], columns[-1])
-        _add(found, f"toe_{side}", np.array([float(toe), row]), 0.5)
-        _add(found, f"heel_{side}", np.array([float(heel), row]), 0.5)

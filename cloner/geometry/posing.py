@@ -22,9 +22,9 @@ class Chosen:
 
     Attributes
     ----------
-    mean_m : (N, 3), basis_m : (C, N, 3)
+    mean_m : (N, 3), basis_m : (C, 3 N)
         Vertices = mean + coefficients · basis, metres.
-    joints_mean_m : (94, 3), joints_basis_m : (C, 94, 3)
+    joints_mean_m : (94, 3), joints_basis_m : (C, 282)
     parents : (94,)
     skin_joints, skin_weights : (N, 4)
     pose : (282, D) matrix from pose vector to stacked rotation vectors
@@ -45,8 +45,8 @@ class Chosen:
 
     def posed(self, shape: Array, pose: Array) -> tuple[Array, Array]:
         """Return posed (N, 3) vertices and (94, 3) joints, metres."""
-        rest = self.mean_m + np.tensordot(shape, self.basis_m[: len(shape)], 1)
-        joints = self.joints_mean_m + np.tensordot(shape, self.joints_basis_m[: len(shape)], 1)
+        rest = self.mean_m + (shape @ self.basis_m[: len(shape)]).reshape(-1, 3)
+        joints = self.joints_mean_m + (shape @ self.joints_basis_m[: len(shape)]).reshape(-1, 3)
         transforms = joint_transforms(joints, self.parents, self.rotations(pose))
         vertices = skin(rest, transforms, self.skin_joints, self.skin_weights)
         posed_joints = np.einsum("jab,jb->ja", transforms[:, :3, :3], joints) + transforms[:, :3, 3]

@@ -21,6 +21,8 @@ from cloner.geometry.settling import bending_matrix, settle
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.feet import Params as FeetParams
+from cloner.stages.feet import fit_feet
 from cloner.stages.outlined import Outlined, body_triangles, coverage, gap_mm, outlined, see, views_of
 from cloner.stages.rough import shape_slices
 
@@ -57,6 +59,7 @@ def rim_trust() -> Array:
     trust = np.where(generic.vertex_part == generic.part_names.index("body"), 1.0, 0.0)
     for side in ("left", "right"):
         trust[generic.vertex_segment == generic.segment_names.index(f"{side}_hand")] = 0.05
+        trust[generic.vertex_segment == generic.segment_names.index(f"{side}_foot")] = 0.0
     if len(generic.head_blend):
         trust *= 1.0 - np.clip(generic.head_blend.astype(np.float64) * 2.0, 0.0, 1.0)
     else:
@@ -80,7 +83,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         flat = across[:, :2] / np.maximum(np.linalg.norm(across[:, :2], axis=1, keepdims=True), 1e-9)
         reach_px = reach_mm / seen.mm_per_px
         nearest, distance = photo.field.nearest_rim(seen.body.pixels[rim], flat, reach_px)
-        keep = distance < reach_px
+        keep = distance < reach_px * np.where(trust[rim[nearest]] > 0.5, 1.0, 0.35)
         vertex = rim[nearest[keep]]
         normal = photo.field.normals[keep]
         wanted = np.einsum("ka,ka->k", photo.field.samples_px[keep] - seen.body.pixels[vertex], normal)
@@ -122,6 +125,7 @@ def run(
         tick(0.2 * len(sliced))
     joints = rough_bodies.consensus.joints_m
     consensus = BodyMesh((sliced[0].vertices_m + sliced[1].vertices_m) / 2, joints)
+    consensus = fit_feet(consensus, tuple(photos.values()), phenotype.sole_m, FeetParams())
     for number, reach in enumerate(params.settle_reach_mm):
         consensus = settled(consensus, tuple(photos.values()), reach, params)
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))

@@ -30,8 +30,8 @@ Array = NDArray[np.float64]
 Tick = Callable[[float], None]
 
 CAMERA_FREEDOMS = 6
-#: Features of which the lowest in the picture stands on the floor.
-SOLE_FEATURES = tuple(f"{part}_{side}" for part in ("sole", "toe", "heel") for side in ("left", "right"))
+#: Features of which the lowest in the picture stands on the floor, the left foot's first.
+SOLE_FEATURES = tuple(f"{part}_{side}" for side in ("left", "right") for part in ("sole", "toe", "heel"))
 #: Value of hair in ``Proposal.labels``.
 HAIR = 2
 
@@ -100,9 +100,9 @@ def choose(generic: GenericHuman, vertices: NDArray[np.int64], stature_m: float,
     scale = stature_m / GENERIC_STATURE_M
     return Chosen(
         scale * generic.vertices_m[vertices].astype(np.float64),
-        scale * generic.shape_basis[:coefficients, vertices].astype(np.float64),
+        scale * generic.shape_basis[:coefficients, vertices].astype(np.float64).reshape(coefficients, -1),
         scale * generic.joints_m.astype(np.float64),
-        scale * generic.joint_basis[:coefficients].astype(np.float64),
+        scale * generic.joint_basis[:coefficients].astype(np.float64).reshape(coefficients, -1),
         np.asarray(generic.joint_parents, dtype=np.int32),
         np.asarray(generic.skin_joints[vertices], dtype=np.int32),
         generic.skin_weights[vertices].astype(np.float64),
@@ -151,6 +151,10 @@ class _PointTerm:
         self.weight = evidence.mm_per_px / spread
         self.target_px = points.points_px[rows]
         self.evidence, self.params = evidence, params
+        lowest = [points.get(name) for name in ("sole_left", "sole_right")]
+        both = evidence.view.view is not ViewId.BODY_SIDE
+        feet = [float(point[1]) + 0.5 for point in lowest if point is not None and both]
+        self.bottoms_px = np.array(feet if len(feet) == 2 else [evidence.bottom_px[1]])
 
     def __call__(self, shape: Array, camera: Camera, pose: Array) -> Array:
         vertices, joints = self.model.posed(shape, pose)
@@ -159,10 +163,11 @@ class _PointTerm:
         soft = np.linalg.norm(named, axis=1, keepdims=True)
         named = named / np.sqrt(1.0 + (soft / 2.0) ** 2)
         mm, params = self.evidence.mm_per_px, self.params
-        soles = projected[-len(SOLE_FEATURES) :, 1]
+        soles = projected[-len(SOLE_FEATURES) :, 1].reshape(2, -1).max(axis=1)
         top = (projected[-len(SOLE_FEATURES) - 1, 1] - self.evidence.top_px[1]) * mm - params.hair_mm
-        bottom = (self.evidence.bottom_px[1] - soles.max()) * mm - mm_from_m(params.sole_m)
-        ends = [top / params.hair_spread_mm, bottom / mm_from_m(params.sole_spread_m)]
+        bottom = (self.bottoms_px - soles if len(self.bottoms_px) == 2 else self.bottoms_px - soles.max()) * mm
+        bottom = (bottom - mm_from_m(params.sole_m)) / mm_from_m(params.sole_spread_m)
+        ends = [top / params.hair_spread_mm, *bottom]
         return np.concatenate([named.ravel(), ends])
 
 
