@@ -10,7 +10,8 @@ Array = NDArray[np.float64]
 LEVEL_OFFSET = 8.0  # grey levels; keeps the logarithm of dark cloth finite and its noise small
 ROUNDS = 6  # reweighted least squares settles after 4-6 rounds (measured)
 HUBER_LOG = 0.08  # differences above 8 % are other things than light: cloth moved, a limb in the way
-_RIDGE_CONSTANT, _RIDGE_SLOPE = 0.002, 0.05  # taste: exposure is free, slopes need evidence
+_RIDGE_CONSTANT = 0.002  # exposure is nearly free
+RIDGE_SLOPE = 0.05  # taste: slopes need evidence
 LARGEST_LOG = 0.6  # a gain beyond 1.8 is a mistake, not light
 
 
@@ -24,7 +25,7 @@ def light_basis(normals: NDArray[np.floating]) -> NDArray[np.floating]:
     return np.concatenate([np.ones((len(normals), 1), normals.dtype), normals], axis=1)
 
 
-def even_light(colours: Array, weights: Array, normals: Array, reference: int) -> Array:
+def even_light(colours: Array, weights: Array, normals: Array, reference: int, *, ridge_slope: float = RIDGE_SLOPE) -> Array:
     """Return the log gains that make photos agree where they overlap.
 
     Each photo k gets log gain ``basis(n) @ result[k]``: one exposure per
@@ -39,6 +40,8 @@ def even_light(colours: Array, weights: Array, normals: Array, reference: int) -
     normals : (V, 3) unit
     reference : int
         The photo whose colours are kept.
+    ridge_slope : float
+        Reluctance against light that changes with direction; large = exposure only.
 
     Returns
     -------
@@ -50,7 +53,7 @@ def even_light(colours: Array, weights: Array, normals: Array, reference: int) -
     result = np.zeros((count, 4, 3))
     pairs = [(a, b) for a in range(count) for b in range(a + 1, count)]
     for _ in range(ROUNDS):
-        system = np.kron(np.eye(count), np.diag([_RIDGE_CONSTANT] + 3 * [_RIDGE_SLOPE]))
+        system = np.kron(np.eye(count), np.diag([_RIDGE_CONSTANT] + 3 * [ridge_slope]))
         right = np.zeros((count * 4, 3))
         for a, b in pairs:
             trust = np.minimum(weights[a], weights[b])

@@ -1,0 +1,117 @@
+"""The hair shell's texture: only hair pixels, from all photos."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.baking.hair_views import HairView
+from cloner.frames import ViewId
+from cloner.geometry.atlas import AtlasMap
+from cloner.geometry.seeing import Sight, look
+from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.wedges import vertex_normals
+from cloner.generic.load import GenericHuman
+from cloner.records.clones import Joined
+from cloner.records.photos import Photo
+from cloner.vision.aligning import sample
+from cloner.vision.blending import blend_pyramids, push_pull
+from cloner.vision.evening import apply_light, even_light, light_basis
+from cloner.vision.repair import repair_bleeding
+
+Array = NDArray[np.float64]
+
+SHARPNESS = 6  # weights are (claim x cosine)**6: nearly one photo a texel, ghosts none
+LEVELS = 4
+FLOOR = 1e-6
+EXPOSURE_ONLY = 1e4  # hair shines: what differs with direction is the hair's, not the lamp's
+_CLAIM: Mapping[ViewId, float] = {  # taste: face photos have three times the pixels
+    ViewId.FACE_FRONT: 1.0,
+    ViewId.FACE_SIDE: 1.0,
+    ViewId.BODY_BACK: 0.85,
+    ViewId.BODY_FRONT: 0.6,
+    ViewId.BODY_SIDE: 0.6,
+}
+_MIRRORED = 0.8
+BAND_PX = 2.5  # labels are about this many pixels unsure
+
+
+def paint_hair(
+    generic: GenericHuman,
+    joined: Joined,
+    photos: Mapping[ViewId, Photo],
+    views: list[HairView],
+    atlas: AtlasMap,
+    vertices_m: Array,
+    skin_joints: NDArray[np.int32],
+    skin_weights: Array,
+) -> NDArray[np.uint8]:
+    """Return the (size, size, 4) texture of a hair shell.
+
+    Parameters
+    ----------
+    generic, joined : the person the hair belongs to
+    photos : mapping of ViewId to Photo
+    views : list of HairView
+    atlas : AtlasMap of the shell, its triangles indexing ``vertices_m``
+    vertices_m : (N, 3), skin_joints, skin_weights : (N, 4)
+    """
+    size = atlas.size
+    normals = vertex_normals(vertices_m, atlas.triangles)
+    usable = [view for view in views if view.posed.view in photos and view.hair.any()]
+    sights, claims, pictures = [], [], []
+    for view in usable:
+        sight = _look(generic, joined, view, vertices_m, skin_joints, skin_weights, atlas.triangles)
+        seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
+        claim = _CLAIM[view.posed.view] * (_MIRRORED if view.flip_m is not None else 1.0)
+        near = sample(view.hair_px, sight.pixel_px)[:, 0] > -2.0 * BAND_PX
+        sights.append(sight)
+        claims.append(np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0))
+        pictures.append(repair_bleeding(photos[view.posed.view].rgb, view.hair, BAND_PX)[0])
+    claim_table = np.stack(claims)
+    colours = np.stack([sample(p, s.pixel_px) for p, s in zip(pictures, sights, strict=True)]).astype(np.float64)
+    first = max(range(len(usable)), key=lambda k: (usable[k].posed.view is ViewId.FACE_FRONT, claim_table[k].sum()))
+    gains = even_light(colours, claim_table**2, normals, first, ridge_slope=EXPOSURE_ONLY)
+    evened = np.stack([apply_light(colours[k], light_basis(normals) @ gains[k]) for k in range(len(usable))])
+    total = (claim_table**2).sum(axis=0)
+    mean = ((claim_table**2)[..., None] * evened).sum(axis=(0, 1)) / max(float(total.sum()), 1e-9)
+    covered = atlas.covered()
+
+    def layers() -> Iterator[tuple[NDArray[np.float32], NDArray[np.float32]]]:
+        yield np.tile(mean.astype(np.float32), (size, size, 1)), np.full((size, size), FLOOR, np.float32)
+        for picture, sight, claim, gain in zip(pictures, sights, claims, gains, strict=True):
+            rows = atlas.rows_of((claim > 0.0)[atlas.triangles].any(axis=1))
+            table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, claim, light_basis(normals) @ gain])
+            values = atlas.interpolate(table, rows)
+            good = sight.visible(values[:, :2], values[:, 2], values[:, 3]) & (values[:, 4] > 0.02)
+            colour = apply_light(sample(picture, values[good, :2]), values[good, 5:])
+            image, known = np.zeros((size * size, 3), np.float32), np.zeros(size * size, np.float32)
+            image[atlas.texel[rows[good]]] = colour
+            known[atlas.texel[rows[good]]] = 1.0
+            whole = push_pull(image.reshape(size, size, 3), known.reshape(size, size))
+            known[atlas.texel[rows[good]]] = np.minimum(values[good, 4], 1.0) ** SHARPNESS + FLOOR
+            yield whole, known.reshape(size, size)
+
+    rgb = push_pull(blend_pyramids(layers(), LEVELS) * covered[..., None], covered.astype(np.float32))
+    opaque = np.full((size, size, 1), 255.0, np.float32)
+    return np.concatenate([np.clip(np.rint(rgb), 0, 255), opaque], axis=2).astype(np.uint8)
+
+
+def _look(
+    generic: GenericHuman,
+    joined: Joined,
+    view: HairView,
+    vertices_m: Array,
+    skin_joints: NDArray[np.int32],
+    skin_weights: Array,
+    triangles: NDArray[np.int32],
+) -> Sight:
+    """Return the shell as one photo sees it; a mirrored photo sees the mirrored shell."""
+    points, faces = vertices_m, triangles
+    if view.flip_m is not None:
+        points = points * (-1.0, 1.0, 1.0) + (2.0 * view.flip_m, 0.0, 0.0)
+        faces = triangles[:, ::-1]
+    transforms = joint_transforms(joined.joints_m, generic.joint_parents, view.posed.rotations)
+    return look(skin(points, transforms, skin_joints, skin_weights), np.ascontiguousarray(faces), view.posed.camera)

@@ -1,0 +1,184 @@
+"""Stage: the hair as a volume of its own over the head.
+
+References
+----------
+Method notes section 12; visual hull after Laurentini 1994, limited to what labels and outlines allow.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from fast_simplification import simplify
+from numpy.typing import NDArray
+from scipy.ndimage import label, map_coordinates
+from skimage.measure import marching_cubes
+
+from cloner.baking.hair_paint import paint_hair
+from cloner.baking.hair_views import HairView, hair_views
+from cloner.baking.hair_volume import VOXEL_M, Scalp, hair_field, measure_scalp
+from cloner.baking.sources import body_triangles
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.atlas import map_atlas
+from cloner.geometry.graphs import surface_graph
+from cloner.geometry.unwrapping import unwrap
+from cloner.geometry.wedges import vertex_normals
+from cloner.records.clones import Joined
+from cloner.records.heads import Shell
+from cloner.records.photos import PhotoSet
+from cloner.records.points import Proposals
+from cloner.records.results import Residual, StageResult
+from cloner.records.silhouettes import SilhouetteSet
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """Settings of the hair stage.
+
+    Attributes
+    ----------
+    size : int
+        Side of the texture, texels.
+    triangles : int
+        Most triangles of the shell.
+    thinnest_mm : float
+        Hair thinner than this on the median is left to the skin's texture.
+    least_share : float
+        Bald below this share of hairy vertices on the scalp.
+    margin_m, below_m : float
+        How far the volume reaches around the head, and below the neck's base.
+    smallest_piece : float
+        Pieces below this share of the largest are dropped.
+    """
+
+    size: int = 1024
+    triangles: int = 8000
+    thinnest_mm: float = 1.5
+    least_share: float = 0.1
+    margin_m: float = 0.14
+    below_m: float = 0.35
+    smallest_piece: float = 0.02
+
+
+def run(
+    *,
+    photos: PhotoSet,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    joined: Joined,
+    tick: Callable[[float], None],
+    rng: np.random.Generator,
+    params: Params | None = None,
+) -> StageResult:
+    """Return one hair shell, or none with the reason as a warning.
+
+    Residuals: median and largest thickness of the cap, mm.
+    """
+    params = params or Params()
+    generic = load_generic()
+    views = hair_views(generic, joined, proposals, silhouettes)
+    if not any(view.hair.any() for view in views):
+        return StageResult({"shells": ()}, (), ("No hair was found in the photos: the head stays bare",))
+    tick(0.2)
+    scalp = scan_scalp(generic, joined, views)
+    on_scalp = generic.region("scalp")[head_rows(generic)]
+    hairy = float((scalp.hairy[on_scalp] > 0.5).mean()) if on_scalp.any() else 0.0
+    thick = scalp.thickness_mm[scalp.thickness_mm > 0.5]
+    if hairy < params.least_share or thick.size == 0 or float(np.median(thick)) < params.thinnest_mm:
+        return StageResult({"shells": ()}, (), ("The hair is too short or too little for a volume of its own",))
+    tick(0.4)
+    mesh = hair_mesh(generic, joined, views, scalp, params)
+    if mesh is None:
+        return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
+    tick(0.7)
+    shell = dress_shell(generic, joined, photos, views, *mesh, params)
+    residuals = (
+        Residual("hair_thickness_median", float(np.median(thick)), "mm"),
+        Residual("hair_thickness_largest", float(thick.max()), "mm"),
+    )
+    tick(1.0)
+    return StageResult({"shells": (shell,)}, residuals)
+
+
+def head_rows(generic: GenericHuman) -> NDArray[np.int64]:
+    """Return the skin vertices of head and neck, without the mouth's inside."""
+    skin = generic.vertex_part[generic.head_vertices] == generic.part_names.index("body")
+    inside = generic.region("mouth_interior")[generic.head_vertices]
+    return np.asarray(generic.head_vertices[skin & ~inside], dtype=np.int64)
+
+
+def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> Scalp:
+    """Return the hair measured on the head's vertices."""
+    rows = head_rows(generic)
+    triangles = body_triangles(generic)
+    normals = vertex_normals(joined.vertices_m, triangles)
+    graph = surface_graph(joined.vertices_m, triangles)
+    lengths = graph.lengths[rows][:, rows]
+    return measure_scalp(views, joined.vertices_m[rows], normals[rows], type(graph)(lengths))
+
+
+def hair_mesh(
+    generic: GenericHuman, joined: Joined, views: list[HairView], scalp: Scalp, params: Params
+) -> tuple[Array, NDArray[np.int32]] | None:
+    """Return vertices (N, 3) and triangles (T, 3) of the hair's outer surface, None when empty."""
+    reach = np.array([params.margin_m, 0.0, params.margin_m])
+    low = scalp.points_m.min(axis=0) - reach - (0.0, params.below_m, 0.0)
+    high = scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
+    middle = float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
+    field, skin_mm = hair_field(views, scalp, low, high, middle)
+    pieces, count = label(field > 0.0)
+    if count == 0:
+        return None
+    volume = np.bincount(pieces.ravel())
+    volume[0] = 0
+    field = np.where((volume >= params.smallest_piece * volume.max())[pieces] | (field <= 0.0), field, -1.0)
+    field = np.pad(field, 1, constant_values=-1.0)
+    points, faces, _, _ = marching_cubes(field, 0.0, gradient_direction="ascent")
+    depth = map_coordinates(skin_mm, (points - 1.0).T, order=1, mode="nearest")
+    outer = faces[(depth[faces] > -3.0).any(axis=1)]  # the wall inside the head is never seen
+    used, outer = np.unique(outer, return_inverse=True)
+    vertices = low + (points[used].astype(np.float64) - 1.0) * VOXEL_M
+    outer = outer.reshape(-1, 3).astype(np.int32)
+    if len(outer) > params.triangles:
+        vertices, outer = simplify(vertices, outer, target_count=params.triangles)
+    return np.asarray(vertices, np.float64), np.asarray(outer, np.int32)
+
+
+def dress_shell(
+    generic: GenericHuman,
+    joined: Joined,
+    photos: PhotoSet,
+    views: list[HairView],
+    vertices_m: Array,
+    triangles: NDArray[np.int32],
+    params: Params,
+) -> Shell:
+    """Return the shell with weights, charts and texture."""
+    joints, weights = hang(generic, joined, vertices_m)
+    charts = unwrap(vertices_m, triangles, params.size)
+    atlas = map_atlas(charts.uv, charts.triangles, triangles, params.size)
+    rgba = paint_hair(generic, joined, photos.photos, views, atlas, vertices_m, joints, weights)
+    return Shell(
+        vertices_m[charts.vertex], charts.triangles, charts.uv, joints[charts.vertex], weights[charts.vertex], rgba
+    )
+
+
+def hang(generic: GenericHuman, joined: Joined, vertices_m: Array) -> tuple[NDArray[np.int32], Array]:
+    """Return skin joints and weights (N, 4): the skull, and further down partly neck and chest.
+
+    Hair below the skull's base follows the chest by half at most: it hangs
+    from the head but lies on the back.
+    """
+    names = ("skullbase", "vc4", "vt1", "skullbase")
+    index = [generic.joint_names.index(name) for name in names]
+    top, middle, bottom = (joined.joints_m[index[k], 1] for k in range(3))
+    down = np.clip((top - vertices_m[:, 1]) / max(top - bottom, 1e-6), 0.0, 1.0)
+    half = max((top - middle) / max(top - bottom, 1e-6), 1e-6)
+    neck = 0.5 * np.clip(np.minimum(down / half, (1.0 - down) / max(1.0 - half, 1e-6)), 0.0, 1.0)
+    chest = 0.5 * np.clip((down - half) / max(1.0 - half, 1e-6), 0.0, 1.0)
+    weights = np.stack([1.0 - neck - chest, neck, chest, np.zeros_like(neck)], axis=1)
+    return np.tile(np.int32(index), (len(vertices_m), 1)), weights
