@@ -132,7 +132,8 @@ class GenericHuman:
 
     def region(self, name: str) -> BoolArray:
         """Return the (V,) mask of a region, for example ``"scalp"``."""
-        return self.regions[self.region_names.index(name)]
+        mask: BoolArray = self.regions[self.region_names.index(name)]
+        return mask
 
     def face_unit(self, name: str) -> tuple[IntArray, FloatArray]:
         """Return the vertices (K,) and offsets (K, 3) in metres at 1.70 m of an ARKit unit or a viseme."""
@@ -146,13 +147,19 @@ class GenericHuman:
 
 
 _EMPTY: dict[str, npt.NDArray[np.generic]] = {
-    "fdp_names": np.array([], dtype=np.str_), "fdp_vertices": np.zeros(0, dtype=np.int32),
-    "head_vertices": np.zeros(0, dtype=np.int32), "head_blend": np.zeros(0, dtype=np.float32),
+    "fdp_names": np.array([], dtype=np.str_),
+    "fdp_vertices": np.zeros(0, dtype=np.int32),
+    "head_vertices": np.zeros(0, dtype=np.int32),
+    "head_blend": np.zeros(0, dtype=np.float32),
     "face_basis": np.zeros((0, 0, 3), dtype=np.float32),
-    "arkit_names": np.array([], dtype=np.str_), "arkit_start": np.zeros(1, dtype=np.int32),
-    "arkit_index": np.zeros(0, dtype=np.int32), "arkit_delta_m": np.zeros((0, 3), dtype=np.float32),
-    "viseme_names": np.array([], dtype=np.str_), "viseme_start": np.zeros(1, dtype=np.int32),
-    "viseme_index": np.zeros(0, dtype=np.int32), "viseme_delta_m": np.zeros((0, 3), dtype=np.float32),
+    "arkit_names": np.array([], dtype=np.str_),
+    "arkit_start": np.zeros(1, dtype=np.int32),
+    "arkit_index": np.zeros(0, dtype=np.int32),
+    "arkit_delta_m": np.zeros((0, 3), dtype=np.float32),
+    "viseme_names": np.array([], dtype=np.str_),
+    "viseme_start": np.zeros(1, dtype=np.int32),
+    "viseme_index": np.zeros(0, dtype=np.int32),
+    "viseme_delta_m": np.zeros((0, 3), dtype=np.float32),
 }
 
 

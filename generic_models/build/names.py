@@ -4,19 +4,38 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 import hanim
+import numpy as np
 from source import FloatArray, IntArray
 
 # Named skull, face and neck points of the project's truth data as hm08 vertices (left side; the right is the mirror).
 _FACE = {
-    "eye_inner": 7796, "eye_outer": 7755, "eye_upper": 7774, "eye_lower": 13370, "mouth_corner": 7129, "ala": 11669,
-    "ear_top": 12012, "ear_lobe": 12329, "ear_back": 12018, "ear_outer": 12038, "acromion": 8274, "neck_base": 7478,
+    "eye_inner": 7796,
+    "eye_outer": 7755,
+    "eye_upper": 7774,
+    "eye_lower": 13370,
+    "mouth_corner": 7129,
+    "ala": 11669,
+    "ear_top": 12012,
+    "ear_lobe": 12329,
+    "ear_back": 12018,
+    "ear_outer": 12038,
+    "acromion": 8274,
+    "neck_base": 7478,
 }
 _MIDDLE = {
-    "vertex_top": 881, "nasion": 132, "glabella": 227, "nose_tip": 297, "subnasale": 343, "lip_top": 455,
-    "stomion": 474, "lip_bottom": 492, "chin_front": 5162, "chin_bottom": 5296, "nape": 1491, "neck_front_base": 815,
+    "vertex_top": 881,
+    "nasion": 132,
+    "glabella": 227,
+    "nose_tip": 297,
+    "subnasale": 343,
+    "lip_top": 455,
+    "stomion": 474,
+    "lip_bottom": 492,
+    "chin_front": 5162,
+    "chin_bottom": 5296,
+    "nape": 1491,
+    "neck_front_base": 815,
     "crotch": 4376,
 }
 
@@ -57,10 +76,12 @@ _BAND_M = 0.012  # about one ring of hm08 on the limbs
 def _limb_points(figure: Figure) -> dict[str, int]:
     """Return the left limb's outline points seen from the front and from the side."""
     out: dict[str, int] = {}
-    bends = (("elbow", "l_elbow", "l_shoulder", "l_wrist", ("left_upper_arm", "left_forearm")),
-             ("wrist", "l_wrist", "l_elbow", "l_wrist", ("left_forearm", "left_hand")),
-             ("knee", "l_knee", "l_hip", "l_ankle", ("left_thigh", "left_calf")),
-             ("ankle", "l_ankle", "l_knee", "l_ankle", ("left_calf", "left_foot")))
+    bends = (
+        ("elbow", "l_elbow", "l_shoulder", "l_wrist", ("left_upper_arm", "left_forearm")),
+        ("wrist", "l_wrist", "l_elbow", "l_wrist", ("left_forearm", "left_hand")),
+        ("knee", "l_knee", "l_hip", "l_ankle", ("left_thigh", "left_calf")),
+        ("ankle", "l_ankle", "l_knee", "l_ankle", ("left_calf", "left_foot")),
+    )
     for name, joint, above, below, segments in bends:
         along = figure.joint(below) - figure.joint(above)
         band = figure.near_plane(figure.inside(*segments), figure.joint(joint), along, _BAND_M)
@@ -71,7 +92,8 @@ def _limb_points(figure: Figure) -> dict[str, int]:
             out[f"{name}_front_left"] = figure.farthest(band, Z)
             out[f"{name}_back_left"] = figure.farthest(band, -Z)
     thigh = figure.near_plane(
-        figure.inside("left_thigh"), (figure.joint("l_hip") + figure.joint("l_knee")) / 2, Y, _BAND_M)
+        figure.inside("left_thigh"), (figure.joint("l_hip") + figure.joint("l_knee")) / 2, Y, _BAND_M
+    )
     out["thigh_front_left"], out["thigh_back_left"] = figure.farthest(thigh, Z), figure.farthest(thigh, -Z)
     out["thigh_outer_left"], out["thigh_inner_left"] = figure.farthest(thigh, X), figure.farthest(thigh, -X)
     calf = figure.inside("left_calf")
@@ -108,15 +130,24 @@ def _trunk_points(figure: Figure, skin: FloatArray) -> dict[str, int]:
     middle_all = figure.body[np.abs(v[figure.body, 0]) < 1e-4]
     throat = figure.near_plane(middle_all, figure.joint("vc5"), Y + 0.3 * Z, _BAND_M)
     return {
-        "head_top": _MIDDLE["vertex_top"], "crotch": _MIDDLE["crotch"], "neck_base_left": _FACE["neck_base"],
-        "shoulder_end_left": _FACE["acromion"], "armpit_left": armpit,
-        "waist_left": figure.farthest(band, X), "waist_front": figure.farthest(band, Z),
+        "head_top": _MIDDLE["vertex_top"],
+        "crotch": _MIDDLE["crotch"],
+        "neck_base_left": _FACE["neck_base"],
+        "shoulder_end_left": _FACE["acromion"],
+        "armpit_left": armpit,
+        "waist_left": figure.farthest(band, X),
+        "waist_front": figure.farthest(band, Z),
         "waist_back": figure.farthest(np.intersect1d(band, middle), -Z),
-        "hip_left": figure.farthest(low, X), "buttock_left": figure.farthest(low, -Z),
-        "chest_front": front, "chest_left": figure.farthest(chest_band, X), "back": figure.farthest(upper_back, -Z + 1e-6 * X),
+        "hip_left": figure.farthest(low, X),
+        "buttock_left": figure.farthest(low, -Z),
+        "chest_front": front,
+        "chest_left": figure.farthest(chest_band, X),
+        "back": figure.farthest(upper_back, -Z + 1e-6 * X),
         "belly_front": figure.farthest(belly, Z),
-        "neck_front": figure.farthest(throat, Z), "neck_back": figure.farthest(throat, -Z),
-        "neck_front_base": _MIDDLE["neck_front_base"], "nape": _MIDDLE["nape"],
+        "neck_front": figure.farthest(throat, Z),
+        "neck_back": figure.farthest(throat, -Z),
+        "neck_front_base": _MIDDLE["neck_front_base"],
+        "nape": _MIDDLE["nape"],
     }
 
 

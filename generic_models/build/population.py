@@ -5,7 +5,6 @@ from __future__ import annotations
 from itertools import product
 
 import numpy as np
-
 from source import FloatArray, Source
 
 ADULTS = 1500  # sample size; the basis is stable to < 1 % above about 1000 (measured by halves)
@@ -60,12 +59,21 @@ BODY_PAIRS: tuple[tuple[str, str, float], ...] = (
 
 RACES = ("african", "asian", "caucasian")
 PHENOTYPE_NAMES = (
-    "sex", "age_years", "muscle", "weight", "height", "proportions", "cup_size", "firmness", *RACES,
+    "sex",
+    "age_years",
+    "muscle",
+    "weight",
+    "height",
+    "proportions",
+    "cup_size",
+    "firmness",
+    *RACES,
 )
 
 
 def draw_phenotypes(count: int, youngest: float, oldest: float, *, rng: np.random.Generator) -> FloatArray:
     """Return random phenotypes, (count, 11) in the order of PHENOTYPE_NAMES; sex 0 female, 1 male, others 0..1."""
+
     def bell(centre: float, spread: float) -> FloatArray:
         return np.clip(rng.normal(centre, spread, count), 0.0, 1.0)
 

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 import hanim
+import numpy as np
 from source import FloatArray, IntArray
 
 # Segment: (joint at s = 0, joint at s = 1). Head, hands and feet are free meshes, not grids.
 AXES = {
-    "torso": ("vl5", "vt1"), "pelvis": ("HumanoidRoot", "vl5"),
-    **{f"{side}_{part}": (f"{side[0]}_{a}", f"{side[0]}_{b}")
-       for side in ("left", "right")
-       for part, a, b in (("upper_arm", "shoulder", "elbow"), ("forearm", "elbow", "wrist"),
-                          ("thigh", "hip", "knee"), ("calf", "knee", "ankle"))},
+    "torso": ("vl5", "vt1"),
+    "pelvis": ("HumanoidRoot", "vl5"),
+    **{
+        f"{side}_{part}": (f"{side[0]}_{a}", f"{side[0]}_{b}")
+        for side in ("left", "right")
+        for part, a, b in (
+            ("upper_arm", "shoulder", "elbow"),
+            ("forearm", "elbow", "wrist"),
+            ("thigh", "hip", "knee"),
+            ("calf", "knee", "ankle"),
+        )
+    },
 }
 
 
@@ -31,9 +37,7 @@ def axis_joints() -> IntArray:
     return out
 
 
-def slice_coordinates(
-    vertices_m: FloatArray, joints_m: FloatArray, segment: IntArray
-) -> tuple[FloatArray, FloatArray]:
+def slice_coordinates(vertices_m: FloatArray, joints_m: FloatArray, segment: IntArray) -> tuple[FloatArray, FloatArray]:
     """Return each vertex's slice position s (0..1) and angle theta (radians) in its own segment.
 
     Notes

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-
 from source import FloatArray, IntArray
 
 STATURE_M = 1.70

@@ -2,21 +2,36 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 import hanim
+import numpy as np
 from cage import Cage
 from source import FloatArray, IntArray, Source
 
 INFLUENCES = 4  # what glTF readers take in one set
 _FINGER = {"1": "thumb", "2": "index", "3": "middle", "4": "ring", "5": "pinky"}
 _PLAIN = {
-    "root": "HumanoidRoot", "head": "skullbase", "jaw": "temporomandibular",
-    "pelvis": "sacroiliac", "clavicle": "sternoclavicular", "shoulder01": "acromioclavicular",
-    "upperarm01": "shoulder", "upperarm02": "shoulder", "lowerarm01": "elbow", "lowerarm02": "elbow",
-    "wrist": "wrist", "upperleg01": "hip", "upperleg02": "hip", "lowerleg01": "knee", "lowerleg02": "knee",
-    "foot": "ankle", "metacarpal1": "index0", "metacarpal2": "middle0", "metacarpal3": "ring0",
-    "metacarpal4": "pinky0", "breast": "SPINE", "eye": "skullbase",
+    "root": "HumanoidRoot",
+    "head": "skullbase",
+    "jaw": "temporomandibular",
+    "pelvis": "sacroiliac",
+    "clavicle": "sternoclavicular",
+    "shoulder01": "acromioclavicular",
+    "upperarm01": "shoulder",
+    "upperarm02": "shoulder",
+    "lowerarm01": "elbow",
+    "lowerarm02": "elbow",
+    "wrist": "wrist",
+    "upperleg01": "hip",
+    "upperleg02": "hip",
+    "lowerleg01": "knee",
+    "lowerleg02": "knee",
+    "foot": "ankle",
+    "metacarpal1": "index0",
+    "metacarpal2": "middle0",
+    "metacarpal3": "ring0",
+    "metacarpal4": "pinky0",
+    "breast": "SPINE",
+    "eye": "skullbase",
 }
 
 
@@ -35,8 +50,10 @@ def _joint_of_bone(bone: str, parents: dict[str, str | None]) -> str:
         return f"{prefix}{_FINGER[finger]}{number}"
     if stem in _PLAIN:
         joint = _PLAIN[stem]
-        return joint if joint in hanim.INDEX or joint == "SPINE" else (
-            joint if stem in ("head", "jaw", "eye", "root", "pelvis") else prefix + joint
+        return (
+            joint
+            if joint in hanim.INDEX or joint == "SPINE"
+            else (joint if stem in ("head", "jaw", "eye", "root", "pelvis") else prefix + joint)
         )
     parent = parents[bone]  # a facial muscle: it goes with the head or the jaw, whichever carries it
     if parent is None:
@@ -44,9 +61,7 @@ def _joint_of_bone(bone: str, parents: dict[str, str | None]) -> str:
     return _joint_of_bone(parent, parents)
 
 
-def _spread(
-    weights: FloatArray, total: FloatArray, along: FloatArray, names: list[str], centres_m: FloatArray
-) -> None:
+def _spread(weights: FloatArray, total: FloatArray, along: FloatArray, names: list[str], centres_m: FloatArray) -> None:
     """Add ``total`` to the joints ``names``, each vertex between the two bones whose middles enclose it."""
     starts = centres_m[[hanim.INDEX[n] for n in names], 1]
     middles = starts.copy()
@@ -84,8 +99,12 @@ def skin(source: Source, cage: Cage, vertices_m: FloatArray, joints_m: FloatArra
     _spread(weights, loose["SPINE"], height, ["HumanoidRoot", *hanim.LUMBAR_UP], joints_m)
     _spread(weights, loose["NECK"], height, [*hanim.CERVICAL_UP], joints_m)
     for part, joint in (
-        ("eye_left", "l_eyeball_joint"), ("eye_right", "r_eyeball_joint"), ("teeth_upper", "skullbase"),
-        ("teeth_lower", "temporomandibular"), ("tongue", "temporomandibular"), ("lashes_left", "skullbase"),
+        ("eye_left", "l_eyeball_joint"),
+        ("eye_right", "r_eyeball_joint"),
+        ("teeth_upper", "skullbase"),
+        ("teeth_lower", "temporomandibular"),
+        ("tongue", "temporomandibular"),
+        ("lashes_left", "skullbase"),
         ("lashes_right", "skullbase"),
     ):
         weights[cage.part(part), hanim.INDEX[joint]] = 1.0
@@ -93,7 +112,10 @@ def skin(source: Source, cage: Cage, vertices_m: FloatArray, joints_m: FloatArra
     swap = np.array([hanim.INDEX[other_side(n)] for n in hanim.NAMES])
     weights = (weights + weights[cage.mirror][:, swap]) / 2
     rank = np.argsort(np.argsort(-weights, axis=1, kind="stable"), axis=1, kind="stable")
-    weights[(rank >= INFLUENCES) | (weights < 1e-4)] = 0.0
+    keep = (rank < INFLUENCES) & (weights >= 1e-4)
+    middle = cage.mirror == np.arange(cage.mirror.size)
+    keep[middle] &= keep[middle][:, swap]  # on the midline a pair stays or goes together
+    weights[~keep] = 0.0
     weights /= weights.sum(axis=1, keepdims=True)
     # A tie at the fourth place may fall differently on the two sides: take the left body's answer for both.
     right = vertices_m[:, 0] < -1e-6

