@@ -1,0 +1,1 @@
+"""The window: photos with their points, correcting by hand, cloning, and looking at the result."""

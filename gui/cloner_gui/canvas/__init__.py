@@ -1,0 +1,1 @@
+"""Widgets that show photos and clones, and take the mouse."""

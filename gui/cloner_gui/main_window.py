@@ -1,0 +1,88 @@
+"""The window: page order, menus and the bar with Back and Next; no logic."""
+
+from __future__ import annotations
+
+from PySide6.QtGui import QAction, QCloseEvent, QKeySequence
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QPushButton, QStackedWidget, QVBoxLayout, QWidget
+
+from cloner_gui.dialogs import show_error
+from cloner_gui.pages.intake import IntakePage
+from cloner_gui.pages.points import PointsPage
+from cloner_gui.pages.result import ResultPage
+from cloner_gui.session import Session
+
+
+class MainWindow(QMainWindow):
+    """All pages in their order."""
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self.session = session
+        self.setWindowTitle("Cloner")
+        self.resize(1180, 860)
+        self.intake, self.points, self.result = IntakePage(session), PointsPage(session), ResultPage(session)
+        self.pages = (self.intake, self.points, self.result)
+        self.stack = QStackedWidget()
+        self.steps = [QPushButton(page.title, checkable=True, flat=True) for page in self.pages]
+        self.back, self.next, self.reason = QPushButton("Back"), QPushButton("Next"), QLabel()
+        self._lay_out()
+        self._make_menus()
+        session.failed.connect(lambda error: show_error(error, self))
+        session.opened.connect(lambda: self.go(0))
+        self.back.clicked.connect(lambda: self.go(self.stack.currentIndex() - 1))
+        self.next.clicked.connect(lambda: self.go(self.stack.currentIndex() + 1))
+        self.go(0)
+
+    def go(self, number: int) -> None:
+        """Show a page."""
+        self.stack.setCurrentIndex(number)
+        self._refresh()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Stop the work before the window goes."""
+        self.session.close()
+        super().closeEvent(event)
+
+    def _lay_out(self) -> None:
+        top, bottom = QHBoxLayout(), QHBoxLayout()
+        for number, (page, step) in enumerate(zip(self.pages, self.steps, strict=True)):
+            self.stack.addWidget(page)
+            page.changed.connect(self._refresh)
+            step.clicked.connect(lambda _, number=number: self.go(number))
+            top.addWidget(step)
+        top.addStretch(1)
+        bottom.addWidget(self.back)
+        bottom.addWidget(self.reason, 1)
+        bottom.addWidget(self.next)
+        whole = QWidget()
+        column = QVBoxLayout(whole)
+        column.addLayout(top)
+        column.addWidget(self.stack, 1)
+        column.addLayout(bottom)
+        self.setCentralWidget(whole)
+
+    def _make_menus(self) -> None:
+        files, edit = self.menuBar().addMenu("&File"), self.menuBar().addMenu("&Edit")
+        opening = QAction("&Open folder…", self, shortcut=QKeySequence.StandardKey.Open)
+        opening.triggered.connect(self.intake.choose_folder)
+        leaving = QAction("&Quit", self, shortcut=QKeySequence.StandardKey.Quit)
+        leaving.triggered.connect(self.close)
+        files.addActions([opening, leaving])
+        self.undo_action = self.session.undo_stack.createUndoAction(self)
+        self.undo_action.setShortcut(QKeySequence.StandardKey.Undo)
+        self.redo_action = self.session.undo_stack.createRedoAction(self)
+        self.redo_action.setShortcut(QKeySequence.StandardKey.Redo)
+        edit.addActions([self.undo_action, self.redo_action])
+
+    def _refresh(self) -> None:
+        """Say which page is shown and whether the next may come."""
+        number = self.stack.currentIndex()
+        blocked = self.pages[0].why_not()
+        for place, step in enumerate(self.steps):
+            step.setChecked(place == number)
+            step.setEnabled(place == 0 or not blocked)
+        reason = self.pages[number].why_not()
+        self.back.setEnabled(number > 0)
+        self.next.setVisible(number < len(self.pages) - 1)
+        self.next.setEnabled(not reason)
+        self.reason.setText(reason if number < len(self.pages) - 1 else "")

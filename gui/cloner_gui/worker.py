@@ -1,0 +1,59 @@
+"""Long work off the window's thread, with progress and cancellation."""
+
+from __future__ import annotations
+
+import logging
+import threading
+from collections.abc import Callable
+
+from PySide6.QtCore import QObject, QThread, Signal
+
+from cloner.errors import Cancelled, ClonerError
+
+log = logging.getLogger(__name__)
+
+Work = Callable[[Callable[[str, float], None]], object]
+
+
+class Task(QThread):
+    """Runs one function; exactly one of ``succeeded``, ``failed`` and ``stopped`` follows.
+
+    Parameters
+    ----------
+    work : callable
+        Gets ``progress(step, fraction)``, which raises Cancelled once :meth:`cancel` was called.
+    """
+
+    progressed = Signal(str, float)
+    succeeded = Signal(object)
+    failed = Signal(object)
+    stopped = Signal()
+
+    def __init__(self, work: Work, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._work = work
+        self._cancelled = threading.Event()
+
+    def cancel(self) -> None:
+        """Ask the work to stop at its next progress call."""
+        self._cancelled.set()
+
+    def run(self) -> None:
+        """Do the work; Qt calls this on the new thread."""
+        try:
+            value = self._work(self._progress)
+        except Cancelled:
+            self.stopped.emit()
+        except ClonerError as error:
+            self.failed.emit(error)
+        except Exception:  # this is one of the three places that may catch everything
+            log.exception("the work failed")
+            message = "something went wrong that the program did not expect"
+            self.failed.emit(ClonerError(message, "Start it from a terminal with -v and send what it prints", "Cloner"))
+        else:
+            self.succeeded.emit(value)
+
+    def _progress(self, step: str, fraction: float) -> None:
+        if self._cancelled.is_set():
+            raise Cancelled
+        self.progressed.emit(step, fraction)
