@@ -142,7 +142,7 @@ def clone_folder(
             person,
             corrections,
             seed=seed,
-            progress=lambda step, fraction: progress(step, PIPELINE_SHARE * fraction),
+            progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
         _write_clone(values, formats, folder, progress)
         run = Run(
@@ -179,7 +179,6 @@ def check_formats(formats: Sequence[str]) -> None:
 def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path, progress: Progress) -> None:
     """Write the clone's own file, the exports and the previews."""
     clone = values["clone"]
-    progress("export", PIPELINE_SHARE)
     save_clone(clone, folder / CLONE_FILE)
     for name in formats:
         EXPORTERS.get(name)(clone, folder)

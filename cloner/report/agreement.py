@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,11 +28,15 @@ class Agreement:
         Intersection over union of the filled outlines; face photos count above the chin only.
     outline_rms_px, outline_rms_mm : float
         Root mean square distance between the two outlines, both ways.
+    below_head_mm : float
+        The same below the chin: hair says nothing about girths. Equal to
+        ``outline_rms_mm`` for face photos.
     """
 
     iou: float
     outline_rms_px: float
     outline_rms_mm: float
+    below_head_mm: float
 
 
 def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, Agreement]:
@@ -51,10 +55,13 @@ def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, Agreeme
         rotations = posed.rotations if view.is_body else None
         drawn = coverage(clone_layers(clone, rotations), posed.camera, supersample=1) > 0.5  # half a pixel's cover
         seen = silhouette.mask
+        row = _chin_row(clone, posed, seen.shape[0])
+        scale = _mm_per_pixel(clone, posed)
         if view.is_face:
-            last_row = _chin_row(clone, posed, seen.shape[0])
-            drawn, seen = drawn[:last_row], seen[:last_row]
-        found[view] = compare(drawn, seen, _mm_per_pixel(clone, posed))
+            found[view] = compare(drawn[:row], seen[:row], scale)
+        else:
+            whole = compare(drawn, seen, scale)
+            found[view] = replace(whole, below_head_mm=scale * _outline_rms_px(drawn[row:], seen[row:]))
     return found
 
 
@@ -63,7 +70,7 @@ def compare(drawn: Mask, seen: Mask, mm_per_px: float) -> Agreement:
     union = np.count_nonzero(drawn | seen)
     iou = np.count_nonzero(drawn & seen) / union if union else 0.0
     rms_px = _outline_rms_px(drawn, seen)
-    return Agreement(float(iou), rms_px, rms_px * mm_per_px)
+    return Agreement(float(iou), rms_px, rms_px * mm_per_px, rms_px * mm_per_px)
 
 
 def _outline_rms_px(drawn: Mask, seen: Mask) -> float:

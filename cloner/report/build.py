@@ -16,7 +16,7 @@ import numpy as np
 import cloner
 from cloner.frames import ViewId
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import Girth, girth_uncertainty_mm, girths_mm
+from cloner.geometry.measures import girth_uncertainty_mm, girths_mm
 from cloner.pipeline import StageReport
 from cloner.records.clones import Clone
 from cloner.records.heads import HeadFit
@@ -34,8 +34,8 @@ LIBRARIES: Final = (
 #: Spread of adult stature when none was given, one standard deviation over both sexes, metres (ANSUR II: 0.09).
 UNKNOWN_STATURE_M: Final = 0.09
 GIRTH_NOTE: Final = (
-    "Around the outline that the photos show, so over clothes. The ± is one standard deviation from the outline's "
-    "residual, the shape that two outlines leave open (2 %) and the level; clothes are not in it."
+    "Around the outline that the photos show, so over clothes. The ± is one standard deviation: the outline's residual, the "
+    "level, and the errors measured on two synthetic visitors in clothes. It is an estimate, not a guarantee."
 )
 NO_BODY_NOTE: Final = "There was no body photo: these are the girths of a generic body, not of this person."
 
@@ -169,18 +169,14 @@ def _stature(clone: Clone, person: Person) -> dict[str, Any]:
 
 
 def _girths(clone: Clone, person: Person, seen: Mapping[ViewId, Agreement]) -> dict[str, Any]:
-    body = [found.outline_rms_mm for view, found in seen.items() if view.is_body]
+    body = [found.below_head_mm for view, found in seen.items() if view.is_body]
     values = girths_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
     if not body:
         return {"note": NO_BODY_NOTE, "measured": False, "values": _girth_values(values, None)}
     residual_mm = float(np.sqrt(np.mean(np.square(body))))
     share = 0.0 if person.stature_is_known else UNKNOWN_STATURE_M / clone.stature_m
-    girths = {name: Girth(value, girth_uncertainty_mm(value, residual_mm, share)) for name, value in values.items()}
-    return {
-        "note": GIRTH_NOTE,
-        "measured": True,
-        "values": _girth_values(values, {name: girth.plus_minus_mm for name, girth in girths.items()}),
-    }
+    spread = {name: girth_uncertainty_mm(name, value, residual_mm, share) for name, value in values.items()}
+    return {"note": GIRTH_NOTE, "measured": True, "values": _girth_values(values, spread)}
 
 
 def _girth_values(values: Mapping[str, float], spread: Mapping[str, float] | None) -> dict[str, Any]:

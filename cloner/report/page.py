@@ -15,12 +15,14 @@ table { border-collapse: collapse; margin: .6rem 0; } caption { text-align: left
 th, td { text-align: left; padding: .2rem .9rem .2rem 0; border-bottom: 1px solid var(--soft); vertical-align: top; }
 td.n { text-align: right; font-variant-numeric: tabular-nums; }
 .warnings li { border-left: 3px solid var(--warn); padding-left: .6rem; margin: .4rem 0; list-style: none; }
-.pictures { display: grid; grid-template-columns: repeat(auto-fill, minmax(18rem, 1fr)); gap: 1rem; }
-figure { margin: 0; } figure img { width: 100%; height: auto; border: 1px solid var(--line); border-radius: 4px; }
+.pictures { display: flex; flex-wrap: wrap; gap: 1rem; align-items: flex-end; margin: .8rem 0; }
+figure { margin: 0; } figure img { display: block; max-width: 100%; max-height: 24rem; border-radius: 4px; }
 figcaption { font-size: .85rem; opacity: .8; } details { margin: .6rem 0; } summary { cursor: pointer; }
 code { font-size: .85em; overflow-wrap: anywhere; }
 """
 _PICTURES: Final = (".png", ".jpg")
+#: Order in which people want to see them; what is not named comes last.
+_FIRST: Final = ("_body_front", "_body_side", "_body_back", "three_quarter", "_face_front", "_face_side", "face")
 
 
 def page(report: Mapping[str, Any]) -> str:
@@ -70,13 +72,26 @@ def _downloads(files: Iterable[str]) -> str:
 
 
 def _pictures(files: Iterable[str]) -> str:
+    """Return the pictures of the clone, and folded below them those of what was found in the photos."""
+    previews = [file for file in files if file.startswith("previews/") and file.endswith(_PICTURES)]
+    previews.sort(key=_place)
+    found = [file for file in previews if "overlay" in file]
+    shown = [file for file in previews if file not in found]
+    folded = f"<details><summary>Points and outlines in the photos</summary>{_figures(found)}</details>" if found else ""
+    return f"<h2>Pictures</h2>{_figures(shown)}{folded}" if shown else ""
+
+
+def _place(file: str) -> int:
+    return next((place for place, word in enumerate(_FIRST) if word in file), len(_FIRST))
+
+
+def _figures(files: Iterable[str]) -> str:
     figures = "".join(
         f'<figure><a href="{escape(file)}"><img src="{escape(file)}" alt="" loading="lazy"></a>'
         f"<figcaption>{escape(_words(file.rsplit('/', 1)[-1].rsplit('.', 1)[0]))}</figcaption></figure>"
         for file in files
-        if file.startswith("previews/") and file.endswith(_PICTURES)
     )
-    return f'<h2>Pictures</h2><div class="pictures">{figures}</div>' if figures else ""
+    return f'<div class="pictures">{figures}</div>'
 
 
 def _body(report: Mapping[str, Any]) -> str:

@@ -8,7 +8,7 @@ import trimesh
 
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import GIRTH_NAMES, girth_mm, girth_uncertainty_mm, girths_mm, slice_points
+from cloner.geometry.measures import GIRTH_NAMES, MEASURED_SHARE, girth_mm, girth_uncertainty_mm, girths_mm, slice_points
 
 UP = np.array([0.0, 1.0, 0.0])
 
@@ -58,7 +58,9 @@ def test_girths_of_the_generic_human_are_human_and_scale_with_it() -> None:
 
 
 def test_uncertainty_grows_with_every_cause() -> None:
-    plain = girth_uncertainty_mm(900.0, 0.0)
-    assert plain == pytest.approx(np.hypot(18.0, 5.0))
-    assert girth_uncertainty_mm(900.0, 5.0) == pytest.approx(np.sqrt(18**2 + 5**2 + (np.pi * 5) ** 2))
-    assert girth_uncertainty_mm(900.0, 5.0, 0.05) > girth_uncertainty_mm(900.0, 5.0) > plain
+    share = MEASURED_SHARE["waist"]
+    plain = girth_uncertainty_mm("waist", 900.0, 0.0)
+    assert plain == pytest.approx(np.hypot(share * 900.0, 5.0))
+    assert girth_uncertainty_mm("waist", 900.0, 5.0) == pytest.approx(np.hypot(plain, np.pi * 5))
+    assert girth_uncertainty_mm("waist", 900.0, 5.0, 0.05) > girth_uncertainty_mm("waist", 900.0, 5.0) > plain
+    assert set(MEASURED_SHARE) == set(GIRTH_NAMES)
