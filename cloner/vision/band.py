@@ -31,6 +31,9 @@ class LinkParams:
 
     Attributes
     ----------
+    smoothing : float
+        Sigma of the blur that takes the net's staircase off the mask before its contour is
+        taken.  Measurement: twice as much rounds fingers off.
     band : float
         Half width of the vicinity band.  Origin: measurement of the net's mask, whose p95 error
         is 0.7 % of the height.
@@ -60,6 +63,7 @@ class LinkParams:
         Share of a feature segment on edges for its source to be called ``'edges'``.
     """
 
+    smoothing: float = 0.0008
     band: float = 0.010
     segment: float = 0.008
     bridge: float = 0.025
@@ -67,7 +71,7 @@ class LinkParams:
     corner_scale: float = 0.004
     along: float = 0.4
     end_along: float = 0.8
-    least_evidence: float = 0.2
+    least_evidence: float = 0.3
     fade: float = 0.02
     strength_cap: float = 4.0
     least_goodness: float = 4.0

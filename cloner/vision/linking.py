@@ -173,7 +173,8 @@ def bridge(s1: Floats, s2: Floats, c12: Floats) -> tuple[Floats, Floats, Floats]
     Notes
     -----
     Departure: a bridge shorter than ``SHORT_BRIDGE_PX`` has the grid's direction, not the
-    outline's.  The bisector of S1 and S2 takes its place in proportion to the missing length.
+    outline's.  The bisector of S1 and S2 is added to it, twice the missing length, so that
+    two runs which overlap by a pixel still link.
     """
     d1 = np.linalg.norm(c12, axis=-1)
     u1 = s1 / np.maximum(np.linalg.norm(s1, axis=-1, keepdims=True), 1e-9)
@@ -181,7 +182,7 @@ def bridge(s1: Floats, s2: Floats, c12: Floats) -> tuple[Floats, Floats, Floats]
     missing = np.maximum(SHORT_BRIDGE_PX - d1, 0.0)[..., None]
     bisector = u1 + u2
     bisector = bisector / np.maximum(np.linalg.norm(bisector, axis=-1, keepdims=True), 1e-9)
-    course = c12 + missing * bisector
+    course = c12 + 2.0 * missing * bisector
     course = course / np.maximum(np.linalg.norm(course, axis=-1, keepdims=True), 1e-9)
     alpha1 = np.arccos(np.clip((u1 * course).sum(-1), -1.0, 1.0))
     alpha2 = np.arccos(np.clip((u2 * course).sum(-1), -1.0, 1.0))

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -112,7 +113,11 @@ def extract_outline(
     """
     settings = params or LinkParams()
     height = figure_height(mask)
-    loops = mask_loops(mask, height_px=height) if height > 0 else []
+    if height > 0:
+        sigma = max(settings.smoothing * height, 0.3)
+        # Replicated borders keep a cut figure's contour on the picture's border.
+        mask = cv2.GaussianBlur(mask, (0, 0), sigma, borderType=cv2.BORDER_REPLICATE)
+    loops = mask_loops(mask, height_px=height)
     if not loops:
         return Outline((), np.zeros(mask.shape, dtype=bool), height)
     bands = gather_band(rgb, mask, loops, height_px=height, params=settings)

@@ -1,0 +1,184 @@
+"""Drawn figures whose outline is known, photographed badly."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from cloner.vision.edges import detect_edges, refine_subpixel
+from cloner.vision.loops import fill_polygon, fill_polygons, mask_loops, signed_area
+from cloner.vision.outlines import Outline, extract_outline
+
+HEIGHT, WIDTH = 600, 400
+CENTRE, AXES = np.array([200.3, 300.6]), np.array([110.0, 240.0])
+SKIN, WALL = (190, 120, 90), (90, 130, 150)
+Photo = NDArray[np.uint8]
+
+
+def ellipse(count: int = 4000, *, scale: float = 1.0) -> NDArray[np.float64]:
+    t = np.linspace(0, 2 * np.pi, count, endpoint=False)
+    return CENTRE + scale * AXES * np.column_stack([np.cos(t), np.sin(t)])
+
+
+def draw(canvas: Photo, polygon: NDArray[np.float64], colour: tuple[int, int, int]) -> Photo:
+    """Fill a polygon with exact, anti-aliased coverage."""
+    k = 8
+    shape = (canvas.shape[0] * k, canvas.shape[1] * k)
+    inside = fill_polygon((polygon + 0.5) * k - 0.5, shape).astype(np.float32)
+    alpha = inside.reshape(canvas.shape[0], k, canvas.shape[1], k).mean(axis=(1, 3))[..., None]
+    return np.rint(canvas * (1 - alpha) + np.array(colour) * alpha).astype(np.uint8)
+
+
+def photograph(*, noise: float = 3.0, seed: int = 7, wall: tuple[int, int, int] = WALL) -> Photo:
+    canvas = np.full((HEIGHT, WIDTH, 3), wall, np.uint8)
+    return with_noise(draw(canvas, ellipse(), SKIN), noise, seed)
+
+
+def with_noise(photo: Photo, noise: float, seed: int) -> Photo:
+    rng = np.random.default_rng(seed)
+    return np.clip(np.rint(photo + rng.normal(0, noise, photo.shape)), 0, 255).astype(np.uint8)
+
+
+def rough_mask(*, shift: float = 3.0, blur: float = 4.0) -> NDArray[np.float32]:
+    """Return a mask whose contour waves ``shift`` px about the truth, softly."""
+    t = np.linspace(0, 2 * np.pi, 4000, endpoint=False)
+    wave = 1.0 + shift * np.sin(7 * t)[:, None] / AXES
+    polygon = CENTRE + wave * (ellipse() - CENTRE)
+    hard = fill_polygon(polygon, (HEIGHT, WIDTH)).astype(np.float32)
+    return cv2.GaussianBlur(hard, (0, 0), blur)
+
+
+def distances(outline: Outline) -> NDArray[np.float64]:
+    return np.asarray(cKDTree(ellipse(20000)).query(outline.loops[0].polygon)[0])
+
+
+@pytest.mark.parametrize("noise", [0.0, 3.0, 8.0])
+def test_outline_lies_on_the_edge_in_spite_of_a_wavy_mask_and_noise(noise: float) -> None:
+    photo, mask = photograph(noise=noise), rough_mask()
+    before = photo.copy(), mask.copy()
+    outline = extract_outline(photo, mask)
+    assert distances(outline).mean() < 0.35
+    assert np.percentile(distances(outline), 95) < 1.0
+    assert set(outline.loops[0].sources) == {"edges"}
+    np.testing.assert_array_equal(photo, before[0])
+    np.testing.assert_array_equal(mask, before[1])
+
+
+def test_given_feature_points_bound_the_segments() -> None:
+    points = ellipse(8) + np.array([2.0, -1.0])
+    outline = extract_outline(photograph(), rough_mask(), points)
+    loop = outline.loops[0]
+    assert sorted(loop.feature_rows.tolist()) == list(range(8))
+    assert len(loop.sources) == len(loop.goodness) == len(loop.covered) == 8
+    assert np.linalg.norm(loop.feature_points - points[loop.feature_rows], axis=1).max() < 8.0
+    assert distances(outline).mean() < 0.35
+
+
+def test_gap_in_the_edge_is_bridged() -> None:
+    photo = photograph()
+    # The wall takes the skin's colour beside a fifteenth of the outline.
+    photo[290:330, 300:] = with_noise(np.full((40, 100, 3), SKIN, np.uint8), 3.0, 1)
+    outline = extract_outline(photo, rough_mask())
+    assert np.percentile(distances(outline), 95) < 1.5
+    # In the gap the mask's contour, 3 px off at most, stands in.
+    assert distances(outline).max() < 4.5
+
+
+def test_crossing_background_lines_do_not_lead_away() -> None:
+    canvas = np.full((HEIGHT, WIDTH, 3), WALL, np.uint8)
+    for y in range(40, HEIGHT, 60):
+        canvas[y : y + 14] = (245, 245, 245)
+    photo = with_noise(draw(canvas, ellipse(), SKIN), 3.0, 3)
+    outline = extract_outline(photo, rough_mask())
+    assert distances(outline).mean() < 0.6
+    assert distances(outline).max() < 5.0
+
+
+@pytest.mark.parametrize("offset", [5.0, -5.0])
+def test_parallel_decoy_edge_is_refused(offset: float) -> None:
+    # A strong line just outside (a poster) or just inside (a seam); the mask lies between.
+    photo = photograph(noise=0.0)
+    t = np.linspace(0, 2 * np.pi, 2000, endpoint=False)
+    line = CENTRE + (AXES + offset) * np.column_stack([np.cos(t), np.sin(t)])
+    colour = (20, 20, 20) if offset > 0 else (250, 240, 235)
+    fixed = np.rint(line * 16).astype(np.int32)
+    cv2.polylines(photo, [fixed], True, colour, 1, cv2.LINE_AA, 4)
+    outline = extract_outline(with_noise(photo, 2.0, 5), rough_mask(shift=1.5))
+    assert np.median(distances(outline)) < 1.0
+
+
+def test_mask_stands_in_where_there_is_no_edge() -> None:
+    photo = photograph(wall=SKIN, noise=3.0)
+    mask = rough_mask(shift=0.0)
+    outline = extract_outline(photo, mask)
+    assert set(outline.loops[0].sources) == {"mask"}
+    assert distances(outline).max() < 1.5
+
+
+def test_holes_are_contours_of_their_own() -> None:
+    canvas = draw(photograph(noise=0.0), ellipse(scale=0.4), WALL)
+    mask = rough_mask(shift=2.0) - fill_polygon(ellipse(scale=0.42), (HEIGHT, WIDTH))
+    outline = extract_outline(with_noise(canvas, 3.0, 2), np.clip(mask, 0, 1).astype(np.float32))
+    assert [loop.is_hole for loop in outline.loops] == [False, True]
+    gaps = cKDTree(ellipse(20000, scale=0.4)).query(outline.loops[1].polygon)[0]
+    assert gaps.mean() < 0.4
+    assert not outline.filled[301, 200]
+    area = np.pi * AXES.prod() * (1 - 0.16)
+    assert outline.filled.sum() == pytest.approx(area, rel=0.005)
+
+
+def test_figure_cut_by_the_picture_s_border_is_closed_there() -> None:
+    photo, mask = photograph()[:300], rough_mask()[:300]
+    outline = extract_outline(photo, mask)
+    polygon = outline.loops[0].polygon
+    assert polygon[:, 1].max() == pytest.approx(299.5, abs=0.51)
+    truth = fill_polygon(ellipse(), (HEIGHT, WIDTH))[:300]
+    overlap = (outline.filled & truth).sum() / (outline.filled | truth).sum()
+    assert overlap > 0.99
+
+
+def test_nobody_in_the_mask_gives_no_outline() -> None:
+    outline = extract_outline(photograph(), np.zeros((HEIGHT, WIDTH), np.float32))
+    assert outline.loops == ()
+    assert not outline.filled.any()
+
+
+def test_filled_polygon_holds_the_pixels_whose_centres_it_encloses() -> None:
+    square = np.array([[1.5, 1.5], [4.5, 1.5], [4.5, 3.5], [1.5, 3.5]])
+    filled = fill_polygon(square, (6, 7))
+    expected = np.zeros((6, 7), dtype=bool)
+    expected[2:4, 2:5] = True
+    np.testing.assert_array_equal(filled, expected)
+    np.testing.assert_array_equal(fill_polygons([square[::-1]], [False], (6, 7)), expected)
+
+
+def test_mask_contour_walks_with_the_person_on_one_side() -> None:
+    mask = rough_mask(shift=0.0) * (1 - fill_polygon(ellipse(scale=0.4), (HEIGHT, WIDTH)))
+    outer, hole = mask_loops(mask.astype(np.float32), height_px=480.0)
+    assert signed_area(outer.points) > 0 > signed_area(hole.points)
+    for loop, outward in ((outer, 1.0), (hole, -1.0)):
+        radial = (loop.points - CENTRE) / AXES**2
+        assert ((radial * loop.inward).sum(axis=1) * outward < 0).all()
+
+
+@pytest.mark.parametrize("shift", [0.0, 0.3, 0.5, 0.8])
+def test_sub_pixel_edge_position(shift: float) -> None:
+    rgb = np.full((40, 60, 3), 60, np.uint8)
+    edge = np.array([[30 + shift, -5.0], [80.0, -5.0], [80.0, 60.0], [30 + shift, 60.0]])
+    rgb = draw(rgb, edge, (60, 200, 60))
+    edges = detect_edges(rgb)
+    rows, columns = np.nonzero(edges.edges)
+    points = refine_subpixel(edges, np.column_stack([columns, rows]).astype(float))
+    inner = (points[:, 1] > 4) & (points[:, 1] < 35)
+    assert inner.sum() >= 25
+    assert np.abs(points[inner, 0] - (30 + shift)).max() < 0.12
+
+
+def test_red_on_green_of_equal_brightness_is_an_edge() -> None:
+    rgb = np.zeros((40, 60, 3), np.uint8)
+    rgb[:, :30, 0] = 120
+    rgb[:, 30:, 1] = 120
+    assert detect_edges(rgb).edges[5:35, 28:32].any(axis=1).all()
