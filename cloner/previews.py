@@ -97,7 +97,7 @@ def write_previews(
         drawn = window.crop(draw(layers, camera, background=_BACKDROP))
         seen = window.crop(_resized(photo.rgb, camera))
         pictures[f"beside_{view}"] = np.hstack([seen, drawn])
-        cover = window.crop((coverage(layers, camera) > 0.5).astype(np.uint8)) > 0
+        cover = window.crop((coverage(layers, camera, supersample=1) > 0.5).astype(np.uint8)) > 0
         net = proposals.views.get(view)
         pictures[f"overlay_{view}"] = _overlay(seen, cover, window, silhouettes.views.get(view), points, net, view)
     pictures["three_quarter"] = _strip(clone, ("front", "three_quarter", "left", "back"), HEIGHT_PX // 2)

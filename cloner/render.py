@@ -8,7 +8,6 @@ import os
 import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import replace
 from typing import Any, Final, Literal
 
 import numpy as np
@@ -16,8 +15,9 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.generic.framing import standard_camera
-from cloner.generic.layers import Layer, clone_layers
-from cloner.generic.painter import paint
+from cloner.generic.layers import Layer, clone_layers, whitened
+from cloner.generic.painter import mean_of_samples, paint
+from cloner.geometry.viewpoints import pose_along
 from cloner.geometry.wedges import vertex_normals
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
@@ -40,6 +40,8 @@ NEAR_M: Final = 0.05
 FAR_M: Final = 100.0
 #: Largest side GL can draw to on every driver that was tried, pixels.
 LARGEST_SIDE_PX: Final = 8192
+#: Textures left in the driver; an atlas of 2048 texels is 16 MB there. One clone has two to four.
+KEPT_TEXTURES: Final = 6
 #: Lights of the soft shading in camera axes (x right, y up, z to the viewer) and strength; taste.
 _LIGHTS: Final = (((-0.5, 0.6, 0.8), 1.7), ((0.8, 0.2, 0.6), 0.7), ((0.0, 0.7, -0.8), 0.6))
 _AMBIENT: Final = 0.42  # taste: the shadow side keeps about half its colour
@@ -154,34 +156,23 @@ def draw(
     if shading == "soft":
         flags = pyrender.RenderFlags.NONE
         for direction, strength in _LIGHTS:
-            pose = model_from_gl @ _looking_along(-np.array(direction))
+            pose = model_from_gl @ pose_along(-np.array(direction))
             scene.add(pyrender.DirectionalLight(color=np.ones(3), intensity=strength), pose=pose)
     with _renderer(width, height) as renderer:
         large, _ = renderer.render(scene, flags=flags)
-    return _shrink(large[..., :3], supersample)
+    return mean_of_samples(large[..., :3], supersample)
 
 
 def coverage(layers: Sequence[Layer], camera: Camera, *, supersample: int = SUPERSAMPLE) -> Array:
     """Return the (H, W) share 0..1 of every pixel that the meshes cover; alpha counts as cover."""
-    white = [replace(layer, texture=_white(layer.texture), colour=(1.0, 1.0, 1.0)) for layer in layers]
-    return draw(white, camera, background=(0, 0, 0), supersample=supersample)[..., 0] / 255.0
-
-
-def _white(texture: Image | None) -> Image | None:
-    """Return an all-white texture with the same alpha, or None where there is no alpha."""
-    if texture is None or texture.shape[2] == 3:
-        return None
-    return np.dstack([np.full((*texture.shape[:2], 3), 255, np.uint8), texture[..., 3]])
+    return draw(whitened(layers), camera, background=(0, 0, 0), supersample=supersample)[..., 0] / 255.0
 
 
 def _mesh(pyrender: Any, layer: Layer, camera: Camera, place: Array) -> Any:
     """Return the layer as a pyrender mesh around ``place``, its transparent triangles sorted back to front."""
     textured = layer.texture is not None and layer.uv is not None
     blended = textured and layer.texture is not None and layer.texture.shape[2] == 4
-    texture = None
-    if textured:
-        sampler = pyrender.Sampler(wrapS=10497, wrapT=10497, minFilter=9987, magFilter=9729)  # repeat, trilinear
-        texture = pyrender.Texture(source=layer.texture, source_channels="RGBA" if blended else "RGB", sampler=sampler)
+    texture = _texture(pyrender, layer.texture) if textured and layer.texture is not None else None
     material = pyrender.MetallicRoughnessMaterial(
         baseColorTexture=texture,
         # pyrender 0.1.45 never looks into a texture for alpha; a factor just below one makes it blend after the rest
@@ -208,6 +199,46 @@ def _mesh(pyrender: Any, layer: Layer, camera: Camera, place: Array) -> Any:
     return pyrender.Mesh([primitive])
 
 
+def _texture(pyrender: Any, pixels: Image) -> Any:
+    """Return a texture; those of read-only pixels stay in the driver for the next pictures.
+
+    Sending an atlas of 2048 texels and making its mipmaps costs more than drawing the whole clone.
+    """
+    kept: dict[int, tuple[Image, Any]] = _local.__dict__.setdefault("textures", {})
+    if id(pixels) in kept:
+        return kept[id(pixels)][1]
+    sampler = pyrender.Sampler(wrapS=10497, wrapT=10497, minFilter=9987, magFilter=9729)  # repeat, trilinear
+    channels = "RGBA" if pixels.shape[2] == 4 else "RGB"
+    if pixels.flags.writeable:
+        return pyrender.Texture(source=pixels, source_channels=channels, sampler=sampler)
+    texture = _kept_texture()(source=pixels, source_channels=channels, sampler=sampler)
+    kept[id(pixels)] = (pixels, texture)  # the pixels too: their id must not be given away
+    if len(kept) > KEPT_TEXTURES:
+        _, oldest = kept.pop(next(iter(kept)))
+        oldest.release()
+    return texture
+
+
+@functools.cache
+def _kept_texture() -> Any:
+    """Return a kind of texture that pyrender does not throw away after each picture."""
+    pyrender = _pyrender()
+
+    class KeptTexture(pyrender.Texture):  # type: ignore[misc]
+        def _add_to_context(self) -> None:
+            if not self._in_context():
+                super()._add_to_context()
+
+        def delete(self) -> None:
+            """Stay; :meth:`release` lets go."""
+
+        def release(self) -> None:
+            if self._in_context():
+                super().delete()
+
+    return KeptTexture
+
+
 def _lens(pyrender: Any, camera: Camera, supersample: int) -> Any:
     """Return the pyrender camera; its principal point is the picture's middle, as ours is."""
     width, height = camera.width_px * supersample, camera.height_px * supersample
@@ -216,28 +247,6 @@ def _lens(pyrender: Any, camera: Camera, supersample: int) -> Any:
         return pyrender.OrthographicCamera(xmag=width * half, ymag=height * half, znear=NEAR_M, zfar=FAR_M)
     focal = camera.focal_px * supersample
     return pyrender.IntrinsicsCamera(focal, focal, width / 2, height / 2, znear=NEAR_M, zfar=FAR_M)
-
-
-def _looking_along(direction: Array) -> Array:
-    """Return a (4, 4) pose whose -z axis points along ``direction``."""
-    z = -direction / np.linalg.norm(direction)
-    x = np.cross([0.0, 1.0, 0.0], z)
-    x /= np.linalg.norm(x)
-    pose = np.eye(4)
-    pose[:3, :3] = np.column_stack([x, np.cross(z, x), z])
-    return pose
-
-
-def _shrink(large: Image, factor: int) -> Image:
-    """Return the picture at 1/factor size, each pixel the mean of its samples."""
-    if factor == 1:
-        return np.ascontiguousarray(large)
-    height, width = large.shape[0] // factor, large.shape[1] // factor
-    total = np.zeros((height, width, large.shape[2]), dtype=np.uint16)
-    for row in range(factor):
-        for column in range(factor):
-            total += large[row::factor, column::factor]
-    return ((total + factor * factor // 2) // (factor * factor)).astype(np.uint8)
 
 
 def require_gl() -> None:

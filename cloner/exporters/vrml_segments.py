@@ -125,7 +125,8 @@ def _segment(
         for number, (mesh, piece) in enumerate(pieces):
             yield f"Shape {{ {_appearance(mesh, seen)}\ngeometry IndexedFaceSet {{ coord USE {name}_coord\n"
             yield _shared(name, pieces) if number == 0 else f"normal USE {name}_normal texCoord USE {name}_uv\n"
-            yield f"solid {'FALSE' if mesh.two_sided else 'TRUE'} coordIndex [\n{_faces(piece.triangles + start)}] }} }}\n"
+            solid = "FALSE" if mesh.two_sided else "TRUE"
+            yield f"solid {solid} coordIndex [\n{_faces(piece.triangles + start)}] }} }}\n"
             start += len(piece.vertex)
         yield from sites
         yield "]\n"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,3 +69,15 @@ def clone_layers(clone: Clone, rotations: Array | None = None) -> list[Layer]:
             Layer(loose, vertex_normals(loose, shell.triangles), shell.triangles, shell.uv, shell.rgba, two_sided=True)
         )
     return layers
+
+
+def whitened(layers: Sequence[Layer]) -> list[Layer]:
+    """Return the layers all white but for their alpha: drawn on black they show what is covered."""
+    return [replace(layer, texture=_white(layer.texture), colour=(1.0, 1.0, 1.0)) for layer in layers]
+
+
+def _white(texture: Image | None) -> Image | None:
+    """Return an all-white texture with the same alpha, or None where there is no alpha."""
+    if texture is None or texture.shape[2] == 3:
+        return None
+    return np.dstack([np.full((*texture.shape[:2], 3), 255, np.uint8), texture[..., 3]])

@@ -169,3 +169,15 @@ def _texels(texture: NDArray[np.uint8], uv: Array) -> NDArray[np.float32]:
             share = (part[:, 0] if dx else 1 - part[:, 0]) * (part[:, 1] if dy else 1 - part[:, 1])
             total += share[:, None] * texture[(low[:, 1] + dy) % height, (low[:, 0] + dx) % width]
     return total
+
+
+def mean_of_samples(large: NDArray[np.uint8], factor: int) -> NDArray[np.uint8]:
+    """Return the picture at 1/factor size, each pixel the mean of its samples."""
+    if factor == 1:
+        return np.ascontiguousarray(large)
+    height, width = large.shape[0] // factor, large.shape[1] // factor
+    total = np.zeros((height, width, large.shape[2]), dtype=np.uint16)
+    for row in range(factor):
+        for column in range(factor):
+            total += large[row::factor, column::factor]
+    return ((total + factor * factor // 2) // (factor * factor)).astype(np.uint8)

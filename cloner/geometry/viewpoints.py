@@ -65,3 +65,13 @@ def framing_camera(points_m: Array, azimuth_deg: float, width_px: int, height_px
     half = np.array([width_px, height_px]) / (2.0 * MARGIN)
     distance = float((np.abs(inside[:, :2]) * focal / half - inside[:, 2:3]).max())
     return Camera(width_px, height_px, focal, look_at(target + distance * outward, target))
+
+
+def pose_along(direction: Array) -> Array:
+    """Return a (4, 4) pose whose -z axis points along ``direction``."""
+    z = -direction / np.linalg.norm(direction)
+    x = np.cross([0.0, 1.0, 0.0], z)
+    x /= np.linalg.norm(x)
+    pose = np.eye(4)
+    pose[:3, :3] = np.column_stack([x, np.cross(z, x), z])
+    return pose

@@ -1,0 +1,211 @@
+"""clone.glb through foreign eyes: the Khronos validator, trimesh, and a plain reading of the bytes."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pygltflib
+import pytest
+import trimesh
+
+from cloner.errors import ClonerError
+from cloner.exporters.gltf import export
+from cloner.generic.load import load_generic
+from cloner.geometry.skinning import joint_transforms, skin
+from cloner.records.clones import Clone
+from kit.clones import RED_LEFT_HAND, toy_clone
+from kit.compare_clones import snapshot
+
+VALIDATOR = Path(__file__).with_name("validate_gltf.mjs")
+#: A folder in which `npm install gltf-validator` was run.
+MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node"))
+
+
+@pytest.fixture(scope="module")
+def clone() -> Clone:
+    return toy_clone(1.64)
+
+
+@pytest.fixture(scope="module")
+def glb(clone, tmp_path_factory) -> Path:
+    (path,) = export(clone, tmp_path_factory.mktemp("glb"))
+    return path
+
+
+@pytest.fixture(scope="module")
+def gltf(glb):
+    return pygltflib.GLTF2().load_binary(str(glb))
+
+
+def _read(gltf, accessor: int) -> np.ndarray:
+    """An accessor's rows, sparse ones filled with zeros: written from the specification, not from the exporter."""
+    row = gltf.accessors[accessor]
+    kinds = {5121: np.uint8, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
+    width = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}[row.type]
+    blob = gltf.binary_blob()
+
+    def rows(view: int, kind: int, count: int, wide: int) -> np.ndarray:
+        start = gltf.bufferViews[view].byteOffset or 0
+        return np.frombuffer(blob, kinds[kind], count * wide, start).reshape(count, wide)
+
+    if row.bufferView is not None:
+        return rows(row.bufferView, row.componentType, row.count, width)
+    filled = np.zeros((row.count, width), kinds[row.componentType])
+    if row.sparse is not None:
+        index = rows(row.sparse.indices.bufferView, row.sparse.indices.componentType, row.sparse.count, 1)[:, 0]
+        filled[index] = rows(row.sparse.values.bufferView, row.componentType, row.sparse.count, width)
+    return filled
+
+
+def _primitives(gltf):
+    return [primitive for mesh in gltf.meshes for primitive in mesh.primitives]
+
+
+@pytest.mark.skipif(
+    shutil.which("node") is None or not (MODULES / "node_modules/gltf-validator").is_dir(),
+    reason="gltf-validator is not here; run: npm install --prefix /tmp/cloner-node gltf-validator",
+)
+@pytest.mark.parametrize("kind", ["full", "bald", "without morphs"])
+def test_the_khronos_validator_finds_nothing(kind, clone, tmp_path):
+    if kind == "bald":
+        clone = toy_clone(hair=False)
+    if kind == "without morphs":
+        empty = np.zeros(0, np.int32)
+        clone = replace(clone, morph_names=(), morph_index=empty, morph_delta_m=np.zeros((0, 3)), morph_start=[0])
+    (path,) = export(clone, tmp_path)
+    done = subprocess.run(["node", VALIDATOR, MODULES, path], capture_output=True, text=True, check=True, timeout=120)
+    issues = json.loads(done.stdout)["issues"]
+    assert issues["messages"] == []
+    assert issues["numErrors"] == issues["numWarnings"] == 0
+
+
+def test_a_foreign_reader_sees_the_person_in_metres_standing_and_facing_plus_z(glb, clone):
+    scene = trimesh.load(glb)
+    low, high = scene.bounds
+    assert low[1] == pytest.approx(0.0, abs=0.002), "soles on the floor"
+    assert high[1] == pytest.approx(clone.shells[0].vertices_m[:, 1].max(), abs=1e-4)
+    body = scene.geometry["Body"].vertices
+    assert np.ptp(body[:, 1]) == pytest.approx(1.64, abs=0.003)
+    nose = clone.features_m["nose_tip"]
+    assert nose[2] > 0.05
+    assert np.linalg.norm(body - nose, axis=1).min() < 1e-4, "the nose tip is on the surface, in front"
+
+
+def test_a_foreign_reader_sees_the_red_left_hand_at_plus_x(glb, clone):
+    body = trimesh.load(glb).geometry["Body"]
+    picture = np.asarray(body.visual.material.baseColorTexture.convert("RGB"))
+    height, width = picture.shape[:2]
+    hand = np.linalg.norm(body.vertices - clone.features_m["fingertip_left"], axis=1).argmin()
+    u, v = body.visual.uv[hand]  # trimesh counts v upwards
+    colour = picture[int((1 - v) * height) % height, int(u * width) % width].astype(int)
+    assert body.vertices[hand, 0] > 0.3
+    assert np.abs(colour - RED_LEFT_HAND).max() < 30
+
+
+def test_the_skeleton_is_h_anim(gltf, clone):
+    generic = load_generic()
+    joints = [gltf.nodes[joint] for joint in gltf.skins[0].joints]
+    assert [joint.name for joint in joints] == list(generic.joint_names)
+    assert len(joints) == 94
+    assert {"HumanoidRoot", "sacroiliac", "l_shoulder", "r_knee", "skullbase"} <= {joint.name for joint in joints}
+    assert gltf.nodes[gltf.skins[0].skeleton].name == "Armature"
+    world = {}
+
+    def walk(node: int, origin: np.ndarray) -> None:
+        place = origin + np.array(gltf.nodes[node].translation or [0, 0, 0])
+        world[gltf.nodes[node].name] = place
+        for child in gltf.nodes[node].children or []:
+            walk(child, place)
+
+    walk(gltf.scenes[0].nodes[0], np.zeros(3))
+    found = np.array([world[name] for name in generic.joint_names])
+    assert np.abs(found - clone.joints_m).max() < 1e-6
+    inverse = _read(gltf, gltf.skins[0].inverseBindMatrices).reshape(-1, 4, 4)
+    assert np.abs(inverse[:, 3, :3] + clone.joints_m).max() < 1e-6  # columns first: the last row holds the offset
+
+
+def test_at_most_four_influences_that_sum_to_one(gltf):
+    for primitive in _primitives(gltf):
+        weights = _read(gltf, primitive.attributes.WEIGHTS_0)
+        joints = _read(gltf, primitive.attributes.JOINTS_0)
+        assert getattr(primitive.attributes, "WEIGHTS_1", None) is None
+        assert weights.sum(axis=1) == pytest.approx(1.0, abs=1e-6)
+        assert weights.min() >= 0.0
+        assert joints.max() < 94
+        assert (joints[weights == 0.0] == 0).all()
+
+
+def test_skinning_the_file_gives_the_same_pose_as_our_own(gltf, clone):
+    """Linear blend skinning from the file's numbers alone, against geometry.skinning."""
+    generic = load_generic()
+    rotations = np.zeros((94, 3))
+    rotations[generic.joint("l_elbow")] = [0.0, 1.0, 0.2]
+    rotations[generic.joint("vl1")] = [0.3, 0.0, 0.0]
+    transforms = joint_transforms(clone.joints_m, generic.joint_parents, rotations)
+    wanted = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights)
+    body = gltf.meshes[0].primitives[0].attributes
+    inverse = _read(gltf, gltf.skins[0].inverseBindMatrices).reshape(-1, 4, 4).transpose(0, 2, 1)
+    bind = transforms @ np.linalg.inv(inverse)  # world matrix of every joint node
+    matrix = np.einsum("vk,vkab->vab", _read(gltf, body.WEIGHTS_0), (bind @ inverse)[_read(gltf, body.JOINTS_0)])
+    rest = _read(gltf, body.POSITION)
+    posed = np.einsum("vab,vb->va", matrix, np.column_stack([rest, np.ones(len(rest))]))[:, :3]
+    assert np.linalg.norm(posed - rest, axis=1).max() > 0.1, "the pose moves the skin"
+    vertex = np.array([np.linalg.norm(clone.vertices_m - point, axis=1).argmin() for point in rest[::97]])
+    assert np.abs(posed[::97] - wanted[vertex]).max() < 1e-3
+
+
+def test_morph_targets_carry_the_arkit_and_viseme_names(gltf, clone):
+    body = gltf.meshes[0]
+    names = body.extras["targetNames"]
+    generic = load_generic()
+    assert names == [*generic.arkit_names, *generic.viseme_names]
+    assert len(generic.arkit_names) == 52
+    assert {"jawOpen", "eyeBlinkLeft", "mouthSmileRight", "viseme_sil", "viseme_aa"} <= set(names)
+    assert all(len(primitive.targets) == len(names) for primitive in body.primitives)
+    jaw = _read(gltf, body.primitives[0].targets[names.index("jawOpen")]["POSITION"])
+    rest = _read(gltf, body.primitives[0].attributes.POSITION)
+    chin = np.linalg.norm(rest - clone.features_m["chin_front"], axis=1).argmin()
+    crown = np.linalg.norm(rest - clone.features_m["head_top"], axis=1).argmin()
+    assert jaw[chin, 1] < -0.005, "opening the jaw lowers the chin"
+    assert np.abs(jaw[crown]).max() == 0.0
+
+
+def test_the_scene_tells_stature_features_and_credits(gltf, clone):
+    facts = gltf.scenes[0].extras
+    assert facts["stature_m"] == pytest.approx(1.64)
+    assert facts["units"] == "metre"
+    assert facts["features_m"]["nose_tip"] == pytest.approx(clone.features_m["nose_tip"], abs=1e-5)
+    assert "CC0" in facts["credits"]
+    assert "Cloner" in gltf.asset.generator
+
+
+def test_materials_are_not_metal_and_hair_is_cut_out(gltf):
+    assert all(material.pbrMetallicRoughness.metallicFactor == 0.0 for material in gltf.materials)
+    looks = {material.name: material for material in gltf.materials}
+    assert looks["hair"].alphaMode == "MASK"
+    assert looks["hair"].doubleSided
+    assert looks["lashes"].alphaMode == "BLEND"
+    assert looks["body"].alphaMode == "OPAQUE"
+    assert not looks["body"].doubleSided
+
+
+def test_exporting_changes_neither_the_clone_nor_leaves_other_files(clone, tmp_path):
+    before = snapshot(clone)
+    export(clone, tmp_path, name="person")
+    assert snapshot(clone) == before
+    assert [path.name for path in tmp_path.iterdir()] == ["person.glb"]
+
+
+def test_a_folder_that_is_a_file_is_an_operator_s_error(clone, tmp_path):
+    blocked = tmp_path / "taken"
+    blocked.write_text("")
+    with pytest.raises(ClonerError) as caught:
+        export(clone, blocked)
+    assert caught.value.where == "clone.glb"
+    assert "folder" in caught.value.hint
