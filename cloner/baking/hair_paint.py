@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from cloner.baking.hair_views import HairView
 from cloner.frames import ViewId
 from cloner.geometry.atlas import AtlasMap
+from cloner.geometry.graphs import surface_graph
 from cloner.geometry.seeing import Sight, look
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.geometry.wedges import vertex_normals
@@ -23,10 +24,10 @@ from cloner.vision.repair import repair_bleeding
 
 Array = NDArray[np.float64]
 
-SHARPNESS = 6  # weights are (claim x cosine)**6: nearly one photo a texel, ghosts none
-LEVELS = 4
+SHARPNESS = 5  # weights are (claim x cosine)**5: mostly one photo a texel, so strands do not ghost
+LEVELS = 2  # charts are small islands: wide bands would make them differ along their borders
+SMOOTHING = 3  # rounds over the surface, where charts do not matter
 FLOOR = 1e-6
-EXPOSURE_ONLY = 1e4  # hair shines: what differs with direction is the hair's, not the lamp's
 _CLAIM: Mapping[ViewId, float] = {  # taste: face photos have three times the pixels
     ViewId.FACE_FRONT: 1.0,
     ViewId.FACE_SIDE: 1.0,
@@ -61,7 +62,7 @@ def paint_hair(
     size = atlas.size
     normals = vertex_normals(vertices_m, atlas.triangles)
     usable = [view for view in views if view.posed.view in photos and view.hair.any()]
-    sights, claims, pictures = [], [], []
+    sights, claims, trusts, pictures = [], [], [], []
     for view in usable:
         sight = _look(generic, joined, view, vertices_m, skin_joints, skin_weights, atlas.triangles)
         seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
@@ -69,11 +70,15 @@ def paint_hair(
         near = sample(view.hair_px, sight.pixel_px)[:, 0] > -2.0 * BAND_PX
         sights.append(sight)
         claims.append(np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0))
+        # Hair shines at grazing angles: only what both photos see nearly head-on tells their exposures.
+        trusts.append(np.where(claims[-1] > 0.0, np.clip((sight.cosine - 0.5) / 0.5, 0.0, 1.0), 0.0))
         pictures.append(repair_bleeding(photos[view.posed.view].rgb, view.hair, BAND_PX)[0])
+    graph = surface_graph(vertices_m, atlas.triangles)
+    claims = [graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in claims]
     claim_table = np.stack(claims)
     colours = np.stack([sample(p, s.pixel_px) for p, s in zip(pictures, sights, strict=True)]).astype(np.float64)
-    first = max(range(len(usable)), key=lambda k: (usable[k].posed.view is ViewId.FACE_FRONT, claim_table[k].sum()))
-    gains = even_light(colours, claim_table**2, normals, first, ridge_slope=EXPOSURE_ONLY)
+    first = max(range(len(usable)), key=lambda k: claim_table[k].sum() if usable[k].flip_m is None else 0.0)
+    gains = even_light(colours, np.stack(trusts), normals, first)
     evened = np.stack([apply_light(colours[k], light_basis(normals) @ gains[k]) for k in range(len(usable))])
     total = (claim_table**2).sum(axis=0)
     mean = ((claim_table**2)[..., None] * evened).sum(axis=(0, 1)) / max(float(total.sum()), 1e-9)

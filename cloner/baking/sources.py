@@ -26,7 +26,7 @@ from cloner.vision.plates import Plate, prepare_plate
 Array = NDArray[np.float64]
 
 PERSON_LEVEL = 127  # a net's probability above one half
-HAIR_CLEARANCE_M = 0.002  # a shell nearer than this to the skin is the hairline itself
+HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
 HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
 
 
@@ -159,6 +159,8 @@ def make_source(
     for shell in shells:
         shape = pose_shell(generic, joined, posed_view, shell)
         hair_m = np.minimum(hair_m, nearest_of(shape, shell.triangles, posed_view.camera))
+    # A fringe's rim may lie a little farther out in the photo than in the shell.
+    hair_m = cv2.erode(hair_m, np.ones((9, 9), np.uint8), borderValue=np.inf)
     growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1
     hair = cv2.dilate(plate.hair.astype(np.uint8) * 255, np.ones((growth, growth), np.uint8))
     source = Source(posed_view.view, False, plate, sight, lookup, hair_m, hair, np.zeros(len(lookup)))

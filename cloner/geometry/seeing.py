@@ -15,10 +15,10 @@ from cloner.records.views import Camera
 Array = NDArray[np.float64]
 
 DEPTH_SCALE = 0.5  # depth picture's size relative to the photo: 4 times faster, 1 px is still 2-3 mm
-#: Occluders grow by this many depth pixels: a limb 4 photo pixels off paints nothing behind it.
-OCCLUDER_GROWTH_PX = 2
+#: Occluders grow by this many depth pixels: a limb 8 photo pixels (1 cm) off paints nothing behind it.
+OCCLUDER_GROWTH_PX = 4
 DEPTH_TOLERANCE_M = 0.008  # taste: more than the mesh's coarseness, less than a finger
-STEEPEST_TANGENT = 4.0  # surfaces steeper than 76 degrees are not used at all
+STEEPEST_TANGENT = 3.0  # steeper ones would let a limb 5 cm in front pass
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -34,6 +34,8 @@ from cloner.records.silhouettes import SilhouetteSet
 
 Array = NDArray[np.float64]
 
+HIDDEN_MM = 3.0  # this deep in the head nothing is seen
+
 
 @dataclass(frozen=True, slots=True)
 class Params:
@@ -138,14 +140,16 @@ def hair_mesh(
     field = np.where((volume >= params.smallest_piece * volume.max())[pieces] | (field <= 0.0), field, -1.0)
     field = np.pad(field, 1, constant_values=-1.0)
     points, faces, _, _ = marching_cubes(field, 0.0, gradient_direction="ascent")
+    hidden = (map_coordinates(skin_mm, (points - 1.0).T, order=1, mode="nearest") < -HIDDEN_MM)[faces].all(axis=1)
+    # The wall inside the head goes after the reduction: an open rim would fray in it.
+    target = int(params.triangles / max(1.0 - hidden.mean(), 0.1))
+    if len(faces) > target:
+        points, faces = simplify(points.astype(np.float64), faces.astype(np.int32), target_count=target)
     depth = map_coordinates(skin_mm, (points - 1.0).T, order=1, mode="nearest")
-    outer = faces[(depth[faces] > -3.0).any(axis=1)]  # the wall inside the head is never seen
+    outer = faces[(depth[faces] > -HIDDEN_MM).any(axis=1)]
     used, outer = np.unique(outer, return_inverse=True)
     vertices = low + (points[used].astype(np.float64) - 1.0) * VOXEL_M
-    outer = outer.reshape(-1, 3).astype(np.int32)
-    if len(outer) > params.triangles:
-        vertices, outer = simplify(vertices, outer, target_count=params.triangles)
-    return np.asarray(vertices, np.float64), np.asarray(outer, np.int32)
+    return vertices, outer.reshape(-1, 3).astype(np.int32)
 
 
 def dress_shell(
