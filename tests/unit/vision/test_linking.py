@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -91,7 +93,7 @@ def test_split_bounds_length_and_bend() -> None:
     points, first = split_curves([circle, corner], longest_px=30)
     assert first[0] == 0
     assert first[-1] == len(points) == 439
-    for a, b in zip(first[:-1], first[1:], strict=True):
+    for a, b in itertools.pairwise(first):
         run = points[a:b]
         assert b - a <= 30
         chord = run[-1] - run[0]
