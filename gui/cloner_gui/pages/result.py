@@ -43,7 +43,6 @@ class ResultPage(QWidget):
         session.busy_changed.connect(self._show_busy)
         session.progressed.connect(self._show_progress)
         self._show()
-        self._show_busy()
 
     def why_not(self) -> str:
         """Return why no page comes after this one."""
@@ -75,6 +74,7 @@ class ResultPage(QWidget):
         self.status.setText("" if outcome is None else f"Written to {outcome.folder.parent.name}/{outcome.folder.name}")
         self.warnings.setText("" if outcome is None else "\n".join(f"• {text}" for text in outcome.warnings))
         self.warnings.setVisible(bool(self.warnings.text()))
+        self._show_busy()
 
     def _show_busy(self) -> None:
         busy = self._session.busy
