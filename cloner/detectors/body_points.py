@@ -115,6 +115,13 @@ def propose_body_points(proposal: Proposal) -> ViewPoints:
     )
 
 
+def looks_right(pose_px: Array) -> bool:
+    """Whether a person seen from the side looks towards the image's right: nose against ears, toes against heels."""
+    head = pose_px[0, 0] - pose_px[[_LEFT_EAR, _RIGHT_EAR], 0].mean()
+    feet = pose_px[31:33, 0].mean() - pose_px[29:31, 0].mean()
+    return bool(head + 0.5 * feet > 0)
+
+
 def _is_seen(name: str, proposal: Proposal) -> bool:
     """Whether a feature can be seen at all in this view."""
     if name.startswith(("heel", "toe")):
@@ -122,9 +129,8 @@ def _is_seen(name: str, proposal: Proposal) -> bool:
     if proposal.view is ViewId.BODY_BACK:
         return name.startswith("ear")
     if proposal.view is ViewId.BODY_SIDE:
-        pose = proposal.pose_px
-        near = "R" if pose[31:33, 0].mean() > pose[29:31, 0].mean() else "L"
-        return name == "nose_tip" or name == f"ear_outer_{near}"
+        near = "R" if looks_right(proposal.pose_px) else "L"
+        return name in ("nose_tip", f"ear_outer_{near}", f"pupil_{near}")
     return True
 
 
@@ -228,7 +234,7 @@ def _side_points(proposal: Proposal, outline: _Outline, found: dict[str, tuple[A
     shoulders, hips = pose[11:13].mean(axis=0), pose[23:25].mean(axis=0)
     knees, ankles = pose[25:27].mean(axis=0), pose[27:29].mean(axis=0)
     ears = pose[7:9].mean(axis=0)
-    forward = float(np.sign(pose[31:33, 0].mean() - pose[29:31, 0].mean()))
+    forward = 1.0 if looks_right(pose) else -1.0
     side = "right" if forward > 0 else "left"
     levels = (
         ("neck_front", "neck_back", shoulders, ears, 0.45),

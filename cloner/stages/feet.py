@@ -31,8 +31,8 @@ class Params:
     """
 
     barefoot_m: float = 0.006
-    shod: tuple[float, float, float] = (1.12, 1.08, 0.05)
-    outline_mm: float = 15.0
+    shod: tuple[float, float, float] = (1.08, 1.08, 0.10)
+    outline_mm: float = 5.0
 
 
 @functools.cache
@@ -92,7 +92,7 @@ def fit_feet(mesh: BodyMesh, photos: tuple[Outlined, ...], sole_m: float, params
     shod = sole_m > params.barefoot_m
     start = closed_toes(mesh) if shod else mesh
     mean = np.array([params.shod[0], params.shod[1], 0.0]) if shod else np.array([1.0, 1.0, 0.0])
-    spread = np.array([params.shod[2], params.shod[2], 0.01])
+    spread = np.array([params.shod[2], params.shod[2], 0.015])
     size = mean.copy()
     on_feet = np.zeros(len(mesh.vertices_m), dtype=bool)
     on_feet[_feet()[0]] = _feet()[1] > 0.6
@@ -107,7 +107,7 @@ def fit_feet(mesh: BodyMesh, photos: tuple[Outlined, ...], sole_m: float, params
             for photo, one, rim in zip(photos, seen, rims, strict=True):
                 posed = np.einsum("vab,vb->va", one.blended[rim, :, :3], vertices[rim]) + one.blended[rim, :, 3]
                 gap = photo.field.signed_distance(photo.posed.camera.project(posed)) * one.mm_per_px / params.outline_mm
-                parts.append(np.tanh(gap) / np.sqrt(max(len(rim) / 40.0, 1.0)))
+                parts.append(3.0 * np.tanh(gap / 3.0) / np.sqrt(max(len(rim) / 40.0, 1.0)))
             return np.concatenate(parts)
 
         value = residual(size)

@@ -67,7 +67,7 @@ class Params:
     hair_spread_mm: float = 8.0
     sole_m: float = 0.022
     sole_spread_m: float = 0.008
-    camera_degrees: tuple[float, float, float] = (1.5, 8.0, 2.0)
+    camera_degrees: tuple[float, float, float] = (1.5, 4.0, 2.0)
     camera_share: tuple[float, float, float] = (0.1, 0.1, 0.15)
     shapes: tuple[int, ...] = (6, 12, 24, 30, 30)
     turns_per_round: int = 3

@@ -16,7 +16,8 @@ from cloner.frames import ViewId
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.results import StageResult
-from cloner.vision.masks import head_hair_labels, refine_mask
+from cloner.vision.hair import head_hair_labels
+from cloner.vision.masks import refine_mask
 
 #: A face-mesh presence below this is no face (the net's own score, measured on the sample visitors: 1.0).
 FACE_PRESENCE = 0.5
@@ -62,7 +63,7 @@ def propose(photo: Photo) -> Proposal:
     seen = face is not None and face.presence >= FACE_PRESENCE
     points: NDArray[np.float64] = np.asarray(face.points_px, dtype=np.float64) if seen else np.zeros((468, 2))
     depth: NDArray[np.float64] = np.asarray(face.depth_px, dtype=np.float64) if seen else np.zeros(468)
-    labels = head_hair_labels(photo.rgb, mask, points if seen else None, photo.view)
+    labels = head_hair_labels(photo.rgb, mask, points if seen else None, photo.view, pose_points=pose.points_px)
     return Proposal(
         photo.view,
         pose.points_px,

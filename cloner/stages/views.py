@@ -96,13 +96,8 @@ def level_camera(
 
 
 def side_shown(points: ViewPoints) -> str:
-    """Return which side of the person a side photo shows, from where the feet point."""
-    forward = [
-        toe[0] - heel[0]
-        for side in ("left", "right")
-        if (toe := points.get(f"toe_{side}")) is not None and (heel := points.get(f"heel_{side}")) is not None
-    ]
-    return "left" if forward and float(np.mean(forward)) < 0 else "right"
+    """Return which side of the person a side photo shows: the one whose ear was found."""
+    return "left" if "ear_outer_L" in points.names else "right"
 
 
 def run(*, photos: PhotoSet, body_points: BodyPoints, person: Person, tick: object, rng: object) -> StageResult:
