@@ -6,6 +6,7 @@ STAMP := $(VENV)/.installed
 
 export OMP_NUM_THREADS ?= 2
 export QT_QPA_PLATFORM ?= offscreen
+export CLONER_NODE_MODULES ?= $(CURDIR)/.cache/npm
 
 .PHONY: demo test quick lint types contracts bench clean environment
 

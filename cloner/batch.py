@@ -143,7 +143,7 @@ def _one(
         return BatchRow(identifier, "failed", time.perf_counter() - start, 0, str(error))
     except Cancelled:
         raise
-    except Exception as error:  # noqa: BLE001 - one visitor's defect must not end a night's batch
+    except Exception as error:  # one visitor's defect must not end a night's batch
         log.exception("%s failed", identifier)
         message = f"a defect of Cloner ({type(error).__name__}); run it alone with --verbose and report it"
         return BatchRow(identifier, "failed", time.perf_counter() - start, 0, message)

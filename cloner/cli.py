@@ -34,7 +34,9 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
-HeightOption = Annotated[float | None, typer.Option("--height-cm", help="Barefoot height in cm; wins over person.toml.")]
+HeightOption = Annotated[
+    float | None, typer.Option("--height-cm", help="Barefoot height in cm; wins over person.toml.")
+]
 FormatOption = Annotated[str, typer.Option("--format", help="Formats to write, with commas: glb,wrl,obj,ply.")]
 SeedOption = Annotated[int, typer.Option("--seed", help="The same photos and seed give the same clone.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder that receives the results.")]
@@ -123,12 +125,15 @@ def _evaluate(
     visitors: Annotated[list[Path], typer.Argument(help="Folders of visitors with truth, such as samples/anna.")],
     sets: Annotated[list[str] | None, typer.Option("--set", help="plain, booth or handheld; all by default.")] = None,
     out: Annotated[Path | None, typer.Option("--out", help="Keep the clones in this folder.")] = None,
+    seed: SeedOption = 0,
     as_json: Annotated[bool, typer.Option("--json", help="Print the rows as JSON.")] = False,
 ) -> None:
     """Score clones of visitors whose truth is known."""
     from cloner.evaluate import evaluate_visitors, format_table
+    from cloner.evaluate.truth import SETS
 
-    rows = evaluate_visitors(visitors, sets, out)
+    with ProgressLine() as progress:
+        rows = evaluate_visitors(visitors, tuple(sets or SETS), out, progress=progress, seed=seed)
     typer.echo(json.dumps(rows, indent=1) if as_json else format_table(rows))
 
 

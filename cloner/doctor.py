@@ -19,6 +19,7 @@ from typing import Final
 #: Import name -> distribution, in the order of pyproject.toml.
 LIBRARIES: Final = {
     "ai_edge_litert": "ai-edge-litert",
+    "fast_simplification": "fast-simplification",
     "numpy": "numpy",
     "cv2": "opencv-contrib-python-headless",
     "PIL": "pillow",
@@ -78,7 +79,7 @@ def examine() -> tuple[Finding, ...]:
     """Look at everything Cloner needs; changes nothing."""
     checks: tuple[Callable[[], Finding], ...] = (
         _python,
-        *((lambda name=name: _library(name)) for name in LIBRARIES),  # type: ignore[misc]
+        *((lambda name=name: _library(name)) for name in LIBRARIES),
         _heic,
         _models,
         _rendering,

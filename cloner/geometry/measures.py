@@ -52,7 +52,9 @@ class TapeRules:
     leg_joints: NDArray[np.int32]
 
     def __post_init__(self) -> None:
-        triangles = {name: (np.int32, (None, 3)) for name in ("torso", "left_leg", "right_leg", "left_arm", "right_arm")}
+        triangles = {
+            name: (np.int32, (None, 3)) for name in ("torso", "left_leg", "right_leg", "left_arm", "right_arm")
+        }
         freeze(self, **triangles, arm_joints=(np.int32, (2, 2)), leg_joints=(np.int32, (2, 2)))
 
 
@@ -130,9 +132,13 @@ def girths_mm(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str,
     found["hip"] = max(hips)
     found["waist_min"] = min(torso(height) for height in np.arange(hip_m, level["underbust"], SEARCH_STEP_M))
     legs = (around(rules.left_leg), around(rules.right_leg))
-    thighs = [leg(float(vertices_m[list(rows), 1].mean())) for leg, rows in zip(legs, rules.thigh_vertices, strict=True)]
+    thighs = [
+        leg(float(vertices_m[list(rows), 1].mean())) for leg, rows in zip(legs, rules.thigh_vertices, strict=True)
+    ]
     found["thigh"] = float(np.mean(thighs))
-    found["calf"] = float(np.mean([_calf(leg, joints_m[pair]) for leg, pair in zip(legs, rules.leg_joints, strict=True)]))
+    found["calf"] = float(
+        np.mean([_calf(leg, joints_m[pair]) for leg, pair in zip(legs, rules.leg_joints, strict=True)])
+    )
     arms = zip((rules.left_arm, rules.right_arm), rules.arm_joints, strict=True)
     found["upper_arm"] = float(np.mean([_arm(vertices_m, arm, joints_m[pair]) for arm, pair in arms]))
     return {name: found[name] for name in GIRTH_NAMES}

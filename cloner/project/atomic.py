@@ -36,7 +36,9 @@ def write_text(path: Path, text: str) -> None:
         temporary.replace(path)
     except OSError as error:
         temporary.unlink(missing_ok=True)
-        raise ClonerError("the file cannot be written", "Check the folder's permissions and space", path.name) from error
+        raise ClonerError(
+            "the file cannot be written", "Check the folder's permissions and space", path.name
+        ) from error
 
 
 @contextlib.contextmanager

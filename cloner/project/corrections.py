@@ -22,9 +22,7 @@ def no_corrections() -> Corrections:
     return Corrections(points={})
 
 
-def move_point(
-    corrections: Corrections, view: ViewId, name: str, x_px: float, y_px: float, digest: str
-) -> Corrections:
+def move_point(corrections: Corrections, view: ViewId, name: str, x_px: float, y_px: float, digest: str) -> Corrections:
     """Return corrections in which one point lies at the given place.
 
     Parameters

@@ -206,7 +206,9 @@ def _person_table(path: Path) -> Mapping[str, Any]:
     try:
         data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
     except tomllib.TOMLDecodeError as error:
-        raise ClonerError(f"this is not valid TOML ({error})", "Write lines like: height_cm = 172", path.name) from error
+        raise ClonerError(
+            f"this is not valid TOML ({error})", "Write lines like: height_cm = 172", path.name
+        ) from error
     except (OSError, UnicodeDecodeError) as error:
         raise ClonerError("the file cannot be read as text", "Check it or move it away", path.name) from error
     unknown = sorted(set(data) - _PERSON_KEYS)

@@ -28,14 +28,22 @@ from cloner.report.agreement import Agreement, agreements
 
 FORMAT: Final = 1
 LIBRARIES: Final = (
-    "numpy", "scipy", "opencv-contrib-python-headless", "pillow", "scikit-image", "trimesh", "pyrender", "PyOpenGL",
-    "pygltflib", "ai-edge-litert",
+    "numpy",
+    "scipy",
+    "opencv-contrib-python-headless",
+    "pillow",
+    "scikit-image",
+    "trimesh",
+    "pyrender",
+    "PyOpenGL",
+    "pygltflib",
+    "ai-edge-litert",
 )
 #: Spread of adult stature when none was given, one standard deviation over both sexes, metres (ANSUR II: 0.09).
 UNKNOWN_STATURE_M: Final = 0.09
 GIRTH_NOTE: Final = (
-    "Around the outline that the photos show, so over clothes. The ± is one standard deviation: the outline's residual, the "
-    "level, and the errors measured on two synthetic visitors in clothes. It is an estimate, not a guarantee."
+    "Around the outline that the photos show, so over clothes. The ± is one standard deviation: the outline's "
+    "residual, the level, and the errors measured on two synthetic visitors in clothes. It is an estimate, not a guarantee."
 )
 NO_BODY_NOTE: Final = "There was no body photo: these are the girths of a generic body, not of this person."
 
@@ -255,5 +263,3 @@ def _timings(run: Run) -> dict[str, Any]:
 
 def _rounded(point: Any, digits: int) -> list[float]:
     return [round(float(value), digits) for value in point]
-
-

@@ -77,7 +77,9 @@ def _pictures(files: Iterable[str]) -> str:
     previews.sort(key=_place)
     found = [file for file in previews if "overlay" in file]
     shown = [file for file in previews if file not in found]
-    folded = f"<details><summary>Points and outlines in the photos</summary>{_figures(found)}</details>" if found else ""
+    folded = (
+        f"<details><summary>Points and outlines in the photos</summary>{_figures(found)}</details>" if found else ""
+    )
     return f"<h2>Pictures</h2>{_figures(shown)}{folded}" if shown else ""
 
 
@@ -100,9 +102,7 @@ def _body(report: Mapping[str, Any]) -> str:
         (_words(name), _number(girth["value"]), "" if girth["plus_minus"] is None else f"± {girth['plus_minus']:.0f}")
         for name, girth in girths["values"].items()
     ]
-    sides = [
-        f"{_words(view)} shows the {side} side" for view, side in report["side_shown"].items() if side is not None
-    ]
+    sides = [f"{_words(view)} shows the {side} side" for view, side in report["side_shown"].items() if side is not None]
     shown = f"<p>{escape('; '.join(sides))}.</p>" if sides else ""
     note = f"<p>{escape(girths['note'])}</p>"
     return f"<h2>Measures</h2>{_table(('girth', 'mm', ''), rows, caption='')}{note}{shown}"
@@ -127,17 +127,23 @@ def _features(features: Mapping[str, Any], segments: Mapping[str, Any]) -> str:
     for view, named in features.items():
         corrected = sum(point["source"] == "corrected" for point in named.values())
         rows = [
-            (_words(name), _number(point["x_px"]), _number(point["y_px"]), f"{point['confidence']:.2f}", point["source"])
+            (
+                _words(name),
+                _number(point["x_px"]),
+                _number(point["y_px"]),
+                f"{point['confidence']:.2f}",
+                str(point["source"]),
+            )
             for name, point in named.items()
         ]
         title = f"{_words(view)}: {len(named)} points, {corrected} corrected"
         table = _table(("point", "x px", "y px", "confidence", "source"), rows, caption="")
         parts.append(f"<details><summary>{escape(title)}</summary>{table}</details>")
     for view, pieces in segments.items():
-        rows = [(piece["segment"], piece["source"], f"{piece['goodness']:.2f}") for piece in pieces]
+        lines = [(str(piece["segment"]), str(piece["source"]), f"{piece['goodness']:.2f}") for piece in pieces]
         linked = sum(piece["source"] == "edges" for piece in pieces)
         title = f"{_words(view)}: {linked} of {len(pieces)} outline pieces from edges"
-        table = _table(("piece", "source", "goodness"), rows, caption="")
+        table = _table(("piece", "source", "goodness"), lines, caption="")
         parts.append(f"<details><summary>{escape(title)}</summary>{table}</details>")
     return "<h2>Points and outlines</h2>" + "".join(parts) if parts else ""
 

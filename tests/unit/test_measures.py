@@ -8,7 +8,14 @@ import trimesh
 
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import GIRTH_NAMES, MEASURED_SHARE, girth_mm, girth_uncertainty_mm, girths_mm, slice_points
+from cloner.geometry.measures import (
+    GIRTH_NAMES,
+    MEASURED_SHARE,
+    girth_mm,
+    girth_uncertainty_mm,
+    girths_mm,
+    slice_points,
+)
 
 UP = np.array([0.0, 1.0, 0.0])
 
@@ -29,7 +36,8 @@ def test_a_cylinder_has_its_circumference() -> None:
 
 def test_the_tape_bridges_hollows() -> None:
     vertices_m, triangles = cylinder(0.1)
-    pair = np.concatenate([vertices_m - [0.15, 0, 0], vertices_m + [0.15, 0, 0]])
+    aside = np.array([0.15, 0.0, 0.0])
+    pair = np.concatenate([vertices_m - aside, vertices_m + aside])
     both = np.concatenate([triangles, triangles + len(vertices_m)]).astype(np.int32)
     assert girth_mm(pair, both, np.zeros(3), UP) == pytest.approx(2 * np.pi * 100 + 2 * 300, rel=1e-3)
 
@@ -43,14 +51,19 @@ def test_a_plane_that_misses_gives_nothing() -> None:
 def test_girths_of_the_generic_human_are_human_and_scale_with_it() -> None:
     generic = load_generic()
     rules = load_tape_rules()
-    small, large = (
-        girths_mm(*generic.shape(np.zeros(0), stature_m), rules) for stature_m in (1.5, 1.8)
-    )
+    small, large = (girths_mm(*generic.shape(np.zeros(0), stature_m), rules) for stature_m in (1.5, 1.8))
     assert tuple(small) == GIRTH_NAMES
     for name in GIRTH_NAMES:
         assert large[name] == pytest.approx(small[name] * 1.2, rel=0.01), name
-    bounds = {"neck": (280, 450), "chest": (750, 1100), "waist": (600, 1050), "hip": (800, 1150), "thigh": (400, 700),
-              "calf": (280, 450), "upper_arm": (200, 400)}
+    bounds = {
+        "neck": (280, 450),
+        "chest": (750, 1100),
+        "waist": (600, 1050),
+        "hip": (800, 1150),
+        "thigh": (400, 700),
+        "calf": (280, 450),
+        "upper_arm": (200, 400),
+    }
     for name, (low, high) in bounds.items():
         assert low < large[name] < high, name
     assert large["waist_min"] <= large["waist"]

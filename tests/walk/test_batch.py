@@ -54,7 +54,9 @@ def test_one_failure_does_not_stop_the_rest(visitors: Path, tmp_path: Path, clon
     fractions: list[float] = []
     rows = batch.batch_folder(visitors, out, progress=lambda step, fraction: fractions.append(fraction))
     assert [(row.identifier, row.status) for row in rows] == [
-        ("anna", "cloned"), ("carl", "failed"), ("day-2-boris", "cloned"),
+        ("anna", "cloned"),
+        ("carl", "failed"),
+        ("day-2-boris", "cloned"),
     ]
     assert "body_front.jpg: no person found. Retake it" in rows[1].message
     assert fractions == sorted(fractions)

@@ -171,7 +171,10 @@ def test_stopping_leaves_nothing(tmp_path: Path, samples: Path, number: signal.S
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     process = subprocess.Popen(
         [*command, str(samples / "anna" / "plain"), "--out", str(out)],
-        env=environment, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+        env=environment,
+        stderr=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        text=True,
     )
     deadline = time.monotonic() + 60
     while not list(out.glob(".*.partial-*")) and time.monotonic() < deadline and process.poll() is None:

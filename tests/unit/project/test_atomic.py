@@ -30,12 +30,16 @@ def test_a_result_appears_only_at_the_end(tmp_path: Path) -> None:
     assert (out / "anna" / "report.json").read_text() == "x"
 
 
+def fail_half_way(folder: Path, error: BaseException) -> None:
+    (folder / "clone.glb").write_text("half")
+    raise error
+
+
 @pytest.mark.parametrize("error", [KeyboardInterrupt(), ClonerError("m", "h", "w"), RuntimeError("defect")])
 def test_failure_leaves_nothing_not_even_the_folder_it_made(tmp_path: Path, error: BaseException) -> None:
     out = tmp_path / "deep" / "out"
     with pytest.raises(type(error)), result_folder(out, "anna") as folder:
-        (folder / "clone.glb").write_text("half")
-        raise error
+        fail_half_way(folder, error)
     assert list(tmp_path.iterdir()) == []
 
 

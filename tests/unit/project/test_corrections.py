@@ -80,7 +80,9 @@ def test_malformed_files_are_refused(text: str, words: str) -> None:
     assert "proposals" in caught.value.hint
 
 
-@pytest.mark.parametrize(("x_px", "y_px", "inside"), [(-0.5, 0, True), (79.5, 99.5, True), (79.6, 0, False), (0, -1, False)])
+@pytest.mark.parametrize(
+    ("x_px", "y_px", "inside"), [(-0.5, 0, True), (79.5, 99.5, True), (79.6, 0, False), (0, -1, False)]
+)
 def test_points_off_the_photo_are_refused(x_px: float, y_px: float, inside: bool) -> None:
     if inside:
         assert edits.check_against(corrected(x_px, y_px), photo_set()) == ()
