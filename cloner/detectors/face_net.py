@@ -1,0 +1,63 @@
+"""What the calibration knows about the face net's points, as read from ``face_net.npz``."""
+
+from __future__ import annotations
+
+import functools
+import importlib.resources
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.detectors.profile import Template
+from cloner.geometry.surface import SurfacePoints
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FaceNet:
+    """Places of the net's points on the generic head, and rules for named points.
+
+    Attributes
+    ----------
+    places : SurfacePoints
+        468 places on the generic human's vertices.
+    sigma_m : (468,) float64
+        Spread of each place along one picture axis, metres, over random heads.
+    names : tuple of str
+    rules : (K, 468) float64
+        Weights that make named points from net points, rows sum to one.
+    rule_error : (K,) float64
+        Root-mean-square error of each rule as a share of the eye distance.
+    template : Template
+        Midline profile of the mean head.
+    """
+
+    places: SurfacePoints
+    sigma_m: Array
+    names: tuple[str, ...]
+    rules: Array
+    rule_error: Array
+    template: Template
+
+
+@functools.cache
+def load_face_net() -> FaceNet:
+    """Return the shipped calibration, read once per process (made by ``calibrate_face_net.py``)."""
+    place = importlib.resources.files("cloner_models") / "face_net.npz"
+    with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
+        data = {name: archive[name] for name in archive.files}
+    template = Template(
+        data["profile_m"].astype(np.float64),
+        tuple(str(n) for n in data["profile_names"]),
+        data["profile_landmarks_m"].astype(np.float64),
+    )
+    return FaceNet(
+        SurfacePoints(data["corners"], data["weights"].astype(np.float64)),
+        data["sigma_m"].astype(np.float64),
+        tuple(str(n) for n in data["named"]),
+        data["rules"].astype(np.float64),
+        data["rule_error_iod"].astype(np.float64),
+        template,
+    )

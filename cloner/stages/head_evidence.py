@@ -1,0 +1,220 @@
+"""What the head fit knows: the phenotype's generic head, and the evidence of the face photos."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.detectors.face_net import FaceNet, load_face_net
+from cloner.detectors.profile import front_contour, outline
+from cloner.frames import ViewId, focal_px_from_35mm
+from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
+from cloner.geometry.contour_match import contour_normals
+from cloner.geometry.surface import SurfacePoints
+from cloner.records.bodies import Phenotype
+from cloner.records.photos import Photo
+from cloner.records.points import FacePoints, Proposals, ViewPoints
+from cloner.records.results import Residual
+from cloner.records.silhouettes import SilhouetteSet
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """Expected errors and sizes.
+
+    Attributes
+    ----------
+    focal_35mm : float
+        Stated default for face photos without EXIF, mm.
+    presence : float
+        Least presence of a face that is used.
+    net_floor_m : float
+        Error of a net point on a photo beyond its spread on painted heads (measured on the sample visitors).
+    together : float
+        Net points err together; their sigmas grow by this much in the shape fit, where hundreds add up.
+    named_m, corrected_m : float
+        Expected errors of proposed profile points and of an operator's points.
+    contour_m : float
+        Expected error of the profile contour.
+    reach_m : float
+        A correction moves the net's points around it, fading with this distance.
+    yaw, tip : float
+        Expected deviation of the side photo from an exact profile, radians: about the vertical, and sideways.
+    relief_m, bend_m, limit_m : float
+        Prior of the DFFD displacements (see ``solve_relief``).
+    body_scale, own_scale : float
+        Relative errors of the head's size from the body photo, and of the phenotype's own head.
+    scale_limit : float
+        The head's size never departs further from the phenotype's.
+    """
+
+    focal_35mm: float = 70.0
+    presence: float = 0.5
+    net_floor_m: float = 0.0010
+    together: float = 2.5
+    named_m: float = 0.004
+    corrected_m: float = 0.0008
+    contour_m: float = 0.0010
+    reach_m: float = 0.010
+    yaw: float = 0.10
+    tip: float = 0.06
+    relief_m: float = 0.004
+    bend_m: float = 0.0012
+    limit_m: float = 0.010
+    body_scale: float = 0.02
+    own_scale: float = 0.035
+    scale_limit: float = 0.12
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Model:
+    """The generic head of the phenotype: rest vertices (V, 3), basis (F, H, 3) and where head rows are."""
+
+    generic: GenericHuman
+    net: FaceNet
+    vertices_m: Array
+    joints_m: Array
+    basis_m: Array
+    row: NDArray[np.int64]
+
+    def head(self, coefficients: Array) -> Array:
+        """Return the (H, 3) head vertices of some coefficients."""
+        return self.vertices_m[self.generic.head_vertices] + np.tensordot(coefficients, self.basis_m, axes=1)
+
+    def whole(self, head: Array) -> Array:
+        """Return (V, 3) vertices with the head's replaced."""
+        out = self.vertices_m.copy()
+        out[self.generic.head_vertices] = head
+        return out
+
+    def places(self, surface: SurfacePoints) -> tuple[Array, Array]:
+        """Return base (N, 3) and basis (F, N, 3) of surface points."""
+        rows = SurfacePoints(self.row[surface.corners].astype(np.int32), surface.weights)
+        basis = np.einsum("nk,fnka->fna", rows.weights, self.basis_m[:, rows.corners])
+        return surface.at(self.vertices_m), basis
+
+    def vertex_places(self, vertices: NDArray[np.integer]) -> tuple[Array, Array]:
+        """Return base (N, 3) and basis (F, N, 3) of vertices."""
+        return self.vertices_m[vertices], self.basis_m[:, self.row[vertices]]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Front:
+    """The front photo's evidence: net points moved by corrections, and the corrected named points."""
+
+    view: ViewId
+    net_px: Array
+    vertices: NDArray[np.int64]
+    points_px: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Side:
+    """The side photo's evidence: named points, their sigmas (m), contour and its normals; +1 looks to image right."""
+
+    facing: int
+    names: tuple[str, ...]
+    vertices: NDArray[np.int64]
+    points_px: Array
+    sigma_m: Array
+    contour_px: Array
+    normals_px: Array
+
+
+@dataclass(slots=True)
+class Log:
+    """Residuals and warnings gathered on the way."""
+
+    residuals: list[Residual] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
+
+
+def make_model(phenotype: Phenotype) -> Model:
+    """Return the phenotype's generic head."""
+    generic = load_generic()
+    vertices, joints = generic.shape(phenotype.coefficients, phenotype.stature_m)
+    row = np.full(len(vertices), -1, dtype=np.int64)
+    row[generic.head_vertices] = np.arange(len(generic.head_vertices))
+    basis = generic.face_basis.astype(np.float64) * (phenotype.stature_m / GENERIC_STATURE_M)
+    return Model(generic, load_face_net(), vertices, joints, basis, row)
+
+
+def read_front(model: Model, proposals: Proposals, points: FacePoints, params: Params) -> Front | None:
+    """Return the evidence of the best front photo: the face photo, else the face in the body photo."""
+    for view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
+        proposal = proposals.views.get(view)
+        if proposal is None or proposal.face_presence < params.presence:
+            continue
+        named = points.views.get(view)
+        net_px, vertices, fixed = np.array(proposal.face_px), np.zeros(0, dtype=np.int64), np.zeros((0, 2))
+        if named is not None and named.corrected.any():
+            vertices, fixed = _corrected(model, named)
+            net_px = _pulled(model, net_px, vertices, fixed, params)
+        return Front(view, net_px, vertices, fixed)
+    return None
+
+
+def _corrected(model: Model, named: ViewPoints) -> tuple[NDArray[np.int64], Array]:
+    """Return vertices and pixels of the operator's points that the generic head knows."""
+    known = [k for k, n in enumerate(named.names) if named.corrected[k] and n in model.generic.feature_names]
+    vertices = np.array([model.generic.feature(named.names[k]) for k in known], dtype=np.int64)
+    return vertices, np.array(named.points_px[known]).reshape(-1, 2)
+
+
+def _pulled(model: Model, net_px: Array, vertices: NDArray[np.int64], fixed: Array, params: Params) -> Array:
+    """Return net points that follow the corrections near them, fading with the distance on the head."""
+    places = model.net.places.at(model.vertices_m)
+    out = net_px.copy()
+    for vertex, place in zip(vertices, fixed, strict=True):
+        names = [n for n in model.net.names if model.generic.feature(n) == vertex]
+        if not names:
+            continue
+        proposed = model.net.rules[model.net.names.index(names[0])] @ net_px
+        away = np.linalg.norm(places - model.vertices_m[vertex], axis=1)
+        out += np.exp(-0.5 * (away / params.reach_m) ** 2)[:, None] * (place - proposed)
+    return out
+
+
+def read_side(
+    model: Model, proposals: Proposals, silhouettes: SilhouetteSet, points: FacePoints, params: Params
+) -> Side | None:
+    """Return the side photo's evidence, or None without a usable profile."""
+    named = points.views.get(ViewId.FACE_SIDE)
+    if named is None or "nose_tip" not in named.names:
+        return None
+    known = [k for k, n in enumerate(named.names) if n in model.generic.feature_names and named.confidence[k] > 0.05]
+    if len(known) < 4:
+        return None
+    silhouette = silhouettes.views.get(ViewId.FACE_SIDE)
+    mask = proposals.views[ViewId.FACE_SIDE].mask
+    if silhouette is not None:
+        mask = np.where(silhouette.mask, np.uint8(255), np.uint8(0))
+    contour = outline(mask)
+    if len(contour) < 50:
+        return None
+    tip = named.points_px[named.names.index("nose_tip")]
+    near = contour[np.abs(contour[:, 1] - tip[1]) < 0.1 * np.ptp(contour[:, 1])]
+    facing = 1 if tip[0] > near[:, 0].mean() else -1
+    spread = params.named_m / np.sqrt(np.maximum(named.confidence[known], 0.05))
+    sigma = np.where(named.corrected[known], params.corrected_m, spread)
+    vertices = np.array([model.generic.feature(named.names[k]) for k in known], dtype=np.int64)
+    low = named.points_px[known, 1].max() + 0.1 * np.ptp(named.points_px[known, 1])
+    normals = contour_normals(contour)
+    front = front_contour(np.hstack([contour, normals]), facing, low)
+    return Side(
+        facing, tuple(named.names[k] for k in known), vertices, np.array(named.points_px[known]), sigma,
+        front[:, :2], front[:, 2:],
+    )  # fmt: skip
+
+
+def focal_px(photo: Photo, params: Params, log: Log) -> float:
+    """Return the photo's focal length in px, from EXIF or the stated default."""
+    known = photo.focal_35mm is not None and photo.focal_35mm > 0
+    if not known:
+        log.warnings.append(f"{photo.view}: no focal length in the photo; {params.focal_35mm:.0f} mm is assumed")
+    focal = photo.focal_35mm if known and photo.focal_35mm is not None else params.focal_35mm
+    return focal_px_from_35mm(focal, photo.width_px, photo.height_px)

@@ -1,0 +1,233 @@
+"""Steps of the head fit: cameras, shape coefficients, relief, size and the rigid parts."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_matrix
+
+from cloner.generic.head_controls import HeadControls
+from cloner.geometry.contour_match import foremost, match
+from cloner.geometry.dffd import deform
+from cloner.geometry.relief import Leftover, solve_relief
+from cloner.geometry.resection import facing_camera, resect
+from cloner.geometry.shape_fit import Evidence, ShapeFit, fit_shape
+from cloner.geometry.sockets import seat_eyeball, similarity
+from cloner.geometry.surface import SurfacePoints
+from cloner.records.views import Camera
+from cloner.stages.head_evidence import Front, Model, Params, Side
+
+Array = NDArray[np.float64]
+
+#: Iterations of the joint fit; the profile's curve joins after the named points have found the pose.
+ITERATIONS, CURVE_FROM = 12, 4
+#: A contour point farther than this from the model's profile is none of its; shrinks over the iterations, metres.
+GATES_M = (0.015, 0.006)
+LEVEL_M = 0.003
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Fitted:
+    """Head vertices (H, 3) in the rest frame and the cameras of front and side evidence."""
+
+    head_m: Array
+    front: Camera | None
+    side: Camera | None
+
+
+def start_cameras(model: Model, front: Front | None, side: Side | None, sizes: dict[str, tuple[int, int, float]]
+                  ) -> tuple[Camera | None, Camera | None]:  # fmt: skip
+    """Return first cameras from the generic head; ``sizes`` holds width, height and focal px of "front" and "side"."""
+    front_camera = side_camera = None
+    if front is not None:
+        width, height, focal = sizes["front"]
+        places = model.net.places.at(model.vertices_m)
+        first = facing_camera(places, front.net_px, azimuth=0.0, focal_px=focal, width_px=width, height_px=height)
+        sigma = _net_sigma(model, Params()) * focal / first.to_camera(places)[:, 2].mean()
+        front_camera = resect(places, front.net_px, first, sigma_px=sigma).camera
+    if side is not None:
+        width, height, focal = sizes["side"]
+        points = model.vertices_m[side.vertices]
+        azimuth = -side.facing * np.pi / 2.0
+        first = facing_camera(points, side.points_px, azimuth=azimuth, focal_px=focal, width_px=width, height_px=height)
+        sigma = side.sigma_m * focal / first.to_camera(points)[:, 2].mean()
+        tight = np.array([0.02, 0.02, 0.3])
+        side_camera = resect(points, side.points_px, first, sigma_px=sigma, turn_sigma=tight).camera
+    return front_camera, side_camera
+
+
+def _net_sigma(model: Model, params: Params) -> Array:
+    return np.sqrt(model.net.sigma_m**2 + params.net_floor_m**2)
+
+
+def profile_candidates(model: Model) -> NDArray[np.int64]:
+    """Return face vertices near the middle that can form the side outline, brow to chin."""
+    v, generic = model.vertices_m, model.generic
+    low = v[generic.feature("chin_bottom"), 1] - 0.004
+    high = v[generic.feature("glabella"), 1] + 0.012
+    inside = generic.region("mouth_interior")
+    wanted = (np.abs(v[:, 0]) < 0.025) & (v[:, 1] > low) & (v[:, 1] < high) & ~inside
+    wanted &= (generic.vertex_part == generic.part_names.index("body")) & (model.row >= 0)
+    wanted &= v[:, 2] > v[generic.feature("eye_outer_L"), 2] - 0.01
+    return np.flatnonzero(wanted)
+
+
+def outline_vertices(whole: Array, candidates: NDArray[np.int64], camera: Camera, facing: int) -> NDArray[np.int64]:
+    """Return the candidates that lie foremost at their level of the side photo."""
+    step = LEVEL_M / camera.metres_per_pixel(whole[candidates].mean(axis=0))
+    return candidates[foremost(camera.project(whole[candidates]), facing, step_px=step)]
+
+
+def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) -> list[Evidence]:
+    metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
+    base, basis = model.places(model.net.places)
+    sigma = params.together * _net_sigma(model, params) / metres
+    out = [Evidence(0, base, basis, front.net_px, sigma)]
+    if len(front.vertices):
+        base, basis = model.vertex_places(front.vertices)
+        sigma = np.full(len(front.vertices), params.corrected_m / metres)
+        out.append(Evidence(0, base, basis, front.points_px, sigma, outlier=8.0))
+    return out
+
+
+def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, index: int, params: Params,
+                   candidates: NDArray[np.int64]) -> list[Evidence]:  # fmt: skip
+    camera = fit.cameras[index]
+    metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
+    base, basis = model.vertex_places(side.vertices)
+    curve = iteration >= CURVE_FROM
+    loose = np.where(side.sigma_m > params.corrected_m, 2.0 if curve else 1.0, 1.0)
+    out = [Evidence(index, base, basis, side.points_px, loose * side.sigma_m / metres)]
+    if curve:
+        whole = model.whole(model.head(fit.coefficients))
+        vertices = outline_vertices(whole, candidates, camera, side.facing)
+        gate = GATES_M[0 if iteration < ITERATIONS - 4 else 1] / metres
+        kept, target, normal = match(camera.project(whole[vertices]), side.contour_px, side.normals_px, gate_px=gate)
+        base, basis = model.vertex_places(vertices[kept])
+        sigma = np.full(len(kept), 1.5 * params.contour_m / metres)
+        out.append(Evidence(index, base, basis, target, sigma, normal_px=normal))
+    return out
+
+
+def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tuple[Camera | None, Camera | None],
+              params: Params) -> tuple[Array, Fitted]:  # fmt: skip
+    """Return the basis coefficients (F,) and the fitted head, from all evidence together."""
+    present = tuple(c for c in cameras if c is not None)
+    if not present:
+        return np.zeros(len(model.basis_m)), Fitted(model.head(np.zeros(len(model.basis_m))), None, None)
+    side_index = len(present) - 1
+    turn_sigma = np.full((len(present), 3), np.inf)
+    if side is not None:
+        turn_sigma[side_index] = [params.tip, params.yaw, np.inf]
+    candidates = profile_candidates(model)
+
+    def gather(fit: ShapeFit, iteration: int) -> list[Evidence]:
+        found: list[Evidence] = []
+        if front is not None:
+            found += _front_evidence(model, front, fit.cameras[0], params)
+        if side is not None:
+            found += _side_evidence(model, side, fit, iteration, side_index, params, candidates)
+        return found
+
+    start = ShapeFit(np.zeros(len(model.basis_m)), present, np.zeros((len(present), 3)))
+    fit = fit_shape(start, gather, turn_sigma=turn_sigma, iterations=ITERATIONS)
+    front_camera = fit.cameras[0] if front is not None else None
+    side_camera = fit.cameras[side_index] if side is not None else None
+    return fit.coefficients, Fitted(model.head(fit.coefficients), front_camera, side_camera)
+
+
+def _rows(weights: csr_matrix, model: Model, surface: SurfacePoints, movable: NDArray[np.bool_]) -> csr_matrix:
+    """Return the (N, K) weights of surface points on the movable controls."""
+    rows = model.row[surface.corners]
+    place = csr_matrix(
+        (surface.weights.ravel(), (np.repeat(np.arange(len(rows)), 3), rows.ravel())), shape=(len(rows), weights.shape[0])
+    )
+    return csr_matrix((place @ weights)[:, np.flatnonzero(movable)])
+
+
+def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | None, controls: HeadControls,
+               params: Params) -> tuple[Fitted, Array]:  # fmt: skip
+    """Return the head after DFFD of what the basis left over, and all controls' displacements (K, 3)."""
+    whole = model.whole(fitted.head_m)
+    left: list[Leftover] = []
+    if front is not None and fitted.front is not None:
+        left += _front_leftovers(model, whole, fitted.front, front, controls, params)
+    if side is not None and fitted.side is not None:
+        left += _side_leftovers(model, whole, fitted.side, side, controls, params)
+    moved = np.zeros((len(controls.names), 3))
+    if left:
+        moved[controls.movable] = solve_relief(
+            controls.controls_m[controls.movable], left,
+            size_m=params.relief_m, bend_m=params.bend_m, limit_m=params.limit_m,
+        )  # fmt: skip
+    return replace(fitted, head_m=fitted.head_m + deform(controls.weights, moved)), moved
+
+
+def _front_leftovers(model: Model, whole: Array, camera: Camera, front: Front, controls: HeadControls,
+                     params: Params) -> list[Leftover]:  # fmt: skip
+    metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
+    weights = _rows(controls.weights, model, model.net.places, controls.movable)
+    sigma = _net_sigma(model, params) / metres
+    out = [Leftover(camera, model.net.places.at(whole), weights, front.net_px, sigma)]
+    if len(front.vertices):
+        rows = csr_matrix(controls.weights[model.row[front.vertices]][:, np.flatnonzero(controls.movable)])
+        sigma = np.full(len(front.vertices), 0.3 * params.corrected_m / metres)
+        out.append(Leftover(camera, whole[front.vertices], rows, front.points_px, sigma))
+    return out
+
+
+def _side_leftovers(model: Model, whole: Array, camera: Camera, side: Side, controls: HeadControls,
+                    params: Params) -> list[Leftover]:  # fmt: skip
+    metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
+    movable = np.flatnonzero(controls.movable)
+    vertices = outline_vertices(whole, profile_candidates(model), camera, side.facing)
+    gate = GATES_M[1] / metres
+    kept, target, normal = match(camera.project(whole[vertices]), side.contour_px, side.normals_px, gate_px=gate)
+    rows = csr_matrix(controls.weights[model.row[vertices[kept]]][:, movable])
+    sigma = np.full(len(kept), 0.5 * params.contour_m / metres)
+    out = [Leftover(camera, whole[vertices[kept]], rows, target, sigma, normal)]
+    fixed = side.sigma_m <= params.corrected_m
+    if fixed.any():
+        rows = csr_matrix(controls.weights[model.row[side.vertices[fixed]]][:, movable])
+        sigma = np.full(int(fixed.sum()), 0.3 * params.corrected_m / metres)
+        out.append(Leftover(camera, whole[side.vertices[fixed]], rows, side.points_px[fixed], sigma))
+    return out
+
+
+def scaled(fitted: Fitted, scale: float, pivot: Array) -> Fitted:
+    """Return the head scaled about a point, seen alike by its cameras from farther away."""
+
+    def farther(camera: Camera | None) -> Camera | None:
+        if camera is None:
+            return None
+        pose = np.array(camera.camera_from_model)
+        pose[:3, 3] = scale * pose[:3, 3] + (scale - 1.0) * (pose[:3, :3] @ pivot)
+        return replace(camera, camera_from_model=pose)
+
+    return Fitted(pivot + scale * (fitted.head_m - pivot), farther(fitted.front), farther(fitted.side))
+
+
+def seat_parts(model: Model, head: Array, scale: float) -> Array:
+    """Return head vertices with eyeballs, teeth and tongue moved rigidly to where sockets and jaw went."""
+    generic, before, after = model.generic, model.vertices_m, model.whole(head)
+    out = after.copy()
+    body = np.flatnonzero((generic.vertex_part == generic.part_names.index("body")) & (model.row >= 0))
+    for side in ("left", "right"):
+        ball = generic.part(f"eye_{side}")
+        centre = (before[ball].min(axis=0) + before[ball].max(axis=0)) / 2.0
+        radius = float(np.ptp(before[ball, 0])) / 2.0
+        near = np.linalg.norm(before[body] - centre, axis=1) < radius + 0.002
+        lids = body[near & (before[body, 2] > centre[2])]
+        size = scale ** 0.5  # eyes hardly grow with the head: half of the head's log size (taste)
+        place = seat_eyeball(centre, centre + size * (before[lids] - centre), after[lids])
+        out[ball] = place + size * (before[ball] - centre)
+    mouth = np.flatnonzero(generic.region("mouth_interior") & (model.row >= 0))
+    stomion = before[generic.feature("stomion"), 1]
+    for parts, rows in ((("teeth_upper",), mouth[before[mouth, 1] > stomion - 0.004]),
+                        (("teeth_lower", "tongue"), mouth[before[mouth, 1] < stomion + 0.004])):  # fmt: skip
+        factor, rotation, shift = similarity(before[rows], after[rows])
+        for part in parts:
+            out[generic.part(part)] = factor * before[generic.part(part)] @ rotation.T + shift
+    return np.asarray(out[generic.head_vertices])
