@@ -10,6 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.vision.crops import shrink_to
+from cloner.vision.hair import head_hair_labels
+
+__all__ = ["MaskParams", "head_hair_labels", "refine_mask"]
 
 Floats = NDArray[np.float32]
 
@@ -39,9 +42,9 @@ class MaskParams:
     """
 
     reach: float = 0.018
-    noise: float = 4.0
+    noise: float = 3.0
     trust: float = 0.5
-    limit: float = 4.0
+    limit: float = 5.0
     rounds: int = 3
     sure: float = 0.85
     open_band: float = 0.02
@@ -121,9 +124,14 @@ def _gaussian_fit(
 ) -> tuple[Floats, Floats]:
     """Return log density of each pixel's colour in the model round it, and its support."""
 
+    coarser = max(1, int(sigma / 3.0))  # the blur leaves nothing finer
+    small = (-(-weight.shape[1] // coarser), -(-weight.shape[0] // coarser))
+    whole = (weight.shape[1], weight.shape[0])
+
     def near(values: NDArray[np.float32]) -> Floats:
-        blurred = cv2.GaussianBlur(np.ascontiguousarray(values), (0, 0), sigma)
-        return np.asarray(blurred[rows, columns], np.float32)
+        reduced = cv2.resize(values, small, interpolation=cv2.INTER_AREA)
+        blurred = cv2.GaussianBlur(reduced, (0, 0), sigma / coarser)
+        return np.asarray(cv2.resize(blurred, whole)[rows, columns], np.float32)
 
     amount = near(weight)
     scale = 1.0 / (amount + 1e-6)

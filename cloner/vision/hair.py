@@ -1,0 +1,355 @@
+"""Tell skin, hair and cloth apart round the head."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+BACKGROUND: Final = 0
+SKIN: Final = 1
+HAIR: Final = 2
+CLOTH: Final = 3
+
+WORK_HEAD_PX: Final = 150.0  # taste: strands vanish, the hairline stays
+_REACH: Final = 1.9  # half width and lower reach of the looked-at region, in heads
+_BALD_DISTANCE: Final = 3.0  # Mahalanobis: a crown this near to the skin is skin
+# Gaussians a class and the least log density; cloth may have any colour
+_MIXTURES: Final = ((2, -22.0), (3, -22.0), (4, -13.0))
+_LIGHTNESS: Final = 0.6  # weight of L in Lab: light falls unevenly, colour stays
+# Face oval, eyes with brows, and lips of the 468-point mesh
+_OVAL: Final = (
+    10, 338, 297, 332, 284, 251, 389, 356, 454, 323, 361, 288, 397, 365, 379, 378, 400, 377,
+    152, 148, 176, 149, 150, 136, 172, 58, 132, 93, 234, 127, 162, 21, 54, 103, 67, 109,
+)  # fmt: skip
+_EYES: Final = ((70, 63, 105, 66, 107, 133, 153, 145, 163, 33), (300, 293, 334, 296, 336, 362, 380, 374, 390, 263))
+_LIPS: Final = (61, 39, 0, 269, 291, 405, 17, 181)
+
+
+@dataclass(frozen=True, slots=True)
+class HeadFrame:
+    """Where the head is, in px of the image it was found in.
+
+    Parameters
+    ----------
+    top_px, chin_px : float
+        Rows of the crown and the chin.
+    x_px : float
+        Column of the head's middle.
+    ear_px : float
+        Row of the ear's middle.
+    facing : float
+        Where the nose points in the image: -1 left, 1 right, 0 to or from the camera.
+    """
+
+    top_px: float
+    chin_px: float
+    x_px: float
+    ear_px: float
+    facing: float
+
+    @property
+    def head_px(self) -> float:
+        """Crown to chin."""
+        return self.chin_px - self.top_px
+
+
+def find_head(
+    person: Flags, face_points: Floats | None, view: str, pose_points: Floats | None
+) -> HeadFrame:
+    """Return the head's place from the mesh, else the pose points, else the outline."""
+    rows = np.flatnonzero(person.any(axis=1))
+    if face_points is not None:
+        low, high = face_points[:, 0].min(), face_points[:, 0].max()
+        x, chin, brow = (low + high) / 2, float(face_points[152, 1]), float(face_points[10, 1])
+        above = person[: int(max(brow, 1)), int(max(low, 0)) : int(max(high, 1))]
+        found = np.flatnonzero(above.any(axis=1))
+        top = float(found[0]) if len(found) else brow
+        return HeadFrame(top, chin, float(x), float(face_points[[234, 454], 1].mean()), 0.0)
+    if pose_points is not None:
+        nose, ears = pose_points[0], pose_points[[7, 8]].mean(axis=0)
+        top = float(rows[0])
+        if view.endswith("side"):
+            # a nose lies 0.62 of a head below the crown (generic head)
+            head = max(float(nose[1] - top) / 0.62, 8.0)
+            x = float(nose[0] + ears[0]) / 2 - 0.12 * head * np.sign(nose[0] - ears[0])
+            return HeadFrame(top, top + head, float(x), float(ears[1]), float(np.sign(nose[0] - ears[0])))
+        head = max(float(ears[1] - top) / 0.55, 8.0)
+        return HeadFrame(top, top + head, float(ears[0]), float(ears[1]), 0.0)
+    top, height = float(rows[0]), float(rows[-1] - rows[0])
+    head = 0.135 * height if view.startswith("body") else 0.45 * height
+    band = person[int(top + 0.2 * head) : int(top + 0.8 * head)]
+    x = float(np.nonzero(band)[1].mean())
+    return HeadFrame(top, top + head, x, top + 0.55 * head, 0.0)
+
+
+def head_hair_labels(
+    rgb: NDArray[np.uint8],
+    mask: NDArray[np.float32],
+    face_points: Floats | None,
+    view: str,
+    *,
+    pose_points: Floats | None = None,
+) -> NDArray[np.uint8]:
+    """Label the person's pixels near the head as skin, hair or cloth.
+
+    Colour models are learned from places that are sure (cheeks, crown, shoulders),
+    joined with where each thing may be, smoothed along edges, learned again.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    mask : (H, W) float32, 0..1
+        The refined person probability.
+    face_points : (468, 2) float64 or None
+        Face mesh in px; None for sides and backs.
+    view : str or ViewId
+        Tells front, side and back apart.
+    pose_points : (33, 2) float64, optional
+        Pose points in px; wanted for sides and backs.
+
+    Returns
+    -------
+    (H, W) uint8
+        0 background, 1 skin, 2 hair, 3 cloth or anything else of the person (also all
+        that lies far from the head). A bald head has no 2.
+    """
+    person = np.asarray(mask > 0.5)
+    labels = np.where(person, CLOTH, BACKGROUND).astype(np.uint8)
+    if not person.any():
+        return labels
+    head = find_head(person, face_points, str(view), pose_points)
+    scale = WORK_HEAD_PX / max(head.head_px, 8.0)
+    x0 = int(max(head.x_px - _REACH * head.head_px, 0))
+    x1 = int(min(head.x_px + _REACH * head.head_px, rgb.shape[1]))
+    y0 = int(max(head.top_px - 0.15 * head.head_px, 0))
+    y1 = int(min(head.chin_px + _REACH * head.head_px, rgb.shape[0]))
+    if x1 - x0 < 4 or y1 - y0 < 4:
+        return labels
+    size = (max(4, round((x1 - x0) * scale)), max(4, round((y1 - y0) * scale)))
+    small = np.asarray(cv2.resize(rgb[y0:y1, x0:x1], size, interpolation=cv2.INTER_AREA), np.uint8)
+    inside = cv2.resize(person[y0:y1, x0:x1].astype(np.float32), size, interpolation=cv2.INTER_AREA)
+    shift = np.array([x0, y0], np.float64)
+    small_head = HeadFrame(
+        (head.top_px - y0) * scale, (head.chin_px - y0) * scale, (head.x_px - x0) * scale,
+        (head.ear_px - y0) * scale, head.facing,
+    )
+    small_face = None if face_points is None else (face_points[:, :2] - shift) * scale
+    small_pose = None if pose_points is None else (pose_points[:, :2] - shift) * scale
+    hints = _skin_hint(rgb, person, pose_points)
+    scores = _classify(small, inside > 0.5, small_head, small_face, small_pose, hints, str(view))
+    whole = np.stack([cv2.resize(s, (x1 - x0, y1 - y0)) for s in scores])
+    part = (whole.argmax(axis=0) + 1).astype(np.uint8)
+    labels[y0:y1, x0:x1] = np.where(person[y0:y1, x0:x1], part, BACKGROUND)
+    return labels
+
+
+def _skin_hint(rgb: NDArray[np.uint8], person: Flags, pose_points: Floats | None) -> Floats:
+    """Return Lab colours (N, 3) of the hands, where a body photo shows them."""
+    found = []
+    if pose_points is not None:
+        for wrist, index in ((15, 19), (16, 20)):
+            x, y = np.round((pose_points[wrist] + pose_points[index]) / 2).astype(int)
+            if 4 <= x < rgb.shape[1] - 4 and 4 <= y < rgb.shape[0] - 4 and person[y, x]:
+                found.append(rgb[y - 4 : y + 5, x - 4 : x + 5][person[y - 4 : y + 5, x - 4 : x + 5]])
+    if not found:
+        return np.zeros((0, 3))
+    pixels = np.ascontiguousarray(np.concatenate(found)[None], np.uint8)
+    return cv2.cvtColor(pixels, cv2.COLOR_RGB2Lab)[0].astype(np.float64)
+
+
+def _face_area(face: Floats, shape: tuple[int, int]) -> tuple[Flags, Flags]:
+    """Return the face inside its oval, and the part of it that is bare skin."""
+    oval = np.zeros(shape, np.uint8)
+    cv2.fillPoly(oval, [np.round(face[list(_OVAL)]).astype(np.int32)], 1)
+    bare = cv2.erode(oval, np.ones((5, 5), np.uint8))
+    for ring in (*_EYES, _LIPS):
+        cv2.fillPoly(bare, [cv2.convexHull(np.round(face[list(ring)]).astype(np.int32))], 0)
+    bare[: int(max(face[[105, 334], 1].min(), 0))] = 0  # a fringe may cover the forehead
+    return oval > 0, bare > 0
+
+
+def _seeds(
+    lab: Floats, inside: Flags, head: HeadFrame, face: Floats | None, pose: Floats | None, view: str
+) -> tuple[Flags, Flags, Flags]:
+    """Return where skin, crown and cloth are sure."""
+    height, width = inside.shape
+    ys, xs = np.mgrid[:height, :width].astype(np.float64)
+    unit = head.head_px
+    skin = np.zeros_like(inside)
+    if face is not None:
+        skin = _face_area(face, inside.shape)[1] & inside
+    elif pose is not None and head.facing:
+        front = (pose[0] + pose[[9, 10]].mean(axis=0)) / 2
+        cheek = 0.6 * front + 0.4 * pose[[7, 8]].mean(axis=0)
+        skin = (np.hypot(xs - cheek[0], ys - cheek[1]) < 0.13 * unit) & inside
+    core = cv2.erode(inside.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0
+    crown = core & (ys < head.top_px + (0.16 if face is not None else 0.3) * unit)
+    if face is not None:
+        crown &= ys < face[10, 1]
+    if head.facing:  # the forehead is no crown: stay behind it
+        crown &= (xs - head.x_px) * head.facing < 0.1 * unit
+        rear = core & (ys < head.ear_px) & ((head.x_px - xs) * head.facing > 0.2 * unit)
+        crown |= rear & (ys > head.top_px + 0.1 * unit)
+    if view.endswith("back"):
+        crown = core & (ys < head.ear_px - 0.1 * unit)
+    below = ys > head.chin_px + 0.75 * unit
+    cloth = core & below & ((np.abs(xs - head.x_px) > 0.45 * unit) | view.endswith("front"))
+    return skin, crown, cloth
+
+
+def _spread(lab: Floats, where: Flags, *, noise: float = 3.0) -> tuple[Floats, Floats] | None:
+    """Return the mean and inverse covariance of the pixels, outliers left out."""
+    return _fit(lab[where], noise=noise)
+
+
+def _fit(colours: Floats, *, noise: float = 3.0) -> tuple[Floats, Floats] | None:
+    if len(colours) < 12:
+        return None
+    middle = np.median(colours, axis=0)
+    far = np.abs(colours - middle).max(axis=1)
+    kept = colours[far <= np.quantile(far, 0.85)]
+    cov = np.cov(kept.T) + noise * noise * np.eye(3)
+    return kept.mean(axis=0), np.linalg.inv(cov)
+
+
+def _distance(lab: Floats, fit: tuple[Floats, Floats]) -> Floats:
+    """Return the Mahalanobis distance of each colour."""
+    away = lab - fit[0]
+    return np.sqrt(np.maximum(np.einsum("...i,ij,...j->...", away, fit[1], away), 0.0))
+
+
+def _mixture(lab: Floats, where: Flags, parts: int, floor: float) -> Floats:
+    """Return the log density of all pixels under a Gaussian mixture of the seeds."""
+    samples = lab[where]
+    samples = samples[:: max(1, len(samples) // 2000)]
+    if len(samples) < 8 * parts:
+        return np.full(lab.shape[:2], 0.7 * floor)
+    # start from equal shares along lightness: no random start, same photo same labels
+    order = np.argsort(np.argsort(samples[:, 0], kind="stable"), kind="stable")
+    member = (order * parts // len(samples)).astype(np.int32)[:, None]
+    cv2.kmeans(
+        samples.astype(np.float32), parts, member,
+        (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 12, 0.5), 1,
+        cv2.KMEANS_USE_INITIAL_LABELS,
+    )
+    best = np.full(lab.shape[:2], -np.inf)
+    for part in range(parts):
+        chosen = samples[member[:, 0] == part]
+        if len(chosen) < 6:
+            continue
+        cov = np.cov(chosen.T) + 16.0 * np.eye(3)
+        away = lab - chosen.mean(axis=0)
+        square = np.einsum("...i,ij,...j->...", away, np.linalg.inv(cov), away)
+        weight = np.log(len(chosen) / len(samples)) - 0.5 * np.log(np.linalg.det(cov))
+        best = np.logaddexp(best, weight - 0.5 * square)
+    return np.maximum(best, floor)
+
+
+def _classify(
+    small: NDArray[np.uint8], inside: Flags, head: HeadFrame, face: Floats | None,
+    pose: Floats | None, hints: Floats, view: str,
+) -> NDArray[np.float32]:
+    """Return (3, h, w) smoothed scores for skin, hair and cloth."""
+    lab = cv2.cvtColor(cv2.GaussianBlur(small, (0, 0), 1.0), cv2.COLOR_RGB2Lab).astype(np.float64)
+    lab *= (_LIGHTNESS, 1.0, 1.0)
+    hints = hints * (_LIGHTNESS, 1.0, 1.0)
+    skin, crown, cloth = _seeds(lab, inside, head, face, pose, view)
+    skin_fit = _fit(lab[skin]) or _fit(hints, noise=8.0)
+    if skin_fit is not None:
+        distance = _distance(lab, skin_fit)
+        hair = crown & (distance > (_BALD_DISTANCE if skin.any() else 1.0))
+        cloth &= distance > 2.0
+        bald = hair.sum() < 0.25 * max(crown.sum(), 1)
+        if face is None and not bald:
+            hair = crown  # highlights are hair too; a front crown holds forehead
+        if not skin.any():
+            skin = inside & (distance < 2.0) & ~crown
+    else:
+        hair, bald = crown, False
+    prior = _prior(inside.shape, head, face, view, bald=bool(bald))
+    seeds = [skin, hair, cloth]
+    scores = np.zeros((3, *inside.shape))
+    for _ in range(3):
+        for k, where in enumerate(seeds):
+            scores[k] = _mixture(lab, where, *_MIXTURES[k]) + prior[k]
+        smooth = _smooth(small, scores)
+        label = smooth.argmax(axis=0)
+        sure = smooth.max(axis=0) > 0.8
+        seeds = [inside & (label == k) & sure for k in range(3)]
+        seeds[0] |= skin
+    return _connected(smooth, inside, skin, head)
+
+
+def _prior(
+    shape: tuple[int, int], head: HeadFrame, face: Floats | None, view: str, *, bald: bool
+) -> Floats:
+    """Return (3, h, w) log weights: where skin, hair and cloth may be."""
+    ys, xs = np.mgrid[: shape[0], : shape[1]].astype(np.float64)
+    prior = np.zeros((3, *shape))
+    below = (ys - head.chin_px) / head.head_px
+    aside = np.abs(xs - head.x_px) / head.head_px
+    prior[2] -= 8.0 * np.clip((0.18 - below) / 0.12, 0.0, 1.0)
+    prior[0] -= 6.0 * ((aside > 0.55) & (below > 0.1))  # shoulders are dressed
+    prior[1] -= np.clip(3.0 * (below + 0.1), 0.0, 3.0)
+    prior[0] -= 3.0 * np.clip(below - 0.6, 0.0, 1.0)  # a neck is half a head long
+    upper = ys < head.ear_px - 0.1 * head.head_px
+    if face is not None:
+        oval = _face_area(face, shape)[0]
+        brows = float(face[[105, 334], 1].min())
+        prior[1] -= 8.0 * (oval & (ys > brows))
+        forehead = max(float(face[10, 1]) - head.top_px, 1.0)
+        prior[0] -= 6.0 * np.clip((face[10, 1] - ys) / forehead, 0.0, 1.0)
+        prior[0] -= 5.0 * (~oval & (ys < brows)) * np.clip((aside - 0.2) / 0.1, 0.0, 1.0)
+    elif head.facing:
+        ahead = (xs - head.x_px) * head.facing / head.head_px
+        prior[1] -= 8.0 * ((ahead > 0.15) & (ys > head.ear_px - 0.12 * head.head_px))
+        prior[0] -= 8.0 * ((ahead < 0.0) & upper)
+        prior[0] -= 8.0 * ((ahead < 0.2) & (ys < head.top_px + 0.2 * head.head_px))
+        prior[0] -= 5.0 * (ahead < -0.35)  # behind the neck only hair hangs
+        prior[1] -= 6.0 * ((np.abs(ahead) < 0.2) & (below > -0.2))  # a neck in shadow
+    elif view.endswith("back"):
+        prior[0] -= 8.0 * upper
+        prior[0] -= 2.0 * (np.abs(xs - head.x_px) < 0.15 * head.head_px)
+    if bald:
+        prior[1] -= 40.0
+        prior[0] += np.where(below < 0.0, 20.0, 0.0)
+    return prior
+
+
+def _smooth(small: NDArray[np.uint8], scores: Floats) -> Floats:
+    """Return class probabilities smoothed along the photo's edges."""
+    shares = np.exp(scores - scores.max(axis=0))
+    shares /= shares.sum(axis=0)
+    guide = small.astype(np.float32) / 255.0
+    # 4 px of 150 a head: about 6 mm; 1e-3: contrasts above 8 grey levels stay edges
+    return np.stack(
+        [cv2.ximgproc.guidedFilter(guide, s.astype(np.float32), 4, 1e-3).astype(np.float64) for s in shares]
+    )
+
+
+def _connected(
+    shares: Floats, inside: Flags, sure_skin: Flags, head: HeadFrame
+) -> NDArray[np.float32]:
+    """Return the shares with hair in one piece and no skin islands within it."""
+    skin = ((shares.argmax(axis=0) == 0) & inside).astype(np.uint8)
+    _, pieces, stats, _ = cv2.connectedComponentsWithStats(skin, connectivity=4)
+    rooted = np.union1d(np.unique(pieces[sure_skin & (skin > 0)]), [0])
+    middle = stats[:, cv2.CC_STAT_TOP] + stats[:, cv2.CC_STAT_HEIGHT] / 2.0
+    high = np.flatnonzero(middle < head.ear_px - 0.08 * head.head_px)  # an ear may stand alone
+    island = np.isin(pieces, np.setdiff1d(high, rooted))
+    shares[0] = np.where(island, 0.0, shares[0])
+    hair = ((shares.argmax(axis=0) == 1) & inside).astype(np.uint8)
+    count, pieces, stats, _ = cv2.connectedComponentsWithStats(hair, connectivity=8)
+    if count > 1:
+        areas = stats[1:, cv2.CC_STAT_AREA]
+        near = stats[1:, cv2.CC_STAT_TOP] < head.ear_px + 0.1 * head.head_px
+        good = 1 + np.flatnonzero(near & (areas > 0.04 * areas.max()))
+        shares[1] = np.where((hair > 0) & ~np.isin(pieces, good), 0.0, shares[1])
+    return shares.astype(np.float32)
