@@ -26,8 +26,8 @@ def generic_clone(generic: GenericHuman, stature_m: float) -> Clone:
     vertices, joints = generic.shape(np.zeros(0), stature_m)
     rgb = np.full((_ATLAS_PX, _ATLAS_PX, 3), _PLAIN_RGB, dtype=np.uint8)
     return Clone(
-        vertices_m=vertices,
-        joints_m=joints,
+        vertices_m=np.asarray(vertices, dtype=np.float64),
+        joints_m=np.asarray(joints, dtype=np.float64),
         morph_names=(),
         morph_index=np.zeros(0, dtype=np.int32),
         morph_delta_m=np.zeros((0, 3), dtype=np.float32),

@@ -132,7 +132,7 @@ def _neck(generic: GenericHuman) -> Mask:
 
 
 def _vertex_colours(
-    clone: Clone, generic: GenericHuman, triangles: NDArray[np.int32], corners: NDArray[np.int32]
+    clone: Clone, generic: GenericHuman, triangles: NDArray[np.integer], corners: NDArray[np.integer]
 ) -> NDArray[np.uint8]:
     """Return (V, 3) atlas colours at one texture coordinate of each vertex."""
     place = np.zeros((len(clone.vertices_m), 2))

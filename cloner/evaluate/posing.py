@@ -58,17 +58,22 @@ def pose_clone(clone: Clone, generic: GenericHuman, rotations: Array) -> Posed:
     generic : GenericHuman
     rotations : (94, 3) float64, rotation vectors in model axes, radians
     """
-    transforms = joint_transforms(clone.joints_m, generic.joint_parents, rotations)
-    vertices = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights)
+    transforms = joint_transforms(clone.joints_m, _parents(generic), rotations)
+    skin_joints, skin_weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(np.float64)
+    vertices = skin(clone.vertices_m, transforms, skin_joints, skin_weights)
     joints = np.einsum("jab,jb->ja", transforms[:, :3, :3], clone.joints_m) + transforms[:, :3, 3]
     names = list(clone.features_m)
     if not names:
         return Posed(vertices, joints, {})
     rest = np.array([clone.features_m[name] for name in names])
     _, near = cKDTree(clone.vertices_m).query(rest)
-    blended = blend_transforms(transforms, generic.skin_joints[near], generic.skin_weights[near])
+    blended = blend_transforms(transforms, skin_joints[near], skin_weights[near])
     features = np.einsum("nab,nb->na", blended[:, :, :3], rest) + blended[:, :, 3]
     return Posed(vertices, joints, dict(zip(names, features, strict=True)))
+
+
+def _parents(generic: GenericHuman) -> NDArray[np.int32]:
+    return generic.joint_parents.astype(np.int32)
 
 
 def joints_by_truth_name(posed: Posed, generic: GenericHuman) -> dict[str, Array]:
@@ -105,14 +110,14 @@ def rotations_towards(clone: Clone, generic: GenericHuman, truth_joints: Mapping
     spread = pose_matrix(generic.joint_names)
     rows = [generic.joint(JOINTS[name]) for name in JOINTS]
     goal = np.array([truth_joints[name] for name in JOINTS])
-    parents, rest = generic.joint_parents, clone.joints_m
+    parents, rest = _parents(generic), clone.joints_m
 
     def rotations(pose: Array) -> Array:
-        return start + (spread @ pose).reshape(-1, 3)
+        return np.asarray(start + (spread @ pose).reshape(-1, 3))
 
     def placed(pose: Array) -> Array:
         transforms = joint_transforms(rest, parents, rotations(pose))[rows]
-        return np.einsum("jab,jb->ja", transforms[:, :3, :3], rest[rows]) + transforms[:, :3, 3]
+        return np.asarray(np.einsum("jab,jb->ja", transforms[:, :3, :3], rest[rows]) + transforms[:, :3, 3])
 
     def residual(values: Array) -> Array:
         joints = placed(values[6:])

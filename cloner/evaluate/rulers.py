@@ -67,7 +67,7 @@ def outline_distances_px(found: Mask, truth: Mask) -> Array:
         raise ValueError("a mask has no boundary inside the photo")
     to_truth = distance_transform_edt(~truth_edge)[found_edge]
     to_found = distance_transform_edt(~found_edge)[truth_edge]
-    return np.concatenate([to_truth, to_found]) * (OUTLINE_HEIGHT_PX / found.shape[0])
+    return np.asarray(np.concatenate([to_truth, to_found]) * (OUTLINE_HEIGHT_PX / found.shape[0]))
 
 
 def boundary(mask: Mask) -> Mask:
@@ -108,12 +108,18 @@ def fit_similarity(source: Array, target: Array, *, scale: bool, weights: Array 
 
 def apply(transform: Array, points: Array) -> Array:
     """Return (N, 3) points moved by a (4, 4) transform."""
-    return points @ transform[:3, :3].T + transform[:3, 3]
+    return np.asarray(points @ transform[:3, :3].T + transform[:3, 3])
+
+
+def inverse(transform: Array) -> Array:
+    """Return the (4, 4) transform back."""
+    return np.asarray(np.linalg.inv(transform), dtype=np.float64)
 
 
 def landmark_distances(found: Array, truth: Array) -> Array:
     """Return (N,) distances of named points after rigid alignment on all of them."""
-    return np.linalg.norm(apply(fit_similarity(found, truth, scale=False), found) - truth, axis=1)
+    away = apply(fit_similarity(found, truth, scale=False), found) - truth
+    return np.asarray(np.linalg.norm(away, axis=1))
 
 
 def align_by_nearest(points: Array, surface: Surface, *, scale: bool, keep: float = 0.95, turns: int = 40) -> Array:
@@ -134,7 +140,7 @@ def align_by_nearest(points: Array, surface: Surface, *, scale: bool, keep: floa
     """
     total, last = np.eye(4), np.inf
     for _ in range(turns):
-        nearest, distance, _ = surface.closest(apply(np.linalg.inv(total), points))
+        nearest, distance, _ = surface.closest(apply(inverse(total), points))
         best = distance <= np.quantile(distance, keep)
         total = fit_similarity(nearest[best], points[best], scale=scale)
         mean = float(distance[best].mean())

@@ -67,8 +67,9 @@ def evaluate_visitors(
     if not jobs:
         raise ClonerError("there is nothing to evaluate", "Give folders laid out like samples/anna", "evaluate")
     runs: dict[tuple[Path, str], CloneRun] = {}
-    needed = list(dict.fromkeys([*jobs, *((_other(path, paths), name) for path, name in jobs)]))
-    needed = [(path, name) for path, name in needed if path is not None and (path / name).is_dir()]
+    others = {path: _other(path, paths) for path in paths}
+    compared = [(other, name) for path, name in jobs if (other := others[path]) is not None and (other / name).is_dir()]
+    needed = list(dict.fromkeys([*jobs, *compared]))
     steps = len(needed) + len(jobs)
     for done, (path, name) in enumerate(needed):
         progress(f"clone {path.name} {name}", done / steps)
@@ -77,8 +78,9 @@ def evaluate_visitors(
     rows: list[Row] = []
     for done, (path, name) in enumerate(jobs, start=len(needed)):
         progress(f"score {path.name} {name}", done / steps)
-        other = runs.get((_other(path, paths), name))
-        rows += _score_set(path, name, runs[path, name], None if other is None else other.clone, out, seed)
+        beside = others[path]
+        near = None if beside is None else runs.get((beside, name))
+        rows += _score_set(path, name, runs[path, name], None if near is None else near.clone, out, seed)
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)
         write_text(out / "scoreboard.json", json.dumps(rows, indent=1) + "\n")

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.evaluate.posing import Posed, truth_from_points
-from cloner.evaluate.rulers import Spread, Surface, align_by_nearest, apply, spread
+from cloner.evaluate.rulers import Spread, Surface, align_by_nearest, apply, inverse, spread
 from cloner.evaluate.surfaces import PointSurface, TriangleSurface, sample_surface, seen_from_outside
 from cloner.evaluate.truth import TruthSurface
 from cloner.frames import MILLIMETRES_PER_METRE
@@ -72,7 +72,7 @@ def body_surface_mm(posed: Posed, generic: GenericHuman, truth: TruthSurface, *,
     surface = TriangleSurface(posed.vertices_m, skin)
     truth_from_clone = align_by_nearest(points[:_VOTERS], surface, scale=False, keep=1.0, turns=15)
     moved = posed.moved(truth_from_clone)
-    _, to_clone, _ = surface.closest(apply(np.linalg.inv(truth_from_clone), points))
+    _, to_clone, _ = surface.closest(apply(inverse(truth_from_clone), points))
     hidden = generic.region("scalp") | generic.region("hand_left") | generic.region("hand_right")
     samples, _, _ = sample_surface(moved.vertices_m, skin[~hidden[skin].any(axis=1)], _SAMPLES, rng=rng)
     samples = samples[~_near(samples, truth.points_m[hair], _HAIR_NEAR_M)]
@@ -112,7 +112,7 @@ def face_surface_mm(
     errors = {}
     for scale in (True, False):
         transform = align_by_nearest(points, surface, scale=scale)
-        _, to_clone, _ = surface.closest(apply(np.linalg.inv(transform), points))
+        _, to_clone, _ = surface.closest(apply(inverse(transform), points))
         to_clone = to_clone * np.cbrt(np.linalg.det(transform[:3, :3]))
         moved = apply(transform, samples)
         _, to_truth, _ = target.closest(moved[_in_face(moved, marks)])
@@ -135,7 +135,7 @@ def skin_triangles(generic: GenericHuman) -> NDArray[np.int32]:
 
 def _dense_organs(posed: Posed, generic: GenericHuman) -> Array:
     """Return the vertices of eyes and teeth, which hide the sockets behind them."""
-    return posed.vertices_m[generic.vertex_part != generic.part_names.index("body")]
+    return np.asarray(posed.vertices_m[generic.vertex_part != generic.part_names.index("body")])
 
 
 def _both_ways(first: Array, second: Array) -> Spread:

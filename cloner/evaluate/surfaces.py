@@ -52,15 +52,15 @@ def closest_on_triangle(points: Array, corners: Array) -> Array:
     ]
     for chosen, value in cases:  # later rows win: corners are the strongest case
         nearest = np.where(chosen[:, None], value, nearest)
-    return nearest
+    return np.asarray(nearest)
 
 
 def _dot(first: Array, second: Array) -> Array:
-    return np.einsum("na,na->n", first, second)
+    return np.asarray(np.einsum("na,na->n", first, second))
 
 
 def _safe(value: Array) -> Array:
-    return np.where(np.abs(value) < 1e-30, 1e-30, value)
+    return np.asarray(np.where(np.abs(value) < 1e-30, 1e-30, value))
 
 
 class TriangleSurface:

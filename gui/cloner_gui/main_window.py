@@ -11,6 +11,8 @@ from cloner_gui.pages.points import PointsPage
 from cloner_gui.pages.result import ResultPage
 from cloner_gui.session import Session
 
+Page = IntakePage | PointsPage | ResultPage
+
 
 class MainWindow(QMainWindow):
     """All pages in their order."""
@@ -21,9 +23,9 @@ class MainWindow(QMainWindow):
         self.setWindowTitle("Cloner")
         self.resize(1180, 860)
         self.intake, self.points, self.result = IntakePage(session), PointsPage(session), ResultPage(session)
-        self.pages = (self.intake, self.points, self.result)
+        self.pages: tuple[Page, ...] = (self.intake, self.points, self.result)
         self.stack = QStackedWidget()
-        self.steps = [QPushButton(page.title, checkable=True, flat=True) for page in self.pages]
+        self.steps = [_step_button(page.title) for page in self.pages]
         self.back, self.next, self.reason = QPushButton("Back"), QPushButton("Next"), QLabel()
         self._lay_out()
         self._make_menus()
@@ -63,9 +65,10 @@ class MainWindow(QMainWindow):
 
     def _make_menus(self) -> None:
         files, edit = self.menuBar().addMenu("&File"), self.menuBar().addMenu("&Edit")
-        opening = QAction("&Open folder…", self, shortcut=QKeySequence.StandardKey.Open)
+        opening, leaving = QAction("&Open folder…", self), QAction("&Quit", self)
+        opening.setShortcut(QKeySequence.StandardKey.Open)
+        leaving.setShortcut(QKeySequence.StandardKey.Quit)
         opening.triggered.connect(self.intake.choose_folder)
-        leaving = QAction("&Quit", self, shortcut=QKeySequence.StandardKey.Quit)
         leaving.triggered.connect(self.close)
         files.addActions([opening, leaving])
         self.undo_action = self.session.undo_stack.createUndoAction(self)
@@ -86,3 +89,10 @@ class MainWindow(QMainWindow):
         self.next.setVisible(number < len(self.pages) - 1)
         self.next.setEnabled(not reason)
         self.reason.setText(reason if number < len(self.pages) - 1 else "")
+
+
+def _step_button(title: str) -> QPushButton:
+    button = QPushButton(title)
+    button.setCheckable(True)
+    button.setFlat(True)
+    return button
