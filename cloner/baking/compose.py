@@ -14,14 +14,15 @@ from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.geometry.partition import border_shares, partition_surface
 from cloner.vision.aligning import sample
-from cloner.vision.blending import blend_pyramids, push_pull
+from cloner.vision.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.evening import apply_light, light_basis
 
 Array = NDArray[np.float64]
 
 SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden at that very texel
+LAST_CHOICE = 0.0005  # beside an inner outline a photo paints only what no other one sees
 OWNER_SMOOTHING = 4  # rounds; borders of 2-3 edge lengths' smoothness
-FILL_SHARE = 1e-5  # the smooth fill shows only where no photo does
+FILL_SHARE = 1e-6  # the smooth fill shows only where no photo does
 
 
 def share_surface(
@@ -70,8 +71,8 @@ def bake(
     ground = push_pull(ground.reshape(size, size, 3), covered.astype(np.float32))
     seen = np.zeros(size * size, bool)
 
-    def layers() -> Iterator[tuple[NDArray[np.float32], NDArray[np.float32]]]:
-        yield ground, np.full((size, size), FILL_SHARE, np.float32)
+    def layers() -> Iterator[Layer]:
+        yield Layer(ground, np.full((size, size), FILL_SHARE, np.float32))
         for k, source in enumerate(sources):
             tick(k / len(sources))
             texel, colour, weight = paint(generic, atlas, source, shares[k], gains[k], normals, limits)
@@ -79,9 +80,9 @@ def bake(
                 continue
             if not source.mirrored:
                 seen[texel[weight > 2 * FILL_SHARE]] = True
-            yield dense_layer(ground, texel, colour, weight)
+            yield dense_layer(ground, texel, colour, weight, 1 << levels)
 
-    rgb = blend_pyramids(layers(), levels)
+    rgb = blend_pyramids(layers(), ground.shape, levels)
     return rgb, seen.reshape(size, size)
 
 
@@ -107,6 +108,7 @@ def paint(
     pixel, lookup, depth, cosine, weight = values[:, :2], values[:, 2:4], values[:, 4], values[:, 5], values[:, 6]
     good = visible_points(source, limits, pixel, lookup, depth, cosine) & (weight > 0.0)
     good &= ~covered_by_hair(source, pixel, lookup, depth, values[:, 7] > 0.5, values[:, 8] > 0.5)
+    weight = np.where(sight.before_edge(pixel, depth, cosine), LAST_CHOICE * weight, weight)
     colour = apply_light(sample(source.plate.rgb, lookup[good]), values[good, 9:12])
     return atlas.texel[rows[good]], colour.astype(np.float32), weight[good]
 
@@ -116,18 +118,30 @@ def dense_layer(
     texel: NDArray[np.int32],
     colour: NDArray[np.float32],
     weight: NDArray[np.float32],
-) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return a whole image and weight for texels painted by one photo.
+    grid: int,
+) -> Layer:
+    """Return the part of the atlas that one photo paints, as a layer.
 
-    Elsewhere the image follows the ground plus a smooth difference, so that
-    the pyramid finds no edge where the photo's texels end.
+    Where the photo paints nothing the image follows the ground plus a smooth
+    difference, so that the pyramid finds no edge where the photo's texels end.
+
+    Parameters
+    ----------
+    ground : (size, size, 3); texel, weight : (N,); colour : (N, 3)
+    grid : int
+        Corners of the crop are multiples of this.
     """
     size = ground.shape[0]
-    gap = np.zeros((size * size, 3), np.float32)
-    known = np.zeros(size * size, np.float32)
-    gap[texel] = colour - ground.reshape(-1, 3)[texel]
-    known[texel] = 1.0
-    image = push_pull(gap.reshape(size, size, 3), known.reshape(size, size))
-    image += ground
-    known[texel] = weight
-    return image, known.reshape(size, size)
+    row, column = np.divmod(texel, size)
+    top, left = (max(int(v.min()) // grid - 1, 0) * grid for v in (row, column))
+    bottom, right = (min((int(v.max()) // grid + 2) * grid, size) for v in (row, column))
+    below = ground[top:bottom, left:right]
+    image = np.zeros(below.shape, np.float32)
+    known = np.zeros(below.shape[:2], np.float32)
+    place = (row - top, column - left)
+    image[place] = colour - below[place]
+    known[place] = 1.0
+    image = push_pull(image, known)
+    image += below
+    known[place] = weight
+    return Layer(image, known, (top, left))

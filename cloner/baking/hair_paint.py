@@ -18,7 +18,7 @@ from cloner.generic.load import GenericHuman
 from cloner.records.clones import Joined
 from cloner.records.photos import Photo
 from cloner.vision.aligning import sample
-from cloner.vision.blending import blend_pyramids, push_pull
+from cloner.vision.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.evening import apply_light, even_light, light_basis
 from cloner.vision.repair import repair_bleeding
 
@@ -84,8 +84,8 @@ def paint_hair(
     mean = ((claim_table**2)[..., None] * evened).sum(axis=(0, 1)) / max(float(total.sum()), 1e-9)
     covered = atlas.covered()
 
-    def layers() -> Iterator[tuple[NDArray[np.float32], NDArray[np.float32]]]:
-        yield np.tile(mean.astype(np.float32), (size, size, 1)), np.full((size, size), FLOOR, np.float32)
+    def layers() -> Iterator[Layer]:
+        yield Layer(np.tile(mean.astype(np.float32), (size, size, 1)), np.full((size, size), FLOOR, np.float32))
         for picture, sight, claim, gain in zip(pictures, sights, claims, gains, strict=True):
             rows = atlas.rows_of((claim > 0.0)[atlas.triangles].any(axis=1))
             table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, claim, light_basis(normals) @ gain])
@@ -97,9 +97,9 @@ def paint_hair(
             known[atlas.texel[rows[good]]] = 1.0
             whole = push_pull(image.reshape(size, size, 3), known.reshape(size, size))
             known[atlas.texel[rows[good]]] = np.minimum(values[good, 4], 1.0) ** SHARPNESS + FLOOR
-            yield whole, known.reshape(size, size)
+            yield Layer(whole, known.reshape(size, size))
 
-    rgb = push_pull(blend_pyramids(layers(), LEVELS) * covered[..., None], covered.astype(np.float32))
+    rgb = push_pull(blend_pyramids(layers(), (size, size, 3), LEVELS) * covered[..., None], covered.astype(np.float32))
     opaque = np.full((size, size, 1), 255.0, np.float32)
     return np.concatenate([np.clip(np.rint(rgb), 0, 255), opaque], axis=2).astype(np.uint8)
 

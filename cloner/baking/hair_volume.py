@@ -26,6 +26,7 @@ SMOOTH_VOXELS = 0.8
 COARSE = 4  # voxels a side of a trial cell
 PLANE_REACH_M = 0.03
 THINNEST_CAP_MM = 0.5
+DRAPE_DOUBT_MM = 4.0
 LIFT_MM = 2.5  # labels are read this far above the skin: clear of the mesh, below the hair's surface
 CUT_SLACK_MM = 0.5
 CLIP_MM = 15.0  # the field is cut off here, so that smoothing stays local
@@ -144,14 +145,17 @@ def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:
     return field.astype(np.float32)
 
 
-def draped_mm(hull: NDArray[np.float32], near: Near) -> NDArray[np.float32]:
-    """Return (N,) the field of hair that lies on neck, shoulders or cheeks, mm."""
-    on_bare_skin = np.where(near.hairy < 0.5, DRAPE_MM - near.skin_mm, -FAR_MM)
+def draped_mm(hull: NDArray[np.float32], near: Near, below_m: float) -> NDArray[np.float32]:
+    """Return (N,) the field of hair that lies on neck, shoulders or cheeks below a height, mm."""
+    hanging = (near.hairy < 0.5) & (near.points_m[:, 1] < below_m)
+    on_bare_skin = np.where(hanging, DRAPE_MM - near.skin_mm, -FAR_MM)
+    # Hair thinner than the labels' doubt is none.
+    hull = hull - DRAPE_DOUBT_MM
     return np.minimum(np.minimum(hull, on_bare_skin), near.skin_mm + INNER_MM).astype(np.float32)
 
 
 def hair_field(
-    views: list[HairView], scalp: Scalp, low_m: Array, high_m: Array, middle_m: float
+    views: list[HairView], scalp: Scalp, low_m: Array, high_m: Array, middle_m: float, drape_below_m: float
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return the hair's field and the distance to the skin on a grid.
 
@@ -162,6 +166,8 @@ def hair_field(
     low_m, high_m : (3,) corners of the grid, rest frame
     middle_m : float
         x of the head's middle.
+    drape_below_m : float
+        Height below which hair may lie on bare skin.
 
     Returns
     -------
@@ -175,7 +181,7 @@ def hair_field(
     hull = hull_mm(views, points)
     cap = cap_mm(views, near)
     tail = np.minimum(tail_mm(views, points[(cap > 0.0) & (near.skin_mm > 0.0)], points, middle_m), hull)
-    field[rows] = np.clip(np.maximum(np.maximum(cap, tail), draped_mm(hull, near)), -CLIP_MM, CLIP_MM)
+    field[rows] = np.clip(np.maximum(np.maximum(cap, tail), draped_mm(hull, near, drape_below_m)), -CLIP_MM, CLIP_MM)
     skin[rows] = near.skin_mm
     return gaussian_filter(field.reshape(shape), SMOOTH_VOXELS), skin.reshape(shape)
 

@@ -15,7 +15,12 @@ _MIRRORED = 0.7  # a mirrored photo shows the other half only by assumption
 _FACE_FRONT = 1.3
 _EAR_SIDE = 1.6
 _BODY_ON_HEAD = {ViewId.BODY_FRONT: 0.12, ViewId.BODY_SIDE: 0.1, ViewId.BODY_BACK: 0.6}
-_BACK_HEAD_WITHOUT_FACES = 1.0
+# An arm hangs before the body in the side photo: a few pixels off, it would take the shirt's colour. Front and back
+# photos see arms against the background.
+_ARM_SIDE = 0.35
+_ARM_SEGMENTS = ("upper_arm", "forearm", "hand")
+# The tops of the shoulders face no body camera; face photos look down on them a little, in nearly the same pose.
+_FACE_ON_SHOULDERS, _SHOULDER_REACH_M = 0.3, 0.12
 
 
 def photo_shares(generic: GenericHuman, view: ViewId, *, faces: frozenset[ViewId]) -> NDArray[np.float64]:
@@ -29,12 +34,15 @@ def photo_shares(generic: GenericHuman, view: ViewId, *, faces: frozenset[ViewId
         The face photos there are: they keep body photos off the head.
     """
     head = head_weight(generic)
+    near_head = np.maximum(head, _FACE_ON_SHOULDERS * _beside_neck(generic))
     ears = generic.region("ear_left") | generic.region("ear_right")
     if view is ViewId.FACE_FRONT:
-        return head * np.where(generic.region("face"), _FACE_FRONT, 1.0) * np.where(ears, 0.6, 1.0)
+        return near_head * np.where(generic.region("face"), _FACE_FRONT, 1.0) * np.where(ears, 0.6, 1.0)
     if view is ViewId.FACE_SIDE:
-        return head * np.where(ears, _EAR_SIDE, _SIDE)
-    on_body = _SIDE if view is ViewId.BODY_SIDE else 1.0
+        return near_head * np.where(ears, _EAR_SIDE, _SIDE)
+    on_body = np.ones(len(head))
+    if view is ViewId.BODY_SIDE:
+        on_body = np.where(_arms(generic), _ARM_SIDE, _SIDE)
     covered = {
         ViewId.BODY_FRONT: ViewId.FACE_FRONT in faces,
         ViewId.BODY_SIDE: ViewId.FACE_SIDE in faces,
@@ -54,3 +62,19 @@ def head_weight(generic: GenericHuman) -> NDArray[np.float64]:
     weight = np.zeros(len(generic.vertices_m))
     weight[: generic.head_blend.size] = generic.head_blend
     return weight
+
+
+def _arms(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) where upper arms, forearms and hands are."""
+    names = [k for k, name in enumerate(generic.segment_names) if name.endswith(_ARM_SEGMENTS)]
+    return np.isin(generic.vertex_segment, names)
+
+
+def _beside_neck(generic: GenericHuman) -> NDArray[np.float64]:
+    """Return (V,) weights falling from 1 at the neck's base to 0 on the shoulders."""
+    base = generic.vertices_m[generic.region("neck")].astype(np.float64)
+    low = base[base[:, 1] < np.quantile(base[:, 1], 0.2)]
+    gap = np.linalg.norm(generic.vertices_m[:, None, [0, 2]] - low[None, ::4, [0, 2]], axis=2).min(axis=1)
+    below = np.clip((low[:, 1].mean() - generic.vertices_m[:, 1]) / _SHOULDER_REACH_M, 0.0, 1.0)
+    on_torso = ~_arms(generic) & (generic.vertices_m[:, 1] > low[:, 1].mean() - _SHOULDER_REACH_M)
+    return np.where(on_torso, np.clip(1.0 - gap / _SHOULDER_REACH_M, 0.0, 1.0) * (1.0 - below), 0.0)

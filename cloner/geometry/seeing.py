@@ -17,6 +17,8 @@ Array = NDArray[np.float64]
 DEPTH_SCALE = 0.5  # depth picture's size relative to the photo: 4 times faster, 1 px is still 2-3 mm
 #: Occluders grow by this many depth pixels: a limb 8 photo pixels (1 cm) off paints nothing behind it.
 OCCLUDER_GROWTH_PX = 4
+EDGE_WIDTH_PX = 2  # depth pixels beside an inner outline that are unsafe, as at the outer one
+EDGE_JUMP_M = 0.02  # taste: a finger before the thigh counts, a fold of skin does not
 DEPTH_TOLERANCE_M = 0.008  # taste: more than the mesh's coarseness, less than a finger
 STEEPEST_TANGENT = 3.0  # steeper ones would let a limb 5 cm in front pass
 
@@ -36,6 +38,8 @@ class Sight:
         Depth of the nearest surface at ``DEPTH_SCALE``, inf where there is none.
     guarded_m : (h, w) float32
         The same with occluders grown.
+    behind_m : (h, w) float32
+        Depth of the farthest surface close by, 0 where there is none.
     metres_per_pixel : float
         Size of a depth pixel at the mesh's mean depth.
     """
@@ -45,6 +49,7 @@ class Sight:
     cosine: Array
     nearest_m: NDArray[np.float32]
     guarded_m: NDArray[np.float32]
+    behind_m: NDArray[np.float32]
     metres_per_pixel: float
 
     def mirrored(self, mirror: NDArray[np.integer]) -> Sight:
@@ -55,6 +60,7 @@ class Sight:
             self.cosine[mirror],
             self.nearest_m,
             self.guarded_m,
+            self.behind_m,
             self.metres_per_pixel,
         )
 
@@ -67,10 +73,21 @@ class Sight:
         nothing lies nearer than it by more than the tolerance, which grows with the slope.
         """
         nearest = depth_at(self.guarded_m, pixel_px)
-        tangent = np.sqrt(np.clip(1.0 - cosine * cosine, 0.0, None)) / np.maximum(cosine, 1e-3)
-        slope = np.minimum(tangent, STEEPEST_TANGENT) * (OCCLUDER_GROWTH_PX + 1) * self.metres_per_pixel
+        slope = self._rise(cosine, OCCLUDER_GROWTH_PX + 1)
         # NaN outside the picture compares as not free.
         return (depth_m <= nearest + DEPTH_TOLERANCE_M + slope) & (cosine > 0.0)
+
+    def before_edge(
+        self, pixel_px: NDArray[np.floating], depth_m: NDArray[np.floating], cosine: NDArray[np.floating]
+    ) -> NDArray[np.bool_]:
+        """Return which of (N,) points lie beside a surface well behind them, whose colour may have crept over."""
+        behind = depth_at(self.behind_m, pixel_px)
+        return behind > depth_m + EDGE_JUMP_M + self._rise(cosine, EDGE_WIDTH_PX + 1)
+
+    def _rise(self, cosine: NDArray[np.floating], reach_px: int) -> NDArray[np.floating]:
+        """Return how much depth a surface of this slope gains over some depth pixels, metres."""
+        tangent = np.sqrt(np.clip(1.0 - cosine * cosine, 0.0, None)) / np.maximum(cosine, 1e-3)
+        return np.minimum(tangent, STEEPEST_TANGENT) * reach_px * self.metres_per_pixel
 
 
 def depth_pixels(pixel_px: NDArray[np.floating]) -> NDArray[np.floating]:
@@ -113,11 +130,14 @@ def look(posed_m: Array, triangles: NDArray[np.int32], camera: Camera) -> Sight:
     nearest = nearest_of(posed_m, triangles, camera)
     reach = 2 * OCCLUDER_GROWTH_PX + 1
     guarded = cv2.erode(nearest, np.ones((reach, reach), np.uint8), borderValue=np.inf)
+    width = 2 * EDGE_WIDTH_PX + 1
+    behind = cv2.dilate(np.where(np.isfinite(nearest), nearest, np.float32(0.0)), np.ones((width, width), np.uint8))
     return Sight(
         pixel_px=camera.project(posed_m),
         depth_m=camera.to_camera(posed_m)[:, 2],
         cosine=cosine,
         nearest_m=nearest,
         guarded_m=guarded,
+        behind_m=behind,
         metres_per_pixel=camera.metres_per_pixel(posed_m.mean(axis=0)) / DEPTH_SCALE,
     )

@@ -131,7 +131,8 @@ def hair_mesh(
     low = scalp.points_m.min(axis=0) - reach - (0.0, params.below_m, 0.0)
     high = scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
     middle = float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
-    field, skin_mm = hair_field(views, scalp, low, high, middle)
+    ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
+    field, skin_mm = hair_field(views, scalp, low, high, middle, float(ears[:, 1].mean()))
     pieces, count = label(field > 0.0)
     if count == 0:
         return None

@@ -10,6 +10,7 @@ Lee and Magnenat-Thalmann, method notes section 9 (Laplacian blend of front and 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -51,7 +52,25 @@ def _three(image: NDArray[np.float32]) -> Image:
     return image if image.ndim == 3 else image[..., None]
 
 
-def blend_pyramids(layers: Iterable[tuple[Image, Image]], levels: int) -> Image:
+@dataclass(frozen=True, slots=True, eq=False)
+class Layer:
+    """One image of a blend, or a crop of it.
+
+    Attributes
+    ----------
+    image : (h, w, C) float32
+        Must hold sensible colours also where the weight is zero, else those leak over the border.
+    weight : (h, w) float32 >= 0; weights of several layers need not sum to one
+    corner : (int, int)
+        Row and column of the crop's first pixel in the whole; multiples of 2**levels, like h and w.
+    """
+
+    image: Image
+    weight: Image
+    corner: tuple[int, int] = (0, 0)
+
+
+def blend_pyramids(layers: Iterable[Layer], shape: tuple[int, int, int], levels: int) -> Image:
     """Blend images by their Laplacian pyramids, weighted by Gaussian pyramids.
 
     Every frequency band gets a border as wide as itself: broad light
@@ -59,31 +78,29 @@ def blend_pyramids(layers: Iterable[tuple[Image, Image]], levels: int) -> Image:
 
     Parameters
     ----------
-    layers : iterable of (image (H, W, C) float32, weight (H, W) float32 >= 0)
-        Weights need not sum to one. Images must hold sensible colours also
-        where their weight is zero, else those leak over the border.
+    layers : iterable of Layer
+        Taken one by one, so a generator keeps the peak memory at one layer.
+    shape : (H, W, C) of the result; H and W multiples of 2**levels
     levels : int
         Number of halvings; 0 is a plain weighted mean.
 
-    Raises
-    ------
-    ValueError
-        If there is no layer.
+    Returns
+    -------
+    (H, W, C) float32; zero where no layer has any weight nearby.
     """
-    sums: list[Image] = []
-    totals: list[Image] = []
-    for image, weight in layers:
-        for level, (band, share) in enumerate(_bands(image, weight, levels)):
-            if level == len(sums):
-                sums.append(np.zeros_like(band))
-                totals.append(np.zeros_like(share))
-            sums[level] += band * share[..., None]
-            totals[level] += share
-    if not sums:
-        raise ValueError("nothing to blend")
+    height, width, channels = shape
+    sums = [np.zeros((height >> k, width >> k, channels), np.float32) for k in range(levels + 1)]
+    totals = [np.zeros((height >> k, width >> k), np.float32) for k in range(levels + 1)]
+    for layer in layers:
+        row, column = layer.corner
+        for k, (band, share) in enumerate(_bands(layer.image, layer.weight, levels)):
+            place = np.s_[row >> k : (row >> k) + share.shape[0], column >> k : (column >> k) + share.shape[1]]
+            band *= share[..., None]
+            sums[k][place] += band
+            totals[k][place] += share
     result: Image | None = None
     for total, band in zip(totals[::-1], sums[::-1], strict=True):
-        band /= np.maximum(total, 1e-9)[..., None]
+        band /= np.maximum(total, 1e-12)[..., None]
         result = band if result is None else band + _enlarge(result, band.shape)
     assert result is not None
     return result
@@ -95,7 +112,7 @@ def _bands(image: Image, weight: Image, levels: int) -> Iterable[tuple[Image, Im
         smaller = _three(cv2.pyrDown(image))
         yield image - _enlarge(smaller, image.shape), weight
         image, weight = smaller, cv2.pyrDown(weight)
-    yield image, weight
+    yield image.copy(), weight
 
 
 def _enlarge(image: Image, shape: tuple[int, ...]) -> Image:

@@ -10,9 +10,9 @@ Array = NDArray[np.float64]
 LEVEL_OFFSET = 8.0  # grey levels; keeps the logarithm of dark cloth finite and its noise small
 ROUNDS = 6  # reweighted least squares settles after 4-6 rounds (measured)
 HUBER_LOG = 0.08  # differences above 8 % are other things than light: cloth moved, a limb in the way
-_RIDGE_CONSTANT = 0.002  # exposure is nearly free
-RIDGE_SLOPE = 0.05  # taste: slopes need evidence
-LARGEST_LOG = 0.6  # a gain beyond 1.8 is a mistake, not light
+_RIDGE_CONSTANT = 0.3  # taste: against pairs that weigh 20-50, exposure is nearly free
+RIDGE_SLOPE = 6.0  # taste: misplaced cloth must not pass for light from one side
+LARGEST_LOG = 0.4  # a gain beyond 1.5 is a mistake, not light
 
 
 def log_levels(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
