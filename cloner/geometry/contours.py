@@ -27,6 +27,8 @@ class OutlineField:
         Signed distance to the outline in photo pixels, positive outside, on a reduced grid.
     reduction : float
         Photo pixels per grid cell.
+    veiled : (M,) bool
+        Samples where hair, not the body, makes the outline.
     """
 
     samples_px: Array
@@ -34,6 +36,7 @@ class OutlineField:
     step_px: float
     distance: NDArray[np.float32]
     reduction: float
+    veiled: NDArray[np.bool_]
 
     def signed_distance(self, points_px: Array) -> Array:
         """Return (N,) distances of photo points to the outline, positive outside."""
@@ -44,9 +47,11 @@ class OutlineField:
         beyond = np.linalg.norm(grid - inside, axis=1) * self.reduction
         return np.asarray(value + beyond, dtype=np.float64)
 
-    def without(self, drop: NDArray[np.bool_]) -> OutlineField:
-        """Return the same field with some samples left out."""
-        return OutlineField(self.samples_px[~drop], self.normals[~drop], self.step_px, self.distance, self.reduction)
+    def is_veiled(self, points_px: Array) -> NDArray[np.bool_]:
+        """Return (N,) whether the outline nearest to each point is hair's."""
+        if not self.veiled.any() or len(points_px) == 0:
+            return np.zeros(len(points_px), dtype=bool)
+        return np.asarray(self.veiled[cKDTree(self.samples_px).query(points_px)[1]])
 
     def nearest_rim(self, points_px: Array, normals: Array, turn_px: float) -> tuple[NDArray[np.int64], Array]:
         """Return for every sample the nearest of N points with a like normal.
@@ -67,7 +72,12 @@ class OutlineField:
 
 
 def outline_field(
-    contours_px: tuple[Array, ...], mask: NDArray[np.bool_], *, step_px: float, reduction: float
+    contours_px: tuple[Array, ...],
+    mask: NDArray[np.bool_],
+    hair: NDArray[np.bool_],
+    *,
+    step_px: float,
+    reduction: float,
 ) -> OutlineField:
     """Return samples, normals and the distance field of an outline.
 
@@ -75,6 +85,7 @@ def outline_field(
     ----------
     contours_px : closed polygons of any orientation, photo pixels
     mask : (H, W) filled outline
+    hair : (H, W) pixels that show hair
     step_px : spacing of samples
     reduction : photo pixels per cell of the distance field, at least 1
     """
@@ -98,7 +109,10 @@ def outline_field(
         points.append(sample)
         normals.append(normal)
     samples, outward = np.vstack(points), np.vstack(normals)
-    field = OutlineField(samples, outward, step_px, distance, reduction)
-    flip = field.signed_distance(samples + 2 * reduction * outward) < field.signed_distance(samples - 2 * reduction * outward)
-    outward[flip] *= -1
-    return field
+    field = OutlineField(samples, outward, step_px, distance, reduction, np.zeros(len(samples), dtype=bool))
+    probe = 2 * reduction * outward
+    outward[field.signed_distance(samples + probe) < field.signed_distance(samples - probe)] *= -1
+    inner = np.round(samples - 4 * reduction * outward).astype(int)
+    height, width = hair.shape
+    veiled = hair[np.clip(inner[:, 1], 0, height - 1), np.clip(inner[:, 0], 0, width - 1)]
+    return OutlineField(samples, outward, step_px, distance, reduction, veiled)

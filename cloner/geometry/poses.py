@@ -52,6 +52,7 @@ FREEDOMS: tuple[Freedom, ...] = (
     *(f for axis, spread in ((X, 8.0), (Y, 10.0), (Z, 8.0)) for f in _sided(f"hip_{'xyz'[axis]}", "hip", axis, spread)),
     *_sided("knee_bend", "knee", X, 6.0),
     *_sided("ankle_bend", "ankle", X, 5.0),
+    *_sided("ankle_turn", "ankle", Y, 6.0),
     *_sided("ankle_roll", "ankle", Z, 5.0),
     *(Freedom(f"spine_{'xyz'[a]}", _SPINE, a, math.radians(d)) for a, d in ((X, 6.0), (Y, 4.0), (Z, 4.0))),
     *(Freedom(f"neck_{'xyz'[a]}", _NECK, a, math.radians(d)) for a, d in ((X, 10.0), (Y, 8.0), (Z, 6.0))),

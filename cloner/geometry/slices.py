@@ -12,6 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
+from cloner.geometry.contours import OutlineField
+
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
@@ -77,7 +79,7 @@ def occluding_pairs(
     slice_theta: Array,
     axis_px: tuple[Array, Array],
     levels: Array,
-    signed_distance: object,
+    field: OutlineField,
     reach_px: float,
 ) -> SlicePairs:
     """Return the occluding points of a segment's slices and their silhouette pixels.
@@ -93,7 +95,8 @@ def occluding_pairs(
     slice_s, slice_theta : (V,) overlay coordinates
     axis_px : projected ends of the axis, (2,) each
     levels : (K,) slice positions 0..1
-    signed_distance : callable (M, 2) px -> (M,) px, positive outside
+    field : OutlineField
+        The photo's outline; where hair makes it, slices are not valid.
     reach_px : farthest silhouette pixel that is believed
     """
     along = axis_px[1] - axis_px[0]
@@ -115,8 +118,8 @@ def occluding_pairs(
             if not body.on_rim[vertex]:
                 continue
             line = body.pixels[vertex] + steps[:, None] * (sign * across)
-            crossing = _outward_crossing(signed_distance(line), steps)  # type: ignore[operator]
-            if crossing is None:
+            crossing = _outward_crossing(field.signed_distance(line), steps)
+            if crossing is None or field.is_veiled(line[:1] + (crossing - steps[0]) * sign * across)[0]:
                 continue
             shift[k, column] = body.lift[vertex] @ (crossing * sign * across)
             valid[k, column] = True

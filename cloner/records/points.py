@@ -13,6 +13,10 @@ from cloner.frames import ViewId
 from cloner.records.arrays import freeze
 
 
+#: Value of hair in ``Proposal.labels``.
+HAIR = 2
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class ViewPoints:
     """Named feature points of one photo.

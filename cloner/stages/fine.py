@@ -19,11 +19,12 @@ from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.settling import bending_matrix, settle
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype
+from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.feet import Params as FeetParams
 from cloner.stages.feet import fit_feet
-from cloner.stages.outlined import Outlined, body_triangles, coverage, gap_mm, outlined, see, views_of
+from cloner.stages.outlined import Outlined, body_triangles, coverage, gap_mm, outlined_photos, see, views_of
 from cloner.stages.rough import shape_slices
 
 Array = NDArray[np.float64]
@@ -83,7 +84,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         flat = across[:, :2] / np.maximum(np.linalg.norm(across[:, :2], axis=1, keepdims=True), 1e-9)
         reach_px = reach_mm / seen.mm_per_px
         nearest, distance = photo.field.nearest_rim(seen.body.pixels[rim], flat, reach_px)
-        keep = distance < reach_px * np.where(trust[rim[nearest]] > 0.5, 1.0, 0.35)
+        keep = ~photo.field.veiled & (distance < reach_px * np.where(trust[rim[nearest]] > 0.5, 1.0, 0.35))
         vertex = rim[nearest[keep]]
         normal = photo.field.normals[keep]
         wanted = np.einsum("ka,ka->k", photo.field.samples_px[keep] - seen.body.pixels[vertex], normal)
@@ -107,6 +108,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
 
 def run(
     *,
+    proposals: Proposals,
     rough_bodies: BodySet,
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
@@ -115,7 +117,7 @@ def run(
 ) -> StageResult:
     """Give the bodies after slices and settling; the consensus is settled on all photos at once."""
     params = Params()
-    photos = {view: outlined(posed, silhouettes.views[view]) for view, posed in phenotype.views.items()}
+    photos = outlined_photos(phenotype, silhouettes, proposals)
     if not photos:
         return StageResult({"bodies": rough_bodies})
     levels = (np.arange(params.slices) + 0.5) / params.slices

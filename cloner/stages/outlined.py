@@ -14,8 +14,9 @@ from cloner.geometry.contours import OutlineField, outline_field
 from cloner.geometry.rims import fill_triangles, rim_vertices
 from cloner.geometry.skinning import blend_transforms, joint_transforms
 from cloner.geometry.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
-from cloner.records.bodies import BodyMesh, PosedView
-from cloner.records.silhouettes import Silhouette
+from cloner.records.bodies import BodyMesh, Phenotype, PosedView
+from cloner.records.points import HAIR, Proposals
+from cloner.records.silhouettes import SilhouetteSet
 
 Array = NDArray[np.float64]
 
@@ -51,11 +52,17 @@ class Outlined:
         return self.posed.view
 
 
-def outlined(posed: PosedView, silhouette: Silhouette) -> Outlined:
-    """Return a photo prepared for comparison with posed bodies."""
-    reduction = max(posed.camera.height_px / PICTURE_HEIGHT, 1.0)
-    field = outline_field(silhouette.contours_px, silhouette.mask, step_px=2.0 * reduction, reduction=reduction)
-    return Outlined(posed, field)
+def outlined_photos(phenotype: Phenotype, silhouettes: SilhouetteSet, proposals: Proposals) -> dict[ViewId, Outlined]:
+    """Return the body photos prepared for comparison with posed bodies."""
+    photos = {}
+    for view, posed in phenotype.views.items():
+        reduction = max(posed.camera.height_px / PICTURE_HEIGHT, 1.0)
+        silhouette, hair = silhouettes.views[view], proposals.views[view].labels == HAIR
+        field = outline_field(
+            silhouette.contours_px, silhouette.mask, hair, step_px=2.0 * reduction, reduction=reduction
+        )
+        photos[view] = Outlined(posed, field)
+    return photos
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -108,7 +115,7 @@ def slice_pairs(seen: Seen, photo: Outlined, name: str, levels: Array, reach_mm:
         generic.slice_theta.astype(np.float64),
         axis,
         levels,
-        photo.field.signed_distance,
+        photo.field,
         reach_mm / seen.mm_per_px,
     )
 
@@ -122,7 +129,8 @@ def views_of(views: dict[ViewId, Outlined], main: ViewId) -> tuple[Outlined, ...
 def gap_mm(mesh: BodyMesh, photo: Outlined) -> float:
     """Return the mean distance of the body's rim from the photo's outline, mm (method §7, residual)."""
     seen = see(mesh, photo)
-    distance = np.abs(photo.field.signed_distance(seen.body.pixels[seen.body.on_rim]))
+    rim = seen.body.pixels[seen.body.on_rim]
+    distance = np.abs(photo.field.signed_distance(rim[~photo.field.is_veiled(rim)]))
     return float(distance.mean()) * seen.mm_per_px
 
 

@@ -21,7 +21,7 @@ from cloner.geometry.posing import Chosen, moved_camera
 from cloner.geometry.rims import rim_vertices, vertex_normals
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.photos import Person
-from cloner.records.points import BodyPoints, Proposals, ViewPoints
+from cloner.records.points import HAIR, BodyPoints, Proposals, ViewPoints
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera, View, ViewSet
@@ -32,8 +32,6 @@ Tick = Callable[[float], None]
 CAMERA_FREEDOMS = 6
 #: Features of which the lowest in the picture stands on the floor, the left foot's first.
 SOLE_FEATURES = tuple(f"{part}_{side}" for side in ("left", "right") for part in ("sole", "toe", "heel"))
-#: Value of hair in ``Proposal.labels``.
-HAIR = 2
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,19 +113,17 @@ def _evidence(view: View, points: ViewPoints, silhouettes: SilhouetteSet, propos
     middle = np.array([0.0, 0.9, 0.0])
     mm_per_px = mm_from_m(view.camera.metres_per_pixel(middle))
     reduction = max(view.camera.height_px / params.height_px, 1.0)
-    field = outline_field(outline.contours_px, outline.mask, step_px=2.0 * reduction, reduction=reduction)
-    field = field.without(_near_hair(proposals.views[view.view].labels, field, 12.0 / mm_per_px))
+    field = outline_field(
+        outline.contours_px,
+        outline.mask,
+        proposals.views[view.view].labels == HAIR,
+        step_px=2.0 * reduction,
+        reduction=reduction,
+    )
     rows = np.flatnonzero(outline.mask.any(axis=1))
     top = np.array([np.flatnonzero(outline.mask[rows[0]]).mean(), rows[0] - 0.5])
     bottom = np.array([np.flatnonzero(outline.mask[rows[-1]]).mean(), rows[-1] + 0.5])
     return _Evidence(view, points, field, mm_per_px, top, bottom)
-
-
-def _near_hair(labels: NDArray[np.uint8], field: OutlineField, reach_px: float) -> NDArray[np.bool_]:
-    """Return (M,) whether an outline sample borders on hair, which hides the body's own outline."""
-    inner = np.round(field.samples_px - reach_px * field.normals).astype(int)
-    height, width = labels.shape
-    return np.asarray(labels[np.clip(inner[:, 1], 0, height - 1), np.clip(inner[:, 0], 0, width - 1)] == HAIR)
 
 
 class _PointTerm:
@@ -192,7 +188,7 @@ class _OutlineTerm:
         reach_px = reach_mm / evidence.mm_per_px
         nearest, distance = evidence.field.nearest_rim(pixels[rim], flat, reach_px)
         loose = _loose(generic)
-        keep = (distance < reach_px) & (loose[rim[nearest]] > 0)
+        keep = (distance < reach_px) & (loose[rim[nearest]] > 0) & ~evidence.field.veiled
         used, inverse = np.unique(rim[nearest[keep]], return_inverse=True)
         self.model = choose(generic, np.concatenate([used, rim]), stature_m, len(state.shape))
         self.pick = inverse
@@ -203,7 +199,7 @@ class _OutlineTerm:
         self.rim_count = len(rim)
         spacing = np.sqrt(len(evidence.field.samples_px) * pieces / max(len(rim), 1))
         self.rim_weight = 0.5 * evidence.mm_per_px / params.outline_mm * min(spacing, 1.0)
-        self.one_sided = loose[rim] == 0
+        self.one_sided = (loose[rim] == 0) | evidence.field.is_veiled(pixels[rim])
         self.field, self.soft = evidence.field, reach_mm / 2.0 / params.outline_mm
 
     def __call__(self, shape: Array, camera: Camera, pose: Array) -> Array:
@@ -217,9 +213,9 @@ class _OutlineTerm:
 
 
 def _loose(generic: GenericHuman) -> Array:
-    """Return (V,) trust in each vertex's outline: none under hair and in shoes, little at the fingers."""
+    """Return (V,) trust in each vertex's outline: none under hair, little in shoes and at the fingers."""
     trust = np.ones(len(generic.vertices_m))
-    for name, value in (("hand", 0.3), ("foot", 0.0)):
+    for name, value in (("hand", 0.3), ("foot", 0.3)):
         for side in ("left", "right"):
             trust[generic.vertex_segment == generic.segment_names.index(f"{side}_{name}")] = value
     trust[generic.region("scalp")] = 0.0

@@ -19,9 +19,10 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.slices import fine_shift
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
+from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.outlined import GRID_SEGMENTS, Outlined, gap_mm, outlined, see, slice_pairs, views_of
+from cloner.stages.outlined import GRID_SEGMENTS, Outlined, gap_mm, outlined_photos, see, slice_pairs, views_of
 
 Array = NDArray[np.float64]
 
@@ -112,6 +113,7 @@ def shape_slices(mesh: BodyMesh, photos: tuple[Outlined, ...], levels: Array, re
 
 def run(
     *,
+    proposals: Proposals,
     skeletons: SkeletonSet,
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
@@ -121,7 +123,7 @@ def run(
     """Give the front+side and back+side bodies with parts in place, and their mean."""
     params, generic = Params(), load_generic()
     vertices, joints = generic.shape(phenotype.coefficients, phenotype.stature_m)
-    photos = {view: outlined(posed, silhouettes.views[view]) for view, posed in phenotype.views.items()}
+    photos = outlined_photos(phenotype, silhouettes, proposals)
     bodies = []
     chosen: tuple[tuple[ViewId, Skeleton], ...] = (
         (ViewId.BODY_FRONT, skeletons.front_side),

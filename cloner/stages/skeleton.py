@@ -17,9 +17,10 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.bodies import BodyMesh, Phenotype, Skeleton, SkeletonSet
+from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.outlined import Outlined, outlined, see, slice_pairs, views_of
+from cloner.stages.outlined import Outlined, outlined_photos, see, slice_pairs, views_of
 
 Array = NDArray[np.float64]
 
@@ -77,13 +78,18 @@ def along_hierarchy(generic: GenericHuman, joints_m: Array, shifts: dict[str, Ar
 
 
 def run(
-    *, silhouettes: SilhouetteSet, phenotype: Phenotype, tick: Callable[[float], None], rng: object
+    *,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    phenotype: Phenotype,
+    tick: Callable[[float], None],
+    rng: object,
 ) -> StageResult:
     """Give the front+side and back+side skeletons and their consensus, in rest pose."""
     params, generic = Params(), load_generic()
     vertices, joints = generic.shape(phenotype.coefficients, phenotype.stature_m)
     mesh = BodyMesh(vertices, joints)
-    photos = {view: outlined(posed, silhouettes.views[view]) for view, posed in phenotype.views.items()}
+    photos = outlined_photos(phenotype, silhouettes, proposals)
     made = {}
     for number, main in enumerate((ViewId.BODY_FRONT, ViewId.BODY_BACK)):
         pair = views_of(photos, main)
