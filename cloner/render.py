@@ -224,7 +224,7 @@ def _kept_texture() -> Any:
     """Return a kind of texture that pyrender does not throw away after each picture."""
     pyrender = _pyrender()
 
-    class KeptTexture(pyrender.Texture):  # type: ignore[misc]
+    class KeptTexture(pyrender.Texture):  # type: ignore[misc,name-defined]
         def _add_to_context(self) -> None:
             if not self._in_context():
                 super()._add_to_context()

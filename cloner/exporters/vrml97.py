@@ -58,7 +58,7 @@ def _scene(clone: Clone, name: str) -> Iterator[str]:
     generic = load_generic()
     yield f"#VRML V2.0 utf8\n# Written by Cloner {__version__}. {_CREDITS}.\n\n{PROTOS}\n"
     yield f'WorldInfo {{ title "clone" info [ "{_CREDITS}" "units=metre up=+Y front=+Z" ] }}\n'
-    yield 'NavigationInfo { type [ "EXAMINE" "ANY" ] }\n\n'
+    yield 'NavigationInfo { type [ "EXAMINE" "ANY" ] }\nBackground { skyColor 0.88 0.89 0.9 }\n\n'
     yield 'DEF hanim_humanoid Humanoid {\nname "clone"\nversion "1.1"\n'
     yield f'info [ "humanoidVersion=1.1" "authorName=Cloner {__version__}" "height={clone.stature_m:.4f}" ]\n'
     yield "viewpoints [\n" + "".join(_viewpoints(clone)) + "]\n"

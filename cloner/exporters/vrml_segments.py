@@ -153,7 +153,7 @@ def _appearance(mesh: SkinMesh, seen: set[str]) -> str:
         return f"appearance USE look_{mesh.name}"
     seen.add(mesh.name)
     return (
-        f"appearance DEF look_{mesh.name} Appearance {{ material Material {{ diffuseColor 0.8 0.8 0.8 "
+        f"appearance DEF look_{mesh.name} Appearance {{ material Material {{ diffuseColor 1 1 1 "
         f"ambientIntensity 0.5 specularColor 0.03 0.03 0.03 shininess 0.1 }}\n"
         f'texture ImageTexture {{ url "textures/{mesh.picture}" }} }}'
     )
