@@ -11,7 +11,6 @@ import os
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -77,16 +76,12 @@ class Finding:
 
 def examine() -> tuple[Finding, ...]:
     """Look at everything Cloner needs; changes nothing."""
-    checks: tuple[Callable[[], Finding], ...] = (
-        _python,
-        *((lambda name=name: _library(name)) for name in LIBRARIES),
-        _heic,
-        _models,
-        _rendering,
-        _qt,
-        _writing,
-    )
-    return tuple(check() for check in checks)
+    return (_python(), *examine_libraries(), _heic(), _models(), _rendering(), _qt(), _writing())
+
+
+def examine_libraries() -> tuple[Finding, ...]:
+    """Import every library once."""
+    return tuple(_library(name) for name in LIBRARIES)
 
 
 def _python() -> Finding:
@@ -105,12 +100,18 @@ def _library(name: str) -> Finding:
         return Finding(distribution, False, _one_line(str(error)), _library_fix(str(error), distribution), needed)
 
 
+def _python_command() -> str:
+    """Return how this Python is called from the current folder."""
+    program = Path(sys.executable)
+    return str(program.relative_to(Path.cwd())) if program.is_relative_to(Path.cwd()) else program.name
+
+
 def _library_fix(trouble: str, distribution: str) -> str:
     """Return the fix for a failed import: a system library by its Debian package, else pip."""
     for start, package in _SYSTEM_LIBRARIES.items():
         if start in trouble:
             return f"{APT} {package}"
-    return f'{Path(sys.executable).name} -m pip install "{distribution}"'
+    return f'{_python_command()} -m pip install "{distribution}"'
 
 
 _SYSTEM_LIBRARIES: Final = {
@@ -128,13 +129,13 @@ def _heic() -> Finding:
     try:
         return Finding("HEIC photos", True, importlib.metadata.version("pillow-heif"), needed=False)
     except importlib.metadata.PackageNotFoundError:
-        fix = f"{Path(sys.executable).name} -m pip install pillow-heif"
+        fix = f"{_python_command()} -m pip install pillow-heif"
         return Finding("HEIC photos", False, "pillow-heif is not installed", fix, needed=False)
 
 
 def _models() -> Finding:
     """Compare the shipped nets with the digests of their provenance."""
-    reinstall = f"{Path(sys.executable).name} -m pip install --force-reinstall photo-cloner"
+    reinstall = f"{_python_command()} -m pip install --force-reinstall photo-cloner"
     try:
         root = importlib.resources.files("cloner_models")
         rows = json.loads((root / "nets" / "PROVENANCE.json").read_text(encoding="utf-8"))
@@ -154,7 +155,7 @@ def _models() -> Finding:
 
 
 def _rendering() -> Finding:
-    trouble = _trouble(_RENDER_TEST, {})
+    trouble = trouble_of(_RENDER_TEST, {})
     fix = f"{APT} libegl1 libgl1 libgles2 libgl1-mesa-dri"
     return Finding("drawing (EGL)", not trouble, trouble or "draws", fix if trouble else "")
 
@@ -162,9 +163,9 @@ def _rendering() -> Finding:
 def _qt() -> Finding:
     """Start Qt without a screen, and with one where there is one."""
     screen = bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))
-    trouble = _trouble(_QT_TEST, {"QT_QPA_PLATFORM": "offscreen"})
+    trouble = trouble_of(_QT_TEST, {"QT_QPA_PLATFORM": "offscreen"})
     if not trouble and screen and not os.environ.get("QT_QPA_PLATFORM"):
-        trouble = _trouble(_QT_TEST, {})
+        trouble = trouble_of(_QT_TEST, {})
     fix = f"{APT} libegl1 libxkbcommon0 libdbus-1-3 libfontconfig1 libxcb-cursor0 libxcb-icccm4 libxcb-keysyms1"
     detail = trouble or ("starts" if screen else "starts; no screen here, so `cloner gui` shows nothing")
     return Finding("window (Qt)", not trouble, detail, fix if trouble else "", needed=False)
@@ -178,7 +179,7 @@ def _writing() -> Finding:
         return Finding("this folder", False, f"cannot be written ({error.strerror})", "cd to a folder of your own")
 
 
-def _trouble(code: str, environment: dict[str, str]) -> str:
+def trouble_of(code: str, environment: dict[str, str]) -> str:
     """Run Python code apart and return the last line of its complaint, "" when all is well."""
     try:
         done = subprocess.run(

@@ -43,7 +43,7 @@ LIBRARIES: Final = (
 UNKNOWN_STATURE_M: Final = 0.09
 GIRTH_NOTE: Final = (
     "Around the outline that the photos show, so over clothes. The ± is one standard deviation: the outline's "
-    "residual, the level, and the errors measured on two synthetic visitors in clothes. It is an estimate, not a guarantee."
+    "residual, the level, and the errors measured on two synthetic visitors in clothes. It is an estimate."
 )
 NO_BODY_NOTE: Final = "There was no body photo: these are the girths of a generic body, not of this person."
 

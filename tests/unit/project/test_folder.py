@@ -154,3 +154,33 @@ def test_loaded_photos_carry_digest_name_and_pixels(tmp_path: Path) -> None:
     photo = project.load_photos(tmp_path).photos[ViewId.BODY_FRONT]
     assert (photo.width_px, photo.height_px, photo.name) == (80, 120, path.name)
     np.testing.assert_array_equal(photo.rgb[5, 5], [90, 120, 150])
+
+
+@pytest.mark.parametrize("kind", ["rotated", "cmyk", "grey16", "grey", "alpha", "palette"])
+def test_unusual_but_sane_photos_just_work(tmp_path: Path, samples: Path, kind: str) -> None:
+    plain = Image.open(samples / "anna" / "plain" / "body_front.jpg")
+    path = tmp_path / ("body_front.jpg" if kind in {"rotated", "cmyk"} else "body_front.png")
+    if kind == "rotated":
+        exif = Image.Exif()
+        exif[0x0112] = 6  # the camera was turned: show it rotated by 90 degrees
+        plain.transpose(Image.Transpose.ROTATE_90).save(path, exif=exif, quality=95)
+    elif kind == "grey16":
+        Image.fromarray(np.asarray(plain.convert("L")).astype(np.uint16) * 257).save(path)
+    else:
+        turned = (
+            plain.quantize(256) if kind == "palette" else plain.convert({"cmyk": "CMYK", "grey": "L"}.get(kind, "RGBA"))
+        )
+        turned.save(path)
+    photo = project.load_photos(tmp_path).photos[ViewId.BODY_FRONT]
+    expected = np.asarray(plain.convert("L"), dtype=float)
+    assert (photo.width_px, photo.height_px) == plain.size
+    found = np.asarray(Image.fromarray(photo.rgb).convert("L"), dtype=float)
+    assert np.abs(found - expected).mean() < 6.0, "more than a colour conversion changed"
+
+
+def test_a_hundred_megapixels_are_read_small(tmp_path: Path, samples: Path) -> None:
+    plain = Image.open(samples / "anna" / "plain" / "body_front.jpg")
+    plain.resize((8200, 12300)).save(tmp_path / "body_front.jpg", quality=80)
+    photo = project.load_photos(tmp_path).photos[ViewId.BODY_FRONT]
+    assert 1800 <= photo.height_px <= 2600
+    assert photo.width_px / photo.height_px == pytest.approx(2 / 3, rel=0.01)

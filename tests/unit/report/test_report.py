@@ -1,0 +1,139 @@
+"""What a report tells, on a clone whose outline is known exactly."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cloner.frames import ViewId
+from cloner.pipeline import StageReport
+from cloner.records.clones import Clone
+from cloner.records.heads import HeadFit
+from cloner.records.photos import Person, Photo, PhotoSet
+from cloner.records.points import PointSet, ViewPoints
+from cloner.records.results import Residual
+from cloner.records.silhouettes import Silhouette, SilhouetteSet
+from cloner.records.views import View, ViewSet
+from cloner.render import render_mask
+from cloner.report.agreement import agreements, compare
+from cloner.report.build import Run, build_report
+from cloner.report.page import page
+from cloner.report.write import write_report
+from kit.clones import toy_clone
+
+pytestmark = pytest.mark.gl
+
+
+@pytest.fixture(scope="module")
+def clone() -> Clone:
+    return toy_clone()
+
+
+@pytest.fixture(scope="module")
+def values(clone: Clone) -> dict[str, object]:
+    front = clone.views[ViewId.BODY_FRONT]
+    size = (front.camera.height_px, front.camera.width_px)
+    mask = render_mask(clone, front.camera, front.rotations)
+    outline = Silhouette(ViewId.BODY_FRONT, (), mask, (("crotch-knee", "edges", 0.8), ("rest", "mask", 0.0)))
+    photo = Photo(ViewId.BODY_FRONT, np.zeros((*size, 3), dtype=np.uint8), 50.0, "ab" * 32, "body_front.jpg")
+    named = ViewPoints(
+        ViewId.BODY_FRONT, ("crotch", "waist_left"), np.array([[10.0, 20.0], [30.5, 40.0]]), [0.4, 1.0], [False, True]
+    )
+    head = HeadFit(np.zeros((1, 3)), {}, (), np.zeros((0, 3)), np.zeros(3), 0.006, "")
+    return {
+        "person": Person("toy", "<b>Tö & y</b>", 1.70, False, ""),
+        "photos": PhotoSet({ViewId.BODY_FRONT: photo}),
+        "clone": clone,
+        "silhouettes": SilhouetteSet({ViewId.BODY_FRONT: outline}),
+        "body_points": PointSet({ViewId.BODY_FRONT: named}),
+        "face_points": PointSet({}),
+        "views": ViewSet({ViewId.BODY_FRONT: View(ViewId.BODY_FRONT, front.camera, "front", True)}),
+        "head": head,
+    }
+
+
+@pytest.fixture(scope="module")
+def run() -> Run:
+    stage = StageReport("views", 1.5, 1.2, 300.0, (Residual("gap", 2.5, "mm", "body_front"),), ("soft edge", "again"))
+    return Run(9.0, 7.0, 400.0, (stage,), 3, ("glb",), ("No height was given", "again"))
+
+
+@pytest.fixture(scope="module")
+def report(values: dict[str, object], run: Run) -> dict[str, object]:
+    return build_report(values, run, ["clone.glb", "previews/beside_body_front.jpg", "report.json"])
+
+
+def test_a_clone_agrees_with_its_own_outline(report: dict) -> None:
+    assert report["silhouette_iou"]["body_front"] > 0.99
+    assert report["outline_rms"]["body_front"]["px"] < 0.7, "only the drawing's own fineness may differ"
+
+
+def test_a_shifted_outline_is_measured(clone: Clone, values: dict) -> None:
+    outline = values["silhouettes"].views[ViewId.BODY_FRONT]
+    shifted = Silhouette(outline.view, (), np.roll(outline.mask, 4, axis=1), ())
+    found = agreements(clone, SilhouetteSet({ViewId.BODY_FRONT: shifted}))[ViewId.BODY_FRONT]
+    assert 0.8 < found.iou < 0.97
+    assert 2.0 < found.outline_rms_px <= 4.1
+    camera = clone.views[ViewId.BODY_FRONT].camera
+    scale_mm = 1e3 * camera.metres_per_pixel(clone.vertices_m.mean(axis=0))
+    assert found.outline_rms_mm == pytest.approx(found.outline_rms_px * scale_mm)
+
+
+def test_masks_of_squares_have_the_known_overlap() -> None:
+    first, second = np.zeros((2, 60, 60), dtype=bool)
+    first[10:50, 10:50] = True
+    second[10:50, 20:60] = True
+    assert compare(first, second, 2.0).iou == pytest.approx(30 / 50)
+    assert compare(first, first, 2.0).outline_rms_mm == 0.0
+    assert compare(first, np.zeros_like(first), 1.0).iou == 0.0
+
+
+def test_everything_has_its_origin(report: dict, clone: Clone) -> None:
+    assert report["features"]["body_front"]["waist_left"] == {
+        "x_px": 30.5,
+        "y_px": 40.0,
+        "confidence": 1.0,
+        "source": "corrected",
+    }
+    assert report["features"]["body_front"]["crotch"]["source"] == "proposed"
+    assert [piece["source"] for piece in report["outline_segments"]["body_front"]] == ["edges", "mask"]
+    assert report["residuals"] == [{"stage": "views", "name": "gap", "view": "body_front", "value": 2.5, "unit": "mm"}]
+    assert report["warnings"] == ["No height was given", "again", "soft edge"]
+    assert report["side_shown"] == {"body_side": None, "face_side": None}
+    np.testing.assert_allclose(report["features_m"]["head_top"], clone.features_m["head_top"], atol=1e-5)
+    assert all(len(digest) == 64 for digest in report["models"].values())
+
+
+def test_an_assumed_height_widens_every_girth(values: dict, run: Run, report: dict) -> None:
+    assert report["stature"]["known"] is False
+    assert report["stature"]["plus_minus_m"] > 0
+    person = Person("toy", "Toy", 1.70, True)
+    known = build_report({**values, "person": person}, run)
+    for name, girth in report["girths_mm"]["values"].items():
+        assert girth["plus_minus"] > known["girths_mm"]["values"][name]["plus_minus"], name
+        assert girth["value"] == known["girths_mm"]["values"][name]["value"]
+
+
+def test_without_a_body_photo_girths_are_said_to_be_generic(values: dict, run: Run) -> None:
+    report = build_report({**values, "silhouettes": SilhouetteSet({})}, run)
+    assert report["girths_mm"]["measured"] is False
+    assert "generic" in report["girths_mm"]["note"]
+    assert all(girth["plus_minus"] is None for girth in report["girths_mm"]["values"].values())
+    assert "generic" in page(report)
+
+
+def test_the_page_escapes_what_people_wrote(report: dict) -> None:
+    html = page(report)
+    assert "<b>" not in html
+    assert "&lt;b&gt;Tö &amp; y&lt;/b&gt;" in html
+    assert 'src="previews/beside_body_front.jpg"' in html
+    assert "height was given" in html
+
+
+def test_files_are_json_and_html(report: dict, tmp_path: Path) -> None:
+    told, shown = write_report(report, tmp_path)
+    assert json.loads(told.read_text(encoding="utf-8"))["person"]["name"] == "<b>Tö & y</b>"
+    assert shown.read_text(encoding="utf-8").startswith("<!doctype html>")
