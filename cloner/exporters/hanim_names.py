@@ -7,6 +7,7 @@ Humanoid Animation Working Group 1999, Specification for a Standard Humanoid, ve
 
 from __future__ import annotations
 
+import re
 from typing import Final
 
 _FIXED: Final = {
@@ -70,5 +71,10 @@ def segment_name(joint: str) -> str:
 
 
 def site_name(feature: str) -> str:
-    """Return the site that marks a feature point."""
-    return _SITES.get(feature, f"{feature}_pt")
+    """Return the site that marks a feature point, spelt as a VRML identifier."""
+    return _SITES.get(feature, f"{identifier(feature)}_pt")
+
+
+def identifier(name: str) -> str:
+    """Return a name with everything but letters, digits and _ replaced: "fdp_2.1" gives "fdp_2_1"."""
+    return re.sub(r"[^A-Za-z0-9_]", "_", name)

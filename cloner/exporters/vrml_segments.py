@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.exporters.hanim_names import segment_name, site_name
+from cloner.exporters.hanim_names import identifier, segment_name, site_name
 from cloner.exporters.partition import Piece, dominant_joint, partition
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import load_surfaces, surface_normals
@@ -171,7 +171,7 @@ def _displacers(clone: Clone, name: str, vertex: NDArray[np.int32]) -> Iterator[
         if len(moved):
             index = " ".join(map(str, moved.tolist()))
             yield (
-                f'DEF hanim_{name}_{target} Displacer {{ name "{target}" coordIndex [ {index} ]\n'
+                f'DEF hanim_{name}_{identifier(target)} Displacer {{ name "{target}" coordIndex [ {index} ]\n'
                 f"displacements [\n{_rows(own[moved])}] }}\n"
             )
 

@@ -60,11 +60,18 @@ def toy_clone(stature_m: float = 1.70, *, hair: bool = True) -> Clone:
         morph_start=start,
         atlas=_painted(generic),
         shells=(_cap(generic, vertices),) if hair else (),
-        features_m={name: vertices[generic.feature(name)] for name in generic.feature_names},
+        features_m=_features(generic, vertices),
         views=_views(generic, vertices),
         stature_m=stature_m,
         sole_m=0.0,
     )
+
+
+def _features(generic: GenericHuman, vertices: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:
+    """Return every named point, the MPEG-4 ones with the dots that their names have."""
+    points = {name: vertices[generic.feature(name)] for name in generic.feature_names}
+    named = zip(generic.fdp_names, generic.fdp_vertices, strict=True)
+    return points | {f"fdp_{name}": vertices[vertex] for name, vertex in named}
 
 
 def _painted(generic: GenericHuman) -> TextureAtlas:
