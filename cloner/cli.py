@@ -175,6 +175,8 @@ def main() -> None:
     signal.signal(signal.SIGTERM, _stop)
     try:
         code = app(standalone_mode=False)
+        if code == EXIT_CANCELLED:  # typer turns Ctrl-C into this code before we see it
+            raise KeyboardInterrupt
     except ClonerError as error:
         _say(f"cloner: {error}")
         code = EXIT_INPUT
