@@ -24,6 +24,7 @@ EXIT_INPUT: Final = 2
 EXIT_CANCELLED: Final = 130  # 128 + SIGINT, as shells have it
 EXIT_SOME_FAILED: Final = 1
 DEFAULT_FORMATS: Final = "glb,wrl"
+DEFAULT_TEXTURE_SIZE: Final = 2048
 
 app = typer.Typer(
     name="cloner",
@@ -39,6 +40,7 @@ HeightOption = Annotated[
 ]
 FormatOption = Annotated[str, typer.Option("--format", help="Formats to write, with commas: glb,wrl,obj,ply.")]
 SeedOption = Annotated[int, typer.Option("--seed", help="The same photos and seed give the same clone.")]
+SizeOption = Annotated[int, typer.Option("--size", help="Side of the texture in texels: 512, 1024, 2048 or 4096.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder that receives the results.")]
 
 
@@ -62,6 +64,7 @@ def _clone(
     height_cm: HeightOption = None,
     formats: FormatOption = DEFAULT_FORMATS,
     seed: SeedOption = 0,
+    size: SizeOption = DEFAULT_TEXTURE_SIZE,
     identifier: Annotated[str | None, typer.Option("--id", help="Name of the result's folder.")] = None,
 ) -> None:
     """Clone one person from a folder of photos."""
@@ -75,6 +78,7 @@ def _clone(
             formats=split_formats(formats),
             seed=seed,
             identifier=identifier,
+            texture_size=size,
             progress=progress,
         )
     for warning in outcome.warnings:

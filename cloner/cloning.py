@@ -5,14 +5,15 @@ from __future__ import annotations
 import logging
 import time
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
 from cloner import pipeline
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
-from cloner.pipeline import StageReport, peak_mib
+from cloner.pipeline import Stage, StageReport, peak_mib
 from cloner.previews import write_previews
 from cloner.project.atomic import result_folder
 from cloner.project.clone_file import save_clone
@@ -22,6 +23,7 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
 from cloner.report.build import Run, build_report, warnings_of
 from cloner.report.write import write_report
+from cloner.stages import textures
 
 log = logging.getLogger(__name__)
 
@@ -31,6 +33,8 @@ Progress = Callable[[str, float], None]
 DEFAULT_FORMATS: Final = ("glb", "wrl")
 PIPELINE_SHARE: Final = 0.85  # measured on the samples: the stages' part of the whole time
 CLONE_FILE: Final = "clone.npz"
+TEXTURE_SIZES: Final = (512, 1024, 2048, 4096)  # powers of two, as graphics cards want them
+DEFAULT_TEXTURE_SIZE: Final = textures.Params().size
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -71,6 +75,7 @@ def clone_photos(
     seed: int = 0,
     progress: Progress = quiet,
     known: Mapping[str, object] | None = None,
+    texture_size: int = DEFAULT_TEXTURE_SIZE,
 ) -> tuple[dict[str, Any], list[StageReport]]:
     """Return all values of the pipeline and one report a stage; writes nothing.
 
@@ -82,6 +87,8 @@ def clone_photos(
     progress : callable
     known : mapping, optional
         Values that are known already (say "proposals"); their stages are skipped.
+    texture_size : int
+        Side of the texture atlas, texels; one of `TEXTURE_SIZES`.
 
     Raises
     ------
@@ -91,7 +98,8 @@ def clone_photos(
         If ``progress`` raised it.
     """
     values = {**(known or {}), "photos": photos, "person": person, "corrections": corrections}
-    return pipeline.run(values, seed=seed, progress=progress)
+    check_texture_size(texture_size)
+    return pipeline.run(values, seed=seed, progress=progress, stages=_stages(texture_size))
 
 
 def clone_folder(
@@ -102,6 +110,7 @@ def clone_folder(
     formats: Sequence[str] = DEFAULT_FORMATS,
     seed: int = 0,
     identifier: str | None = None,
+    texture_size: int = DEFAULT_TEXTURE_SIZE,
     progress: Progress = quiet,
 ) -> CloneOutcome:
     """Clone the person in a folder of photos; the result appears whole or not at all.
@@ -119,6 +128,8 @@ def clone_folder(
     seed : int
     identifier : str or None
         Name of the result's folder; None takes the photo folder's name.
+    texture_size : int
+        Side of the texture atlas, texels; one of `TEXTURE_SIZES`.
     progress : callable
         Called with a step's name and a fraction 0..1; may raise Cancelled.
 
@@ -131,6 +142,7 @@ def clone_folder(
     """
     wall, cpu = time.perf_counter(), time.process_time()
     check_formats(formats)
+    check_texture_size(texture_size)
     progress("photos", 0.0)
     person = read_person(photos_dir, height_cm, identifier)
     corrections = read_corrections(photos_dir)
@@ -142,6 +154,7 @@ def clone_folder(
             person,
             corrections,
             seed=seed,
+            texture_size=texture_size,
             progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
         _write_clone(values, formats, folder, progress)
@@ -174,6 +187,28 @@ def check_formats(formats: Sequence[str]) -> None:
         if name not in EXPORTERS:
             hint = f"The formats are {', '.join(EXPORTERS)}"
             raise ClonerError(f"the format {name!r} is not known", hint, "--format")
+
+
+def check_texture_size(size: int) -> None:
+    """Refuse texture sizes that no program likes, before any work.
+
+    Raises
+    ------
+    ClonerError
+        If the size is not one of `TEXTURE_SIZES`.
+    """
+    if size not in TEXTURE_SIZES:
+        hint = f"The sizes are {', '.join(str(known) for known in TEXTURE_SIZES)}"
+        raise ClonerError(f"a texture of {size} texels cannot be made", hint, "--size")
+
+
+def _stages(texture_size: int) -> tuple[Stage, ...]:
+    """Return the pipeline's stages with the textures painted at the given size."""
+    params = textures.Params(size=texture_size)
+    return tuple(
+        replace(stage, run=partial(stage.run, params=params)) if stage.name == "textures" else stage
+        for stage in pipeline.STAGES
+    )
 
 
 def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path, progress: Progress) -> None:

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner import cli
+from cloner import cli, cloning
 from cloner.cloning import CloneOutcome
 
 Command = Callable[..., tuple[int, str, str]]
@@ -112,6 +112,15 @@ def test_unknown_formats_are_refused_before_any_work(run: Command, tmp_path: Pat
     sentence = refused(run, samples / "anna" / "plain", tmp_path / "out", "--format", "glb,fbx")
     assert "'fbx'" in sentence
     assert "glb, wrl" in sentence
+
+
+def test_odd_texture_sizes_are_refused(run: Command, tmp_path: Path, samples: Path) -> None:
+    assert "512, 1024" in refused(run, samples / "anna" / "plain", tmp_path / "out", "--size", 1000)
+
+
+def test_the_command_lines_defaults_are_the_programs() -> None:
+    assert cli.split_formats(cli.DEFAULT_FORMATS) == cloning.DEFAULT_FORMATS
+    assert cli.DEFAULT_TEXTURE_SIZE == cloning.DEFAULT_TEXTURE_SIZE
 
 
 def test_unwritable_output(run: Command, tmp_path: Path, samples: Path) -> None:
