@@ -20,6 +20,7 @@ from cloner.vision.evening import apply_light, light_basis
 Array = NDArray[np.float64]
 
 SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden at that very texel
+CHUNK_TEXELS = 1 << 18  # texels worked on at once: tables stay in tens of MiB
 LAST_CHOICE = 0.0005  # beside an inner outline a photo paints only what no other one sees
 OWNER_SMOOTHING = 4  # rounds; borders of 2-3 edge lengths' smoothness
 FILL_SHARE = 1e-6  # the smooth fill shows only where no photo does
@@ -99,18 +100,35 @@ def paint(
     skin = generic.vertex_part == generic.part_names.index("body")
     useful = (share > 0.0) & skin & ~generic.region("mouth_interior")
     rows = atlas.rows_of(useful[atlas.triangles].any(axis=1) & skin[atlas.triangles[:, 0]])
-    sight = source.sight
     table = np.column_stack(
-        [sight.pixel_px, source.lookup_px, sight.depth_m, sight.cosine, share,
+        [source.sight.pixel_px, source.lookup_px, source.sight.depth_m, source.sight.cosine, share,
          hair_allowed(generic), hair_kept(generic), light_basis(normals) @ gain]
-    )
+    ).astype(np.float32)
+    pieces = [
+        _paint_rows(atlas, source, table, rows[start : start + CHUNK_TEXELS], limits)
+        for start in range(0, rows.size, CHUNK_TEXELS)
+    ]
+    if not pieces:
+        return np.zeros(0, np.int32), np.zeros((0, 3), np.float32), np.zeros(0, np.float32)
+    return tuple(np.concatenate(column) for column in zip(*pieces, strict=True))  # type: ignore[return-value]
+
+
+def _paint_rows(
+    atlas: AtlasMap,
+    source: Source,
+    table: NDArray[np.float32],
+    rows: NDArray[np.int64],
+    limits: Limits,
+) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
+    """Return texels, colours and weights of some texels; ``table`` as made in :func:`paint`."""
     values = atlas.interpolate(table, rows)
     pixel, lookup, depth, cosine, weight = values[:, :2], values[:, 2:4], values[:, 4], values[:, 5], values[:, 6]
     good = visible_points(source, limits, pixel, lookup, depth, cosine) & (weight > 0.0)
     good &= ~covered_by_hair(source, pixel, lookup, depth, values[:, 7] > 0.5, values[:, 8] > 0.5)
-    weight = np.where(sight.before_edge(pixel, depth, cosine), LAST_CHOICE * weight, weight)
+    unsafe = source.sight.before_edge(pixel, depth, cosine)
+    weight = np.where(unsafe, LAST_CHOICE * weight, weight)[good]
     colour = apply_light(sample(source.plate.rgb, lookup[good]), values[good, 9:12])
-    return atlas.texel[rows[good]], colour.astype(np.float32), weight[good]
+    return atlas.texel[rows[good]], colour.astype(np.float32), weight
 
 
 def dense_layer(

@@ -23,6 +23,8 @@ def paint_parts(
 ) -> NDArray[np.float32]:
     """Return the atlas (size, size, 3), levels, with every part but the skin painted."""
     flat = rgb.reshape(-1, 3).copy()
+    face = atlas.rows_of(generic.region("face")[atlas.triangles].all(axis=1))
+    skin_rgb = np.median(flat[atlas.texel[face]], axis=0) if face.size else np.float32([190.0, 160.0, 145.0])
     part_of = generic.vertex_part[atlas.triangles[:, 0]]
     for number, name in enumerate(generic.part_names):
         if name == "body":
@@ -38,7 +40,7 @@ def paint_parts(
             spokes /= np.maximum(np.linalg.norm(spokes, axis=1, keepdims=True), 1e-9)
             iris = iris_radius_m if iris_radius_m > 0.0 else USUAL_IRIS_M
             angle = float(np.arcsin(np.clip(iris / radius, 0.2, 0.7)))
-            colour = paint_eye(spokes, iris_rgb, angle, rng)
+            colour = paint_eye(spokes, iris_rgb, angle, skin_rgb, rng)
         elif name.startswith("teeth_"):
             height = points[:, 1] - points[:, 1].min()
             share = height / max(float(np.ptp(points[:, 1])), 1e-6)

@@ -170,7 +170,7 @@ def make_source(
     seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
     share = photo_shares(generic, posed_view.view, faces=faces)
     share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
-    return replace(source, score=share * np.where(seen, sight.cosine**CLAIM_POWER, 0.0)), gap
+    return replace(source, score=share * np.where(seen, np.clip(sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
 
 
 def align(sight: Sight, plate: Plate, limits: Limits) -> tuple[Array, float]:
@@ -240,5 +240,8 @@ def covered_by_hair(
     kept : (N,) face, where only a shell in front counts
     """
     labelled = sample(source.hair, lookup_px)[:, 0] > PERSON_LEVEL
-    below = depth_m > depth_at(source.hair_m, pixel_px) + HAIR_CLEARANCE_M
-    return (below | (labelled & ~kept)) & ~allowed
+    shell = depth_at(source.hair_m, pixel_px)
+    below = depth_m > shell + HAIR_CLEARANCE_M
+    # A scalp under a shell must show hair: what lies beyond the hair's outline is background.
+    stray = allowed & np.isfinite(shell) & ~labelled
+    return ((below | (labelled & ~kept)) & ~allowed) | stray

@@ -17,10 +17,9 @@ _EAR_SIDE = 1.6
 _BODY_ON_HEAD = {ViewId.BODY_FRONT: 0.12, ViewId.BODY_SIDE: 0.1, ViewId.BODY_BACK: 0.6}
 # An arm hangs before the body in the side photo: a few pixels off, it would take the shirt's colour. Front and back
 # photos see arms against the background.
-_ARM_SIDE = 0.35
-_ARM_SEGMENTS = ("upper_arm", "forearm", "hand")
+_ARM_SIDE = {"upper_arm": 0.4, "forearm": 0.3, "hand": 0.1}
 # The tops of the shoulders face no body camera; face photos look down on them a little, in nearly the same pose.
-_FACE_ON_SHOULDERS, _SHOULDER_REACH_M = 0.3, 0.12
+_FACE_ON_SHOULDERS, _SHOULDER_REACH_M = 0.15, 0.09
 
 
 def photo_shares(generic: GenericHuman, view: ViewId, *, faces: frozenset[ViewId]) -> NDArray[np.float64]:
@@ -39,10 +38,12 @@ def photo_shares(generic: GenericHuman, view: ViewId, *, faces: frozenset[ViewId
     if view is ViewId.FACE_FRONT:
         return near_head * np.where(generic.region("face"), _FACE_FRONT, 1.0) * np.where(ears, 0.6, 1.0)
     if view is ViewId.FACE_SIDE:
-        return near_head * np.where(ears, _EAR_SIDE, _SIDE)
+        return head * np.where(ears, _EAR_SIDE, _SIDE)
     on_body = np.ones(len(head))
     if view is ViewId.BODY_SIDE:
-        on_body = np.where(_arms(generic), _ARM_SIDE, _SIDE)
+        on_body[:] = _SIDE
+        for name, share in _ARM_SIDE.items():
+            on_body[_segments(generic, (name,))] = share
     covered = {
         ViewId.BODY_FRONT: ViewId.FACE_FRONT in faces,
         ViewId.BODY_SIDE: ViewId.FACE_SIDE in faces,
@@ -64,9 +65,9 @@ def head_weight(generic: GenericHuman) -> NDArray[np.float64]:
     return weight
 
 
-def _arms(generic: GenericHuman) -> NDArray[np.bool_]:
-    """Return (V,) where upper arms, forearms and hands are."""
-    names = [k for k, name in enumerate(generic.segment_names) if name.endswith(_ARM_SEGMENTS)]
+def _segments(generic: GenericHuman, endings: tuple[str, ...]) -> NDArray[np.bool_]:
+    """Return (V,) where the segments of both sides with these names are."""
+    names = [k for k, name in enumerate(generic.segment_names) if name.endswith(endings)]
     return np.isin(generic.vertex_segment, names)
 
 
@@ -76,5 +77,5 @@ def _beside_neck(generic: GenericHuman) -> NDArray[np.float64]:
     low = base[base[:, 1] < np.quantile(base[:, 1], 0.2)]
     gap = np.linalg.norm(generic.vertices_m[:, None, [0, 2]] - low[None, ::4, [0, 2]], axis=2).min(axis=1)
     below = np.clip((low[:, 1].mean() - generic.vertices_m[:, 1]) / _SHOULDER_REACH_M, 0.0, 1.0)
-    on_torso = ~_arms(generic) & (generic.vertices_m[:, 1] > low[:, 1].mean() - _SHOULDER_REACH_M)
+    on_torso = ~_segments(generic, tuple(_ARM_SIDE)) & (generic.vertices_m[:, 1] > low[:, 1].mean() - _SHOULDER_REACH_M)
     return np.where(on_torso, np.clip(1.0 - gap / _SHOULDER_REACH_M, 0.0, 1.0) * (1.0 - below), 0.0)

@@ -10,9 +10,10 @@ Array = NDArray[np.float64]
 LEVEL_OFFSET = 8.0  # grey levels; keeps the logarithm of dark cloth finite and its noise small
 ROUNDS = 6  # reweighted least squares settles after 4-6 rounds (measured)
 HUBER_LOG = 0.08  # differences above 8 % are other things than light: cloth moved, a limb in the way
-_RIDGE_CONSTANT = 0.3  # taste: against pairs that weigh 20-50, exposure is nearly free
+_RIDGE_CONSTANT = 1.0  # taste: against pairs that weigh 20-50, exposure is nearly free
 RIDGE_SLOPE = 6.0  # taste: misplaced cloth must not pass for light from one side
-LARGEST_LOG = 0.4  # a gain beyond 1.5 is a mistake, not light
+LARGEST_LOG = 0.2  # taste: a gain beyond 1.22 burns skin out; real lamps differ more, then a rest stays
+REFERENCE_HOLD = 2.0  # the reference gives way this much less than the others
 
 
 def log_levels(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
@@ -26,7 +27,7 @@ def light_basis(normals: NDArray[np.floating]) -> NDArray[np.floating]:
 
 
 def even_light(colours: Array, weights: Array, normals: Array, reference: int, *, ridge_slope: float = RIDGE_SLOPE) -> Array:
-    """Return the log gains that make photos agree where they overlap.
+    """Return the log gains that bring photos together where they overlap.
 
     Each photo k gets log gain ``basis(n) @ result[k]``: one exposure per
     channel plus a first-order change of light with the surface's direction,
@@ -39,13 +40,13 @@ def even_light(colours: Array, weights: Array, normals: Array, reference: int, *
     weights : (K, V) >= 0, trust, 0 = not seen
     normals : (V, 3) unit
     reference : int
-        The photo whose colours are kept.
+        The photo whose colours are kept best.
     ridge_slope : float
         Reluctance against light that changes with direction; large = exposure only.
 
     Returns
     -------
-    (K, 4, 3) coefficients; zero for the reference and for photos without overlap.
+    (K, 4, 3) coefficients; zero for photos without overlap and for those that evening would make worse.
     """
     count = len(colours)
     logs = log_levels(colours)
@@ -53,7 +54,8 @@ def even_light(colours: Array, weights: Array, normals: Array, reference: int, *
     result = np.zeros((count, 4, 3))
     pairs = [(a, b) for a in range(count) for b in range(a + 1, count)]
     for _ in range(ROUNDS):
-        system = np.kron(np.eye(count), np.diag([_RIDGE_CONSTANT] + 3 * [ridge_slope]))
+        hold = np.where(np.arange(count) == reference, REFERENCE_HOLD, 1.0)
+        system = np.kron(np.diag(hold), np.diag([_RIDGE_CONSTANT] + 3 * [ridge_slope]))
         right = np.zeros((count * 4, 3))
         for a, b in pairs:
             trust = np.minimum(weights[a], weights[b])
@@ -74,12 +76,33 @@ def even_light(colours: Array, weights: Array, normals: Array, reference: int, *
             system[second, first] -= gram
             right[first] += drive
             right[second] -= drive
-        system[4 * reference : 4 * reference + 4, 4 * reference : 4 * reference + 4] += 1e6 * np.eye(4)
         result = np.linalg.solve(system, right).reshape(count, 4, 3)
-    return result
+    return _without_harm(result, logs, weights, basis)
+
+
+def _without_harm(gains: Array, logs: Array, weights: Array, basis: Array) -> Array:
+    """Return the gains with those of a photo set to zero that agrees better without."""
+    kept = gains.copy()
+    for k in range(len(gains)):
+        before, after = [], []
+        for j in range(len(gains)):
+            rows = np.minimum(weights[k], weights[j]) > 0.0
+            if j == k or not rows.any():
+                continue
+            other = logs[j, rows] + _limited(basis[rows] @ kept[j])
+            before.append(np.abs(logs[k, rows] - other).mean(axis=1))
+            after.append(np.abs(logs[k, rows] + _limited(basis[rows] @ kept[k]) - other).mean(axis=1))
+        if before and np.median(np.concatenate(after)) > np.median(np.concatenate(before)):
+            kept[k] = 0.0
+    return kept
 
 
 def apply_light(rgb: NDArray[np.floating], log_gain: NDArray[np.floating]) -> NDArray[np.floating]:
     """Return colours (N, 3) in levels after log gains (N, 3), clipped to 0..255."""
-    gain = np.exp(np.clip(log_gain, -LARGEST_LOG, LARGEST_LOG))
+    gain = np.exp(_limited(log_gain))
     return np.clip((rgb + LEVEL_OFFSET) * gain - LEVEL_OFFSET, 0.0, 255.0)
+
+
+def _limited(log_gain: NDArray[np.floating]) -> NDArray[np.floating]:
+    """Return log gains bent smoothly into +-LARGEST_LOG."""
+    return LARGEST_LOG * np.tanh(log_gain / LARGEST_LOG)

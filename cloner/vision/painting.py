@@ -7,7 +7,8 @@ from numpy.typing import NDArray
 
 Image = NDArray[np.float32]
 
-SCLERA_RGB = (226.0, 216.0, 208.0)  # taste: never white, else the clone stares
+SCLERA_RGB = (214.0, 204.0, 197.0)  # taste: never white, else the clone stares
+SCLERA_TO_SKIN = 1.12  # taste: the white of the eye is this much lighter than the face around it, in levels
 VESSEL_RGB = (196.0, 130.0, 118.0)
 PUPIL_RGB = (14.0, 11.0, 10.0)
 TOOTH_RGB = (222.0, 209.0, 188.0)
@@ -29,7 +30,11 @@ def _mix(a: Image, b: NDArray[np.floating] | tuple[float, ...], share: Image) ->
 
 
 def paint_eye(
-    directions: Image, iris_rgb: NDArray[np.floating], iris_angle: float, rng: np.random.Generator
+    directions: Image,
+    iris_rgb: NDArray[np.floating],
+    iris_angle: float,
+    skin_rgb: NDArray[np.floating],
+    rng: np.random.Generator,
 ) -> Image:
     """Return (N, 3) colours, levels, of points on an eyeball.
 
@@ -39,12 +44,15 @@ def paint_eye(
     iris_rgb : (3,) levels
     iris_angle : float
         Radius of the iris as an angle from the gaze, radians.
+    skin_rgb : (3,) levels
+        Colour of the face; a dim photo has dim eyes.
     rng : numpy Generator, for fibres and vessels
     """
     angle = np.arccos(np.clip(directions[:, 2], -1.0, 1.0)).astype(np.float32)
     around = np.arctan2(directions[:, 1], directions[:, 0]).astype(np.float32)
     share = angle / np.float32(iris_angle)
-    colour = _paint_sclera(share, around, rng)
+    light = np.clip(SCLERA_TO_SKIN * np.mean(skin_rgb) / np.mean(SCLERA_RGB), 0.45, 1.0)
+    colour = _paint_sclera(share, around, rng) * np.float32(light)
     iris = _paint_iris(share, around, np.asarray(iris_rgb, np.float32), rng)
     # The limbus is soft: about a tenth of the iris radius in life.
     colour = _mix(iris, colour, _ramp(share, 0.95, 1.10))
