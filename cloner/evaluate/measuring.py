@@ -22,8 +22,14 @@ from cloner.records.clones import Clone
 from cloner.records.points import PointSet
 from cloner.records.silhouettes import SilhouetteSet
 
+
+def _read_only(mapping: dict[object, object]) -> MappingProxyType[object, object]:
+    """Return a read-only view; the class itself has no importable name."""
+    return MappingProxyType(mapping)
+
+
 # Records hold their mappings in MappingProxyType, which pickle does not know.
-copyreg.pickle(MappingProxyType, lambda proxy: (MappingProxyType, (dict(proxy),)))
+copyreg.pickle(MappingProxyType, lambda proxy: (_read_only, (dict(proxy),)))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

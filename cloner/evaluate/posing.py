@@ -26,8 +26,21 @@ JOINTS: Final = {
     for name in ("shoulder", "elbow", "wrist", "hip", "knee", "ankle")
     for side in "LR"
 }
+#: Feature points of the face that must lie where the truth's do (goals.md).
+LANDMARKS: Final = (
+    *("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom"),
+    *(f"{name}_{side}" for name in ("eye_inner", "eye_outer", "ala", "mouth_corner") for side in "LR"),
+    *(f"{name}_{side}" for name in ("ear_top", "ear_lobe") for side in "LR"),
+)
+#: Surface points of the trunk and head that steady the joints when a whole body is laid on the truth.
+BODY_MARKS: Final = (
+    *(f"{name}_{side}" for name in ("acromion", "neck_base") for side in "LR"),
+    *("crotch", "nape", "vertex_top", "chin_bottom"),
+)
 #: How far a joint of another skeleton may lie from ours and still agree, metres; taste.
 _JOINT_SIGMA_M: Final = 0.01
+#: The same for a face landmark about the middle of all; they only tell where the head looks.
+_LANDMARK_SIGMA_M: Final = 0.03
 #: The truth's pose may be far from rest, so the prior only keeps unseen twists still; taste.
 _PRIOR_WEIGHT: Final = 0.1
 
@@ -96,38 +109,69 @@ def truth_from_points(found: Mapping[str, Array], truth: Mapping[str, Array]) ->
     return fit_similarity(source, np.array([truth[name] for name in names]), scale=False)
 
 
-def rotations_towards(clone: Clone, generic: GenericHuman, truth_joints: Mapping[str, Array], start: Array) -> Array:
+def truth_from_body(
+    posed: Posed, generic: GenericHuman, joints: Mapping[str, Array], marks: Mapping[str, Array]
+) -> Array:
+    """Return the rigid (4, 4) motion that lays a posed body on the truth's joints and trunk marks."""
+    found = {**joints_by_truth_name(posed, generic), **_only(BODY_MARKS, posed.features_m)}
+    return truth_from_points(found, {**joints, **_only(BODY_MARKS, marks)})
+
+
+def _only(names: tuple[str, ...], points: Mapping[str, Array]) -> dict[str, Array]:
+    return {name: points[name] for name in names if name in points}
+
+
+def landmarks(points: Mapping[str, Array]) -> dict[str, Array]:
+    """Return the face landmarks among named points."""
+    return _only(LANDMARKS, points)
+
+
+def rotations_towards(
+    clone: Clone,
+    generic: GenericHuman,
+    truth_joints: Mapping[str, Array],
+    truth_marks: Mapping[str, Array],
+    start: Array,
+) -> Array:
     """Return the (94, 3) rotations whose joints, moved rigidly, lie nearest the truth's.
 
     Parameters
     ----------
     clone : Clone
     generic : GenericHuman
-    truth_joints : mapping of str to (3,) float64, truth frame, metres
+    truth_joints, truth_marks : mapping of str to (3,) float64, truth frame, metres
+        Limbs follow the joints; of the marks only the face's count, and only
+        for where the head looks.
     start : (94, 3) float64
         Rotations to begin from, for example the pose of the front photo.
     """
     spread = pose_matrix(generic.joint_names)
-    rows = [generic.joint(JOINTS[name]) for name in JOINTS]
+    rows, skull = [generic.joint(JOINTS[name]) for name in JOINTS], generic.joint("skullbase")
     goal = np.array([truth_joints[name] for name in JOINTS])
     parents, rest = _parents(generic), clone.joints_m
+    marks = [name for name in landmarks(clone.features_m) if name in truth_marks]
+    face = _centred(np.array([clone.features_m[name] for name in marks]).reshape(-1, 3))
+    face_goal = _centred(np.array([truth_marks[name] for name in marks]).reshape(-1, 3))
 
     def rotations(pose: Array) -> Array:
         return np.asarray(start + (spread @ pose).reshape(-1, 3))
 
-    def placed(pose: Array) -> Array:
-        transforms = joint_transforms(rest, parents, rotations(pose))[rows]
-        return np.asarray(np.einsum("jab,jb->ja", transforms[:, :3, :3], rest[rows]) + transforms[:, :3, 3])
-
     def residual(values: Array) -> Array:
-        joints = placed(values[6:])
-        turned = (joints - joints.mean(axis=0)) @ rotation_matrices(values[None, :3])[0].T
-        away = (turned + values[3:6] - goal) / _JOINT_SIGMA_M
-        return np.concatenate([away.ravel(), _PRIOR_WEIGHT * values[6:] / SIGMAS])
+        transforms = joint_transforms(rest, parents, rotations(values[6:]))
+        limbs = transforms[rows]
+        joints = np.einsum("jab,jb->ja", limbs[:, :3, :3], rest[rows]) + limbs[:, :3, 3]
+        turn = rotation_matrices(values[None, :3])[0].T
+        away = ((joints - joints.mean(axis=0)) @ turn + values[3:6] - goal) / _JOINT_SIGMA_M
+        looking = (face @ transforms[skull, :3, :3].T @ turn - face_goal) / _LANDMARK_SIGMA_M
+        return np.concatenate([away.ravel(), looking.ravel(), _PRIOR_WEIGHT * values[6:] / SIGMAS])
 
     first = np.concatenate([np.zeros(3), goal.mean(axis=0), np.zeros(len(SIGMAS))])
     best = least_squares(residual, first, method="trf", max_nfev=25)
     return rotations(best.x[6:])
+
+
+def _centred(points: Array) -> Array:
+    return np.asarray(points - points.mean(axis=0)) if len(points) else points
 
 
 def moved_camera(camera: Camera, target_from_source: Array) -> Camera:

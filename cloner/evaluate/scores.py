@@ -10,7 +10,14 @@ from numpy.typing import NDArray
 
 from cloner.evaluate import likeness, rulers, skins
 from cloner.evaluate.measuring import CloneRun
-from cloner.evaluate.posing import Posed, joints_by_truth_name, pose_clone, rotations_towards, truth_from_points
+from cloner.evaluate.posing import (
+    LANDMARKS,
+    Posed,
+    landmarks,
+    pose_clone,
+    rotations_towards,
+    truth_from_body,
+)
 from cloner.evaluate.truth import THREE_QUARTER, Truth, TruthView
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
@@ -115,8 +122,8 @@ def _surface_scores(posed: Posed, generic: GenericHuman, truth: Truth, rng: np.r
     face = skins.face_surface_mm(posed, generic, truth.surface, rng=rng)
     yield Score("face_surface_similarity_mm", "", "mm", face.similarity.mean)
     yield Score("face_surface_rigid_mm", "", "mm", face.rigid.mean)
-    found, marks = skins.named(posed.features_m), skins.named(truth.surface.marks_m)
-    names = [name for name in skins.LANDMARKS if name in found and name in marks]
+    found, marks = landmarks(posed.features_m), landmarks(truth.surface.marks_m)
+    names = [name for name in LANDMARKS if name in found and name in marks]
     away = rulers.landmark_distances(np.array([found[n] for n in names]), np.array([marks[n] for n in names]))
     yield Score("face_landmarks_mean_mm", "", "mm", mm_from_m(float(away.mean())))
     yield Score("face_landmarks_worst_mm", "", "mm", mm_from_m(float(away.max())))
@@ -124,9 +131,9 @@ def _surface_scores(posed: Posed, generic: GenericHuman, truth: Truth, rng: np.r
 
 def _posed_as_truth(subject: Clone, generic: GenericHuman, truth: Truth, start: Array) -> Posed:
     """Return the subject in the truth's pose, laid on its joints without a scale."""
-    rotations = rotations_towards(subject, generic, truth.surface.joints_m, start)
+    rotations = rotations_towards(subject, generic, truth.surface.joints_m, truth.surface.marks_m, start)
     posed = pose_clone(subject, generic, rotations)
-    return posed.moved(truth_from_points(joints_by_truth_name(posed, generic), truth.surface.joints_m))
+    return posed.moved(truth_from_body(posed, generic, truth.surface.joints_m, truth.surface.marks_m))
 
 
 def _stature_m(subject: Clone, generic: GenericHuman) -> float:

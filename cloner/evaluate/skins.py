@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.evaluate.posing import Posed, truth_from_points
+from cloner.evaluate.posing import Posed, landmarks, truth_from_points
 from cloner.evaluate.rulers import Spread, Surface, align_by_nearest, apply, inverse, spread
 from cloner.evaluate.surfaces import PointSurface, TriangleSurface, sample_surface, seen_from_outside
 from cloner.evaluate.truth import TruthSurface
@@ -26,12 +26,6 @@ _DISC_M: Final = 0.006  # measured: the truth against its own samples (3.6 mm ap
 _FACE_RADIUS_M: Final = 0.095  # goals.md: within 95 mm of the nose tip
 _HAND_M: Final = 0.25  # longest hand, wrist to fingertip, with room
 _HAIR_NEAR_M: Final = 0.025  # taste: skin this near hair was never seen by a camera
-#: Feature points of the face that must lie where the truth's do (goals.md).
-LANDMARKS: Final = (
-    *("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom"),
-    *(f"{name}_{side}" for name in ("eye_inner", "eye_outer", "ala", "mouth_corner") for side in "LR"),
-    *(f"{name}_{side}" for name in ("ear_top", "ear_lobe") for side in "LR"),
-)
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +93,7 @@ def face_surface_mm(
     target: Surface = PointSurface(points, normals, radius=_DISC_M)
     if len(truth.bare_m):
         target = TriangleSurface(truth.bare_m, truth.bare_triangles)
-    placed = posed.moved(truth_from_points(named(posed.features_m), named(marks)))
+    placed = posed.moved(truth_from_points(landmarks(posed.features_m), landmarks(marks)))
     skin = skin_triangles(generic)
     head = skin[_within(placed.vertices_m, marks["nose_tip"], 2.0 * _FACE_RADIUS_M)[skin].all(axis=1)]
     surface = TriangleSurface(placed.vertices_m, head)
@@ -118,11 +112,6 @@ def face_surface_mm(
         _, to_truth, _ = target.closest(moved[_in_face(moved, marks)])
         errors[scale] = _both_ways(to_clone, to_truth)
     return FaceErrors(errors[True], errors[False])
-
-
-def named(points: Mapping[str, Array]) -> dict[str, Array]:
-    """Return the face landmarks among named points."""
-    return {name: points[name] for name in LANDMARKS if name in points}
 
 
 def skin_triangles(generic: GenericHuman) -> NDArray[np.int32]:
