@@ -49,7 +49,7 @@ FREEDOMS: tuple[Freedom, ...] = (
     *_sided("clavicle_raise", "sternoclavicular", Z, 4.0),
     *(f for axis in (X, Y, Z) for f in _sided(f"elbow_{'xyz'[axis]}", "elbow", axis, 15.0)),
     *(f for axis in (X, Y, Z) for f in _sided(f"wrist_{'xyz'[axis]}", "wrist", axis, 12.0)),
-    *(f for axis, spread in ((X, 8.0), (Y, 10.0), (Z, 8.0)) for f in _sided(f"hip_{'xyz'[axis]}", "hip", axis, spread)),
+    *(f for axis, spread in ((X, 8.0), (Y, 6.0), (Z, 8.0)) for f in _sided(f"hip_{'xyz'[axis]}", "hip", axis, spread)),
     *_sided("knee_bend", "knee", X, 6.0),
     *_sided("ankle_bend", "ankle", X, 5.0),
     *_sided("ankle_turn", "ankle", Y, 6.0),

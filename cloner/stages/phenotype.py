@@ -30,8 +30,7 @@ Array = NDArray[np.float64]
 Tick = Callable[[float], None]
 
 CAMERA_FREEDOMS = 6
-#: Features of which the lowest in the picture stands on the floor, the left foot's first.
-SOLE_FEATURES = tuple(f"{part}_{side}" for side in ("left", "right") for part in ("sole", "toe", "heel"))
+
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +47,9 @@ class Params:
         Length of outline that counts as independent evidence.
     hair_mm, sole_m, sole_spread_m : float
         Hair above the skull and soles below the foot: usual value and spread (taste).
-    camera_degrees, camera_m : tuple
+    floor_mm : float
+        How far heels and toes of both feet may stand off one level floor.
+    camera_degrees, camera_share : tuple
         Prior spread of the first camera: pitch, heading, roll; shift x, y, distance share.
     shapes : tuple of int
         Number of shape coefficients in the successive rounds.
@@ -63,8 +64,9 @@ class Params:
     outline_piece_mm: float = 25.0
     hair_mm: float = 12.0
     hair_spread_mm: float = 8.0
+    floor_mm: float = 4.0
     sole_m: float = 0.022
-    sole_spread_m: float = 0.008
+    sole_spread_m: float = 0.0025
     camera_degrees: tuple[float, float, float] = (1.5, 4.0, 2.0)
     camera_share: tuple[float, float, float] = (0.1, 0.1, 0.15)
     shapes: tuple[int, ...] = (6, 12, 24, 30, 30)
@@ -129,8 +131,9 @@ def _evidence(view: View, points: ViewPoints, silhouettes: SilhouetteSet, propos
 class _PointTerm:
     """Named points of one photo against joints and feature vertices of the model."""
 
-    def __init__(self, generic: GenericHuman, evidence: _Evidence, stature_m: float, params: Params, count: int) -> None:
+    def __init__(self, generic: GenericHuman, evidence: _Evidence, stature_m: float, params: Params, count: int, sole_m: float) -> None:
         points = evidence.points
+        self.sole_m = sole_m
         joint_rows = [k for k, name in enumerate(points.names) if name in generic.joint_names]
         feature_rows = [
             k
@@ -138,8 +141,10 @@ class _PointTerm:
             if name in generic.feature_names and (points.corrected[k] or name not in ("head_top", "sole_left", "sole_right"))
         ]
         self.joints = np.array([generic.joint(points.names[k]) for k in joint_rows], dtype=int)
-        ends = [generic.feature(name) for name in ("head_top", *SOLE_FEATURES)]
-        vertices = np.array([*(generic.feature(points.names[k]) for k in feature_rows), *ends], dtype=np.int64)
+        soles = sole_vertices(generic)
+        self.soles = len(soles)
+        named = [generic.feature(points.names[k]) for k in feature_rows]
+        vertices = np.array([*named, generic.feature("head_top"), *soles], dtype=np.int64)
         self.model = choose(generic, vertices, stature_m, count)
         rows = joint_rows + feature_rows
         spread = np.where(np.arange(len(rows)) < len(joint_rows), params.joint_mm, params.outline_point_mm)
@@ -159,12 +164,14 @@ class _PointTerm:
         soft = np.linalg.norm(named, axis=1, keepdims=True)
         named = named / np.sqrt(1.0 + (soft / 2.0) ** 2)
         mm, params = self.evidence.mm_per_px, self.params
-        soles = projected[-len(SOLE_FEATURES) :, 1].reshape(2, -1).max(axis=1)
-        top = (projected[-len(SOLE_FEATURES) - 1, 1] - self.evidence.top_px[1]) * mm - params.hair_mm
+        soles = projected[-self.soles :, 1].reshape(2, -1).max(axis=1)
+        top = (projected[-self.soles - 1, 1] - self.evidence.top_px[1]) * mm - params.hair_mm
         bottom = (self.bottoms_px - soles if len(self.bottoms_px) == 2 else self.bottoms_px - soles.max()) * mm
-        bottom = (bottom - mm_from_m(params.sole_m)) / mm_from_m(params.sole_spread_m)
+        bottom = (bottom - mm_from_m(self.sole_m)) / mm_from_m(params.sole_spread_m)
         ends = [top / params.hair_spread_mm, *bottom]
-        return np.concatenate([named.ravel(), ends])
+        height_m = vertices[-self.soles :, 1]
+        floor = mm_from_m(1.0) * (height_m - height_m.mean()) / params.floor_mm
+        return np.concatenate([named.ravel(), ends, floor])
 
 
 class _OutlineTerm:
@@ -189,6 +196,8 @@ class _OutlineTerm:
         nearest, distance = evidence.field.nearest_rim(pixels[rim], flat, reach_px)
         loose = _loose(generic)
         keep = (distance < reach_px) & (loose[rim[nearest]] > 0) & ~evidence.field.veiled
+        feet = _feet(generic)
+        keep &= ~(feet[rim[nearest]] & (np.abs(evidence.field.normals[:, 1]) > 0.5))
         used, inverse = np.unique(rim[nearest[keep]], return_inverse=True)
         self.model = choose(generic, np.concatenate([used, rim]), stature_m, len(state.shape))
         self.pick = inverse
@@ -199,7 +208,7 @@ class _OutlineTerm:
         self.rim_count = len(rim)
         spacing = np.sqrt(len(evidence.field.samples_px) * pieces / max(len(rim), 1))
         self.rim_weight = 0.5 * evidence.mm_per_px / params.outline_mm * min(spacing, 1.0)
-        self.one_sided = (loose[rim] == 0) | evidence.field.is_veiled(pixels[rim])
+        self.one_sided = (loose[rim] == 0) | feet[rim] | evidence.field.is_veiled(pixels[rim])
         self.field, self.soft = evidence.field, reach_mm / 2.0 / params.outline_mm
 
     def __call__(self, shape: Array, camera: Camera, pose: Array) -> Array:
@@ -220,6 +229,12 @@ def _loose(generic: GenericHuman) -> Array:
             trust[generic.vertex_segment == generic.segment_names.index(f"{side}_{name}")] = value
     trust[generic.region("scalp")] = 0.0
     return trust
+
+
+def _feet(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) whether a vertex belongs to a foot, whose sole and instep a shoe hides."""
+    rows = [generic.segment_names.index(f"{side}_foot") for side in ("left", "right")]
+    return np.isin(generic.vertex_segment, rows)
 
 
 def moved(camera: Camera, motion: Array, stature_m: float) -> Camera:
@@ -284,9 +299,12 @@ def solve(
         {view: np.zeros(CAMERA_FREEDOMS) for view in evidence},
         {view: mean.copy() for view in evidence},
     )
+    sole = params.sole_m
     for number, count in enumerate(params.shapes):
+        if number > 1:
+            sole = sole_height(generic, state, evidence, stature_m)
         state = _State(np.pad(state.shape, (0, count - len(state.shape))), state.motions, state.poses)
-        points = {view: _PointTerm(generic, seen, stature_m, params, count) for view, seen in evidence.items()}
+        points = {view: _PointTerm(generic, seen, stature_m, params, count, sole) for view, seen in evidence.items()}
         reach_mm = (0.0, 120.0, 80.0, 60.0, 45.0)[min(number, 4)]
         for turn in range(params.turns_per_round):
             terms: dict[ViewId, list[Callable[[Array, Camera, Array], Array]]] = {v: [points[v]] for v in evidence}
@@ -325,20 +343,36 @@ def run(
         term = _OutlineTerm(generic, seen, state, person.stature_m, params, 60.0)
         gap = term.field.signed_distance(posed[view].camera.project(term.model.posed(state.shape, state.poses[view])[0])[-term.rim_count :])
         residuals.append(Residual("outline gap", float(np.abs(gap[~term.one_sided]).mean()) * seen.mm_per_px, "mm", view.value))
-    sole = _sole(generic, state, evidence, posed, person.stature_m)
+    sole = sole_height(generic, state, evidence, person.stature_m)
     value = Phenotype(state.shape, person.stature_m, sole, posed, _attributes(generic, state.shape))
     return StageResult({"phenotype": value}, tuple(residuals))
 
 
-def _sole(generic: GenericHuman, state: _State, evidence: dict[ViewId, _Evidence], posed: dict[ViewId, PosedView], stature_m: float) -> float:
-    """Return how far the photos' lowest outline lies below the naked soles, metres, within 0..50 mm."""
+def sole_vertices(generic: GenericHuman) -> NDArray[np.int64]:
+    """Return (2 N,) vertices spread over both soles, the left foot's first."""
+    chosen = []
+    for side in ("left", "right"):
+        own = np.flatnonzero(generic.region("sole") & generic.region(f"foot_{side}"))
+        own = own[generic.vertices_m[own, 1] < 0.006]
+        along = generic.vertices_m[own, 2]
+        places = np.linspace(along.min(), along.max(), 8)
+        chosen.append([own[np.argmin(np.abs(along - place))] for place in places])
+    return np.array(chosen).ravel()
+
+
+def sole_height(
+    generic: GenericHuman, state: _State, evidence: dict[ViewId, _Evidence], stature_m: float
+) -> float:
+    """Return how far the photos' lowest outline lies below the naked soles, metres, median of the photos, 0..40 mm."""
     heights = []
-    model = choose(generic, np.array([generic.feature(name) for name in SOLE_FEATURES]), stature_m, len(state.shape))
+    model = choose(generic, sole_vertices(generic), stature_m, len(state.shape))
     for view, seen in evidence.items():
-        vertices, _ = model.posed(state.shape, state.poses[view])
-        pixels = posed[view].camera.project(vertices)
-        heights.append((seen.bottom_px[1] - pixels[:, 1].max()) * posed[view].camera.metres_per_pixel(vertices[int(np.argmax(pixels[:, 1]))]))
-    return float(np.clip(np.median(heights), 0.0, 0.05))
+        feet, _ = model.posed(state.shape, state.poses[view])
+        camera = moved(seen.view.camera, state.motions[view], stature_m)
+        pixels = camera.project(feet)
+        lowest = int(np.argmax(pixels[:, 1]))
+        heights.append((seen.bottom_px[1] - pixels[lowest, 1]) * camera.metres_per_pixel(feet[lowest]))
+    return float(np.clip(np.median(heights), 0.0, 0.04))
 
 
 def _attributes(generic: GenericHuman, coefficients: Array) -> dict[str, float]:
