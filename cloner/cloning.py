@@ -18,7 +18,7 @@ from cloner.previews import write_previews
 from cloner.project.atomic import result_folder
 from cloner.project.clone_file import save_clone
 from cloner.project.corrections import check_against
-from cloner.project.folder import load_photos, person_warnings, read_corrections, read_person
+from cloner.project.folder import load_photos, person_warnings, photo_warnings, read_corrections, read_person
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
 from cloner.report.build import Run, build_report, warnings_of
@@ -148,7 +148,7 @@ def clone_folder(
     corrections = read_corrections(photos_dir)
     with result_folder(out_dir, person.identifier) as folder:
         photos = load_photos(photos_dir)
-        warnings = (*person_warnings(person), *check_against(corrections, photos))
+        warnings = (*person_warnings(person), *photo_warnings(photos), *check_against(corrections, photos))
         values, stages = clone_photos(
             photos,
             person,

@@ -141,6 +141,18 @@ def person_warnings(person: Person) -> tuple[str, ...]:
     )
 
 
+def photo_warnings(photos: PhotoSet) -> tuple[str, ...]:
+    """Return what the report must say about missing body photos; the head stage tells of the face's."""
+    if not photos.body_views:
+        return ("There is no body photo: the body is the generic one of a matching build, its colours a guess",)
+    told = {
+        ViewId.BODY_FRONT: "There is no front photo of the body: its front is seen by the face photo alone",
+        ViewId.BODY_SIDE: "There is no side photo of the body: its depths are those of a usual body of this shape",
+        ViewId.BODY_BACK: "There is no back photo of the body: its back is coloured from what the other photos show",
+    }
+    return tuple(text for view, text in told.items() if view not in photos.photos)
+
+
 def read_corrections(folder: Path) -> Corrections:
     """Return the corrections of ``corrections.json``, or none when there is no such file.
 

@@ -39,6 +39,23 @@ def test_fewer_photos_are_a_smaller_job(tmp_path: Path, names: tuple[str, ...]) 
     assert len(project.load_photos(tmp_path).photos) == len(names)
 
 
+@pytest.mark.parametrize(
+    ("names", "words"),
+    [
+        (("face_front", "face_side"), ["no body photo"]),
+        (("body_front",), ["no side photo", "no back photo"]),
+        (("body_front", "body_side", "body_back"), []),
+        (("face_front", "body_side", "body_back"), ["no front photo"]),
+    ],
+)
+def test_missing_body_photos_are_said(tmp_path: Path, names: tuple[str, ...], words: list[str]) -> None:
+    for name in names:
+        put_photo(tmp_path, f"{name}.png")
+    told = project.photo_warnings(project.load_photos(tmp_path))
+    assert len(told) == len(words)
+    assert all(word in warning for word, warning in zip(words, told, strict=True))
+
+
 @pytest.mark.parametrize("names", [(), ("front.png",), ("body_side.png", "body_back.png"), ("face_side.png",)])
 def test_no_front_photo_names_the_files_that_are_expected(tmp_path: Path, names: tuple[str, ...]) -> None:
     for name in names:
