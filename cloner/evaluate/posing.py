@@ -41,6 +41,8 @@ BODY_MARKS: Final = (
 _JOINT_SIGMA_M: Final = 0.01
 #: The same for a face landmark about the middle of all; they only tell where the head looks.
 _LANDMARK_SIGMA_M: Final = 0.03
+#: How far the direction of a foot may differ, radians; taste.
+_FOOT_SIGMA: Final = 0.05
 #: The truth's pose may be far from rest, so the prior only keeps unseen twists still; taste.
 _PRIOR_WEIGHT: Final = 0.1
 
@@ -152,6 +154,7 @@ def rotations_towards(
     marks = [name for name in landmarks(clone.features_m) if name in truth_marks]
     face = _centred(np.array([clone.features_m[name] for name in marks]).reshape(-1, 3))
     face_goal = _centred(np.array([truth_marks[name] for name in marks]).reshape(-1, 3))
+    feet = _feet(clone, generic, truth_marks)
 
     def rotations(pose: Array) -> Array:
         return np.asarray(start + (spread @ pose).reshape(-1, 3))
@@ -163,11 +166,30 @@ def rotations_towards(
         turn = rotation_matrices(values[None, :3])[0].T
         away = ((joints - joints.mean(axis=0)) @ turn + values[3:6] - goal) / _JOINT_SIGMA_M
         looking = (face @ transforms[skull, :3, :3].T @ turn - face_goal) / _LANDMARK_SIGMA_M
-        return np.concatenate([away.ravel(), looking.ravel(), _PRIOR_WEIGHT * values[6:] / SIGMAS])
+        pointing = [(turn.T @ transforms[ankle, :3, :3] @ own - goal) / _FOOT_SIGMA for ankle, own, goal in feet]
+        return np.concatenate([away.ravel(), looking.ravel(), *pointing, _PRIOR_WEIGHT * values[6:] / SIGMAS])
 
     first = np.concatenate([np.zeros(3), goal.mean(axis=0), np.zeros(len(SIGMAS))])
     best = least_squares(residual, first, method="trf", max_nfev=25)
     return rotations(best.x[6:])
+
+
+def _feet(clone: Clone, generic: GenericHuman, truth_marks: Mapping[str, Array]) -> list[tuple[int, Array, Array]]:
+    """Return ankle joint, the clone's and the truth's direction from heel to toe, where all are known."""
+    found = []
+    for side, name in (("L", "left"), ("R", "right")):
+        own = [clone.features_m.get(f"{part}_{name}") for part in ("toe", "heel")]
+        true = [truth_marks.get(f"shoe_{part}_{side}") for part in ("toe", "heel")]
+        if own[0] is not None and own[1] is not None and true[0] is not None and true[1] is not None:
+            ankle = generic.joint(f"{side.lower()}_ankle")
+            found.append((ankle, _direction(own[0] - own[1]), _direction(true[0] - true[1])))
+    return found
+
+
+def _direction(vector: Array) -> Array:
+    """Return a level unit vector: shoes and bare feet slope differently."""
+    level = vector * np.array([1.0, 0.0, 1.0])
+    return np.asarray(level / max(float(np.linalg.norm(level)), 1e-9))
 
 
 def _centred(points: Array) -> Array:
