@@ -25,6 +25,11 @@ class FaceNet:
         468 places on the generic human's vertices.
     sigma_m : (468,) float64
         Spread of each place along one picture axis, metres, over random heads.
+    drift_m : (M, 468, 2) float64
+        Errors that the points make together, right and down in the picture, metres; each times a standard normal
+        number.
+    alone_m : (468,) float64
+        What is left of the spread without them.
     names : tuple of str
     rules : (K, 468) float64
         Weights that make named points from net points, rows sum to one.
@@ -36,6 +41,8 @@ class FaceNet:
 
     places: SurfacePoints
     sigma_m: Array
+    drift_m: Array
+    alone_m: Array
     names: tuple[str, ...]
     rules: Array
     rule_error: Array
@@ -56,6 +63,8 @@ def load_face_net() -> FaceNet:
     return FaceNet(
         SurfacePoints(data["corners"], data["weights"].astype(np.float64)),
         data["sigma_m"].astype(np.float64),
+        data["drift_m"].astype(np.float64),
+        data["alone_m"].astype(np.float64),
         tuple(str(n) for n in data["named"]),
         data["rules"].astype(np.float64),
         data["rule_error_iod"].astype(np.float64),

@@ -15,7 +15,7 @@ from skimage.measure import find_contours
 
 Array = NDArray[np.float64]
 
-#: Height of the skull's top (with some hair) over the nose tip, metres: gives each try its size (generic: 0.125 + hair).
+#: Height of the skull's top (with some hair) over the nose tip, metres: gives each try its size.
 TOP_OVER_NOSE_M = 0.14
 #: Sizes tried around it: hair volume and head shape vary by about a quarter (taste).
 SIZES = np.linspace(0.78, 1.22, 12)

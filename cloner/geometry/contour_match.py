@@ -24,7 +24,9 @@ def foremost(points_px: Array, facing: int, *, step_px: float) -> NDArray[np.int
     return order[np.unique(level[order], return_index=True)[1]]
 
 
-def match(points_px: Array, contour: Array, normals: Array, *, gate_px: float) -> tuple[NDArray[np.int64], Array, Array]:
+def match(
+    points_px: Array, contour: Array, normals: Array, *, gate_px: float
+) -> tuple[NDArray[np.int64], Array, Array]:
     """Return which points have a contour point within ``gate_px``, and that point and its normal."""
     distance, index = cKDTree(contour).query(points_px)
     kept = np.flatnonzero(distance < gate_px)

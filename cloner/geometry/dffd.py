@@ -44,7 +44,7 @@ def enclosing_points(points_m: Array, *, margin: float = 0.6) -> Array:
     axes = np.stack([low - gap, (low + high) / 2.0, high + gap])
     grid = np.stack(np.meshgrid([0, 1, 2], [0, 1, 2], [0, 1, 2], indexing="ij"), axis=-1).reshape(-1, 3)
     grid = grid[~(grid == 1).all(axis=1)]
-    return axes[grid, np.arange(3)]
+    return np.asarray(axes[grid, np.arange(3)], dtype=np.float64)
 
 
 def circumcentres(corners: Array) -> Array:
@@ -57,7 +57,7 @@ def circumcentres(corners: Array) -> Array:
     )
     determinant = np.einsum("na,na->n", edges[:, 0], crosses[:, 0])
     determinant = np.where(np.abs(determinant) < 1e-300, 1e-300, determinant)
-    return corners[:, 0] + np.einsum("nk,nka->na", right, crosses) / determinant[:, None]
+    return np.asarray(corners[:, 0] + np.einsum("nk,nka->na", right, crosses) / determinant[:, None])
 
 
 def sibson_weights(queries_m: Array, controls_m: Array) -> csr_matrix:
@@ -159,7 +159,7 @@ def _lost_by_corners(queries: Array, corners: Array, centres: Array) -> Array:
     lost = np.empty(corners.shape[:2])
     for corner, (first, second, third) in enumerate(((1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1))):
         lost[:, corner] = np.einsum("na,na->n", new[:, first], np.cross(new[:, second], new[:, third]))
-    return lost * side[:, None]
+    return np.asarray(lost * side[:, None])
 
 
 def _restore_linear_precision(weights: csr_matrix, queries: Array, controls: Array) -> csr_matrix:

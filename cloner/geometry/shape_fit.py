@@ -33,6 +33,8 @@ class Evidence:
         When given, only the error along this unit direction counts: a point may slide on a curve.
     outlier : float
         Errors beyond this many sigmas lose their weight (Cauchy).
+    drift_px : (M, N, 2) or None
+        Errors that the targets make together; their sizes are solved for and follow the shape coefficients.
     """
 
     camera: int
@@ -42,11 +44,12 @@ class Evidence:
     sigma_px: Array
     normal_px: Array | None = None
     outlier: float = 3.0
+    drift_px: Array | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShapeFit:
-    """Coefficients (F,), cameras, and each turn from its starting pose (radians, (K, 3))."""
+    """Coefficients (F,) or with drifts (F + M,), cameras, and each turn from its starting pose (radians, (K, 3))."""
 
     coefficients: Array
     cameras: tuple[Camera, ...]
@@ -55,9 +58,14 @@ class ShapeFit:
 
 def _rows(item: Evidence, coefficients: Array, camera: Camera) -> tuple[Array, Array, Array, Array]:
     """Return whitened errors (M,), their rows for shape (M, F) and pose (M, 6), and robust weights (M,)."""
-    points = item.base_m + np.tensordot(coefficients, item.basis_m, axes=1)
+    shapes = len(item.basis_m)
+    points = item.base_m + np.tensordot(coefficients[:shapes], item.basis_m, axes=1)
     seen, by_point, by_step = projection_derivatives(camera, points)
-    by_shape = np.einsum("nia,fna->nif", by_point, item.basis_m)
+    by_shape = np.zeros((*seen.shape, len(coefficients)))
+    by_shape[..., :shapes] = np.einsum("nia,fna->nif", by_point, item.basis_m)
+    if item.drift_px is not None:
+        by_shape[..., shapes:] = item.drift_px.transpose(1, 2, 0)
+        seen = seen + np.tensordot(coefficients[shapes:], item.drift_px, axes=1)
     error = item.target_px - seen
     if item.normal_px is not None:
         error = (error * item.normal_px).sum(1, keepdims=True)
@@ -69,8 +77,8 @@ def _rows(item: Evidence, coefficients: Array, camera: Camera) -> tuple[Array, A
     weight = np.repeat(weight, error.shape[1])
     return (
         error.ravel(),
-        (by_shape * scale[..., None]).reshape(error.size, -1),
-        (by_step * scale[..., None]).reshape(error.size, -1),
+        (by_shape * scale[..., None]).reshape(error.size, len(coefficients)),
+        (by_step * scale[..., None]).reshape(error.size, 6),
         weight,
     )
 

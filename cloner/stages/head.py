@@ -65,10 +65,10 @@ def run(
     _warn(front, side, proposals, log)
     cameras = start_cameras(model, front, side, _sizes(photos, phenotype, front, side, params, log))
     tick(0.2)
-    _, fitted = fit_basis(model, front, side, cameras, params)
+    drifts, fitted = fit_basis(model, front, side, cameras, params)
     tick(0.6)
     controls = load_head_controls()
-    fitted, moved = add_relief(model, fitted, front, side, controls, params)
+    fitted, moved = add_relief(model, fitted, front, side, drifts, controls, params)
     tick(0.8)
     scale = head_scale(model, fitted, front, proposals, phenotype, params)
     pivot = model.joints_m[model.generic.joint("skullbase")]
@@ -94,7 +94,7 @@ def run(
 def _controls_before(model: Model, controls_m: Array, phenotype: Phenotype) -> Array:
     """Return the controls of the mean head at the phenotype's stature."""
     middle = model.generic.vertices_m[model.generic.feature("nasion")].astype(np.float64)
-    return controls_m - middle + model.vertices_m[model.generic.feature("nasion")]
+    return np.asarray(controls_m - middle + model.vertices_m[model.generic.feature("nasion")])
 
 
 def _warn(front: Front | None, side: Side | None, proposals: Proposals, log: Log) -> None:
@@ -199,8 +199,9 @@ def _report_front(model: Model, fitted: Fitted, front: Front | None, points: Fac
     if named is not None and known:
         vertices = [model.generic.feature(named.names[k]) for k in known]
         error = np.linalg.norm(fitted.front.project(whole[vertices]) - named.points_px[known], axis=1)
-        log.residuals.append(Residual("front named points", 100.0 * float(error.mean()) / distance, "percent", view))
-        log.residuals.append(Residual("front named points, worst", 100.0 * float(error.max()) / distance, "percent", view))
+        error = 100.0 * error / distance
+        log.residuals.append(Residual("front named points", float(error.mean()), "percent", view))
+        log.residuals.append(Residual("front named points, worst", float(error.max()), "percent", view))
 
 
 def _report_side(model: Model, fitted: Fitted, side: Side | None, points: FacePoints, log: Log) -> None:

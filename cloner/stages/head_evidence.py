@@ -34,8 +34,11 @@ class Params:
         Least presence of a face that is used.
     net_floor_m : float
         Error of a net point on a photo beyond its spread on painted heads (measured on the sample visitors).
-    together : float
-        Net points err together; their sigmas grow by this much in the shape fit, where hundreds add up.
+    drift, together : float
+        The joint errors of net points on photos against those on painted heads, and how much their own errors grow in
+        the shape fit, where hundreds add up.
+    loose_net : float
+        The same where DFFD follows single net points.
     named_m, corrected_m : float
         Expected errors of proposed profile points and of an operator's points.
     contour_m : float
@@ -55,7 +58,9 @@ class Params:
     focal_35mm: float = 70.0
     presence: float = 0.5
     net_floor_m: float = 0.0010
-    together: float = 2.5
+    drift: float = 1.2
+    together: float = 1.5
+    loose_net: float = 2.0
     named_m: float = 0.004
     corrected_m: float = 0.0008
     contour_m: float = 0.0010

@@ -83,8 +83,9 @@ def outline_vertices(whole: Array, candidates: NDArray[np.int64], camera: Camera
 def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) -> list[Evidence]:
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
     base, basis = model.places(model.net.places)
-    sigma = params.together * _net_sigma(model, params) / metres
-    out = [Evidence(0, base, basis, front.net_px, sigma)]
+    sigma = params.together * np.hypot(model.net.alone_m, params.net_floor_m) / metres
+    drift = params.drift * model.net.drift_m / metres
+    out = [Evidence(0, base, basis, front.net_px, sigma, drift_px=drift)]
     if len(front.vertices):
         base, basis = model.vertex_places(front.vertices)
         sigma = np.full(len(front.vertices), params.corrected_m / metres)
@@ -101,7 +102,7 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
     loose = np.where(side.sigma_m > params.corrected_m, 2.0 if curve else 1.0, 1.0)
     out = [Evidence(index, base, basis, side.points_px, loose * side.sigma_m / metres)]
     if curve:
-        whole = model.whole(model.head(fit.coefficients))
+        whole = model.whole(model.head(fit.coefficients[: len(model.basis_m)]))
         vertices = outline_vertices(whole, candidates, camera, side.facing)
         gate = GATES_M[0 if iteration < ITERATIONS - 4 else 1] / metres
         kept, target, normal = match(camera.project(whole[vertices]), side.contour_px, side.normals_px, gate_px=gate)
@@ -113,10 +114,11 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
 
 def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tuple[Camera | None, Camera | None],
               params: Params) -> tuple[Array, Fitted]:  # fmt: skip
-    """Return the basis coefficients (F,) and the fitted head, from all evidence together."""
+    """Return the net's joint errors (M,) in this photo and the fitted head, from all evidence together."""
     present = tuple(c for c in cameras if c is not None)
+    shapes, drifts = len(model.basis_m), len(model.net.drift_m)
     if not present:
-        return np.zeros(len(model.basis_m)), Fitted(model.head(np.zeros(len(model.basis_m))), None, None)
+        return np.zeros(drifts), Fitted(model.head(np.zeros(shapes)), None, None)
     side_index = len(present) - 1
     turn_sigma = np.full((len(present), 3), np.inf)
     if side is not None:
@@ -131,29 +133,31 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
             found += _side_evidence(model, side, fit, iteration, side_index, params, candidates)
         return found
 
-    start = ShapeFit(np.zeros(len(model.basis_m)), present, np.zeros((len(present), 3)))
+    start = ShapeFit(np.zeros(shapes + drifts), present, np.zeros((len(present), 3)))
     fit = fit_shape(start, gather, turn_sigma=turn_sigma, iterations=ITERATIONS)
     front_camera = fit.cameras[0] if front is not None else None
     side_camera = fit.cameras[side_index] if side is not None else None
-    return fit.coefficients, Fitted(model.head(fit.coefficients), front_camera, side_camera)
+    return fit.coefficients[shapes:], Fitted(model.head(fit.coefficients[:shapes]), front_camera, side_camera)
 
 
 def _rows(weights: csr_matrix, model: Model, surface: SurfacePoints, movable: NDArray[np.bool_]) -> csr_matrix:
     """Return the (N, K) weights of surface points on the movable controls."""
     rows = model.row[surface.corners]
-    place = csr_matrix(
-        (surface.weights.ravel(), (np.repeat(np.arange(len(rows)), 3), rows.ravel())), shape=(len(rows), weights.shape[0])
-    )
+    point = np.repeat(np.arange(len(rows)), 3)
+    place = csr_matrix((surface.weights.ravel(), (point, rows.ravel())), shape=(len(rows), weights.shape[0]))
     return csr_matrix((place @ weights)[:, np.flatnonzero(movable)])
 
 
-def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | None, controls: HeadControls,
-               params: Params) -> tuple[Fitted, Array]:  # fmt: skip
-    """Return the head after DFFD of what the basis left over, and all controls' displacements (K, 3)."""
+def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | None, drifts: Array,
+               controls: HeadControls, params: Params) -> tuple[Fitted, Array]:  # fmt: skip
+    """Return the head after DFFD of what the basis left over, and all controls' displacements (K, 3).
+
+    What the fit took for joint errors of the net (``drifts``) is no shape: it is not followed.
+    """
     whole = model.whole(fitted.head_m)
     left: list[Leftover] = []
     if front is not None and fitted.front is not None:
-        left += _front_leftovers(model, whole, fitted.front, front, controls, params)
+        left += _front_leftovers(model, whole, fitted.front, front, drifts, controls, params)
     if side is not None and fitted.side is not None:
         left += _side_leftovers(model, whole, fitted.side, side, controls, params)
     moved = np.zeros((len(controls.names), 3))
@@ -165,12 +169,13 @@ def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | N
     return replace(fitted, head_m=fitted.head_m + deform(controls.weights, moved)), moved
 
 
-def _front_leftovers(model: Model, whole: Array, camera: Camera, front: Front, controls: HeadControls,
+def _front_leftovers(model: Model, whole: Array, camera: Camera, front: Front, drifts: Array, controls: HeadControls,
                      params: Params) -> list[Leftover]:  # fmt: skip
     metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
     weights = _rows(controls.weights, model, model.net.places, controls.movable)
-    sigma = _net_sigma(model, params) / metres
-    out = [Leftover(camera, model.net.places.at(whole), weights, front.net_px, sigma)]
+    sigma = params.loose_net * np.hypot(model.net.alone_m, params.net_floor_m) / metres
+    target = front.net_px - params.drift * np.tensordot(drifts, model.net.drift_m, axes=1) / metres
+    out = [Leftover(camera, model.net.places.at(whole), weights, target, sigma)]
     if len(front.vertices):
         rows = csr_matrix(controls.weights[model.row[front.vertices]][:, np.flatnonzero(controls.movable)])
         sigma = np.full(len(front.vertices), 0.3 * params.corrected_m / metres)

@@ -9,11 +9,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
+from calibrate_face_net import exposed_triangles, save
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 from scipy.spatial import cKDTree
 
-from calibrate_face_net import exposed_triangles, save
 from cloner.detectors.face_net import load_face_net
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.dffd import enclosing_points, sibson_weights

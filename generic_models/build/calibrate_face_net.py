@@ -1,4 +1,4 @@
-"""Find where the 468 points of the face net lie on the generic head: ``python generic_models/build/calibrate_face_net.py``.
+"""Find where the face net's 468 points lie on the generic head: ``python generic_models/build/calibrate_face_net.py``.
 
 Random generic heads are painted, photographed and shown to the net; every point's place on the surface and its spread
 go to ``cloner_models/face_net.npz``, with the linear rules that turn net points into named feature points.
@@ -13,12 +13,12 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from painted_heads import Head, photograph, random_camera
 
 from cloner.detectors import litert
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.surface import SurfacePoints, first_hits, nearest_points, vertex_normals
 from cloner.records.views import Camera
-from painted_heads import Head, photograph, random_camera
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "face_net.npz"
@@ -31,6 +31,7 @@ MIDDLE = ("nasion", "glabella", "nose_tip", "subnasale", "lip_top", "stomion", "
           "chin_bottom")  # fmt: skip
 PROFILE = ("glabella", "nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front",
            "chin_bottom")  # fmt: skip
+MODES = 24  # joint errors of the net that are kept; the rest counts as independent
 BANK = 24  # profiles kept for the search in side photos
 NEIGHBOURS = 14  # net points a named point is made from
 RIDGE = 30.0  # holds the rule near plain interpolation; taste, 40 heads fix 14 weights only softly
@@ -127,8 +128,9 @@ def profile_template(generic: GenericHuman, vertices: Array) -> tuple[Array, Arr
         for first, second in ((0, 1), (1, 2), (2, 0)):
             a, b = vertices[cut[:, first]], vertices[cut[:, second]]
             crosses = (a[:, 1] > level) != (b[:, 1] > level)
-            share = (level - a[crosses, 1]) / (b[crosses, 1] - a[crosses, 1])
-            reach = max(reach, float((a[crosses, 2] + share * (b[crosses, 2] - a[crosses, 2])).max(initial=-np.inf)))
+            a, b = a[crosses], b[crosses]
+            depth = a[:, 2] + (level - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 2] - a[:, 2])
+            reach = max(reach, float(depth.max(initial=-np.inf)))
         front.append(np.array([reach, level]))
     points = np.stack(front)
     gap = np.linalg.norm(np.diff(points, axis=0), axis=1)
@@ -170,6 +172,8 @@ def main() -> None:
         pictures.append(picture)
     stacked = np.stack([p for *_, p in found])
     middle = np.median(stacked, axis=0)
+    twin = np.linalg.norm((middle * [-1.0, 1.0, 1.0])[:, None] - middle[None], axis=2).argmin(axis=1)
+    middle = (middle + middle[twin] * [-1.0, 1.0, 1.0]) / 2.0
     surface = nearest_points(middle, mean, head.coarse[exposed], candidates=40)
     reprojected, sizes = [], []
     for vertices, camera, points, _ in found:
@@ -179,6 +183,7 @@ def main() -> None:
         sizes.append(iod)
     error = np.stack(reprojected)
     sigma_m = np.sqrt((error**2).sum(axis=2).mean(axis=0) / 2.0)  # along one axis
+    drift, alone = joint_errors(np.concatenate([error, error[:, twin] * [-1.0, 1.0]]))
     unit = np.array(sizes)[:, None, None]
     net = np.stack([p for _, _, p, _ in found]) / unit
     origin = net.mean(axis=1, keepdims=True)
@@ -192,11 +197,28 @@ def main() -> None:
     profile, landmarks = profile_bank(generic, rng)
     save(OUT, {"profile_m": profile.astype(np.float32), "profile_names": np.array(PROFILE, dtype=np.str_),
                "profile_landmarks_m": landmarks.astype(np.float32), "corners": surface.corners, "weights": surface.weights.astype(np.float32),
-               "sigma_m": sigma_m.astype(np.float32), "named": np.array(names, dtype=np.str_),
+               "sigma_m": sigma_m.astype(np.float32), "drift_m": drift.astype(np.float16),
+               "alone_m": alone.astype(np.float32), "named": np.array(names, dtype=np.str_),
                "rules": rules.astype(np.float32), "rule_error_iod": errors.astype(np.float32)})  # fmt: skip
     report(names, errors, sigma_m, len(found))
     if arguments.sheet:
         write_sheet(arguments.sheet, pictures[:6], found[:6], surface)
+
+
+def joint_errors(error: Array) -> tuple[Array, Array]:
+    """Return the modes (M, 468, 2) of errors that net points make together, and what each errs alone (468,), metres.
+
+    Parameters
+    ----------
+    error : (heads, 468, 2)
+        Net point minus place, along the picture's axes, metres; a mode times a standard normal number is an error.
+    """
+    flat = error.reshape(len(error), -1)
+    _, size, modes = np.linalg.svd(flat, full_matrices=False)
+    drift = (size[:MODES, None] / np.sqrt(len(flat))) * modes[:MODES]
+    rest = flat - (flat @ modes[:MODES].T) @ modes[:MODES]
+    alone = np.sqrt((rest.reshape(error.shape) ** 2).sum(axis=2).mean(axis=0) / 2.0)
+    return drift.reshape(MODES, 468, 2), alone
 
 
 def save(path: Path, arrays: dict[str, np.ndarray]) -> None:
@@ -217,7 +239,12 @@ def report(names: list[str], errors: Array, sigma_m: Array, count: int) -> None:
         print(f"  {name:16s} {100 * error:5.2f} % of the eye distance")
 
 
-def write_sheet(path: Path, pictures: list[NDArray[np.uint8]], found: list, surface: SurfacePoints) -> None:  # type: ignore[type-arg]
+def write_sheet(
+    path: Path,
+    pictures: list[NDArray[np.uint8]],
+    found: list[tuple[Array, Camera, Array, Array]],
+    surface: SurfacePoints,
+) -> None:
     """Draw the net's points (green) and the calibrated places (red) on some heads."""
     import cv2
 

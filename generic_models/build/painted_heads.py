@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
+import itertools
 import os
 
 os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
 
 import numpy as np
 
-np.infty = np.inf  # type: ignore[attr-defined]  # pyrender 0.1.45 wants it back under numpy 2
-import pyrender
-import trimesh
-from numpy.typing import NDArray
-from scipy.sparse import coo_matrix, csr_matrix
+setattr(np, "infty", np.inf)  # noqa: B010 - pyrender 0.1.45 wants it back under numpy 2
+import pyrender  # noqa: E402
+import trimesh  # noqa: E402
+from numpy.typing import NDArray  # noqa: E402
+from scipy.sparse import coo_matrix, csr_matrix  # noqa: E402
 
-from cloner.frames import focal_px_from_35mm
-from cloner.generic.load import GenericHuman
-from cloner.geometry.surface import vertex_normals
-from cloner.records.views import Camera
+from cloner.frames import focal_px_from_35mm  # noqa: E402
+from cloner.generic.load import GenericHuman  # noqa: E402
+from cloner.geometry.surface import vertex_normals  # noqa: E402
+from cloner.records.views import Camera  # noqa: E402
 
 Array = NDArray[np.float64]
 WIDTH, HEIGHT = 768, 1024
@@ -53,8 +54,8 @@ class Head:
         self.matrix = csr_matrix(second @ first)
         self.mean = self.matrix @ vertices
         self.masks = _masks(generic, self.mean, self.matrix)
-        self.eyes = {side: (vertices[generic.feature(f"eye_inner_{side}")], vertices[generic.feature(f"eye_outer_{side}")])
-                     for side in "LR"}
+        corners = {side: [generic.feature(f"eye_{corner}_{side}") for corner in ("inner", "outer")] for side in "LR"}
+        self.eyes = {side: (vertices[inner], vertices[outer]) for side, (inner, outer) in corners.items()}
         body = np.eye(len(generic.part_names))[generic.vertex_part][:, generic.part_names.index("body")]
         self.front = (self.matrix @ body > 0.99) & (self.mean[:, 2] > self.eyes["L"][1][2] - 0.02)
 
@@ -102,7 +103,7 @@ def _soft(distance: Array, radius: float, blur: float) -> Array:
 def _to_polyline(points: Array, line: Array) -> Array:
     """Return the distance of (N, D) points to a polyline (M, D)."""
     best = np.full(len(points), np.inf)
-    for start, end in zip(line[:-1], line[1:], strict=True):
+    for start, end in itertools.pairwise(line):
         along = end - start
         share = np.clip((points - start) @ along / (along @ along), 0.0, 1.0)
         best = np.minimum(best, np.linalg.norm(points - start - share[:, None] * along, axis=1))
@@ -133,7 +134,7 @@ def _masks(generic: GenericHuman, fine: Array, matrix: csr_matrix) -> dict[str, 
         lid = front * _soft(gap, 0.0012, 0.0012) * (fine[:, 2] > centre[2])
         out["lids"] += lid * np.where(fine[:, 1] > centre[1], 1.0, 0.35)
         sign = 1.0 if side == "L" else -1.0
-        nostril = point("subnasale") + [sign * 0.0075, 0.001, 0.0]
+        nostril = point("subnasale") + np.array([sign * 0.0075, 0.001, 0.0])
         out["nostrils"] += front * _soft(np.hypot(*(fine[:, :2] - nostril[:2]).T), 0.0028, 0.0012)
     lips = generic.region("lips") if "lips" in generic.region_names else _guess_lips(generic, v)
     out["lips"] = np.asarray(matrix @ lips.astype(np.float64)) * body

@@ -1,0 +1,184 @@
+"""The head stage gets a known synthetic head back from exact points and its profile."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from cloner.detectors.face_net import load_face_net
+from cloner.frames import ViewId
+from cloner.generic.load import load_generic
+from cloner.geometry.sockets import similarity
+from cloner.records.bodies import Phenotype
+from cloner.records.photos import Person, Photo, PhotoSet
+from cloner.records.points import PointSet, Proposal, Proposals, ViewPoints
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.records.views import Camera
+from cloner.stages import head
+
+WIDTH, HEIGHT, FOCAL_35MM = 900, 1200, 80.0
+STATURE_M = 1.70
+FRONT_NAMES = ("eye_inner_L", "eye_inner_R", "nose_tip", "nasion", "mouth_corner_L", "mouth_corner_R", "chin_front")
+LIPS = ("lip_top", "stomion", "lip_bottom")
+SIDE_NAMES = ("glabella", "nasion", "nose_tip", "subnasale", *LIPS, "chin_front", "chin_bottom")
+
+
+def camera(azimuth_deg: float, target: np.ndarray) -> Camera:
+    azimuth = np.radians(azimuth_deg)
+    c, s = np.cos(azimuth), np.sin(azimuth)
+    pose = np.eye(4)
+    pose[:3, :3] = np.array([[c, 0, -s], [0, -1, 0], [-s, 0, -c]])
+    pose[:3, 3] = np.array([0.01, 0.02, 1.15]) - pose[:3, :3] @ target
+    return Camera(WIDTH, HEIGHT, FOCAL_35MM / 36.0 * HEIGHT, pose)
+
+
+def true_person(seed: int):
+    """Return vertices (V, 3) of a random face on the mean body, metres."""
+    generic = load_generic()
+    vertices, _ = generic.shape(np.zeros(1), STATURE_M)
+    rng = np.random.default_rng(seed)
+    coefficients = rng.normal(size=len(generic.face_basis))
+    vertices[generic.head_vertices] += np.tensordot(coefficients, generic.face_basis, axes=1)
+    return vertices
+
+
+def mask_of(vertices: np.ndarray, view: Camera) -> np.ndarray:
+    generic = load_generic()
+    triangles, _ = generic.triangles()
+    inside = np.zeros(len(vertices), dtype=bool)
+    inside[generic.head_vertices] = True
+    inside |= (vertices[:, 1] > 1.25) & (np.abs(vertices[:, 0]) < 0.2)
+    mask = np.zeros((HEIGHT * 2, WIDTH * 2), dtype=np.uint8)
+    pixels = np.round((view.project(vertices) + 0.5) * 2 - 0.5).astype(np.int32)
+    for corners in triangles[inside[triangles].all(axis=1)]:
+        cv2.fillConvexPoly(mask, pixels[corners], 255)
+    return cv2.resize(mask, (WIDTH, HEIGHT), interpolation=cv2.INTER_AREA)
+
+
+def photographed(vertices: np.ndarray, *, noise_px: float = 0.0, side: bool = True, azimuth_deg: float = -90.0):
+    """Return the stage's inputs for exact (or noisy) points of known vertices."""
+    generic, net, rng = load_generic(), load_face_net(), np.random.default_rng(0)
+    target = vertices[generic.feature("nasion")] - [0.0, 0.03, 0.06]
+    photos, proposals, points = {}, {}, {}
+    for view, names, seen in (
+        (ViewId.FACE_FRONT, FRONT_NAMES, camera(0.0, target)),
+        (ViewId.FACE_SIDE, SIDE_NAMES, camera(azimuth_deg, target)),
+    ):
+        if view is ViewId.FACE_SIDE and not side:
+            continue
+        face = net.places.at(vertices) if view is ViewId.FACE_FRONT else np.zeros((468, 3))
+        face_px = seen.project(face) if view is ViewId.FACE_FRONT else np.zeros((468, 2))
+        face_px = face_px + noise_px * rng.normal(size=face_px.shape)
+        mask = mask_of(vertices, seen)
+        presence = 1.0 if view is ViewId.FACE_FRONT else 0.0
+        photos[view] = Photo(view, np.zeros((HEIGHT, WIDTH, 3), np.uint8), FOCAL_35MM, "", str(view))
+        proposals[view] = Proposal(
+            view, np.zeros((33, 2)), np.zeros(33), face_px, np.zeros(468), presence, mask, np.zeros_like(mask)
+        )
+        named = seen.project(vertices[[generic.feature(n) for n in names]])
+        points[view] = ViewPoints(view, names, named, np.full(len(names), 0.8), np.zeros(len(names), dtype=bool))
+    return PhotoSet(photos), Proposals(proposals), PointSet(points)
+
+
+def fit(photos, proposals, points):
+    return head.run(
+        photos=photos, proposals=proposals, face_points=points, silhouettes=SilhouetteSet({}),
+        phenotype=Phenotype(np.zeros(1), STATURE_M, 0.02, {}, {}), person=Person("x", "x", STATURE_M),
+        tick=lambda fraction: None, rng=np.random.default_rng(0),
+    )  # fmt: skip
+
+
+def face_error_mm(found: np.ndarray, true: np.ndarray) -> float:
+    """Return the mean distance of face vertices after a similarity (the photos tell no size), mm."""
+    generic = load_generic()
+    face = generic.region("face")[generic.head_vertices] & ~generic.region("mouth_interior")[generic.head_vertices]
+    source, target = found[face], true[generic.head_vertices][face]
+    scale, rotation, shift = similarity(source, target)
+    return 1000.0 * float(np.linalg.norm(scale * source @ rotation.T + shift - target, axis=1).mean())
+
+
+@pytest.mark.parametrize(("seed", "azimuth_deg", "shown"), [(1, -90.0, "right"), (2, 84.0, "left")])
+def test_a_known_face_comes_back(seed, azimuth_deg, shown):
+    true = true_person(seed)
+    generic = load_generic()
+    result = fit(*photographed(true, azimuth_deg=azimuth_deg))
+    fitted = result.values["head"]
+    start = generic.shape(np.zeros(1), STATURE_M)[0][generic.head_vertices]
+    error = face_error_mm(fitted.vertices_m, true)
+    assert fitted.side_shown == shown
+    assert error < 1.0, f"seed {seed}: {error:.2f} mm"
+    assert error < 0.4 * face_error_mm(start, true)
+    front = fitted.cameras[ViewId.FACE_FRONT]
+    assert np.linalg.norm(front.position_m - camera(0.0, true[generic.feature("nasion")]).position_m) < 0.12
+
+
+def test_noise_stays_noise():
+    true = true_person(3)
+    fitted = fit(*photographed(true, noise_px=3.0)).values["head"]
+    assert 0.1 < face_error_mm(fitted.vertices_m, true) < 1.6
+
+
+def test_wrong_points_make_no_monster():
+    true = true_person(4)
+    photos, proposals, points = photographed(true)
+    front = proposals.views[ViewId.FACE_FRONT]
+    wrong = np.array(front.face_px)
+    wrong[::12] += 150.0  # 39 of 468 points, by two eye distances
+    broken = Proposal(
+        front.view, front.pose_px, front.pose_visibility, wrong, front.face_depth, 1.0, front.mask, front.labels
+    )
+    result = fit(photos, Proposals({**proposals.views, front.view: broken}), points)
+    assert face_error_mm(result.values["head"].vertices_m, true) < 2.0
+
+
+def test_without_a_side_photo_it_warns_and_stays_human():
+    true = true_person(5)
+    result = fit(*photographed(true, side=False))
+    fitted = result.values["head"]
+    assert fitted.side_shown == ""
+    assert any("side photo" in w for w in result.warnings)
+    assert face_error_mm(fitted.vertices_m, true) < 2.5
+
+
+def test_without_any_face_it_gives_the_generic_head_and_says_so():
+    generic = load_generic()
+    result = fit(PhotoSet({}), Proposals({}), PointSet({}))
+    start = generic.shape(np.zeros(1), STATURE_M)[0][generic.head_vertices]
+    assert np.abs(result.values["head"].vertices_m - start).max() < 0.002
+    assert any("generic" in w for w in result.warnings)
+
+
+def test_a_correction_wins_and_takes_its_neighbours_along():
+    true = true_person(6)
+    generic = load_generic()
+    photos, proposals, points = photographed(true)
+    before = fit(photos, proposals, points).values["head"]
+    view = points.views[ViewId.FACE_FRONT]
+    row = view.names.index("mouth_corner_L")
+    moved, fixed = np.array(view.points_px), np.array(view.corrected)
+    moved[row] += [6.0, 0.0]  # about 2.5 mm towards the person's left
+    fixed[row] = True
+    corrected = ViewPoints(view.view, view.names, moved, view.confidence, fixed)
+    after = fit(photos, proposals, PointSet({**points.views, view.view: corrected})).values["head"]
+    at = np.flatnonzero(generic.head_vertices == generic.feature("mouth_corner_L"))
+    seen = after.cameras[ViewId.FACE_FRONT].project(after.vertices_m[at])[0]
+    assert np.linalg.norm(seen - moved[row]) < 2.5
+    far = np.flatnonzero(generic.head_vertices == generic.feature("eye_outer_R"))
+    there = [h.cameras[ViewId.FACE_FRONT].project(h.vertices_m[far])[0] for h in (before, after)]
+    assert np.linalg.norm(there[0] - there[1]) < 2.5
+
+
+def test_eyeballs_keep_their_size_and_stay_behind_the_lids():
+    true = true_person(7)
+    fitted = fit(*photographed(true)).values["head"]
+    generic = load_generic()
+    start = generic.shape(np.zeros(1), STATURE_M)[0]
+    for side, letter in (("left", "L"), ("right", "R")):
+        ball = np.isin(generic.head_vertices, generic.part(f"eye_{side}"))
+        radius, before = (np.ptp(v[:, 0]) / 2.0 for v in (fitted.vertices_m[ball], start[generic.part(f"eye_{side}")]))
+        assert radius == pytest.approx(before, rel=0.01)
+        centre = (fitted.vertices_m[ball].max(axis=0) + fitted.vertices_m[ball].min(axis=0)) / 2.0
+        lids = np.isin(generic.head_vertices, [generic.feature(f"eye_{n}_{letter}") for n in ("upper", "lower")])
+        gap_mm = 1000.0 * (np.linalg.norm(fitted.vertices_m[lids] - centre, axis=1) - radius)
+        assert -1.5 < gap_mm.min() <= gap_mm.max() < 3.0
