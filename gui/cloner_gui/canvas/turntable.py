@@ -23,6 +23,7 @@ _RADIANS_PER_PIXEL: Final = 0.01  # taste: half a turn for a drag over 300 px
 _TILT_MOST: Final = math.radians(80.0)
 _ZOOM_STEP: Final = 1.15
 _BACKGROUND: Final = (226, 228, 232)
+_EMPTY: Final = "Press Clone: after about a minute the person stands here.\nDrag to turn, wheel to zoom."
 
 
 class Turntable(QLabel):
@@ -67,7 +68,7 @@ class Turntable(QLabel):
 
     def _draw(self, *, fine: bool) -> None:
         if self._clone is None:
-            self.clear()
+            self.setText(_EMPTY)
             return
         camera = self.camera(self._clone, max(self.width(), 64), max(self.height(), 64))
         try:

@@ -101,7 +101,7 @@ def test_the_truth_as_clone_is_perfect(perfect):
     assert perfect["body_surface_p95_mm", ""] < 1.0
     assert perfect["face_surface_rigid_mm", ""] < 0.15
     assert perfect["face_surface_similarity_mm", ""] < 0.15
-    assert perfect["face_landmarks_worst_mm", ""] < 1e-6
+    assert perfect["face_landmarks_worst_mm", ""] < 1e-3
     assert perfect["stature_error_mm", ""] < 2.0  # the crown lies up to 2 mm above the named point
     assert perfect["girth_waist_error_mm", ""] == pytest.approx(7.0)
     for view in ("body_three_quarter", "face_three_quarter"):

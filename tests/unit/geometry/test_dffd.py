@@ -53,7 +53,7 @@ def test_a_far_point_does_not_move_with_a_near_control():
 
 
 def test_a_query_outside_the_hull_is_refused():
-    controls = enclosing_points(np.zeros((2, 3)) + [[0.0], [1.0]])
+    controls = enclosing_points(np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]]))
     with pytest.raises(ValueError, match="outside"):
         sibson_weights(np.array([[9.0, 0.0, 0.0]]), controls)
 
