@@ -16,10 +16,12 @@ pytestmark = pytest.mark.slow
 
 
 def test_every_file_is_there(cloned_anna: CloneOutcome) -> None:
-    names = {path.relative_to(cloned_anna.folder).as_posix() for path in cloned_anna.folder.rglob("*")}
-    assert {"clone.npz", "clone.glb", "clone.wrl", "report.html", "report.json", "previews"} <= names
+    files = [path for path in cloned_anna.folder.rglob("*") if path.is_file()]
+    names = {path.relative_to(cloned_anna.folder).as_posix() for path in files}
+    assert {"clone.npz", "clone.glb", "clone.wrl", "report.html", "report.json"} <= names
     assert any(name.startswith("previews/") and name.endswith((".png", ".jpg")) for name in names)
-    assert set(cloned_anna.report["files"]) | {"report.html"} >= names - {"previews", "report.html"}
+    assert {*cloned_anna.report["files"], "report.html"} == names
+    assert all(path.stat().st_size > 0 for path in files)
 
 
 def test_report_tells_what_was_promised(cloned_anna: CloneOutcome) -> None:
