@@ -74,7 +74,11 @@ def compare(drawn: Mask, seen: Mask, mm_per_px: float) -> Agreement:
 
 
 def _outline_rms_px(drawn: Mask, seen: Mask) -> float:
-    first, second = _boundary(drawn), _boundary(seen)
+    rows, columns = (np.flatnonzero((drawn | seen).any(axis=axis)) for axis in (1, 0))
+    if not rows.size:
+        return float(max(drawn.shape))
+    box = (slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1))  # all outlines lie in it; saves time
+    first, second = _boundary(drawn)[box], _boundary(seen)[box]
     if not first.any() or not second.any():
         return float(max(drawn.shape))  # nothing to compare: as far off as the photo is large
     both = np.concatenate([distance_transform_edt(~second)[first], distance_transform_edt(~first)[second]])
