@@ -83,7 +83,7 @@ def bake(
                 seen[texel[weight > 2 * FILL_SHARE]] = True
             yield dense_layer(ground, texel, colour, weight, 1 << levels)
 
-    rgb = blend_pyramids(layers(), ground.shape, levels)
+    rgb = blend_pyramids(layers(), (size, size, 3), levels)
     return rgb, seen.reshape(size, size)
 
 

@@ -8,13 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.baking.hair_views import HairView
+from cloner.baking.sources import parents_of
 from cloner.frames import ViewId
+from cloner.generic.load import GenericHuman
 from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.graphs import surface_graph
 from cloner.geometry.seeing import Sight, look
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.geometry.wedges import vertex_normals
-from cloner.generic.load import GenericHuman
 from cloner.records.clones import Joined
 from cloner.records.photos import Photo
 from cloner.vision.aligning import sample
@@ -87,7 +88,7 @@ def paint_hair(
     def layers() -> Iterator[Layer]:
         yield Layer(np.tile(mean.astype(np.float32), (size, size, 1)), np.full((size, size), FLOOR, np.float32))
         for picture, sight, claim, gain in zip(pictures, sights, claims, gains, strict=True):
-            rows = atlas.rows_of((claim > 0.0)[atlas.triangles].any(axis=1))
+            rows = atlas.rows_of(np.any((claim > 0.0)[atlas.triangles], axis=1))
             table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, claim, light_basis(normals) @ gain])
             values = atlas.interpolate(table, rows)
             good = sight.visible(values[:, :2], values[:, 2], values[:, 3]) & (values[:, 4] > 0.02)
@@ -118,5 +119,5 @@ def _look(
     if view.flip_m is not None:
         points = points * (-1.0, 1.0, 1.0) + (2.0 * view.flip_m, 0.0, 0.0)
         faces = triangles[:, ::-1]
-    transforms = joint_transforms(joined.joints_m, generic.joint_parents, view.posed.rotations)
+    transforms = joint_transforms(joined.joints_m, parents_of(generic), view.posed.rotations)
     return look(skin(points, transforms, skin_joints, skin_weights), np.ascontiguousarray(faces), view.posed.camera)

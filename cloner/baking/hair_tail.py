@@ -82,7 +82,7 @@ def free_hair(view: HairView, cap_m: Array) -> NDArray[np.bool_]:
     )
     free = (view.hair & (covered == 0) & (body == 0)).astype(np.uint8)
     least = max(3, int(np.ceil(m_from_mm(THINNEST_MM) / pixel_m)))
-    return cv2.morphologyEx(free, cv2.MORPH_OPEN, np.ones((least, least), np.uint8)) > 0
+    return np.asarray(cv2.morphologyEx(free, cv2.MORPH_OPEN, np.ones((least, least), np.uint8)) > 0)
 
 
 def tail_course(

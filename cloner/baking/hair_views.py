@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.sources import body_triangles, person_mask, pose
+from cloner.baking.sources import body_triangles, parents_of, person_mask, pose
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.geometry.seeing import depth_at, nearest_of
@@ -19,6 +19,7 @@ from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.aligning import sample
 from cloner.vision.plates import HAIR_LABEL
+from cloner.vision.repair import signed_distance
 
 Array = NDArray[np.float64]
 
@@ -86,7 +87,7 @@ def hair_views(
         if view not in proposals.views:
             continue
         hair = clean_hair(view, proposals.views[view], silhouettes)
-        transforms = joint_transforms(joined.joints_m, generic.joint_parents, posed.rotations)
+        transforms = joint_transforms(joined.joints_m, parents_of(generic), posed.rotations)
         one = HairView(
             posed,
             transforms[generic.joint_names.index("skullbase")],
@@ -110,15 +111,6 @@ def clean_hair(view: ViewId, proposal: Proposal, silhouettes: SilhouetteSet) -> 
     area = stats[:, cv2.CC_STAT_AREA].astype(float)
     area[0] = 0.0
     return np.isin(pieces, np.flatnonzero(area >= SMALLEST_PIECE * area.max()))
-
-
-def signed_distance(mask: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return (H, W) distance to the mask's outline in px, positive inside."""
-    if not mask.any():
-        return np.full(mask.shape, -FAR_MM, np.float32)
-    inside = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
-    outside = cv2.distanceTransform((~mask).astype(np.uint8), cv2.DIST_L2, 5)
-    return (np.where(mask, inside - 0.5, 0.5 - outside)).astype(np.float32)
 
 
 def hull_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:

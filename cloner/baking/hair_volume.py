@@ -85,7 +85,9 @@ def measure_scalp(views: list[HairView], points_m: Array, normals: Array, graph:
     if not np.any(trust > 0.0):
         return Scalp(points_m, normals, hairy, np.zeros(len(points_m)))
     median = float(np.median(reach[trust > 0.5])) if np.any(trust > 0.5) else float(np.median(reach[reach > 0.0]))
-    bounded = np.minimum(reach, THICKEST_SHARE * median + THICKEST_EXTRA_MM)
+    thickest = THICKEST_SHARE * median + THICKEST_EXTRA_MM
+    trust = np.where(reach > thickest, 0.0, trust)  # a tail's root says nothing about the cap
+    bounded = np.minimum(reach, thickest)
     smooth = graph.fill(bounded[:, None], trust, 0.05)[:, 0]
     thickness = graph.smooth(np.minimum(smooth, np.maximum(bounded, 0.0)), 2)
     # Half a smooth step: hair thins towards the hairline instead of ending in a wall.
@@ -142,7 +144,7 @@ def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:
     lift = m_from_mm(1.0) * np.maximum(LIFT_MM - near.skin_mm[rows], 0.0)
     cut = hull_mm(views, near.points_m[rows] + near.outward[rows] * lift[:, None])
     field[rows] = np.minimum(field[rows], cut + CUT_SLACK_MM)
-    return field.astype(np.float32)
+    return np.asarray(field, np.float32)
 
 
 def draped_mm(hull: NDArray[np.float32], near: Near, below_m: float) -> NDArray[np.float32]:
@@ -151,7 +153,7 @@ def draped_mm(hull: NDArray[np.float32], near: Near, below_m: float) -> NDArray[
     on_bare_skin = np.where(hanging, DRAPE_MM - near.skin_mm, -FAR_MM)
     # Hair thinner than the labels' doubt is none.
     hull = hull - DRAPE_DOUBT_MM
-    return np.minimum(np.minimum(hull, on_bare_skin), near.skin_mm + INNER_MM).astype(np.float32)
+    return np.asarray(np.minimum(np.minimum(hull, on_bare_skin), near.skin_mm + INNER_MM), np.float32)
 
 
 def hair_field(
@@ -194,7 +196,7 @@ def _worthwhile(
     A coarse grid is tried first; nine tenths of the box hold nothing.
     """
     cells = np.ceil((high_m - low_m) / (COARSE * VOXEL_M)).astype(int)
-    shape = tuple(cells * COARSE)
+    shape = tuple(int(n) for n in cells * COARSE)
     middle = [low_m[k] + (np.arange(cells[k]) * COARSE + 0.5 * (COARSE - 1)) * VOXEL_M for k in range(3)]
     coarse = np.stack(np.meshgrid(*middle, indexing="ij"), axis=-1).reshape(-1, 3)
     radius_mm = mm_from_m(COARSE * VOXEL_M)
@@ -205,4 +207,5 @@ def _worthwhile(
         wanted |= cKDTree(scalp.points_m[hairy]).query(coarse, distance_upper_bound=reach)[0] < reach
     grid = binary_dilation(wanted.reshape(tuple(cells)))
     fine = np.argwhere(grid.repeat(COARSE, 0).repeat(COARSE, 1).repeat(COARSE, 2))
-    return low_m + fine * VOXEL_M, np.ravel_multi_index(tuple(fine.T), shape), shape
+    rows = np.asarray(np.ravel_multi_index(tuple(fine.T), shape), np.int64)
+    return low_m + fine * VOXEL_M, rows, shape

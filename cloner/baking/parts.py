@@ -9,6 +9,7 @@ from cloner.generic.load import GenericHuman
 from cloner.geometry.atlas import AtlasMap
 from cloner.vision.painting import LASH_RGB, TONGUE_RGB, paint_eye, paint_plain, paint_teeth
 
+USUAL_SKIN_RGB = (190.0, 160.0, 145.0)  # taste: for a mesh whose face has no texels
 USUAL_IRIS_M = 0.00585  # anatomy: 11.7 mm across
 
 
@@ -23,8 +24,8 @@ def paint_parts(
 ) -> NDArray[np.float32]:
     """Return the atlas (size, size, 3), levels, with every part but the skin painted."""
     flat = rgb.reshape(-1, 3).copy()
-    face = atlas.rows_of(generic.region("face")[atlas.triangles].all(axis=1))
-    skin_rgb = np.median(flat[atlas.texel[face]], axis=0) if face.size else np.float32([190.0, 160.0, 145.0])
+    face = atlas.rows_of(np.all(generic.region("face")[atlas.triangles], axis=1))
+    skin_rgb = np.asarray(np.median(flat[atlas.texel[face]], axis=0) if face.size else USUAL_SKIN_RGB, np.float64)
     part_of = generic.vertex_part[atlas.triangles[:, 0]]
     for number, name in enumerate(generic.part_names):
         if name == "body":

@@ -85,18 +85,24 @@ def body_triangles(generic: GenericHuman) -> NDArray[np.int32]:
     """Return the (T, 3) triangles of the skin, without eyes, teeth, tongue and lashes."""
     triangles = generic.triangles()[0]
     part = generic.vertex_part[triangles[:, 0]]
-    return triangles[part == generic.part_names.index("body")].astype(np.int32)
+    return np.asarray(triangles[part == generic.part_names.index("body")], np.int32)
+
+
+def parents_of(generic: GenericHuman) -> NDArray[np.int32]:
+    """Return (94,) each joint's parent, -1 above the root."""
+    return np.asarray(generic.joint_parents, np.int32)
 
 
 def pose(generic: GenericHuman, joined: Joined, view: PosedView) -> Array:
     """Return the (V, 3) vertices as the person stood in one photo, metres."""
-    transforms = joint_transforms(joined.joints_m, generic.joint_parents, view.rotations)
-    return skin(joined.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
+    joints, weights = np.asarray(generic.skin_joints, np.int32), np.asarray(generic.skin_weights, np.float64)
+    return skin(joined.vertices_m, transforms, joints, weights)
 
 
 def pose_shell(generic: GenericHuman, joined: Joined, view: PosedView, shell: Shell) -> Array:
     """Return the (N, 3) vertices of a shell as in one photo, metres."""
-    transforms = joint_transforms(joined.joints_m, generic.joint_parents, view.rotations)
+    transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
     return skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
 
 
@@ -125,7 +131,7 @@ def gather_sources(
         if view not in photos.photos or view not in proposals.views:
             continue
         plate = make_plate(view, photos, proposals.views[view], silhouettes, limits)
-        if not np.isfinite(plate.inside_px).all():
+        if not (plate.inside_px > 0.0).any():
             continue
         source, gap = make_source(generic, joined, shells, posed_view, plate, limits, faces)
         sources.append(source)
@@ -242,6 +248,7 @@ def covered_by_hair(
     labelled = sample(source.hair, lookup_px)[:, 0] > PERSON_LEVEL
     shell = depth_at(source.hair_m, pixel_px)
     below = depth_m > shell + HAIR_CLEARANCE_M
-    # A scalp under a shell must show hair: what lies beyond the hair's outline is background.
-    stray = allowed & np.isfinite(shell) & ~labelled
+    # A scalp shows hair or bare skin: where the photo shows neither, the lookup left the head.
+    bare = sample(source.plate.bare.astype(np.uint8), lookup_px)[:, 0] > 0.5
+    stray = allowed & ~labelled & ~bare & bool(source.hair.any())
     return ((below | (labelled & ~kept)) & ~allowed) | stray

@@ -15,7 +15,8 @@ from cloner.geometry.graphs import SurfaceGraph, surface_graph
 def generic_atlas(generic: GenericHuman, size: int) -> AtlasMap:
     """Return the atlas of the generic human at ``size`` texels a side."""
     triangles, uv_triangles = generic.triangles()
-    return map_atlas(np.asarray(generic.uv, dtype=np.float64), uv_triangles, triangles.astype(np.int32), size)
+    uv = np.asarray(generic.uv, dtype=np.float64)
+    return map_atlas(uv, uv_triangles.astype(np.int32), triangles.astype(np.int32), size)
 
 
 def person_graph(generic: GenericHuman, vertices_m: np.ndarray) -> SurfaceGraph:

@@ -25,7 +25,7 @@ class SurfaceGraph:
         if rows.size == 0:
             return np.full(sources.size, limit_m)
         distance = dijkstra(self.lengths, directed=False, indices=rows, min_only=True, limit=limit_m)
-        return np.minimum(distance, limit_m)
+        return np.asarray(np.minimum(distance, limit_m), np.float64)
 
     def smooth(self, values: Array, rounds: int) -> Array:
         """Return (V, ...) values averaged with their neighbours ``rounds`` times."""

@@ -29,7 +29,7 @@ def partition_surface(scores: Array, graph: SurfaceGraph, *, smoothing: int) -> 
     soft = graph.smooth(scores.T.copy(), smoothing).T * (scores > 0.0)
     owner = soft.argmax(axis=0).astype(np.int32)
     owner[soft.max(axis=0) <= 0.0] = -1
-    return owner
+    return np.asarray(owner, np.int32)
 
 
 def border_shares(owner: NDArray[np.int32], count: int, graph: SurfaceGraph, band_m: NDArray[np.floating]) -> Array:

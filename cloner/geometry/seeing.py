@@ -87,7 +87,7 @@ class Sight:
     def _rise(self, cosine: NDArray[np.floating], reach_px: int) -> NDArray[np.floating]:
         """Return how much depth a surface of this slope gains over some depth pixels, metres."""
         tangent = np.sqrt(np.clip(1.0 - cosine * cosine, 0.0, None)) / np.maximum(cosine, 1e-3)
-        return np.minimum(tangent, STEEPEST_TANGENT) * reach_px * self.metres_per_pixel
+        return np.asarray(np.minimum(tangent, STEEPEST_TANGENT) * reach_px * self.metres_per_pixel)
 
 
 def depth_pixels(pixel_px: NDArray[np.floating]) -> NDArray[np.floating]:
@@ -110,7 +110,8 @@ def nearest_of(points_m: Array, triangles: NDArray[np.int32], camera: Camera) ->
     if len(points_m) == 0:
         return np.full((height, width), np.inf, np.float32)
     depth = camera.to_camera(points_m)[:, 2]
-    return nearest_depth(depth_pixels(camera.project(points_m)), depth, triangles, width, height)
+    pixel = np.asarray(depth_pixels(camera.project(points_m)), np.float64)
+    return nearest_depth(pixel, depth, triangles, width, height)
 
 
 def look(posed_m: Array, triangles: NDArray[np.int32], camera: Camera) -> Sight:

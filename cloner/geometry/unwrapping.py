@@ -93,7 +93,7 @@ def _pack(flat: Array, owner: NDArray[np.int64], count: int, size: int) -> Array
     margin = 2.0 * MARGIN_TEXELS / size
     while (place := _shelves(extent * scale + margin)) is None:
         scale *= 0.97
-    return (flat - low[owner]) * scale + place[owner] + margin / 2.0
+    return np.asarray((flat - low[owner]) * scale + place[owner] + margin / 2.0, np.float64)
 
 
 def _shelves(boxes: Array) -> Array | None:

@@ -186,4 +186,4 @@ def hang(generic: GenericHuman, joined: Joined, vertices_m: Array) -> tuple[NDAr
     neck = 0.5 * np.clip(np.minimum(down / half, (1.0 - down) / max(1.0 - half, 1e-6)), 0.0, 1.0)
     chest = 0.5 * np.clip((down - half) / max(1.0 - half, 1e-6), 0.0, 1.0)
     weights = np.stack([1.0 - neck - chest, neck, chest, np.zeros_like(neck)], axis=1)
-    return np.tile(np.int32(index), (len(vertices_m), 1)), weights
+    return np.tile(np.array(index, np.int32), (len(vertices_m), 1)), weights

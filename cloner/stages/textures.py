@@ -92,7 +92,7 @@ def run(
             levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
         )
     else:
-        rgb = np.tile(np.float32(PLAIN_RGB), (params.size, params.size, 1))
+        rgb = np.tile(np.array(PLAIN_RGB, np.float32), (params.size, params.size, 1))
         seen = np.zeros((params.size, params.size), dtype=bool)
     rgb = paint_parts(generic, atlas, rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, rng)
     residuals.append(Residual("texels_seen", 100.0 * float(seen.sum()) / max(atlas.texel.size, 1), "percent"))

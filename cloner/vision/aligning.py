@@ -12,6 +12,7 @@ Array = NDArray[np.float64]
 
 GRID_PX = 8  # the warp is smooth: one node every 8 photo pixels
 SMOOTH_NODES = 3.0  # taste: about the width of a forearm, so that both its sides move together
+ROUNDS = 3  # smoothing shortens a displacement that turns along the outline; the rest is spread again
 STEEPEST_COSINE = 0.6  # outlines that run in different directions are different outlines
 
 
@@ -42,21 +43,24 @@ def outline_shift(
     if len(points) == 0:
         return np.zeros((*shape, 2), np.float32), 0.0
     soft = cv2.GaussianBlur(inside_px, (0, 0), 2.0)
-    gradient = np.stack([cv2.Sobel(soft, cv2.CV_32F, 1, 0, scale=0.125), cv2.Sobel(soft, cv2.CV_32F, 0, 1, scale=0.125)], -1)
-    own = cv2.GaussianBlur(mesh_mask.astype(np.float32), (0, 0), 3.0)
-    own_gradient = np.stack([cv2.Sobel(own, cv2.CV_32F, 1, 0), cv2.Sobel(own, cv2.CV_32F, 0, 1)], -1)
+    gradient = _gradient(soft)
+    own_gradient = _gradient(cv2.GaussianBlur(mesh_mask.astype(np.float32), (0, 0), 3.0))
     column, row = points.T
     slope = _unit(gradient[row, column])
     shift = -inside_px[row, column, None] * slope
-    agree = (slope * _unit(own_gradient[row, column])).sum(axis=1) > STEEPEST_COSINE
+    agree = np.asarray(np.sum(slope * _unit(own_gradient[row, column]), axis=1) > STEEPEST_COSINE)
     target = np.rint(points + shift).astype(int)
     within = (target >= 0).all(axis=1) & (target < (width, height)).all(axis=1)
     target = np.where(within[:, None], target, 0)
-    near = np.abs(inside_px[row, column]) < limit_px
+    near = np.asarray(np.abs(inside_px[row, column]) < limit_px)
     good = agree & near & within & usable[row, column] & usable[target[:, 1], target[:, 0]]
     if not good.any():
         return np.zeros((*shape, 2), np.float32), 0.0
-    return _spread(points[good], shift[good], shape), float(np.abs(inside_px[row, column][good]).mean())
+    field = np.zeros((*shape, 2), np.float32)
+    for _ in range(ROUNDS):
+        rest = shift[good] - sample(field, points[good] / GRID_PX)
+        field += _spread(points[good], rest, shape)
+    return field, float(np.abs(inside_px[row, column][good]).mean())
 
 
 def _outline_points(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
@@ -70,8 +74,14 @@ def _outline_points(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
     return points[inner].astype(np.int64)
 
 
+def _gradient(image: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (H, W, 2) slopes across and down."""
+    across, down = (cv2.Sobel(image, cv2.CV_32F, *order, scale=0.125) for order in ((1, 0), (0, 1)))
+    return np.stack([across, down], axis=-1)
+
+
 def _unit(vectors: NDArray[np.float32]) -> NDArray[np.float32]:
-    return vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-6)
+    return np.asarray(vectors / np.maximum(np.linalg.norm(vectors, axis=-1, keepdims=True), 1e-6), np.float32)
 
 
 def _spread(points: NDArray[np.int64], shift: NDArray[np.float32], shape: tuple[int, int]) -> NDArray[np.float32]:
@@ -87,7 +97,7 @@ def _spread(points: NDArray[np.int64], shift: NDArray[np.float32], shape: tuple[
     mass = cv2.GaussianBlur(known, (0, 0), SMOOTH_NODES)
     average = cv2.GaussianBlur(mean * known[..., None], (0, 0), SMOOTH_NODES) / np.maximum(mass, 1e-6)[..., None]
     field = push_pull(average.astype(np.float32), (mass > 0.02).astype(np.float32))
-    return cv2.GaussianBlur(field, (0, 0), SMOOTH_NODES)
+    return np.asarray(cv2.GaussianBlur(field, (0, 0), SMOOTH_NODES), np.float32)
 
 
 def shift_points(points_px: Array, field: NDArray[np.float32]) -> Array:
@@ -107,4 +117,4 @@ def sample(image: NDArray[np.generic], points_px: NDArray[np.floating]) -> NDArr
     grid = padded.reshape(rows, row_length, 2)
     found = cv2.remap(image, grid, None, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
     channels = 1 if image.ndim == 2 else image.shape[2]
-    return found.reshape(-1, channels)[:count].astype(np.float32)
+    return np.asarray(found.reshape(-1, channels)[:count], np.float32)

@@ -44,7 +44,7 @@ def push_pull(values: Image, weight: Image) -> Image:
     for colour, known in zip(colours[-2::-1], weights[-2::-1], strict=True):
         above = _three(cv2.resize(filled, known.shape[::-1], interpolation=cv2.INTER_LINEAR))
         filled = colour + (1.0 - known)[..., None] * above
-    return filled
+    return np.asarray(filled, np.float32)
 
 
 def _three(image: NDArray[np.float32]) -> Image:

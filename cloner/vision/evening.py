@@ -18,7 +18,7 @@ REFERENCE_HOLD = 2.0  # the reference gives way this much less than the others
 
 def log_levels(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
     """Return the logarithm of colours in levels, shifted to stay finite."""
-    return np.log(np.maximum(rgb, 0.0) + LEVEL_OFFSET)
+    return np.asarray(np.log(np.maximum(rgb, 0.0) + LEVEL_OFFSET))
 
 
 def light_basis(normals: NDArray[np.floating]) -> NDArray[np.floating]:
@@ -26,7 +26,9 @@ def light_basis(normals: NDArray[np.floating]) -> NDArray[np.floating]:
     return np.concatenate([np.ones((len(normals), 1), normals.dtype), normals], axis=1)
 
 
-def even_light(colours: Array, weights: Array, normals: Array, reference: int, *, ridge_slope: float = RIDGE_SLOPE) -> Array:
+def even_light(
+    colours: Array, weights: Array, normals: Array, reference: int, *, ridge_slope: float = RIDGE_SLOPE
+) -> Array:
     """Return the log gains that bring photos together where they overlap.
 
     Each photo k gets log gain ``basis(n) @ result[k]``: one exposure per
@@ -49,9 +51,9 @@ def even_light(colours: Array, weights: Array, normals: Array, reference: int, *
     (K, 4, 3) coefficients; zero for photos without overlap and for those that evening would make worse.
     """
     count = len(colours)
-    logs = log_levels(colours)
-    basis = light_basis(normals)
-    result = np.zeros((count, 4, 3))
+    logs = np.asarray(log_levels(colours), np.float64)
+    basis = np.asarray(light_basis(normals), np.float64)
+    result: Array = np.zeros((count, 4, 3))
     pairs = [(a, b) for a in range(count) for b in range(a + 1, count)]
     for _ in range(ROUNDS):
         hold = np.where(np.arange(count) == reference, REFERENCE_HOLD, 1.0)
@@ -76,7 +78,7 @@ def even_light(colours: Array, weights: Array, normals: Array, reference: int, *
             system[second, first] -= gram
             right[first] += drive
             right[second] -= drive
-        result = np.linalg.solve(system, right).reshape(count, 4, 3)
+        result = np.asarray(np.linalg.solve(system, right), np.float64).reshape(count, 4, 3)
     return _without_harm(result, logs, weights, basis)
 
 
@@ -100,9 +102,9 @@ def _without_harm(gains: Array, logs: Array, weights: Array, basis: Array) -> Ar
 def apply_light(rgb: NDArray[np.floating], log_gain: NDArray[np.floating]) -> NDArray[np.floating]:
     """Return colours (N, 3) in levels after log gains (N, 3), clipped to 0..255."""
     gain = np.exp(_limited(log_gain))
-    return np.clip((rgb + LEVEL_OFFSET) * gain - LEVEL_OFFSET, 0.0, 255.0)
+    return np.asarray(np.clip((rgb + LEVEL_OFFSET) * gain - LEVEL_OFFSET, 0.0, 255.0))
 
 
 def _limited(log_gain: NDArray[np.floating]) -> NDArray[np.floating]:
     """Return log gains bent smoothly into +-LARGEST_LOG."""
-    return LARGEST_LOG * np.tanh(log_gain / LARGEST_LOG)
+    return np.asarray(LARGEST_LOG * np.tanh(log_gain / LARGEST_LOG))

@@ -22,11 +22,11 @@ PUPIL_SHARE = 0.36  # of the iris radius: 4 mm in 11.7 mm, indoor light
 def _ramp(values: Image, low: float, high: float) -> Image:
     """Return a smooth step from 0 at ``low`` to 1 at ``high``."""
     t = np.clip((values - low) / (high - low), 0.0, 1.0)
-    return t * t * (3.0 - 2.0 * t)
+    return np.asarray(t * t * (3.0 - 2.0 * t), np.float32)
 
 
 def _mix(a: Image, b: NDArray[np.floating] | tuple[float, ...], share: Image) -> Image:
-    return a + (np.asarray(b, np.float32) - a) * share[:, None]
+    return np.asarray(a + (np.asarray(b, np.float32) - a) * share[:, None], np.float32)
 
 
 def paint_eye(
@@ -68,13 +68,13 @@ def _paint_iris(share: Image, around: Image, rgb: Image, rng: np.random.Generato
     light = 0.85 + 0.35 * _ramp(share, 0.35, 0.65) - 0.25 * _ramp(share, 0.65, 0.95)
     iris = rgb[None] * (light * (1.0 + fibre))[:, None]
     # A warmer ring around the pupil, and a dark limbal ring.
-    iris = _mix(iris, rgb * np.float32([1.15, 0.95, 0.75]), 0.5 * (1.0 - _ramp(share, 0.45, 0.65)))
+    iris = _mix(iris, rgb * np.array([1.15, 0.95, 0.75], np.float32), 0.5 * (1.0 - _ramp(share, 0.45, 0.65)))
     iris = _mix(iris, rgb * np.float32(0.35), 0.75 * _ramp(share, 0.80, 0.98))
     return _mix(iris, PUPIL_RGB, 1.0 - _ramp(share, PUPIL_SHARE - 0.04, PUPIL_SHARE + 0.05))
 
 
 def _paint_sclera(share: Image, around: Image, rng: np.random.Generator) -> Image:
-    colour = np.tile(np.float32(SCLERA_RGB), (len(share), 1))
+    colour = np.tile(np.array(SCLERA_RGB, np.float32), (len(share), 1))
     reddening = 0.30 * _ramp(share, 1.6, 4.0)
     vessels = np.zeros_like(share)
     for _ in range(14):
@@ -88,10 +88,10 @@ def _paint_sclera(share: Image, around: Image, rng: np.random.Generator) -> Imag
 
 def paint_teeth(depth: Image) -> Image:
     """Return (N, 3) colours of tooth strips; ``depth`` (N,) is 0 at the biting edge and 1 at the gum."""
-    colour = np.tile(np.float32(TOOTH_RGB), (len(depth), 1))
+    colour = np.tile(np.array(TOOTH_RGB, np.float32), (len(depth), 1))
     return _mix(colour, GUM_RGB, _ramp(depth.astype(np.float32), 0.72, 0.92))
 
 
 def paint_plain(count: int, rgb: tuple[float, float, float]) -> Image:
     """Return (count, 3) copies of one colour."""
-    return np.tile(np.float32(rgb), (count, 1))
+    return np.tile(np.array(rgb, np.float32), (count, 1))

@@ -15,7 +15,7 @@ EYE_OPENINGS = (
     (33, 7, 163, 144, 145, 153, 154, 155, 133, 173, 157, 158, 159, 160, 161, 246),
     (263, 249, 390, 373, 374, 380, 381, 382, 362, 398, 384, 385, 386, 387, 388, 466),
 )
-HAIR_LABEL = 2
+SKIN_LABEL, HAIR_LABEL = 1, 2
 BAND_SHARE = 0.004  # unsafe band inside the outline, of the figure's height (0.5 % less what edge linking wins)
 SMALLEST_BAND_PX = 2.0
 
@@ -34,6 +34,8 @@ class Plate:
         Signed distance to the outline, positive inside.
     hair : (H, W) bool
         Pixels labelled hair.
+    bare : (H, W) bool
+        Pixels labelled skin.
     eyes : (H, W) bool
         Open eyes: sclera and iris belong to the eyeballs, not to the lids.
     figure_px : float
@@ -44,6 +46,7 @@ class Plate:
     blurred: NDArray[np.uint8]
     inside_px: NDArray[np.float32]
     hair: NDArray[np.bool_]
+    bare: NDArray[np.bool_]
     eyes: NDArray[np.bool_]
     figure_px: float
 
@@ -60,7 +63,7 @@ def prepare_plate(
     ----------
     rgb : (H, W, 3) uint8
     mask : (H, W) bool, the person
-    labels : (H, W) uint8, 2 = hair
+    labels : (H, W) uint8, 1 = skin, 2 = hair
     face_px : (468, 2) or None
         Points of the face net; None where there is no frontal face.
     """
@@ -69,7 +72,8 @@ def prepare_plate(
     band = max(SMALLEST_BAND_PX, BAND_SHARE * figure)
     repaired, inside = repair_bleeding(rgb, mask, band)
     blurred = cv2.GaussianBlur(repaired, (0, 0), max(1.5, 0.003 * figure))
-    return Plate(repaired, blurred, inside, labels == HAIR_LABEL, _eye_openings(face_px, mask.shape), figure)
+    hair, bare = labels == HAIR_LABEL, labels == SKIN_LABEL
+    return Plate(repaired, blurred, inside, hair, bare, _eye_openings(face_px, mask.shape), figure)
 
 
 def _eye_openings(face_px: NDArray[np.float64] | None, shape: tuple[int, ...]) -> NDArray[np.bool_]:

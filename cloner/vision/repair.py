@@ -6,6 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+FAR_PX = 1e4  # farther than any photo is wide
 THICKNESS_KEPT = 0.55  # taste: a finger thinner than the band keeps the colour of its inner 45 %
 
 
@@ -37,10 +38,9 @@ def repair_bleeding(
     Method notes section 10.1 (digitisation).
     """
     if not mask.any():
-        return rgb.copy(), np.full(mask.shape, -np.inf, np.float32)
-    person = mask.astype(np.uint8)
-    inside = cv2.distanceTransform(person, cv2.DIST_L2, 5)
-    outside = cv2.distanceTransform(1 - person, cv2.DIST_L2, 5)
+        return rgb.copy(), signed_distance(mask)
+    signed = signed_distance(mask)
+    inside = np.maximum(signed, 0.0)
     reach = 2 * int(np.ceil(band_px)) + 1
     thickness = cv2.dilate(inside, np.ones((reach, reach), np.uint8))
     safe = inside >= np.minimum(band_px, np.maximum(THICKNESS_KEPT * thickness, 1.0))
@@ -54,4 +54,14 @@ def repair_bleeding(
     # The nearest pixel alone draws streaks; a small blur outside the safe part hides them.
     soft = cv2.GaussianBlur(repaired, (0, 0), max(band_px / 2.0, 0.8))
     repaired = np.where(safe[..., None], repaired, soft)
-    return repaired, (inside - outside).astype(np.float32)
+    return repaired, signed
+
+
+def signed_distance(mask: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return (H, W) float32 distance to a mask's outline in px, positive inside, -FAR_PX without a mask."""
+    if not mask.any():
+        return np.full(mask.shape, -FAR_PX, np.float32)
+    inside = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
+    outside = cv2.distanceTransform((~mask).astype(np.uint8), cv2.DIST_L2, 5)
+    # The outline runs half-way between the last pixel inside and the first outside.
+    return np.asarray(np.where(mask, inside - 0.5, 0.5 - outside), np.float32)

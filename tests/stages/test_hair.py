@@ -1,0 +1,121 @@
+"""A cap and a tail of known size are found again; a bald head stays bare."""
+
+import numpy as np
+import pytest
+import trimesh
+from scipy.spatial import cKDTree
+
+from cloner.frames import ViewId
+from cloner.generic.load import load_generic
+from cloner.geometry.wedges import vertex_normals
+from cloner.records.points import Proposal, Proposals
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages import hair
+from kit import painted, people, studio
+
+CAP_MM = 14.0
+TAIL_RADIUS_MM, TAIL_LENGTH_MM = 24.0, 220.0
+HAIR, SKIN, WALL = (60, 40, 30), (210, 170, 150), (90, 140, 90)
+
+
+def hair_mesh(person, *, tail):
+    """Return vertices and triangles of a scalp lifted by the cap's thickness, and of a hanging tail."""
+    generic = load_generic()
+    triangles = people.skin_triangles()
+    scalp = generic.region("scalp") & ~generic.region("face")
+    rows = scalp[triangles].all(axis=1)
+    normals = vertex_normals(person.vertices_m, triangles)
+    used, faces = np.unique(triangles[rows], return_inverse=True)
+    lifted = person.vertices_m[used] + normals[used] * CAP_MM / 1000
+    meshes = [trimesh.Trimesh(lifted, faces.reshape(-1, 3), process=False)]
+    if tail:
+        back = person.vertices_m[scalp]
+        back = back[back[:, 2].argmin()]
+        start = np.array([0.0, back[1], back[2] - 0.055])
+        rod = trimesh.creation.capsule(height=TAIL_LENGTH_MM / 1000, radius=TAIL_RADIUS_MM / 1000, count=[12, 24])
+        rod.apply_transform(trimesh.geometry.align_vectors([0, 0, 1], [0, -1, 0]))
+        rod.apply_translation(start - [0, TAIL_LENGTH_MM / 2000, 0] - rod.bounds.mean(axis=0))
+        meshes.append(rod)
+    whole = trimesh.util.concatenate(meshes)
+    return np.asarray(whole.vertices), np.asarray(whole.faces)
+
+
+def grow(*, tail=False, bald=False):
+    """Photograph a person with known hair and run the stage; return its result and the true mesh."""
+    person = people.known_person(41, spread=0.5)
+    lens = {"distance_m": 1.3, "height_m": 1.55, "aim_m": 1.5, "size_px": (1200, 1600), "focal_35mm": 75}
+    close = {"face_front": studio.camera(0.0, **lens), "face_side": studio.camera(-90.0, **lens)}
+    fit = painted.joined(person, dict.fromkeys((*painted.BODY, *close), np.zeros((94, 3))), close)
+    skin = people.skin_triangles()
+    points, faces = hair_mesh(person, tail=tail)
+    vertices = np.vstack([person.vertices_m, points])
+    both = np.vstack([skin, faces + len(person.vertices_m)]) if not bald else skin
+    colours = np.where(np.arange(len(both))[:, None] < len(skin), SKIN, HAIR)
+    pictures, proposals, outlines = {}, {}, {}
+    for view, posed in fit.views.items():
+        picture = painted.draw(vertices, both, colours, posed.camera, background=WALL)
+        mask = (picture != WALL).any(axis=2)
+        labels = np.where(mask, np.where((picture == HAIR).all(axis=2), 2, 1), 0).astype(np.uint8)
+        blank = studio.empty_proposal(view, mask)
+        pictures[view] = picture
+        proposals[view] = Proposal(
+            ViewId(view), blank.pose_px, blank.pose_visibility, blank.face_px, blank.face_depth, 0.0, blank.mask, labels
+        )
+        outlines[view] = studio.silhouette_record(view, mask)
+    result = hair.run(
+        photos=studio.photo_set(pictures), proposals=Proposals(proposals), silhouettes=SilhouetteSet(outlines),
+        joined=fit, tick=lambda part: None, rng=np.random.default_rng(0),
+    )  # fmt: skip
+    return person, result, points
+
+
+@pytest.fixture(scope="module")
+def ponytail():
+    return grow(tail=True)
+
+
+def test_cap_and_tail_are_found_within_millimetres(ponytail):
+    person, result, points = ponytail
+    shell = result.values["shells"][0]
+    generic = load_generic()
+    cap = points[: np.count_nonzero(generic.region("scalp") & ~generic.region("face"))]
+    bare = person.vertices_m[people.skin_triangles()][:, 0][~generic.region("scalp")[people.skin_triangles()[:, 0]]]
+    inner = cap[cKDTree(bare).query(cap)[0] > 0.03]  # the true cap is a sheet with an open rim: no volume there
+    dense = trimesh.sample.sample_surface(trimesh.Trimesh(shell.vertices_m, shell.triangles), 60000, seed=1)[0]
+    gap = 1000 * cKDTree(dense).query(inner)[0]
+    assert len(inner) > 60
+    assert np.median(gap) < 3.0
+    assert np.percentile(gap, 95) < 8.0
+    tail = points[len(cap) :]
+    found = shell.vertices_m[shell.vertices_m[:, 1] < cap[:, 1].min() - 0.02]
+    assert abs(found[:, 1].min() - tail[:, 1].min()) < 0.015
+    for axis in (0, 2):
+        assert abs(np.ptp(found[:, axis]) - 2 * TAIL_RADIUS_MM / 1000) < 0.014
+        middle = 0.5 * (found[:, axis].min() + found[:, axis].max())
+        assert abs(middle - 0.5 * (tail[:, axis].min() + tail[:, axis].max())) < 0.008
+
+
+def test_the_shell_is_painted_with_hair_and_small(ponytail):
+    _, result, _ = ponytail
+    shell = result.values["shells"][0]
+    texel = (shell.uv * shell.rgba.shape[0] - 0.5).round().astype(int)
+    rgb = shell.rgba[texel[:, 1], texel[:, 0], :3].astype(int)
+    assert np.percentile(np.abs(rgb - HAIR).max(axis=1), 95) < 12
+    assert len(shell.triangles) <= 8200
+    assert np.allclose(shell.skin_weights.sum(axis=1), 1.0)
+    assert result.warnings == ()
+
+
+def test_hair_stays_off_the_face(ponytail):
+    person, result, _ = ponytail
+    generic = load_generic()
+    nose, chin = (person.vertices_m[generic.feature(name)] for name in ("nose_tip", "chin_front"))
+    shell = result.values["shells"][0].vertices_m
+    before = (shell[:, 2] > chin[2] - 0.02) & (np.abs(shell[:, 0]) < 0.05)
+    assert not np.any(before & (shell[:, 1] < nose[1] + 0.03))
+
+
+def test_a_bald_head_gets_no_shell_and_the_report_says_so():
+    _, result, _ = grow(bald=True)
+    assert result.values["shells"] == ()
+    assert "No hair" in result.warnings[0]
