@@ -27,5 +27,5 @@ class ClonerError(Exception):
         return f"{self.where}: {self.message}. {self.hint}"
 
 
-class Cancelled(Exception):  # noqa: N818 - not an error: the operator asked for it
+class Cancelled(Exception):
     """The operator stopped the work; no dialog appears."""

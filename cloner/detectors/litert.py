@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import math
 import threading
-from collections.abc import Callable
 from functools import lru_cache
 from importlib.resources import files
 from typing import Any, Final, Literal
@@ -17,9 +16,22 @@ import numpy as np
 from ai_edge_litert.interpreter import Interpreter
 from numpy.typing import NDArray
 
-from cloner.detectors.anchors import decode, join, make_anchors, overlaps
+from cloner.detectors.anchors import decode, join, make_anchors
+from cloner.detectors.mask_crops import body_mask, portrait_mask
+from cloner.detectors.placing import (
+    circle_crop,
+    distinct,
+    face_crop,
+    mesh_crop,
+    mirror_crop,
+    mirror_order,
+    near_head,
+    owns,
+    same_place,
+    whole_photo,
+)
 from cloner.detectors.results import POSE_NAMES, Box, FaceResult, PoseResult
-from cloner.vision.crops import Crop, cut, move_points, paste, photo_px_from_crop
+from cloner.vision.crops import Crop, cut, move_points, photo_px_from_crop
 
 __all__ = [
     "POSE_NAMES", "Box", "FaceResult", "PoseResult",
@@ -29,7 +41,7 @@ __all__ = [
 Photo = NDArray[np.uint8]
 Floats = NDArray[np.float64]
 
-THREADS: Final = 2  # taste: the booth's computers have two cores to spare
+THREADS: Final = 2  # taste: a booth computer has two cores to spare
 POSE_SIDE: Final = 256
 FACE_SIDE: Final = 192
 _LOCK: Final = threading.Lock()
@@ -58,8 +70,6 @@ def _sigmoid(values: NDArray[np.float32]) -> Floats:
     return 1.0 / (1.0 + np.exp(-np.clip(values.astype(np.float64), -60.0, 60.0)))
 
 
-# Detectors ------------------------------------------------------------------------------
-
 _DETECTORS: Final[dict[str, tuple[int, tuple[tuple[int, int], ...]]]] = {
     "pose_detection": (224, ((8, 2), (16, 2), (32, 6))),
     "face_detection_short_range": (128, ((8, 2), (16, 6))),
@@ -67,9 +77,7 @@ _DETECTORS: Final[dict[str, tuple[int, tuple[tuple[int, int], ...]]]] = {
 }
 
 
-def _detect(
-    name: str, photo: Photo, crop: Crop, kind: Literal["person", "face"], threshold: float
-) -> list[Box]:
+def _detect(name: str, photo: Photo, crop: Crop, kind: Literal["person", "face"], threshold: float) -> list[Box]:
     """Run one detector on a square crop; return boxes in photo px, the best first."""
     side, layers = _DETECTORS[name]
     image = cut(photo, crop, width=side, height=side)
@@ -82,41 +90,17 @@ def _detect(
         corners = np.stack([row[0] - row[1] / 2, row[0] + row[1] / 2])
         points = np.concatenate([corners, row[2:]]) * side - 0.5
         moved = move_points(points, photo_from_crop)
-        boxes.append(Box(kind, *map(float, moved[:2].ravel()), float(score), moved[2:]))
+        left, top, right, bottom = map(float, moved[:2].ravel())
+        boxes.append(Box(kind, left, top, right, bottom, float(score), moved[2:]))
     return boxes
-
-
-def _whole(photo: Photo) -> Crop:
-    """Return the smallest square round the photo."""
-    height, width = photo.shape[:2]
-    side = float(max(height, width))
-    return Crop((width - 1) / 2.0, (height - 1) / 2.0, side, side)
-
-
-def _same(first: Box, second: Box, overlap: float) -> bool:
-    rows = [
-        np.array([[b.left_px + b.right_px, b.top_px + b.bottom_px], [2 * b.width_px, 2 * b.height_px]])
-        / 2.0
-        for b in (first, second)
-    ]
-    return bool(overlaps(rows[0], rows[1][None])[0] > overlap)
-
-
-def _distinct(boxes: list[Box], overlap: float = 0.2) -> list[Box]:
-    """Return the boxes without repeats, the best first."""
-    kept: list[Box] = []
-    for box in sorted(boxes, key=lambda b: -b.score):
-        if not any(_same(box, other, overlap) for other in kept):
-            kept.append(box)
-    return kept
 
 
 def _find_faces(photo: Photo, threshold: float = 0.5) -> list[Box]:
     """Return the faces in a photo, near and far, the best first."""
-    whole = _whole(photo)
+    whole = whole_photo(photo)
     boxes = _detect("face_detection_short_range", photo, whole, "face", threshold)
     boxes += _detect("face_detection_full_range", photo, whole, "face", threshold)
-    return _distinct(boxes)
+    return distinct(boxes)
 
 
 def _find_people(photo: Photo) -> list[Box]:
@@ -127,12 +111,12 @@ def _find_people(photo: Photo) -> list[Box]:
     """
     height, width = photo.shape[:2]
     side = float(max(height, 0.6 * width))
-    tiles = [_whole(photo)]
+    tiles = [whole_photo(photo)]
     tiles += [Crop(x * width, (height - 1) / 2.0, side, side) for x in (0.27, 0.73)]
     found = [b for tile in tiles for b in _detect("pose_detection", photo, tile, "person", 0.5)]
     people: list[Box] = []
     for box in sorted(found, key=lambda b: -b.score):
-        crop = _circle(box.keypoints_px[0], box.keypoints_px[1], 1.25)
+        crop = circle_crop(box.keypoints_px[0], box.keypoints_px[1], 1.25)
         out = _pose_net(photo, crop)
         if float(out[1].ravel()[0]) < 0.5:
             continue
@@ -142,15 +126,9 @@ def _find_people(photo: Photo) -> list[Box]:
         half = 0.45 * reach  # measured: outstretched hands of the visitors
         keys = np.stack([points[33], points[34], (points[11] + points[12]) / 2, points[0]])
         person = Box("person", x - half, y - reach, x + half, y + reach, box.score, keys)
-        if not any(_near_head(other, points[0]) for other in people):
+        if not any(near_head(other, points[0]) for other in people):
             people.append(person)
     return people
-
-
-def _near_head(person: Box, point: Floats) -> bool:
-    """Whether a point lies no farther from a body's nose than its shoulders do."""
-    shoulders, nose = person.keypoints_px[2:4]
-    return bool(np.hypot(*(point - nose)) < np.hypot(*(shoulders - nose)))
 
 
 def detect_people(rgb: Photo) -> list[Box]:
@@ -172,9 +150,9 @@ def detect_people(rgb: Photo) -> list[Box]:
     people = _find_people(rgb)
     tallest = max((p.height_px for p in people), default=0.0)
     people = [p for p in people if p.height_px >= 0.45 * tallest]
-    faces = [f for f in _find_faces(rgb, 0.6) if _mesh(rgb, _face_crop(f))[1] > 0.5]
+    faces = [f for f in _find_faces(rgb, 0.6) if _mesh(rgb, face_crop(f))[1] > 0.5]
     widest = max((f.width_px for f in faces), default=0.0)
-    owned = [any(_owns(p, f) for p in people) for f in faces]
+    owned = [any(owns(p, f) for p in people) for f in faces]
     # a body's own face tells how large other faces must be; without one, a tenth of it
     least = max([f.width_px for f, o in zip(faces, owned, strict=True) if o], default=0.12 * tallest)
     for face, has_owner in zip(faces, owned, strict=True):
@@ -183,21 +161,7 @@ def detect_people(rgb: Photo) -> list[Box]:
     return sorted(people, key=lambda p: -p.height_px)
 
 
-def _owns(person: Box, face: Box) -> bool:
-    """Whether a face is a body's own, or lies on it (a printed shirt)."""
-    x, y = (face.left_px + face.right_px) / 2, (face.top_px + face.bottom_px) / 2
-    inside = person.left_px < x < person.right_px and person.top_px < y < person.bottom_px
-    return _near_head(person, np.array([x, y])) or inside
-
-
 # Pose -----------------------------------------------------------------------------------
-
-
-def _circle(middle: Floats, rim: Floats, scale: float) -> Crop:
-    """Return the square round a circle, turned so that the rim point is up."""
-    across, down = (rim - middle).tolist()
-    side = 2.0 * math.hypot(across, down) * scale
-    return Crop(float(middle[0]), float(middle[1]), side, side, math.atan2(across, -down))
 
 
 def _pose_net(photo: Photo, crop: Crop) -> dict[int, NDArray[np.float32]]:
@@ -234,12 +198,12 @@ def detect_pose(rgb: Photo) -> PoseResult | None:
     right as a rule, on pure side views the hidden limbs are guesses and the two sides
     may be exchanged. Use `visibility`.
     """
-    boxes = _detect("pose_detection", rgb, _whole(rgb), "person", 0.3)
+    boxes = _detect("pose_detection", rgb, whole_photo(rgb), "person", 0.3)
     if not boxes:
         return None
-    first = _circle(boxes[0].keypoints_px[0], boxes[0].keypoints_px[1], 1.25)
+    first = circle_crop(boxes[0].keypoints_px[0], boxes[0].keypoints_px[1], 1.25)
     points = _pose_points(_pose_net(rgb, first), first)
-    crop = _circle(points[33], points[34], 1.25)
+    crop = circle_crop(points[33], points[34], 1.25)
     out = _pose_net(rgb, crop)
     points = _pose_points(out, crop)
     table = out[195].reshape(39, 5)[:33]
@@ -254,25 +218,8 @@ def detect_pose(rgb: Photo) -> PoseResult | None:
         presence=_sigmoid(table[:, 4]),
         world_m=world,
         score=float(out[1].ravel()[0]),
-        mask=_body_mask(rgb, crop) if hips_inside else _portrait_mask(rgb),
+        mask=body_mask(rgb, crop, _pose_mask_net) if hips_inside else portrait_mask(rgb, _selfie_net),
     )
-
-
-def _mirrored(photo: Photo, crop: Crop) -> tuple[Photo, Crop]:
-    flipped = np.ascontiguousarray(photo[:, ::-1])
-    across = photo.shape[1] - 1 - crop.x_px
-    return flipped, Crop(across, crop.y_px, crop.width_px, crop.height_px, -crop.angle_rad)
-
-
-def _mean_mask(
-    photo: Photo, crop: Crop, run: Callable[[Photo, Crop], NDArray[np.float64]]
-) -> NDArray[np.float32]:
-    """Return the mean of a mask net's answers for a crop and its mirror image."""
-    shape = (photo.shape[0], photo.shape[1])
-    straight = paste(run(photo, crop).astype(np.float32), crop, shape=shape)
-    flipped, turned = _mirrored(photo, crop)
-    mirrored = paste(run(flipped, turned).astype(np.float32), turned, shape=shape)
-    return (straight + mirrored[:, ::-1]) * np.float32(0.5)
 
 
 def _pose_mask_net(photo: Photo, crop: Crop) -> Floats:
@@ -284,65 +231,7 @@ def _selfie_net(photo: Photo, crop: Crop) -> Floats:
     return _run("selfie_segmentation.tflite", image, low=0.0)[0][..., 0].astype(np.float64)
 
 
-def _body_mask(photo: Photo, crop: Crop) -> NDArray[np.float32]:
-    """Return the mask of a whole body.
-
-    Measured mean overlap on 18 photos: one crop 0.963, the closer 0.85 crop 0.967, that
-    and the widened one, both mirrored, 0.974.
-    """
-    close = Crop(crop.x_px, crop.y_px, 0.85 * crop.width_px, 0.85 * crop.height_px, crop.angle_rad)
-    first = _mean_mask(photo, close, _pose_mask_net)
-    rows, columns = np.nonzero(first > 0.5)
-    if not len(rows):
-        return first
-    height = float(np.ptp(rows)) * 1.1
-    # narrower than high: the net then spends more of its 256 columns on the body
-    width = max(float(np.ptp(columns)) * 1.2, 0.68 * height)
-    middle = (float(columns.min() + columns.max()) / 2, float(rows.min() + rows.max()) / 2)
-    second = _mean_mask(photo, Crop(*middle, width, height), _pose_mask_net)
-    return (first + second) * np.float32(0.5)
-
-
-def _portrait_mask(photo: Photo) -> NDArray[np.float32]:
-    """Return the mask of a person cut by the lower edge (selfie net, whole photo)."""
-    height, width = photo.shape[:2]
-    crop = Crop((width - 1) / 2.0, (height - 1) / 2.0, float(width), float(height))
-    return _mean_mask(photo, crop, _selfie_net)
-
-
 # Face -----------------------------------------------------------------------------------
-
-
-@lru_cache(maxsize=1)
-def _mirror_order() -> NDArray[np.intp]:
-    """Return for each of the 468 points the one on the other side of the face."""
-    with (files("cloner_models") / "nets" / "canonical_face.npz").open("rb") as file:
-        vertices = np.load(file)["vertices_cm"].astype(np.float64)
-    gap = np.linalg.norm(vertices[:, None] * np.array([-1.0, 1.0, 1.0]) - vertices[None], axis=-1)
-    order = gap.argmin(axis=1)
-    order.flags.writeable = False
-    return order
-
-
-def _face_crop(box: Box) -> Crop:
-    """Return the square the mesh net wants, from a detected face."""
-    right_eye, left_eye = box.keypoints_px[:2]
-    across, down = (left_eye - right_eye).tolist()
-    side = 1.5 * max(box.width_px, box.height_px)
-    middle = ((box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2)
-    return Crop(*middle, side, side, math.atan2(down, across))
-
-
-def _mesh_crop(points: Floats) -> Crop:
-    """Return the square the mesh net wants, from a first mesh in photo px."""
-    across, down = (points[263, :2] - points[33, :2]).tolist()
-    angle = math.atan2(down, across)
-    turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
-    upright = points[:, :2] @ turn.T
-    low, high = upright.min(axis=0), upright.max(axis=0)
-    middle = turn.T @ ((low + high) / 2)
-    side = 1.5 * float((high - low).max())
-    return Crop(float(middle[0]), float(middle[1]), side, side, angle)
 
 
 def _mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
@@ -359,9 +248,9 @@ def _mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
 def _mean_mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
     """Return the mean mesh of a crop and its mirror image; halves the net's jitter."""
     straight, presence = _mesh(photo, crop)
-    flipped, turned = _mirrored(photo, crop)
+    flipped, turned = mirror_crop(photo, crop)
     mirrored, other = _mesh(flipped, turned)
-    mirrored = mirrored[_mirror_order()]
+    mirrored = mirrored[mirror_order()]
     mirrored[:, 0] = photo.shape[1] - 1 - mirrored[:, 0]
     return (straight + mirrored) / 2, min(presence, other)
 
@@ -384,17 +273,17 @@ def detect_face(rgb: Photo, box: Box | None = None) -> FaceResult | None:
     if box is None or box.kind != "face":
         found = _find_faces(rgb, 0.3)
         if box is not None:
-            found = [f for f in found if _owns(box, f)]
+            found = [f for f in found if owns(box, f)]
         likely = [f for f in found if f.score > 0.6] or found
         box = max(likely, key=lambda f: f.width_px, default=None)
     if box is None:
         return None
     box = _look_closer(rgb, box)
-    points, presence = _mesh(rgb, _face_crop(box))
+    points, presence = _mesh(rgb, face_crop(box))
     if presence < 0.5:
         return None
     for _ in range(2):  # the second crop comes from the first points, as in MediaPipe
-        points, presence = _mean_mesh(rgb, _mesh_crop(points))
+        points, presence = _mean_mesh(rgb, mesh_crop(points))
     if presence < 0.5:
         return None
     across = float(np.hypot(*(points[263, :2] - points[33, :2])))
@@ -407,4 +296,4 @@ def _look_closer(photo: Photo, box: Box) -> Box:
     side = 3.0 * max(box.width_px, box.height_px)
     middle = ((box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2)
     near = _detect("face_detection_short_range", photo, Crop(*middle, side, side), "face", 0.5)
-    return near[0] if near and _same(near[0], box, 0.3) else box
+    return near[0] if near and same_place(near[0], box, 0.3) else box

@@ -41,9 +41,7 @@ def photo_px_from_crop(crop: Crop, *, width: int, height: int) -> NDArray[np.flo
     return np.column_stack([linear, shift])
 
 
-def cut(
-    image: NDArray[np.uint8], crop: Crop, *, width: int, height: int, fill: int = 0
-) -> NDArray[np.uint8]:
+def cut(image: NDArray[np.uint8], crop: Crop, *, width: int, height: int, fill: int = 0) -> NDArray[np.uint8]:
     """Return the crop as a (height, width, 3) image, averaged where it shrinks.
 
     Parameters
@@ -77,23 +75,23 @@ def cut(
     return np.asarray(warped, np.uint8)
 
 
-def paste(
-    values: NDArray[np.float32], crop: Crop, *, shape: tuple[int, int]
-) -> NDArray[np.float32]:
+def paste(values: NDArray[np.float32], crop: Crop, *, shape: tuple[int, int]) -> NDArray[np.float32]:
     """Lay a crop's (h, w) values back into a photo of `shape` (H, W); zero elsewhere."""
     height, width = values.shape
     photo_from_crop = photo_px_from_crop(crop, width=width, height=height)
     flags = cv2.INTER_CUBIC if crop.width_px > width else cv2.INTER_LINEAR
     out = cv2.warpAffine(
-        values, photo_from_crop, (shape[1], shape[0]), flags=flags,
-        borderMode=cv2.BORDER_CONSTANT, borderValue=0.0,
+        values,
+        photo_from_crop,
+        (shape[1], shape[0]),
+        flags=flags,
+        borderMode=cv2.BORDER_CONSTANT,
+        borderValue=0.0,
     )
     return np.clip(np.asarray(out, np.float32), 0.0, 1.0)
 
 
-def move_points(
-    points: NDArray[np.float64], photo_from_crop: NDArray[np.float64]
-) -> NDArray[np.float64]:
+def move_points(points: NDArray[np.float64], photo_from_crop: NDArray[np.float64]) -> NDArray[np.float64]:
     """Map (N, 2) points through a (2, 3) affine map."""
     return points @ photo_from_crop[:, :2].T + photo_from_crop[:, 2]
 

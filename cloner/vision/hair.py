@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+
+from cloner.vision.head_frame import HeadFrame, face_area, find_head
 
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -23,70 +24,6 @@ _BALD_DISTANCE: Final = 3.0  # Mahalanobis: a crown this near to the skin is ski
 # Gaussians a class and the least log density; cloth may have any colour
 _MIXTURES: Final = ((2, -22.0), (3, -22.0), (4, -13.0))
 _LIGHTNESS: Final = 0.6  # weight of L in Lab: light falls unevenly, colour stays
-# Face oval, eyes with brows, and lips of the 468-point mesh
-_OVAL: Final = (
-    10, 338, 297, 332, 284, 251, 389, 356, 454, 323, 361, 288, 397, 365, 379, 378, 400, 377,
-    152, 148, 176, 149, 150, 136, 172, 58, 132, 93, 234, 127, 162, 21, 54, 103, 67, 109,
-)  # fmt: skip
-_EYES: Final = ((70, 63, 105, 66, 107, 133, 153, 145, 163, 33), (300, 293, 334, 296, 336, 362, 380, 374, 390, 263))
-_LIPS: Final = (61, 39, 0, 269, 291, 405, 17, 181)
-
-
-@dataclass(frozen=True, slots=True)
-class HeadFrame:
-    """Where the head is, in px of the image it was found in.
-
-    Parameters
-    ----------
-    top_px, chin_px : float
-        Rows of the crown and the chin.
-    x_px : float
-        Column of the head's middle.
-    ear_px : float
-        Row of the ear's middle.
-    facing : float
-        Where the nose points in the image: -1 left, 1 right, 0 to or from the camera.
-    """
-
-    top_px: float
-    chin_px: float
-    x_px: float
-    ear_px: float
-    facing: float
-
-    @property
-    def head_px(self) -> float:
-        """Crown to chin."""
-        return self.chin_px - self.top_px
-
-
-def find_head(
-    person: Flags, face_points: Floats | None, view: str, pose_points: Floats | None
-) -> HeadFrame:
-    """Return the head's place from the mesh, else the pose points, else the outline."""
-    rows = np.flatnonzero(person.any(axis=1))
-    if face_points is not None:
-        low, high = face_points[:, 0].min(), face_points[:, 0].max()
-        x, chin, brow = (low + high) / 2, float(face_points[152, 1]), float(face_points[10, 1])
-        above = person[: int(max(brow, 1)), int(max(low, 0)) : int(max(high, 1))]
-        found = np.flatnonzero(above.any(axis=1))
-        top = float(found[0]) if len(found) else brow
-        return HeadFrame(top, chin, float(x), float(face_points[[234, 454], 1].mean()), 0.0)
-    if pose_points is not None:
-        nose, ears = pose_points[0], pose_points[[7, 8]].mean(axis=0)
-        top = float(rows[0])
-        if view.endswith("side"):
-            # a nose lies 0.62 of a head below the crown (generic head)
-            head = max(float(nose[1] - top) / 0.62, 8.0)
-            x = float(nose[0] + ears[0]) / 2 - 0.12 * head * np.sign(nose[0] - ears[0])
-            return HeadFrame(top, top + head, float(x), float(ears[1]), float(np.sign(nose[0] - ears[0])))
-        head = max(float(ears[1] - top) / 0.55, 8.0)
-        return HeadFrame(top, top + head, float(ears[0]), float(ears[1]), 0.0)
-    top, height = float(rows[0]), float(rows[-1] - rows[0])
-    head = 0.135 * height if view.startswith("body") else 0.45 * height
-    band = person[int(top + 0.2 * head) : int(top + 0.8 * head)]
-    x = float(np.nonzero(band)[1].mean())
-    return HeadFrame(top, top + head, x, top + 0.55 * head, 0.0)
 
 
 def head_hair_labels(
@@ -137,8 +74,11 @@ def head_hair_labels(
     inside = cv2.resize(person[y0:y1, x0:x1].astype(np.float32), size, interpolation=cv2.INTER_AREA)
     shift = np.array([x0, y0], np.float64)
     small_head = HeadFrame(
-        (head.top_px - y0) * scale, (head.chin_px - y0) * scale, (head.x_px - x0) * scale,
-        (head.ear_px - y0) * scale, head.facing,
+        (head.top_px - y0) * scale,
+        (head.chin_px - y0) * scale,
+        (head.x_px - x0) * scale,
+        (head.ear_px - y0) * scale,
+        head.facing,
     )
     small_face = None if face_points is None else (face_points[:, :2] - shift) * scale
     small_pose = None if pose_points is None else (pose_points[:, :2] - shift) * scale
@@ -161,18 +101,7 @@ def _skin_hint(rgb: NDArray[np.uint8], person: Flags, pose_points: Floats | None
     if not found:
         return np.zeros((0, 3))
     pixels = np.ascontiguousarray(np.concatenate(found)[None], np.uint8)
-    return cv2.cvtColor(pixels, cv2.COLOR_RGB2Lab)[0].astype(np.float64)
-
-
-def _face_area(face: Floats, shape: tuple[int, int]) -> tuple[Flags, Flags]:
-    """Return the face inside its oval, and the part of it that is bare skin."""
-    oval = np.zeros(shape, np.uint8)
-    cv2.fillPoly(oval, [np.round(face[list(_OVAL)]).astype(np.int32)], 1)
-    bare = cv2.erode(oval, np.ones((5, 5), np.uint8))
-    for ring in (*_EYES, _LIPS):
-        cv2.fillPoly(bare, [cv2.convexHull(np.round(face[list(ring)]).astype(np.int32))], 0)
-    bare[: int(max(face[[105, 334], 1].min(), 0))] = 0  # a fringe may cover the forehead
-    return oval > 0, bare > 0
+    return np.asarray(cv2.cvtColor(pixels, cv2.COLOR_RGB2Lab)[0], np.float64)
 
 
 def _seeds(
@@ -184,7 +113,7 @@ def _seeds(
     unit = head.head_px
     skin = np.zeros_like(inside)
     if face is not None:
-        skin = _face_area(face, inside.shape)[1] & inside
+        skin = face_area(face, inside.shape)[1] & inside
     elif pose is not None and head.facing:
         front = (pose[0] + pose[[9, 10]].mean(axis=0)) / 2
         cheek = 0.6 * front + 0.4 * pose[[7, 8]].mean(axis=0)
@@ -204,25 +133,22 @@ def _seeds(
     return skin, crown, cloth
 
 
-def _spread(lab: Floats, where: Flags, *, noise: float = 3.0) -> tuple[Floats, Floats] | None:
-    """Return the mean and inverse covariance of the pixels, outliers left out."""
-    return _fit(lab[where], noise=noise)
-
-
 def _fit(colours: Floats, *, noise: float = 3.0) -> tuple[Floats, Floats] | None:
+    """Return the mean and inverse covariance of (N, 3) colours, outliers left out."""
     if len(colours) < 12:
         return None
     middle = np.median(colours, axis=0)
     far = np.abs(colours - middle).max(axis=1)
     kept = colours[far <= np.quantile(far, 0.85)]
     cov = np.cov(kept.T) + noise * noise * np.eye(3)
-    return kept.mean(axis=0), np.linalg.inv(cov)
+    return np.asarray(kept.mean(axis=0), np.float64), np.asarray(np.linalg.inv(cov), np.float64)
 
 
 def _distance(lab: Floats, fit: tuple[Floats, Floats]) -> Floats:
     """Return the Mahalanobis distance of each colour."""
     away = lab - fit[0]
-    return np.sqrt(np.maximum(np.einsum("...i,ij,...j->...", away, fit[1], away), 0.0))
+    square = np.einsum("...i,ij,...j->...", away, fit[1], away)
+    return np.asarray(np.sqrt(np.maximum(square, 0.0)), np.float64)
 
 
 def _mixture(lab: Floats, where: Flags, parts: int, floor: float) -> Floats:
@@ -235,8 +161,11 @@ def _mixture(lab: Floats, where: Flags, parts: int, floor: float) -> Floats:
     order = np.argsort(np.argsort(samples[:, 0], kind="stable"), kind="stable")
     member = (order * parts // len(samples)).astype(np.int32)[:, None]
     cv2.kmeans(
-        samples.astype(np.float32), parts, member,
-        (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 12, 0.5), 1,
+        samples.astype(np.float32),
+        parts,
+        member,
+        (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 12, 0.5),
+        1,
         cv2.KMEANS_USE_INITIAL_LABELS,
     )
     best = np.full(lab.shape[:2], -np.inf)
@@ -249,12 +178,17 @@ def _mixture(lab: Floats, where: Flags, parts: int, floor: float) -> Floats:
         square = np.einsum("...i,ij,...j->...", away, np.linalg.inv(cov), away)
         weight = np.log(len(chosen) / len(samples)) - 0.5 * np.log(np.linalg.det(cov))
         best = np.logaddexp(best, weight - 0.5 * square)
-    return np.maximum(best, floor)
+    return np.asarray(np.maximum(best, floor), np.float64)
 
 
 def _classify(
-    small: NDArray[np.uint8], inside: Flags, head: HeadFrame, face: Floats | None,
-    pose: Floats | None, hints: Floats, view: str,
+    small: NDArray[np.uint8],
+    inside: Flags,
+    head: HeadFrame,
+    face: Floats | None,
+    pose: Floats | None,
+    hints: Floats,
+    view: str,
 ) -> NDArray[np.float32]:
     """Return (3, h, w) smoothed scores for skin, hair and cloth."""
     lab = cv2.cvtColor(cv2.GaussianBlur(small, (0, 0), 1.0), cv2.COLOR_RGB2Lab).astype(np.float64)
@@ -287,9 +221,7 @@ def _classify(
     return _connected(smooth, inside, skin, head)
 
 
-def _prior(
-    shape: tuple[int, int], head: HeadFrame, face: Floats | None, view: str, *, bald: bool
-) -> Floats:
+def _prior(shape: tuple[int, int], head: HeadFrame, face: Floats | None, view: str, *, bald: bool) -> Floats:
     """Return (3, h, w) log weights: where skin, hair and cloth may be."""
     ys, xs = np.mgrid[: shape[0], : shape[1]].astype(np.float64)
     prior = np.zeros((3, *shape))
@@ -301,7 +233,7 @@ def _prior(
     prior[0] -= 3.0 * np.clip(below - 0.6, 0.0, 1.0)  # a neck is half a head long
     upper = ys < head.ear_px - 0.1 * head.head_px
     if face is not None:
-        oval = _face_area(face, shape)[0]
+        oval = face_area(face, shape)[0]
         brows = float(face[[105, 334], 1].min())
         prior[1] -= 8.0 * (oval & (ys > brows))
         forehead = max(float(face[10, 1]) - head.top_px, 1.0)
@@ -334,9 +266,7 @@ def _smooth(small: NDArray[np.uint8], scores: Floats) -> Floats:
     )
 
 
-def _connected(
-    shares: Floats, inside: Flags, sure_skin: Flags, head: HeadFrame
-) -> NDArray[np.float32]:
+def _connected(shares: Floats, inside: Flags, sure_skin: Flags, head: HeadFrame) -> NDArray[np.float32]:
     """Return the shares with hair in one piece and no skin islands within it."""
     skin = ((shares.argmax(axis=0) == 0) & inside).astype(np.uint8)
     _, pieces, stats, _ = cv2.connectedComponentsWithStats(skin, connectivity=4)

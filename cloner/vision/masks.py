@@ -50,9 +50,7 @@ class MaskParams:
     open_band: float = 0.02
 
 
-def refine_mask(
-    rgb: NDArray[np.uint8], probability: Floats, params: MaskParams | None = None
-) -> Floats:
+def refine_mask(rgb: NDArray[np.uint8], probability: Floats, params: MaskParams | None = None) -> Floats:
     """Sharpen a coarse person probability along the photo's own edges.
 
     Round each undecided pixel two Gaussian colour models are learned, from the sure
@@ -77,9 +75,7 @@ def refine_mask(
     settings = params or MaskParams()
     small = shrink_to(rgb, longest=WORK_SIDE_PX)
     size = (small.shape[1], small.shape[0])
-    coarse = np.asarray(
-        cv2.resize(probability.astype(np.float32), size, interpolation=cv2.INTER_AREA), np.float32
-    )
+    coarse = np.asarray(cv2.resize(probability.astype(np.float32), size, interpolation=cv2.INTER_AREA), np.float32)
     lab = cv2.cvtColor(small, cv2.COLOR_RGB2Lab).astype(np.float32)
     low = settings.open_band
     rows, columns = np.nonzero((coarse > low) & (coarse < 1.0 - low))
@@ -123,7 +119,6 @@ def _gaussian_fit(
     noise: float,
 ) -> tuple[Floats, Floats]:
     """Return log density of each pixel's colour in the model round it, and its support."""
-
     coarser = max(1, int(sigma / 3.0))  # the blur leaves nothing finer
     small = (-(-weight.shape[1] // coarser), -(-weight.shape[0] // coarser))
     whole = (weight.shape[1], weight.shape[0])

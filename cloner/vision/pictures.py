@@ -30,6 +30,8 @@ LARGEST_WHOLE_PIXELS: Final = 120_000_000  # measured: 3 bytes each stay under 6
 SMALLEST_SIDE_PX: Final = 64  # taste: below this there is no face to find
 _FORMATS: Final = ("JPEG", "MPO", "PNG", "WEBP", "TIFF", "BMP", "GIF", "HEIF", "AVIF")
 _RETAKE: Final = "Copy the photo from the camera again, or retake it"
+_SMALLER: Final = "Save it smaller, 12 megapixels are plenty"
+Image.MAX_IMAGE_PIXELS = LARGEST_PIXELS  # pillow's own guard, raised to ours
 _TURNS: Final = {
     2: Image.Transpose.FLIP_LEFT_RIGHT,
     3: Image.Transpose.ROTATE_180,
@@ -101,7 +103,10 @@ def read_picture(path: Path) -> Picture:
                 _check_size(image, where)
                 focal_35mm = _read_focal(image)
                 rgb, size = _decode(image)
-    except (UnidentifiedImageError, Image.DecompressionBombError) as error:
+    except Image.DecompressionBombError as error:  # beyond twice our limit
+        message = f"the photo has more than {2 * LARGEST_PIXELS / 1e6:.0f} megapixels"
+        raise ClonerError(message, _SMALLER, where) from error
+    except UnidentifiedImageError as error:
         raise ClonerError("this file is not a photo that can be read", _hint(path), where) from error
     except (OSError, SyntaxError, ValueError, EOFError, KeyError, IndexError) as error:
         log.debug("decoding failed: %s", error)
@@ -140,11 +145,8 @@ def _check_size(image: Image.Image, where: str) -> None:
     limit = LARGEST_PIXELS if reduced else LARGEST_WHOLE_PIXELS
     if width * height > limit:
         kind = "the photo" if reduced else f"this {image.format} photo"
-        message = (
-            f"{kind} has {width * height / 1e6:.0f} megapixels, "
-            f"more than the {limit / 1e6:.0f} that can be read"
-        )
-        raise ClonerError(message, "Save it smaller, 12 megapixels are plenty", where)
+        message = f"{kind} has {width * height / 1e6:.0f} megapixels, more than the {limit / 1e6:.0f} that can be read"
+        raise ClonerError(message, _SMALLER, where)
     if min(width, height) < SMALLEST_SIDE_PX:
         message = f"the photo is only {width} x {height} pixels"
         raise ClonerError(message, "Use the original photo, not a thumbnail", where)
@@ -153,9 +155,7 @@ def _check_size(image: Image.Image, where: str) -> None:
 def _read_focal(image: Image.Image) -> float | None:
     """Return FocalLengthIn35mmFilm, or None where it is absent or senseless."""
     try:
-        value = image.getexif().get_ifd(ExifTags.IFD.Exif).get(
-            ExifTags.Base.FocalLengthIn35mmFilm
-        )
+        value = image.getexif().get_ifd(ExifTags.IFD.Exif).get(ExifTags.Base.FocalLengthIn35mmFilm)
         focal = float(value) if value is not None else 0.0
     except (ValueError, TypeError, KeyError, OSError, SyntaxError, ZeroDivisionError):
         return None

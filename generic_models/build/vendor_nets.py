@@ -50,9 +50,7 @@ def packed_files(package: Path) -> dict[str, bytes]:
     found: dict[str, bytes] = {}
     for loader in package.glob("*_packed_assets_loader.js"):
         data = (package / loader.name.replace("_loader.js", ".data")).read_bytes()
-        rows = re.findall(
-            r'"filename": "([^"]+)", "start": (\d+), "end": (\d+)', loader.read_text()
-        )
+        rows = re.findall(r'"filename": "([^"]+)", "start": (\d+), "end": (\d+)', loader.read_text())
         for name, start, end in rows:
             found[name.rsplit("/", 1)[-1]] = data[int(start) : int(end)]
     return found

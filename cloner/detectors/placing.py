@@ -1,0 +1,101 @@
+"""Where to look: the crops nets want, and which finds belong together. No net here."""
+
+from __future__ import annotations
+
+import math
+from functools import lru_cache
+from importlib.resources import files
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.detectors.anchors import overlaps
+from cloner.detectors.results import Box
+from cloner.vision.crops import Crop
+
+Floats = NDArray[np.float64]
+Photo = NDArray[np.uint8]
+
+
+def circle_crop(middle: Floats, rim: Floats, scale: float) -> Crop:
+    """Return the square round a circle, turned so that the rim point is up."""
+    across, down = (rim - middle).tolist()
+    side = 2.0 * math.hypot(across, down) * scale
+    return Crop(float(middle[0]), float(middle[1]), side, side, math.atan2(across, -down))
+
+
+def same_place(first: Box, second: Box, overlap: float) -> bool:
+    """Whether two boxes share more than `overlap` of their union."""
+    rows = [
+        np.array([[b.left_px + b.right_px, b.top_px + b.bottom_px], [2 * b.width_px, 2 * b.height_px]]) / 2.0
+        for b in (first, second)
+    ]
+    return bool(overlaps(rows[0], rows[1][None])[0] > overlap)
+
+
+def distinct(boxes: list[Box], overlap: float = 0.2) -> list[Box]:
+    """Return the boxes without repeats, the best first."""
+    kept: list[Box] = []
+    for box in sorted(boxes, key=lambda b: -b.score):
+        if not any(same_place(box, other, overlap) for other in kept):
+            kept.append(box)
+    return kept
+
+
+def near_head(person: Box, point: Floats) -> bool:
+    """Whether a point lies no farther from a body's nose than its shoulders do."""
+    shoulders, nose = person.keypoints_px[2:4]
+    return bool(np.hypot(*(point - nose)) < np.hypot(*(shoulders - nose)))
+
+
+def owns(person: Box, face: Box) -> bool:
+    """Whether a face is a body's own, or lies on it (a printed shirt)."""
+    x, y = (face.left_px + face.right_px) / 2, (face.top_px + face.bottom_px) / 2
+    inside = person.left_px < x < person.right_px and person.top_px < y < person.bottom_px
+    return near_head(person, np.array([x, y])) or inside
+
+
+@lru_cache(maxsize=1)
+def mirror_order() -> NDArray[np.intp]:
+    """Return for each of the 468 points the one on the other side of the face."""
+    with (files("cloner_models") / "nets" / "canonical_face.npz").open("rb") as file:
+        vertices = np.load(file)["vertices_cm"].astype(np.float64)
+    gap = np.linalg.norm(vertices[:, None] * np.array([-1.0, 1.0, 1.0]) - vertices[None], axis=-1)
+    order = np.asarray(gap.argmin(axis=1), np.intp)
+    order.flags.writeable = False
+    return order
+
+
+def face_crop(box: Box) -> Crop:
+    """Return the square the mesh net wants, from a detected face."""
+    right_eye, left_eye = box.keypoints_px[:2]
+    across, down = (left_eye - right_eye).tolist()
+    side = 1.5 * max(box.width_px, box.height_px)
+    middle = ((box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2)
+    return Crop(*middle, side, side, math.atan2(down, across))
+
+
+def mesh_crop(points: Floats) -> Crop:
+    """Return the square the mesh net wants, from a first mesh in photo px."""
+    across, down = (points[263, :2] - points[33, :2]).tolist()
+    angle = math.atan2(down, across)
+    turn = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
+    upright = points[:, :2] @ turn.T
+    low, high = upright.min(axis=0), upright.max(axis=0)
+    middle = turn.T @ ((low + high) / 2)
+    side = 1.5 * float((high - low).max())
+    return Crop(float(middle[0]), float(middle[1]), side, side, angle)
+
+
+def mirror_crop(photo: Photo, crop: Crop) -> tuple[Photo, Crop]:
+    """Return the mirrored photo and the crop that shows the same place in it."""
+    flipped = np.ascontiguousarray(photo[:, ::-1])
+    across = photo.shape[1] - 1 - crop.x_px
+    return flipped, Crop(across, crop.y_px, crop.width_px, crop.height_px, -crop.angle_rad)
+
+
+def whole_photo(photo: Photo) -> Crop:
+    """Return the smallest square round the photo."""
+    height, width = photo.shape[:2]
+    side = float(max(height, width))
+    return Crop((width - 1) / 2.0, (height - 1) / 2.0, side, side)
