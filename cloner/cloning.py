@@ -13,6 +13,8 @@ from typing import Any, Final
 from cloner import pipeline
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
+from cloner.frames import ViewId
+from cloner.generic.load import load_generic
 from cloner.pipeline import Stage, StageReport, peak_mib
 from cloner.previews import write_previews
 from cloner.project.atomic import result_folder
@@ -148,7 +150,11 @@ def clone_folder(
     corrections = read_corrections(photos_dir)
     with result_folder(out_dir, person.identifier) as folder:
         photos = load_photos(photos_dir)
-        warnings = (*person_warnings(person), *photo_warnings(photos), *check_against(corrections, photos))
+        warnings = (
+            *person_warnings(person),
+            *photo_warnings(photos),
+            *check_against(corrections, photos, point_names()),
+        )
         values, stages = clone_photos(
             photos,
             person,
@@ -187,6 +193,12 @@ def check_formats(formats: Sequence[str]) -> None:
         if name not in EXPORTERS:
             hint = f"The formats are {', '.join(EXPORTERS)}"
             raise ClonerError(f"the format {name!r} is not known", hint, "--format")
+
+
+def point_names() -> dict[ViewId, frozenset[str]]:
+    """Return the names a correction may use: feature points and joints of the generic human, in every view."""
+    generic = load_generic()
+    return dict.fromkeys(ViewId, frozenset((*generic.feature_names, *generic.joint_names)))
 
 
 def check_texture_size(size: int) -> None:

@@ -170,6 +170,9 @@ def test_malformed_corrections(run: Command, tmp_path: Path, samples: Path) -> N
     entry = {"format": 1, "views": {"body_front": {"crotch": {"x": 99999, "y": 5}}}}
     (photos / "corrections.json").write_text(json.dumps(entry))
     assert "outside the photo" in refused(run, photos, tmp_path / "out")
+    entry = {"format": 1, "views": {"body_front": {"third_elbow": {"x": 5, "y": 5}}}}
+    (photos / "corrections.json").write_text(json.dumps(entry))
+    assert "body_front.third_elbow" in refused(run, photos, tmp_path / "out")
 
 
 @pytest.mark.slow
