@@ -67,7 +67,7 @@ class LinkParams:
     band: float = 0.010
     segment: float = 0.008
     bridge: float = 0.025
-    spacing: float = 0.08
+    spacing: float = 0.15
     corner_scale: float = 0.004
     along: float = 0.4
     end_along: float = 0.8
