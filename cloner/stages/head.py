@@ -28,7 +28,8 @@ from cloner.stages.head_fit import (
     profile_candidates,
     scaled,
     seat_parts,
-    start_cameras,
+    start_front,
+    start_side,
 )
 
 Array = NDArray[np.float64]
@@ -63,10 +64,9 @@ def run(
     front = read_front(model, proposals, face_points, params)
     side = read_side(model, proposals, silhouettes, face_points, params)
     _warn(front, side, proposals, log)
-    cameras = start_cameras(model, front, side, _sizes(photos, phenotype, front, side, params, log))
-    tick(0.2)
-    drifts, fitted = fit_basis(model, front, side, cameras, params)
+    coefficients, fitted = _fit(model, front, side, _sizes(photos, phenotype, front, side, params, log), params, tick)
     tick(0.6)
+    drifts = coefficients[len(model.basis_m) :]
     controls = load_head_controls()
     fitted, moved = add_relief(model, fitted, front, side, drifts, controls, params)
     tick(0.8)
@@ -89,6 +89,18 @@ def run(
         "" if side is None else ("right" if side.facing > 0 else "left"),
     )
     return StageResult({"head": value}, tuple(log.residuals), tuple(log.warnings))
+
+
+def _fit(model: Model, front: Front | None, side: Side | None, sizes: dict[str, tuple[int, int, float]],
+         params: Params, tick: Callable[[float], None]) -> tuple[Array, Fitted]:  # fmt: skip
+    """Return coefficients and head: the front photo first, then both together."""
+    first = None if front is None else start_front(model, front, sizes["front"], params)
+    coefficients, fitted = fit_basis(model, front, None, (first, None), params)
+    tick(0.3)
+    if side is None:
+        return coefficients, fitted
+    beside = start_side(model, fitted.head_m, side, sizes["side"])
+    return fit_basis(model, front, side, (fitted.front, beside), params, coefficients)
 
 
 def _controls_before(model: Model, controls_m: Array, phenotype: Phenotype) -> Array:

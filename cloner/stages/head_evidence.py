@@ -41,6 +41,8 @@ class Params:
         The same where DFFD follows single net points.
     named_m, corrected_m : float
         Expected errors of proposed profile points and of an operator's points.
+    loose_named : float
+        How much the proposed profile points' errors grow once the curve itself is matched.
     contour_m : float
         Expected error of the profile contour.
     reach_m : float
@@ -63,7 +65,8 @@ class Params:
     loose_net: float = 2.0
     named_m: float = 0.004
     corrected_m: float = 0.0008
-    contour_m: float = 0.0010
+    loose_named: float = 3.0
+    contour_m: float = 0.0015
     reach_m: float = 0.010
     yaw: float = 0.10
     tip: float = 0.06
@@ -207,7 +210,8 @@ def read_side(
     spread = params.named_m / np.sqrt(np.maximum(named.confidence[known], 0.05))
     sigma = np.where(named.corrected[known], params.corrected_m, spread)
     vertices = np.array([model.generic.feature(named.names[k]) for k in known], dtype=np.int64)
-    low = named.points_px[known, 1].max() + 0.1 * np.ptp(named.points_px[known, 1])
+    # Nose tip to chin is two thirds of glabella to chin; the rest allows for a chin proposed too high.
+    low = tip[1] + 0.95 * np.ptp(named.points_px[known, 1])
     normals = contour_normals(contour)
     front = front_contour(np.hstack([contour, normals]), facing, low)
     return Side(

@@ -37,25 +37,27 @@ class Fitted:
     side: Camera | None
 
 
-def start_cameras(model: Model, front: Front | None, side: Side | None, sizes: dict[str, tuple[int, int, float]]
-                  ) -> tuple[Camera | None, Camera | None]:  # fmt: skip
-    """Return first cameras from the generic head; ``sizes`` holds width, height and focal px of "front" and "side"."""
-    front_camera = side_camera = None
-    if front is not None:
-        width, height, focal = sizes["front"]
-        places = model.net.places.at(model.vertices_m)
-        first = facing_camera(places, front.net_px, azimuth=0.0, focal_px=focal, width_px=width, height_px=height)
-        sigma = _net_sigma(model, Params()) * focal / first.to_camera(places)[:, 2].mean()
-        front_camera = resect(places, front.net_px, first, sigma_px=sigma).camera
-    if side is not None:
-        width, height, focal = sizes["side"]
-        points = model.vertices_m[side.vertices]
-        azimuth = -side.facing * np.pi / 2.0
-        first = facing_camera(points, side.points_px, azimuth=azimuth, focal_px=focal, width_px=width, height_px=height)
-        sigma = side.sigma_m * focal / first.to_camera(points)[:, 2].mean()
-        tight = np.array([0.02, 0.02, 0.3])
-        side_camera = resect(points, side.points_px, first, sigma_px=sigma, turn_sigma=tight).camera
-    return front_camera, side_camera
+def start_front(model: Model, front: Front, size: tuple[int, int, float], params: Params) -> Camera:
+    """Return a first front camera from the generic head; ``size`` is width, height and focal length in px."""
+    width, height, focal = size
+    places = model.net.places.at(model.vertices_m)
+    first = facing_camera(places, front.net_px, azimuth=0.0, focal_px=focal, width_px=width, height_px=height)
+    sigma = _net_sigma(model, params) * focal / first.to_camera(places)[:, 2].mean()
+    return resect(places, front.net_px, first, sigma_px=sigma).camera
+
+
+def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, float]) -> Camera:
+    """Return a first side camera from the profile points on a head (H, 3), best one already fitted to the front.
+
+    The front photo knows the heights of nose, lips and chin, so a profile point at a wrong height stands out.
+    """
+    width, height, focal = size
+    points = head[model.row[side.vertices]]
+    azimuth = -side.facing * np.pi / 2.0
+    first = facing_camera(points, side.points_px, azimuth=azimuth, focal_px=focal, width_px=width, height_px=height)
+    sigma = side.sigma_m * focal / first.to_camera(points)[:, 2].mean()
+    tight = np.array([0.02, 0.02, 0.3])
+    return resect(points, side.points_px, first, sigma_px=sigma, turn_sigma=tight, outlier=1.5, iterations=40).camera
 
 
 def _net_sigma(model: Model, params: Params) -> Array:
@@ -99,8 +101,8 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
     base, basis = model.vertex_places(side.vertices)
     curve = iteration >= CURVE_FROM
-    loose = np.where(side.sigma_m > params.corrected_m, 2.0 if curve else 1.0, 1.0)
-    out = [Evidence(index, base, basis, side.points_px, loose * side.sigma_m / metres)]
+    loose = np.where(side.sigma_m > params.corrected_m, params.loose_named if curve else 1.0, 1.0)
+    out = [Evidence(index, base, basis, side.points_px, loose * side.sigma_m / metres, outlier=1.5)]
     if curve:
         whole = model.whole(model.head(fit.coefficients[: len(model.basis_m)]))
         vertices = outline_vertices(whole, candidates, camera, side.facing)
@@ -113,12 +115,15 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
 
 
 def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tuple[Camera | None, Camera | None],
-              params: Params) -> tuple[Array, Fitted]:  # fmt: skip
-    """Return the net's joint errors (M,) in this photo and the fitted head, from all evidence together."""
+              params: Params, start: Array | None = None) -> tuple[Array, Fitted]:  # fmt: skip
+    """Return the coefficients (F + M,) and the fitted head, from all evidence together.
+
+    The last M coefficients are the net's joint errors in this photo. ``start`` holds first coefficients.
+    """
     present = tuple(c for c in cameras if c is not None)
     shapes, drifts = len(model.basis_m), len(model.net.drift_m)
     if not present:
-        return np.zeros(drifts), Fitted(model.head(np.zeros(shapes)), None, None)
+        return np.zeros(shapes + drifts), Fitted(model.head(np.zeros(shapes)), None, None)
     side_index = len(present) - 1
     turn_sigma = np.full((len(present), 3), np.inf)
     if side is not None:
@@ -133,11 +138,11 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
             found += _side_evidence(model, side, fit, iteration, side_index, params, candidates)
         return found
 
-    start = ShapeFit(np.zeros(shapes + drifts), present, np.zeros((len(present), 3)))
-    fit = fit_shape(start, gather, turn_sigma=turn_sigma, iterations=ITERATIONS)
+    begin = ShapeFit(np.zeros(shapes + drifts) if start is None else start, present, np.zeros((len(present), 3)))
+    fit = fit_shape(begin, gather, turn_sigma=turn_sigma, iterations=ITERATIONS)
     front_camera = fit.cameras[0] if front is not None else None
     side_camera = fit.cameras[side_index] if side is not None else None
-    return fit.coefficients[shapes:], Fitted(model.head(fit.coefficients[:shapes]), front_camera, side_camera)
+    return fit.coefficients, Fitted(model.head(fit.coefficients[:shapes]), front_camera, side_camera)
 
 
 def _rows(weights: csr_matrix, model: Model, surface: SurfacePoints, movable: NDArray[np.bool_]) -> csr_matrix:
