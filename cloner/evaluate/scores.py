@@ -105,12 +105,14 @@ def score_subject(
                 yield Score(metric, name, "dE00" if metric == "delta_e" else "", figure)
     posed = _posed_as_truth(subject, generic, truth, rotations)
     yield from _surface_scores(posed, generic, truth, rng)
-    yield Score("stature_error_mm", "", "mm", abs(mm_from_m(_stature_m(subject, generic) - truth.stature_m)))
+    photographed = bool(subject.views)  # the generic human has its stature and its one colour by construction
+    if photographed:
+        yield Score("stature_error_mm", "", "mm", abs(mm_from_m(_stature_m(subject, generic) - truth.stature_m)))
     girths = girths_mm(subject.vertices_m, subject.joints_m, load_tape_rules())
     for name, value in girths.items():
         if name in truth.girths_mm:
             yield Score(f"girth_{name}_error_mm", "", "mm", abs(value - truth.girths_mm[name]))
-    for where, ratio in likeness.seam_ratios(subject, generic).items():
+    for where, ratio in likeness.seam_ratios(subject, generic).items() if photographed else ():
         yield Score(f"seam_{where}_ratio", "", "", ratio)
     yield Score("region_agreement", "", "", None)
 

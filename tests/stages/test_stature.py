@@ -8,7 +8,6 @@ import functools
 
 import numpy as np
 import pytest
-from kit import compare, people, studio
 
 from cloner import pipeline
 from cloner.frames import BODY_VIEWS
@@ -16,6 +15,7 @@ from cloner.project.corrections import no_corrections
 from cloner.records.photos import Person
 from cloner.records.points import PointSet, Proposals, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
+from kit import compare, people, studio
 
 BODY_STAGES = ("views", "phenotype", "skeleton", "rough", "fine")
 STATURE_M = 1.68
