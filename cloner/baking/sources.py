@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
-from cloner.generic.photo_shares import mirrored_share, photo_shares
+from cloner.generic.photo_shares import arms_beside_head, lower_arms, mirrored_share, photo_shares
 from cloner.geometry.seeing import Sight, depth_at, look, nearest_of
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import PosedView
@@ -29,6 +29,7 @@ PERSON_LEVEL = 127  # a net's probability above one half
 HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
 CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stretched
 UNSAFE_CLAIM = 0.3  # of the usual, beside an inner outline
+COLLAR_SHARE = 0.025  # of the figure: how far a collar reaches from the neck's skin
 HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
 
 
@@ -147,7 +148,13 @@ def make_plate(
     """Return the photo without background; see :func:`prepare_plate`."""
     frontal = proposal.face_presence >= limits.face_presence and view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT)
     mask = person_mask(view, proposal, silhouettes)
-    return prepare_plate(photos.photos[view].rgb, mask, proposal.labels, proposal.face_px if frontal else None)
+    return prepare_plate(
+        photos.photos[view].rgb,
+        mask,
+        proposal.labels,
+        proposal.face_px if frontal else None,
+        (proposal.pose_px, proposal.pose_visibility) if view is ViewId.BODY_SIDE else None,
+    )
 
 
 def make_source(
@@ -174,6 +181,9 @@ def make_source(
     source = Source(posed_view.view, False, plate, sight, lookup, hair_m, hair, np.zeros(len(lookup)))
     seen = visible_points(source, limits, sight.pixel_px, lookup, sight.depth_m, sight.cosine)
     seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
+    if posed_view.view is ViewId.BODY_SIDE:
+        seen &= ~(arms_beside_head(generic) & near_bare_head(plate, lookup))
+        seen &= in_arm_zone(generic, plate, lookup)
     share = photo_shares(generic, posed_view.view, faces=faces)
     share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
     return replace(source, score=share * np.where(seen, np.clip(sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
@@ -189,6 +199,22 @@ def align(sight: Sight, plate: Plate, limits: Limits) -> tuple[Array, float]:
     usable = cv2.dilate(plate.hair.astype(np.uint8), np.ones((growth, growth), np.uint8)) == 0
     field, gap = outline_shift(mesh_mask, plate.inside_px, usable, limit)
     return shift_points(sight.pixel_px, field), gap
+
+
+def near_bare_head(plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
+    """Return which of (V,) lookups land on or beside the bare skin of head and neck."""
+    reach = 2 * int(np.ceil(COLLAR_SHARE * plate.figure_px)) + 1
+    grown = cv2.dilate(plate.bare.astype(np.uint8), np.ones((reach, reach), np.uint8))
+    return np.asarray(sample(grown, lookup_px)[:, 0] > 0.5)
+
+
+def in_arm_zone(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
+    """Return (V,) False where the pose net sees an arm but the mesh the trunk, or the other way round."""
+    if not plate.arms.any():
+        return np.ones(len(lookup_px), bool)
+    shown = sample(plate.arms.astype(np.uint8), lookup_px)[:, 0] > 0.5
+    upper = arms_beside_head(generic)
+    return np.where(lower_arms(generic), shown, ~shown | upper)
 
 
 def mirror_source(generic: GenericHuman, source: Source) -> Source:

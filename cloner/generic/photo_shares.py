@@ -17,7 +17,7 @@ _EAR_SIDE = 1.6
 _BODY_ON_HEAD = {ViewId.BODY_FRONT: 0.12, ViewId.BODY_SIDE: 0.1, ViewId.BODY_BACK: 0.6}
 # An arm hangs before the body in the side photo: a few pixels off, it would take the shirt's colour. Front and back
 # photos see arms against the background.
-_ARM_SIDE = {"upper_arm": 0.4, "forearm": 0.3, "hand": 0.1}
+_ARM_SIDE = {"upper_arm": 0.4, "forearm": 0.15, "hand": 0.1}
 # The tops of the shoulders face no body camera; face photos look down on them a little, in nearly the same pose.
 _FACE_ON_SHOULDERS, _SHOULDER_REACH_M = 0.15, 0.09
 
@@ -63,6 +63,16 @@ def head_weight(generic: GenericHuman) -> NDArray[np.float64]:
     weight = np.zeros(len(generic.vertices_m))
     weight[: generic.head_blend.size] = generic.head_blend
     return weight
+
+
+def arms_beside_head(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) upper arms: in a side photo they lie before neck and collar when the shoulder is misjudged."""
+    return _segments(generic, ("upper_arm",))
+
+
+def lower_arms(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) forearms and hands."""
+    return _segments(generic, ("forearm", "hand"))
 
 
 def _segments(generic: GenericHuman, endings: tuple[str, ...]) -> NDArray[np.bool_]:
