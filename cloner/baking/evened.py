@@ -11,14 +11,15 @@ from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.records.results import Residual
 from cloner.vision.aligning import sample
-from cloner.vision.evening import apply_light, even_light, light_basis
+from cloner.vision.evening import REFERENCE_HOLD, SECOND_HOLD, apply_light, even_light, light_basis
 from cloner.vision.painting import MOUTH_RGB
 
 Array = NDArray[np.float64]
 
 TRUSTED_COSINE = 0.45  # photos are compared where both see the surface at less than 63 degrees
 FILL_STIFFNESS = 0.02  # taste: seen colours hold, unseen ones are harmonic
-_REFERENCES = (ViewId.BODY_FRONT, ViewId.FACE_FRONT, ViewId.BODY_BACK, ViewId.BODY_SIDE, ViewId.FACE_SIDE)
+# The face's tone counts most: neck and hands are matched to it.
+_REFERENCES = (ViewId.FACE_FRONT, ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.BODY_SIDE, ViewId.FACE_SIDE)
 
 
 def vertex_colours(sources: list[Source]) -> Array:
@@ -29,10 +30,10 @@ def vertex_colours(sources: list[Source]) -> Array:
 def even_photos(sources: list[Source], colours: Array, normals: Array) -> Array:
     """Return (K, 4, 3) log gains per source that even out exposure, white balance and light."""
     trust = np.stack([_trust(source) for source in sources])
-    reference = min(
-        range(len(sources)), key=lambda k: (_REFERENCES.index(sources[k].view), sources[k].mirrored)
-    )
-    return even_light(colours, trust, normals, reference)
+    first = min(_REFERENCES.index(source.view) for source in sources)
+    held = {ViewId.BODY_FRONT: SECOND_HOLD, _REFERENCES[first]: REFERENCE_HOLD}
+    hold = np.array([held.get(source.view, 1.0) for source in sources])
+    return even_light(colours, trust, normals, hold)
 
 
 def _trust(source: Source) -> Array:

@@ -20,7 +20,7 @@ from cloner.records.clones import Joined
 from cloner.records.photos import Photo
 from cloner.vision.aligning import sample
 from cloner.vision.blending import Layer, blend_pyramids, push_pull
-from cloner.vision.evening import apply_light, even_light, light_basis
+from cloner.vision.evening import REFERENCE_HOLD, apply_light, even_light, light_basis
 from cloner.vision.repair import repair_bleeding
 
 Array = NDArray[np.float64]
@@ -79,7 +79,8 @@ def paint_hair(
     claim_table = np.stack(claims)
     colours = np.stack([sample(p, s.pixel_px) for p, s in zip(pictures, sights, strict=True)]).astype(np.float64)
     first = max(range(len(usable)), key=lambda k: claim_table[k].sum() if usable[k].flip_m is None else 0.0)
-    gains = even_light(colours, np.stack(trusts), normals, first)
+    hold = np.where(np.arange(len(usable)) == first, REFERENCE_HOLD, 1.0)
+    gains = even_light(colours, np.stack(trusts), normals, hold)
     evened = np.stack([apply_light(colours[k], light_basis(normals) @ gains[k]) for k in range(len(usable))])
     total = (claim_table**2).sum(axis=0)
     mean = ((claim_table**2)[..., None] * evened).sum(axis=(0, 1)) / max(float(total.sum()), 1e-9)

@@ -11,9 +11,10 @@ LEVEL_OFFSET = 8.0  # grey levels; keeps the logarithm of dark cloth finite and 
 ROUNDS = 6  # reweighted least squares settles after 4-6 rounds (measured)
 HUBER_LOG = 0.08  # differences above 8 % are other things than light: cloth moved, a limb in the way
 _RIDGE_CONSTANT = 1.0  # taste: against pairs that weigh 20-50, exposure is nearly free
-RIDGE_SLOPE = 6.0  # taste: misplaced cloth must not pass for light from one side
-LARGEST_LOG = 0.2  # taste: a gain beyond 1.22 burns skin out; real lamps differ more, then a rest stays
-REFERENCE_HOLD = 2.0  # the reference gives way this much less than the others
+RIDGE_SLOPE = 20.0  # taste: misplaced cloth must not pass for light from one side
+LARGEST_LOG = 0.15  # taste: a gain beyond 1.16 burns skin out; real lamps differ more, then a rest stays
+REFERENCE_HOLD = 1e4  # a reference does not give way
+SECOND_HOLD = 4.0  # taste: the other front photo gives way little
 
 
 def log_levels(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
@@ -27,7 +28,7 @@ def light_basis(normals: NDArray[np.floating]) -> NDArray[np.floating]:
 
 
 def even_light(
-    colours: Array, weights: Array, normals: Array, reference: int, *, ridge_slope: float = RIDGE_SLOPE
+    colours: Array, weights: Array, normals: Array, hold: Array, *, ridge_slope: float = RIDGE_SLOPE
 ) -> Array:
     """Return the log gains that bring photos together where they overlap.
 
@@ -41,8 +42,8 @@ def even_light(
         The surface's colour in every photo (slightly blurred).
     weights : (K, V) >= 0, trust, 0 = not seen
     normals : (V, 3) unit
-    reference : int
-        The photo whose colours are kept best.
+    hold : (K,) >= 1
+        How much less than others each photo may change; large for the photos whose colours count.
     ridge_slope : float
         Reluctance against light that changes with direction; large = exposure only.
 
@@ -56,7 +57,6 @@ def even_light(
     result: Array = np.zeros((count, 4, 3))
     pairs = [(a, b) for a in range(count) for b in range(a + 1, count)]
     for _ in range(ROUNDS):
-        hold = np.where(np.arange(count) == reference, REFERENCE_HOLD, 1.0)
         system = np.kron(np.diag(hold), np.diag([_RIDGE_CONSTANT] + 3 * [ridge_slope]))
         right = np.zeros((count * 4, 3))
         for a, b in pairs:

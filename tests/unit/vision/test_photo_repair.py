@@ -55,7 +55,7 @@ def test_light_that_differs_by_exposure_and_side_is_evened():
     truth = rng.uniform(60, 190, (900, 3))
     light = light_basis(normals) @ np.array([[-0.12] * 3, [0.06] * 3, [0.0] * 3, [0.0] * 3])
     photos = np.stack([truth, apply_light(truth, light)])
-    gains = even_light(photos, np.ones((2, 900)), normals, 0)
+    gains = even_light(photos, np.ones((2, 900)), normals, np.array([30.0, 1.0]))
     evened = np.stack([apply_light(photos[k], light_basis(normals) @ gains[k]) for k in range(2)])
     assert np.abs(photos[0] - photos[1]).mean() > 10
     assert np.abs(evened[0] - evened[1]).mean() < 3
@@ -65,5 +65,5 @@ def test_light_that_differs_by_exposure_and_side_is_evened():
 def test_photos_that_share_nothing_are_left_alone():
     weights = np.zeros((2, 50))
     weights[0, :25] = weights[1, 25:] = 1.0
-    gains = even_light(np.full((2, 50, 3), 90.0), weights, np.tile([0.0, 0.0, 1.0], (50, 1)), 0)
+    gains = even_light(np.full((2, 50, 3), 90.0), weights, np.tile([0.0, 0.0, 1.0], (50, 1)), np.ones(2))
     assert not gains.any()
