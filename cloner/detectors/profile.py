@@ -215,6 +215,41 @@ def find_profile(
     return Profile(front, side, px_from_m, template.names, points, error)
 
 
+#: Tries around a first guess when the profile itself is known well: sizes, tilts, and how far the nose tip may be off.
+KNOWN_SIZES = np.geomspace(0.75, 1.33, 19)
+KNOWN_TILTS = np.radians(np.linspace(-14.0, 14.0, 9))
+KNOWN_TIP_M = 0.007
+
+
+def lay_profile(contour: Array, profile_m: Array, nose_px: Array, *, size: float, facing: int) -> tuple[Array, float]:
+    """Return the (2, 3) map (forward, up, 1) -> px that lays a known profile on a contour, and its error in metres.
+
+    Parameters
+    ----------
+    contour : (N, 2) px
+    profile_m : (M, 2)
+        Forward and up from the nose tip, metres.
+    nose_px : (2,)
+        The nose tip in the photo, roughly.
+    size : float
+        First guess, px per metre.
+    """
+    tree = cKDTree(contour)
+    near = contour[np.linalg.norm(contour - nose_px, axis=1) < KNOWN_TIP_M * size]
+    noses = near[:: max(1, len(near) // 13)] if len(near) else nose_px[None]
+    best, found = np.inf, _similarity(facing, size, 0.0, nose_px)
+    for tilt in KNOWN_TILTS:
+        flat = profile_m @ _similarity(facing, 1.0, float(tilt), np.zeros(2))[:, :2].T
+        sizes = size * KNOWN_SIZES
+        tried = noses[:, None, None] + sizes[None, :, None, None] * flat
+        distance, _ = tree.query(tried.reshape(-1, 2))
+        error = _score(distance.reshape(len(noses), len(sizes), len(flat))) / sizes
+        nose, which = np.unravel_index(int(np.argmin(error)), error.shape)
+        if error[nose, which] < best:
+            best, found = float(error[nose, which]), _similarity(facing, float(sizes[which]), float(tilt), noses[nose])
+    return _refine(found, tree, contour, profile_m, facing)
+
+
 #: Where each named point is most extreme, as (forward, up) of the face's own frame; None: nearest contour point.
 DIRECTIONS: dict[str, tuple[float, float] | None] = {
     "glabella": None,

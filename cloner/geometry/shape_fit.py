@@ -133,3 +133,16 @@ def fit_shape(
             fit.turned + poses[:, :3],
         )
     return fit
+
+
+def misfit(fit: ShapeFit, evidence: Sequence[Evidence], turn_sigma: Array) -> float:
+    """Return twice the negative log likelihood (Cauchy errors, normal priors): smaller is likelier.
+
+    Comparable only among fits to the same places and targets, as when several starts are tried.
+    """
+    total = float((fit.coefficients**2).sum() + ((fit.turned / turn_sigma) ** 2).sum())
+    for item in evidence:
+        _, _, _, weight = _rows(item, fit.coefficients, fit.cameras[item.camera])
+        group = 2 if item.normal_px is None else 1
+        total -= item.outlier**2 * float(np.log(weight[::group]).sum())
+    return total

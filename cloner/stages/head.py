@@ -95,12 +95,16 @@ def _fit(model: Model, front: Front | None, side: Side | None, sizes: dict[str, 
          params: Params, tick: Callable[[float], None]) -> tuple[Array, Fitted]:  # fmt: skip
     """Return coefficients and head: the front photo first, then both together."""
     first = None if front is None else start_front(model, front, sizes["front"], params)
-    coefficients, fitted = fit_basis(model, front, None, (first, None), params)
+    coefficients, fitted, _ = fit_basis(model, front, None, (first, None), params)
     tick(0.3)
     if side is None:
         return coefficients, fitted
-    beside = start_side(model, fitted.head_m, side, sizes["side"])
-    return fit_basis(model, front, side, (fitted.front, beside), params, coefficients)
+    tried = [
+        fit_basis(model, front, side, (fitted.front, beside), params, coefficients)
+        for beside in start_side(model, fitted.head_m, side, sizes["side"], params)
+    ]
+    coefficients, fitted, _ = min(tried, key=lambda t: t[2])
+    return coefficients, fitted
 
 
 def _controls_before(model: Model, controls_m: Array, phenotype: Phenotype) -> Array:

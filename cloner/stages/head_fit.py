@@ -8,12 +8,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
+from cloner.detectors.profile import lay_profile
 from cloner.generic.head_controls import HeadControls
 from cloner.geometry.contour_match import foremost, match
 from cloner.geometry.dffd import deform
 from cloner.geometry.relief import Leftover, solve_relief
 from cloner.geometry.resection import facing_camera, resect
-from cloner.geometry.shape_fit import Evidence, ShapeFit, fit_shape
+from cloner.geometry.shape_fit import Evidence, ShapeFit, fit_shape, misfit
 from cloner.geometry.sockets import seat_eyeball, similarity
 from cloner.geometry.surface import SurfacePoints
 from cloner.records.views import Camera
@@ -26,6 +27,8 @@ ITERATIONS, CURVE_FROM = 12, 4
 #: A contour point farther than this from the model's profile is none of its; shrinks over the iterations, metres.
 GATES_M = (0.015, 0.006)
 LEVEL_M = 0.003
+#: A profile laid on the contour with a larger trimmed mean distance is not trusted, metres.
+LAID_M = 0.004
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,10 +49,11 @@ def start_front(model: Model, front: Front, size: tuple[int, int, float], params
     return resect(places, front.net_px, first, sigma_px=sigma).camera
 
 
-def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, float]) -> Camera:
-    """Return a first side camera from the profile points on a head (H, 3), best one already fitted to the front.
+def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, float], params: Params) -> list[Camera]:
+    """Return first side cameras, to be tried all: from the named points, and from the head's own profile.
 
-    The front photo knows the heights of nose, lips and chin, so a profile point at a wrong height stands out.
+    The head (H, 3) is best one already fitted to the front photo, which knows the heights of nose, lips and chin: its
+    profile laid on the contour is not misled by proposed points at wrong heights, nor the points by a leaking outline.
     """
     width, height, focal = size
     points = head[model.row[side.vertices]]
@@ -57,7 +61,20 @@ def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, floa
     first = facing_camera(points, side.points_px, azimuth=azimuth, focal_px=focal, width_px=width, height_px=height)
     sigma = side.sigma_m * focal / first.to_camera(points)[:, 2].mean()
     tight = np.array([0.02, 0.02, 0.3])
-    return resect(points, side.points_px, first, sigma_px=sigma, turn_sigma=tight, outlier=1.5, iterations=40).camera
+    named = resect(points, side.points_px, first, sigma_px=sigma, turn_sigma=tight, outlier=1.5, iterations=40).camera
+    if len(side.contour_px) == 0:
+        return [named]
+    whole = model.whole(head)
+    vertices = outline_vertices(whole, profile_candidates(model), first, side.facing)
+    tip = whole[model.generic.feature("nose_tip")]
+    nose_px = side.points_px[side.names.index("nose_tip")]
+    flat = (whole[vertices] - tip)[:, [2, 1]]
+    size_px = 1.0 / first.metres_per_pixel(tip)
+    px_from_m, error = lay_profile(side.contour_px, flat, nose_px, size=size_px, facing=side.facing)
+    if error > LAID_M:
+        return [named]
+    laid = flat @ px_from_m[:, :2].T + px_from_m[:, 2]
+    return [named, resect(whole[vertices], laid, first, sigma_px=1.0, turn_sigma=tight, iterations=40).camera]
 
 
 def _net_sigma(model: Model, params: Params) -> Array:
@@ -96,11 +113,10 @@ def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) 
 
 
 def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, index: int, params: Params,
-                   candidates: NDArray[np.int64]) -> list[Evidence]:  # fmt: skip
+                   candidates: NDArray[np.int64], *, curve: bool) -> list[Evidence]:  # fmt: skip
     camera = fit.cameras[index]
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
     base, basis = model.vertex_places(side.vertices)
-    curve = iteration >= CURVE_FROM
     loose = np.where(side.sigma_m > params.corrected_m, params.loose_named if curve else 1.0, 1.0)
     out = [Evidence(index, base, basis, side.points_px, loose * side.sigma_m / metres, outlier=1.5)]
     if curve:
@@ -115,15 +131,15 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
 
 
 def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tuple[Camera | None, Camera | None],
-              params: Params, start: Array | None = None) -> tuple[Array, Fitted]:  # fmt: skip
-    """Return the coefficients (F + M,) and the fitted head, from all evidence together.
+              params: Params, start: Array | None = None) -> tuple[Array, Fitted, float]:  # fmt: skip
+    """Return the coefficients (F + M,), the fitted head, and its misfit, from all evidence together.
 
     The last M coefficients are the net's joint errors in this photo. ``start`` holds first coefficients.
     """
     present = tuple(c for c in cameras if c is not None)
     shapes, drifts = len(model.basis_m), len(model.net.drift_m)
     if not present:
-        return np.zeros(shapes + drifts), Fitted(model.head(np.zeros(shapes)), None, None)
+        return np.zeros(shapes + drifts), Fitted(model.head(np.zeros(shapes)), None, None), 0.0
     side_index = len(present) - 1
     turn_sigma = np.full((len(present), 3), np.inf)
     if side is not None:
@@ -135,14 +151,17 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
         if front is not None:
             found += _front_evidence(model, front, fit.cameras[0], params)
         if side is not None:
-            found += _side_evidence(model, side, fit, iteration, side_index, params, candidates)
+            # After a fit to the front the profile lies well already; alone, the named points must find the pose first.
+            found += _side_evidence(model, side, fit, iteration, side_index, params, candidates,
+                                    curve=front is not None or iteration >= CURVE_FROM)  # fmt: skip
         return found
 
     begin = ShapeFit(np.zeros(shapes + drifts) if start is None else start, present, np.zeros((len(present), 3)))
     fit = fit_shape(begin, gather, turn_sigma=turn_sigma, iterations=ITERATIONS)
     front_camera = fit.cameras[0] if front is not None else None
     side_camera = fit.cameras[side_index] if side is not None else None
-    return fit.coefficients, Fitted(model.head(fit.coefficients[:shapes]), front_camera, side_camera)
+    cost = misfit(fit, gather(fit, CURVE_FROM), turn_sigma)
+    return fit.coefficients, Fitted(model.head(fit.coefficients[:shapes]), front_camera, side_camera), cost
 
 
 def _rows(weights: csr_matrix, model: Model, surface: SurfacePoints, movable: NDArray[np.bool_]) -> csr_matrix:

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 import cv2
 import numpy as np
 import pytest
 
+from cloner.detectors import litert
 from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face_points import propose_face_points
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.sockets import similarity
@@ -115,8 +120,10 @@ def test_a_known_face_comes_back(seed, azimuth_deg, shown):
 
 def test_noise_stays_noise():
     true = true_person(3)
-    fitted = fit(*photographed(true, noise_px=3.0)).values["head"]
-    assert 0.1 < face_error_mm(fitted.vertices_m, true) < 1.6
+    exact = face_error_mm(fit(*photographed(true)).values["head"].vertices_m, true)
+    # 3 px are 1 mm here; 468 points and the prior average it, so the face may lose less than half of it.
+    noisy = face_error_mm(fit(*photographed(true, noise_px=3.0)).values["head"].vertices_m, true)
+    assert exact < noisy < exact + 0.5
 
 
 def test_wrong_points_make_no_monster():
@@ -169,16 +176,53 @@ def test_a_correction_wins_and_takes_its_neighbours_along():
     assert np.linalg.norm(there[0] - there[1]) < 2.5
 
 
-def test_eyeballs_keep_their_size_and_stay_behind_the_lids():
-    true = true_person(7)
-    fitted = fit(*photographed(true)).values["head"]
+def lid_gaps_mm(whole: np.ndarray, side: str, letter: str) -> np.ndarray:
+    """Return how far lids and corners lie outside the eyeball, mm."""
+    generic = load_generic()
+    ball = whole[generic.part(f"eye_{side}")]
+    centre, radius = (ball.max(axis=0) + ball.min(axis=0)) / 2.0, np.ptp(ball[:, 0]) / 2.0
+    lids = [generic.feature(f"eye_{n}_{letter}") for n in ("upper", "lower", "inner", "outer")]
+    return 1000.0 * (np.linalg.norm(whole[lids] - centre, axis=1) - radius)
+
+
+def test_eyeballs_keep_their_size_and_their_place_behind_the_lids():
     generic = load_generic()
     start = generic.shape(np.zeros(1), STATURE_M)[0]
+    whole = start.copy()
+    whole[generic.head_vertices] = fit(*photographed(true_person(7))).values["head"].vertices_m
     for side, letter in (("left", "L"), ("right", "R")):
-        ball = np.isin(generic.head_vertices, generic.part(f"eye_{side}"))
-        radius, before = (np.ptp(v[:, 0]) / 2.0 for v in (fitted.vertices_m[ball], start[generic.part(f"eye_{side}")]))
+        radius, before = (np.ptp(v[generic.part(f"eye_{side}")][:, 0]) for v in (whole, start))
         assert radius == pytest.approx(before, rel=0.01)
-        centre = (fitted.vertices_m[ball].max(axis=0) + fitted.vertices_m[ball].min(axis=0)) / 2.0
-        lids = np.isin(generic.head_vertices, [generic.feature(f"eye_{n}_{letter}") for n in ("upper", "lower")])
-        gap_mm = 1000.0 * (np.linalg.norm(fitted.vertices_m[lids] - centre, axis=1) - radius)
-        assert -1.5 < gap_mm.min() <= gap_mm.max() < 3.0
+        assert np.abs(lid_gaps_mm(whole, side, letter) - lid_gaps_mm(start, side, letter)).max() < 1.0
+
+
+@pytest.mark.parametrize("visitor", ["anna", "boris"])
+def test_a_sample_visitor_keeps_its_front_landmarks(visitor):
+    folder = Path(__file__).parents[2] / "samples" / visitor
+    truth = json.loads((folder / "truth.json").read_text())
+    photos, proposals, points = {}, {}, {}
+    for view in (ViewId.FACE_FRONT, ViewId.FACE_SIDE):
+        rgb = cv2.imread(str(folder / "plain" / f"{view}.jpg"))[..., ::-1]
+        mask = cv2.imread(str(folder / f"truth_mask_{view}.png"), cv2.IMREAD_GRAYSCALE)
+        face, pose = litert.detect_face(rgb), litert.detect_pose(rgb)
+        photos[view] = Photo(view, rgb, 79.0, "", str(view))
+        proposals[view] = Proposal(
+            view, pose.points_px, pose.visibility,
+            np.zeros((468, 2)) if face is None else face.points_px,
+            np.zeros(468) if face is None else face.depth_px,
+            0.0 if face is None else face.presence, mask, np.zeros_like(mask),
+        )  # fmt: skip
+        points[view] = propose_face_points(photos[view], proposals[view])
+    result = fit(PhotoSet(photos), Proposals(proposals), PointSet(points))
+    generic, fitted = load_generic(), result.values["head"]
+    figures = {r.name: r.value for r in result.residuals if r.unit == "percent"}
+    assert figures["front named points"] < 3.0  # percent of the eye distance: the bar of the issue
+    row = {int(v): k for k, v in enumerate(generic.head_vertices)}
+    seen = {n: np.array(p["xy"]) - 0.5 for n, p in truth["features"]["face_front"]["points"].items()}
+    eyes = np.linalg.norm(seen["pupil_L"] - seen["pupil_R"])
+    names = [n for n in points[ViewId.FACE_FRONT].names if n in seen and not n.startswith(("ear", "pupil"))]
+    vertices = fitted.vertices_m[[row[generic.feature(n)] for n in names]]
+    error = np.linalg.norm(fitted.cameras[ViewId.FACE_FRONT].project(vertices) - [seen[n] for n in names], axis=1)
+    assert 100.0 * error.mean() / eyes < 4.5, f"{visitor}: {100.0 * error.mean() / eyes:.1f} %"  # measured 3.0-3.4
+    assert fitted.side_shown == "right"
+    assert next(r.value for r in result.residuals if r.name == "profile") < 1.5  # mm
