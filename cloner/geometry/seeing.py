@@ -18,7 +18,7 @@ DEPTH_SCALE = 0.5  # depth picture's size relative to the photo: 4 times faster,
 #: Occluders grow by this many depth pixels: a limb 8 photo pixels (1 cm) off paints nothing behind it.
 OCCLUDER_GROWTH_PX = 4
 EDGE_WIDTH_PX = 2  # depth pixels beside an inner outline that are unsafe, as at the outer one
-EDGE_JUMP_M = 0.02  # taste: a finger before the thigh counts, a fold of skin does not
+EDGE_JUMP_M = 0.04  # taste: a hand before the thigh counts, a nose before the cheek does not
 DEPTH_TOLERANCE_M = 0.008  # taste: more than the mesh's coarseness, less than a finger
 STEEPEST_TANGENT = 3.0  # steeper ones would let a limb 5 cm in front pass
 
