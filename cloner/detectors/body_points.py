@@ -95,8 +95,12 @@ def propose_body_points(proposal: Proposal) -> ViewPoints:
     """
     found: dict[str, tuple[Array, float]] = {}
     visible = proposal.pose_visibility
+    far = ""
+    if proposal.view is ViewId.BODY_SIDE:
+        far = "l" if looks_right(proposal.pose_px) else "r"
     for name, row in POSE_JOINTS.items():
-        found[name] = (proposal.pose_px[row], 0.6 * float(visible[row]))
+        if name[0] != far:  # the net guesses hidden limbs, and guesses them turned
+            found[name] = (proposal.pose_px[row], (0.3 if far else 0.6) * float(visible[row]))
     for name, row in POSE_FEATURES.items():
         if visible[row] > 0.5 and _is_seen(name, proposal):
             found[name] = (proposal.pose_px[row], 0.8 * float(visible[row]))
@@ -125,7 +129,8 @@ def looks_right(pose_px: Array) -> bool:
 def _is_seen(name: str, proposal: Proposal) -> bool:
     """Whether a feature can be seen at all in this view."""
     if name.startswith(("heel", "toe")):
-        return True
+        far = "left" if looks_right(proposal.pose_px) else "right"
+        return proposal.view is not ViewId.BODY_SIDE or not name.endswith(far)
     if proposal.view is ViewId.BODY_BACK:
         return name.startswith("ear")
     if proposal.view is ViewId.BODY_SIDE:

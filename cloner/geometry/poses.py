@@ -45,16 +45,16 @@ _SPINE = ("vl5", "vl3", "vl1", "vt10", "vt6", "vt3")
 _NECK = ("vc7", "vc4", "skullbase")
 
 FREEDOMS: tuple[Freedom, ...] = (
-    *(f for axis in (X, Y, Z) for f in _sided(f"shoulder_{'xyz'[axis]}", "shoulder", axis, 20.0)),
+    *(f for axis, spread in ((X, 9.0), (Y, 9.0), (Z, 20.0)) for f in _sided(f"shoulder_{'xyz'[axis]}", "shoulder", axis, spread)),
     *_sided("clavicle_raise", "sternoclavicular", Z, 4.0),
-    *(f for axis in (X, Y, Z) for f in _sided(f"elbow_{'xyz'[axis]}", "elbow", axis, 15.0)),
+    *(f for axis in (X, Y, Z) for f in _sided(f"elbow_{'xyz'[axis]}", "elbow", axis, 10.0)),
     *(f for axis in (X, Y, Z) for f in _sided(f"wrist_{'xyz'[axis]}", "wrist", axis, 12.0)),
-    *(f for axis, spread in ((X, 8.0), (Y, 6.0), (Z, 8.0)) for f in _sided(f"hip_{'xyz'[axis]}", "hip", axis, spread)),
+    *(f for axis, spread in ((X, 6.0), (Y, 4.0), (Z, 8.0)) for f in _sided(f"hip_{'xyz'[axis]}", "hip", axis, spread)),
     *_sided("knee_bend", "knee", X, 6.0),
     *_sided("ankle_bend", "ankle", X, 5.0),
     *_sided("ankle_turn", "ankle", Y, 6.0),
     *_sided("ankle_roll", "ankle", Z, 5.0),
-    *(Freedom(f"spine_{'xyz'[a]}", _SPINE, a, math.radians(d)) for a, d in ((X, 6.0), (Y, 4.0), (Z, 4.0))),
+    *(Freedom(f"spine_{'xyz'[a]}", _SPINE, a, math.radians(d)) for a, d in ((X, 6.0), (Y, 2.5), (Z, 3.0))),
     *(Freedom(f"neck_{'xyz'[a]}", _NECK, a, math.radians(d)) for a, d in ((X, 10.0), (Y, 8.0), (Z, 6.0))),
 )
 

@@ -60,14 +60,14 @@ class Params:
     joint_mm: float = 30.0
     outline_point_mm: float = 40.0
     corrected_mm: float = 4.0
-    outline_mm: float = 4.0
+    outline_mm: float = 15.0
     outline_piece_mm: float = 25.0
     hair_mm: float = 12.0
     hair_spread_mm: float = 8.0
     floor_mm: float = 4.0
     sole_m: float = 0.022
     sole_spread_m: float = 0.0025
-    camera_degrees: tuple[float, float, float] = (1.5, 4.0, 2.0)
+    camera_degrees: tuple[float, float, float] = (0.8, 3.0, 2.0)
     camera_share: tuple[float, float, float] = (0.1, 0.1, 0.15)
     shapes: tuple[int, ...] = (6, 12, 24, 30, 30)
     turns_per_round: int = 3
