@@ -31,6 +31,7 @@ from cloner.stages.head_fit import (
     start_front,
     start_side,
 )
+from cloner.stages.head_skull import fit_skull
 
 Array = NDArray[np.float64]
 
@@ -70,6 +71,11 @@ def run(
     controls = load_head_controls()
     fitted, moved = add_relief(model, fitted, front, side, drifts, controls, params)
     tick(0.8)
+    masks = _masks(fitted, front, proposals)
+    skull, factors = fit_skull(model, fitted.head_m, controls, masks)
+    fitted = Fitted(skull, fitted.front, fitted.side)
+    if masks:
+        log.residuals.append(Residual("skull height under the hair", 100.0 * (factors[0] - 1.0), "percent"))
     scale = head_scale(model, fitted, front, proposals, phenotype, params)
     pivot = model.joints_m[model.generic.joint("skullbase")]
     fitted = scaled(fitted, scale, pivot)
@@ -105,6 +111,16 @@ def _fit(model: Model, front: Front | None, side: Side | None, sizes: dict[str, 
     ]
     coefficients, fitted, _ = min(tried, key=lambda t: t[2])
     return coefficients, fitted
+
+
+def _masks(fitted: Fitted, front: Front | None, proposals: Proposals) -> list[tuple[Camera, NDArray[np.uint8]]]:
+    """Return the cameras and masks of the face photos."""
+    out = []
+    if fitted.front is not None and front is not None and front.view is ViewId.FACE_FRONT:
+        out.append((fitted.front, proposals.views[front.view].mask))
+    if fitted.side is not None:
+        out.append((fitted.side, proposals.views[ViewId.FACE_SIDE].mask))
+    return out
 
 
 def _controls_before(model: Model, controls_m: Array, phenotype: Phenotype) -> Array:
