@@ -24,14 +24,16 @@ class Params:
     ----------
     barefoot_m : float
         Soles thinner than this are taken for naked feet, metres.
-    shod : tuple of float
-        Usual width and length of a shoe over the foot in it, and its spread (taste).
+    shod, spread : tuple of float
+        Usual width, length and height of a shoe over the foot in it, and a shift
+        forwards in metres; and how far each may differ (taste).
     outline_mm : float
         Trust in one rim vertex's distance from the outline.
     """
 
     barefoot_m: float = 0.006
-    shod: tuple[float, float, float] = (1.08, 1.08, 0.10)
+    shod: tuple[float, float, float, float] = (1.08, 1.08, 1.2, 0.0)
+    spread: tuple[float, float, float, float] = (0.1, 0.06, 0.15, 0.01)
     outline_mm: float = 5.0
 
 
@@ -75,14 +77,17 @@ def sized_feet(mesh: BodyMesh, size: Array, sole_m: float) -> Array:
 
     Parameters
     ----------
-    size : (3,) factors of width and length, and a shift forwards in metres
+    size : (4,) factors of width, length and height of the instep, and a shift forwards in metres
     sole_m : height of the soles below the naked foot; the foot is stretched down to them
     """
     vertices, weight, ankle = _feet()
     moved = mesh.vertices_m.copy()
+    tall = mesh.joints_m[ankle, 1]
     local = moved[vertices] - mesh.joints_m[ankle]
-    down = 1.0 + sole_m / mesh.joints_m[ankle, 1] * np.clip(-local[:, 1] / mesh.joints_m[ankle, 1], 0.0, 1.0)
-    scaled = np.stack([local[:, 0] * size[0], local[:, 1] * down, local[:, 2] * size[1] + size[2]], axis=1)
+    down = local[:, 1] * (1.0 + sole_m / tall * np.clip(-local[:, 1] / tall, 0.0, 1.0))
+    before = np.clip(local[:, 2] / 0.05, 0.0, 1.0)
+    raised = (down + tall + sole_m) * (1.0 + (size[2] - 1.0) * before) - tall - sole_m
+    scaled = np.stack([local[:, 0] * size[0], raised, local[:, 2] * size[1] + size[3]], axis=1)
     moved[vertices] += weight[:, None] * (scaled - local)
     return moved
 
@@ -91,8 +96,8 @@ def fit_feet(mesh: BodyMesh, photos: tuple[Outlined, ...], sole_m: float, params
     """Return the body with feet or shoes of the size the outlines show."""
     shod = sole_m > params.barefoot_m
     start = closed_toes(mesh) if shod else mesh
-    mean = np.array([params.shod[0], params.shod[1], 0.0]) if shod else np.array([1.0, 1.0, 0.0])
-    spread = np.array([params.shod[2], params.shod[2], 0.015])
+    mean = np.array(params.shod) if shod else np.array([1.0, 1.0, 1.0, 0.0])
+    spread = np.array(params.spread)
     size = mean.copy()
     on_feet = np.zeros(len(mesh.vertices_m), dtype=bool)
     on_feet[_feet()[0]] = _feet()[1] > 0.6
@@ -111,7 +116,7 @@ def fit_feet(mesh: BodyMesh, photos: tuple[Outlined, ...], sole_m: float, params
             return np.concatenate(parts)
 
         value = residual(size)
-        jacobian = np.stack([(residual(size + step) - value) / 1e-3 for step in 1e-3 * np.eye(3)], axis=1)
+        jacobian = np.stack([(residual(size + step) - value) / 1e-3 for step in 1e-3 * np.eye(4)], axis=1)
         size = size - np.linalg.solve(jacobian.T @ jacobian, jacobian.T @ value)
         size = np.clip(size, mean - 3 * spread, mean + 3 * spread)
     return BodyMesh(sized_feet(start, size, sole_m), mesh.joints_m)

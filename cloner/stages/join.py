@@ -40,6 +40,21 @@ def flat_soles(generic: GenericHuman, vertices_m: Array, sole_m: float) -> Array
     return flat
 
 
+def to_stature(generic: GenericHuman, vertices_m: Array, stature_m: float) -> Array:
+    """Return the vertices with the skull's top exactly at the stature.
+
+    No photo shows the skull under hair, but the height is known: the vault above
+    the eyes is stretched to it, more the higher.
+    """
+    top = vertices_m[generic.feature("head_top"), 1]
+    eyes = vertices_m[generic.feature("glabella"), 1]
+    share = np.clip((vertices_m[:, 1] - eyes) / max(float(top - eyes), 1e-3), 0.0, 1.0)
+    share *= np.where(generic.head_blend > 0, 1.0, 0.0)
+    stretched = vertices_m.copy()
+    stretched[:, 1] += share**2 * (3.0 - 2.0 * share) * (stature_m - top)
+    return stretched
+
+
 def on_floor(camera: Camera, sole_m: float) -> Camera:
     """Return the camera for the frame whose floor is the shoe soles instead of the naked soles."""
     matrix = camera.camera_from_model.copy()
@@ -76,6 +91,7 @@ def run(
     place = np.searchsorted(generic.head_vertices, border)
     apart = np.linalg.norm(head.vertices_m[place] - body.vertices_m[border], axis=1)
     vertices = flat_soles(generic, blend_head(generic, body, head), phenotype.sole_m)
+    vertices = to_stature(generic, vertices, phenotype.stature_m)
     lift = np.array([0.0, phenotype.sole_m, 0.0])
     vertices, joints = vertices + lift, body.joints_m + lift
     views = {view: PosedView(view, on_floor(posed.camera, phenotype.sole_m), posed.rotations) for view, posed in phenotype.views.items()}

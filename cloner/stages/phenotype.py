@@ -8,12 +8,12 @@ the paper's skeleton, rough and fine steps begin.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.frames import ViewId, mm_from_m
+from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.contours import OutlineField, outline_field
 from cloner.geometry.poses import FREEDOMS, SIGMAS, pose_matrix, standing_pose
@@ -145,7 +145,7 @@ class _PointTerm:
         self.soles = len(soles)
         named = [generic.feature(points.names[k]) for k in feature_rows]
         vertices = np.array([*named, generic.feature("head_top"), *soles], dtype=np.int64)
-        self.model = choose(generic, vertices, stature_m, count)
+        self.model = longer_by_shoes(choose(generic, vertices, stature_m, count), self.soles)
         rows = joint_rows + feature_rows
         spread = np.where(np.arange(len(rows)) < len(joint_rows), params.joint_mm, params.outline_point_mm)
         spread = np.where(points.corrected[rows], params.corrected_mm, spread / np.maximum(points.confidence[rows], 1e-3))
@@ -360,12 +360,22 @@ def sole_vertices(generic: GenericHuman) -> NDArray[np.int64]:
     return np.array(chosen).ravel()
 
 
+def longer_by_shoes(model: Chosen, soles: int) -> Chosen:
+    """Return the model with its last ``soles`` vertices spread to a shoe's length, 15 mm at the toe, 8 mm at the heel."""
+    mean = model.mean_m.copy()
+    foot = mean[-soles:, 2]
+    share = (foot - foot.min()) / max(float(np.ptp(foot)), 1e-6)
+    mean[-soles:, 2] += m_from_mm(-8.0) + share * m_from_mm(23.0)
+    return replace(model, mean_m=mean)
+
+
 def sole_height(
     generic: GenericHuman, state: _State, evidence: dict[ViewId, _Evidence], stature_m: float
 ) -> float:
     """Return how far the photos' lowest outline lies below the naked soles, metres, median of the photos, 0..40 mm."""
     heights = []
-    model = choose(generic, sole_vertices(generic), stature_m, len(state.shape))
+    soles = sole_vertices(generic)
+    model = longer_by_shoes(choose(generic, soles, stature_m, len(state.shape)), len(soles))
     for view, seen in evidence.items():
         feet, _ = model.posed(state.shape, state.poses[view])
         camera = moved(seen.view.camera, state.motions[view], stature_m)
