@@ -230,7 +230,12 @@ def _ends(outline: _Outline, pose: Array, found: dict[str, tuple[Array, float]])
         reach = int(0.04 * outline.height)
         at = int(np.clip(round(pose[row, 0]), 0, outline.mask.shape[1] - 1))
         strip = outline.mask[:, max(at - reach, 0) : at + reach + 1].any(axis=1)
-        _add(found, f"sole_{side}", np.array([pose[row, 0], float(np.flatnonzero(strip)[-1]) if strip.any() else outline.bottom]), 0.5)
+        _add(
+            found,
+            f"sole_{side}",
+            np.array([pose[row, 0], float(np.flatnonzero(strip)[-1]) if strip.any() else outline.bottom]),
+            0.5,
+        )
 
 
 def _side_points(proposal: Proposal, outline: _Outline, found: dict[str, tuple[Array, float]]) -> None:

@@ -89,7 +89,9 @@ def outline_field(
     step_px : spacing of samples
     reduction : photo pixels per cell of the distance field, at least 1
     """
-    small = cv2.resize(mask.astype(np.uint8) * 255, None, fx=1 / reduction, fy=1 / reduction, interpolation=cv2.INTER_AREA)
+    small = cv2.resize(
+        mask.astype(np.uint8) * 255, None, fx=1 / reduction, fy=1 / reduction, interpolation=cv2.INTER_AREA
+    )
     inside = small > 127
     outside_px = cv2.distanceTransform((~inside).astype(np.uint8), cv2.DIST_L2, 5)
     inside_px = cv2.distanceTransform(inside.astype(np.uint8), cv2.DIST_L2, 5)

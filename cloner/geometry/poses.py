@@ -45,7 +45,11 @@ _SPINE = ("vl5", "vl3", "vl1", "vt10", "vt6", "vt3")
 _NECK = ("vc7", "vc4", "skullbase")
 
 FREEDOMS: tuple[Freedom, ...] = (
-    *(f for axis, spread in ((X, 9.0), (Y, 9.0), (Z, 20.0)) for f in _sided(f"shoulder_{'xyz'[axis]}", "shoulder", axis, spread)),
+    *(
+        f
+        for axis, spread in ((X, 9.0), (Y, 9.0), (Z, 20.0))
+        for f in _sided(f"shoulder_{'xyz'[axis]}", "shoulder", axis, spread)
+    ),
     *_sided("clavicle_raise", "sternoclavicular", Z, 4.0),
     *(f for axis in (X, Y, Z) for f in _sided(f"elbow_{'xyz'[axis]}", "elbow", axis, 10.0)),
     *(f for axis in (X, Y, Z) for f in _sided(f"wrist_{'xyz'[axis]}", "wrist", axis, 12.0)),

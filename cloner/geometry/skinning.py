@@ -47,17 +47,13 @@ def blend_transforms(transforms: Array, skin_joints: NDArray[np.int32], skin_wei
     return np.einsum("vk,vkab->vab", skin_weights, transforms[skin_joints, :3, :])
 
 
-def skin(
-    vertices_m: Array, transforms: Array, skin_joints: NDArray[np.int32], skin_weights: Array
-) -> Array:
+def skin(vertices_m: Array, transforms: Array, skin_joints: NDArray[np.int32], skin_weights: Array) -> Array:
     """Return (V, 3) posed vertices by linear blend skinning, metres."""
     blended = blend_transforms(transforms, skin_joints, skin_weights)
     return np.einsum("vab,vb->va", blended[:, :, :3], vertices_m) + blended[:, :, 3]
 
 
-def unskin(
-    posed_m: Array, transforms: Array, skin_joints: NDArray[np.int32], skin_weights: Array
-) -> Array:
+def unskin(posed_m: Array, transforms: Array, skin_joints: NDArray[np.int32], skin_weights: Array) -> Array:
     """Return the (V, 3) rest vertices that :func:`skin` would move to ``posed_m``."""
     blended = blend_transforms(transforms, skin_joints, skin_weights)
     return np.linalg.solve(blended[:, :, :3], (posed_m - blended[:, :, 3])[..., None])[..., 0]

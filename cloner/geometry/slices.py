@@ -166,7 +166,9 @@ def slice_weight(theta: Array, first: Array, second: Array) -> Array:
     span = (second - first) % turn
     here = (theta - first) % turn
     other = turn - span
-    return np.asarray(np.where(here <= span, 1.0 - here / np.maximum(span, 1e-6), (here - span) / np.maximum(other, 1e-6)))
+    return np.asarray(
+        np.where(here <= span, 1.0 - here / np.maximum(span, 1e-6), (here - span) / np.maximum(other, 1e-6))
+    )
 
 
 def fine_shift(pairs: SlicePairs, s: Array, theta: Array, *, smooth: float) -> Array:

@@ -60,9 +60,7 @@ class Camera:
             return 1.0 / self.pixels_per_m
         return float(self.to_camera(point_m[None])[0, 2] / self.focal_px)
 
-    def back_project(
-        self, points_px: NDArray[np.float64], near_m: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
+    def back_project(self, points_px: NDArray[np.float64], near_m: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return model points on the pixels' rays at the depth of ``near_m``.
 
         Parameters

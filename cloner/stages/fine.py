@@ -90,7 +90,9 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         wanted = np.einsum("ka,ka->k", photo.field.samples_px[keep] - seen.body.pixels[vertex], normal)
         rows.append(vertex)
         gaps.append(wanted * m_from_mm(seen.mm_per_px))
-        slopes.append(np.einsum("ka,ka->k", across[nearest[keep], :2], normal) * per_m[nearest[keep]] * m_from_mm(seen.mm_per_px))
+        slopes.append(
+            np.einsum("ka,ka->k", across[nearest[keep], :2], normal) * per_m[nearest[keep]] * m_from_mm(seen.mm_per_px)
+        )
         step_mm = photo.field.step_px * seen.mm_per_px
         weights.append(np.full(len(vertex), step_mm / 4.0) * trust[vertex] * (1.0 - distance[keep] / reach_px))
     anchor = np.where(trust > 0.5, params.anchor, np.where(trust > 0, 0.1, 1e3))
@@ -134,5 +136,7 @@ def run(
     residuals = []
     for view, photo in photos.items():
         residuals.append(Residual("outline gap", gap_mm(consensus, photo), "mm", view.value))
-        residuals.append(Residual("silhouette overlap without hair", 100.0 * coverage(consensus, photo), "percent", view.value))
+        residuals.append(
+            Residual("silhouette overlap without hair", 100.0 * coverage(consensus, photo), "percent", view.value)
+        )
     return StageResult({"bodies": BodySet(sliced[0], sliced[1], consensus)}, tuple(residuals))

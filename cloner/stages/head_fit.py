@@ -249,7 +249,7 @@ def seat_parts(model: Model, head: Array, scale: float) -> Array:
         radius = float(np.ptp(before[ball, 0])) / 2.0
         near = np.linalg.norm(before[body] - centre, axis=1) < radius + 0.002
         lids = body[near & (before[body, 2] > centre[2])]
-        size = scale ** 0.5  # eyes hardly grow with the head: half of the head's log size (taste)
+        size = scale**0.5  # eyes hardly grow with the head: half of the head's log size (taste)
         place = seat_eyeball(centre, centre + size * (before[lids] - centre), after[lids])
         out[ball] = place + size * (before[ball] - centre)
     mouth = np.flatnonzero(generic.region("mouth_interior") & (model.row >= 0))

@@ -86,7 +86,9 @@ def _part_map(points_m: Array, old: Array, new: Array) -> Array:
     return np.asarray(new[0] + local @ matrix.T)
 
 
-def shape_slices(mesh: BodyMesh, photos: tuple[Outlined, ...], levels: Array, reach_mm: float, smooth: float) -> BodyMesh:
+def shape_slices(
+    mesh: BodyMesh, photos: tuple[Outlined, ...], levels: Array, reach_mm: float, smooth: float
+) -> BodyMesh:
     """Return the body after its slices were moved by T_i,m of every photo.
 
     The occluding points of front and back photos set the width, those of the side

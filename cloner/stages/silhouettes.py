@@ -47,8 +47,14 @@ def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> S
     given = outline_points(points)
     outline: Outline = extract_outline(photo.rgb, proposal.mask.astype(np.float32) / 255.0, given)
     if not outline.loops:
-        raise ClonerError("the person's outline was not found", "Retake the photo before a plain background", photo.name)
-    names = [name for name in points.names if name.startswith(ON_OUTLINE) and not name.startswith("ear")] if points and given is not None else []
+        raise ClonerError(
+            "the person's outline was not found", "Retake the photo before a plain background", photo.name
+        )
+    names = (
+        [name for name in points.names if name.startswith(ON_OUTLINE) and not name.startswith("ear")]
+        if points and given is not None
+        else []
+    )
     sources: list[tuple[str, str, float]] = []
     for number, loop in enumerate(outline.loops):
         labels = _segment_names(loop, number, names if number == 0 else [])

@@ -71,7 +71,13 @@ def focal_px(photo: Photo, default_35mm: float) -> tuple[float, bool]:
 
 
 def level_camera(
-    photo: Photo, focal: float, azimuth: float, top_px: Array, bottom_px: Array, span_m: tuple[float, float], height_m: float
+    photo: Photo,
+    focal: float,
+    azimuth: float,
+    top_px: Array,
+    bottom_px: Array,
+    span_m: tuple[float, float],
+    height_m: float,
 ) -> Camera:
     """Return the camera at ``height_m`` that sees the span between two pixels.
 
@@ -123,10 +129,17 @@ def run(*, photos: PhotoSet, body_points: BodyPoints, person: Person, tick: obje
         camera = level_camera(photos.photos[view], focal, azimuths[shown], top, bottom, span, params.camera_height_m)
         views[view] = View(view, camera, shown, known)
         if not known:
-            warnings.append(f"{view}: no focal length in the photo; {params.body_focal_35mm:.0f} mm (35 mm equivalent) assumed.")
+            warnings.append(
+                f"{view}: no focal length in the photo; {params.body_focal_35mm:.0f} mm (35 mm equivalent) assumed."
+            )
     residuals = []
     if len(views) > 1:
-        scales = np.array([v.camera.focal_px / v.camera.to_camera(np.zeros((1, 3)))[0, 2] / v.camera.height_px for v in views.values()])
+        scales = np.array(
+            [
+                v.camera.focal_px / v.camera.to_camera(np.zeros((1, 3)))[0, 2] / v.camera.height_px
+                for v in views.values()
+            ]
+        )
         spread = mm_from_m(person.stature_m) * float(np.std(scales) / np.mean(scales))
         residuals.append(Residual("height normalisation", spread, "mm"))
     return StageResult({"views": ViewSet(views)}, tuple(residuals), tuple(warnings))

@@ -66,8 +66,14 @@ class Head:
         for side, sign in (("L", 1.0), ("R", -1.0)):
             inner, outer = self.eyes[side]
             middle = (inner + outer) / 2.0
-            brow = np.array([[inner[0] - sign * 0.003, 0.0195 - slope], [middle[0] - sign * 0.004, 0.0225 + arch],
-                             [middle[0] + sign * 0.008, 0.0235 + arch], [outer[0] + sign * 0.005, 0.018 + slope]])
+            brow = np.array(
+                [
+                    [inner[0] - sign * 0.003, 0.0195 - slope],
+                    [middle[0] - sign * 0.004, 0.0225 + arch],
+                    [middle[0] + sign * 0.008, 0.0235 + arch],
+                    [outer[0] + sign * 0.005, 0.018 + slope],
+                ]
+            )
             brow[:, 1] += middle[1] + height
             out += self.front * _soft(_to_polyline(self.mean[:, :2], brow), max(thick, 0.0016), 0.0018)
         return out
@@ -138,8 +144,11 @@ def _masks(generic: GenericHuman, fine: Array, matrix: csr_matrix) -> dict[str, 
         out["nostrils"] += front * _soft(np.hypot(*(fine[:, :2] - nostril[:2]).T), 0.0028, 0.0012)
     lips = generic.region("lips") if "lips" in generic.region_names else _guess_lips(generic, v)
     out["lips"] = np.asarray(matrix @ lips.astype(np.float64)) * body
-    out["mouth"] = front * _soft(np.abs(fine[:, 1] - point("stomion")[1]), 0.0002, 0.0008) * _soft(
-        np.abs(fine[:, 0]), float(point("mouth_corner_L")[0]) - 0.001, 0.001)
+    out["mouth"] = (
+        front
+        * _soft(np.abs(fine[:, 1] - point("stomion")[1]), 0.0002, 0.0008)
+        * _soft(np.abs(fine[:, 0]), float(point("mouth_corner_L")[0]) - 0.001, 0.001)
+    )
     scalp = generic.region("scalp") if "scalp" in generic.region_names else _guess_scalp(generic, v)
     out["scalp"] = np.asarray(matrix @ scalp.astype(np.float64)) * body
     out["flush"] = front * _soft(np.hypot(*(np.abs(fine[:, :2]) - [0.035, point("nose_tip")[1]]).T), 0.012, 0.012)
