@@ -59,7 +59,13 @@ STAGES: tuple[Stage, ...] = (
     Stage("rough", 1, ("proposals", "skeletons", "silhouettes", "phenotype"), ("rough_bodies",), rough.run),
     Stage("fine", 1, ("proposals", "rough_bodies", "silhouettes", "phenotype"), ("bodies",), fine.run),
     Stage("head", 1, ("photos", "proposals", "face_points", "silhouettes", "phenotype", "person"), ("head",), head.run),
-    Stage("join", 1, ("bodies", "head", "phenotype"), ("joined",), join.run),
+    Stage(
+        "join",
+        1,
+        ("proposals", "body_points", "silhouettes", "bodies", "head", "phenotype"),
+        ("joined",),
+        join.run,
+    ),
     Stage("hair", 1, ("photos", "proposals", "silhouettes", "joined"), ("shells",), hair.run),
     Stage("textures", 1, ("photos", "proposals", "silhouettes", "joined", "shells", "head"), ("clone",), textures.run),
 )

@@ -17,8 +17,12 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import HeadFit
+from cloner.records.points import BodyPoints, Proposals
 from cloner.records.results import Residual, StageResult
+from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
+from cloner.stages.carriage import carried
+from cloner.stages.outlined import outlined_photos
 
 Array = NDArray[np.float64]
 
@@ -77,13 +81,20 @@ def morphs(generic: GenericHuman, vertices_m: Array) -> tuple[tuple[str, ...], A
 
 
 def run(
-    *, bodies: BodySet, head: HeadFit, phenotype: Phenotype, tick: Callable[[float], None], rng: object
+    *,
+    proposals: Proposals,
+    body_points: BodyPoints,
+    silhouettes: SilhouetteSet,
+    bodies: BodySet,
+    head: HeadFit,
+    phenotype: Phenotype,
+    tick: Callable[[float], None],
+    rng: object,
 ) -> StageResult:
     """Give the joined person, standing on the floor.
 
-    Residual "neck step": the largest angle between neighbouring triangles over the
-    join is reported as the change of the surface normal, mm per 10 mm, by the head's
-    distance from the body's own neck before blending.
+    Residual: the distance between the head's and the body's own neck where they
+    are blended, before blending.
     """
     generic = load_generic()
     body = bodies.consensus
@@ -92,9 +103,11 @@ def run(
     apart = np.linalg.norm(head.vertices_m[place] - body.vertices_m[border], axis=1)
     vertices = flat_soles(generic, blend_head(generic, body, head), phenotype.sole_m)
     vertices = to_stature(generic, vertices, phenotype.stature_m)
+    photos = outlined_photos(phenotype, silhouettes, proposals)
+    poses = carried(BodyMesh(vertices, body.joints_m), photos, dict(body_points.views))
     lift = np.array([0.0, phenotype.sole_m, 0.0])
     vertices, joints = vertices + lift, body.joints_m + lift
-    views = {view: PosedView(view, on_floor(posed.camera, phenotype.sole_m), posed.rotations) for view, posed in phenotype.views.items()}
+    views = {view: PosedView(view, on_floor(posed.camera, phenotype.sole_m), posed.rotations) for view, posed in poses.items()}
     for view, camera in head.cameras.items():
         if view.is_face:
             views[view] = PosedView(view, on_floor(camera, phenotype.sole_m), np.zeros((94, 3)))
