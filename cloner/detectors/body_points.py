@@ -50,7 +50,7 @@ class _Outline:
         self.height = self.bottom - self.top + 1
 
     def inside(self, point: Array) -> bool:
-        column, row = int(round(point[0])), int(round(point[1]))
+        column, row = round(float(point[0])), round(float(point[1]))
         height, width = self.mask.shape
         return 0 <= row < height and 0 <= column < width and bool(self.mask[row, column])
 

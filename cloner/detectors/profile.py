@@ -107,7 +107,7 @@ def front_contour(contour: Array, facing: int, bottom_px: float) -> Array:
     np.maximum.at(front, np.maximum(rows, 0), ahead)
     depth = 0.03 * float(np.ptp(contour[:, 1]))
     keep = (ahead > front[np.maximum(rows, 0)] - depth) & (contour[:, 1] < bottom_px)
-    return contour[keep]
+    return np.asarray(contour[keep])
 
 
 def _similarity(facing: int, size: float, tilt: float, nose_px: Array) -> Array:

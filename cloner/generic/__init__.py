@@ -1,1 +1,1 @@
-
+"""The shipped generic human, and what belongs to its mesh."""

@@ -101,7 +101,9 @@ class GenericHuman:
         real = (corners[:, 1] != corners[:, 2]) & (corners[:, 2] != corners[:, 0]) & (corners[:, 0] != corners[:, 1])
         return corners[real], corner_uv[real]
 
-    def shape(self, coefficients: FloatArray, stature_m: float) -> tuple[FloatArray, FloatArray]:
+    def shape(
+        self, coefficients: FloatArray, stature_m: float
+    ) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.float64]]:
         """Return the vertices (V, 3) and joints (94, 3) of a person, metres, float64.
 
         Parameters

@@ -34,8 +34,8 @@ class Chosen:
     basis_m: Array
     joints_mean_m: Array
     joints_basis_m: Array
-    parents: NDArray[np.int32]
-    skin_joints: NDArray[np.int32]
+    parents: NDArray[np.integer]
+    skin_joints: NDArray[np.integer]
     skin_weights: Array
     pose: Array
 

@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Triangles = NDArray[np.int32]
+Triangles = NDArray[np.integer]
 
 
 def fill_triangles(points_px: Array, triangles: Triangles, size: tuple[int, int]) -> NDArray[np.uint8]:
@@ -47,7 +47,7 @@ def vertex_normals(vertices_m: Array, triangles: Triangles) -> Array:
     for column in range(3):
         for axis in range(3):
             normals[:, axis] += np.bincount(triangles[:, column], face[:, axis], len(vertices_m))
-    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12))
 
 
 def rim_vertices(

@@ -125,7 +125,7 @@ def fit_shape(
         normal += 1e-9 * np.diag(np.diag(normal)) + 1e-12 * np.eye(size)
         step = np.linalg.solve(normal, right)
         step[:count] = np.clip(step[:count], -1.0, 1.0)
-        poses = step[count:].reshape(-1, 6)
+        poses = np.asarray(step[count:].reshape(-1, 6), dtype=np.float64)
         poses[:, :3] = np.clip(poses[:, :3], -0.1, 0.1)
         fit = ShapeFit(
             fit.coefficients + step[:count],

@@ -16,10 +16,10 @@ def rotation_matrices(rotations: Array) -> Array:
     zero = np.zeros_like(x)
     cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
     sine, cosine = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]
-    return np.eye(3) + sine * cross + (1.0 - cosine) * (cross @ cross)
+    return np.asarray(np.eye(3) + sine * cross + (1.0 - cosine) * (cross @ cross))
 
 
-def joint_transforms(joints_m: Array, parents: NDArray[np.int32], rotations: Array) -> Array:
+def joint_transforms(joints_m: Array, parents: NDArray[np.integer], rotations: Array) -> Array:
     """Return (J, 4, 4) posed-from-rest transforms of all joints.
 
     Parameters
@@ -42,18 +42,19 @@ def joint_transforms(joints_m: Array, parents: NDArray[np.int32], rotations: Arr
     return posed
 
 
-def blend_transforms(transforms: Array, skin_joints: NDArray[np.int32], skin_weights: Array) -> Array:
+def blend_transforms(transforms: Array, skin_joints: NDArray[np.integer], skin_weights: Array) -> Array:
     """Return the (V, 3, 4) weighted transform of every vertex."""
-    return np.einsum("vk,vkab->vab", skin_weights, transforms[skin_joints, :3, :])
+    return np.asarray(np.einsum("vk,vkab->vab", skin_weights, transforms[skin_joints, :3, :]))
 
 
-def skin(vertices_m: Array, transforms: Array, skin_joints: NDArray[np.int32], skin_weights: Array) -> Array:
+def skin(vertices_m: Array, transforms: Array, skin_joints: NDArray[np.integer], skin_weights: Array) -> Array:
     """Return (V, 3) posed vertices by linear blend skinning, metres."""
     blended = blend_transforms(transforms, skin_joints, skin_weights)
-    return np.einsum("vab,vb->va", blended[:, :, :3], vertices_m) + blended[:, :, 3]
+    return np.asarray(np.einsum("vab,vb->va", blended[:, :, :3], vertices_m) + blended[:, :, 3])
 
 
-def unskin(posed_m: Array, transforms: Array, skin_joints: NDArray[np.int32], skin_weights: Array) -> Array:
+def unskin(posed_m: Array, transforms: Array, skin_joints: NDArray[np.integer], skin_weights: Array) -> Array:
     """Return the (V, 3) rest vertices that :func:`skin` would move to ``posed_m``."""
     blended = blend_transforms(transforms, skin_joints, skin_weights)
-    return np.linalg.solve(blended[:, :, :3], (posed_m - blended[:, :, 3])[..., None])[..., 0]
+    rest_m = np.linalg.solve(blended[:, :, :3], (posed_m - blended[:, :, 3])[..., None])[..., 0]
+    return np.asarray(rest_m, dtype=np.float64)

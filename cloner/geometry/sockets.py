@@ -47,4 +47,4 @@ def seat_eyeball(centre: Array, lids: Array, moved_lids: Array, *, pull: float =
         rows = away / np.maximum(length, 1e-9)[:, None]
         normal = rows.T @ rows + pull * len(rows) * np.eye(3)
         place = place + np.linalg.solve(normal, rows.T @ (reach - length) + pull * len(rows) * (start - place))
-    return place
+    return np.asarray(place)

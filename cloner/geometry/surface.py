@@ -32,7 +32,7 @@ class SurfacePoints:
 
     def at(self, vertices: Array) -> Array:
         """Return the (N, 3) positions on (V, 3) vertices, or (N, 3) values of any vertex field."""
-        return np.einsum("nk,nka->na", self.weights, vertices[self.corners])
+        return np.asarray(np.einsum("nk,nka->na", self.weights, vertices[self.corners]))
 
     def take(self, rows: Indices | NDArray[np.bool_]) -> SurfacePoints:
         """Return some of the points."""
@@ -47,7 +47,7 @@ def vertex_normals(vertices_m: Array, triangles: Indices) -> Array:
     for corner in range(3):
         for axis in range(3):
             out[:, axis] += np.bincount(triangles[:, corner], faces[:, axis], minlength=len(out))
-    return out / np.maximum(np.linalg.norm(out, axis=1, keepdims=True), 1e-30)
+    return np.asarray(out / np.maximum(np.linalg.norm(out, axis=1, keepdims=True), 1e-30))
 
 
 def first_hits(

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.records.arrays import freeze
 
-
 #: Value of hair in ``Proposal.labels``.
 HAIR = 2
 

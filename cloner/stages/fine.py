@@ -115,7 +115,7 @@ def run(
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
     tick: Callable[[float], None],
-    rng: object,
+    rng: np.random.Generator,
 ) -> StageResult:
     """Give the bodies after slices and settling; the consensus is settled on all photos at once."""
     params = Params()

@@ -74,7 +74,7 @@ def run(
     proposals: Proposals,
     corrections: Corrections,
     tick: Callable[[float], None],
-    rng: object,
+    rng: np.random.Generator,
 ) -> StageResult:
     """Give the body's and the face's feature points.
 

@@ -42,6 +42,16 @@ def check_people(photo: Photo) -> None:
         )
 
 
+def face_in(photo: Photo) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
+    """Return (468, 2) points, (468,) depths in pixels and the presence of the face; zeros where a photo shows none."""
+    if photo.view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
+        face = DETECTORS.get("face")(photo.rgb)
+        if face is not None and face.presence >= FACE_PRESENCE:
+            points, depth = (np.asarray(values, dtype=np.float64) for values in (face.points_px, face.depth_px))
+            return points, depth, float(face.presence)
+    return np.zeros((468, 2)), np.zeros(468), 0.0
+
+
 def propose(photo: Photo) -> Proposal:
     """Return pose, face, mask and labels of one photo.
 
@@ -57,26 +67,22 @@ def propose(photo: Photo) -> Proposal:
     mask = refine_mask(photo.rgb, pose.mask)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
         raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
-    face = None
-    if photo.view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
-        face = DETECTORS.get("face")(photo.rgb)
-    seen = face is not None and face.presence >= FACE_PRESENCE
-    points: NDArray[np.float64] = np.asarray(face.points_px, dtype=np.float64) if seen else np.zeros((468, 2))
-    depth: NDArray[np.float64] = np.asarray(face.depth_px, dtype=np.float64) if seen else np.zeros(468)
-    labels = head_hair_labels(photo.rgb, mask, points if seen else None, photo.view, pose_points=pose.points_px)
+    points, depth, presence = face_in(photo)
+    shown = points if presence > 0.0 else None
+    labels = head_hair_labels(photo.rgb, mask, shown, photo.view, pose_points=pose.points_px)
     return Proposal(
         photo.view,
         pose.points_px,
         np.asarray(pose.visibility, dtype=np.float64),
         points,
         depth,
-        float(face.presence) if seen else 0.0,
+        presence,
         np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8),
         labels,
     )
 
 
-def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: object) -> StageResult:
+def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: np.random.Generator) -> StageResult:
     """Give one proposal a photo."""
     views: dict[ViewId, Proposal] = {}
     for view, photo in photos.photos.items():

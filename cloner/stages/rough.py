@@ -59,7 +59,7 @@ def follow_joints(vertices_m: Array, old_m: Array, new_m: Array) -> Array:
         if first < 0 or second < 0:
             first = second = _root_joint(name)
         moved += weights[:, row : row + 1] * _part_map(vertices_m, old_m[[first, second]], new_m[[first, second]])
-    return moved / np.maximum(weights.sum(axis=1, keepdims=True), 1e-9)
+    return np.asarray(moved / np.maximum(weights.sum(axis=1, keepdims=True), 1e-9))
 
 
 def _root_joint(segment: str) -> int:
@@ -120,7 +120,7 @@ def run(
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
     tick: Callable[[float], None],
-    rng: object,
+    rng: np.random.Generator,
 ) -> StageResult:
     """Give the front+side and back+side bodies with parts in place, and their mean."""
     params, generic = Params(), load_generic()

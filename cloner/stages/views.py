@@ -7,6 +7,7 @@ fit of the phenotype refines heading, tilt and distance afterwards.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -55,7 +56,7 @@ def heading(azimuth: float) -> Array:
     """
     cosine, sine = math.cos(azimuth), math.sin(azimuth)
     turn = np.array([[cosine, 0.0, -sine], [0.0, 1.0, 0.0], [sine, 0.0, cosine]])
-    return FRONT @ turn
+    return np.asarray(FRONT @ turn)
 
 
 def pitched(rotation: Array, pitch: float) -> Array:
@@ -66,8 +67,10 @@ def pitched(rotation: Array, pitch: float) -> Array:
 
 def focal_px(photo: Photo, default_35mm: float) -> tuple[float, bool]:
     """Return the focal length in pixels and whether the photo itself told it."""
-    known = photo.focal_35mm is not None and photo.focal_35mm > 0
-    return focal_px_from_35mm(photo.focal_35mm if known else default_35mm, photo.width_px, photo.height_px), known  # type: ignore[arg-type]
+    own = photo.focal_35mm
+    if own is not None and own > 0:
+        return focal_px_from_35mm(own, photo.width_px, photo.height_px), True
+    return focal_px_from_35mm(default_35mm, photo.width_px, photo.height_px), False
 
 
 def level_camera(
@@ -106,7 +109,14 @@ def side_shown(points: ViewPoints) -> str:
     return "left" if "ear_outer_L" in points.names else "right"
 
 
-def run(*, photos: PhotoSet, body_points: BodyPoints, person: Person, tick: object, rng: object) -> StageResult:
+def run(
+    *,
+    photos: PhotoSet,
+    body_points: BodyPoints,
+    person: Person,
+    tick: Callable[[float], None],
+    rng: np.random.Generator,
+) -> StageResult:
     """Give the first cameras of the body photos.
 
     Residual "height normalisation" is the spread of the three distances' body
@@ -129,9 +139,8 @@ def run(*, photos: PhotoSet, body_points: BodyPoints, person: Person, tick: obje
         camera = level_camera(photos.photos[view], focal, azimuths[shown], top, bottom, span, params.camera_height_m)
         views[view] = View(view, camera, shown, known)
         if not known:
-            warnings.append(
-                f"{view}: no focal length in the photo; {params.body_focal_35mm:.0f} mm (35 mm equivalent) assumed."
-            )
+            assumed = f"{params.body_focal_35mm:.0f} mm (35 mm equivalent)"
+            warnings.append(f"{view}: no focal length in the photo; {assumed} assumed.")
     residuals = []
     if len(views) > 1:
         scales = np.array(

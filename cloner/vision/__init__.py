@@ -1,1 +1,1 @@
-
+"""Pixels in, pixels or outlines out."""

@@ -111,8 +111,8 @@ def named_rule(net: Array, named: Array, centre: Array) -> tuple[NDArray[np.int6
 def profile_template(generic: GenericHuman, vertices: Array) -> tuple[Array, Array]:
     """Return a head's side outline from 25 mm over the glabella to the chin's underside, and its named points.
 
-    Both are (120, 2) and (K, 2) metres, forward and up from the nose tip. The outline is the foremost point of each level, filled
-    up with the midline under the nose and the chin where a level has more than one.
+    Both are (120, 2) and (K, 2) metres, forward and up from the nose tip. The outline is the foremost point of each
+    level, filled up with the midline under the nose and the chin where a level has more than one.
     """
     body = generic.vertex_part == generic.part_names.index("body")
     tip = vertices[generic.feature("nose_tip")]
@@ -196,7 +196,8 @@ def main() -> None:
         rules[row, chosen] = weights
     profile, landmarks = profile_bank(generic, rng)
     save(OUT, {"profile_m": profile.astype(np.float32), "profile_names": np.array(PROFILE, dtype=np.str_),
-               "profile_landmarks_m": landmarks.astype(np.float32), "corners": surface.corners, "weights": surface.weights.astype(np.float32),
+               "profile_landmarks_m": landmarks.astype(np.float32),
+               "corners": surface.corners, "weights": surface.weights.astype(np.float32),
                "sigma_m": sigma_m.astype(np.float32), "drift_m": drift.astype(np.float16),
                "alone_m": alone.astype(np.float32), "named": np.array(names, dtype=np.str_),
                "rules": rules.astype(np.float32), "rule_error_iod": errors.astype(np.float32)})  # fmt: skip
