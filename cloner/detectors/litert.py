@@ -17,6 +17,7 @@ from ai_edge_litert.interpreter import Interpreter
 from numpy.typing import NDArray
 
 from cloner.detectors.anchors import decode, join, make_anchors
+from cloner.detectors.chatter import chatter_logged
 from cloner.detectors.mask_crops import body_mask, portrait_mask
 from cloner.detectors.placing import (
     circle_crop,
@@ -51,8 +52,9 @@ _LOCK: Final = threading.Lock()
 def _net(name: str) -> Interpreter:
     """Load a net once per process."""
     data = (files("cloner_models") / "nets" / name).read_bytes()
-    net = Interpreter(model_content=data, num_threads=THREADS)
-    net.allocate_tensors()
+    with chatter_logged():
+        net = Interpreter(model_content=data, num_threads=THREADS)
+        net.allocate_tensors()
     return net
 
 
