@@ -100,7 +100,7 @@ def propose_body_points(proposal: Proposal) -> ViewPoints:
         far = "l" if looks_right(proposal.pose_px) else "r"
     for name, row in POSE_JOINTS.items():
         if name[0] != far:  # the net guesses hidden limbs, and guesses them turned
-            found[name] = (proposal.pose_px[row], (0.3 if far else 0.6) * float(visible[row]))
+            found[name] = (proposal.pose_px[row], (0.45 if far else 0.6) * float(visible[row]))
     for name, row in POSE_FEATURES.items():
         if visible[row] > 0.5 and _is_seen(name, proposal):
             found[name] = (proposal.pose_px[row], 0.8 * float(visible[row]))

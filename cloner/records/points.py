@@ -88,6 +88,8 @@ class Proposal:
         Person probability, 0..255, at photo resolution.
     labels : (H, W) uint8
         0 background, 1 skin, 2 hair, 3 cloth or other (meaningful on the head).
+    barefoot : bool
+        Whether the feet have the colour of the face.
     """
 
     view: ViewId
@@ -98,6 +100,7 @@ class Proposal:
     face_presence: float
     mask: NDArray[np.uint8]
     labels: NDArray[np.uint8]
+    barefoot: bool = False
 
     def __post_init__(self) -> None:
         freeze(

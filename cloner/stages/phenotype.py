@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.contours import OutlineField, outline_field
-from cloner.geometry.poses import FREEDOMS, SIGMAS, pose_matrix, standing_pose
+from cloner.geometry.poses import FREEDOMS, pose_matrix, prior_spread, standing_pose
 from cloner.geometry.posing import Chosen, moved_camera
 from cloner.geometry.rims import rim_vertices, vertex_normals
 from cloner.records.bodies import Phenotype, PosedView
@@ -45,8 +45,10 @@ class Params:
         Trust in one independent piece of outline.
     outline_piece_mm : float
         Length of outline that counts as independent evidence.
-    hair_mm, sole_m, sole_spread_m : float
-        Hair above the skull and soles below the foot: usual value and spread (taste).
+    hair_mm, hair_spread_mm, sole_spread_m : float
+        Usual hair above the skull, its spread, and the trust in a photo's lowest outline (taste).
+    shoe_sole_m, bare_sole_m : tuple of float
+        Least and greatest height of soles below the foot, shod and barefoot.
     floor_mm : float
         How far heels and toes of both feet may stand off one level floor.
     camera_degrees, camera_share : tuple
@@ -65,7 +67,8 @@ class Params:
     hair_mm: float = 12.0
     hair_spread_mm: float = 8.0
     floor_mm: float = 4.0
-    sole_m: float = 0.022
+    shoe_sole_m: tuple[float, float] = (0.014, 0.034)
+    bare_sole_m: tuple[float, float] = (0.0, 0.003)
     sole_spread_m: float = 0.0025
     camera_degrees: tuple[float, float, float] = (0.8, 3.0, 2.0)
     camera_share: tuple[float, float, float] = (0.1, 0.1, 0.15)
@@ -84,6 +87,7 @@ class _Evidence:
     mm_per_px: float
     top_px: Array
     bottom_px: Array
+    barefoot: bool
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -125,7 +129,7 @@ def _evidence(view: View, points: ViewPoints, silhouettes: SilhouetteSet, propos
     rows = np.flatnonzero(outline.mask.any(axis=1))
     top = np.array([np.flatnonzero(outline.mask[rows[0]]).mean(), rows[0] - 0.5])
     bottom = np.array([np.flatnonzero(outline.mask[rows[-1]]).mean(), rows[-1] + 0.5])
-    return _Evidence(view, points, field, mm_per_px, top, bottom)
+    return _Evidence(view, points, field, mm_per_px, top, bottom, proposals.views[view.view].barefoot)
 
 
 class _PointTerm:
@@ -247,7 +251,7 @@ def _prior(evidence: _Evidence, motion: Array, pose: Array, mean: Array, params:
     depth = float(evidence.view.camera.to_camera(np.array([[0.0, 0.9, 0.0]]))[0, 2])
     turn = motion[:3] / np.deg2rad(params.camera_degrees)
     shift = motion[3:] / (np.array(params.camera_share) * depth)
-    return np.concatenate([turn, shift, (pose - mean) / SIGMAS])
+    return np.concatenate([turn, shift, (pose - mean) / prior_spread(evidence.view.view is ViewId.BODY_SIDE)])
 
 
 def _turn(
@@ -291,18 +295,20 @@ def _turn(
 
 def solve(
     generic: GenericHuman, evidence: dict[ViewId, _Evidence], stature_m: float, params: Params, tick: Tick
-) -> _State:
-    """Return shape, camera motions and poses that explain all photos."""
+) -> tuple[_State, float]:
+    """Return shape, camera motions and poses that explain all photos, and the soles' height, metres."""
     mean = standing_pose(generic.joint_names, generic.joints_m.astype(np.float64))
     state = _State(
         np.zeros(params.shapes[0]),
         {view: np.zeros(CAMERA_FREEDOMS) for view in evidence},
         {view: mean.copy() for view in evidence},
     )
-    sole = params.sole_m
+    bare = np.mean([seen.barefoot for seen in evidence.values()]) > 0.5
+    limits = params.bare_sole_m if bare else params.shoe_sole_m
+    sole = float(np.mean(limits))
     for number, count in enumerate(params.shapes):
         if number > 1:
-            sole = sole_height(generic, state, evidence, stature_m)
+            sole = sole_height(generic, state, evidence, stature_m, limits)
         state = _State(np.pad(state.shape, (0, count - len(state.shape))), state.motions, state.poses)
         points = {view: _PointTerm(generic, seen, stature_m, params, count, sole) for view, seen in evidence.items()}
         reach_mm = (0.0, 120.0, 80.0, 60.0, 45.0)[min(number, 4)]
@@ -313,7 +319,7 @@ def solve(
                     terms[view].append(_OutlineTerm(generic, seen, state, stature_m, params, reach_mm))
             state = _turn(state, evidence, terms, mean, stature_m, params)
             tick((number + (turn + 1) / params.turns_per_round) / len(params.shapes))
-    return state
+    return state, sole_height(generic, state, evidence, stature_m, limits)
 
 
 def run(
@@ -332,7 +338,7 @@ def run(
     if not evidence:
         coefficients = np.zeros(1)
         return StageResult({"phenotype": Phenotype(coefficients, person.stature_m, 0.0, {}, _attributes(generic, coefficients))})
-    state = solve(generic, evidence, person.stature_m, params, tick)
+    state, sole = solve(generic, evidence, person.stature_m, params, tick)
     matrix = pose_matrix(generic.joint_names)
     posed = {
         view: PosedView(view, moved(seen.view.camera, state.motions[view], person.stature_m), (matrix @ state.poses[view]).reshape(-1, 3))
@@ -343,7 +349,6 @@ def run(
         term = _OutlineTerm(generic, seen, state, person.stature_m, params, 60.0)
         gap = term.field.signed_distance(posed[view].camera.project(term.model.posed(state.shape, state.poses[view])[0])[-term.rim_count :])
         residuals.append(Residual("outline gap", float(np.abs(gap[~term.one_sided]).mean()) * seen.mm_per_px, "mm", view.value))
-    sole = sole_height(generic, state, evidence, person.stature_m)
     value = Phenotype(state.shape, person.stature_m, sole, posed, _attributes(generic, state.shape))
     return StageResult({"phenotype": value}, tuple(residuals))
 
@@ -370,9 +375,13 @@ def longer_by_shoes(model: Chosen, soles: int) -> Chosen:
 
 
 def sole_height(
-    generic: GenericHuman, state: _State, evidence: dict[ViewId, _Evidence], stature_m: float
+    generic: GenericHuman,
+    state: _State,
+    evidence: dict[ViewId, _Evidence],
+    stature_m: float,
+    limits_m: tuple[float, float],
 ) -> float:
-    """Return how far the photos' lowest outline lies below the naked soles, metres, median of the photos, 0..40 mm."""
+    """Return how far the photos' lowest outline lies below the naked soles, metres, median of the photos, in limits."""
     heights = []
     soles = sole_vertices(generic)
     model = longer_by_shoes(choose(generic, soles, stature_m, len(state.shape)), len(soles))
@@ -382,7 +391,7 @@ def sole_height(
         pixels = camera.project(feet)
         lowest = int(np.argmax(pixels[:, 1]))
         heights.append((seen.bottom_px[1] - pixels[lowest, 1]) * camera.metres_per_pixel(feet[lowest]))
-    return float(np.clip(np.median(heights), 0.0, 0.04))
+    return float(np.clip(np.median(heights), *limits_m))
 
 
 def _attributes(generic: GenericHuman, coefficients: Array) -> dict[str, float]:

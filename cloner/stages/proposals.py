@@ -16,6 +16,7 @@ from cloner.frames import ViewId
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.results import StageResult
+from cloner.vision.feet import is_barefoot
 from cloner.vision.hair import head_hair_labels
 from cloner.vision.masks import refine_mask
 
@@ -79,7 +80,17 @@ def propose(photo: Photo) -> Proposal:
         presence,
         np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8),
         labels,
+        photo.view.is_body and barefoot(photo, mask > 0.5, labels, pose.points_px),
     )
+
+
+def barefoot(
+    photo: Photo, mask: NDArray[np.bool_], labels: NDArray[np.uint8], pose_px: NDArray[np.float64]
+) -> bool:
+    """Return whether a body photo shows bare feet, looking halfway between heels and toes."""
+    feet = (pose_px[29:31] + pose_px[31:33]) / 2
+    height = float(np.ptp(np.flatnonzero(mask.any(axis=1))))
+    return is_barefoot(photo.rgb, mask, labels, feet, 0.008 * height)
 
 
 def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: np.random.Generator) -> StageResult:
