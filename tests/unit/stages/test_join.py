@@ -1,0 +1,85 @@
+"""Head and body become one, to the millimetre where the answer is known."""
+
+import numpy as np
+import pytest
+
+from cloner.generic.load import load_generic
+from cloner.records.bodies import BodyMesh
+from cloner.records.heads import HeadFit
+from cloner.stages import join
+from kit import studio
+
+STATURE_M = 1.70
+
+
+@pytest.fixture(scope="module")
+def generic():
+    return load_generic()
+
+
+@pytest.fixture(scope="module")
+def body(generic):
+    vertices, joints = generic.shape(np.zeros(0), STATURE_M)
+    return BodyMesh(vertices, joints)
+
+
+def head_moved(generic, body, shift):
+    vertices = body.vertices_m[generic.head_vertices] + shift
+    return HeadFit(vertices, {}, (), np.zeros((0, 3)), np.zeros(3), 0.006, "")
+
+
+def test_a_head_of_the_bodys_own_changes_nothing(generic, body):
+    blended = join.blend_head(generic, body, head_moved(generic, body, 0.0))
+    np.testing.assert_allclose(blended, body.vertices_m, atol=1e-12)
+
+
+def test_the_head_moves_whole_the_body_not_and_the_neck_by_its_share(generic, body):
+    shift = np.array([0.0, 0.01, 0.02])
+    moved = join.blend_head(generic, body, head_moved(generic, body, shift)) - body.vertices_m
+    blend = generic.head_blend.astype(float)
+    np.testing.assert_allclose(moved, blend[:, None] * shift, atol=1e-7)
+    assert moved[generic.feature("nose_tip")] == pytest.approx(shift, abs=1e-6)
+    assert not moved[generic.feature("crotch")].any()
+    assert ((blend > 0.2) & (blend < 0.8)).sum() > 50, "there is a neck to blend over"
+
+
+def test_soles_are_flat_and_nothing_lies_below(generic, body):
+    flat = join.flat_soles(generic, body.vertices_m, 0.03)
+    assert np.ptp(flat[generic.region("sole"), 1]) == 0.0
+    assert flat[:, 1].min() == -0.03
+    high = body.vertices_m[:, 1] > 0.2
+    assert np.array_equal(flat[high], body.vertices_m[high])
+
+
+@pytest.mark.parametrize("stature_m", [1.68, 1.72])
+def test_the_skull_ends_at_the_stature_and_the_face_stays(generic, body, stature_m):
+    stretched = join.to_stature(generic, body.vertices_m, stature_m)
+    assert stretched[generic.feature("head_top"), 1] == pytest.approx(stature_m, abs=1e-9)
+    below = body.vertices_m[:, 1] < body.vertices_m[generic.feature("glabella"), 1]
+    assert np.array_equal(stretched[below], body.vertices_m[below])
+    assert np.array_equal(stretched[:, [0, 2]], body.vertices_m[:, [0, 2]])
+
+
+def test_raising_the_model_and_its_camera_keeps_the_picture(body):
+    camera = studio.camera(30.0)
+    raised = join.on_floor(camera, 0.025)
+    before = camera.project(body.vertices_m)
+    np.testing.assert_allclose(raised.project(body.vertices_m + [0.0, 0.025, 0.0]), before, atol=1e-6)
+    assert raised.position_m - camera.position_m == pytest.approx([0.0, 0.025, 0.0])
+
+
+def test_morphs_grow_with_the_face(generic, body):
+    names, index, delta, start = join.morphs(generic, generic.vertices_m)
+    bigger = join.morphs(generic, 1.1 * generic.vertices_m)
+    assert names == (*generic.arkit_names, *generic.viseme_names)
+    np.testing.assert_allclose(bigger[2], 1.1 * delta, rtol=1e-5)
+    assert np.array_equal(bigger[1], index)
+    assert len(start) == len(names) + 1
+    assert start[-1] == len(index) == len(delta)
+    first_viseme = len(generic.arkit_names)
+    rows = slice(start[first_viseme], start[first_viseme + 1])
+    own = slice(generic.viseme_start[0], generic.viseme_start[1])
+    assert np.array_equal(index[rows], generic.viseme_index[own])
+    jaw = names.index("jawOpen")
+    opened = delta[start[jaw] : start[jaw + 1]]
+    assert opened[:, 1].min() < -0.01, "opening the jaw lowers something by more than a centimetre"

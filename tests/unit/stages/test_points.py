@@ -1,0 +1,122 @@
+"""Corrections lie on top of proposals, and exchanged photos are refused."""
+
+import numpy as np
+import pytest
+
+from cloner.errors import ClonerError
+from cloner.frames import ViewId
+from cloner.records.points import Correction, Corrections, Proposal, Proposals, ViewPoints
+from cloner.stages import points
+from kit import studio
+
+WIDTH, HEIGHT = 80, 120
+FRONT, SIDE, BACK, FACE = ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.BODY_BACK, ViewId.FACE_FRONT
+PHOTOS = studio.photo_set({view: np.zeros((HEIGHT, WIDTH, 3), np.uint8) for view in (FRONT, SIDE, BACK, FACE)})
+
+
+def proposed(view=FRONT):
+    return ViewPoints(
+        view,
+        ("crotch", "waist_left"),
+        np.array([[40.0, 60.0], [50.0, 45.0]]),
+        np.array([0.5, 0.7]),
+        np.zeros(2, bool),
+    )
+
+
+def proposal(view, shoulders_px, *, face_presence=0.0):
+    """Return what nets say of a person 100 px tall whose left and right shoulder lie at these columns."""
+    mask = np.zeros((HEIGHT, WIDTH), np.uint8)
+    mask[10:111, 30:50] = 255
+    pose = np.zeros((33, 2))
+    pose[11], pose[12] = ((column, 30.0) for column in shoulders_px)
+    return Proposal(
+        view, pose, np.ones(33), np.zeros((468, 2)), np.zeros(468), face_presence, mask, np.zeros_like(mask)
+    )
+
+
+def check(view, shoulders_px, **known):
+    given = {view: proposal(view, shoulders_px, **known)}
+    points.check_order({view: proposed(view)}, Proposals(given), PHOTOS)
+
+
+def test_a_correction_wins_and_the_rest_stays():
+    before = proposed()
+    after = points.corrected(before, {"crotch": Correction(41.5, 63.25)}, PHOTOS.photos[FRONT])
+    assert after.get("crotch") == pytest.approx([41.5, 63.25])
+    assert after.get("waist_left") == pytest.approx([50.0, 45.0])
+    assert after.confidence.tolist() == [1.0, 0.7]
+    assert after.corrected.tolist() == [True, False]
+    assert before.get("crotch") == pytest.approx([40.0, 60.0]), "the proposal is unchanged"
+
+
+def test_a_correction_may_add_a_point_nobody_proposed():
+    after = points.corrected(proposed(), {"hip_left": Correction(55.0, 52.0)}, PHOTOS.photos[FRONT])
+    assert after.names == ("crotch", "waist_left", "hip_left")
+    assert after.get("hip_left") == pytest.approx([55.0, 52.0])
+    assert after.corrected.tolist() == [False, False, True]
+
+
+@pytest.mark.parametrize("place", [(-1.0, 50.0), (40.0, -0.5), (WIDTH, 50.0), (40.0, HEIGHT + 7.0)])
+def test_a_correction_off_the_image_is_refused(place):
+    with pytest.raises(ClonerError, match="crotch lies off the image") as caught:
+        points.corrected(proposed(), {"crotch": Correction(*place)}, PHOTOS.photos[FRONT])
+    assert caught.value.where == "body_front.png"
+    assert "Drag it back" in caught.value.hint
+
+
+def test_photos_that_show_what_they_say_pass():
+    check(FRONT, (50.0, 30.0), face_presence=1.0)
+    check(SIDE, (41.0, 39.0))
+    check(BACK, (30.0, 50.0))
+
+
+@pytest.mark.parametrize(
+    ("view", "shoulders_px", "complaint"),
+    [
+        (SIDE, (50.0, 30.0), "from the front or back, not from the side"),
+        (FRONT, (41.0, 39.0), "from the side, not the front"),
+        (BACK, (41.0, 39.0), "from the side, not the back"),
+        (FRONT, (30.0, 50.0), "shows the person's back, not the front"),
+    ],
+)
+def test_exchanged_photos_are_refused_by_name(view, shoulders_px, complaint):
+    with pytest.raises(ClonerError, match=complaint) as caught:
+        check(view, shoulders_px)
+    assert caught.value.where == f"{view}.png"
+    assert "Rename or retake" in caught.value.hint
+
+
+class Stand:
+    """Detectors that always say the same."""
+
+    def get(self, name):
+        if name == "body_points":
+            return lambda given: proposed(given.view)
+        nose = (("nose_tip",), np.array([[40.0, 20.0]]), np.array([0.9]), np.zeros(1, bool))
+        return lambda photo, given: ViewPoints(given.view, *nose)
+
+
+def test_the_stage_sorts_corrections_into_body_and_face(monkeypatch):
+    monkeypatch.setattr(points, "DETECTORS", Stand())
+    given = Proposals({FRONT: proposal(FRONT, (50.0, 30.0), face_presence=1.0), FACE: proposal(FACE, (60.0, 20.0))})
+    placed = {"crotch": Correction(39.0, 61.0), "nose_tip": Correction(42.0, 21.0)}
+    fractions = []
+    result = points.run(
+        photos=PHOTOS,
+        proposals=given,
+        corrections=Corrections({FRONT: placed, FACE: {"nose_tip": Correction(43.0, 22.0)}}),
+        tick=fractions.append,
+        rng=np.random.default_rng(0),
+    )
+    body, face = result.values["body_points"].views, result.values["face_points"].views
+    assert set(body) == {FRONT}
+    assert set(face) == {FRONT, FACE}
+    assert body[FRONT].get("crotch") == pytest.approx([39.0, 61.0])
+    assert body[FRONT].get("nose_tip") is None
+    assert face[FRONT].get("nose_tip") == pytest.approx([42.0, 21.0])
+    assert face[FACE].get("nose_tip") == pytest.approx([43.0, 22.0])
+    assert fractions[-1] <= 1.0
+    (confidence,) = result.residuals
+    assert confidence.unit == "percent"
+    assert confidence.value == pytest.approx(100.0 * np.mean([(1.0 + 0.7) / 2, 1.0, 1.0]))
