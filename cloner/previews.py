@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
 
@@ -20,7 +20,7 @@ from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import PointSet, Proposal, Proposals
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.records.views import Camera
-from cloner.render import coverage, draw, render, standard_camera
+from cloner.render import Shading, coverage, draw, standard_camera
 
 FOLDER: Final = "previews"
 HEIGHT_PX: Final = 1000  # taste: a screen's height
@@ -75,7 +75,9 @@ def write_previews(
     ``beside_<view>``: photo and clone through the same camera in the same
     pose. ``overlay_<view>``: the photo with its feature points (blue; yellow
     where an operator placed them), the extracted outline (green) and the
-    clone's outline (magenta). ``three_quarter`` and ``face``: the clone alone.
+    clone's outline (magenta). ``three_quarter``: the clone alone from four
+    sides, softly lit, at one scale; ``face`` large and unlit, as photos show
+    it; ``head`` softly lit from the sides and behind.
 
     Parameters
     ----------
@@ -100,8 +102,9 @@ def write_previews(
         cover = window.crop((coverage(layers, camera, supersample=1) > 0.5).astype(np.uint8)) > 0
         net = proposals.views.get(view)
         pictures[f"overlay_{view}"] = _overlay(seen, cover, window, silhouettes.views.get(view), points, net, view)
-    pictures["three_quarter"] = _strip(clone, ("front", "three_quarter", "left", "back"), HEIGHT_PX // 2)
-    pictures["face"] = _strip(clone, ("face", "face_three_quarter", "face_side"), HEIGHT_PX * 3 // 4)
+    pictures["three_quarter"] = _strip(clone, ("three_quarter", "front", "left", "back"), HEIGHT_PX * 4 // 5, "soft")
+    pictures["face"] = _strip(clone, ("face", "face_three_quarter"), HEIGHT_PX)
+    pictures["head"] = _strip(clone, ("face_left", "face_side", "face_back"), HEIGHT_PX // 2, "soft")
     paths = []
     for name, picture in pictures.items():
         paths.append(folder / FOLDER / f"{name}.jpg")
@@ -177,12 +180,32 @@ def _rim(mask: NDArray[np.bool_]) -> NDArray[np.bool_]:
     return mask & ~inside
 
 
-def _strip(clone: Clone, views: Sequence[str], width_px: int) -> Pixels:
-    """Return the resting clone from several sides, softly lit, side by side."""
-    height = HEIGHT_PX if not views[0].startswith("face") else width_px
-    return np.hstack(
-        [
-            render(clone, standard_camera(clone, view, width_px, height), shading="soft", background=_BACKDROP)
-            for view in views
-        ]
-    )
+def _strip(clone: Clone, views: Sequence[str], height_px: int, shading: Shading = "photo") -> Pixels:
+    """Return the resting clone from several sides at one scale, side by side."""
+    cameras = evenly_scaled([standard_camera(clone, view, height_px, height_px) for view in views])
+    layers = clone_layers(clone)
+    pictures = [draw(layers, camera, shading=shading, background=_BACKDROP) for camera in cameras]
+    return np.hstack([_trimmed(picture) for picture in pictures])
+
+
+def evenly_scaled(cameras: Sequence[Camera]) -> list[Camera]:
+    """Return level cameras of one lens moved back to the distance of the farthest, so that their pictures compare.
+
+    The distance is measured to the model's vertical axis, along each camera's own line of sight.
+    """
+    axis = [float(camera.to_camera(camera.position_m[None] * (0.0, 1.0, 0.0))[0, 2]) for camera in cameras]
+    moved = []
+    for camera, distance in zip(cameras, axis, strict=True):
+        matrix = camera.camera_from_model.copy()
+        matrix[2, 3] += max(axis) - distance
+        moved.append(replace(camera, camera_from_model=matrix))
+    return moved
+
+
+def _trimmed(picture: Pixels) -> Pixels:
+    """Return a picture without its empty columns, but for some air."""
+    columns = np.flatnonzero((picture != np.array(_BACKDROP, dtype=np.uint8)).any(axis=(0, 2)))
+    if not columns.size:
+        return picture
+    air = round(MARGIN * picture.shape[0])
+    return picture[:, max(int(columns[0]) - air, 0) : int(columns[-1]) + air + 1]

@@ -6,23 +6,47 @@ from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from typing import Any, Final
 
+from cloner.frames import ViewId
+
 _STYLE: Final = """
-:root { color-scheme: light dark; --line: #8884; --soft: #8881; --warn: #b60; }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }
-h1 { margin-bottom: 0; } h2 { margin-top: 2.2rem; border-bottom: 1px solid var(--line); }
-.lead { margin-top: .2rem; opacity: .8; }
-table { border-collapse: collapse; margin: .6rem 0; } caption { text-align: left; opacity: .8; }
-th, td { text-align: left; padding: .2rem .9rem .2rem 0; border-bottom: 1px solid var(--soft); vertical-align: top; }
+:root { color-scheme: light dark; --line: #8884; --soft: #8881; --warn: #c70; }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 70rem; margin: 1.5rem auto; padding: 0 1rem; }
+h1 { margin: 0; } h2 { margin: 2rem 0 .4rem; } .lead { margin: .1rem 0 1rem; opacity: .8; }
+table { border-collapse: collapse; margin: .6rem 0; } caption { text-align: left; opacity: .8; padding-bottom: .3rem; }
+th, td { text-align: left; padding: .2rem 1.2rem .2rem 0; border-bottom: 1px solid var(--soft); vertical-align: top; }
 td.n { text-align: right; font-variant-numeric: tabular-nums; }
-.warnings li { border-left: 3px solid var(--warn); padding-left: .6rem; margin: .4rem 0; list-style: none; }
-.pictures { display: flex; flex-wrap: wrap; gap: 1rem; align-items: flex-end; margin: .8rem 0; }
-figure { margin: 0; } figure img { display: block; max-width: 100%; max-height: 24rem; border-radius: 4px; }
-figcaption { font-size: .85rem; opacity: .8; } details { margin: .6rem 0; } summary { cursor: pointer; }
-code { font-size: .85em; overflow-wrap: anywhere; }
+.notes { border-left: 4px solid var(--warn); background: var(--soft); padding: .5rem 1rem; margin: 1rem 0; }
+.notes ul { margin: .2rem 0; padding-left: 1.2rem; } .notes p { margin: 0; }
+.pictures { display: flex; flex-wrap: wrap; gap: 1rem; margin: 1rem 0; }
+figure { margin: 0; max-width: 100%; } figure.wide { flex-basis: 100%; }
+figure img { display: block; max-width: 100%; height: 20rem; object-fit: contain; }
+figure.wide img { height: auto; max-height: 36rem; } figure img { object-position: left; }
+figcaption { font-size: .9rem; opacity: .8; } summary { cursor: pointer; padding: .4rem 0; font-weight: 600; }
+details { border-bottom: 1px solid var(--line); } details details summary { font-weight: 400; }
+details details { border: 0; margin-left: 1rem; } code { font-size: .85em; overflow-wrap: anywhere; }
 """
 _PICTURES: Final = (".png", ".jpg")
-#: Order in which people want to see them; what is not named comes last.
-_FIRST: Final = ("_body_front", "_body_side", "_body_back", "three_quarter", "_face_front", "_face_side", "face")
+#: What the pictures show, in the order in which people want to see them; those not named come last.
+_CAPTIONS: Final = {
+    "three_quarter": "The clone from four sides, softly lit",
+    "face": "The face of the clone, unlit, as the photos show it",
+    "beside_face_front": "Photo and clone: face, front",
+    "beside_face_side": "Photo and clone: face, side",
+    "beside_body_front": "Photo and clone: body, front",
+    "beside_body_side": "Photo and clone: body, side",
+    "beside_body_back": "Photo and clone: body, back",
+    "head": "The head from the sides and behind",
+}
+_WIDE: Final = ("three_quarter", "face", "head")
+#: What the downloads are for.
+_FILES: Final = {
+    "clone.glb": "for Blender, Unity, Unreal, web pages",
+    "clone.wrl": "VRML97 with H-Anim 1.1",
+    "clone.obj": "rest pose",
+    "clone.ply": "rest pose",
+    "clone.npz": "for cloner render",
+    "report.json": "this page's numbers",
+}
 
 
 def page(report: Mapping[str, Any]) -> str:
@@ -30,12 +54,14 @@ def page(report: Mapping[str, Any]) -> str:
     person = report["person"]
     title = person["name"] or person["identifier"]
     parts = [
-        f"<h1>{escape(title)}</h1>",
+        f"<h1>Clone of {escape(title)}</h1>",
         f'<p class="lead">{escape(_summary(report))}</p>',
         _warnings(report["warnings"]),
-        _downloads(report["files"]),
         _pictures(report["files"]),
+        _downloads(report["files"]),
         _body(report),
+        "<h2>Details</h2>",
+        _overlays(report["files"]),
         _agreement(report),
         _features(report["features"], report["outline_segments"]),
         _residuals(report["residuals"]),
@@ -45,7 +71,7 @@ def page(report: Mapping[str, Any]) -> str:
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>{escape(title)} - Cloner</title><style>{_STYLE}</style></head>\n<body>\n"
+        f"<title>Clone of {escape(title)}</title><style>{_STYLE}</style></head>\n<body>\n"
         + "\n".join(part for part in parts if part)
         + "\n</body></html>\n"
     )
@@ -56,44 +82,73 @@ def _summary(report: Mapping[str, Any]) -> str:
     height = f"{stature['value_m'] * 100:.1f} cm barefoot"
     if not stature["known"]:
         height += " (assumed: no height was given)"
-    return f"{height}, cloned from {len(report['photos'])} photos in {report['timings']['seconds']:.0f} s"
+    count = len(report["photos"])
+    photos = "one photo" if count == 1 else f"{count} photos"
+    return f"{height} · cloned from {photos} in {report['timings']['seconds']:.0f} s"
 
 
 def _warnings(warnings: Sequence[str]) -> str:
     if not warnings:
-        return "<p>No warnings.</p>"
-    items = "".join(f"<li>{escape(warning)}</li>" for warning in warnings)
-    return f'<h2>Please note</h2><ul class="warnings">{items}</ul>'
+        return ""
+    items = "".join(f"<li>{escape(_sentence(warning))}</li>" for warning in warnings)
+    return f'<div class="notes"><p>Please note:</p><ul>{items}</ul></div>'
+
+
+def _sentence(text: str) -> str:
+    """Return a note as a sentence; stages write some of them as clauses, with the views' names."""
+    for view in ViewId:
+        text = text.replace(view, _words(view))
+    return f"{text[:1].upper()}{text[1:]}{'' if text.endswith('.') else '.'}"
 
 
 def _downloads(files: Iterable[str]) -> str:
-    links = [f'<a href="{escape(file)}">{escape(file)}</a>' for file in files if "/" not in file]
-    return "<p>" + " · ".join(links) + "</p>" if links else ""
+    links = [
+        f'<li><a href="{escape(file)}">{escape(file)}</a> {escape(_FILES[file])}</li>'
+        for file in files
+        if file in _FILES
+    ]
+    return f"<h2>Files</h2><ul>{''.join(links)}</ul>" if links else ""
 
 
 def _pictures(files: Iterable[str]) -> str:
-    """Return the pictures of the clone, and folded below them those of what was found in the photos."""
-    previews = [file for file in files if file.startswith("previews/") and file.endswith(_PICTURES)]
-    previews.sort(key=_place)
-    found = [file for file in previews if "overlay" in file]
-    shown = [file for file in previews if file not in found]
-    folded = (
-        f"<details><summary>Points and outlines in the photos</summary>{_figures(found)}</details>" if found else ""
+    """Return the pictures of the clone, alone and beside the photos."""
+    shown = [file for file in _previews(files) if "overlay" not in file]
+    return _figures(shown) if shown else ""
+
+
+def _overlays(files: Iterable[str]) -> str:
+    """Return the folded pictures of what was found in the photos."""
+    found = [file for file in _previews(files) if "overlay" in file]
+    key = (
+        "<p>Green: the outline found in the photo. Magenta: the clone's outline. Circles: feature points, "
+        "yellow where an operator placed them.</p>"
     )
-    return f"<h2>Pictures</h2>{_figures(shown)}{folded}" if shown else ""
+    return _folded("Points and outlines in the photos", key + _figures(found)) if found else ""
 
 
-def _place(file: str) -> int:
-    return next((place for place, word in enumerate(_FIRST) if word in file), len(_FIRST))
+def _previews(files: Iterable[str]) -> list[str]:
+    found = [file for file in files if file.startswith("previews/") and file.endswith(_PICTURES)]
+    order = list(_CAPTIONS)
+    return sorted(found, key=lambda file: order.index(_stem(file)) if _stem(file) in order else len(order))
+
+
+def _stem(file: str) -> str:
+    return file.rsplit("/", 1)[-1].rsplit(".", 1)[0]
 
 
 def _figures(files: Iterable[str]) -> str:
-    figures = "".join(
-        f'<figure><a href="{escape(file)}"><img src="{escape(file)}" alt="" loading="lazy"></a>'
-        f"<figcaption>{escape(_words(file.rsplit('/', 1)[-1].rsplit('.', 1)[0]))}</figcaption></figure>"
-        for file in files
-    )
-    return f'<div class="pictures">{figures}</div>'
+    figures = []
+    for file in files:
+        stem = _stem(file)
+        words = escape(_CAPTIONS.get(stem, _words(stem)))
+        wide = ' class="wide"' if stem in _WIDE else ""
+        picture = f'<a href="{escape(file)}"><img src="{escape(file)}" alt="{words}"></a>'
+        figures.append(f"<figure{wide}>{picture}<figcaption>{words}</figcaption></figure>")
+    return f'<div class="pictures">{"".join(figures)}</div>'
+
+
+def _folded(title: str, content: str) -> str:
+    return f"<details><summary>{escape(title)}</summary>{content}</details>"
 
 
 def _body(report: Mapping[str, Any]) -> str:
@@ -119,7 +174,8 @@ def _agreement(report: Mapping[str, Any]) -> str:
         for view, iou in report["silhouette_iou"].items()
     ]
     caption = "The clone, seen through each photo's camera, against the outline found in that photo"
-    return "<h2>Agreement with the photos</h2>" + _table(("photo", "overlap", "px", "mm"), rows, caption=caption)
+    table = _table(("photo", "overlap", "px", "mm"), rows, caption=caption)
+    return _folded("Agreement with the photos", table) if rows else ""
 
 
 def _features(features: Mapping[str, Any], segments: Mapping[str, Any]) -> str:
@@ -138,14 +194,14 @@ def _features(features: Mapping[str, Any], segments: Mapping[str, Any]) -> str:
         ]
         title = f"{_words(view)}: {len(named)} points, {corrected} corrected"
         table = _table(("point", "x px", "y px", "confidence", "source"), rows, caption="")
-        parts.append(f"<details><summary>{escape(title)}</summary>{table}</details>")
+        parts.append(_folded(title, table))
     for view, pieces in segments.items():
         lines = [(str(piece["segment"]), str(piece["source"]), f"{piece['goodness']:.2f}") for piece in pieces]
         linked = sum(piece["source"] == "edges" for piece in pieces)
         title = f"{_words(view)}: {linked} of {len(pieces)} outline pieces from edges"
         table = _table(("piece", "source", "goodness"), lines, caption="")
-        parts.append(f"<details><summary>{escape(title)}</summary>{table}</details>")
-    return "<h2>Points and outlines</h2>" + "".join(parts) if parts else ""
+        parts.append(_folded(title, table))
+    return _folded("Feature points and outline pieces", "".join(parts)) if parts else ""
 
 
 def _residuals(residuals: Iterable[Mapping[str, Any]]) -> str:
@@ -153,7 +209,8 @@ def _residuals(residuals: Iterable[Mapping[str, Any]]) -> str:
         (each["stage"], _words(each["name"]), _words(each["view"] or "all"), _number(each["value"]), each["unit"])
         for each in residuals
     ]
-    return "<h2>Residuals</h2>" + _table(("stage", "what", "photo", "value", "unit"), rows, caption="") if rows else ""
+    table = _table(("stage", "what", "photo", "value", "unit"), rows, caption="")
+    return _folded("Residuals of every stage", table) if rows else ""
 
 
 def _timings(timings: Mapping[str, Any], peak_mib: float) -> str:
@@ -162,14 +219,14 @@ def _timings(timings: Mapping[str, Any], peak_mib: float) -> str:
         for stage in timings["stages"]
     ]
     rows.append(("all", _number(timings["seconds"]), _number(timings["cpu_seconds"]), f"{peak_mib:.0f}"))
-    return "<h2>Time and memory</h2>" + _table(("stage", "s", "CPU s", "peak MiB"), rows, caption="")
+    return _folded("Time and memory", _table(("stage", "s", "CPU s", "peak MiB"), rows, caption=""))
 
 
 def _origins(report: Mapping[str, Any]) -> str:
     libraries = _table(("part", "version"), list(report["versions"].items()), caption="")
     models = [(name, f"{digest[:16]}…") for name, digest in report["models"].items()]
     table = _table(("model file", "sha256"), models, caption="")
-    return f"<details><summary>Versions and models</summary>{libraries}{table}</details>"
+    return _folded("Versions and models", libraries + table)
 
 
 def _table(head: Sequence[str], rows: Iterable[Sequence[str]], *, caption: str) -> str:

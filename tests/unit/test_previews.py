@@ -10,11 +10,11 @@ from skimage.measure import find_contours
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.previews import scaled_camera, write_previews
+from cloner.previews import evenly_scaled, scaled_camera, write_previews
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import PointSet, Proposals, ViewPoints
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
-from cloner.render import render, render_mask
+from cloner.render import render, render_mask, standard_camera
 from kit.clones import toy_clone
 
 VIEW = ViewId.BODY_FRONT
@@ -53,7 +53,7 @@ def folder(clone, inputs, tmp_path_factory):
 
 def test_only_photographed_views_stand_beside_the_clone(folder):
     assert {path.stem for path in folder.iterdir()} == {
-        "beside_body_front", "overlay_body_front", "three_quarter", "face",
+        "beside_body_front", "overlay_body_front", "three_quarter", "face", "head",
     }  # fmt: skip
 
 
@@ -87,6 +87,26 @@ def test_a_scaled_camera_projects_to_scaled_pixels(clone):
     half = scaled_camera(camera, 0.5)
     points = clone.vertices_m[::500]
     assert half.project(points) == pytest.approx((camera.project(points) + 0.5) * 0.5 - 0.5, abs=1e-9)
+
+
+def test_a_strip_shows_every_side_at_one_scale(folder, clone):
+    strip = np.asarray(Image.open(folder / "three_quarter.jpg")).astype(int)
+    columns = (np.abs(strip - BACKDROP).max(axis=2) > 24).any(axis=0)
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], columns.astype(int), [0]])))
+    people = [strip[:, a:b] for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a > 40]
+    assert len(people) == 4
+    tall = [np.ptp(np.flatnonzero((np.abs(each - BACKDROP).max(axis=2) > 24).any(axis=1))) for each in people]
+    assert max(tall) / min(tall) < 1.05, "perspective alone gives three percent"
+
+
+def test_evenly_scaled_cameras_keep_their_line_of_sight(clone):
+    before = [standard_camera(clone, view, 400, 400) for view in ("front", "left", "back")]
+    after = evenly_scaled(before)
+    scales = [camera.metres_per_pixel(np.array([0.0, 0.9, 0.0])) for camera in after]
+    assert scales == pytest.approx([max(scales)] * 3, rel=1e-3)
+    for old, new in zip(before, after, strict=True):
+        assert new.camera_from_model[:3, :3] == pytest.approx(old.camera_from_model[:3, :3])
+        assert new.camera_from_model[:2, 3] == pytest.approx(old.camera_from_model[:2, 3])
 
 
 def test_an_unwritable_folder_is_an_operator_s_error(clone, inputs, tmp_path):

@@ -13,14 +13,15 @@ from cloner.pipeline import StageReport
 from cloner.records.clones import Clone
 from cloner.records.heads import HeadFit
 from cloner.records.photos import Person, Photo, PhotoSet
-from cloner.records.points import PointSet, ViewPoints
+from cloner.records.points import PointSet, Proposal, Proposals, ViewPoints
 from cloner.records.results import Residual
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.records.views import View, ViewSet
 from cloner.render import render_mask
-from cloner.report.agreement import agreements, compare
+from cloner.report.agreement import Agreement, agreements, compare
 from cloner.report.build import Run, build_report
 from cloner.report.page import page
+from cloner.report.weak import weaknesses
 from cloner.report.write import write_report
 from kit.clones import toy_clone
 
@@ -52,12 +53,15 @@ def values(clone: Clone) -> dict[str, object]:
         "face_points": PointSet({}),
         "views": ViewSet({ViewId.BODY_FRONT: View(ViewId.BODY_FRONT, front.camera, "front", True)}),
         "head": head,
+        "proposals": Proposals({}),
     }
 
 
 @pytest.fixture(scope="module")
 def run() -> Run:
-    stage = StageReport("views", 1.5, 1.2, 300.0, (Residual("gap", 2.5, "mm", "body_front"),), ("soft edge", "again"))
+    stage = StageReport(
+        "views", 1.5, 1.2, 300.0, (Residual("gap", 2.5, "mm", "body_front"),), ("soft edge in face_side", "again")
+    )
     return Run(9.0, 7.0, 400.0, (stage,), 3, ("glb",), ("No height was given", "again"))
 
 
@@ -101,7 +105,12 @@ def test_everything_has_its_origin(report: dict, clone: Clone) -> None:
     assert report["features"]["body_front"]["crotch"]["source"] == "proposed"
     assert [piece["source"] for piece in report["outline_segments"]["body_front"]] == ["edges", "mask"]
     assert report["residuals"] == [{"stage": "views", "name": "gap", "view": "body_front", "value": 2.5, "unit": "mm"}]
-    assert report["warnings"] == ["No height was given", "again", "soft edge"]
+    assert report["warnings"] == [
+        "No height was given",
+        "again",
+        "soft edge in face_side",
+        "No photo shows the head from the side or behind: the hair there is a guess",
+    ]
     assert report["side_shown"] == {"body_side": None, "face_side": None}
     np.testing.assert_allclose(report["features_m"]["head_top"], clone.features_m["head_top"], atol=1e-5)
     assert all(len(digest) == 64 for digest in report["models"].values())
@@ -131,9 +140,39 @@ def test_the_page_escapes_what_people_wrote(report: dict) -> None:
     assert "&lt;b&gt;Tö &amp; y&lt;/b&gt;" in html
     assert 'src="previews/beside_body_front.jpg"' in html
     assert "height was given" in html
+    assert "<li>Soft edge in face side.</li>" in html, "notes are sentences in plain words"
 
 
 def test_files_are_json_and_html(report: dict, tmp_path: Path) -> None:
     told, shown = write_report(report, tmp_path)
     assert json.loads(told.read_text(encoding="utf-8"))["person"]["name"] == "<b>Tö & y</b>"
     assert shown.read_text(encoding="utf-8").startswith("<!doctype html>")
+
+
+def portrait(eyes_px: float, lips_px: float) -> Proposal:
+    points = np.zeros((468, 2))
+    points[33], points[263] = (100.0, 100.0), (100.0 + eyes_px, 100.0)
+    points[13], points[14] = (150.0, 200.0), (150.0, 200.0 + lips_px)
+    pose = np.zeros((33, 2))
+    small = np.zeros((4, 4), dtype=np.uint8)
+    return Proposal(ViewId.FACE_FRONT, pose, np.ones(33), points, np.zeros(468), 1.0, small, small)
+
+
+@pytest.mark.parametrize(
+    ("eyes_px", "lips_px", "words"),
+    [(300.0, 0.0, []), (60.0, 0.0, ["small"]), (300.0, 30.0, ["smiles"]), (60.0, 6.0, ["small", "smiles"])],
+)
+def test_weak_face_photos_are_said(values: dict, eyes_px: float, lips_px: float, words: list[str]) -> None:
+    photo = values["photos"].photos[ViewId.BODY_FRONT]
+    photos = PhotoSet({ViewId.BODY_BACK: photo})
+    told = weaknesses(photos, Proposals({ViewId.FACE_FRONT: portrait(eyes_px, lips_px)}), {})
+    assert len(told) == len(words)
+    assert all(word in sentence for word, sentence in zip(words, told, strict=True))
+
+
+def test_a_badly_covered_outline_is_said() -> None:
+    bad, fine = Agreement(0.82, 9.0, 9.0, 9.0), Agreement(0.97, 1.0, 1.0, 1.0)
+    told = weaknesses(PhotoSet({}), Proposals({}), {ViewId.BODY_SIDE: bad, ViewId.BODY_BACK: fine})
+    assert [each for each in told if "outline" in each] == [
+        "The clone covers the outline in the body side photo only to 82 percent"
+    ]

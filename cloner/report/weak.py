@@ -1,0 +1,62 @@
+"""What is weak in a clone because of its photos, in plain words."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Final
+
+import numpy as np
+
+from cloner.frames import ViewId
+from cloner.records.photos import PhotoSet
+from cloner.records.points import Proposal, Proposals
+from cloner.report.agreement import Agreement
+
+#: Face-mesh points: outer eye corners, inner edges of the lips, mouth corners (numbering of Google's face mesh).
+_EYES: Final = (33, 263)
+_LIPS: Final = (13, 14)
+#: Fewer pixels between the outer eye corners give a visibly soft face (taste; the sample visitors have 330).
+LEAST_EYES_PX: Final = 120.0
+#: Lips farther apart than this share of the eyes' distance show teeth or the mouth's inside (samples: under 0.01).
+OPEN_MOUTH: Final = 0.04
+#: A body view below this overlap looks wrong to the eye (the bar for the hard sample set is 0.90).
+LEAST_OVERLAP: Final = 0.90
+
+
+def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agreement]) -> tuple[str, ...]:
+    """Return sentences about what the photos could not give.
+
+    Parameters
+    ----------
+    photos : PhotoSet
+    proposals : Proposals
+    seen : mapping
+        How well the finished clone covers the outline in each photo.
+    """
+    told: list[str] = []
+    if not {ViewId.FACE_SIDE, ViewId.BODY_SIDE, ViewId.BODY_BACK} & set(photos.photos):
+        told.append("No photo shows the head from the side or behind: the hair there is a guess")
+    face = proposals.views.get(ViewId.FACE_FRONT)
+    if face is not None and face.face_presence > 0.0:
+        told += _face(face)
+    for view, found in seen.items():
+        if view.is_body and found.iou < LEAST_OVERLAP:
+            words = view.value.replace("_", " ")
+            told.append(f"The clone covers the outline in the {words} photo only to {100 * found.iou:.0f} percent")
+    return tuple(told)
+
+
+def _face(proposal: Proposal) -> list[str]:
+    """Return what is weak in the face photo."""
+    points = proposal.face_px
+    eyes = _apart(points, _EYES)
+    told = []
+    if eyes < LEAST_EYES_PX:
+        told.append(f"The face is small in its photo ({eyes:.0f} pixels between the eyes' corners): it stays soft")
+    if _apart(points, _LIPS) > OPEN_MOUTH * eyes:
+        told.append("The mouth is open or smiles in the face photo: the clone keeps that face at rest")
+    return told
+
+
+def _apart(points: Any, pair: tuple[int, int]) -> float:
+    return float(np.linalg.norm(points[pair[0]] - points[pair[1]]))
