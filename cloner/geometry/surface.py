@@ -39,17 +39,6 @@ class SurfacePoints:
         return SurfacePoints(self.corners[rows], self.weights[rows])
 
 
-def vertex_normals(vertices_m: Array, triangles: Indices) -> Array:
-    """Return (V, 3) unit normals, area weighted; zero for unused vertices."""
-    a, b, c = (vertices_m[triangles[:, k]] for k in range(3))
-    faces = np.cross(b - a, c - a)
-    out = np.zeros_like(vertices_m)
-    for corner in range(3):
-        for axis in range(3):
-            out[:, axis] += np.bincount(triangles[:, corner], faces[:, axis], minlength=len(out))
-    return np.asarray(out / np.maximum(np.linalg.norm(out, axis=1, keepdims=True), 1e-30))
-
-
 def first_hits(
     points_px: Array, projected_px: Array, depth_m: Array, triangles: Indices
 ) -> tuple[NDArray[np.int64], Array]:

@@ -15,6 +15,20 @@ from cloner.records.bodies import PosedView
 from cloner.records.heads import Shell
 
 
+def _freeze_person(person: Joined | Clone) -> None:
+    """Check and freeze the arrays and mappings that a joined and a finished person share."""
+    freeze(
+        person,
+        vertices_m=(np.float64, (None, 3)),
+        joints_m=(np.float64, (94, 3)),
+        morph_index=(np.int32, (None,)),
+        morph_delta_m=(np.float32, (None, 3)),
+        morph_start=(np.int32, (len(person.morph_names) + 1,)),
+    )
+    object.__setattr__(person, "views", MappingProxyType(dict(person.views)))
+    object.__setattr__(person, "features_m", MappingProxyType(dict(person.features_m)))
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class TextureAtlas:
     """The person's skin and clothes in the generic human's UV atlas.
@@ -63,16 +77,7 @@ class Joined:
     sole_m: float
 
     def __post_init__(self) -> None:
-        freeze(
-            self,
-            vertices_m=(np.float64, (None, 3)),
-            joints_m=(np.float64, (94, 3)),
-            morph_index=(np.int32, (None,)),
-            morph_delta_m=(np.float32, (None, 3)),
-            morph_start=(np.int32, (len(self.morph_names) + 1,)),
-        )
-        object.__setattr__(self, "views", MappingProxyType(dict(self.views)))
-        object.__setattr__(self, "features_m", MappingProxyType(dict(self.features_m)))
+        _freeze_person(self)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -116,13 +121,4 @@ class Clone:
     sole_m: float
 
     def __post_init__(self) -> None:
-        freeze(
-            self,
-            vertices_m=(np.float64, (None, 3)),
-            joints_m=(np.float64, (94, 3)),
-            morph_index=(np.int32, (None,)),
-            morph_delta_m=(np.float32, (None, 3)),
-            morph_start=(np.int32, (len(self.morph_names) + 1,)),
-        )
-        object.__setattr__(self, "features_m", MappingProxyType(dict(self.features_m)))
-        object.__setattr__(self, "views", MappingProxyType(dict(self.views)))
+        _freeze_person(self)

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import argparse
 import hashlib
-import io
 import json
-import zipfile
 from pathlib import Path
 
 import atlas
@@ -20,6 +18,7 @@ import segments
 import shape_basis
 import skin_map
 import skinning
+from archives import save
 from cage import PARTS, Cage
 from source import BaseMesh, FloatArray, Source
 
@@ -28,17 +27,6 @@ OUT = HERE.parent / "cloner_models"
 SEED = 20001  # any number; fixed so that a rebuild gives the same bytes
 SHAPES = 36
 SOLES = (6280, 12877, 6164, 12761, 6461, 13057)  # ball, toe and heel of both feet, hm08 vertices
-
-
-def save(path: Path, arrays: dict[str, np.ndarray]) -> None:
-    """Write a compressed .npz whose bytes depend on the arrays alone (no dates)."""
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for name, array in arrays.items():
-            buffer = io.BytesIO()
-            np.lib.format.write_array(buffer, np.ascontiguousarray(array), allow_pickle=False)
-            entry = zipfile.ZipInfo(f"{name}.npy", date_time=(1980, 1, 1, 0, 0, 0))
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, buffer.getvalue())
 
 
 def text(values: list[str] | tuple[str, ...]) -> np.ndarray:

@@ -9,7 +9,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from calibrate_face_net import exposed_triangles, save
+from archives import save
+from calibrate_face_net import exposed_triangles
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 from scipy.spatial import cKDTree

@@ -7,17 +7,17 @@ go to ``cloner_models/face_net.npz``, with the linear rules that turn net points
 from __future__ import annotations
 
 import argparse
-import io
-import zipfile
 from pathlib import Path
 
 import numpy as np
+from archives import save
 from numpy.typing import NDArray
 from painted_heads import Head, photograph, random_camera
 
 from cloner.detectors import litert
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.surface import SurfacePoints, first_hits, nearest_points, vertex_normals
+from cloner.geometry.rims import vertex_normals
+from cloner.geometry.surface import SurfacePoints, first_hits, nearest_points
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
@@ -220,17 +220,6 @@ def joint_errors(error: Array) -> tuple[Array, Array]:
     rest = flat - (flat @ modes[:MODES].T) @ modes[:MODES]
     alone = np.sqrt((rest.reshape(error.shape) ** 2).sum(axis=2).mean(axis=0) / 2.0)
     return drift.reshape(MODES, 468, 2), alone
-
-
-def save(path: Path, arrays: dict[str, np.ndarray]) -> None:
-    """Write a compressed .npz whose bytes depend on the arrays alone (no dates)."""
-    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
-        for name, array in arrays.items():
-            buffer = io.BytesIO()
-            np.lib.format.write_array(buffer, np.ascontiguousarray(array), allow_pickle=False)
-            entry = zipfile.ZipInfo(f"{name}.npy", date_time=(1980, 1, 1, 0, 0, 0))
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, buffer.getvalue())
 
 
 def report(names: list[str], errors: Array, sigma_m: Array, count: int) -> None:

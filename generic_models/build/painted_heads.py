@@ -17,7 +17,7 @@ from scipy.sparse import coo_matrix, csr_matrix  # noqa: E402
 
 from cloner.frames import focal_px_from_35mm  # noqa: E402
 from cloner.generic.load import GenericHuman  # noqa: E402
-from cloner.geometry.surface import vertex_normals  # noqa: E402
+from cloner.geometry.rims import vertex_normals  # noqa: E402
 from cloner.records.views import Camera  # noqa: E402
 
 Array = NDArray[np.float64]
