@@ -111,7 +111,7 @@ def sample(image: NDArray[np.generic], points_px: NDArray[np.floating]) -> NDArr
     The list is folded into rows because OpenCV's remap takes at most 32767 columns.
     """
     count, row_length = len(points_px), 4096
-    rows = -(-count // row_length)
+    rows = max(-(-count // row_length), 1)
     padded = np.zeros((rows * row_length, 2), np.float32)
     padded[:count] = points_px
     grid = padded.reshape(rows, row_length, 2)
