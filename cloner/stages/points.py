@@ -12,10 +12,7 @@ from cloner.frames import ViewId
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Correction, Corrections, PointSet, Proposals, ViewPoints
 from cloner.records.results import Residual, StageResult
-
-#: Shoulder breadth over body height in the picture: below it nobody stands square to the camera
-#: (sample visitors: front and back 0.19-0.22, side 0.01-0.05).
-SQUARE_TO_CAMERA = 0.11
+from cloner.stages.photo_checks import check_photos
 
 
 def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: Photo) -> ViewPoints:
@@ -43,31 +40,6 @@ def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: 
     return ViewPoints(points.view, tuple(names), positions, confidence, fixed)
 
 
-def check_order(body: Mapping[ViewId, ViewPoints], proposals: Proposals, photos: PhotoSet) -> None:
-    """Refuse photos that were exchanged.
-
-    Raises
-    ------
-    ClonerError
-        If a front or back photo shows the side, the side photo shows the front, or
-        front and back are exchanged.
-    """
-    for view in body:
-        proposal = proposals.views[view]
-        rows = np.flatnonzero((proposal.mask > 127).any(axis=1))
-        height = max(float(rows[-1] - rows[0]), 1.0) if len(rows) else 1.0
-        left, right = proposal.pose_px[11], proposal.pose_px[12]
-        square = abs(float(left[0] - right[0])) / height > SQUARE_TO_CAMERA
-        name = photos.photos[view].name
-        hint = "Rename or retake the photos so that each shows what its name says"
-        if view is ViewId.BODY_SIDE and square:
-            raise ClonerError("this photo shows the person from the front or back, not from the side", hint, name)
-        if view is not ViewId.BODY_SIDE and not square:
-            raise ClonerError(f"this photo shows the person from the side, not the {view.value[5:]}", hint, name)
-        if view is ViewId.BODY_FRONT and left[0] < right[0] and proposal.face_presence == 0.0:
-            raise ClonerError("this photo shows the person's back, not the front", hint, name)
-
-
 def run(
     *,
     photos: PhotoSet,
@@ -81,8 +53,9 @@ def run(
     Raises
     ------
     ClonerError
-        If photos were exchanged or a correction lies off the image.
+        If a photo does not show what its name says or a correction lies off the image.
     """
+    check_photos(proposals, photos)
     body: dict[ViewId, ViewPoints] = {}
     face: dict[ViewId, ViewPoints] = {}
     for view, proposal in proposals.views.items():
@@ -98,7 +71,6 @@ def run(
         if view in face:
             face[view] = corrected(face[view], {n: c for n, c in placed.items() if n in named_face}, photo)
         tick(len(body) / len(proposals.views))
-    check_order(body, proposals, photos)
     sets = [*body.values(), *face.values()]
     sure = [float(points.confidence.mean()) for points in sets if len(points.names)]
     residuals = (Residual("confidence of proposed points", 100.0 * float(np.mean(sure or [0.0])), "percent"),)

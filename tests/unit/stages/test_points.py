@@ -7,11 +7,12 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.points import Correction, Corrections, Proposal, Proposals, ViewPoints
 from cloner.stages import points
+from cloner.stages.photo_checks import check_photos
 from kit import studio
 
 WIDTH, HEIGHT = 80, 120
-FRONT, SIDE, BACK, FACE = ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.BODY_BACK, ViewId.FACE_FRONT
-PHOTOS = studio.photo_set({view: np.zeros((HEIGHT, WIDTH, 3), np.uint8) for view in (FRONT, SIDE, BACK, FACE)})
+FRONT, SIDE, BACK, FACE, FACE_SIDE = ViewId
+PHOTOS = studio.photo_set({view: np.zeros((HEIGHT, WIDTH, 3), np.uint8) for view in ViewId})
 
 
 def proposed(view=FRONT):
@@ -24,20 +25,28 @@ def proposed(view=FRONT):
     )
 
 
-def proposal(view, shoulders_px, *, face_presence=0.0):
+def proposal(view, shoulders_px, *, face_presence=0.0, nose_px=None, ears_px=None, knee_row=75.0, ankle_row=105.0):
     """Return what nets say of a person 100 px tall whose left and right shoulder lie at these columns."""
     mask = np.zeros((HEIGHT, WIDTH), np.uint8)
     mask[10:111, 30:50] = 255
     pose = np.zeros((33, 2))
     pose[11], pose[12] = ((column, 30.0) for column in shoulders_px)
+    pose[[25, 26], 1], pose[[27, 28], 1] = knee_row, ankle_row
+    if nose_px is not None:
+        pose[0, 0], pose[[7, 8], 0] = nose_px, ears_px
     return Proposal(
         view, pose, np.ones(33), np.zeros((468, 2)), np.zeros(468), face_presence, mask, np.zeros_like(mask)
     )
 
 
+def near(view, nose_px, ears_px, **known):
+    """Return what nets say of a face photo; hips and legs are guessed below its border."""
+    given = {"knee_row": 200.0, "ankle_row": 260.0, **known}
+    return proposal(view, (60.0, 20.0), nose_px=nose_px, ears_px=ears_px, **given)
+
+
 def check(view, shoulders_px, **known):
-    given = {view: proposal(view, shoulders_px, **known)}
-    points.check_order({view: proposed(view)}, Proposals(given), PHOTOS)
+    check_photos(Proposals({view: proposal(view, shoulders_px, **known)}), PHOTOS)
 
 
 def test_a_correction_wins_and_the_rest_stays():
@@ -87,6 +96,41 @@ def test_exchanged_photos_are_refused_by_name(view, shoulders_px, complaint):
     assert "Rename or retake" in caught.value.hint
 
 
+@pytest.mark.parametrize(
+    ("view", "known", "complaint"),
+    [
+        (FRONT, {"knee_row": 130.0, "ankle_row": 180.0}, "only the upper part of the person"),
+        (SIDE, {"ankle_row": 125.0}, "the feet are outside this photo"),
+    ],
+)
+def test_body_photos_that_cut_the_person_are_refused(view, known, complaint):
+    with pytest.raises(ClonerError, match=complaint):
+        check(view, (50.0, 30.0), **known)
+
+
+@pytest.mark.parametrize(
+    ("face", "complaint"),
+    [
+        (near(FACE, 41.0, (60.0, 20.0), face_presence=1.0), ""),
+        (near(FACE, 70.0, (30.0, 20.0), face_presence=1.0), "from the side, not from the front"),
+        (near(FACE, 41.0, (60.0, 20.0)), "no face can be seen from the front"),
+        (near(FACE, 41.0, (43.0, 39.0), face_presence=1.0, ankle_row=105.0), "shows the whole body"),
+        (near(FACE_SIDE, 70.0, (30.0, 20.0)), ""),
+        (near(FACE_SIDE, 10.0, (30.0, 29.9)), ""),
+        (near(FACE_SIDE, 41.0, (60.0, 20.0)), "from the front or back, not from the side"),
+        (near(FACE_SIDE, 70.0, (30.0, 20.0), ankle_row=105.0), "shows the whole body"),
+    ],
+)
+def test_face_photos_show_what_they_say(face, complaint):
+    given = Proposals({face.view: face})
+    if not complaint:
+        check_photos(given, PHOTOS)
+        return
+    with pytest.raises(ClonerError, match=complaint) as caught:
+        check_photos(given, PHOTOS)
+    assert caught.value.where == f"{face.view}.png"
+
+
 class Stand:
     """Detectors that always say the same."""
 
@@ -99,7 +143,12 @@ class Stand:
 
 def test_the_stage_sorts_corrections_into_body_and_face(monkeypatch):
     monkeypatch.setattr(points, "DETECTORS", Stand())
-    given = Proposals({FRONT: proposal(FRONT, (50.0, 30.0), face_presence=1.0), FACE: proposal(FACE, (60.0, 20.0))})
+    given = Proposals(
+        {
+            FRONT: proposal(FRONT, (50.0, 30.0), face_presence=1.0),
+            FACE: near(FACE, 41.0, (60.0, 20.0), face_presence=1.0),
+        }
+    )
     placed = {"crotch": Correction(39.0, 61.0), "nose_tip": Correction(42.0, 21.0)}
     fractions = []
     result = points.run(
@@ -109,13 +158,13 @@ def test_the_stage_sorts_corrections_into_body_and_face(monkeypatch):
         tick=fractions.append,
         rng=np.random.default_rng(0),
     )
-    body, face = result.values["body_points"].views, result.values["face_points"].views
+    body, found = result.values["body_points"].views, result.values["face_points"].views
     assert set(body) == {FRONT}
-    assert set(face) == {FRONT, FACE}
+    assert set(found) == {FRONT, FACE}
     assert body[FRONT].get("crotch") == pytest.approx([39.0, 61.0])
     assert body[FRONT].get("nose_tip") is None
-    assert face[FRONT].get("nose_tip") == pytest.approx([42.0, 21.0])
-    assert face[FACE].get("nose_tip") == pytest.approx([43.0, 22.0])
+    assert found[FRONT].get("nose_tip") == pytest.approx([42.0, 21.0])
+    assert found[FACE].get("nose_tip") == pytest.approx([43.0, 22.0])
     assert fractions[-1] <= 1.0
     (confidence,) = result.residuals
     assert confidence.unit == "percent"
