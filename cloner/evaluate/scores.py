@@ -21,7 +21,7 @@ from cloner.evaluate.posing import (
 from cloner.evaluate.truth import THREE_QUARTER, Truth, TruthView
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
-from cloner.generic.tape import load_tape_rules
+from cloner.generic.tape import body_girths, load_tape_rules
 from cloner.geometry.measures import girths_mm
 from cloner.records.clones import Clone
 from cloner.records.points import PointSet
@@ -108,13 +108,20 @@ def score_subject(
     photographed = bool(subject.views)  # the generic human has its stature and its one colour by construction
     if photographed:
         yield Score("stature_error_mm", "", "mm", abs(mm_from_m(_stature_m(subject, generic) - truth.stature_m)))
-    girths = girths_mm(subject.vertices_m, subject.joints_m, load_tape_rules())
-    for name, value in girths.items():
+    for name, value in _girths_mm(subject).items():
         if name in truth.girths_mm:
             yield Score(f"girth_{name}_error_mm", "", "mm", abs(value - truth.girths_mm[name]))
     for where, ratio in likeness.seam_ratios(subject, generic).items() if photographed else ():
         yield Score(f"seam_{where}_ratio", "", "", ratio)
     yield Score("region_agreement", "", "", None)
+
+
+def _girths_mm(subject: Clone) -> dict[str, float]:
+    """Return the girths a subject claims: under its clothes where body photos showed it, else the bare mesh's."""
+    if any(view.is_body for view in subject.views):
+        girths = body_girths(subject.vertices_m, subject.joints_m, subject.stature_m)
+        return {name: girth.value_mm for name, girth in girths.items()}
+    return girths_mm(subject.vertices_m, subject.joints_m, load_tape_rules())
 
 
 def _surface_scores(posed: Posed, generic: GenericHuman, truth: Truth, rng: np.random.Generator) -> Iterator[Score]:

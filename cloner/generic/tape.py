@@ -8,8 +8,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.generic.girth_prior import load_girth_prior
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.measures import TapeRules
+from cloner.geometry.measures import Girth, TapeRules, girths_mm
+from cloner.geometry.under_clothes import girths_under_clothes
 
 #: Body vertices (their mirror twins are added) whose mean height is the level. Chosen where both sample
 #: visitors' ruler loops pass: there they meet the true girths within 2.3 mm on the true bodies.
@@ -21,6 +23,20 @@ _LEFT_THIGH: Final = (11073, 11105, 11064)
 def load_tape_rules() -> TapeRules:
     """Return the tape rules of the shipped generic human."""
     return tape_rules(load_generic())
+
+
+def body_girths(vertices_m: NDArray[np.float64], joints_m: NDArray[np.float64], stature_m: float) -> dict[str, Girth]:
+    """Return the girths of the body under the clothes of a photographed person, with one standard deviation each.
+
+    Parameters
+    ----------
+    vertices_m : (V, 3) float64
+        The clone's skin in rest pose, which has the outline of the clothes.
+    joints_m : (94, 3) float64
+    stature_m : float
+    """
+    shown_mm = girths_mm(vertices_m, joints_m, load_tape_rules())
+    return girths_under_clothes(shown_mm, stature_m, load_girth_prior())
 
 
 def tape_rules(generic: GenericHuman) -> TapeRules:

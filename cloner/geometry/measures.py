@@ -166,53 +166,32 @@ class Girth:
     ----------
     value_mm : float
     plus_minus_mm : float
-        One standard deviation as :func:`girth_uncertainty_mm` tells it.
+        One standard deviation.
     """
 
     value_mm: float
     plus_minus_mm: float
 
 
-#: Share of a girth that its width and depth leave open, one standard deviation. Measured: over 60 random
-#: bodies of the generic family the girth told from both strays by 0.6 % (waist) to 2.0 % (chest).
-SHAPE_SHARE: Final = 0.02
-#: Root mean square relative error of each girth over the sample visitors, their clothes included, as
-#: ``benchmarks/girth_errors.py`` prints it. Two visitors are few: this is a hint of the truth, no statistic.
-MEASURED_SHARE: Final = {
-    "neck": 0.09,
-    "chest": 0.10,
-    "underbust": 0.08,
-    "waist": 0.10,
-    "waist_min": 0.07,
-    "hip": 0.06,
-    "thigh": 0.02,
-    "calf": 0.14,
-    "upper_arm": 0.07,
-}
 #: A tape's level is found to about a finger's breadth, where a girth changes by half of it; taste.
 LEVEL_SLIP_MM: Final = 5.0
 
 
-def girth_uncertainty_mm(name: str, girth: float, outline_residual_mm: float, stature_share: float = 0.0) -> float:
-    """Return one standard deviation of a girth, mm.
+def widened(girth: Girth, outline_residual_mm: float, stature_share: float = 0.0) -> Girth:
+    """Return a girth with the uncertainty that this person's photos add.
 
-    Independent causes are added as squares: both ends of two widths are off
-    by the outline's residual (``pi / 2 * sqrt(2 + 2)`` times it), the section
-    between the outlines and the clothes over the skin (the larger of
-    `SHAPE_SHARE` and `MEASURED_SHARE`), the level, and the scale.
+    Independent causes are added as squares: what clothes and shape leave open
+    (the girth's own), both ends of two widths off by the outline's residual
+    (``pi / 2 * sqrt(2 + 2)`` times it), the tape's level, and the scale.
 
     Parameters
     ----------
-    name : str
-        One of `GIRTH_NAMES`.
-    girth : float
-        mm
+    girth : Girth
     outline_residual_mm : float
         Root mean square distance between the clone's and the photos' outlines.
     stature_share : float
         Relative uncertainty of the scale; 0 when the height was measured.
     """
-    widths = np.pi / 2 * 2.0 * outline_residual_mm
-    open_share = max(SHAPE_SHARE, MEASURED_SHARE[name])
-    parts = np.array([widths, open_share * girth, LEVEL_SLIP_MM, stature_share * girth])
-    return float(np.sqrt(np.sum(parts**2)))
+    widths_mm = np.pi * outline_residual_mm
+    parts = (girth.plus_minus_mm, widths_mm, LEVEL_SLIP_MM, stature_share * girth.value_mm)
+    return Girth(girth.value_mm, float(np.linalg.norm(parts)))

@@ -15,8 +15,8 @@ import numpy as np
 
 import cloner
 from cloner.frames import ViewId
-from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import girth_uncertainty_mm, girths_mm
+from cloner.generic.tape import body_girths, load_tape_rules
+from cloner.geometry.measures import Girth, girths_mm, widened
 from cloner.pipeline import StageReport
 from cloner.records.clones import Clone
 from cloner.records.heads import HeadFit
@@ -43,8 +43,9 @@ LIBRARIES: Final = (
 #: Spread of adult stature when none was given, one standard deviation over both sexes, metres (ANSUR II: 0.09).
 UNKNOWN_STATURE_M: Final = 0.09
 GIRTH_NOTE: Final = (
-    "Around the outline that the photos show, so over clothes. The ± is one standard deviation: the outline's "
-    "residual, the level, and the errors measured on two synthetic visitors in clothes. It is an estimate."
+    "Photos show clothes: the girth of the body under them is an estimate, the likeliest body of the generic "
+    "family that could show these outlines in clothes from tight to wide. The ± is one standard deviation: small "
+    "under close clothes, large under a coat. The last column is the clone's own girth, clothes included."
 )
 NO_BODY_NOTE: Final = "There was no body photo: these are the girths of a generic body, not of this person."
 
@@ -179,19 +180,22 @@ def _stature(clone: Clone, person: Person) -> dict[str, Any]:
 
 def _girths(clone: Clone, person: Person, seen: Mapping[ViewId, Agreement]) -> dict[str, Any]:
     body = [found.below_head_mm for view, found in seen.items() if view.is_body]
-    values = girths_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
+    over = girths_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
     if not body:
-        return {"note": NO_BODY_NOTE, "measured": False, "values": _girth_values(values, None)}
+        bare = {name: {"value": round(mm, 1), "plus_minus": None, "over_clothes": None} for name, mm in over.items()}
+        return {"note": NO_BODY_NOTE, "measured": False, "values": bare}
     residual_mm = float(np.sqrt(np.mean(np.square(body))))
     share = 0.0 if person.stature_is_known else UNKNOWN_STATURE_M / clone.stature_m
-    spread = {name: girth_uncertainty_mm(name, value, residual_mm, share) for name, value in values.items()}
-    return {"note": GIRTH_NOTE, "measured": True, "values": _girth_values(values, spread)}
+    girths = body_girths(clone.vertices_m, clone.joints_m, clone.stature_m)
+    values = {name: _girth(widened(girth, residual_mm, share), over[name]) for name, girth in girths.items()}
+    return {"note": GIRTH_NOTE, "measured": True, "values": values}
 
 
-def _girth_values(values: Mapping[str, float], spread: Mapping[str, float] | None) -> dict[str, Any]:
+def _girth(girth: Girth, over_mm: float) -> dict[str, float]:
     return {
-        name: {"value": round(value, 1), "plus_minus": None if spread is None else round(spread[name], 1)}
-        for name, value in values.items()
+        "value": round(girth.value_mm, 1),
+        "plus_minus": round(girth.plus_minus_mm, 1),
+        "over_clothes": round(over_mm, 1),
     }
 
 

@@ -154,13 +154,18 @@ def _folded(title: str, content: str) -> str:
 def _body(report: Mapping[str, Any]) -> str:
     girths = report["girths_mm"]
     rows = [
-        (_words(name), _number(girth["value"]), "" if girth["plus_minus"] is None else f"± {girth['plus_minus']:.0f}")
+        (
+            _words(name),
+            _number(girth["value"]),
+            "" if girth["plus_minus"] is None else f"± {girth['plus_minus']:.0f}",
+            "" if girth["over_clothes"] is None else _number(girth["over_clothes"]),
+        )
         for name, girth in girths["values"].items()
     ]
     sides = [f"{_words(view)} shows the {side} side" for view, side in report["side_shown"].items() if side is not None]
     shown = f"<p>{escape('; '.join(sides))}.</p>" if sides else ""
     note = f"<p>{escape(girths['note'])}</p>"
-    return f"<h2>Measures</h2>{_table(('girth', 'mm', ''), rows, caption='')}{note}{shown}"
+    return f"<h2>Measures</h2>{_table(('girth', 'mm', '', 'over clothes'), rows, caption='')}{note}{shown}"
 
 
 def _agreement(report: Mapping[str, Any]) -> str:

@@ -10,11 +10,11 @@ from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measures import (
     GIRTH_NAMES,
-    MEASURED_SHARE,
+    Girth,
     girth_mm,
-    girth_uncertainty_mm,
     girths_mm,
     slice_points,
+    widened,
 )
 
 UP = np.array([0.0, 1.0, 0.0])
@@ -71,9 +71,8 @@ def test_girths_of_the_generic_human_are_human_and_scale_with_it() -> None:
 
 
 def test_uncertainty_grows_with_every_cause() -> None:
-    share = MEASURED_SHARE["waist"]
-    plain = girth_uncertainty_mm("waist", 900.0, 0.0)
-    assert plain == pytest.approx(np.hypot(share * 900.0, 5.0))
-    assert girth_uncertainty_mm("waist", 900.0, 5.0) == pytest.approx(np.hypot(plain, np.pi * 5))
-    assert girth_uncertainty_mm("waist", 900.0, 5.0, 0.05) > girth_uncertainty_mm("waist", 900.0, 5.0) > plain
-    assert set(MEASURED_SHARE) == set(GIRTH_NAMES)
+    waist = Girth(900.0, 12.0)
+    assert widened(waist, 0.0).plus_minus_mm == pytest.approx(np.hypot(12.0, 5.0))
+    assert widened(waist, 5.0).plus_minus_mm == pytest.approx(np.hypot(13.0, np.pi * 5))
+    assert widened(waist, 5.0, 0.05).plus_minus_mm == pytest.approx(np.linalg.norm([13.0, np.pi * 5, 45.0]))
+    assert widened(waist, 5.0, 0.05).value_mm == 900.0
