@@ -98,7 +98,9 @@ def run(
     """
     generic = load_generic()
     body = bodies.consensus
-    border = generic.head_vertices[(generic.head_blend[generic.head_vertices] > 0.2) & (generic.head_blend[generic.head_vertices] < 0.8)]
+    border = generic.head_vertices[
+        (generic.head_blend[generic.head_vertices] > 0.2) & (generic.head_blend[generic.head_vertices] < 0.8)
+    ]
     place = np.searchsorted(generic.head_vertices, border)
     apart = np.linalg.norm(head.vertices_m[place] - body.vertices_m[border], axis=1)
     vertices = flat_soles(generic, blend_head(generic, body, head), phenotype.sole_m)
@@ -107,16 +109,25 @@ def run(
     poses = carried(BodyMesh(vertices, body.joints_m), photos, dict(body_points.views))
     lift = np.array([0.0, phenotype.sole_m, 0.0])
     vertices, joints = vertices + lift, body.joints_m + lift
-    views = {view: PosedView(view, on_floor(posed.camera, phenotype.sole_m), posed.rotations) for view, posed in poses.items()}
+    views = {
+        view: PosedView(view, on_floor(posed.camera, phenotype.sole_m), posed.rotations)
+        for view, posed in poses.items()
+    }
     for view, camera in head.cameras.items():
         if view.is_face:
             views[view] = PosedView(view, on_floor(camera, phenotype.sole_m), np.zeros((94, 3)))
     names, index, delta, start = morphs(generic, vertices)
-    features = {name: vertices[vertex] for name, vertex in zip(generic.feature_names, generic.feature_vertices, strict=True)}
-    features |= {f"fdp_{name}": vertices[vertex] for name, vertex in zip(generic.fdp_names, generic.fdp_vertices, strict=True)}
+    features = {
+        name: vertices[vertex] for name, vertex in zip(generic.feature_names, generic.feature_vertices, strict=True)
+    }
+    features |= {
+        f"fdp_{name}": vertices[vertex] for name, vertex in zip(generic.fdp_names, generic.fdp_vertices, strict=True)
+    }
     value = Joined(
         vertices, joints, views, names, index.astype(np.int32), delta.astype(np.float32), start.astype(np.int32),
         features, phenotype.stature_m, phenotype.sole_m,
     )  # fmt: skip
-    residuals = [Residual("head against neck before blending", mm_from_m(float(apart.mean())) if len(apart) else 0.0, "mm")]
+    residuals = [
+        Residual("head against neck before blending", mm_from_m(float(apart.mean())) if len(apart) else 0.0, "mm")
+    ]
     return StageResult({"joined": value}, tuple(residuals))

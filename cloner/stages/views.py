@@ -13,10 +13,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.frames import ViewId, focal_px_from_35mm, mm_from_m
+from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import BodyPoints, ViewPoints
-from cloner.records.results import Residual, StageResult
+from cloner.records.results import StageResult
 from cloner.records.views import Camera, View, ViewSet
 
 Array = NDArray[np.float64]
@@ -117,12 +117,7 @@ def run(
     tick: Callable[[float], None],
     rng: np.random.Generator,
 ) -> StageResult:
-    """Give the first cameras of the body photos.
-
-    Residual "height normalisation" is the spread of the three distances' body
-    heights, mm: how badly the photos disagree about the person's height in
-    pixels once focal lengths are taken into account, seen from equal distance.
-    """
+    """Give the first cameras of the body photos, all scaled by the one stature."""
     params = Params()
     azimuths = {"front": 0.0, "back": math.pi, "left": math.pi / 2, "right": -math.pi / 2}
     views: dict[ViewId, View] = {}
@@ -141,14 +136,4 @@ def run(
         if not known:
             assumed = f"{params.body_focal_35mm:.0f} mm (35 mm equivalent)"
             warnings.append(f"{view}: no focal length in the photo; {assumed} assumed.")
-    residuals = []
-    if len(views) > 1:
-        scales = np.array(
-            [
-                v.camera.focal_px / v.camera.to_camera(np.zeros((1, 3)))[0, 2] / v.camera.height_px
-                for v in views.values()
-            ]
-        )
-        spread = mm_from_m(person.stature_m) * float(np.std(scales) / np.mean(scales))
-        residuals.append(Residual("height normalisation", spread, "mm"))
-    return StageResult({"views": ViewSet(views)}, tuple(residuals), tuple(warnings))
+    return StageResult({"views": ViewSet(views)}, warnings=tuple(warnings))
