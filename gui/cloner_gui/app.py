@@ -6,7 +6,7 @@ import signal
 import sys
 from pathlib import Path
 
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
 from cloner_gui.dialogs import catch_everything
@@ -37,4 +37,17 @@ def run_app(folder: Path | None = None) -> int:
         QTimer.singleShot(0, lambda: session.open(folder))
     code = app.exec()
     session.close()
+    waker.stop()
+    _delete(window, session)
     return int(code)
+
+
+def _delete(*objects: QObject) -> None:
+    """Delete Qt objects now, while the application stands.
+
+    Left to Python's exit they go in any order, some after the application: a crash now and then.
+    """
+    QCoreApplication.processEvents()  # what a thread still had to say
+    for one in objects:
+        one.deleteLater()
+    QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)

@@ -179,7 +179,9 @@ def test_malformed_corrections(run: Command, tmp_path: Path, samples: Path) -> N
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_stopping_leaves_nothing(tmp_path: Path, samples: Path, number: signal.Signals) -> None:
     out = tmp_path / "out"
-    command = [sys.executable, "-c", "from cloner.cli import main; main()", "clone"]
+    # a background job of a shell inherits a deaf ear for Ctrl-C; a terminal's does not
+    listen = "import signal; signal.signal(signal.SIGINT, signal.default_int_handler)"
+    command = [sys.executable, "-c", f"{listen}; from cloner.cli import main; main()", "clone"]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
     process = subprocess.Popen(
         [*command, str(samples / "anna" / "plain"), "--out", str(out)],
