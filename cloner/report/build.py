@@ -25,7 +25,7 @@ from cloner.records.points import PointSet
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet
 from cloner.report.agreement import Agreement, agreements
-from cloner.report.weak import weaknesses
+from cloner.report.weak import grouped, weaknesses
 
 FORMAT: Final = 1
 LIBRARIES: Final = (
@@ -112,7 +112,7 @@ def build_report(values: Mapping[str, Any], run: Run, files: Iterable[str] = ())
         "files": sorted(files),
         "versions": versions(),
         "models": model_digests(),
-        "warnings": list(dict.fromkeys((*warnings_of(run), *weaknesses(photos, values["proposals"], seen)))),
+        "warnings": list(grouped((*warnings_of(run), *weaknesses(photos, values["proposals"], seen)))),
     }
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, Final
 
 import numpy as np
 
 from cloner.frames import ViewId
-from cloner.records.photos import PhotoSet
+from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.report.agreement import Agreement
 
@@ -19,6 +19,8 @@ _LIPS: Final = (13, 14)
 LEAST_EYES_PX: Final = 120.0
 #: Lips farther apart than this share of the eyes' distance show teeth or the mouth's inside (samples: under 0.01).
 OPEN_MOUTH: Final = 0.04
+#: Channels of a pixel that differ by no more are one grey; JPEG's own colour noise is smaller on grey pictures.
+GREY_LEVELS: Final = 6
 #: A body view below this overlap looks wrong to the eye (the bar for the hard sample set is 0.90).
 LEAST_OVERLAP: Final = 0.90
 
@@ -34,6 +36,9 @@ def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agr
         How well the finished clone covers the outline in each photo.
     """
     told: list[str] = []
+    for view, photo in photos.photos.items():
+        if is_grey(photo):
+            told.append(f"{view}: the photo has no colours, so what only it shows stays grey")
     if not {ViewId.FACE_SIDE, ViewId.BODY_SIDE, ViewId.BODY_BACK} & set(photos.photos):
         told.append("No photo shows the head from the side or behind: the hair there is a guess")
     face = proposals.views.get(ViewId.FACE_FRONT)
@@ -41,9 +46,26 @@ def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agr
         told += _face(face)
     for view, found in seen.items():
         if view.is_body and found.iou < LEAST_OVERLAP:
-            words = view.value.replace("_", " ")
-            told.append(f"The clone covers the outline in the {words} photo only to {100 * found.iou:.0f} percent")
+            told.append(f"{view}: the clone covers the person's outline only to {100 * found.iou:.0f} percent")
     return tuple(told)
+
+
+def grouped(warnings: Iterable[str]) -> tuple[str, ...]:
+    """Return warnings once each, in order; what is said of several photos ("view: text") is said once of them all."""
+    views: dict[str, list[str]] = {}
+    for warning in warnings:
+        view, found, text = warning.partition(": ")
+        known = bool(found) and view in set(ViewId)
+        named = views.setdefault(text if known else warning, [])
+        if known and view not in named:
+            named.append(view)
+    return tuple(f"{', '.join(named)}: {text}" if named else text for text, named in views.items())
+
+
+def is_grey(photo: Photo) -> bool:
+    """Return whether a photo has no colours."""
+    few = photo.rgb[::8, ::8].astype(np.int16)
+    return bool(np.ptp(few, axis=2).max() <= GREY_LEVELS)
 
 
 def _face(proposal: Proposal) -> list[str]:

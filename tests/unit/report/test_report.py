@@ -21,7 +21,7 @@ from cloner.render import render_mask
 from cloner.report.agreement import Agreement, agreements, compare
 from cloner.report.build import Run, build_report
 from cloner.report.page import page
-from cloner.report.weak import weaknesses
+from cloner.report.weak import grouped, is_grey, weaknesses
 from cloner.report.write import write_report
 from kit.clones import toy_clone
 
@@ -39,7 +39,9 @@ def values(clone: Clone) -> dict[str, object]:
     size = (front.camera.height_px, front.camera.width_px)
     mask = render_mask(clone, front.camera, front.rotations)
     outline = Silhouette(ViewId.BODY_FRONT, (), mask, (("crotch-knee", "edges", 0.8), ("rest", "mask", 0.0)))
-    photo = Photo(ViewId.BODY_FRONT, np.zeros((*size, 3), dtype=np.uint8), 50.0, "ab" * 32, "body_front.jpg")
+    photo = Photo(
+        ViewId.BODY_FRONT, np.full((*size, 3), (10, 60, 110), dtype=np.uint8), 50.0, "ab" * 32, "body_front.jpg"
+    )
     named = ViewPoints(
         ViewId.BODY_FRONT, ("crotch", "waist_left"), np.array([[10.0, 20.0], [30.5, 40.0]]), [0.4, 1.0], [False, True]
     )
@@ -174,5 +176,18 @@ def test_a_badly_covered_outline_is_said() -> None:
     bad, fine = Agreement(0.82, 9.0, 9.0, 9.0), Agreement(0.97, 1.0, 1.0, 1.0)
     told = weaknesses(PhotoSet({}), Proposals({}), {ViewId.BODY_SIDE: bad, ViewId.BODY_BACK: fine})
     assert [each for each in told if "outline" in each] == [
-        "The clone covers the outline in the body side photo only to 82 percent"
+        "body_side: the clone covers the person's outline only to 82 percent"
     ]
+
+
+def test_what_is_said_of_several_photos_is_said_once() -> None:
+    told = ["No height", "body_front: dark", "face_side: dark", "body_front: dark", "No height", "hint: dark"]
+    assert grouped(told) == ("No height", "body_front, face_side: dark", "hint: dark")
+
+
+def test_black_and_white_photos_are_known() -> None:
+    grey = np.repeat(np.arange(64, dtype=np.uint8)[:, None, None].repeat(64, axis=1), 3, axis=2)
+    spotted = grey.copy()
+    spotted[32, 32] = (200, 30, 30)
+    assert is_grey(Photo(ViewId.FACE_SIDE, grey, None, "", "face_side.png"))
+    assert not is_grey(Photo(ViewId.FACE_SIDE, spotted, None, "", "face_side.png"))
