@@ -7,8 +7,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import pytest
+from hypothesis import settings
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+
+# a busy machine is slow, not wrong; on CI every run tries the same examples
+settings.register_profile("cloner", deadline=None, derandomize="CI" in os.environ)
+settings.load_profile("cloner")
 
 if TYPE_CHECKING:
     from cloner.cloning import CloneOutcome
