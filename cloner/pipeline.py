@@ -54,7 +54,9 @@ STAGES: tuple[Stage, ...] = (
     Stage("points", 1, ("photos", "proposals", "corrections"), ("body_points", "face_points"), points.run),
     Stage("views", 1, ("photos", "body_points", "person"), ("views",), views.run),
     Stage("silhouettes", 1, ("photos", "proposals", "body_points"), ("silhouettes",), silhouettes.run),
-    Stage("phenotype", 1, ("proposals", "body_points", "silhouettes", "views", "person"), ("phenotype",), phenotype.run),
+    Stage(
+        "phenotype", 1, ("proposals", "body_points", "silhouettes", "views", "person"), ("phenotype",), phenotype.run
+    ),
     Stage("skeleton", 1, ("proposals", "silhouettes", "phenotype"), ("skeletons",), skeleton.run),
     Stage("rough", 1, ("proposals", "skeletons", "silhouettes", "phenotype"), ("rough_bodies",), rough.run),
     Stage("fine", 1, ("proposals", "rough_bodies", "silhouettes", "phenotype"), ("bodies",), fine.run),

@@ -84,9 +84,7 @@ def propose(photo: Photo) -> Proposal:
     )
 
 
-def barefoot(
-    photo: Photo, mask: NDArray[np.bool_], labels: NDArray[np.uint8], pose_px: NDArray[np.float64]
-) -> bool:
+def barefoot(photo: Photo, mask: NDArray[np.bool_], labels: NDArray[np.uint8], pose_px: NDArray[np.float64]) -> bool:
     """Return whether a body photo shows bare feet, looking halfway between heels and toes."""
     feet = (pose_px[29:31] + pose_px[31:33]) / 2
     height = float(np.ptp(np.flatnonzero(mask.any(axis=1))))
