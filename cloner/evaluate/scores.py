@@ -118,10 +118,10 @@ def score_subject(
 
 def _girths_mm(subject: Clone) -> dict[str, float]:
     """Return the girths a subject claims: under its clothes where body photos showed it, else the bare mesh's."""
-    if any(view.is_body for view in subject.views):
-        girths = body_girths(subject.vertices_m, subject.joints_m, subject.stature_m)
-        return {name: girth.value_mm for name, girth in girths.items()}
-    return girths_mm(subject.vertices_m, subject.joints_m, load_tape_rules())
+    shown = girths_mm(subject.vertices_m, subject.joints_m, load_tape_rules())
+    if not any(view.is_body for view in subject.views):
+        return shown
+    return {name: girth.value_mm for name, girth in body_girths(shown, subject.stature_m).items()}
 
 
 def _surface_scores(posed: Posed, generic: GenericHuman, truth: Truth, rng: np.random.Generator) -> Iterator[Score]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
@@ -10,7 +11,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.girth_prior import load_girth_prior
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.measures import Girth, TapeRules, girths_mm
+from cloner.geometry.measures import Girth, TapeRules
 from cloner.geometry.under_clothes import girths_under_clothes
 
 #: Body vertices (their mirror twins are added) whose mean height is the level. Chosen where both sample
@@ -25,17 +26,15 @@ def load_tape_rules() -> TapeRules:
     return tape_rules(load_generic())
 
 
-def body_girths(vertices_m: NDArray[np.float64], joints_m: NDArray[np.float64], stature_m: float) -> dict[str, Girth]:
+def body_girths(shown_mm: Mapping[str, float], stature_m: float) -> dict[str, Girth]:
     """Return the girths of the body under the clothes of a photographed person, with one standard deviation each.
 
     Parameters
     ----------
-    vertices_m : (V, 3) float64
-        The clone's skin in rest pose, which has the outline of the clothes.
-    joints_m : (94, 3) float64
+    shown_mm : mapping of str to float
+        :func:`girths_mm` of the clone's skin, which has the outline of the clothes.
     stature_m : float
     """
-    shown_mm = girths_mm(vertices_m, joints_m, load_tape_rules())
     return girths_under_clothes(shown_mm, stature_m, load_girth_prior())
 
 

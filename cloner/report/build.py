@@ -186,7 +186,7 @@ def _girths(clone: Clone, person: Person, seen: Mapping[ViewId, Agreement]) -> d
         return {"note": NO_BODY_NOTE, "measured": False, "values": bare}
     residual_mm = float(np.sqrt(np.mean(np.square(body))))
     share = 0.0 if person.stature_is_known else UNKNOWN_STATURE_M / clone.stature_m
-    girths = body_girths(clone.vertices_m, clone.joints_m, clone.stature_m)
+    girths = body_girths(over, clone.stature_m)
     values = {name: _girth(widened(girth, residual_mm, share), over[name]) for name, girth in girths.items()}
     return {"note": GIRTH_NOTE, "measured": True, "values": values}
 
