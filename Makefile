@@ -12,11 +12,12 @@ export CLONER_NODE_MODULES ?= $(CURDIR)/.cache/npm
 
 environment: $(STAMP)
 
+# PYTHONWARNINGS: setuptools lectures at length on what an editable install is.
 $(STAMP): pyproject.toml
 	$(PYTHON) -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] < (3, 13) and "Cloner wants Python 3.11 or 3.12: run make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --upgrade "pip>=25"
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[dev]"
+	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[dev]"
 	touch $(STAMP)
 
 demo: $(STAMP)
