@@ -114,6 +114,7 @@ def clone_folder(
     identifier: str | None = None,
     texture_size: int = DEFAULT_TEXTURE_SIZE,
     progress: Progress = quiet,
+    known: Mapping[str, object] | None = None,
 ) -> CloneOutcome:
     """Clone the person in a folder of photos; the result appears whole or not at all.
 
@@ -134,6 +135,8 @@ def clone_folder(
         Side of the texture atlas, texels; one of `TEXTURE_SIZES`.
     progress : callable
         Called with a step's name and a fraction 0..1; may raise Cancelled.
+    known : mapping, optional
+        Values of an earlier run on this folder, as :func:`still_true` takes them.
 
     Raises
     ------
@@ -161,6 +164,7 @@ def clone_folder(
             corrections,
             seed=seed,
             texture_size=texture_size,
+            known=still_true(known or {}, photos),
             progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
         _write_clone(values, formats, folder, progress)
@@ -179,6 +183,26 @@ def clone_folder(
     progress("done", 1.0)
     log.info("%s: %.1f s, %d warnings", person.identifier, run.seconds, len(warnings_of(run)))
     return CloneOutcome(person.identifier, out_dir / person.identifier, report, values)
+
+
+def still_true(known: Mapping[str, object], photos: PhotoSet) -> dict[str, object]:
+    """Return those of an earlier run's values that depend on nothing but the photos, if these are the same files.
+
+    Parameters
+    ----------
+    known : mapping
+        With "photos" as they were then; of the rest only "proposals" can stay, as a correction changes all others.
+    photos : PhotoSet
+        As they are now.
+    """
+    before = known.get("photos")
+    if "proposals" not in known or not isinstance(before, PhotoSet) or _digests(before) != _digests(photos):
+        return {}
+    return {"proposals": known["proposals"]}
+
+
+def _digests(photos: PhotoSet) -> dict[ViewId, str]:
+    return {view: photo.digest for view, photo in photos.photos.items()}
 
 
 def check_formats(formats: Sequence[str]) -> None:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import cast
 
@@ -19,8 +19,24 @@ from cloner.records.points import PointSet, ViewPoints
 ProposedPoints = dict[ViewId, ViewPoints]
 
 
-def propose_points(photos: PhotoSet, progress: Progress) -> ProposedPoints:
-    """Return the proposed points of every photo, body and face points together.
+@dataclass(frozen=True, slots=True, eq=False)
+class Proposed:
+    """What proposing found.
+
+    Attributes
+    ----------
+    points : dict of ViewId to ViewPoints
+        Body and face points together.
+    known : mapping
+        Values of the pipeline that cloning need not find again.
+    """
+
+    points: ProposedPoints
+    known: Mapping[str, object] = field(default_factory=dict)
+
+
+def propose_points(photos: PhotoSet, progress: Progress) -> Proposed:
+    """Return the proposed points of every photo.
 
     Parameters
     ----------
@@ -36,10 +52,11 @@ def propose_points(photos: PhotoSet, progress: Progress) -> ProposedPoints:
     stages = tuple(stage for stage in pipeline.STAGES if stage.name in ("proposals", "points"))
     values, _ = pipeline.run({"photos": photos, "corrections": no_corrections()}, stages=stages, progress=progress)
     body, face = cast(PointSet, values["body_points"]), cast(PointSet, values["face_points"])
-    return {
+    points = {
         view: together([points.views[view] for points in (face, body) if view in points.views])
         for view in photos.photos
     }
+    return Proposed(points, {"photos": photos, "proposals": values["proposals"]})
 
 
 def together(parts: list[ViewPoints]) -> ViewPoints:
@@ -54,14 +71,16 @@ def together(parts: list[ViewPoints]) -> ViewPoints:
     )
 
 
-def clone_person(photos_dir: Path, out_dir: Path, height_cm: float | None, progress: Progress) -> CloneOutcome:
-    """Clone the folder as the command line does."""
-    return clone_folder(photos_dir, out_dir, height_cm=height_cm, progress=progress)
+def clone_person(
+    photos_dir: Path, out_dir: Path, height_cm: float | None, known: Mapping[str, object], progress: Progress
+) -> CloneOutcome:
+    """Clone the folder as the command line does, without finding again what is known."""
+    return clone_folder(photos_dir, out_dir, height_cm=height_cm, known=known, progress=progress)
 
 
 @dataclass(frozen=True, slots=True)
 class Services:
     """The two long jobs of the window."""
 
-    propose: Callable[[PhotoSet, Progress], ProposedPoints] = propose_points
-    clone: Callable[[Path, Path, float | None, Progress], CloneOutcome] = clone_person
+    propose: Callable[[PhotoSet, Progress], Proposed] = propose_points
+    clone: Callable[[Path, Path, float | None, Mapping[str, object], Progress], CloneOutcome] = clone_person

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import time
+from collections.abc import Mapping
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -18,7 +19,7 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, ViewPoints
 from cloner.stages.points import corrected
 from cloner_gui.commands import Swap
-from cloner_gui.services import ProposedPoints, Services
+from cloner_gui.services import Proposed, ProposedPoints, Services
 from cloner_gui.words import spoken
 from cloner_gui.worker import Task
 
@@ -52,6 +53,7 @@ class Session(QObject):
         self.height_cm: float | None = None
         self.corrections = no_corrections()
         self.proposed: ProposedPoints = {}
+        self.known: Mapping[str, object] = {}
         self.outcome: CloneOutcome | None = None
         self.warnings: tuple[str, ...] = ()
         self.undo_stack = QUndoStack(self)
@@ -74,7 +76,7 @@ class Session(QObject):
         self.folder, self.photos, self.person = folder, photos, person
         self.corrections, self.warnings = corrections, warnings
         self.height_cm = 100.0 * person.stature_m if person.stature_is_known else None
-        self.proposed, self.outcome, self.drags = {}, None, 0
+        self.proposed, self.known, self.outcome, self.drags = {}, {}, None, 0
         self._since = time.monotonic()
         self.undo_stack.clear()
         self.opened.emit()
@@ -131,13 +133,13 @@ class Session(QObject):
 
     def clone(self, out_dir: Path | None = None) -> None:
         """Clone the person in the background."""
-        folder, height_cm = self.folder, self.height_cm
+        folder, height_cm, known = self.folder, self.height_cm, self.known
         if self.busy or folder is None:
             return
         out = out_dir if out_dir is not None else folder / RESULTS
         log.info("cloning after %d drags and %.0f s", self.drags, time.monotonic() - self._since)
         self._start(
-            Task(lambda progress: self.services.clone(folder, out, height_cm, progress), self), self._take_clone
+            Task(lambda progress: self.services.clone(folder, out, height_cm, known, progress), self), self._take_clone
         )
 
     def cancel(self) -> None:
@@ -161,8 +163,8 @@ class Session(QObject):
         self.busy_changed.emit()
         task.start()
 
-    def _take_proposed(self, proposed: ProposedPoints) -> None:
-        self.proposed = proposed
+    def _take_proposed(self, proposed: Proposed) -> None:
+        self.proposed, self.known = proposed.points, proposed.known
         self.points_changed.emit()
 
     def _take_clone(self, outcome: CloneOutcome) -> None:

@@ -12,7 +12,7 @@ from cloner.evaluate.baselines import generic_clone
 from cloner.generic.load import load_generic
 from cloner.records.points import ViewPoints
 from cloner_gui.main_window import MainWindow
-from cloner_gui.services import Services
+from cloner_gui.services import Proposed, Services
 from cloner_gui.session import Session
 
 NAMES = ("nose_tip", "eye_inner_L", "shoulder_end_left")
@@ -32,13 +32,15 @@ class Jobs:
         progress("proposals", 0.5)
         if self.error:
             raise self.error
-        return {
+        points = {
             view: ViewPoints(view, NAMES, PLACES, np.array([0.9, 0.5, 0.1]), np.zeros(3, bool))
             for view in photos.photos
         }
+        return Proposed(points, {"photos": photos, "proposals": "found"})
 
-    def clone(self, folder, out, height_cm, progress):
+    def clone(self, folder, out, height_cm, known, progress):
         self.seen.append((folder, out, height_cm))
+        self.known = known
         self.started.set()
         if self.error:
             raise self.error

@@ -180,3 +180,17 @@ def test_the_window_opens_and_closes_as_a_program(folder):
     done = subprocess.run([sys.executable, "-c", code, str(folder)], capture_output=True, text=True, timeout=60)
     assert done.returncode == 0, done.stderr
     assert "Traceback" not in done.stderr
+
+
+def test_cloning_reuses_what_the_points_page_found(window, jobs, qtbot, tmp_path):
+    session = window.session
+    with qtbot.waitSignal(session.cloned, timeout=20000):
+        session.clone(tmp_path / "first")
+    assert jobs.known == {}, "nothing was proposed yet"
+    with qtbot.waitSignal(session.points_changed, timeout=20000):
+        session.propose()
+    qtbot.waitUntil(lambda: not session.busy)
+    with qtbot.waitSignal(session.cloned, timeout=20000):
+        session.clone(tmp_path / "second")
+    assert jobs.known["proposals"] == "found"
+    assert jobs.known["photos"] is session.photos
