@@ -194,3 +194,12 @@ def test_cloning_reuses_what_the_points_page_found(window, jobs, qtbot, tmp_path
         session.clone(tmp_path / "second")
     assert jobs.known["proposals"] == "found"
     assert jobs.known["photos"] is session.photos
+
+
+def test_the_bar_starts_empty_for_every_work(window, jobs, qtbot):
+    window.result.progress.setValue(1000)
+    jobs.wait_for_cancel = True
+    shown = []
+    window.session.busy_changed.connect(lambda: shown.append(window.result.progress.value()))
+    window.session.clone()
+    assert shown == [0]

@@ -89,7 +89,9 @@ class PointsPage(QWidget):
     def _show_busy(self) -> None:
         self.progress.setVisible(self._session.busy)
         self.again.setVisible(not self._session.proposed and not self._session.busy)
-        if not self._session.busy:
+        if self._session.busy:
+            self.progress.setValue(0)
+        else:
             self.status.setText(_HELP)
 
     def _show_progress(self, step: str, fraction: float) -> None:

@@ -81,7 +81,9 @@ class ResultPage(QWidget):
         self.clone_button.setEnabled(not busy and self._session.folder is not None)
         self.cancel_button.setEnabled(busy)
         self.progress.setVisible(busy)
-        if not busy and self._session.outcome is None:
+        if busy:
+            self.progress.setValue(0)  # the bar still shows the work before this one
+        elif self._session.outcome is None:
             self.status.setText("")
 
     def _show_progress(self, step: str, fraction: float) -> None:
