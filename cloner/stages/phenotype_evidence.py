@@ -137,10 +137,11 @@ def sole_vertices(generic: GenericHuman) -> NDArray[np.int64]:
 
 
 def longer_by_shoes(model: Chosen, soles: int) -> Chosen:
-    """Return the model with its last ``soles`` vertices spread to a shoe: 15 mm at the toe, 8 mm at the heel."""
+    """Return the model with its last ``soles`` vertices spread to a flat shoe: 15 mm at the toe, 8 mm at the heel."""
     mean = model.mean_m.copy()
     foot = mean[-soles:, 2]
     share = (foot - foot.min()) / max(float(np.ptp(foot)), 1e-6)
+    mean[-soles:, 1] = 0.0
     mean[-soles:, 2] += m_from_mm(-8.0) + share * m_from_mm(23.0)
     return replace(model, mean_m=mean)
 
