@@ -41,3 +41,12 @@ def test_a_failing_test_program_is_told_in_one_line() -> None:
     assert doctor.trouble_of("import sys; sys.exit(0)", {}) == ""
     assert doctor.trouble_of("raise OSError('no EGL here')", {}) == "OSError: no EGL here"
     assert doctor.trouble_of("import os; os.kill(os.getpid(), 11)", {}) == "ended with code -11"
+
+
+def test_a_machine_without_egl_is_told_though_pictures_can_be_drawn(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PYOPENGL_PLATFORM", "osmesa")  # not installed here: PyOpenGL finds no context
+    (finding,) = [found for found in doctor.examine() if found.what == "drawing (EGL)"]
+    assert not finding.fine
+    assert "cannot draw" in finding.detail
+    assert "libegl1" in finding.fix
+    assert not finding.needed, "the fallback draws"
