@@ -73,6 +73,16 @@ def lost(rows: list[Row]) -> Iterator[str]:
                 yield f"{where}: {row['metric']} {_number(row['value'])}, {name} {_number(row[name])}"
 
 
+def girth_means(rows: list[Row]) -> str:
+    """Return the mean girth error of the clone and both baselines, in words."""
+    girths = [row for row in rows if row["metric"].startswith("girth_")]
+    each = {
+        label: [row[name] for row in girths if row[name] is not None]
+        for label, name in (("clone", "value"), ("generic human", "generic"), ("other visitor", "other"))
+    }
+    return ", ".join(f"{label} {np.mean(errors):.0f} mm" for label, errors in each.items() if errors) or "none measured"
+
+
 def page(rows: list[Row], command: str, seconds: float) -> str:
     """Return the scoreboard as Markdown."""
     runs = list(dict.fromkeys((row["visitor"], row["set"]) for row in rows))
@@ -99,6 +109,8 @@ def page(rows: list[Row], command: str, seconds: float) -> str:
         f"## Rows where a baseline is as good or better ({len(losses)} comparisons in {len(compared)} rows)",
         "",
         *([f"- {line}" for line in losses] or ["None."]),
+        "",
+        f"All girths together, mean error: {girth_means(rows)}.",
         "",
         "## All figures",
         "",

@@ -111,7 +111,8 @@ def score_subject(
     for name, value in _girths_mm(subject).items():
         if name in truth.girths_mm:
             yield Score(f"girth_{name}_error_mm", "", "mm", abs(value - truth.girths_mm[name]))
-    for where, ratio in likeness.seam_ratios(subject, generic).items() if photographed else ():
+    # a seam is a matter of one texture alone, not of likeness: nobody else's seams are a baseline
+    for where, ratio in likeness.seam_ratios(subject, generic).items() if subject is clone else ():
         yield Score(f"seam_{where}_ratio", "", "", ratio)
     yield Score("region_agreement", "", "", None)
 

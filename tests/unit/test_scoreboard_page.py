@@ -54,4 +54,5 @@ def test_a_tie_is_lost_and_the_direction_follows_the_metric(scoreboard):
     ]
     page = scoreboard.page(rows, "cloner evaluate", 10.0)
     assert "(3 comparisons in 4 rows)" in page
+    assert "clone 4 mm, generic human 4 mm, other visitor 5 mm" in page
     assert "| girth_neck_error_mm |  | 3.000 (4.000, 5.000) |" in page
