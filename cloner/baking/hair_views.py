@@ -25,6 +25,44 @@ Array = NDArray[np.float64]
 
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
 FAR_MM = 1000.0
+MASK_SCALE = 0.5  # surfaces are drawn at this share of the photo's size
+INVERSE_ROUNDS = 3  # rests to a micrometre: neck and skull differ by few degrees
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Hanger:
+    """What carries hair: the skull, and further down partly neck and chest.
+
+    Attributes
+    ----------
+    joints : (4,) int32
+        Skull, neck, chest, and the skull again to fill the fourth place.
+    heights_m : (3,) float64
+        Their heights at rest.
+    """
+
+    joints: NDArray[np.int32]
+    heights_m: Array
+
+    @classmethod
+    def of(cls, generic: GenericHuman, joined: Joined) -> Hanger:
+        """Return the hanger of a person."""
+        index = [generic.joint_names.index(name) for name in ("skullbase", "vc4", "vt1", "skullbase")]
+        return cls(np.array(index, np.int32), np.asarray(joined.joints_m[index[:3], 1], np.float64))
+
+    def weights(self, points_m: Array) -> tuple[NDArray[np.int32], Array]:
+        """Return skin joints and weights (N, 4) of rest points.
+
+        Hair below the skull's base follows the chest by half at most: it hangs
+        from the head but lies on the back.
+        """
+        top, middle, bottom = self.heights_m
+        down = np.clip((top - points_m[:, 1]) / max(top - bottom, 1e-6), 0.0, 1.0)
+        half = max((top - middle) / max(top - bottom, 1e-6), 1e-6)
+        neck = 0.5 * np.clip(np.minimum(down / half, (1.0 - down) / max(1.0 - half, 1e-6)), 0.0, 1.0)
+        chest = 0.5 * np.clip((down - half) / max(1.0 - half, 1e-6), 0.0, 1.0)
+        weights = np.stack([1.0 - neck - chest, neck, chest, np.zeros_like(neck)], axis=1)
+        return np.tile(self.joints, (len(points_m), 1)), weights
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,29 +72,67 @@ class HairView:
     Attributes
     ----------
     posed : PosedView
-    view_from_rest : (4, 4)
-        Carries points that are fixed to the resting head into the photo's pose.
+    transforms : (J, 4, 4)
+        Carry what is fixed to a joint from rest into the photo's pose.
+    hanger : Hanger
+        Which joints carry hair at which height.
     nearest_m : (h, w) float32
         Depth picture of the posed body without hair.
     hair_px : (H, W) float32
         Signed distance to the hair's outline in the photo, positive inside.
     hair : (H, W) bool
+    line_px : (H, W) float32
+        Signed distance to the hairline, positive on the hair's side; the background counts as
+        what lies nearest to it, so that a head a little off its photo still finds its hair.
+    outline_px : (H, W) float32
+        Signed distance to the person's outline, positive inside.
     flip_m : float or None
         When set, points are mirrored at x = flip_m first: the photo stands for the other half.
     """
 
     posed: PosedView
-    view_from_rest: Array
+    transforms: Array
+    hanger: Hanger
     nearest_m: NDArray[np.float32]
     hair_px: NDArray[np.float32]
     hair: NDArray[np.bool_]
+    line_px: NDArray[np.float32]
+    outline_px: NDArray[np.float32]
     flip_m: float | None = None
 
     def to_view(self, points_m: Array) -> Array:
         """Return (N, 3) rest points as they stand in this photo."""
         if self.flip_m is not None:
             points_m = points_m * (-1.0, 1.0, 1.0) + (2.0 * self.flip_m, 0.0, 0.0)
-        return points_m @ self.view_from_rest[:3, :3].T + self.view_from_rest[:3, 3]
+        return self._hung(points_m)
+
+    def _hung(self, points_m: Array) -> Array:
+        """Return (N, 3) rest points carried by skull, neck and chest: skinning by three joints only."""
+        weights = self.hanger.weights(points_m)[1]
+        found = np.zeros_like(points_m)
+        for place, joint in enumerate(self.hanger.joints[:3]):
+            if weights[:, place].any():
+                turned = points_m @ self.transforms[joint, :3, :3].T + self.transforms[joint, :3, 3]
+                found += weights[:, place, None] * turned
+        return found
+
+    def to_rest(self, posed_m: Array) -> Array:
+        """Return (N, 3) posed points as they rest (not mirrored back)."""
+        turn = self.transforms[self.hanger.joints[0], :3, :3]
+        points = (posed_m - self.transforms[self.hanger.joints[0], :3, 3]) @ turn
+        for _ in range(INVERSE_ROUNDS):
+            points = points + (posed_m - self._hung(points)) @ turn
+        return np.asarray(points)
+
+    def pixel_mm(self, posed_m: Array) -> float:
+        """Return the size of a pixel where (N, 3) posed points are, millimetres."""
+        return mm_from_m(self.posed.camera.metres_per_pixel(posed_m.mean(axis=0)))
+
+    def turn(self, normals: Array) -> Array:
+        """Return (N, 3) rest directions as they stand in this photo."""
+        if self.flip_m is not None:
+            normals = normals * (-1.0, 1.0, 1.0)
+        return np.asarray(normals @ self.transforms[self.hanger.joints[0], :3, :3].T)
 
     def evidence(self, points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
         """Return how deep points lie inside the hair's outline, and which the photo can judge.
@@ -71,7 +147,7 @@ class HairView:
         camera = self.posed.camera
         pixel = camera.project(posed)
         depth = camera.to_camera(posed)[:, 2]
-        scale = mm_from_m(camera.metres_per_pixel(posed.mean(axis=0)))
+        scale = self.pixel_mm(posed)
         before = depth < depth_at(self.nearest_m, pixel)  # NaN outside the picture: not judged
         return sample(self.hair_px, pixel)[:, 0] * np.float32(scale), before
 
@@ -86,14 +162,18 @@ def hair_views(
     for view, posed in joined.views.items():
         if view not in proposals.views:
             continue
-        hair = clean_hair(view, proposals.views[view], silhouettes)
+        person = person_mask(view, proposals.views[view], silhouettes)
+        hair = clean_hair(proposals.views[view], person)
         transforms = joint_transforms(joined.joints_m, parents_of(generic), posed.rotations)
         one = HairView(
             posed,
-            transforms[generic.joint_names.index("skullbase")],
+            transforms,
+            Hanger.of(generic, joined),
             nearest_of(pose(generic, joined, posed), triangles, posed.camera),
             signed_distance(hair),
             hair,
+            hairline(hair, person),
+            signed_distance(person),
         )
         found.append(one)
         if view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
@@ -101,9 +181,18 @@ def hair_views(
     return found
 
 
-def clean_hair(view: ViewId, proposal: Proposal, silhouettes: SilhouetteSet) -> NDArray[np.bool_]:
+def hairline(hair: NDArray[np.bool_], person: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return (H, W) signed distance to the hairline, px, background counted as the person's nearest pixel."""
+    if not hair.any():
+        return signed_distance(hair)
+    to_hair = cv2.distanceTransform((~hair).astype(np.uint8), cv2.DIST_L2, 3)
+    to_other = cv2.distanceTransform((hair | ~person).astype(np.uint8), cv2.DIST_L2, 3)
+    return np.asarray(to_other - to_hair, np.float32)
+
+
+def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return (H, W) pixels of hair: labelled so, on the person, in pieces of some size."""
-    hair = (proposal.labels == HAIR_LABEL) & person_mask(view, proposal, silhouettes)
+    hair = (proposal.labels == HAIR_LABEL) & person
     small = cv2.morphologyEx(hair.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
     count, pieces, stats, _ = cv2.connectedComponentsWithStats(small, connectivity=8)
     if count < 2:
@@ -126,3 +215,15 @@ def hull_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:
         worst = np.where(before, np.minimum(worst, inside), worst)
         judged |= before
     return np.where(judged, worst, np.float32(-FAR_MM))
+
+
+def cover(view: HairView, surface_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Return (h, w) the pixels that a surface covers, at MASK_SCALE of the photo."""
+    camera = view.posed.camera
+    size = int(camera.height_px * MASK_SCALE), int(camera.width_px * MASK_SCALE)
+    picture = np.zeros(size, np.uint8)
+    pixel = (camera.project(view.to_view(surface_m)) + 0.5) * MASK_SCALE - 0.5
+    fixed = np.rint(np.clip(pixel, -1e4, 1e4) * 16).astype(np.int32)
+    for corners in fixed[triangles]:
+        cv2.fillConvexPoly(picture, corners, 255, shift=4)
+    return picture > 0

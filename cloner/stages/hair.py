@@ -16,9 +16,11 @@ from numpy.typing import NDArray
 from scipy.ndimage import label, map_coordinates
 from skimage.measure import marching_cubes
 
+from cloner.baking.hair_cap import Scalp, measure_scalp
 from cloner.baking.hair_paint import paint_hair
-from cloner.baking.hair_views import HairView, hair_views
-from cloner.baking.hair_volume import VOXEL_M, Scalp, hair_field, measure_scalp
+from cloner.baking.hair_tail import find_tail
+from cloner.baking.hair_views import HairView, Hanger, hair_views
+from cloner.baking.hair_volume import VOXEL_M, hair_field
 from cloner.baking.sources import body_triangles
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.atlas import map_atlas
@@ -113,6 +115,11 @@ def head_rows(generic: GenericHuman) -> NDArray[np.int64]:
     return np.asarray(generic.head_vertices[skin & ~inside], dtype=np.int64)
 
 
+def middle_of(generic: GenericHuman, joined: Joined) -> float:
+    """Return x of the head's middle, metres."""
+    return float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
+
+
 def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> Scalp:
     """Return the hair measured on the head's vertices."""
     rows = head_rows(generic)
@@ -120,7 +127,13 @@ def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> 
     normals = vertex_normals(joined.vertices_m, triangles)
     graph = surface_graph(joined.vertices_m, triangles)
     lengths = graph.lengths[rows][:, rows]
-    return measure_scalp(views, joined.vertices_m[rows], normals[rows], type(graph)(lengths))
+    place = np.full(len(joined.vertices_m), -1, np.int32)
+    place[rows] = np.arange(len(rows), dtype=np.int32)
+    own = place[triangles]
+    own = np.ascontiguousarray(own[(own >= 0).all(axis=1)])
+    points, scalp = joined.vertices_m[rows], generic.region("scalp")[rows]
+    tail = find_tail(views, points, own, middle_of(generic, joined))
+    return measure_scalp(views, points, normals[rows], own, type(graph)(lengths), scalp, tail)
 
 
 def hair_mesh(
@@ -130,9 +143,8 @@ def hair_mesh(
     reach = np.array([params.margin_m, 0.0, params.margin_m])
     low = scalp.points_m.min(axis=0) - reach - (0.0, params.below_m, 0.0)
     high = scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
-    middle = float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
     ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
-    field, skin_mm = hair_field(views, scalp, low, high, middle, float(ears[:, 1].mean()))
+    field, skin_mm = hair_field(views, scalp, low, high, middle_of(generic, joined), float(ears[:, 1].mean()))
     pieces, count = label(field > 0.0)
     if count == 0:
         return None
@@ -163,27 +175,10 @@ def dress_shell(
     params: Params,
 ) -> Shell:
     """Return the shell with weights, charts and texture."""
-    joints, weights = hang(generic, joined, vertices_m)
+    joints, weights = Hanger.of(generic, joined).weights(vertices_m)
     charts = unwrap(vertices_m, triangles, params.size)
     atlas = map_atlas(charts.uv, charts.triangles, triangles, params.size)
     rgba = paint_hair(generic, joined, photos.photos, views, atlas, vertices_m, joints, weights)
     return Shell(
         vertices_m[charts.vertex], charts.triangles, charts.uv, joints[charts.vertex], weights[charts.vertex], rgba
     )
-
-
-def hang(generic: GenericHuman, joined: Joined, vertices_m: Array) -> tuple[NDArray[np.int32], Array]:
-    """Return skin joints and weights (N, 4): the skull, and further down partly neck and chest.
-
-    Hair below the skull's base follows the chest by half at most: it hangs
-    from the head but lies on the back.
-    """
-    names = ("skullbase", "vc4", "vt1", "skullbase")
-    index = [generic.joint_names.index(name) for name in names]
-    top, middle, bottom = (joined.joints_m[index[k], 1] for k in range(3))
-    down = np.clip((top - vertices_m[:, 1]) / max(top - bottom, 1e-6), 0.0, 1.0)
-    half = max((top - middle) / max(top - bottom, 1e-6), 1e-6)
-    neck = 0.5 * np.clip(np.minimum(down / half, (1.0 - down) / max(1.0 - half, 1e-6)), 0.0, 1.0)
-    chest = 0.5 * np.clip((down - half) / max(1.0 - half, 1e-6), 0.0, 1.0)
-    weights = np.stack([1.0 - neck - chest, neck, chest, np.zeros_like(neck)], axis=1)
-    return np.tile(np.array(index, np.int32), (len(vertices_m), 1)), weights

@@ -8,7 +8,7 @@ Method notes section 9 (head texture) and 10 (body texture).
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import cv2
 import numpy as np
@@ -18,6 +18,7 @@ from cloner.baking.compose import bake, share_surface
 from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
 from cloner.baking.parts import paint_parts
 from cloner.baking.sources import Limits, body_triangles, gather_sources
+from cloner.baking.tucking import tuck_scalp
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import load_generic
 from cloner.geometry.atlas import AtlasMap
@@ -75,6 +76,7 @@ def run(
     """
     params = params or Params()
     generic = load_generic()
+    joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, shells))
     atlas = generic_atlas(generic, params.size)
     tick(0.15)
     sources, residuals = gather_sources(generic, photos, proposals, silhouettes, joined, shells, params.limits)

@@ -48,12 +48,12 @@ def outline_shift(
     column, row = points.T
     slope = _unit(gradient[row, column])
     shift = -inside_px[row, column, None] * slope
-    agree = np.asarray(np.sum(slope * _unit(own_gradient[row, column]), axis=1) > STEEPEST_COSINE)
+    along: Array = np.asarray(np.sum(slope * _unit(own_gradient[row, column]), axis=1), np.float64)
     target = np.rint(points + shift).astype(int)
-    within = (target >= 0).all(axis=1) & (target < (width, height)).all(axis=1)
+    within: NDArray[np.bool_] = np.asarray((target >= 0).all(axis=1) & (target < (width, height)).all(axis=1), bool)
     target = np.where(within[:, None], target, 0)
-    near = np.asarray(np.abs(inside_px[row, column]) < limit_px)
-    good = agree & near & within & usable[row, column] & usable[target[:, 1], target[:, 0]]
+    near: NDArray[np.bool_] = np.asarray(np.abs(inside_px[row, column]) < limit_px, bool)
+    good = (along > STEEPEST_COSINE) & near & within & usable[row, column] & usable[target[:, 1], target[:, 0]]
     if not good.any():
         return np.zeros((*shape, 2), np.float32), 0.0
     field = np.zeros((*shape, 2), np.float32)

@@ -57,7 +57,8 @@ def even_light(
     result: Array = np.zeros((count, 4, 3))
     pairs = [(a, b) for a in range(count) for b in range(a + 1, count)]
     for _ in range(ROUNDS):
-        system = np.kron(np.diag(hold), np.diag([_RIDGE_CONSTANT] + 3 * [ridge_slope]))
+        ridge = np.diag([_RIDGE_CONSTANT] + 3 * [ridge_slope])
+        system: Array = np.asarray(np.kron(np.diag(hold), ridge), np.float64)
         right = np.zeros((count * 4, 3))
         for a, b in pairs:
             trust = np.minimum(weights[a], weights[b])

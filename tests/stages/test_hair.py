@@ -1,10 +1,13 @@
 """A cap and a tail of known size are found again; a bald head stays bare."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import trimesh
 from scipy.spatial import cKDTree
 
+from cloner.baking.tucking import tuck_scalp
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.wedges import vertex_normals
@@ -40,8 +43,11 @@ def hair_mesh(person, *, tail):
     return np.asarray(whole.vertices), np.asarray(whole.faces)
 
 
-def grow(*, tail=False, bald=False):
-    """Photograph a person with known hair and run the stage; return its result and the true mesh."""
+def grow(*, tail=False, bald=False, pitch=0.0):
+    """Photograph a person with known hair and run the stage; return its result and the true mesh.
+
+    ``pitch`` turns the head in the face photos' supposed pose, radians, which it was not when photographed.
+    """
     person = people.known_person(41, spread=0.5)
     lens = {"distance_m": 1.3, "height_m": 1.55, "aim_m": 1.5, "size_px": (1200, 1600), "focal_35mm": 75}
     close = {"face_front": studio.camera(0.0, **lens), "face_side": studio.camera(-90.0, **lens)}
@@ -62,6 +68,10 @@ def grow(*, tail=False, bald=False):
             ViewId(view), blank.pose_px, blank.pose_visibility, blank.face_px, blank.face_depth, 0.0, blank.mask, labels
         )
         outlines[view] = studio.silhouette_record(view, mask)
+    nod = np.zeros((94, 3))
+    nod[load_generic().joint("skullbase"), 0] = pitch
+    supposed = {v: replace(p, rotations=nod) if v.is_face else p for v, p in fit.views.items()}
+    fit = replace(fit, views=supposed)
     result = hair.run(
         photos=studio.photo_set(pictures), proposals=Proposals(proposals), silhouettes=SilhouetteSet(outlines),
         joined=fit, tick=lambda part: None, rng=np.random.default_rng(0),
@@ -119,3 +129,34 @@ def test_a_bald_head_gets_no_shell_and_the_report_says_so():
     _, result, _ = grow(bald=True)
     assert result.values["shells"] == ()
     assert "No hair" in result.warnings[0]
+
+
+def test_a_skull_that_stands_out_of_the_hair_gives_way(ponytail):
+    person, result, _ = ponytail
+    generic = load_generic()
+    normals = vertex_normals(person.vertices_m, people.skin_triangles())
+    top = generic.region("scalp") & (person.vertices_m[:, 1] > np.quantile(person.vertices_m[:, 1], 0.995))
+    swollen = person.vertices_m + normals * np.where(generic.region("scalp"), 0.020, 0.0)[:, None]
+    tucked = tuck_scalp(generic, swollen, result.values["shells"])
+    shell = result.values["shells"][0]
+    level = shell.vertices_m[cKDTree(shell.vertices_m).query(tucked[top])[1]]
+    out = np.einsum("nk,nk->n", tucked[top] - level, normals[top])
+    assert np.einsum("nk,nk->n", swollen[top] - level, normals[top]).max() > 0.004
+    assert np.percentile(out, 90) < 0.0
+    assert np.median(out) < -0.001
+    rest = ~generic.region("scalp")
+    assert np.array_equal(tucked[rest], swollen[rest])
+    assert np.array_equal(tuck_scalp(generic, swollen, ()), swollen)
+
+
+def test_photos_that_do_not_agree_leave_no_gap():
+    """A head three degrees off in the face photos must not cost the cap what they lose."""
+    _, result, points = grow(pitch=0.05)
+    generic = load_generic()
+    cap = points[: np.count_nonzero(generic.region("scalp") & ~generic.region("face"))]
+    high = cap[cap[:, 1] > np.quantile(cap[:, 1], 0.5)]
+    shell = result.values["shells"][0]
+    dense = trimesh.sample.sample_surface(trimesh.Trimesh(shell.vertices_m, shell.triangles), 60000, seed=1)[0]
+    gap = 1000 * cKDTree(dense).query(high)[0]
+    assert np.median(gap) < 4.0
+    assert np.percentile(gap, 90) < 10.0

@@ -1,0 +1,187 @@
+"""The hair that follows the head: where it grows, by votes of the photos, and how far its outline stands off."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.baking.hair_tail import Tail
+from cloner.baking.hair_views import MASK_SCALE, HairView, cover
+from cloner.frames import m_from_mm
+from cloner.geometry.graphs import SurfaceGraph
+from cloner.geometry.seeing import depth_at
+from cloner.geometry.wedges import vertex_normals
+from cloner.vision.aligning import sample
+from cloner.vision.repair import signed_distance
+
+Array = NDArray[np.float64]
+
+VOTE_MM = 12.0  # farther from the hairline than this a photo is no surer
+VOTE_COSINE = 0.05  # surfaces turned farther away have no vote
+DEPTH_SLACK_M = 0.01
+TAIL_STEPS_M = (0.02, 0.035, 0.05, 0.07, 0.09, 0.12, 0.15)  # where a tail before the skin is looked for
+FACE_PHOTO = 0.35  # weight of a face photo's outline: its camera is worse known than a body photo's
+SOFT_MM = 8.0  # a vertex this far inside the hairline is wholly hairy, half as far outside not at all
+GROWTH_RINGS = 3  # hair may grow this many rings of edges beyond the scalp
+RIM_POWER = 6  # an outline says nothing about surfaces that face the camera: trust is (1 - |cos|)**6
+RIM_MM = 12.0  # nor about points farther than this inside the own outline
+FIRST_MM = 5.0  # taste: hair begins this thick, then it is fitted
+FURTHEST_MM = 40.0  # an outline farther off is another thing's, say a tail's
+ROUNDS = 4
+STIFFNESS = 0.08  # of the surface between outlines, against one outline point
+THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this against its median; more is a tail
+DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
+THINNEST_MM = 2.0  # where hair grows it covers the skin
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scalp:
+    """Hair measured on the skin's vertices.
+
+    Attributes
+    ----------
+    points_m, normals : (N, 3)
+    triangles : (T, 3) int32
+    votes : (K, N) float64
+        How much each photo's labels count at each vertex, zero where it does not see it.
+    hairy : (N,) float64 in 0..1, smooth over the surface
+    growth : (N,) float64 in 0..1, where hair can grow at all
+    thickness_mm : (N,) float64
+        Of the cap; zero where there is no hair.
+    """
+
+    points_m: Array
+    normals: Array
+    triangles: NDArray[np.int32]
+    votes: Array
+    hairy: Array
+    growth: Array
+    thickness_mm: Array
+
+
+def measure_scalp(
+    views: list[HairView],
+    points_m: Array,
+    normals: Array,
+    triangles: NDArray[np.int32],
+    graph: SurfaceGraph,
+    scalp: NDArray[np.bool_],
+    tail: Tail | None,
+) -> Scalp:
+    """Return where hair grows and how far it stands off the skin.
+
+    No photo can forbid what another shows: heads turn a few degrees between
+    photos, and the intersection of all cones would lose a centimetre of hair.
+    Labels vote where their photo sees the skin squarely; outlines pull the
+    cap where the skin turns away from the camera.
+
+    Parameters
+    ----------
+    views : list of HairView
+    points_m, normals : (N, 3) skin vertices of head and neck
+    triangles : (T, 3) of those vertices
+    graph : SurfaceGraph of those vertices
+    scalp : (N,) bool
+    tail : Tail or None
+        Free hair; behind it no photo sees the skin.
+    """
+    growth = graph.smooth(_grown(scalp, triangles).astype(float), 1)
+    votes = np.stack([_votes(view, points_m, normals, tail) for view in views])
+    votes = graph.smooth(votes.T.copy(), 1).T * (votes > 0.0)
+    line = np.stack([hairline_mm(view, points_m) for view in views])
+    total = votes.sum(axis=0)
+    mean = (votes * line).sum(axis=0) / np.maximum(total, 1e-9)
+    mean = graph.fill(mean[:, None], np.clip(total, 0.0, 1.0), 0.02)[:, 0]
+    hairy = graph.smooth(np.clip(0.5 + mean / SOFT_MM, 0.0, 1.0) * growth, 1)
+    thickness = settle_cap(views, points_m, triangles, hairy, graph)
+    # A skull may stand out of the photos' hair: no photo shows it, so it gives way.
+    tucked = points_m + normals * m_from_mm(1.0) * np.minimum(thickness - THINNEST_MM * hairy, 0.0)[:, None]
+    taper = np.clip(2.0 * hairy - 0.5, 0.0, 1.0)
+    return Scalp(tucked, normals, triangles, votes, hairy, growth, np.maximum(thickness, THINNEST_MM * taper))
+
+
+def _grown(flags: NDArray[np.bool_], triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Return flags grown by rings of triangles."""
+    for _ in range(GROWTH_RINGS):
+        touched = flags[triangles].any(axis=1)
+        flags = flags.copy()
+        flags[triangles[touched]] = True
+    return flags
+
+
+def _votes(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -> Array:
+    """Return (N,) how much a photo's labels count: squared cosine where the skin is seen."""
+    posed = view.to_view(points_m)
+    towards = view.posed.camera.position_m - posed
+    towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
+    cosine = np.einsum("nk,nk->n", view.turn(normals), towards)
+    depth = view.posed.camera.to_camera(posed)[:, 2]
+    # NaN outside the picture: no vote.
+    seen = (depth < depth_at(view.nearest_m, view.posed.camera.project(posed)) + DEPTH_SLACK_M) & (cosine > VOTE_COSINE)
+    if tail is not None:
+        for step in TAIL_STEPS_M:
+            before = view.to_rest(posed + step * towards)
+            seen &= tail.inside_mm(before) <= 0.0
+    return np.where(seen, cosine**2, 0.0)
+
+
+def hairline_mm(view: HairView, points_m: Array) -> NDArray[np.float32]:
+    """Return (N,) signed distance to the hairline in one photo, mm, at most VOTE_MM, positive on the hair's side."""
+    posed = view.to_view(points_m)
+    line = sample(view.line_px, view.posed.camera.project(posed))[:, 0] * view.pixel_mm(posed)
+    return np.asarray(np.clip(line, -VOTE_MM, VOTE_MM), np.float32)
+
+
+def settle_cap(
+    views: list[HairView], points_m: Array, triangles: NDArray[np.int32], hairy: Array, graph: SurfaceGraph
+) -> Array:
+    """Return the cap's thickness (N,), mm, with which the head's outlines meet those of the photos.
+
+    It is negative where the skull stands out of the photos' hair.
+
+    The surface is pushed along its normals by the gap between its own outline
+    and the photo's, and again, because the rim moves with it. Between
+    outlines the thickness is smooth. Where photos disagree it is their mean.
+    """
+    normals = vertex_normals(points_m, triangles)
+    taper = np.clip(2.0 * hairy - 0.5, 0.0, 1.0)
+    thickness = FIRST_MM * taper
+    judges = [view for view in views if view.flip_m is None]
+    for _ in range(ROUNDS):
+        surface = points_m + normals * m_from_mm(1.0) * thickness[:, None]
+        facing = vertex_normals(surface, triangles)
+        drive, trust = np.zeros(len(points_m)), np.zeros(len(points_m))
+        for view in judges:
+            gap, weight = _outline_gap(view, surface, facing, triangles)
+            weight = weight * (hairy > 0.5) * (FACE_PHOTO if view.posed.view.is_face else 1.0)
+            drive += weight * gap
+            trust += weight
+        if not np.any(trust > 0.0):
+            break
+        wanted = thickness + drive / np.maximum(trust, 1e-9)
+        sure = wanted[(trust > 0.3) & (hairy > 0.8)]
+        median = float(np.median(sure if sure.size else wanted[trust > 0.0]))
+        thickest = THICKEST_SHARE * max(median, 0.0) + THICKEST_EXTRA_MM
+        trust = np.where(wanted > thickest, 0.0, trust)  # a tail's root says nothing about the cap
+        thickness = graph.fill(wanted[:, None], np.clip(trust, 0.0, 1.0), STIFFNESS)[:, 0]
+        thickness = np.clip(graph.smooth(thickness, 1), -DEEPEST_MM, thickest) * taper
+    return thickness
+
+
+def _outline_gap(view: HairView, surface_m: Array, normals: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
+    """Return (N,) how far the photo's outline lies outside the surface's own, mm, and how much that counts."""
+    posed = view.to_view(surface_m)
+    camera = view.posed.camera
+    towards = camera.position_m - posed
+    towards /= np.linalg.norm(towards, axis=1, keepdims=True)
+    across = 1.0 - np.abs(np.einsum("nk,nk->n", view.turn(normals), towards))
+    pixel, scale = camera.project(posed), view.pixel_mm(posed)
+    own = signed_distance(cover(view, surface_m, triangles))
+    inside = sample(own, (pixel + 0.5) * MASK_SCALE - 0.5)[:, 0] / MASK_SCALE * scale
+    gap = sample(view.outline_px, pixel)[:, 0] * scale - inside
+    # The photo's outline must be the hair's, and this vertex at the own outline.
+    good = (sample(view.line_px, pixel)[:, 0] > 0.0) & (inside < RIM_MM) & (np.abs(gap) < FURTHEST_MM)
+    good &= (pixel > 2.0).all(axis=1) & (pixel < np.array([camera.width_px, camera.height_px]) - 3.0).all(axis=1)
+    return gap, np.where(good, np.clip(across, 0.0, 1.0) ** RIM_POWER, 0.0)
