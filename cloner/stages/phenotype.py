@@ -33,6 +33,7 @@ from cloner.stages.phenotype_evidence import (
     longer_by_shoes,
     sole_vertices,
 )
+from cloner.stages.portrait import portrait_shape
 
 Array = NDArray[np.float64]
 Tick = Callable[[float], None]
@@ -217,8 +218,8 @@ def run(
         for view, seen in views.views.items()
     }
     if not evidence:
-        nobody = np.zeros(1)
-        return StageResult({"phenotype": Phenotype(nobody, person.stature_m, 0.0, {}, _attributes(generic, nobody))})
+        guess = portrait_shape(generic, proposals)
+        return StageResult({"phenotype": Phenotype(guess, person.stature_m, 0.0, {}, _attributes(generic, guess))})
     state, sole = solve(generic, evidence, person.stature_m, params, tick)
     matrix = pose_matrix(generic.joint_names)
     posed, residuals = {}, []
