@@ -58,9 +58,17 @@ def find_photos(folder: Path) -> dict[ViewId, Path]:
     if ViewId.BODY_FRONT not in found and ViewId.FACE_FRONT not in found:
         have = f"only {', '.join(found)}" if found else "no photo"
         message = f"{have} with a usable name is here, and one front photo is needed"
-        expected = ", ".join(f"{view}.jpg" for view in ViewId)
-        raise ClonerError(message, f"Name the photos {expected} (png, webp, tiff and heic work too)", folder.name)
+        raise ClonerError(message, _naming_hint(folder), folder.resolve().name)
     return {view: found[view] for view in ViewId if view in found}
+
+
+def _naming_hint(folder: Path) -> str:
+    """Return what to do about a folder without photos: take the one inside it that has them, or rename."""
+    inner = [path.name for path in sorted(folder.iterdir()) if holds_photos(path)]
+    if inner:
+        return f"Give the folder inside it that holds the photos ({', '.join(inner)}), or use cloner batch for all"
+    expected = ", ".join(f"{view}.jpg" for view in ViewId)
+    return f"Name the photos {expected} (png, webp, tiff and heic work too)"
 
 
 def holds_photos(folder: Path) -> bool:

@@ -82,6 +82,12 @@ def test_no_usable_photos(run: Command, tmp_path: Path) -> None:
     assert "no such folder" in refused(run, tmp_path / "nowhere", tmp_path / "out")
 
 
+def test_the_folder_above_the_photos_names_the_folder_below(run: Command, tmp_path: Path, samples: Path) -> None:
+    sentence = refused(run, samples / "anna", tmp_path / "out")
+    assert "(booth, handheld, plain)" in sentence
+    assert "cloner batch" in sentence
+
+
 def test_unreadable_and_truncated_files(run: Command, tmp_path: Path, samples: Path) -> None:
     photos = copy_photos(samples / "anna" / "plain", tmp_path / "anna", "body_front.jpg")
     whole = (photos / "body_front.jpg").read_bytes()
@@ -153,14 +159,35 @@ def test_two_people_in_one_photo(run: Command, tmp_path: Path, samples: Path) ->
     assert "body_front.jpg" in sentence
 
 
-def test_front_and_side_exchanged(run: Command, tmp_path: Path, samples: Path) -> None:
+@pytest.mark.parametrize(
+    ("first", "second", "words"),
+    [
+        ("body_front.jpg", "body_side.jpg", "body_front.jpg: this photo shows the person from the side"),
+        ("body_front.jpg", "body_back.jpg", "body_front.jpg: this photo shows the person's back"),
+        ("face_front.jpg", "face_side.jpg", "face_front.jpg: this photo shows the face from the side"),
+        ("body_front.jpg", "face_front.jpg", "body_front.jpg: this photo shows only the upper part"),
+    ],
+)
+def test_exchanged_photos(run: Command, tmp_path: Path, samples: Path, first: str, second: str, words: str) -> None:
     photos = tmp_path / "exchanged"
     photos.mkdir()
     source = samples / "anna" / "plain"
-    shutil.copy(source / "body_front.jpg", photos / "body_side.jpg")
-    shutil.copy(source / "body_side.jpg", photos / "body_front.jpg")
+    shutil.copy(source / first, photos / second)
+    shutil.copy(source / second, photos / first)
     sentence = refused(run, photos, tmp_path / "out")
-    assert "from the side" in sentence or "from the front" in sentence
+    assert words in sentence
+    assert "Rename or retake" in sentence
+
+
+def test_two_faces_in_a_face_photo(run: Command, tmp_path: Path, samples: Path) -> None:
+    photos = tmp_path / "pair"
+    photos.mkdir()
+    first, second = (Image.open(samples / name / "plain" / "face_front.jpg") for name in ("anna", "boris"))
+    pair = Image.new("RGB", (first.width + second.width, first.height))
+    pair.paste(first, (0, 0))
+    pair.paste(second, (first.width, 0))
+    pair.save(photos / "face_front.jpg")
+    assert "face_front.jpg: 2 people" in refused(run, photos, tmp_path / "out")
 
 
 def test_malformed_corrections(run: Command, tmp_path: Path, samples: Path) -> None:
@@ -198,6 +225,29 @@ def test_stopping_leaves_nothing(tmp_path: Path, samples: Path, number: signal.S
     assert process.returncode == cli.EXIT_CANCELLED, stderr
     assert "stopped" in complaint(stderr)
     assert not out.exists()
+
+
+@pytest.mark.slow
+def test_a_killed_run_leaves_nothing_visible_and_the_next_one_sweeps(
+    run: Command, tmp_path: Path, samples: Path
+) -> None:
+    out = tmp_path / "out"
+    photos = copy_photos(samples / "anna" / "plain", tmp_path / "anna", "face_front.jpg")
+    command = [sys.executable, "-c", "from cloner.cli import main; main()", "clone", str(photos), "--out", str(out)]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    process = subprocess.Popen(command, env=environment, stderr=subprocess.DEVNULL)
+    deadline = time.monotonic() + 60
+    while not list(out.glob(".*.partial-*")) and time.monotonic() < deadline:
+        time.sleep(0.02)
+    process.kill()
+    process.wait()
+    left = list(out.iterdir())
+    assert left, "killed before it began: the test shows nothing"
+    assert all(path.name.startswith(".") for path in left)
+    (photos / "face_front.jpg").write_bytes(b"")
+    code, _, stderr = run("clone", photos, "--out", out)
+    assert (code, "empty" in complaint(stderr)) == (cli.EXIT_INPUT, True)
+    assert not list(out.iterdir())
 
 
 def test_render_refuses_what_it_cannot_draw(run: Command, tmp_path: Path) -> None:
