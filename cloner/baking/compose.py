@@ -101,8 +101,16 @@ def paint(
     useful = (share > 0.0) & skin & ~generic.region("mouth_interior")
     rows = atlas.rows_of(useful[atlas.triangles].any(axis=1) & skin[atlas.triangles[:, 0]])
     table = np.column_stack(
-        [source.sight.pixel_px, source.lookup_px, source.sight.depth_m, source.sight.cosine, share,
-         hair_allowed(generic), hair_kept(generic), light_basis(normals) @ gain]
+        [
+            source.sight.pixel_px,
+            source.lookup_px,
+            source.sight.depth_m,
+            source.sight.cosine,
+            share,
+            hair_allowed(generic),
+            hair_kept(generic),
+            light_basis(normals) @ gain,
+        ]
     ).astype(np.float32)
     pieces = [
         _paint_rows(atlas, source, table, rows[start : start + CHUNK_TEXELS], limits)

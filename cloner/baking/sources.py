@@ -142,9 +142,7 @@ def gather_sources(
     return sources, residuals
 
 
-def make_plate(
-    view: ViewId, photos: PhotoSet, proposal: Proposal, silhouettes: SilhouetteSet, limits: Limits
-) -> Plate:
+def make_plate(view: ViewId, photos: PhotoSet, proposal: Proposal, silhouettes: SilhouetteSet, limits: Limits) -> Plate:
     """Return the photo without background; see :func:`prepare_plate`."""
     frontal = proposal.face_presence >= limits.face_presence and view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT)
     mask = person_mask(view, proposal, silhouettes)

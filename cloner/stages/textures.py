@@ -90,8 +90,16 @@ def run(
         base = fill_surface(generic, sources, evened_colours(colours, gains, normals), graph)
         shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
         rgb, seen = bake(
-            generic, atlas, sources, shares, gains, normals, base, params.limits,
-            levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
+            generic,
+            atlas,
+            sources,
+            shares,
+            gains,
+            normals,
+            base,
+            params.limits,
+            levels=params.levels,
+            tick=lambda part: tick(0.4 + 0.5 * part),
         )
     else:
         rgb = np.tile(np.array(PLAIN_RGB, np.float32), (params.size, params.size, 1))
