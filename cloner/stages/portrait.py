@@ -39,6 +39,8 @@ class Params:
     face_m : float
         What single face points may differ from the family of faces (expressions, the face's own character); measured:
         with 1 mm a smile makes a caricature, with 6 mm the sample visitors' sex is hardly told.
+    drift : float
+        Size of the errors that the net's points make together, against those on painted heads (as in the head's fit).
     shoulder_m : float
         Trust in the net's shoulders, over clothes.
     most_sigmas : float
@@ -50,6 +52,7 @@ class Params:
     shapes: int = 20
     focal_35mm: float = 70.0
     face_m: float = 0.0045
+    drift: float = 1.2
     shoulder_m: float = 0.020
     most_sigmas: float = 2.0
     turns: int = 4
@@ -62,16 +65,16 @@ def portrait_shape(generic: GenericHuman, proposals: Proposals, params: Params |
     coefficients = np.zeros(params.shapes)
     if proposal is None or proposal.face_presence == 0.0:
         return coefficients
-    mean, basis, sigma = _model(generic, params)
+    mean, basis, drift, sigma = _model(generic, params)
     seen = np.vstack([proposal.face_px, proposal.pose_px[list(_SHOULDERS)]]) * (1.0, -1.0)  # y up, as the model has it
     for _ in range(params.turns):
-        coefficients = _step(coefficients, mean, basis, seen, sigma, _focal_px(proposal, params))
+        coefficients = _step(coefficients, mean, basis, drift, seen, sigma, _focal_px(proposal, params))
         coefficients = np.clip(coefficients, -params.most_sigmas, params.most_sigmas)
     return coefficients
 
 
-def _model(generic: GenericHuman, params: Params) -> tuple[Array, Array, Array]:
-    """Return mean (N, 3), basis (C, N, 3) and spread (N,) of the net's points and the two shoulder joints, metres."""
+def _model(generic: GenericHuman, params: Params) -> tuple[Array, Array, Array, Array]:
+    """Return mean (N, 3), basis (C, N, 3), common errors (M, N, 2) and spread (N,) of face and shoulders, metres."""
     net = load_face_net()
     shoulders = [generic.joint("l_shoulder"), generic.joint("r_shoulder")]
     corners = generic.shape_basis[: params.shapes, net.places.corners].astype(np.float64)
@@ -79,11 +82,14 @@ def _model(generic: GenericHuman, params: Params) -> tuple[Array, Array, Array]:
     moves = np.einsum("nk,cnka->cna", net.places.weights, corners)
     basis = np.concatenate([moves, generic.joint_basis[: params.shapes, shoulders]], axis=1)
     sigma = np.append(np.hypot(net.alone_m, params.face_m), [params.shoulder_m] * 2)
-    return mean, basis, sigma
+    drift = np.concatenate([net.drift_m * (params.drift, -params.drift), np.zeros((len(net.drift_m), 2, 2))], axis=1)
+    return mean, basis, drift, sigma
 
 
-def _step(coefficients: Array, mean: Array, basis: Array, seen: Array, sigma: Array, focal_px: float) -> Array:
-    """Return better coefficients: one linear solution for shape, head turn, tilt and the picture's similarity."""
+def _step(
+    coefficients: Array, mean: Array, basis: Array, drift: Array, seen: Array, sigma: Array, focal_px: float
+) -> Array:
+    """Return better coefficients: one linear solution for shape, the net's common errors, and the head's place."""
     points = mean + np.tensordot(coefficients, basis, axes=1)
     points = points - points[:-2].mean(axis=0)
     eyes_m = np.linalg.norm(points[_EYES[0]] - points[_EYES[1]])
@@ -100,10 +106,11 @@ def _step(coefficients: Array, mean: Array, basis: Array, seen: Array, sigma: Ar
         np.stack([points[:, 2], still], axis=1),
         np.stack([still, points[:, 2]], axis=1),
     ]
-    design = np.concatenate([moves, np.array(freedoms)]).reshape(len(basis) + len(freedoms), -1).T
+    certain = len(basis) + len(drift)
+    design = np.concatenate([moves, drift, np.array(freedoms)]).reshape(certain + len(freedoms), -1).T
     wanted = _laid_on(seen, drawn) - drawn + np.tensordot(coefficients, moves, axes=1)
     weights = np.repeat(sigma, 2) ** -2.0
-    prior = np.append(np.ones(len(basis)), np.full(len(freedoms), 1e-6))
+    prior = np.append(np.ones(certain), np.full(len(freedoms), 1e-6))
     normal = design.T @ (design * weights[:, None]) + np.diag(prior)
     return np.asarray(np.linalg.solve(normal, design.T @ (wanted.ravel() * weights))[: len(basis)])
 
