@@ -112,7 +112,7 @@ def score_subject(
         if name in truth.girths_mm:
             yield Score(f"girth_{name}_error_mm", "", "mm", abs(value - truth.girths_mm[name]))
     # a seam is a matter of one texture alone, not of likeness: nobody else's seams are a baseline
-    for where, ratio in likeness.seam_ratios(subject, generic).items() if subject is clone else ():
+    for where, ratio in likeness.seam_ratios(subject, generic).items() if photographed and subject is clone else ():
         yield Score(f"seam_{where}_ratio", "", "", ratio)
     yield Score("region_agreement", "", "", None)
 
