@@ -17,47 +17,43 @@ from cloner.vision.outlines import Outline, OutlineLoop, extract_outline
 
 #: Named points that lie on the outline and so bound feature segments.
 ON_OUTLINE = (
-    "head_top", "neck_base", "shoulder_end", "elbow_outer", "elbow_inner", "wrist_outer", "wrist_inner", "waist",
-    "hip", "crotch", "knee", "ankle_outer", "ankle_inner", "neck_front", "neck_back", "chest_front", "back",
+    "head_top", "neck_base", "shoulder_end", "armpit", "elbow_outer", "elbow_inner", "wrist_outer", "wrist_inner",
+    "waist", "hip", "crotch", "knee", "ankle_outer", "ankle_inner", "neck_front", "neck_back", "chest_front", "back",
     "belly_front", "buttock", "thigh", "ankle_front", "ankle_back",
 )  # fmt: skip
 
 
-def outline_points(points: ViewPoints | None) -> NDArray[np.float64] | None:
-    """Return the (N, 2) named points on the outline of a body photo, None for a face photo."""
+def outline_points(points: ViewPoints | None) -> tuple[tuple[str, ...], NDArray[np.float64], NDArray[np.bool_]]:
+    """Return name, (N, 2) position and correctedness of a body photo's points on the outline; none of a face photo."""
     if points is None:
-        return None
-    rows = [k for k, name in enumerate(points.names) if name.startswith(ON_OUTLINE) and not name.startswith("ear")]
-    return points.points_px[rows] if len(rows) >= 3 else None
+        return (), np.zeros((0, 2)), np.zeros(0, dtype=np.bool_)
+    rows = [k for k, name in enumerate(points.names) if name.startswith(ON_OUTLINE)]
+    return tuple(points.names[k] for k in rows), points.points_px[rows], points.corrected[rows]
 
 
-def _segment_names(loop: OutlineLoop, number: int, names: list[str]) -> list[str]:
-    labels = [names[row] if 0 <= row < len(names) else f"{number}.{k}" for k, row in enumerate(loop.feature_rows)]
+def _segment_names(loop: OutlineLoop, number: int, names: tuple[str, ...]) -> list[str]:
+    labels = [names[row] if row >= 0 else f"{number}.{k}" for k, row in enumerate(loop.feature_rows)]
     return [f"{labels[k]} - {labels[(k + 1) % len(labels)]}" for k in range(len(labels))]
 
 
 def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> Silhouette:
-    """Return one photo's outline.
+    """Return one photo's outline; it passes through the points an operator corrected.
 
     Raises
     ------
     ClonerError
         If no outline can be drawn around the person.
     """
-    given = outline_points(points)
-    outline: Outline = extract_outline(photo.rgb, proposal.mask.astype(np.float32) / 255.0, given)
+    names, positions, corrected = outline_points(points)
+    mask = proposal.mask.astype(np.float32) / np.float32(255.0)
+    outline: Outline = extract_outline(photo.rgb, mask, positions, fixed=corrected)
     if not outline.loops:
         raise ClonerError(
             "the person's outline was not found", "Retake the photo before a plain background", photo.name
         )
-    names = (
-        [name for name in points.names if name.startswith(ON_OUTLINE) and not name.startswith("ear")]
-        if points and given is not None
-        else []
-    )
     sources: list[tuple[str, str, float]] = []
     for number, loop in enumerate(outline.loops):
-        labels = _segment_names(loop, number, names if number == 0 else [])
+        labels = _segment_names(loop, number, names)
         sources += [(n, s, float(g)) for n, s, g in zip(labels, loop.sources, loop.goodness, strict=True)]
     return Silhouette(photo.view, tuple(loop.polygon for loop in outline.loops), outline.filled, tuple(sources))
 

@@ -89,7 +89,11 @@ def loop_from_polygon(polygon_px: Floats, *, height_px: float, is_hole: bool) ->
     # Person on the right hand: outer contours clockwise on the screen, holes the other way.
     if (signed_area(polygon_px) < 0) != is_hole:
         polygon_px = polygon_px[::-1]
-    points = resample_closed(polygon_px)
+    return loop_from_points(resample_closed(polygon_px), height_px=height_px, is_hole=is_hole)
+
+
+def loop_from_points(points: Floats, *, height_px: float, is_hole: bool) -> MaskLoop:
+    """Return a closed contour of given points, about 1 px apart, walked with the person on the right hand."""
     sigma = max(DIRECTION_ARC * height_px / 2, 1.0)
     smooth = gaussian_filter1d(points, sigma, axis=0, mode="wrap")
     tangents = np.roll(smooth, -1, axis=0) - np.roll(smooth, 1, axis=0)

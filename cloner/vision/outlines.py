@@ -13,18 +13,22 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from cloner.vision.band import Band, LinkParams, gather_band
+from cloner.vision.fixed_points import bend_through, keep_in_cones
 from cloner.vision.loops import (
     MaskLoop,
     figure_height,
     fill_polygons,
+    loop_from_points,
     mask_loops,
     place_feature_points,
 )
 from cloner.vision.tracing import trace_loop
 
 Floats = NDArray[np.float64]
+Ints = NDArray[np.intp]
 Bools = NDArray[np.bool_]
 
 
@@ -79,11 +83,21 @@ class Outline:
     height_px: float
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Given:
+    """The caller's points that belong to one contour: rows, positions, and which are fixed."""
+
+    rows: Ints
+    points: Floats
+    fixed: Bools
+
+
 def extract_outline(
     rgb: NDArray[np.uint8],
     mask: NDArray[np.float32],
     feature_points_px: Floats | None = None,
     *,
+    fixed: Bools | None = None,
     params: LinkParams | None = None,
 ) -> Outline:
     """Trace a person's outline along image edges, near the contour of a rough mask.
@@ -95,8 +109,12 @@ def extract_outline(
     mask : ndarray, shape (H, W), float32
         Probability 0..1 that a pixel shows the person; roughly right, edges may be soft.
     feature_points_px : ndarray, shape (N, 2), float64, optional
-        Ordered closed list of points near the outer outline, px; each consecutive pair bounds
-        a feature segment.  Placed on the mask's contour where not given, and always on holes.
+        Points near the outline, px; each belongs to the contour nearest to it, and each pair of
+        consecutive ones along a contour bounds a feature segment.  Placed on the mask's contour
+        where a contour has none.
+    fixed : ndarray, shape (N,), bool, optional
+        Which of them an operator placed: the outline passes through these exactly.  None by
+        default.
     params : LinkParams, optional
         Lengths in figure heights, and weights.
 
@@ -120,40 +138,53 @@ def extract_outline(
     loops = mask_loops(mask, height_px=height)
     if not loops:
         return Outline((), np.zeros(mask.shape, dtype=bool), height)
+    points = np.zeros((0, 2)) if feature_points_px is None else feature_points_px
+    given = _given_to_loops(loops, points, np.zeros(len(points), dtype=bool) if fixed is None else fixed)
+    loops = [_bent(loop, own, height) for loop, own in zip(loops, given, strict=True)]
     bands = gather_band(rgb, mask, loops, height_px=height, params=settings)
-    traced = []
-    for index, (loop, band) in enumerate(zip(loops, bands, strict=True)):
-        given = feature_points_px if index == 0 else None
-        traced.append(_trace(loop, band, given, height, settings))
+    traced = [_trace(*its, height, settings) for its in zip(loops, bands, given, strict=True)]
     filled = fill_polygons([t.polygon for t in traced], [t.is_hole for t in traced], mask.shape)
     return Outline(tuple(traced), filled, height)
 
 
-def _trace(
-    loop: MaskLoop,
-    band: Band,
-    feature_points_px: Floats | None,
-    height_px: float,
-    params: LinkParams,
-) -> OutlineLoop:
+def _given_to_loops(loops: list[MaskLoop], points_px: Floats, fixed: Bools) -> list[_Given]:
+    """Give each point to the contour nearest to it."""
+    owner = np.repeat(np.arange(len(loops)), [len(loop.points) for loop in loops])
+    tree = cKDTree(np.concatenate([loop.points for loop in loops]))
+    whose = owner[tree.query(points_px)[1]] if len(points_px) else np.zeros(0, dtype=np.intp)
+    rows = [np.flatnonzero(whose == index) for index in range(len(loops))]
+    return [_Given(row, points_px[row], fixed[row]) for row in rows]
+
+
+def _bent(loop: MaskLoop, given: _Given, height_px: float) -> MaskLoop:
+    """Return the contour bent through its fixed points, so that edges are looked for near them."""
+    if not given.fixed.any():
+        return loop
+    polygon = bend_through(loop.points, given.points[given.fixed])
+    # Not resampled: contour points elsewhere stay what they were, and so does the outline there.
+    return loop_from_points(polygon, height_px=height_px, is_hole=loop.is_hole)
+
+
+def _trace(loop: MaskLoop, band: Band, given: _Given, height_px: float, params: LinkParams) -> OutlineLoop:
     """Return one contour of the outline."""
-    if feature_points_px is not None and len(feature_points_px) >= 2:
-        gaps = np.linalg.norm(feature_points_px[:, None] - loop.points[None], axis=2)
-        at = gaps.argmin(axis=1)
-        # The contour's own order rules: two points given in the wrong order, or the whole list
-        # walked the other way, still bound the same pieces.
-        indices, rows = np.unique(at, return_index=True)
-    else:
-        indices = place_feature_points(
+    at = np.asarray(cKDTree(loop.points).query(given.points)[1], dtype=np.intp)
+    band = keep_in_cones(band, at[given.fixed], contour_points=len(loop.points))
+    # The contour's own order rules: two points given in the wrong order, or the whole list
+    # walked the other way, still bound the same pieces.
+    indices, first = np.unique(at, return_index=True)
+    rows = given.rows[first]
+    if len(indices) < 2:
+        placed = place_feature_points(
             loop,
             spacing_px=params.spacing * height_px,
             smooth_px=max(params.corner_scale * height_px, 1.0),
         )
-        rows = np.full(len(indices), -1)
+        indices, first = np.unique(np.concatenate([at, placed]), return_index=True)
+        rows = np.concatenate([given.rows, np.full(len(placed), -1)])[first]
     trace = trace_loop(loop, band, indices, height_px=height_px, params=params)
     sources = tuple("edges" if c >= params.edges_share else "mask" for c in trace.covered)
     return OutlineLoop(
-        trace.polygon,
+        bend_through(trace.polygon, given.points[given.fixed]),
         loop.is_hole,
         loop.points[indices],
         rows.astype(np.intp),
