@@ -13,7 +13,7 @@ setattr(np, "infty", np.inf)  # noqa: B010 - pyrender 0.1.45 wants it back under
 import pyrender  # noqa: E402
 import trimesh  # noqa: E402
 from numpy.typing import NDArray  # noqa: E402
-from scipy.sparse import coo_matrix, csr_matrix  # noqa: E402
+from scipy.sparse import coo_matrix, csr_matrix, identity  # noqa: E402
 
 from cloner.frames import focal_px_from_35mm  # noqa: E402
 from cloner.generic.load import GenericHuman  # noqa: E402
@@ -40,18 +40,22 @@ def midpoint_subdivision(triangles: NDArray[np.integer], count: int) -> tuple[ND
 
 
 class Head:
-    """The generic head's triangles, twice split, with per-vertex masks of brows, lips, lids, irises and hair."""
+    """The generic head's triangles, split, with per-vertex masks of brows, lips, lids, irises and hair.
 
-    def __init__(self, generic: GenericHuman) -> None:
+    ``below_m`` and ``aside_m`` say how far the triangles reach below the neck and aside; infinity takes the body too.
+    """
+
+    def __init__(self, generic: GenericHuman, *, below_m: float = 0.10, aside_m: float = 0.2, splits: int = 2) -> None:
         vertices = generic.vertices_m.astype(np.float64)
         triangles, _ = generic.triangles()
-        keep = (vertices[triangles, 1] > vertices[generic.feature("neck_front_base"), 1] - 0.10).all(axis=1)
+        keep = (vertices[triangles, 1] > vertices[generic.feature("neck_front_base"), 1] - below_m).all(axis=1)
         lashes = np.isin(generic.vertex_part, [i for i, n in enumerate(generic.part_names) if "lash" in n])
-        keep &= ~lashes[triangles].any(axis=1) & (np.abs(vertices[triangles, 0]) < 0.2).all(axis=1)
+        keep &= ~lashes[triangles].any(axis=1) & (np.abs(vertices[triangles, 0]) < aside_m).all(axis=1)
         self.coarse = triangles[keep]
-        once, first = midpoint_subdivision(self.coarse, len(vertices))
-        self.fine, second = midpoint_subdivision(once, first.shape[0])
-        self.matrix = csr_matrix(second @ first)
+        self.fine, self.matrix = self.coarse, csr_matrix(identity(len(vertices)))
+        for _ in range(splits):
+            self.fine, finer = midpoint_subdivision(self.fine, self.matrix.shape[0])
+            self.matrix = csr_matrix(finer @ self.matrix)
         self.mean = self.matrix @ vertices
         self.masks = _masks(generic, self.mean, self.matrix)
         corners = {side: [generic.feature(f"eye_{corner}_{side}") for corner in ("inner", "outer")] for side in "LR"}
