@@ -28,7 +28,7 @@ class OutlineField:
     reduction : float
         Photo pixels per grid cell.
     veiled : (M,) bool
-        Samples where hair, not the body, makes the outline.
+        Samples where hair or loose clothing, not the body, makes the outline.
     """
 
     samples_px: Array
@@ -48,7 +48,7 @@ class OutlineField:
         return np.asarray(value + beyond, dtype=np.float64)
 
     def is_veiled(self, points_px: Array) -> NDArray[np.bool_]:
-        """Return (N,) whether the outline nearest to each point is hair's."""
+        """Return (N,) whether the outline nearest to each point is hair's or loose clothing's."""
         if not self.veiled.any() or len(points_px) == 0:
             return np.zeros(len(points_px), dtype=bool)
         return np.asarray(self.veiled[cKDTree(self.samples_px).query(points_px)[1]])
@@ -74,7 +74,7 @@ class OutlineField:
 def outline_field(
     contours_px: tuple[Array, ...],
     mask: NDArray[np.bool_],
-    hair: NDArray[np.bool_],
+    veil: NDArray[np.bool_],
     *,
     step_px: float,
     reduction: float,
@@ -85,7 +85,7 @@ def outline_field(
     ----------
     contours_px : closed polygons of any orientation, photo pixels
     mask : (H, W) filled outline
-    hair : (H, W) pixels that show hair
+    veil : (H, W) pixels that show hair or loose clothing
     step_px : spacing of samples
     reduction : photo pixels per cell of the distance field, at least 1
     """
@@ -115,6 +115,6 @@ def outline_field(
     probe = 2 * reduction * outward
     outward[field.signed_distance(samples + probe) < field.signed_distance(samples - probe)] *= -1
     inner = np.round(samples - 4 * reduction * outward).astype(int)
-    height, width = hair.shape
-    veiled = hair[np.clip(inner[:, 1], 0, height - 1), np.clip(inner[:, 0], 0, width - 1)]
+    height, width = veil.shape
+    veiled = veil[np.clip(inner[:, 1], 0, height - 1), np.clip(inner[:, 0], 0, width - 1)]
     return OutlineField(samples, outward, step_px, distance, reduction, veiled)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.records.arrays import freeze
+from cloner.records.loose import LooseRegion
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -26,15 +27,25 @@ class Silhouette:
         The filled outline at photo resolution.
     sources : tuple of (str, str, float)
         Per feature segment: its name, "edges" or "mask", and the goodness G^P.
+    loose : tuple of LooseRegion
+        Where loose clothing, not the body, makes the outline.
     """
 
     view: ViewId
     contours_px: tuple[NDArray[np.float64], ...]
     mask: NDArray[np.bool_]
     sources: tuple[tuple[str, str, float], ...]
+    loose: tuple[LooseRegion, ...] = ()
 
     def __post_init__(self) -> None:
         freeze(self, mask=(np.bool_, (None, None)))
+
+    def loose_mask(self) -> NDArray[np.bool_]:
+        """Return the (H, W) pixels between the edges of loose clothing."""
+        picture = np.zeros(self.mask.shape, dtype=np.bool_)
+        for region in self.loose:
+            picture |= region.mask(self.mask.shape)
+        return picture
 
 
 @dataclass(frozen=True, slots=True, eq=False)

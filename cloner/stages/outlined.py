@@ -57,9 +57,10 @@ def outlined_photos(phenotype: Phenotype, silhouettes: SilhouetteSet, proposals:
     photos = {}
     for view, posed in phenotype.views.items():
         reduction = max(posed.camera.height_px / PICTURE_HEIGHT, 1.0)
-        silhouette, hair = silhouettes.views[view], proposals.views[view].labels == HAIR
+        silhouette = silhouettes.views[view]
+        veil = (proposals.views[view].labels == HAIR) | silhouette.loose_mask()
         field = outline_field(
-            silhouette.contours_px, silhouette.mask, hair, step_px=2.0 * reduction, reduction=reduction
+            silhouette.contours_px, silhouette.mask, veil, step_px=2.0 * reduction, reduction=reduction
         )
         photos[view] = Outlined(posed, field)
     return photos

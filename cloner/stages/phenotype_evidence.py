@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId, m_from_mm, mm_from_m
-from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
+from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.contours import OutlineField, outline_field
 from cloner.geometry.poses import pose_matrix
 from cloner.geometry.posing import Chosen
@@ -24,6 +24,8 @@ from cloner.stages.outlined import body_triangles
 
 Array = NDArray[np.float64]
 
+#: Share of the figure's height beside loose clothing in which points on the outline are not believed.
+CLOTH_MARGIN = 0.01
 #: Points that count through hair and soles only.
 ENDS = ("head_top", "sole_left", "sole_right")
 
@@ -114,14 +116,24 @@ def gather_evidence(
     field = outline_field(
         outline.contours_px,
         outline.mask,
-        proposal.labels == HAIR,
+        (proposal.labels == HAIR) | outline.loose_mask(),
         step_px=2.0 * reduction,
         reduction=reduction,
     )
     rows = np.flatnonzero(outline.mask.any(axis=1))
     top = np.array([np.flatnonzero(outline.mask[rows[0]]).mean(), rows[0] - 0.5])
     bottom = np.array([np.flatnonzero(outline.mask[rows[-1]]).mean(), rows[-1] + 0.5])
-    return Evidence(view, points, field, mm_per_px, top, bottom, proposal.barefoot)
+    return Evidence(view, off_cloth(points, outline), field, mm_per_px, top, bottom, proposal.barefoot)
+
+
+def off_cloth(points: ViewPoints, outline: Silhouette) -> ViewPoints:
+    """Return the points without trust in those proposed on the outline of loose clothing: no body is there."""
+    joints = np.isin(points.names, load_generic().joint_names)
+    margin = CLOTH_MARGIN * float(np.count_nonzero(outline.mask.any(axis=1)))
+    on_cloth = np.zeros(len(points.names), dtype=bool)
+    for region in outline.loose:
+        on_cloth |= region.covers(points.points_px, margin_px=margin)
+    return replace(points, confidence=np.where(on_cloth & ~joints & ~points.corrected, 0.0, points.confidence))
 
 
 def sole_vertices(generic: GenericHuman) -> NDArray[np.int64]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,7 @@ from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import BodyPoints, Proposal, Proposals, ViewPoints
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
+from cloner.vision.loose_outline import find_loose
 from cloner.vision.outlines import Outline, OutlineLoop, extract_outline
 
 #: Named points that lie on the outline and so bound feature segments.
@@ -74,4 +76,8 @@ def run(
         linked = [source == "edges" for _, source, _ in views[view].sources]
         residuals.append(Residual("outline on edges", 100.0 * float(np.mean(linked or [False])), "percent", view.value))
         tick(len(views) / len(proposals.views))
+    loose = find_loose(
+        {v: (s.mask, proposals.views[v].pose_px, proposals.views[v].pose_visibility) for v, s in views.items()}
+    )
+    views |= {view: replace(views[view], loose=regions) for view, regions in loose.items()}
     return StageResult({"silhouettes": SilhouetteSet(views)}, tuple(residuals))

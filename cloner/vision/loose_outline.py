@@ -1,0 +1,233 @@
+"""Loose clothing found in one outline: cloth that fills the gap between the legs and ends in a hem.
+
+A body's legs part gradually below the crotch; a skirt or coat fills the gap and
+stands off on both sides until, within a few centimetres, it ends. The pose says
+where the legs are inside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter1d, median_filter
+
+from cloner.frames import ViewId
+from cloner.records.loose import AROUND_LEGS, LooseRegion
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+#: BlazePose rows: left, right.
+SHOULDERS, HIPS, KNEES, ANKLES = (11, 12), (23, 24), (25, 26), (27, 28)
+#: Shoulder, elbow, wrist, then fingers of each arm.
+ARMS = ((11, 13, 15, 17, 19, 21), (12, 14, 16, 18, 20, 22))
+FINGER_STRETCH = 2.0  # the net's finger points are knuckles; the tips lie this much farther from the wrist
+#: Everything below is a share of the figure's height in the photo.
+ARM_SHARE, HAND_SHARE = 0.030, 0.020  # half widths of a sleeved arm and of a finger's line with the net's error
+LEG_SHARES = (0.055, 0.036, 0.027)  # half widths of a leg at hip, knee and ankle (generic mean) with trousers on
+ARC_SHARE = 0.045  # a level hem 0.25 m wide looks this high from a camera 0.7 m above it
+SETTLE_SHARE = 0.012  # outlines are smoothed over this
+LEAST_DROP = 0.035  # a hem gives up this much width at once
+SURE_DROP = 0.10
+MOST = 0.85
+LEAST_GAP = 0.018  # legs nearer to each other say nothing
+STANDS_OFF = 0.015  # beyond the leg's half width, where the legs say nothing
+#: Shares of hip to ankle between which a hem is believed: above it is a jacket's.
+HEMS = (0.20, 0.985)
+SAME_HEM = 0.15  # levels of one hem in two photos, with the error of both poses (measured: 0.12 on a coat)
+FILLED = 0.9  # of the rows above the hem
+WAIST_SHARE = 0.62  # of shoulder to hip: cloth is loose from the waist down
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class LegRows:
+    """The outline around both legs, row by row.
+
+    Attributes
+    ----------
+    top_px : int
+        First row, at the waist.
+    level : (R,) 0 at the hips, 1 at the ankles
+    edges_px : (R, 2) first and last column of the runs through image-left and image-right leg
+    seen : (R, 2) bool, False where an arm makes the edge
+    joined : (R,) bool, whether everything between both legs is filled
+    gap_px : (R,) room between the legs inside the cloth, as the pose and usual legs have it
+    off_px : (R, 2) how far the edges stand off from usual legs
+    width_px : (R,) filled pixels between the edges
+    figure_px : float
+    """
+
+    top_px: int
+    level: Array
+    edges_px: Array
+    seen: Bools
+    joined: Bools
+    gap_px: Array
+    off_px: Array
+    width_px: Array
+    figure_px: float
+
+
+def arm_zone(pose_px: Array, visibility: Array, figure_px: float, shape: tuple[int, int]) -> Bools:
+    """Return the (H, W) pixels where the pose net sees arms and hands, with its usual error."""
+    picture = np.zeros(shape, np.uint8)
+    arm, hand = (max(1, round(2.0 * share * figure_px)) for share in (ARM_SHARE, HAND_SHARE))
+    for shoulder, elbow, wrist, *fingers in ARMS:
+        if min(visibility[shoulder], visibility[elbow], visibility[wrist]) < 0.5:
+            continue
+        tips = [pose_px[wrist] + FINGER_STRETCH * (pose_px[finger] - pose_px[wrist]) for finger in fingers]
+        lines = [(pose_px[shoulder], pose_px[elbow], arm), (pose_px[elbow], pose_px[wrist], arm)]
+        for start, end, width in [*lines, *((pose_px[wrist], tip, hand) for tip in tips)]:
+            ends = [tuple(round(float(value)) for value in point) for point in (start, end)]
+            cv2.line(picture, ends[0], ends[1], 255, width)
+    return picture > 0
+
+
+def leg_rows(mask: Bools, pose_px: Array, visibility: Array) -> LegRows | None:
+    """Return the outline around the legs from the waist down, None without a figure or legs.
+
+    Parameters
+    ----------
+    mask : (H, W) bool, the filled outline
+    pose_px, visibility : (33, 2), (33,) of the pose net
+    """
+    rows = np.flatnonzero(mask.any(axis=1))
+    if rows.size < 100 or visibility[list(HIPS + KNEES + ANKLES)].max() < 0.3:
+        return None
+    figure = float(rows[-1] - rows[0] + 1)
+    hips, ankles = pose_px[list(HIPS), 1].mean(), pose_px[list(ANKLES), 1].mean()
+    waist = (1 - WAIST_SHARE) * pose_px[list(SHOULDERS), 1].mean() + WAIST_SHARE * hips
+    if not waist < hips < ankles:
+        return None
+    at = np.arange(max(int(waist), 0), min(int(rows[-1]), mask.shape[0] - 1) + 1)
+    axes = _leg_axes(pose_px, at)
+    half = figure * np.interp((at - hips) / (ankles - hips), (0.0, 0.5, 1.0), LEG_SHARES)
+    arms = arm_zone(pose_px, visibility, figure, (mask.shape[0], mask.shape[1]))[at]
+    first, last = _runs(mask[at])
+    columns = np.clip(np.round(axes).astype(int), 0, mask.shape[1] - 1)
+    line = np.arange(len(at))
+    edges = np.stack([first[line, columns[:, 0]], last[line, columns[:, 1]]], axis=1).astype(np.float64)
+    inside = np.stack([mask[at, columns[:, k]] for k in (0, 1)], axis=1)
+    edges = np.where(inside, edges, axes)
+    reach = np.clip(np.round(edges).astype(int), 0, mask.shape[1] - 1)
+    # an arm over the middle of the leg hides nothing of the edge beyond it
+    seen = inside & ~np.stack([arms[line, reach[:, k]] for k in (0, 1)], axis=1)
+    joined = inside.all(axis=1) & (last[line, columns[:, 0]] >= columns[:, 1])
+    gap = np.maximum(axes[:, 1] - axes[:, 0] - 2.0 * half, 0.0)
+    off = np.stack([axes[:, 0] - half - edges[:, 0], edges[:, 1] - axes[:, 1] - half], axis=1)
+    total = np.concatenate([np.zeros((len(at), 1)), np.cumsum(mask[at], axis=1)], axis=1)
+    width = total[line, reach[:, 1] + 1] - total[line, reach[:, 0]]
+    return LegRows(int(at[0]), (at - hips) / (ankles - hips), edges, seen, joined, gap, off, width, figure)
+
+
+def _leg_axes(pose_px: Array, at: NDArray[np.int64]) -> Array:
+    """Return (R, 2) columns of the image-left and image-right leg's axis at rows."""
+    columns = []
+    for side in (0, 1):
+        joints = pose_px[[HIPS[side], KNEES[side], ANKLES[side]]]
+        columns.append(np.interp(at, joints[:, 1], joints[:, 0]))
+    return np.sort(np.stack(columns, axis=1), axis=1)
+
+
+def _runs(mask: Bools) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return the first and last column of the run of True around every pixel of (R, W), meaningless where False."""
+    columns = np.arange(mask.shape[1])
+    before = np.maximum.accumulate(np.where(mask, -1, columns), axis=1) + 1
+    after = np.minimum.accumulate(np.where(mask, mask.shape[1], columns)[:, ::-1], axis=1)[:, ::-1] - 1
+    return before, after
+
+
+def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = HEMS) -> tuple[float, float]:
+    """Return level and confidence of the hem of cloth around the legs; (0, 0) where there is none.
+
+    Parameters
+    ----------
+    legs : LegRows
+    both_legs : bool
+        True when the photo shows the legs beside each other; from the side only the width can tell.
+    between : levels where it is looked for
+    """
+    arc, settle = (max(2, round(share * legs.figure_px)) for share in (ARC_SHARE, SETTLE_SHARE))
+    width = median_filter(legs.width_px, settle)
+    drops = np.zeros(len(width))
+    for row in range(2 * arc, len(width) - settle):
+        if between[0] < legs.level[row] < between[1]:
+            above, below = slice(row - 2 * arc, row - arc), slice(row + 1, row + 1 + settle)
+            drop = (np.median(width[above]) - np.median(width[below])) / legs.figure_px
+            drops[row] = drop if drop >= LEAST_DROP and (not both_legs or _bridges(legs, above)) else 0.0
+    deepest = int(np.argmax(drops))
+    if drops[deepest] == 0.0:
+        return 0.0, 0.0
+    # legs go on tapering below a hem: it is where most of the width is lost first
+    row = deepest - arc + int(np.argmax(drops[deepest - arc : deepest + 1] >= MOST * drops[deepest]))
+    return float(legs.level[row]), min(float(drops[deepest]) / SURE_DROP, 1.0)
+
+
+def _bridges(legs: LegRows, rows: slice) -> bool:
+    """Whether the outline fills what the legs have apart, or stands off where they are not apart."""
+    if legs.joined[rows].mean() < FILLED:
+        return False
+    apart = legs.gap_px[rows] > LEAST_GAP * legs.figure_px
+    if apart.mean() > 0.5:
+        return True
+    return bool((np.median(legs.off_px[rows], axis=0) > STANDS_OFF * legs.figure_px).all())
+
+
+def region_around_legs(legs: LegRows, level: float, confidence: float) -> LooseRegion:
+    """Return the region from the waist to a hem whose lowest part lies at a level."""
+    arc, settle = (max(2, round(share * legs.figure_px)) for share in (ARC_SHARE, SETTLE_SHARE))
+    bottom = int(np.searchsorted(legs.level, level))
+    edges, seen = legs.edges_px[: bottom + 1].copy(), legs.seen[: bottom + 1].copy()
+    ends = np.zeros(2)
+    line = np.arange(bottom + 1)
+    for column, sign in ((0, -1.0), (1, 1.0)):
+        out = sign * edges[:, column]
+        low = np.flatnonzero(seen[:, column] & (line > bottom - 2.5 * arc))
+        if low.size:
+            widest = np.max(out[low])
+            end = int(low[out[low] > widest - 0.35 * settle][-1])
+            seen[end + 1 :, column] = False
+            ends[column] = end
+        else:
+            ends[column] = bottom - 0.5 * arc
+        known = np.flatnonzero(seen[:, column])
+        if known.size:
+            # below the last row that is surely cloth's, arm and cloth cannot be told: the outline itself is kept
+            kept = np.concatenate([known, line[(line > known[-1]) & (line <= ends[column])]])
+            # nor does cloth reach beyond the outline
+            edges[:, column] = sign * np.minimum(
+                np.interp(line, kept, out[kept]), np.where(line > ends[column], np.inf, out)
+            )
+        edges[:, column] = gaussian_filter1d(edges[:, column], 0.5 * settle, mode="nearest")
+    return LooseRegion(AROUND_LEGS, legs.top_px, edges, legs.top_px + ends, seen, confidence)
+
+
+def find_loose(photos: Mapping[ViewId, tuple[Bools, Array, Array]]) -> dict[ViewId, tuple[LooseRegion, ...]]:
+    """Return the loose clothing of every body photo that shows some.
+
+    Cloth around the legs must be seen from the front and from behind, or in the
+    only one of the two; the side photo then shows how far it reaches.
+
+    Parameters
+    ----------
+    photos : view -> filled outline (H, W), pose (33, 2) and its visibility (33,)
+    """
+    rows = {view: leg_rows(*photo) for view, photo in photos.items() if view.is_body}
+    flat = {view: legs for view, legs in rows.items() if legs is not None and view is not ViewId.BODY_SIDE}
+    hems = {view: find_hem(legs, both_legs=True) for view, legs in flat.items()}
+    if not hems or min(sure for _, sure in hems.values()) == 0.0:
+        return {}
+    levels = [level for level, _ in hems.values()]
+    if max(levels) - min(levels) > SAME_HEM:
+        return {}
+    found = {view: (region_around_legs(flat[view], *hem),) for view, hem in hems.items()}
+    side = rows.get(ViewId.BODY_SIDE)
+    if side is not None:
+        level, sure = float(np.mean(levels)), min(sure for _, sure in hems.values())
+        near = find_hem(side, both_legs=False, between=(level - SAME_HEM, level + SAME_HEM))
+        found[ViewId.BODY_SIDE] = (region_around_legs(side, near[0] or level, sure),)
+    return found
