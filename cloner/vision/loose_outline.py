@@ -224,7 +224,9 @@ def find_loose(photos: Mapping[ViewId, tuple[Bools, Array, Array]]) -> dict[View
     levels = [level for level, _ in hems.values()]
     if max(levels) - min(levels) > SAME_HEM:
         return {}
-    found = {view: (region_around_legs(flat[view], *hem),) for view, hem in hems.items()}
+    found: dict[ViewId, tuple[LooseRegion, ...]] = {
+        view: (region_around_legs(flat[view], *hem),) for view, hem in hems.items()
+    }
     side = rows.get(ViewId.BODY_SIDE)
     if side is not None:
         level, sure = float(np.mean(levels)), min(sure for _, sure in hems.values())
