@@ -36,8 +36,41 @@ class FaceErrors:
     rigid: Spread
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class BodyDistances:
+    """Distances between a clone and the truth it was laid on; truth frame, metres.
+
+    Attributes
+    ----------
+    aligned : Posed
+        The clone after the rigid alignment.
+    to_clone_m : (N,) float64
+        From the truth's points to the clone.
+    clone_vertex : (N,) int64
+        A vertex of the clone's triangle nearest to each.
+    to_truth_m : (M,) float64
+        From points spread over the clone to the truth.
+    own_vertex : (M,) int64
+        A vertex of the triangle each of those lies on.
+    """
+
+    aligned: Posed
+    to_clone_m: Array
+    clone_vertex: NDArray[np.int64]
+    to_truth_m: Array
+    own_vertex: NDArray[np.int64]
+
+
 def body_surface_mm(posed: Posed, generic: GenericHuman, truth: TruthSurface, *, rng: np.random.Generator) -> Spread:
-    """Return the symmetric nearest-surface distance of a clone posed as the truth, mm.
+    """Return the symmetric nearest-surface distance of a clone posed as the truth, mm; see :func:`body_distances`."""
+    found = body_distances(posed, generic, truth, rng=rng)
+    return _both_ways(found.to_clone_m, found.to_truth_m)
+
+
+def body_distances(
+    posed: Posed, generic: GenericHuman, truth: TruthSurface, *, rng: np.random.Generator
+) -> BodyDistances:
+    """Return the nearest-surface distances of a clone posed as the truth, both ways.
 
     Parameters
     ----------
@@ -66,12 +99,14 @@ def body_surface_mm(posed: Posed, generic: GenericHuman, truth: TruthSurface, *,
     surface = TriangleSurface(posed.vertices_m, skin)
     truth_from_clone = align_by_nearest(points[:_VOTERS], surface, scale=False, keep=1.0, turns=15)
     moved = posed.moved(truth_from_clone)
-    _, to_clone, _ = surface.closest(apply(inverse(truth_from_clone), points))
+    _, to_clone, nearest = surface.closest(apply(inverse(truth_from_clone), points))
     hidden = generic.region("scalp") | generic.region("hand_left") | generic.region("hand_right")
-    samples, _, _ = sample_surface(moved.vertices_m, skin[~hidden[skin].any(axis=1)], _SAMPLES, rng=rng)
-    samples = samples[~_near(samples, truth.points_m[hair], _HAIR_NEAR_M)]
-    _, to_truth, _ = PointSurface(truth.points_m[seen], truth.normals[seen], radius=_DISC_M).closest(samples)
-    return _both_ways(to_clone, to_truth)
+    shown = skin[~hidden[skin].any(axis=1)]
+    samples, _, which = sample_surface(moved.vertices_m, shown, _SAMPLES, rng=rng)
+    bare = ~_near(samples, truth.points_m[hair], _HAIR_NEAR_M)
+    _, to_truth, _ = PointSurface(truth.points_m[seen], truth.normals[seen], radius=_DISC_M).closest(samples[bare])
+    own = shown[which[bare], 0].astype(np.int64)
+    return BodyDistances(moved, to_clone, skin[nearest, 0].astype(np.int64), to_truth, own)
 
 
 def face_surface_mm(
