@@ -11,13 +11,25 @@ from numpy.typing import NDArray
 
 from cloner.generic.girth_prior import load_girth_prior
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.lengths import FINGER
 from cloner.geometry.measures import Girth, TapeRules
 from cloner.geometry.under_clothes import girths_under_clothes
 
 #: Body vertices (their mirror twins are added) whose mean height is the level. Chosen where both sample
 #: visitors' ruler loops pass: there they meet the true girths within 2.3 mm on the true bodies.
-_LEVELS: Final = {"neck": (791, 857), "chest": (8441,), "underbust": (10749,), "waist": (10780,)}
+#: The natural waist is halfway between the lowest rib (2nd lumbar vertebra) and the hip bone (4th): at the 3rd.
+_LEVELS: Final = {
+    "neck": (791, 857),
+    "chest": (8441,),
+    "underbust": (10749,),
+    "waist": (10780,),
+    "natural_waist": (4060, 4106),
+}
 _LEFT_THIGH: Final = (11073, 11105, 11064)
+#: Tip of the seventh neck vertebra under the skin: 0.86 of the stature (H-Anim's site cervicale: 0.87).
+_NAPE: Final = 857
+#: Middle of the natural waist, front and back.
+_WAIST: Final = (4106, 4060)
 
 
 @functools.cache
@@ -48,22 +60,71 @@ def tape_rules(generic: GenericHuman) -> TapeRules:
         return np.asarray(np.isin(generic.vertex_segment[skin], wanted).any(axis=1))
 
     arms = touching(*(name for name in generic.segment_names if "arm" in name or "hand" in name))
-    joints = {
-        pair: np.array([[generic.joint(f"{side}_{name}") for name in pair] for side in "lr"])
-        for pair in (("shoulder", "elbow"), ("knee", "ankle"))
-    }
     right_thigh = tuple(int(generic.mirror[vertex]) for vertex in _LEFT_THIGH)
     return TapeRules(
+        skin=skin,
         torso=skin[~arms],
-        left_leg=skin[touching("left_thigh", "left_calf")],
-        right_leg=skin[touching("right_thigh", "right_calf")],
+        left_leg=skin[touching("left_thigh", "left_calf", "left_foot")],
+        right_leg=skin[touching("right_thigh", "right_calf", "right_foot")],
         left_arm=skin[touching("left_upper_arm")],
         right_arm=skin[touching("right_upper_arm")],
+        left_forearm=skin[touching("left_forearm")],
+        right_forearm=skin[touching("right_forearm")],
+        head=skin[touching("head")],
+        left_foot=_members(generic, "left_foot"),
+        right_foot=_members(generic, "right_foot"),
+        skull=_skull(generic),
         level_vertices={
             name: tuple({*rows, *(int(generic.mirror[row]) for row in rows)}) for name, rows in _LEVELS.items()
         },
         thigh_vertices=(_LEFT_THIGH, right_thigh),
+        points=_points(generic),
         crotch=generic.feature("crotch"),
-        arm_joints=joints["shoulder", "elbow"],
-        leg_joints=joints["knee", "ankle"],
+        arm_joints=_joints(generic, "shoulder", "elbow"),
+        forearm_joints=_joints(generic, "elbow", "wrist"),
+        thigh_joints=_joints(generic, "hip", "knee"),
+        leg_joints=_joints(generic, "knee", "ankle"),
+        finger_joints=_joints(generic, *FINGER),
     )
+
+
+def _joints(generic: GenericHuman, *names: str) -> NDArray[np.int32]:
+    """Return the rows of joints on both sides, (2, N)."""
+    return np.array([[generic.joint(f"{side}_{name}") for name in names] for side in "lr"], dtype=np.int32)
+
+
+def _members(generic: GenericHuman, segment: str) -> NDArray[np.int32]:
+    own = generic.vertex_segment == generic.segment_names.index(segment)
+    return np.flatnonzero(own & (generic.vertex_part == generic.part_names.index("body"))).astype(np.int32)
+
+
+def _skull(generic: GenericHuman) -> NDArray[np.int32]:
+    """Return the head's vertices without ears and face's lower half: where a tape and calipers touch the skull."""
+    rows = _members(generic, "head")
+    ears = generic.region("ear_left") | generic.region("ear_right")
+    high = generic.vertices_m[rows, 1] > generic.vertices_m[generic.feature("ear_lobe_L"), 1]
+    return np.asarray(rows[high & ~ears[rows]])
+
+
+def _points(generic: GenericHuman) -> dict[str, int]:
+    """Return the vertices between which lengths are measured."""
+    named = {
+        "glabella": "glabella", "nasion": "nasion", "chin": "chin_bottom", "crotch": "crotch",
+        "ear_left": "ear_top_L", "ear_right": "ear_top_R",
+    }  # fmt: skip
+    for side in ("left", "right"):
+        own = {"acromion": "shoulder_end", "kneecap": "knee_front", "wrist": "wrist_outer"}
+        own |= {name: name for name in ("heel", "toe", "fingertip", "ankle_outer", "ankle_inner", "armpit")}
+        named |= {f"{ours}_{side}": f"{feature}_{side}" for ours, feature in own.items()}
+    elbow = _olecranon(generic)
+    fixed = {"nape": _NAPE, "waist_front": _WAIST[0], "waist_back": _WAIST[1], "elbow_left": elbow}
+    fixed["elbow_right"] = int(generic.mirror[elbow])
+    return {ours: generic.feature(feature) for ours, feature in named.items()} | fixed
+
+
+def _olecranon(generic: GenericHuman) -> int:
+    """Return the left elbow's tip: the vertex that stands out farthest where the arm bends."""
+    shoulder, elbow, wrist = (generic.joints_m[generic.joint(f"l_{name}")] for name in ("shoulder", "elbow", "wrist"))
+    outward = 2.0 * elbow - shoulder - wrist
+    near = np.flatnonzero(np.linalg.norm(generic.vertices_m - elbow, axis=1) < 0.07)
+    return int(near[np.argmax((generic.vertices_m[near] - elbow) @ outward)])

@@ -24,38 +24,57 @@ CALF_SPAN: Final = (0.25, 0.85)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class TapeRules:
-    """What the girths need to know of a mesh's topology; nothing of the person.
+    """What the measures need to know of a mesh's topology; nothing of the person.
 
     Attributes
     ----------
-    torso, left_leg, right_leg, left_arm, right_arm : (T, 3) int32
-        Triangles of the parts; the torso is everything without the arms.
+    skin, torso, left_leg, right_leg, left_arm, right_arm, left_forearm, right_forearm, head : (T, 3) int32
+        Triangles of the parts; the torso is everything without the arms, an arm is the upper arm.
+    left_foot, right_foot, skull : (N,) int32
+        Vertices of the feet, and of the head behind and above the ears.
     level_vertices : mapping of str to tuple of int
-        For neck, chest, underbust and waist: the vertices whose mean height is the level.
+        For neck, chest, underbust, waist (the navel's level) and natural_waist: the vertices whose mean height is
+        the level.
     thigh_vertices : tuple of tuple of int
         The same for the left and the right thigh.
+    points : mapping of str to int
+        Vertices of named places, sides as ``_left`` and ``_right``.
     crotch : int
         Vertex of the crotch.
-    arm_joints, leg_joints : (2, 3) or (2, 2) int
-        Joint numbers: left and right shoulder and elbow; left and right knee and ankle.
+    arm_joints, forearm_joints, thigh_joints, leg_joints : (2, 2) int
+        Joint numbers, left and right: shoulder and elbow, elbow and wrist, hip and knee, knee and ankle.
+    finger_joints : (2, 4) int
+        Wrist and the middle finger's joints.
     """
 
+    skin: Triangles
     torso: Triangles
     left_leg: Triangles
     right_leg: Triangles
     left_arm: Triangles
     right_arm: Triangles
+    left_forearm: Triangles
+    right_forearm: Triangles
+    head: Triangles
+    left_foot: NDArray[np.int32]
+    right_foot: NDArray[np.int32]
+    skull: NDArray[np.int32]
     level_vertices: dict[str, tuple[int, ...]]
     thigh_vertices: tuple[tuple[int, ...], tuple[int, ...]]
+    points: dict[str, int]
     crotch: int
     arm_joints: NDArray[np.int32]
+    forearm_joints: NDArray[np.int32]
+    thigh_joints: NDArray[np.int32]
     leg_joints: NDArray[np.int32]
+    finger_joints: NDArray[np.int32]
 
     def __post_init__(self) -> None:
-        triangles = {
-            name: (np.int32, (None, 3)) for name in ("torso", "left_leg", "right_leg", "left_arm", "right_arm")
-        }
-        freeze(self, **triangles, arm_joints=(np.int32, (2, 2)), leg_joints=(np.int32, (2, 2)))
+        parts = ("skin", "torso", "left_leg", "right_leg", "left_arm", "right_arm", "left_forearm", "right_forearm")
+        triangles = {name: (np.int32, (None, 3)) for name in (*parts, "head")}
+        rows = {name: (np.int32, (None,)) for name in ("left_foot", "right_foot", "skull")}
+        joints = {name: (np.int32, (2, 2)) for name in ("arm_joints", "forearm_joints", "thigh_joints", "leg_joints")}
+        freeze(self, **triangles, **rows, **joints, finger_joints=(np.int32, (2, 4)))
 
 
 def slice_points(vertices_m: Array, triangles: Triangles, point_m: Array, normal: Array) -> Array:
@@ -124,12 +143,10 @@ def girths_mm(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str,
         return lambda height: girth_mm(vertices_m, triangles, np.array([0.0, height, 0.0]), UP)
 
     torso = around(rules.torso)
-    level = {name: float(vertices_m[list(rows), 1].mean()) for name, rows in rules.level_vertices.items()}
+    level = {name: float(vertices_m[list(rules.level_vertices[name]), 1].mean()) for name in _FIXED_LEVELS}
     found = {name: torso(height) for name, height in level.items()}
-    heights = np.arange(vertices_m[rules.crotch, 1], level["waist"], SEARCH_STEP_M)
-    hips = [torso(height) for height in heights] or [0.0]
-    hip_m = float(heights[int(np.argmax(hips))]) if len(heights) else level["waist"]
-    found["hip"] = max(hips)
+    hip_m = hip_level_m(vertices_m, rules)
+    found["hip"] = torso(hip_m)
     found["waist_min"] = min(torso(height) for height in np.arange(hip_m, level["underbust"], SEARCH_STEP_M))
     legs = (around(rules.left_leg), around(rules.right_leg))
     thighs = [
@@ -144,6 +161,17 @@ def girths_mm(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str,
     return {name: found[name] for name in GIRTH_NAMES}
 
 
+def hip_level_m(vertices_m: Array, rules: TapeRules) -> float:
+    """Return the height of the largest girth between crotch and navel, metres."""
+    navel_m = float(vertices_m[list(rules.level_vertices["waist"]), 1].mean())
+    heights = np.arange(vertices_m[rules.crotch, 1], navel_m, SEARCH_STEP_M)
+    if not len(heights):
+        return navel_m
+    girths = [girth_mm(vertices_m, rules.torso, np.array([0.0, height, 0.0]), UP) for height in heights]
+    return float(heights[int(np.argmax(girths))])
+
+
+_FIXED_LEVELS: Final = ("neck", "chest", "underbust", "waist")
 GIRTH_NAMES: Final = ("neck", "chest", "underbust", "waist", "waist_min", "hip", "thigh", "calf", "upper_arm")
 
 
