@@ -29,6 +29,8 @@ class ViewPoints:
     confidence : (N,) float64 in 0..1
     corrected : (N,) bool
         True where an operator placed the point.
+    proposed : ViewPoints or None
+        The points before any correction; None where nothing was corrected.
     """
 
     view: ViewId
@@ -36,6 +38,7 @@ class ViewPoints:
     points_px: NDArray[np.float64]
     confidence: NDArray[np.float64]
     corrected: NDArray[np.bool_]
+    proposed: ViewPoints | None = None
 
     def __post_init__(self) -> None:
         count = len(self.names)

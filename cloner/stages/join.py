@@ -23,6 +23,7 @@ from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 from cloner.stages.carriage import carried
 from cloner.stages.outlined import outlined_photos
+from cloner.stages.points import for_fitting
 
 Array = NDArray[np.float64]
 
@@ -106,7 +107,8 @@ def run(
     vertices = flat_soles(generic, blend_head(generic, body, head), phenotype.sole_m)
     vertices = to_stature(generic, vertices, phenotype.stature_m)
     photos = outlined_photos(phenotype, silhouettes, proposals)
-    poses = carried(BodyMesh(vertices, body.joints_m), photos, dict(body_points.views))
+    seen = {view: for_fitting(points) for view, points in body_points.views.items()}
+    poses = carried(BodyMesh(vertices, body.joints_m), photos, seen)
     lift = np.array([0.0, phenotype.sole_m, 0.0])
     vertices, joints = vertices + lift, body.joints_m + lift
     views = {

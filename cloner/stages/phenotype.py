@@ -33,6 +33,7 @@ from cloner.stages.phenotype_evidence import (
     longer_by_shoes,
     sole_vertices,
 )
+from cloner.stages.points import for_fitting
 from cloner.stages.portrait import portrait_shape
 
 Array = NDArray[np.float64]
@@ -214,7 +215,9 @@ def run(
     """
     params, generic = Params(), load_generic()
     evidence = {
-        view: gather_evidence(seen, body_points.views[view], silhouettes.views[view], proposals.views[view], params)
+        view: gather_evidence(
+            seen, for_fitting(body_points.views[view]), silhouettes.views[view], proposals.views[view], params
+        )
         for view, seen in views.views.items()
     }
     if not evidence:

@@ -21,13 +21,12 @@ from cloner.records.points import HAIR, Proposal, ViewPoints
 from cloner.records.silhouettes import Silhouette
 from cloner.records.views import Camera, View
 from cloner.stages.outlined import body_triangles
+from cloner.stages.points import ENDS
 
 Array = NDArray[np.float64]
 
 #: Share of the figure's height beside loose clothing in which points on the outline are not believed.
 CLOTH_MARGIN = 0.01
-#: Points that count through hair and soles only.
-ENDS = ("head_top", "sole_left", "sole_right")
 
 
 @dataclass(frozen=True, slots=True)
@@ -120,10 +119,22 @@ def gather_evidence(
         step_px=2.0 * reduction,
         reduction=reduction,
     )
+    top, bottom = ends_px(points, outline)
+    return Evidence(view, off_cloth(points, outline), field, mm_per_px, top, bottom, proposal.barefoot)
+
+
+def ends_px(points: ViewPoints, outline: Silhouette) -> tuple[Array, Array]:
+    """Return the highest and the lowest point of the person, (2,) px each: an operator's, else the outline's."""
     rows = np.flatnonzero(outline.mask.any(axis=1))
     top = np.array([np.flatnonzero(outline.mask[rows[0]]).mean(), rows[0] - 0.5])
     bottom = np.array([np.flatnonzero(outline.mask[rows[-1]]).mean(), rows[-1] + 0.5])
-    return Evidence(view, off_cloth(points, outline), field, mm_per_px, top, bottom, proposal.barefoot)
+    placed = {n: p for n, p, fixed in zip(points.names, points.points_px, points.corrected, strict=True) if fixed}
+    soles = [placed[name] for name in ENDS[1:] if name in placed]
+    if ENDS[0] in placed:
+        top = placed[ENDS[0]] - [0.0, 0.5]
+    if soles:
+        bottom = max(soles, key=lambda sole: float(sole[1])) + [0.0, 0.5]
+    return top, bottom
 
 
 def off_cloth(points: ViewPoints, outline: Silhouette) -> ViewPoints:
@@ -179,11 +190,7 @@ class PointTerm:
         points = evidence.points
         self.sole_m = sole_m
         joint_rows = [k for k, name in enumerate(points.names) if name in generic.joint_names]
-        feature_rows = [
-            k
-            for k, name in enumerate(points.names)
-            if name in generic.feature_names and (points.corrected[k] or name not in ENDS)
-        ]
+        feature_rows = [k for k, name in enumerate(points.names) if name in generic.feature_names and name not in ENDS]
         self.joints = np.array([generic.joint(points.names[k]) for k in joint_rows], dtype=int)
         soles = sole_vertices(generic)
         self.soles = len(soles)

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -14,6 +15,7 @@ from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import BodyPoints, Proposal, Proposals, ViewPoints
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
+from cloner.stages.points import FAR, for_fitting
 from cloner.vision.loose_outline import find_loose
 from cloner.vision.outlines import Outline, OutlineLoop, extract_outline
 
@@ -33,26 +35,44 @@ def outline_points(points: ViewPoints | None) -> tuple[tuple[str, ...], NDArray[
     return tuple(points.names[k] for k in rows), points.points_px[rows], points.corrected[rows]
 
 
+def astray_points(outline: Outline, points: ViewPoints | None) -> tuple[str, ...]:
+    """Return the names of corrected points that the outline misses by more than doubt in it explains."""
+    names, positions, corrected = outline_points(points)
+    if not corrected.any():
+        return ()
+    nearest, _ = cKDTree(np.concatenate([loop.polygon for loop in outline.loops])).query(positions)
+    return tuple(
+        n for n, gap, own in zip(names, nearest, corrected, strict=True) if own and gap > FAR * outline.height_px
+    )
+
+
 def _segment_names(loop: OutlineLoop, number: int, names: tuple[str, ...]) -> list[str]:
     labels = [names[row] if row >= 0 else f"{number}.{k}" for k, row in enumerate(loop.feature_rows)]
     return [f"{labels[k]} - {labels[(k + 1) % len(labels)]}" for k in range(len(labels))]
 
 
 def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> Silhouette:
-    """Return one photo's outline; it passes through the points an operator corrected.
+    """Return one photo's outline, as the fit takes it.
+
+    It is traced by the proposed points. Only where an operator's point lies so far off that the outline must have
+    been wrong, it is traced again through that point; nearer ones bend it in the end (``stages/obeyed.py``).
 
     Raises
     ------
     ClonerError
         If no outline can be drawn around the person.
     """
-    names, positions, corrected = outline_points(points)
+    names, positions, fixed = outline_points(None if points is None else for_fitting(points))
     mask = proposal.mask.astype(np.float32) / np.float32(255.0)
-    outline: Outline = extract_outline(photo.rgb, mask, positions, fixed=corrected)
+    outline: Outline = extract_outline(photo.rgb, mask, positions, fixed=fixed)
     if not outline.loops:
         raise ClonerError(
             "the person's outline was not found", "Retake the photo before a plain background", photo.name
         )
+    astray = astray_points(outline, points)
+    if points is not None and astray:
+        names, positions, fixed = outline_points(for_fitting(points, astray))
+        outline = extract_outline(photo.rgb, mask, positions, fixed=fixed)
     sources: list[tuple[str, str, float]] = []
     for number, loop in enumerate(outline.loops):
         labels = _segment_names(loop, number, names)
