@@ -36,7 +36,7 @@ def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: 
     for name, correction in corrections.items():
         if not (0 <= correction.x_px < photo.width_px and 0 <= correction.y_px < photo.height_px):
             raise ClonerError(
-                f"the corrected point {name} of {points.view} lies off the image",
+                f"{points.view}: the corrected point {name} lies off the image",
                 "Drag it back on to the photo",
                 photo.name,
             )
