@@ -17,11 +17,12 @@ from scipy.ndimage import label, map_coordinates
 from skimage.measure import marching_cubes
 
 from cloner.baking.hair_cap import Scalp, measure_scalp
-from cloner.baking.hair_paint import paint_hair
 from cloner.baking.hair_tail import find_tail
 from cloner.baking.hair_views import HairView, Hanger, hair_views
 from cloner.baking.hair_volume import VOXEL_M, hair_field
+from cloner.baking.shell_paint import ShellView, paint_shell
 from cloner.baking.sources import body_triangles
+from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.atlas import map_atlas
 from cloner.geometry.graphs import surface_graph
@@ -36,6 +37,13 @@ from cloner.records.silhouettes import SilhouetteSet
 
 Array = NDArray[np.float64]
 
+CLAIM = {  # taste: face photos have three times the pixels
+    ViewId.FACE_FRONT: 1.0,
+    ViewId.FACE_SIDE: 1.0,
+    ViewId.BODY_BACK: 0.85,
+    ViewId.BODY_FRONT: 0.6,
+    ViewId.BODY_SIDE: 0.6,
+}
 HIDDEN_MM = 3.0  # this deep in the head nothing is seen
 
 
@@ -178,7 +186,8 @@ def dress_shell(
     joints, weights = Hanger.of(generic, joined).weights(vertices_m)
     charts = unwrap(vertices_m, triangles, params.size)
     atlas = map_atlas(charts.uv, charts.triangles, triangles, params.size)
-    rgba = paint_hair(generic, joined, photos.photos, views, atlas, vertices_m, joints, weights)
+    shown = [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
+    rgba = paint_shell(generic, joined, photos.photos, shown, atlas, vertices_m, joints, weights)
     return Shell(
         vertices_m[charts.vertex], charts.triangles, charts.uv, joints[charts.vertex], weights[charts.vertex], rgba
     )

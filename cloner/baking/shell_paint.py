@@ -1,13 +1,13 @@
-"""The hair shell's texture: only hair pixels, from all photos."""
+"""A shell's texture, hair or loose clothing: only its own pixels, from all photos."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.hair_views import HairView
 from cloner.baking.sources import parents_of
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
@@ -16,6 +16,7 @@ from cloner.geometry.graphs import surface_graph
 from cloner.geometry.seeing import Sight, look
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.geometry.wedges import vertex_normals
+from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.photos import Photo
 from cloner.vision.aligning import sample
@@ -29,51 +30,69 @@ SHARPNESS = 5  # weights are (claim x cosine)**5: mostly one photo a texel, so s
 LEVELS = 2  # charts are small islands: wide bands would make them differ along their borders
 SMOOTHING = 3  # rounds over the surface, where charts do not matter
 FLOOR = 1e-6
-_CLAIM: Mapping[ViewId, float] = {  # taste: face photos have three times the pixels
-    ViewId.FACE_FRONT: 1.0,
-    ViewId.FACE_SIDE: 1.0,
-    ViewId.BODY_BACK: 0.85,
-    ViewId.BODY_FRONT: 0.6,
-    ViewId.BODY_SIDE: 0.6,
-}
 _MIRRORED = 0.8
 BAND_PX = 2.5  # labels are about this many pixels unsure
 
 
-def paint_hair(
+@dataclass(frozen=True, slots=True, eq=False)
+class ShellView:
+    """What one photo shows of a shell.
+
+    Attributes
+    ----------
+    posed : PosedView
+    mask : (H, W) bool
+        Pixels that show it.
+    inside_px : (H, W) float32
+        Signed distance to the mask's outline, positive inside.
+    claim : float
+        Weight against the other photos.
+    flip_m : float or None
+        When set, points are mirrored at x = flip_m first: the photo stands for the other half.
+    """
+
+    posed: PosedView
+    mask: NDArray[np.bool_]
+    inside_px: NDArray[np.float32]
+    claim: float
+    flip_m: float | None = None
+
+
+def paint_shell(
     generic: GenericHuman,
     joined: Joined,
     photos: Mapping[ViewId, Photo],
-    views: list[HairView],
+    views: list[ShellView],
     atlas: AtlasMap,
     vertices_m: Array,
     skin_joints: NDArray[np.int32],
     skin_weights: Array,
 ) -> NDArray[np.uint8]:
-    """Return the (size, size, 4) texture of a hair shell.
+    """Return the (size, size, 4) texture of a shell.
 
     Parameters
     ----------
-    generic, joined : the person the hair belongs to
+    generic, joined : the person the shell belongs to
     photos : mapping of ViewId to Photo
-    views : list of HairView
+    views : list of ShellView
+        At least one with any pixel that shows the shell.
     atlas : AtlasMap of the shell, its triangles indexing ``vertices_m``
     vertices_m : (N, 3), skin_joints, skin_weights : (N, 4)
     """
     size = atlas.size
     normals = vertex_normals(vertices_m, atlas.triangles)
-    usable = [view for view in views if view.posed.view in photos and view.hair.any()]
+    usable = [view for view in views if view.posed.view in photos and view.mask.any()]
     sights, claims, trusts, pictures = [], [], [], []
     for view in usable:
         sight = _look(generic, joined, view, vertices_m, skin_joints, skin_weights, atlas.triangles)
         seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
-        claim = _CLAIM[view.posed.view] * (_MIRRORED if view.flip_m is not None else 1.0)
-        near = sample(view.hair_px, sight.pixel_px)[:, 0] > -2.0 * BAND_PX
+        claim = view.claim * (_MIRRORED if view.flip_m is not None else 1.0)
+        near = sample(view.inside_px, sight.pixel_px)[:, 0] > -2.0 * BAND_PX
         sights.append(sight)
         claims.append(np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0))
-        # Hair shines at grazing angles: only what both photos see nearly head-on tells their exposures.
+        # Hair and cloth shine at grazing angles: only what both photos see nearly head-on tells their exposures.
         trusts.append(np.where(claims[-1] > 0.0, np.clip((sight.cosine - 0.5) / 0.5, 0.0, 1.0), 0.0))
-        pictures.append(repair_bleeding(photos[view.posed.view].rgb, view.hair, BAND_PX)[0])
+        pictures.append(repair_bleeding(photos[view.posed.view].rgb, view.mask, BAND_PX)[0])
     graph = surface_graph(vertices_m, atlas.triangles)
     claims = [graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in claims]
     claim_table = np.stack(claims)
@@ -109,7 +128,7 @@ def paint_hair(
 def _look(
     generic: GenericHuman,
     joined: Joined,
-    view: HairView,
+    view: ShellView,
     vertices_m: Array,
     skin_joints: NDArray[np.int32],
     skin_weights: Array,
@@ -120,5 +139,13 @@ def _look(
     if view.flip_m is not None:
         points = points * (-1.0, 1.0, 1.0) + (2.0 * view.flip_m, 0.0, 0.0)
         faces = triangles[:, ::-1]
+        skin_joints = twin_joints(generic)[skin_joints]
     transforms = joint_transforms(joined.joints_m, parents_of(generic), view.posed.rotations)
     return look(skin(points, transforms, skin_joints, skin_weights), np.ascontiguousarray(faces), view.posed.camera)
+
+
+def twin_joints(generic: GenericHuman) -> NDArray[np.int32]:
+    """Return (94,) each joint's twin of the other side, itself in the middle."""
+    names = generic.joint_names
+    other = {"l_": "r_", "r_": "l_"}
+    return np.array([names.index(other.get(name[:2], name[:2]) + name[2:]) for name in names], np.int32)
