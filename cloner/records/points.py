@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from enum import StrEnum
 from types import MappingProxyType
 
 import numpy as np
@@ -14,6 +15,58 @@ from cloner.records.arrays import freeze
 
 #: Value of hair in ``Proposal.labels``.
 HAIR = 2
+#: Error at which a body point's confidence has fallen to 1/e, share of the figure's height.
+CONFIDENCE_SCALE = 0.02
+
+
+def confidence_of(error: float) -> float:
+    """Return a body point's confidence for an expected error in shares of the figure's height."""
+    return float(np.exp(-max(error, 0.0) / CONFIDENCE_SCALE))
+
+
+def expected_error(confidence: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the expected distance from the truth of body points, as shares of the figure's height."""
+    return -CONFIDENCE_SCALE * np.log(np.clip(confidence, 1e-6, 1.0))
+
+
+class StateKind(StrEnum):
+    """What a body photo shows that its points cannot be read from as usual."""
+
+    ARM_TOUCHES = "arm touches the trunk"
+    LEGS_TOGETHER = "legs together"
+    HAND_HIDDEN = "hand before the body or in a pocket"
+    FOOT_HIDDEN = "foot hidden"
+    CUT = "cut by the picture's border"
+    TURNED = "turned"
+    EXCHANGED = "left and right exchanged by the net"
+    REFUSED = "proposal refused"
+    LOOSE_OUTLINE = "loose clothing makes the outline"
+
+
+@dataclass(frozen=True, slots=True)
+class PhotoState:
+    """Something about a body photo that the points suffer from.
+
+    Points that it makes unreadable are absent or have little confidence, so nobody need look at states to be safe.
+    They are for the report, and for steps that treat such a photo in their own way.
+
+    Attributes
+    ----------
+    kind : StateKind
+    side : str
+        "left" or "right" of the person, "" for both or none.
+    sentence : str
+        What is seen and what the operator can do, without the photo's name; "" when there is nothing to tell.
+    confidence : float in 0..1
+    rows_px : tuple of float
+        First and last picture row that it concerns; (0, 0) when it concerns no rows.
+    """
+
+    kind: StateKind
+    side: str
+    sentence: str
+    confidence: float = 1.0
+    rows_px: tuple[float, float] = (0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,10 +80,13 @@ class ViewPoints:
         Unique point names.
     points_px : (N, 2) float64, photo pixels, (0, 0) = centre of top-left pixel
     confidence : (N,) float64 in 0..1
+        Body points: exp(-expected error / 2 % of the figure's height), see ``expected_error``.
     corrected : (N,) bool
         True where an operator placed the point.
     proposed : ViewPoints or None
         The points before any correction; None where nothing was corrected.
+    states : tuple of PhotoState
+        What is unusual about a body photo.
     """
 
     view: ViewId
@@ -39,6 +95,7 @@ class ViewPoints:
     confidence: NDArray[np.float64]
     corrected: NDArray[np.bool_]
     proposed: ViewPoints | None = None
+    states: tuple[PhotoState, ...] = ()
 
     def __post_init__(self) -> None:
         count = len(self.names)
