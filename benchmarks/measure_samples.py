@@ -28,6 +28,8 @@ from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measuring import measures_mm
 from cloner.project.corrections import no_corrections
+from cloner.records.measures import Cover
+from cloner.stages.covering import covers
 
 #: First seeds: dressed bodies without photos, photographed people to calibrate on, and people to check the result on.
 EASE_SEED, FIT_SEED, CHECK_SEED = 710_000, 720_000, 730_000
@@ -66,7 +68,8 @@ def fitted(seed: int, number: int) -> dict[str, Any]:
     known = photograph_person(seed, tightness=tightness, background=BACKGROUNDS[(number // 3) % 3])
     values = {"photos": known.photos, "person": known.person, "corrections": no_corrections()}
     names = [stage.name for stage in pipeline.STAGES]
-    found, _ = pipeline.run(values, stages=pipeline.STAGES[: names.index(LAST_STAGE) + 1])
+    found, reports = pipeline.run(values, stages=pipeline.STAGES[: names.index(LAST_STAGE) + 1])
+    fine = next(report for report in reports if report.name == "fine")
     joined = found["joined"]
     dressed_m = known.dressed.vertices_m[: len(known.body.vertices_m)]
     return {
@@ -79,8 +82,13 @@ def fitted(seed: int, number: int) -> dict[str, Any]:
         "dressed": vector(dressed_m, known.body.joints_m),
         "naked": vector(known.body.vertices_m, known.body.joints_m),
         "cloth": known.dressed.kind[: len(dressed_m)] == CLOTH,
-        "values": found,
-    }
+        "gap_mm": [residual.value for residual in fine.residuals if residual.name == "outline gap"],
+    } | {f"cover_{name}": flags(cover) for name, cover in covers(known.photos, found["proposals"], joined).items()}
+
+
+def flags(cover: Cover) -> np.ndarray:
+    """Return the slices of a cover as numbers: 1 cloth, 0 bare, -1 not seen."""
+    return np.array([-1 if slice_ is None else int(slice_) for slice_ in cover.covered])
 
 
 def stored(folder: Path, seeds: range) -> Iterator[tuple[int, int, Path]]:
@@ -101,7 +109,6 @@ def main() -> None:
     first = {"ease": EASE_SEED, "fits": FIT_SEED, "checks": CHECK_SEED}[chosen.what]
     for number, seed, path in stored(chosen.out / chosen.what, range(first, first + chosen.people)):
         sample = eased(seed) if chosen.what == "ease" else fitted(seed, number)
-        sample.pop("values", None)
         np.savez_compressed(path, **sample)
         print(path.name, flush=True)
 

@@ -9,11 +9,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.generic.girth_prior import load_girth_prior
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.measure_prior import load_measure_prior
 from cloner.geometry.lengths import FINGER
-from cloner.geometry.measures import Girth, TapeRules
-from cloner.geometry.under_clothes import girths_under_clothes
+from cloner.geometry.measures import TRUTH_GIRTHS, Girth, TapeRules
+from cloner.geometry.measuring import ALL_KEYS
+from cloner.geometry.under_clothes import Evidence, estimate
 
 #: Body vertices (their mirror twins are added) whose mean height is the level. Chosen where both sample
 #: visitors' ruler loops pass: there they meet the true girths within 2.3 mm on the true bodies.
@@ -39,15 +40,21 @@ def load_tape_rules() -> TapeRules:
 
 
 def body_girths(shown_mm: Mapping[str, float], stature_m: float) -> dict[str, Girth]:
-    """Return the girths of the body under the clothes of a photographed person, with one standard deviation each.
+    """Return the girths of the body under the clothes of a photographed person, by the truth's names.
 
     Parameters
     ----------
     shown_mm : mapping of str to float
-        :func:`girths_mm` of the clone's skin, which has the outline of the clothes.
+        :func:`girths_mm` of the clone's skin, or more of what :func:`measures_mm` gives; what is missing is unknown.
     stature_m : float
     """
-    return girths_under_clothes(shown_mm, stature_m, load_girth_prior())
+    keyed = {TRUTH_GIRTHS.get(name, name): value for name, value in shown_mm.items()}
+    shown = np.array([keyed.get(key, np.nan) for key in ALL_KEYS])
+    prior = load_measure_prior()
+    found = estimate(Evidence(shown, stature_m, np.zeros(len(ALL_KEYS), dtype=bool)), prior)
+    rows = {name: ALL_KEYS.index(key) for name, key in TRUTH_GIRTHS.items()}
+    half = prior.spread * found.deviation_mm
+    return {name: Girth(float(found.mm[row]), float(half[row])) for name, row in rows.items()}
 
 
 def tape_rules(generic: GenericHuman) -> TapeRules:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -76,6 +76,12 @@ class TapeRules:
         joints = {name: (np.int32, (2, 2)) for name in ("arm_joints", "forearm_joints", "thigh_joints", "leg_joints")}
         freeze(self, **triangles, **rows, **joints, finger_joints=(np.int32, (2, 4)))
 
+    def limbs(self, side: str) -> tuple[Triangles, Triangles, Triangles]:
+        """Return the triangles of one side's leg, upper arm and forearm."""
+        left = side == "left"
+        leg, arm = (self.left_leg, self.left_arm) if left else (self.right_leg, self.right_arm)
+        return leg, arm, self.left_forearm if left else self.right_forearm
+
 
 def slice_points(vertices_m: Array, triangles: Triangles, point_m: Array, normal: Array) -> Array:
     """Return (N, 3) points where the triangles' edges cross a plane, metres.
@@ -117,8 +123,66 @@ def girth_mm(vertices_m: Array, triangles: Triangles, point_m: Array, normal: Ar
     return float(np.linalg.norm(hull - np.roll(hull, 1, axis=0), axis=1).sum() * 1e3)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Plane:
+    """Where a tape lies round one part.
+
+    Attributes
+    ----------
+    point_m, normal : (3,) float64
+        Model frame.
+    triangles : (T, 3) int32
+        Of the part.
+    segments : tuple of str
+        The skin segments it goes round.
+    """
+
+    point_m: Array
+    normal: Array
+    triangles: Triangles
+    segments: tuple[str, ...]
+
+    def girth_mm(self, vertices_m: Array) -> float:
+        """Return what the tape reads, mm."""
+        return girth_mm(vertices_m, self.triangles, self.point_m, self.normal)
+
+
+#: Names of girths that the sample visitors' truth has, with their keys in the measures' table.
+TRUTH_GIRTHS: Final = {
+    "neck": "neck_girth",
+    "chest": "bust_girth",
+    "underbust": "underbust_girth",
+    "waist": "navel_girth",
+    "waist_min": "narrowest_waist_girth",
+    "hip": "hip_girth",
+    "thigh": "thigh_girth",
+    "calf": "calf_girth",
+    "upper_arm": "upper_arm_girth",
+}
+GIRTH_NAMES: Final = tuple(TRUTH_GIRTHS)
+_TRUNK: Final = ("torso", "pelvis", "left_thigh", "right_thigh")
+
+
 def girths_mm(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str, float]:
-    """Return the girths of a body in rest pose by name, mm.
+    """Return the girths of a body in rest pose by the names of `TRUTH_GIRTHS`, mm; sides are averaged.
+
+    Parameters
+    ----------
+    vertices_m : (V, 3) model frame, metres
+    joints_m : (94, 3) model frame, metres
+    rules : TapeRules
+    """
+    planes = girth_planes(vertices_m, joints_m, rules)
+    return {name: read_mm(vertices_m, planes[key]) for name, key in TRUTH_GIRTHS.items()}
+
+
+def read_mm(vertices_m: Array, planes: Sequence[Plane]) -> float:
+    """Return the mean of what a tape reads in planes: both sides of a limb."""
+    return float(np.mean([plane.girth_mm(vertices_m) for plane in planes]))
+
+
+def girth_planes(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str, tuple[Plane, ...]]:
+    """Return by key of the measures' table where the tape lies on a body in rest pose; limbs have two planes.
 
     Parameters
     ----------
@@ -126,64 +190,75 @@ def girths_mm(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str,
     joints_m : (94, 3) model frame, metres
     rules : TapeRules
 
-    Returns
-    -------
-    dict
-        neck, chest, underbust, waist (navel), hip (largest between crotch and
-        waist), waist_min (smallest between hip and underbust), thigh, calf
-        (largest below the knee), upper_arm (across the arm's middle); limbs
-        are the mean of both sides.
-
     References
     ----------
-    ISO 8559-1:2017, 5.3; the levels follow surface points that go with the person.
+    ISO 8559-1:2017, 5.3, in the wording of the project's reference table; the levels follow surface points that go
+    with the person. The hip is the largest girth between crotch and navel, the narrowest waist the smallest from
+    there to the underbust, the calf the largest below the knee.
     """
 
-    def around(triangles: Triangles) -> Callable[[float], float]:
-        return lambda height: girth_mm(vertices_m, triangles, np.array([0.0, height, 0.0]), UP)
+    def level(height_m: float, *segments: str) -> tuple[Plane, ...]:
+        return (Plane(np.array([0.0, height_m, 0.0]), UP, rules.torso, segments or _TRUNK),)
 
-    torso = around(rules.torso)
-    level = {name: float(vertices_m[list(rules.level_vertices[name]), 1].mean()) for name in _FIXED_LEVELS}
-    found = {name: torso(height) for name, height in level.items()}
-    hip_m = hip_level_m(vertices_m, rules)
-    found["hip"] = torso(hip_m)
-    found["waist_min"] = min(torso(height) for height in np.arange(hip_m, level["underbust"], SEARCH_STEP_M))
-    legs = (around(rules.left_leg), around(rules.right_leg))
-    thighs = [
-        leg(float(vertices_m[list(rows), 1].mean())) for leg, rows in zip(legs, rules.thigh_vertices, strict=True)
-    ]
-    found["thigh"] = float(np.mean(thighs))
-    found["calf"] = float(
-        np.mean([_calf(leg, joints_m[pair]) for leg, pair in zip(legs, rules.leg_joints, strict=True)])
-    )
-    arms = zip((rules.left_arm, rules.right_arm), rules.arm_joints, strict=True)
-    found["upper_arm"] = float(np.mean([_arm(vertices_m, arm, joints_m[pair]) for arm, pair in arms]))
-    return {name: found[name] for name in GIRTH_NAMES}
+    at = {name: float(vertices_m[list(rows), 1].mean()) for name, rows in rules.level_vertices.items()}
+    hip_m = _extreme(vertices_m, rules.torso, (float(vertices_m[rules.crotch, 1]), at["waist"]), np.argmax)
+    narrow_m = _extreme(vertices_m, rules.torso, (hip_m, at["underbust"]), np.argmin)
+    return {
+        "head_girth": (_round_the_head(vertices_m, rules),),
+        "neck_girth": level(at["neck"], "head", "torso"),
+        "bust_girth": level(at["chest"]),
+        "underbust_girth": level(at["underbust"]),
+        "narrowest_waist_girth": level(narrow_m),
+        "waist_girth": level(at["natural_waist"]),
+        "navel_girth": level(at["waist"]),
+        "hip_girth": level(hip_m),
+        **_limb_planes(vertices_m, joints_m, rules),
+    }
 
 
-def hip_level_m(vertices_m: Array, rules: TapeRules) -> float:
-    """Return the height of the largest girth between crotch and navel, metres."""
-    navel_m = float(vertices_m[list(rules.level_vertices["waist"]), 1].mean())
-    heights = np.arange(vertices_m[rules.crotch, 1], navel_m, SEARCH_STEP_M)
+def _extreme(
+    vertices_m: Array, triangles: Triangles, span_m: tuple[float, float], choose: Callable[[Array], np.intp]
+) -> float:
+    """Return the height of the largest or smallest girth between two heights; the upper one where there is none."""
+    heights = np.arange(*span_m, SEARCH_STEP_M)
     if not len(heights):
-        return navel_m
-    girths = [girth_mm(vertices_m, rules.torso, np.array([0.0, height, 0.0]), UP) for height in heights]
-    return float(heights[int(np.argmax(girths))])
+        return span_m[1]
+    girths = np.array([girth_mm(vertices_m, triangles, np.array([0.0, y, 0.0]), UP) for y in heights])
+    return float(heights[int(choose(girths))])
 
 
-_FIXED_LEVELS: Final = ("neck", "chest", "underbust", "waist")
-GIRTH_NAMES: Final = ("neck", "chest", "underbust", "waist", "waist_min", "hip", "thigh", "calf", "upper_arm")
+def _round_the_head(vertices_m: Array, rules: TapeRules) -> Plane:
+    brow, skull = vertices_m[rules.points["glabella"]], vertices_m[rules.skull]
+    rear = skull[np.argmin(skull[:, 2])]
+    return Plane(brow, np.cross([1.0, 0.0, 0.0], rear - brow), rules.head, ("head",))
 
 
-def _calf(leg: Callable[[float], float], knee_and_ankle: Array) -> float:
-    knee, ankle = knee_and_ankle[:, 1]
-    low, high = (ankle + share * (knee - ankle) for share in CALF_SPAN)
-    return max(leg(height) for height in np.arange(low, high, SEARCH_STEP_M))
-
-
-def _arm(vertices_m: Array, triangles: Triangles, shoulder_and_elbow: Array) -> float:
-    shoulder, elbow = shoulder_and_elbow
-    return girth_mm(vertices_m, triangles, (shoulder + elbow) / 2, elbow - shoulder)
+def _limb_planes(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str, tuple[Plane, ...]]:
+    """Return the planes of legs and arms: horizontal round thigh, knee and calf, else at right angles to the limb."""
+    found: dict[str, list[Plane]] = {}
+    for row, side in enumerate(("left", "right")):
+        leg, arm, fore = rules.limbs(side)
+        pairs = (rules.leg_joints, rules.arm_joints, rules.forearm_joints)
+        shin, upper, lower = (joints_m[pair[row]] for pair in pairs)
+        low_m, high_m = (float(shin[1, 1] + share * (shin[0, 1] - shin[1, 1])) for share in CALF_SPAN)
+        heights = {
+            "thigh_girth": float(vertices_m[list(rules.thigh_vertices[row]), 1].mean()),
+            "knee_girth": float(vertices_m[rules.points[f"kneecap_{side}"], 1]),
+            "calf_girth": _extreme(vertices_m, leg, (low_m, high_m), np.argmax),
+        }
+        bones = vertices_m[[rules.points[f"ankle_{where}_{side}"] for where in ("outer", "inner")]].mean(axis=0)
+        wrist = vertices_m[rules.points[f"wrist_{side}"]]
+        parts = {name: f"{side}_{name}" for name in ("thigh", "calf", "foot", "upper_arm", "forearm", "hand")}
+        for key, height in heights.items():
+            middle = shin[0] * [1.0, 0.0, 1.0] + [0.0, height, 0.0]
+            found.setdefault(key, []).append(Plane(middle, UP, leg, (parts["thigh"], parts["calf"])))
+        for key, point, pair, triangles, segments in (
+            ("ankle_girth", bones, shin, leg, (parts["calf"], parts["foot"])),
+            ("upper_arm_girth", upper.mean(axis=0), upper, arm, (parts["upper_arm"], parts["forearm"])),
+            ("wrist_girth", wrist, lower, fore, (parts["forearm"], parts["hand"])),
+        ):
+            found.setdefault(key, []).append(Plane(point, pair[1] - pair[0], triangles, segments))
+    return {key: tuple(planes) for key, planes in found.items()}
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,32 +269,8 @@ class Girth:
     ----------
     value_mm : float
     plus_minus_mm : float
-        One standard deviation.
+        Nine in ten of such errors lie within it.
     """
 
     value_mm: float
     plus_minus_mm: float
-
-
-#: A tape's level is found to about a finger's breadth, where a girth changes by half of it; taste.
-LEVEL_SLIP_MM: Final = 5.0
-
-
-def widened(girth: Girth, outline_residual_mm: float, stature_share: float = 0.0) -> Girth:
-    """Return a girth with the uncertainty that this person's photos add.
-
-    Independent causes are added as squares: what clothes and shape leave open
-    (the girth's own), both ends of two widths off by the outline's residual
-    (``pi / 2 * sqrt(2 + 2)`` times it), the tape's level, and the scale.
-
-    Parameters
-    ----------
-    girth : Girth
-    outline_residual_mm : float
-        Root mean square distance between the clone's and the photos' outlines.
-    stature_share : float
-        Relative uncertainty of the scale; 0 when the height was measured.
-    """
-    widths_mm = np.pi * outline_residual_mm
-    parts = (girth.plus_minus_mm, widths_mm, LEVEL_SLIP_MM, stature_share * girth.value_mm)
-    return Girth(girth.value_mm, float(np.linalg.norm(parts)))

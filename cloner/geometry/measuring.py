@@ -2,30 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.geometry.lengths import lengths_mm
-from cloner.geometry.measures import UP, TapeRules, girth_mm, girths_mm, hip_level_m
-from cloner.records.measures import MEASURE_KEYS
+from cloner.geometry.measures import UP, TapeRules, girth_mm, girth_planes, read_mm
+from cloner.records.measures import MEASURE_KEYS, MEASURES, Cover
 
 Array = NDArray[np.float64]
 
-#: Names of the girths that the sample visitors' truth has, and the keys of the measures' table.
-TRUTH_GIRTHS: Final = {
-    "neck": "neck_girth",
-    "chest": "bust_girth",
-    "underbust": "underbust_girth",
-    "waist": "navel_girth",
-    "waist_min": "narrowest_waist_girth",
-    "hip": "hip_girth",
-    "thigh": "thigh_girth",
-    "calf": "calf_girth",
-    "upper_arm": "upper_arm_girth",
-}
 #: Slices between the named levels: clothes hide a body's hollows, and the more slices the better that shows.
 TRUNK_SLICES: Final = (0.12, 0.25, 0.4, 0.55, 0.7, 0.85)
 LIMB_SLICES: Final = {
@@ -52,14 +40,9 @@ def measures_mm(vertices_m: Array, joints_m: Array, rules: TapeRules, floor_m: f
     floor_m : float
         Height of the naked soles in this frame.
     """
-    girths = girths_mm(vertices_m, joints_m, rules)
-    found = {key: girths[name] for name, key in TRUTH_GIRTHS.items()}
-    levels = {
-        name: float(vertices_m[list(rules.level_vertices[row]), 1].mean())
-        for name, row in (("bust", "chest"), ("waist", "natural_waist"), ("navel", "waist"))
-    } | {"hip": hip_level_m(vertices_m, rules)}
-    found["waist_girth"] = _level_mm(vertices_m, rules.torso, levels["waist"])
-    found |= _small_girths_mm(vertices_m, joints_m, rules)
+    planes = girth_planes(vertices_m, joints_m, rules)
+    found = {key: read_mm(vertices_m, own) for key, own in planes.items()}
+    levels = {name: float(planes[f"{name}_girth"][0].point_m[1]) for name in ("bust", "waist", "hip")}
     found |= lengths_mm(vertices_m, joints_m, rules, levels, floor_m)
     found |= dict(zip(SLICE_KEYS, _slices_mm(vertices_m, joints_m, rules), strict=True))
     return {key: found[key] for key in ALL_KEYS}
@@ -67,36 +50,6 @@ def measures_mm(vertices_m: Array, joints_m: Array, rules: TapeRules, floor_m: f
 
 def _level_mm(vertices_m: Array, triangles: NDArray[np.int32], height_m: float) -> float:
     return girth_mm(vertices_m, triangles, np.array([0.0, height_m, 0.0]), UP)
-
-
-def _small_girths_mm(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str, float]:
-    """Return the girths of head, knees, ankles and wrists; a plane crosses a limb at right angles."""
-    brow = vertices_m[rules.points["glabella"]]
-    skull = vertices_m[rules.skull]
-    rear = skull[np.argmin(skull[:, 2])]
-    legs, fores = (rules.left_leg, rules.right_leg), (rules.left_forearm, rules.right_forearm)
-    knees = [
-        _level_mm(vertices_m, leg, float(vertices_m[rules.points[f"kneecap_{side}"], 1]))
-        for leg, side in zip(legs, ("left", "right"), strict=True)
-    ]
-    bones = {
-        side: vertices_m[[rules.points[f"ankle_outer_{side}"], rules.points[f"ankle_inner_{side}"]]].mean(axis=0)
-        for side in ("left", "right")
-    }
-    ankles = [
-        girth_mm(vertices_m, leg, bones[side], axis)
-        for leg, side, axis in zip(legs, ("left", "right"), _axes(joints_m, rules.leg_joints), strict=True)
-    ]
-    wrists = [
-        girth_mm(vertices_m, fore, vertices_m[rules.points[f"wrist_{side}"]], axis)
-        for fore, side, axis in zip(fores, ("left", "right"), _axes(joints_m, rules.forearm_joints), strict=True)
-    ]
-    return {
-        "head_girth": girth_mm(vertices_m, rules.head, brow, np.cross([1.0, 0.0, 0.0], rear - brow)),
-        "knee_girth": float(np.mean(knees)),
-        "ankle_girth": float(np.mean(ankles)),
-        "wrist_girth": float(np.mean(wrists)),
-    }
 
 
 def _axes(joints_m: Array, pairs: NDArray[np.int32]) -> Array:
@@ -123,3 +76,20 @@ def _slices_mm(vertices_m: Array, joints_m: Array, rules: TapeRules) -> Iterator
                 for own, pair, axis in zip(triangles, joints, axes, strict=True)
             ]
             yield float(np.mean(both))
+
+
+def bare_rows(covers: Mapping[str, Cover]) -> NDArray[np.bool_]:
+    """Return (K,) where the photos show bare skin at the place of a measure of `ALL_KEYS`, on both sides.
+
+    Parameters
+    ----------
+    covers : mapping of str to Cover
+        By segment; what is missing counts as covered.
+    """
+    places = (*((kind.segment, kind.place) for kind in MEASURES), *SLICES)
+    return np.array([_is_bare(covers, segment, place) for segment, place in places])
+
+
+def _is_bare(covers: Mapping[str, Cover], segment: str, place: float) -> bool:
+    names = [name for name in (segment, f"left_{segment}", f"right_{segment}") if name in covers]
+    return bool(names) and all(covers[name].at(place) is False for name in names)

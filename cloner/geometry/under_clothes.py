@@ -1,11 +1,13 @@
-"""Girths of the body under its clothes, from girths of the clothes' outline.
+"""Measures of the body under its clothes, from measures of the clothes' outline.
 
 Outlines show clothes. A coat's waist says how large the waist can be, not how large
-it is. So the girths are estimated together: which body of the generic family, under
-which clothes, would show these outlines? A family of bodies (their girths vary
-together: Gaussian, women and men apart) is dressed in a grid of upper and lower
-garments, from tight to wide; each pair of garments gives a Gaussian estimate and a
-likelihood, and the answer is their mixture, with its standard deviation.
+it is. So all measures are estimated together: which body of the generic family, in
+which clothes, would show these? Bodies are Gaussian (women and men apart), clothes
+above and below the waist fit tight, regular or loose, and each pair of fits gives a
+Gaussian estimate and a likelihood; the answer is their mixture. A body has hollows at
+waist, knees and armpits that cloth bridges, so many slices tell tight clothes on a
+stout person from loose ones on a slim person. Where a photo shows bare skin nothing is
+taken off, and what a tape measured is known.
 
 References
 ----------
@@ -15,112 +17,167 @@ a Gaussian mixture (C. M. Bishop, Pattern Recognition and Machine Learning, 2006
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import cho_factor, cho_solve
 
-from cloner.geometry.measures import GIRTH_NAMES, Girth
 from cloner.records.arrays import freeze
+from cloner.records.measures import FITS
 
 Array = NDArray[np.float64]
+Rows = NDArray[np.intp]
 
-#: Ease (garment minus body) at the chest or the hip for the kinds of garment that are tried, mm: from a tight knit
-#: to a coat, in steps as tailors' tables have them.
-UPPER_EASE_MM: Final = (8.0, 20.0, 40.0, 75.0, 130.0, 200.0)
-LOWER_EASE_MM: Final = (8.0, 20.0, 40.0, 75.0, 130.0)
-#: How often each upper garment is tried, relative; a coat is worn least indoors. Taste.
-UPPER_SHARE: Final = (1.0, 1.0, 1.0, 1.0, 1.0, 0.5)
-#: Ease of a garment elsewhere, relative to its ease at chest or hip. Judged from how shirts, jackets and trousers are
-#: cut, not measured: collars stand off less, a jacket is wide at the waist, a straight trouser leg is wide at the calf.
-UPPER_CUT: Final = {
-    "neck": 0.4, "chest": 1.0, "underbust": 1.1, "waist": 1.2, "waist_min": 1.3, "hip": 1.0, "upper_arm": 0.6
-}  # fmt: skip
-LOWER_CUT: Final = {"waist": 0.3, "hip": 1.0, "thigh": 0.9, "calf": 1.8}
-#: Spread of the ease within one kind of garment, and of one girth's ease against the others' (of logarithms; taste).
-KIND_SPREAD: Final = 0.25
-CUT_SPREAD: Final = 0.35
-#: What a tape reads, mm.
+#: What a tape reads, one standard deviation, mm: two people differ by this much (ISO 20685: 4 to 9 mm of group means).
 TAPE_MM: Final = 3.0
+#: Half of nine in ten of a normal distribution, in standard deviations.
+NINE_IN_TEN: Final = 1.645
+#: Garments in `MeasurePrior.garment`: bit 1 what is worn above the waist, bit 2 what is worn below.
+UPPER: Final = 1
+LOWER: Final = 2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class GirthPrior:
-    """Girths of a family of bodies, in the order of `GIRTH_NAMES`.
+class MeasurePrior:
+    """What measures people of a family have, what clothes add, and how the fit errs; K measures in a fixed order.
 
     Attributes
     ----------
-    means : (K, 9) float64
-        Mean girth over stature, one row for each kind of person, all equally frequent.
-    covariance : (9, 9) float64
-        Of girth over stature, the same for all kinds.
-    fit_bias, fit_deviation : (9,) float64
-        Relative error of a girth fitted to a naked body's outlines: mean and standard deviation.
+    means : (S, K) float64
+        Mean measure over stature, mm a metre, one row for each sex; all equally frequent.
+    covariances : (S, K, K) float64
+    ease_mm : (F, K) float64
+        What the clothes of each fit of `FITS` add.
+    ease_covariances : (F, K, K) float64, mm²
+    fit_bias : (K,) float64
+        Mean relative error of the clone's skin against the dressed person.
+    fit_covariance : (K, K) float64
+        Of that error.
+    spread : (K,) float64
+        Half of nine in ten of the errors, in standard deviations of the estimate; measured on known people.
+    garment : (K,) int64
+        0 where clothes add nothing, `UPPER`, `LOWER`, or both where the wider one makes the outline.
+    gap_mm : float
+        Mean gap between the clone's and the photos' outlines over those people.
     """
 
     means: Array
-    covariance: Array
+    covariances: Array
+    ease_mm: Array
+    ease_covariances: Array
     fit_bias: Array
-    fit_deviation: Array
+    fit_covariance: Array
+    spread: Array
+    garment: NDArray[np.int64]
+    gap_mm: float
 
     def __post_init__(self) -> None:
-        count = len(GIRTH_NAMES)
-        freeze(
-            self,
-            means=(np.float64, (None, count)),
-            covariance=(np.float64, (count, count)),
-            fit_bias=(np.float64, (count,)),
-            fit_deviation=(np.float64, (count,)),
-        )
+        count = len(self.fit_bias)
+        vectors = {name: (np.float64, (count,)) for name in ("fit_bias", "spread")}
+        tables = {"means": (np.float64, (None, count)), "ease_mm": (np.float64, (len(FITS), count))}
+        stacks = {name: (np.float64, (None, count, count)) for name in ("covariances", "ease_covariances")}
+        one = {"fit_covariance": (np.float64, (count, count)), "garment": (np.int64, (count,))}
+        freeze(self, **vectors, **tables, **stacks, **one)
 
 
-def girths_under_clothes(shown_mm: Mapping[str, float], stature_m: float, prior: GirthPrior) -> dict[str, Girth]:
-    """Return the likeliest girths of the body, and one standard deviation each.
+@dataclass(frozen=True, slots=True, eq=False)
+class Evidence:
+    """What is known of one person.
 
-    Parameters
+    Attributes
     ----------
-    shown_mm : mapping of str to float
-        Girths of the clone's skin as :func:`girths_mm` gives them, clothes included.
+    shown_mm : (K,) float64
+        Measures of the clone's skin, clothes included; NaN where not measured.
     stature_m : float
-    prior : GirthPrior
+    bare : (K,) bool
+        Where a photo shows bare skin at the measure's place.
+    tape_mm : mapping of int to float
+        Measures taken on the person, by row.
+    noise : float
+        How much worse this clone fits its outlines than those the prior was measured on, as a ratio.
     """
-    shown = np.array([shown_mm[name] for name in GIRTH_NAMES]) / (1.0 + prior.fit_bias)
-    noise = np.diag((prior.fit_deviation * shown) ** 2 + TAPE_MM**2)
-    spread = prior.covariance * (1e3 * stature_m) ** 2
-    logs, means, covariances = [], [], []
-    for mean in prior.means * 1e3 * stature_m:
-        for share, ease, ease_spread in _garments():
-            total = spread + ease_spread + noise
-            gap = shown - mean - ease
-            logs.append(np.log(share) - 0.5 * (gap @ np.linalg.solve(total, gap) + np.linalg.slogdet(total)[1]))
-            gain = np.linalg.solve(total, spread).T
-            means.append(mean + gain @ gap)
-            covariances.append(spread - gain @ spread)
+
+    shown_mm: Array
+    stature_m: float
+    bare: NDArray[np.bool_]
+    tape_mm: Mapping[int, float] = field(default_factory=dict)
+    noise: float = 1.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Estimate:
+    """The likeliest measures of the body.
+
+    Attributes
+    ----------
+    mm, deviation_mm : (K,) float64
+        Mean and one standard deviation.
+    upper_fit, lower_fit : (F,) float64
+        Probabilities of `FITS`.
+    """
+
+    mm: Array
+    deviation_mm: Array
+    upper_fit: Array
+    lower_fit: Array
+
+
+def estimate(evidence: Evidence, prior: MeasurePrior) -> Estimate:
+    """Return the likeliest measures of a body under its clothes."""
+    rows = np.flatnonzero(~np.isnan(evidence.shown_mm))
+    shown = evidence.shown_mm[rows] / (1.0 + prior.fit_bias[rows])
+    noise = prior.fit_covariance[np.ix_(rows, rows)] * np.outer(shown, shown) * evidence.noise**2
+    noise += TAPE_MM**2 * np.eye(len(rows))
+    taped = np.array(sorted(evidence.tape_mm), dtype=np.intp)
+    tape = np.array([evidence.tape_mm[row] for row in taped])
+    logs, means, variances, fits = [], [], [], []
+    for mean, covariance in zip(prior.means, prior.covariances, strict=True):
+        start = (evidence.stature_m * mean, evidence.stature_m**2 * covariance)
+        known, told = _conditioned(*start, taped, tape, TAPE_MM**2 * np.eye(len(taped)))
+        for upper, lower, ease, spread in _garments(prior, evidence.bare):
+            wanted = shown - ease[rows]
+            body, seen = _conditioned(*known, rows, wanted, noise + spread[np.ix_(rows, rows)])
+            logs.append(told + seen)
+            means.append(body[0])
+            variances.append(np.diag(body[1]))
+            fits.append((upper, lower))
     weights = np.exp(np.array(logs) - max(logs))
     weights /= weights.sum()
     each = np.array(means)
     best = weights @ each
-    variance = weights @ (np.diagonal(np.array(covariances), axis1=1, axis2=2) + (each - best) ** 2)
-    return {
-        name: Girth(float(value), float(np.sqrt(wide)))
-        for name, value, wide in zip(GIRTH_NAMES, best, variance, strict=True)
-    }
+    variance = weights @ (np.array(variances) + (each - best) ** 2)
+    upper_fit, lower_fit = (np.bincount(column, weights, len(FITS)) for column in np.array(fits).T)
+    return Estimate(best, np.sqrt(np.maximum(variance, 0.0)), upper_fit, lower_fit)
 
 
-def _garments() -> list[tuple[float, Array, Array]]:
-    """Return frequency, mean ease (9,) and its covariance (9, 9), mm, of every pair of garments."""
-    pairs = []
-    for share, upper_mm in zip(UPPER_SHARE, UPPER_EASE_MM, strict=True):
-        for lower_mm in LOWER_EASE_MM:
-            upper, lower = (
-                np.array([size * cut.get(name, 0.0) for name in GIRTH_NAMES])
-                for size, cut in ((upper_mm, UPPER_CUT), (lower_mm, LOWER_CUT))
-            )
-            outer = upper >= lower  # where both cover the body, the wider one makes the outline
-            mean = np.maximum(upper, lower) * np.exp((KIND_SPREAD**2 + CUT_SPREAD**2) / 2.0)
-            common = np.where(outer[:, None] == outer[None], np.expm1(KIND_SPREAD**2), 0.0)
-            own = np.exp(KIND_SPREAD**2) * np.expm1(CUT_SPREAD**2)
-            pairs.append((share, mean, np.outer(mean, mean) * (common + own * np.eye(len(mean)))))
-    return pairs
+def _conditioned(
+    mean: Array, covariance: Array, rows: Rows, values: Array, noise: Array
+) -> tuple[tuple[Array, Array], float]:
+    """Return a Gaussian after some of its rows were observed with noise, and the logarithm of their likelihood."""
+    if not len(rows):
+        return (mean, covariance), 0.0
+    factor = cho_factor(covariance[np.ix_(rows, rows)] + noise, lower=True)
+    gap = values - mean[rows]
+    gain = cho_solve(factor, covariance[rows]).T
+    likelihood = -0.5 * float(gap @ cho_solve(factor, gap)) - float(np.log(np.diag(factor[0])).sum())
+    return (mean + gain @ gap, covariance - gain @ covariance[rows]), likelihood
+
+
+def _garments(prior: MeasurePrior, bare: NDArray[np.bool_]) -> Iterator[tuple[int, int, Array, Array]]:
+    """Yield fit above and below the waist, mean ease (K,) and its covariance (K, K), of every pair of fits.
+
+    Measures under cloth of one fit vary together; those of different fits do not.
+    """
+    for upper in range(len(FITS)):
+        for lower in range(len(FITS)):
+            which = np.choose(prior.garment, (-1, upper, lower, max(upper, lower)))
+            which = np.where(bare, -1, which)
+            ease = np.where(which < 0, 0.0, prior.ease_mm[np.maximum(which, 0), np.arange(len(which))])
+            spread = np.zeros_like(prior.fit_covariance)
+            for fit in {upper, lower}:
+                own = which == fit
+                spread = np.where(own[:, None] & own[None], prior.ease_covariances[fit], spread)
+            yield upper, lower, ease, spread

@@ -80,7 +80,7 @@ MEASURE_KEYS: Final = tuple(kind.key for kind in MEASURES)
 BY_KEY: Final = MappingProxyType({kind.key: kind for kind in MEASURES})
 
 #: How loosely a garment fits, closest first.
-FITS: Final = ("tight", "regular", "loose", "wide")
+FITS: Final = ("tight", "regular", "loose")
 
 
 @dataclass(frozen=True, slots=True)

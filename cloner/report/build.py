@@ -16,7 +16,8 @@ import numpy as np
 import cloner
 from cloner.frames import ViewId
 from cloner.generic.tape import body_girths, load_tape_rules
-from cloner.geometry.measures import Girth, girths_mm, widened
+from cloner.geometry.measures import Girth, girths_mm
+from cloner.geometry.under_clothes import NINE_IN_TEN
 from cloner.pipeline import StageReport
 from cloner.records.clones import Clone
 from cloner.records.heads import HeadFit
@@ -184,17 +185,16 @@ def _girths(clone: Clone, person: Person, seen: Mapping[ViewId, Agreement]) -> d
     if not body:
         bare = {name: {"value": round(mm, 1), "plus_minus": None, "over_clothes": None} for name, mm in over.items()}
         return {"note": NO_BODY_NOTE, "measured": False, "values": bare}
-    residual_mm = float(np.sqrt(np.mean(np.square(body))))
-    share = 0.0 if person.stature_is_known else UNKNOWN_STATURE_M / clone.stature_m
+    share = 0.0 if person.stature_is_known else NINE_IN_TEN * UNKNOWN_STATURE_M / clone.stature_m
     girths = body_girths(over, clone.stature_m)
-    values = {name: _girth(widened(girth, residual_mm, share), over[name]) for name, girth in girths.items()}
+    values = {name: _girth(girth, share, over[name]) for name, girth in girths.items()}
     return {"note": GIRTH_NOTE, "measured": True, "values": values}
 
 
-def _girth(girth: Girth, over_mm: float) -> dict[str, float]:
+def _girth(girth: Girth, share: float, over_mm: float) -> dict[str, float]:
     return {
         "value": round(girth.value_mm, 1),
-        "plus_minus": round(girth.plus_minus_mm, 1),
+        "plus_minus": round(float(np.hypot(girth.plus_minus_mm, share * girth.value_mm)), 1),
         "over_clothes": round(over_mm, 1),
     }
 

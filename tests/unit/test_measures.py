@@ -10,11 +10,9 @@ from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measures import (
     GIRTH_NAMES,
-    Girth,
     girth_mm,
     girths_mm,
     slice_points,
-    widened,
 )
 
 UP = np.array([0.0, 1.0, 0.0])
@@ -68,11 +66,3 @@ def test_girths_of_the_generic_human_are_human_and_scale_with_it() -> None:
         assert low < large[name] < high, name
     assert large["waist_min"] <= large["waist"]
     assert large["upper_arm"] < large["calf"] < large["thigh"] < large["hip"]
-
-
-def test_uncertainty_grows_with_every_cause() -> None:
-    waist = Girth(900.0, 12.0)
-    assert widened(waist, 0.0).plus_minus_mm == pytest.approx(np.hypot(12.0, 5.0))
-    assert widened(waist, 5.0).plus_minus_mm == pytest.approx(np.hypot(13.0, np.pi * 5))
-    assert widened(waist, 5.0, 0.05).plus_minus_mm == pytest.approx(np.linalg.norm([13.0, np.pi * 5, 45.0]))
-    assert widened(waist, 5.0, 0.05).value_mm == 900.0

@@ -1,0 +1,76 @@
+"""A body no slimmer than the tape measures that an operator took (called at the end of the fine stage).
+
+Beyond the paper. Where the outline shows more than the tape it shows cloth, and
+stays. Where the mesh shows less, its slices grow: first their corners, which neither
+the front nor the side photo sees, then their depth, then all of them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.tape import load_tape_rules
+from cloner.geometry.measures import TapeRules, girth_planes
+from cloner.geometry.stretching import Loop, fields, grown
+from cloner.records.bodies import BodyMesh
+
+Array = NDArray[np.float64]
+
+#: Largest growth of corners, depth and whole slices; corners beyond this would be square.
+MOST_WITH_SIDE: Final = (0.06, 0.12, 0.40)
+#: Without a side photo nobody saw the depth.
+MOST_WITHOUT_SIDE: Final = (0.03, 0.40, 0.40)
+#: A slice's level may move as it grows (the widest hip); then it is found again.
+ROUNDS: Final = 3
+FRONTAL: Final = np.array([0.0, 0.0, 1.0])
+
+
+def taped_body(body: BodyMesh, tape_mm: Mapping[str, float], *, side_seen: bool) -> BodyMesh:
+    """Return the body with every taped girth at least what the tape read; lengths are left as they are.
+
+    Parameters
+    ----------
+    body : BodyMesh
+        Rest pose, naked soles on y = 0.
+    tape_mm : mapping of str to float
+        By key of the measures' table.
+    side_seen : bool
+        Whether a side photo showed the depths.
+    """
+    generic, rules = load_generic(), load_tape_rules()
+    vertices = body.vertices_m
+    for most in _steps(side_seen):
+        for _ in range(ROUNDS):
+            loops = _loops(generic, rules, BodyMesh(vertices, body.joints_m), tape_mm)
+            if not loops:
+                return body
+            own = [fields(vertices, loop, FRONTAL)[most[0]] for loop in loops]
+            vertices = vertices + grown(vertices, loops, own, [most[1] / ROUNDS] * len(loops))
+    return BodyMesh(vertices, body.joints_m)
+
+
+def _steps(side_seen: bool) -> tuple[tuple[int, float], ...]:
+    return tuple(enumerate(MOST_WITH_SIDE if side_seen else MOST_WITHOUT_SIDE))
+
+
+def _loops(generic: GenericHuman, rules: TapeRules, body: BodyMesh, tape_mm: Mapping[str, float]) -> list[Loop]:
+    """Return the loops of the taped girths, both sides of limbs."""
+    planes = girth_planes(body.vertices_m, body.joints_m, rules)
+    return [
+        Loop(plane.point_m, plane.normal, plane.triangles, _weight(generic, plane.segments), float(tape_mm[key]))
+        for key, own in planes.items()
+        if key in tape_mm
+        for plane in own
+    ]
+
+
+def _weight(generic: GenericHuman, segments: tuple[str, ...]) -> Array:
+    rows = [generic.segment_names.index(name) for name in segments]
+    body = generic.vertex_part == generic.part_names.index("body")
+    share = generic.segment_weights[:, rows].astype(np.float64).sum(axis=1)
+    return np.where(body, np.clip(share, 0.0, 1.0), 0.0)
