@@ -25,6 +25,13 @@ SLICES: Final = (
     *((limb, place) for limb, places in LIMB_SLICES.items() for place in places),
 )
 SLICE_KEYS: Final = tuple(f"{segment}_slice_{100 * place:.0f}" for segment, place in SLICES)
+#: What a skirt or a coat around the legs hides.
+LOOSE_KEYS: Final = frozenset(
+    (
+        *("thigh_girth", "knee_girth", "hip_girth", "hip_height", "inside_leg_height", "total_crotch_length"),
+        *(key for key in SLICE_KEYS if key.startswith(("thigh", "trunk_slice_85"))),
+    )
+)
 #: Everything :func:`measures_mm` gives, in order.
 ALL_KEYS: Final = (*MEASURE_KEYS, *SLICE_KEYS)
 

@@ -149,7 +149,7 @@ def estimate(evidence: Evidence, prior: MeasurePrior) -> Estimate:
     each = np.array(means)
     best = weights @ each
     variance = weights @ (np.array(variances) + (each - best) ** 2)
-    upper_fit, lower_fit = (np.bincount(column, weights, len(FITS)) for column in np.array(fits).T)
+    upper_fit, lower_fit = (np.eye(len(FITS))[column].T @ weights for column in np.array(fits).T)
     return Estimate(best, np.sqrt(np.maximum(variance, 0.0)), upper_fit, lower_fit)
 
 

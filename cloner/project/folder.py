@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import math
 import re
 import tomllib
 import unicodedata
@@ -15,6 +14,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId, m_from_cm
 from cloner.project import corrections as corrections_json
 from cloner.project.atomic import write_text
+from cloner.project.tape import read_tape
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import Corrections
 from cloner.vision.pictures import read_picture
@@ -99,7 +99,7 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
     Parameters
     ----------
     folder : Path
-        May hold ``person.toml`` with name, height_cm, notes and a table measures.
+        May hold ``person.toml`` with name, height_cm, notes and a table measures (centimetres).
     height_cm : float or None
         Barefoot height from the command line; wins over the file.
     identifier : str or None
@@ -113,7 +113,7 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
     Raises
     ------
     ClonerError
-        If the file is malformed, has unknown keys, or the height is absurd.
+        If the file is malformed, has unknown keys, or the height or a measure is absurd.
     """
     data = _person_table(folder / "person.toml")
     name = _text(data, "name")
@@ -128,15 +128,8 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
         stature_m=stature_m,
         stature_is_known=known,
         notes=notes,
+        tape_mm=_tape_mm(data, stature_m),
     )
-
-
-def read_measures(folder: Path) -> dict[str, float]:
-    """Return lengths an operator measured on the person, name -> mm, from ``person.toml`` [measures]."""
-    table = _person_table(folder / "person.toml").get("measures", {})
-    if not isinstance(table, dict) or not all(_is_length(value) for value in table.values()):
-        raise ClonerError("measures must be a table of positive numbers in mm", "Correct it", "person.toml, measures")
-    return {str(name): float(value) for name, value in table.items()}
 
 
 def person_warnings(person: Person) -> tuple[str, ...]:
@@ -245,8 +238,13 @@ def _text(data: Mapping[str, Any], key: str) -> str:
     return value
 
 
-def _is_length(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value) and value > 0
+def _tape_mm(data: Mapping[str, Any], stature_m: float) -> tuple[tuple[str, float], ...]:
+    """Return what ``[measures]`` says, by key of the measures' table, mm."""
+    table = data.get("measures", {})
+    if not isinstance(table, dict):
+        hint = "Write a line [measures], and below it lines like: waist_girth = 70.2"
+        raise ClonerError("measures must be a table of centimetres", hint, "person.toml, measures")
+    return read_tape(table, stature_m, "person.toml, measures")
 
 
 def _checked_height(value: Any, where: str) -> float:

@@ -92,15 +92,15 @@ class Measure:
     value_mm : float
     plus_minus_mm : float or None
         Nine in ten of such values lie within it; None when no photo showed the body.
-    shown_mm : float
-        The same measure on the clone's skin, which has the outline of the clothes.
+    shown_mm : float or None
+        The same measure on the clone's skin, which has the outline of the clothes; None where loose clothing hides it.
     taped : bool
         Whether an operator measured it on the person.
     """
 
     value_mm: float
     plus_minus_mm: float | None
-    shown_mm: float
+    shown_mm: float | None
     taped: bool = False
 
 

@@ -83,6 +83,8 @@ class Person:
     stature_is_known : bool
         False when ``stature_m`` is the stated default.
     notes : str
+    tape_mm : tuple of (str, float)
+        What an operator measured on the person: keys of the measures' table and mm.
     """
 
     identifier: str
@@ -90,3 +92,4 @@ class Person:
     stature_m: float
     stature_is_known: bool = True
     notes: str = field(default="")
+    tape_mm: tuple[tuple[str, float], ...] = ()

@@ -19,6 +19,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.settling import bending_matrix, settle
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype
+from cloner.records.photos import Person
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
@@ -26,6 +27,7 @@ from cloner.stages.feet import Params as FeetParams
 from cloner.stages.feet import fit_feet
 from cloner.stages.outlined import Outlined, body_triangles, coverage, gap_mm, outlined_photos, see, views_of
 from cloner.stages.rough import shape_slices
+from cloner.stages.tape_fit import taped_body
 
 Array = NDArray[np.float64]
 
@@ -114,6 +116,7 @@ def run(
     rough_bodies: BodySet,
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
+    person: Person,
     tick: Callable[[float], None],
     rng: np.random.Generator,
 ) -> StageResult:
@@ -133,6 +136,7 @@ def run(
     for number, reach in enumerate(params.settle_reach_mm):
         consensus = settled(consensus, tuple(photos.values()), reach, params)
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))
+    consensus = taped_body(consensus, dict(person.tape_mm), side_seen=ViewId.BODY_SIDE in photos)
     residuals = []
     for view, photo in photos.items():
         residuals.append(Residual("outline gap", gap_mm(consensus, photo), "mm", view.value))

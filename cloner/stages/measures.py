@@ -1,0 +1,123 @@
+"""Measures of the body under its clothes, and what of it cloth covers (method: beyond the paper)."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.measure_prior import load_measure_prior
+from cloner.generic.tape import load_tape_rules
+from cloner.geometry.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows, measures_mm
+from cloner.geometry.under_clothes import NINE_IN_TEN, Estimate, Evidence, MeasurePrior, estimate
+from cloner.records.bodies import BodySet, Phenotype
+from cloner.records.clones import Joined
+from cloner.records.loose import AROUND_LEGS
+from cloner.records.measures import BY_KEY, FITS, MEASURE_KEYS, Cover, Measure, MeasureSet
+from cloner.records.photos import Person, PhotoSet
+from cloner.records.points import Proposals
+from cloner.records.results import Residual, StageResult
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.covering import covers
+from cloner.stages.outlined import gap_mm, outlined_photos
+
+Array = NDArray[np.float64]
+
+#: Spread of adult stature when none was given, one standard deviation over both sexes, metres (ANSUR II: 0.09).
+UNKNOWN_STATURE_M: Final = 0.09
+#: Half of nine in ten errors of a tape, mm.
+TAPE_ERROR_MM: Final = 5.0
+#: A tape this many of its ± away from what the photos tell is asked about.
+STRANGE: Final = 2.0
+
+
+def measured(
+    shown_mm: Mapping[str, float], person: Person, cover: Mapping[str, Cover], *, noise: float = 1.0
+) -> tuple[MeasureSet, tuple[str, ...]]:
+    """Return the measures of a photographed person and sentences about tapes that contradict the photos.
+
+    Parameters
+    ----------
+    shown_mm : mapping of str to float
+        :func:`measures_mm` of the clone's skin; what loose clothing hides is missing.
+    person : Person
+    cover : mapping of str to Cover
+        By segment.
+    noise : float
+        How much worse this clone fits its outlines than usual, as a ratio.
+    """
+    prior = load_measure_prior()
+    shown = np.array([shown_mm.get(key, np.nan) for key in ALL_KEYS])
+    tape = {ALL_KEYS.index(key): value for key, value in person.tape_mm}
+    without = Evidence(shown, person.stature_m, bare_rows(cover), {}, noise)
+    photos_say = estimate(without, prior)
+    found = estimate(Evidence(shown, person.stature_m, without.bare, tape, noise), prior) if tape else photos_say
+    share = 0.0 if person.stature_is_known else NINE_IN_TEN * UNKNOWN_STATURE_M / person.stature_m
+    values = {key: _measure(key, found, prior, shown_mm, dict(person.tape_mm), share) for key in MEASURE_KEYS}
+    fits = [dict(zip(FITS, map(float, each), strict=True)) for each in (found.upper_fit, found.lower_fit)]
+    return MeasureSet(values, cover, *fits), _strange(photos_say, prior, person, share)
+
+
+def _measure(
+    key: str,
+    found: Estimate,
+    prior: MeasurePrior,
+    shown_mm: Mapping[str, float],
+    tape_mm: Mapping[str, float],
+    share: float,
+) -> Measure:
+    row = ALL_KEYS.index(key)
+    value = float(tape_mm.get(key, found.mm[row]))
+    half = float(np.hypot(prior.spread[row] * found.deviation_mm[row], share * value))
+    return Measure(value, TAPE_ERROR_MM if key in tape_mm else half, shown_mm.get(key), key in tape_mm)
+
+
+def _strange(photos_say: Estimate, prior: MeasurePrior, person: Person, share: float) -> tuple[str, ...]:
+    """Return a sentence for every tape that the photos make unlikely."""
+    told = []
+    for key, tape in person.tape_mm:
+        row = ALL_KEYS.index(key)
+        seen = float(photos_say.mm[row])
+        half = float(np.hypot(prior.spread[row] * photos_say.deviation_mm[row], share * seen))
+        if abs(tape - seen) > STRANGE * np.hypot(half, TAPE_ERROR_MM):
+            told.append(
+                f"The tape says {tape / 10:.1f} cm for {key} ({BY_KEY[key].words}), the photos say "
+                f"{seen / 10:.1f} ± {half / 10:.1f}: measure again, or check the height and the photos"
+            )
+    return tuple(told)
+
+
+def unseen(shown_mm: Mapping[str, float]) -> MeasureSet:
+    """Return the measures of a body that no photo showed: those of its mesh, without a ±."""
+    return MeasureSet({key: Measure(shown_mm[key], None, shown_mm[key]) for key in MEASURE_KEYS})
+
+
+def run(
+    *,
+    photos: PhotoSet,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    phenotype: Phenotype,
+    bodies: BodySet,
+    joined: Joined,
+    person: Person,
+    tick: Callable[[float], None],
+    rng: np.random.Generator,
+) -> StageResult:
+    """Give the measures of the joined person. Residual: how far the body's rim is from the outlines."""
+    prior = load_measure_prior()
+    shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
+    outlined = outlined_photos(phenotype, silhouettes, proposals)
+    if not outlined:
+        return StageResult({"measures": unseen(shown)})
+    tick(0.4)
+    regions = [region for silhouette in silhouettes.views.values() for region in silhouette.loose]
+    if any(region.name == AROUND_LEGS for region in regions):
+        shown = {key: value for key, value in shown.items() if key not in LOOSE_KEYS}
+    gap = float(np.mean([gap_mm(bodies.consensus, photo) for photo in outlined.values()]))
+    tick(0.7)
+    cover = covers(photos, proposals, joined)
+    found, warnings = measured(shown, person, cover, noise=max(1.0, gap / prior.gap_mm))
+    return StageResult({"measures": found}, (Residual("gap of the body's rim", gap, "mm"),), warnings)
