@@ -19,6 +19,7 @@ from cloner.exporters.files import jpeg_bytes
 from cloner.pipeline import peak_mib
 from cloner.project.folder import load_photos
 from cloner.records.clones import Clone
+from cloner.records.measures import MeasureSet
 from cloner.records.points import PointSet
 from cloner.records.silhouettes import SilhouetteSet
 
@@ -49,6 +50,8 @@ class CloneRun:
         Decoding the photos, running the nets once and encoding the texture.
     peak_mib : float
         Peak resident memory of the process.
+    measures : MeasureSet or None
+        What the clone says of the body under the clothes.
     """
 
     clone: Clone
@@ -58,6 +61,7 @@ class CloneRun:
     cpu_seconds: float
     floor_seconds: float
     peak_mib: float
+    measures: MeasureSet | None = None
 
 
 def clone_apart(photos: Path, stature_m: float, out: Path) -> CloneRun:
@@ -102,6 +106,7 @@ def clone_here(photos: Path, stature_m: float, out: Path) -> CloneRun:
         cpu_seconds=cpu_seconds,
         floor_seconds=floor,
         peak_mib=peak,
+        measures=outcome.values["measures"],
     )
 
 

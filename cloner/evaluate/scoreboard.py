@@ -139,8 +139,11 @@ def _score_set(path: Path, set_name: str, run: CloneRun, other: Clone | None, ou
             continue
         rng = np.random.default_rng(seed)
         scores = score_subject(
-            subject, run.clone, generic, truth, rng=rng, keep=lambda view, p: pictures.setdefault(view, []).append(p)
-        )
+            subject, run.clone, generic, truth,
+            rng=rng,
+            keep=lambda view, p: pictures.setdefault(view, []).append(p),
+            measures=run.measures if column == "value" else None,
+        )  # fmt: skip
         figures[column] = {(score.metric, score.view): score for score in scores}
     own = [*score_run(run, truth), *figures["value"].values()]
     if out is not None:

@@ -22,8 +22,10 @@ from cloner.evaluate.truth import THREE_QUARTER, Truth, TruthView
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.generic.tape import body_girths, load_tape_rules
-from cloner.geometry.measures import girths_mm
+from cloner.geometry.measures import TRUTH_GIRTHS, girths_mm
+from cloner.geometry.measuring import measures_mm
 from cloner.records.clones import Clone
+from cloner.records.measures import MeasureSet
 from cloner.records.points import PointSet
 
 Array = NDArray[np.float64]
@@ -74,6 +76,7 @@ def score_subject(
     *,
     rng: np.random.Generator,
     keep: Callable[[str, NDArray[np.uint8]], None] = lambda view, picture: None,
+    measures: MeasureSet | None = None,
 ) -> Iterator[Score]:
     """Yield the figures that a clone and both baselines have.
 
@@ -88,6 +91,8 @@ def score_subject(
     rng : numpy Generator
     keep : callable
         Gets the name and the picture of every held-out view.
+    measures : MeasureSet, optional
+        What the subject's own photos said of its body; else its girths come from its skin alone.
     """
     front = clone.views.get(ViewId.BODY_FRONT)
     rotations = np.zeros((len(clone.joints_m), 3)) if front is None else front.rotations
@@ -108,7 +113,7 @@ def score_subject(
     photographed = bool(subject.views)  # the generic human has its stature and its one colour by construction
     if photographed:
         yield Score("stature_error_mm", "", "mm", abs(mm_from_m(_stature_m(subject, generic) - truth.stature_m)))
-    for name, value in _girths_mm(subject).items():
+    for name, value in _girths_mm(subject, measures).items():
         if name in truth.girths_mm:
             yield Score(f"girth_{name}_error_mm", "", "mm", abs(value - truth.girths_mm[name]))
     # a seam is a matter of one texture alone, not of likeness: nobody else's seams are a baseline
@@ -117,11 +122,13 @@ def score_subject(
     yield Score("region_agreement", "", "", None)
 
 
-def _girths_mm(subject: Clone) -> dict[str, float]:
+def _girths_mm(subject: Clone, measures: MeasureSet | None) -> dict[str, float]:
     """Return the girths a subject claims: under its clothes where body photos showed it, else the bare mesh's."""
-    shown = girths_mm(subject.vertices_m, subject.joints_m, load_tape_rules())
+    if measures is not None:
+        return {name: measures.measures[key].value_mm for name, key in TRUTH_GIRTHS.items()}
     if not any(view.is_body for view in subject.views):
-        return shown
+        return girths_mm(subject.vertices_m, subject.joints_m, load_tape_rules())
+    shown = measures_mm(subject.vertices_m, subject.joints_m, load_tape_rules(), subject.sole_m)
     return {name: girth.value_mm for name, girth in body_girths(shown, subject.stature_m).items()}
 
 

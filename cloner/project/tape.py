@@ -52,8 +52,8 @@ def _key(name: str, where: str) -> str:
     for key in (name, f"{name}_girth", ALIASES.get(name, "")):
         if key in BY_KEY:
             return key
-    near = difflib.get_close_matches(name, (*MEASURE_KEYS, *ALIASES), n=1)
-    known = f"Did you mean {near[0]}?" if near else f"The measures are {', '.join(MEASURE_KEYS)}"
+    near = difflib.get_close_matches(name, (*MEASURE_KEYS, *ALIASES), n=3, cutoff=0.7)
+    known = f"Did you mean {' or '.join(near)}?" if near else f"The measures are {', '.join(MEASURE_KEYS)}"
     raise ClonerError(f"the measure {name!r} is not known", known, where)
 
 
@@ -64,7 +64,9 @@ def _checked_cm(name: str, key: str, value: Any, stature_m: float, where: str) -
     usual = _usual_cm(key, stature_m)
     if LEAST * usual <= value <= MOST * usual:
         return float(value)
-    told = f"{value:g} cm cannot be the {name} of a person of {mm_from_m(stature_m) / MILLIMETRES_PER_CENTIMETRE:.0f} cm"
+    told = (
+        f"{value:g} cm cannot be the {name} of a person of {mm_from_m(stature_m) / MILLIMETRES_PER_CENTIMETRE:.0f} cm"
+    )
     for unit, factor in OTHER_UNITS.items():
         if LEAST * usual <= value * factor <= MOST * usual:
             raise ClonerError(told, f"It looks like {unit}; write {name} = {value * factor:.1f}", where)

@@ -11,12 +11,8 @@ from dataclasses import dataclass
 from importlib.resources.abc import Traversable
 from typing import Any, Final
 
-import numpy as np
-
 import cloner
 from cloner.frames import ViewId
-from cloner.generic.tape import body_girths, load_tape_rules
-from cloner.geometry.measures import Girth, girths_mm
 from cloner.geometry.under_clothes import NINE_IN_TEN
 from cloner.pipeline import StageReport
 from cloner.records.clones import Clone
@@ -25,10 +21,12 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import PointSet
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet
-from cloner.report.agreement import Agreement, agreements
+from cloner.report.agreement import agreements
+from cloner.report.measures import measures_told
 from cloner.report.weak import grouped, weaknesses
+from cloner.stages.measures import UNKNOWN_STATURE_M
 
-FORMAT: Final = 1
+FORMAT: Final = 2  # 2: "measures_mm" instead of "girths_mm"
 LIBRARIES: Final = (
     "numpy",
     "scipy",
@@ -41,14 +39,6 @@ LIBRARIES: Final = (
     "pygltflib",
     "ai-edge-litert",
 )
-#: Spread of adult stature when none was given, one standard deviation over both sexes, metres (ANSUR II: 0.09).
-UNKNOWN_STATURE_M: Final = 0.09
-GIRTH_NOTE: Final = (
-    "Photos show clothes: the girth of the body under them is an estimate, the likeliest body of the generic "
-    "family that could show these outlines in clothes from tight to wide. The ± is one standard deviation: small "
-    "under close clothes, large under a coat. The last column is the clone's own girth, clothes included."
-)
-NO_BODY_NOTE: Final = "There was no body photo: these are the girths of a generic body, not of this person."
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +85,7 @@ def build_report(values: Mapping[str, Any], run: Run, files: Iterable[str] = ())
         "person": _person(person),
         "photos": {view: _photo(photo) for view, photo in photos.photos.items()},
         "stature": _stature(clone, person),
-        "girths_mm": _girths(clone, person, seen),
+        "measures_mm": measures_told(values["measures"]),
         "silhouette_iou": {view: round(found.iou, 4) for view, found in seen.items()},
         "outline_rms": {
             view: {"px": round(found.outline_rms_px, 2), "mm": round(found.outline_rms_mm, 2)}
@@ -174,28 +164,8 @@ def _stature(clone: Clone, person: Person) -> dict[str, Any]:
     return {
         "value_m": round(clone.stature_m, 4),
         "known": person.stature_is_known,
-        "plus_minus_m": None if person.stature_is_known else UNKNOWN_STATURE_M,
+        "plus_minus_m": None if person.stature_is_known else round(NINE_IN_TEN * UNKNOWN_STATURE_M, 3),
         "sole_m": round(clone.sole_m, 4),
-    }
-
-
-def _girths(clone: Clone, person: Person, seen: Mapping[ViewId, Agreement]) -> dict[str, Any]:
-    body = [found.below_head_mm for view, found in seen.items() if view.is_body]
-    over = girths_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
-    if not body:
-        bare = {name: {"value": round(mm, 1), "plus_minus": None, "over_clothes": None} for name, mm in over.items()}
-        return {"note": NO_BODY_NOTE, "measured": False, "values": bare}
-    share = 0.0 if person.stature_is_known else NINE_IN_TEN * UNKNOWN_STATURE_M / clone.stature_m
-    girths = body_girths(over, clone.stature_m)
-    values = {name: _girth(girth, share, over[name]) for name, girth in girths.items()}
-    return {"note": GIRTH_NOTE, "measured": True, "values": values}
-
-
-def _girth(girth: Girth, share: float, over_mm: float) -> dict[str, float]:
-    return {
-        "value": round(girth.value_mm, 1),
-        "plus_minus": round(float(np.hypot(girth.plus_minus_mm, share * girth.value_mm)), 1),
-        "over_clothes": round(over_mm, 1),
     }
 
 

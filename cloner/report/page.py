@@ -152,20 +152,27 @@ def _folded(title: str, content: str) -> str:
 
 
 def _body(report: Mapping[str, Any]) -> str:
-    girths = report["girths_mm"]
-    rows = [
-        (
-            _words(name),
-            _number(girth["value"]),
-            "" if girth["plus_minus"] is None else f"± {girth['plus_minus']:.0f}",
-            "" if girth["over_clothes"] is None else _number(girth["over_clothes"]),
-        )
-        for name, girth in girths["values"].items()
-    ]
+    measures = report["measures_mm"]
+    rows = [_measure_row(name, measure) for name, measure in measures["values"].items()]
+    girths = [row for row in rows if row[1].endswith("girth")]
+    lengths = [row for row in rows if not row[1].endswith("girth")]
+    head = ("", "name", "mm", "", "over clothes", "")
     sides = [f"{_words(view)} shows the {side} side" for view, side in report["side_shown"].items() if side is not None]
     shown = f"<p>{escape('; '.join(sides))}.</p>" if sides else ""
-    note = f"<p>{escape(girths['note'])}</p>"
-    return f"<h2>Measures</h2>{_table(('girth', 'mm', '', 'over clothes'), rows, caption='')}{note}{shown}"
+    told = "".join(f"<p>{escape(text)}</p>" for text in (*measures["clothes"]["words"], measures["note"]))
+    tables = _table(head, girths, caption="Girths") + _folded("Heights and lengths", _table(head, lengths, caption=""))
+    return f"<h2>Measures</h2>{tables}{told}{shown}"
+
+
+def _measure_row(name: str, measure: Mapping[str, Any]) -> tuple[str, ...]:
+    return (
+        measure["words"],
+        _words(name),
+        _number(measure["value"]),
+        "" if measure["plus_minus"] is None else f"± {measure['plus_minus']:.0f}",
+        "" if measure["over_clothes"] is None else _number(measure["over_clothes"]),
+        "by tape" if measure["taped"] else "",
+    )
 
 
 def _agreement(report: Mapping[str, Any]) -> str:

@@ -30,7 +30,7 @@ def test_report_tells_what_was_promised(cloned_anna: CloneOutcome) -> None:
     assert [stage["stage"] for stage in report["timings"]["stages"]] == [stage.name for stage in STAGES]
     assert report["side_shown"] == {"body_side": "right", "face_side": "right"}
     assert set(report["features"]) == set(ViewId)
-    assert all(girth["plus_minus"] > 0 for girth in report["girths_mm"]["values"].values())
+    assert all(measure["plus_minus"] > 0 for measure in report["measures_mm"]["values"].values())
     assert {each["unit"] for each in report["residuals"]} >= {"px", "mm"}
     assert report["versions"]["numpy"] == np.__version__
     assert len(report["models"]) >= 7

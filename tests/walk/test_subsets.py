@@ -38,7 +38,7 @@ def test_two_face_photos_give_a_head_on_a_body_of_matching_build(tmp_path: Path,
     assert "no body photo" in told(outcome)
     report = outcome.report
     assert report["stature"]["value_m"] == pytest.approx(1.58, abs=0.005)
-    assert report["girths_mm"]["measured"] is False
+    assert report["measures_mm"]["measured"] is False
     assert set(report["silhouette_iou"]) == {"face_front", "face_side"}
     assert min(report["silhouette_iou"].values()) > 0.80, (
         "with all five photos 0.83 to 0.92: the hair's outline limits it"

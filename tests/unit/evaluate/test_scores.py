@@ -16,7 +16,7 @@ from cloner.evaluate.truth import Truth, TruthSurface, TruthView
 from cloner.frames import BODY_VIEWS, ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.tape import body_girths, load_tape_rules
-from cloner.geometry.measures import girths_mm
+from cloner.geometry.measuring import measures_mm
 from cloner.records.bodies import PosedView
 from cloner.records.points import PointSet, ViewPoints
 from kit import people, studio
@@ -69,7 +69,7 @@ def truth(clone):
         points, normals, np.full(len(points), "bare"), _joints(front), front.features_m,
         np.zeros((0, 3)), np.zeros((0, 3), np.int32),
     )  # fmt: skip
-    girths = body_girths(girths_mm(clone.vertices_m, clone.joints_m, load_tape_rules()), STATURE_M)
+    girths = body_girths(measures_mm(clone.vertices_m, clone.joints_m, load_tape_rules()), STATURE_M)
     return Truth("known", "plain", STATURE_M, 0.0, {"waist": girths["waist"].value_mm + 7.0}, views, surface)
 
 

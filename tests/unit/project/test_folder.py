@@ -13,6 +13,13 @@ from cloner.frames import ViewId
 from cloner.project import folder as project
 from cloner.records.points import Correction, Corrections
 
+#: Round figures of tailors' tables.
+AVERAGE_AT_170_MM = {
+    "neck_girth": 360, "bust_girth": 930, "waist_girth": 790, "hip_girth": 990, "thigh_girth": 560,
+    "calf_girth": 370, "upper_arm_girth": 290, "wrist_girth": 165, "inside_leg_height": 770, "arm_length": 580,
+    "back_waist_length": 420, "shoulder_width": 420, "foot_length": 255, "head_girth": 565, "hand_length": 185,
+}  # fmt: skip
+
 
 def put_photo(folder: Path, name: str, size: tuple[int, int] = (80, 120)) -> Path:
     folder.mkdir(parents=True, exist_ok=True)
@@ -81,11 +88,11 @@ def test_a_missing_folder_is_named(tmp_path: Path) -> None:
 
 
 def test_person_file_gives_name_height_and_measures(tmp_path: Path) -> None:
-    text = 'name = "Zoë"\nheight_cm = 171.5\nnotes = "x"\n[measures]\nwaist = 702\n'
+    text = 'name = "Zoë"\nheight_cm = 171.5\nnotes = "x"\n[measures]\nwaist = 70.2\ninside_leg_height = 78\n'
     (tmp_path / "person.toml").write_text(text, encoding="utf-8")
     person = project.read_person(tmp_path)
     assert (person.name, person.stature_m, person.stature_is_known, person.notes) == ("Zoë", 1.715, True, "x")
-    assert project.read_measures(tmp_path) == {"waist": 702.0}
+    assert person.tape_mm == (("waist_girth", 702.0), ("inside_leg_height", 780.0))
     assert project.person_warnings(person) == ()
 
 
@@ -114,9 +121,40 @@ def test_absurd_heights_are_refused(tmp_path: Path, height: str) -> None:
 
 
 @pytest.mark.parametrize(
+    ("line", "words", "hint"),
+    [
+        ("wiast_girth = 70", "'wiast_girth' is not known", "waist_girth"),
+        ("tail = 70", "'tail' is not known", "bust_girth, underbust_girth"),
+        ("waist = 702", "cannot be the waist of a person of 170 cm", "millimetres; write waist = 70.2"),
+        ("hip_girth = 0.98", "cannot be", "metres; write hip_girth = 98.0"),
+        ("arm_length = 22.5", "cannot be", "inches; write arm_length = 57"),
+        ("hip = 7", "cannot be", "Measure again"),
+        ('hip = "98"', "must be a length", "number of centimetres"),
+        ("hip = nan", "must be a length", "number of centimetres"),
+        ("hip = -98", "must be a length", "number of centimetres"),
+        ("hip = 98\nhip_girth = 99", "given twice", "Keep one"),
+    ],
+)
+def test_bad_tape_measures_get_one_clear_sentence(tmp_path: Path, line: str, words: str, hint: str) -> None:
+    (tmp_path / "person.toml").write_text(f"height_cm = 170\n[measures]\n{line}\n", encoding="utf-8")
+    with pytest.raises(ClonerError, match=words) as caught:
+        project.read_person(tmp_path)
+    assert hint in caught.value.hint
+    assert caught.value.where == "person.toml, measures"
+
+
+@pytest.mark.parametrize("height", [60.0, 120.0, 250.0])
+def test_usual_measures_of_small_and_tall_people_are_taken(tmp_path: Path, height: float) -> None:
+    lines = [f"{key} = {0.1 * mm * height / 170:.1f}" for key, mm in AVERAGE_AT_170_MM.items()]
+    (tmp_path / "person.toml").write_text("[measures]\n" + "\n".join(lines), encoding="utf-8")
+    assert dict(project.read_person(tmp_path, height).tape_mm).keys() == AVERAGE_AT_170_MM.keys()
+
+
+@pytest.mark.parametrize(
     ("text", "words"),
     [
         ("height_cm = ", "not valid TOML"),
+        ("measures = 3", "table of centimetres"),
         ('height_cm = "172"', "must be a number"),
         ("height_cm = true", "must be a number"),
         ("heigth_cm = 172", "'heigth_cm' is not known"),

@@ -9,9 +9,12 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
+from cloner.generic.tape import load_tape_rules
+from cloner.geometry.measuring import measures_mm
 from cloner.pipeline import StageReport
 from cloner.records.clones import Clone
 from cloner.records.heads import HeadFit
+from cloner.records.measures import MEASURE_KEYS, Cover
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import PointSet, Proposal, Proposals, ViewPoints
 from cloner.records.results import Residual
@@ -23,6 +26,7 @@ from cloner.report.build import Run, build_report
 from cloner.report.page import page
 from cloner.report.weak import grouped, is_grey, weaknesses
 from cloner.report.write import write_report
+from cloner.stages.measures import measured, unseen
 from kit.clones import toy_clone
 
 pytestmark = pytest.mark.gl
@@ -45,9 +49,14 @@ def values(clone: Clone) -> dict[str, object]:
     named = ViewPoints(
         ViewId.BODY_FRONT, ("crotch", "waist_left"), np.array([[10.0, 20.0], [30.5, 40.0]]), [0.4, 1.0], [False, True]
     )
+    person = Person("toy", "<b>Tö & y</b>", 1.70, False, "", (("waist_girth", 712.0),))
+    covers = {f"{side}_forearm": Cover((False,) * 8, 0.9) for side in ("left", "right")}
+    shown = measures_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
+    measures, _ = measured({**shown, "waist_girth": 760.0}, person, covers)
     head = HeadFit(np.zeros((1, 3)), {}, (), np.zeros((0, 3)), np.zeros(3), 0.006, "")
     return {
-        "person": Person("toy", "<b>Tö & y</b>", 1.70, False, ""),
+        "person": person,
+        "measures": measures,
         "photos": PhotoSet({ViewId.BODY_FRONT: photo}),
         "clone": clone,
         "silhouettes": SilhouetteSet({ViewId.BODY_FRONT: outline}),
@@ -118,21 +127,29 @@ def test_everything_has_its_origin(report: dict, clone: Clone) -> None:
     assert all(len(digest) == 64 for digest in report["models"].values())
 
 
-def test_an_assumed_height_widens_every_girth(values: dict, run: Run, report: dict) -> None:
+def test_every_measure_is_told_with_its_uncertainty_and_in_plain_words(report: dict) -> None:
     assert report["stature"]["known"] is False
     assert report["stature"]["plus_minus_m"] > 0
-    person = Person("toy", "Toy", 1.70, True)
-    known = build_report({**values, "person": person}, run)
-    for name, girth in report["girths_mm"]["values"].items():
-        assert girth["plus_minus"] > known["girths_mm"]["values"][name]["plus_minus"], name
-        assert girth["value"] == known["girths_mm"]["values"][name]["value"]
+    told = report["measures_mm"]
+    assert set(told["values"]) == set(MEASURE_KEYS)
+    assert all(measure["plus_minus"] > 0 for measure in told["values"].values())
+    waist = told["values"]["waist_girth"]
+    assert (waist["value"], waist["taped"], waist["plus_minus"]) == (712.0, True, 5.0)
+    assert sum(told["clothes"]["above_waist"].values()) == pytest.approx(1.0, abs=0.01)
+    words = " ".join(told["clothes"]["words"])
+    assert "Bare skin: forearms." in words
+    assert f"waist {waist['over_clothes'] - 712:.0f} mm" in words, "what exceeds the tape is cloth"
+    html = page(report)
+    assert "Inside leg" in html or "inside leg" in html
+    assert "by tape" in html
 
 
-def test_without_a_body_photo_girths_are_said_to_be_generic(values: dict, run: Run) -> None:
-    report = build_report({**values, "silhouettes": SilhouetteSet({})}, run)
-    assert report["girths_mm"]["measured"] is False
-    assert "generic" in report["girths_mm"]["note"]
-    assert all(girth["plus_minus"] is None for girth in report["girths_mm"]["values"].values())
+def test_without_a_body_photo_measures_are_said_to_be_generic(values: dict, run: Run, clone: Clone) -> None:
+    shown = measures_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
+    report = build_report({**values, "silhouettes": SilhouetteSet({}), "measures": unseen(shown)}, run)
+    assert report["measures_mm"]["measured"] is False
+    assert "generic" in report["measures_mm"]["note"]
+    assert all(measure["plus_minus"] is None for measure in report["measures_mm"]["values"].values())
     assert "generic" in page(report)
 
 
