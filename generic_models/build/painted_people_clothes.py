@@ -1,87 +1,60 @@
-"""Clothes, shoes and hair for random people: smoothed offsets of the skin with hems, and what they are painted with."""
+"""Clothes of random people: smoothed offsets of the skin with hems, and how a whole dressed person is put together."""
 
 from __future__ import annotations
 
 import functools
 from dataclasses import dataclass
-from typing import Final, Literal
 
 import numpy as np
-import trimesh
 from numpy.typing import NDArray
 from painted_heads import Head
 from painted_people_bodies import RandomBody, waves
+from painted_people_shoes import Piece, long_hair, shoes
+from painted_people_wardrobe import (
+    CLOTH,
+    FOLDS_M,
+    HAIR,
+    HEM_M,
+    ORGAN,
+    PATTERNS,
+    SHOE,
+    SKIN,
+    SMOOTHING,
+    TIGHTNESSES,
+    Tightness,
+    Wardrobe,
+    cloth_colours,
+    random_colour,
+    random_wardrobe,
+)
 from scipy.sparse import coo_matrix, csr_matrix, diags, vstack
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.rims import vertex_normals
 
+__all__ = [
+    "CLOTH", "HAIR", "ORGAN", "SHOE", "SKIN", "TIGHTNESSES", "Dressed", "Tightness", "Wardrobe", "dress",
+    "random_wardrobe", "whole_human",
+]  # fmt: skip
+
 Array = NDArray[np.float64]
 Triangles = NDArray[np.int64]
-Tightness = Literal["tight", "regular", "loose"]
-
-TIGHTNESSES: Final[tuple[Tightness, ...]] = ("tight", "regular", "loose")
-#: Ease of shirt and trousers where they are widest, metres (issue 4: tight ~3 mm, regular 8-15, loose 20-35).
-EASE_M: Final = {"tight": (0.002, 0.004), "regular": (0.008, 0.015), "loose": (0.020, 0.035)}
-#: Rounds of smoothing: how far a cloth bridges hollows.
-SMOOTHING: Final = {"tight": 6, "regular": 25, "loose": 60}
-#: Greatest folds, metres.
-FOLDS_M: Final = {"tight": 0.0004, "regular": 0.0018, "loose": 0.0040}
-SOLE_M: Final = (0.015, 0.030)
-SHOE_M: Final = 0.005  # thickness of a shoe's upper
-#: Over what length a hem falls from cloth to skin, metres: about an edge of the fine mesh.
-HEM_M: Final = 0.006
-PATTERNS: Final = ("plain", "plain", "plain", "stripes", "checks", "print")
-SKIN, CLOTH, HAIR, SHOE, ORGAN = range(5)  # kinds of vertices
-
-
-@dataclass(frozen=True, slots=True)
-class Wardrobe:
-    """What a person wears; lengths in metres.
-
-    Attributes
-    ----------
-    tightness : "tight", "regular" or "loose"
-    shirt_m, trousers_m : float
-        Ease where they are widest.
-    sleeve, leg : float
-        Where they end, 0 shoulder or hip, 1 wrist or ankle.
-    sole_m : float
-    hair : "short", "long" or "bald"
-    hair_m : float
-        Height of the hair above the scalp.
-    alike : float
-        How near the trousers' colour is to the shirt's, 0 any to 1 the same.
-    """
-
-    tightness: Tightness
-    shirt_m: float
-    trousers_m: float
-    sleeve: float
-    leg: float
-    sole_m: float
-    hair: str
-    hair_m: float
-    alike: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Dressed:
     """A dressed person in the rest pose: a fine mesh that the coarse body carries.
 
-        Attributes
-        ----------
-        vertices_m : (N, 3) float64
-        triangles : (T, 3) int64
-        kind : (N,) int8
-            #: Over what length a hem falls from cloth to skin, metres: about an edge of the fine mesh.
-    HEM_M: Final = 0.006
-    PATTERNS: Final = ("plain", "plain", "plain", "stripes", "checks", "print")
-    SKIN, CLOTH, HAIR, SHOE or ORGAN.
-        colours : (N, 3) float64, sRGB 0..1
-        carry : (N, V) sparse
-            Shares of the coarse vertices whose motion each fine vertex follows.
-        wardrobe : Wardrobe
+    Attributes
+    ----------
+    vertices_m : (N, 3) float64
+    triangles : (T, 3) int64
+    kind : (N,) int8
+        SKIN, CLOTH, HAIR, SHOE or ORGAN.
+    colours : (N, 3) float64, sRGB 0..1
+    carry : (N, V) sparse
+        Shares of the coarse vertices whose motion each fine vertex follows.
+    wardrobe : Wardrobe
     """
 
     vertices_m: Array
@@ -90,17 +63,6 @@ class Dressed:
     colours: Array
     carry: csr_matrix
     wardrobe: Wardrobe
-
-
-def random_wardrobe(tightness: Tightness, rng: np.random.Generator, *, alike: float = 0.0) -> Wardrobe:
-    """Return random clothes of a tightness; ``alike`` draws trousers and shirt together in colour."""
-    ease = rng.uniform(*EASE_M[tightness], 2)
-    sleeve = rng.choice([rng.uniform(0.28, 0.42), rng.uniform(0.88, 0.98)])
-    leg = rng.uniform(0.97, 1.02) if rng.random() < 0.85 else rng.uniform(0.42, 0.55)
-    hair = str(rng.choice(["short", "long", "bald"], p=[0.62, 0.30, 0.08]))
-    hair_m = float(rng.uniform(0.004, 0.025)) if hair != "bald" else 0.0
-    sole = float(rng.uniform(*SOLE_M))
-    return Wardrobe(tightness, *map(float, ease), float(sleeve), float(leg), sole, hair, hair_m, alike)
 
 
 @functools.cache
@@ -146,13 +108,13 @@ def dress(body: RandomBody, wardrobe: Wardrobe, rng: np.random.Generator, *, spl
         curls = 1.0 + rng.uniform(0.03, 0.16) * waves(fine[hairy], (0.01, 0.04), 16, rng)
         away[hairy] += (wardrobe.hair_m * _eased(scalp[hairy]) * curls)[:, None] * fine_normals[hairy]
     meshes = [(fine + away, painter.fine, kind, colours, painter.matrix)]
-    meshes += _shoes(generic, body, normals, wardrobe, rng)
+    meshes += shoes(generic, body, normals, wardrobe, rng)
     if wardrobe.hair == "long":
-        meshes.append(_long_hair(generic, body, normals, colours[scalp > 0.9].mean(axis=0), rng))
+        meshes.append(long_hair(generic, body, normals, colours[scalp > 0.9].mean(axis=0), rng))
     return _joined(meshes, wardrobe)
 
 
-def _joined(meshes: list[tuple[Array, Triangles, NDArray[np.int8], Array, csr_matrix]], wardrobe: Wardrobe) -> Dressed:
+def _joined(meshes: list[Piece], wardrobe: Wardrobe) -> Dressed:
     starts = np.cumsum([0, *(len(mesh[0]) for mesh in meshes[:-1])])
     return Dressed(
         np.vstack([mesh[0] for mesh in meshes]),
@@ -244,86 +206,6 @@ def _colours(
     return np.clip(colours, 0.0, 1.0)
 
 
-def random_colour(rng: np.random.Generator) -> Array:
-    """Return an sRGB colour 0..1 as clothes have: mostly greyish."""
-    return np.clip(rng.uniform(0.06, 0.90) + rng.choice([0.05, 0.15]) * rng.normal(size=3), 0.03, 0.95)
-
-
-def cloth_colours(points_m: Array, base: Array, rng: np.random.Generator, *, patterns: tuple[str, ...]) -> Array:
-    """Return (N, 3) colours of one cloth: a colour with wear, and perhaps stripes, checks or a print."""
-    shade = 1.0 + 0.02 * waves(points_m, (0.015, 0.05), 10, rng) + 0.05 * waves(points_m, (0.1, 0.4), 8, rng)
-    other = np.clip(base + rng.choice([-1.0, 1.0]) * rng.uniform(0.12, 0.4), 0.03, 0.97)
-    width = rng.uniform(0.02, 0.06)
-    rows, columns = (np.tanh(3.0 * np.sin(points_m[:, axis] / width * np.pi)) for axis in (1, 0))
-    spot = rng.uniform(0.05, 0.1) - np.hypot(points_m[:, 0], points_m[:, 1] - np.quantile(points_m[:, 1], 0.7))
-    share = {
-        "plain": np.zeros(len(points_m)),
-        "stripes": 0.5 + 0.5 * rows,
-        "checks": 0.5 + 0.5 * rows * columns,
-        "print": np.clip(0.5 + spot / HEM_M, 0.0, 1.0) * (points_m[:, 2] > 0.0),
-    }[str(rng.choice(patterns))]
-    return np.asarray((base + share[:, None] * (other - base)) * shade[:, None])
-
-
 def _eased(mask: Array) -> Array:
     share = np.clip((mask - 0.4) / 0.6, 0.0, 1.0)
     return np.asarray(share * share * (3.0 - 2.0 * share))
-
-
-def _shoes(
-    generic: GenericHuman, body: RandomBody, normals: Array, wardrobe: Wardrobe, rng: np.random.Generator
-) -> list[tuple[Array, Triangles, NDArray[np.int8], Array, csr_matrix]]:
-    """Return both shoes: hulls of heel and forefoot on a flat sole."""
-    meshes = []
-    upper, sole = (np.clip(rng.uniform(0.08, 0.9) + rng.normal(0.0, 0.06, 3), 0.03, 0.95) for _ in range(2))
-    high = rng.uniform(0.075, 0.11) * body.stature_m / 1.7
-    for side in ("left", "right"):
-        foot = np.flatnonzero(generic.vertex_segment == generic.segment_names.index(f"{side}_foot"))
-        points = body.vertices_m[foot] + SHOE_M * normals[foot]
-        length = float(np.ptp(points[:, 2]))
-        share = (points[:, 2] - points[:, 2].min()) / length
-        points[:, 2] += 0.012 * np.clip(share - 0.6, 0.0, 1.0) / 0.4
-        low = points[points[:, 1] < 0.035]
-        centre = low.mean(axis=0)
-        flat = centre + (low - centre) * [1.05, 0.0, 1.02]
-        for part in ((share < 0.62) & (points[:, 1] < high), share > 0.30):
-            near = flat[np.isin(np.flatnonzero(points[:, 1] < 0.035), np.flatnonzero(part))]
-            slab = [near * [1, 0, 1] + [0, at, 0] for at in (-wardrobe.sole_m, 0.006)]
-            hull = trimesh.convex.convex_hull(np.vstack([points[part & (points[:, 1] < high)], *slab]))
-            hull = hull.subdivide_to_size(0.012)
-            vertices, triangles = np.asarray(hull.vertices), np.asarray(hull.faces, dtype=np.int64)
-            colours = np.where(vertices[:, 1:2] < 0.002, sole, upper)
-            heel = np.full(len(vertices), generic.feature(f"heel_{side}"))
-            meshes.append(
-                (vertices, triangles, np.full(len(vertices), SHOE, np.int8), colours, _following(generic, heel))
-            )
-    return meshes
-
-
-def _long_hair(
-    generic: GenericHuman, body: RandomBody, normals: Array, colour: Array, rng: np.random.Generator
-) -> tuple[Array, Triangles, NDArray[np.int8], Array, csr_matrix]:
-    """Return hair that falls behind the ears to neck or shoulders, as one hull that follows the skull."""
-    scalp = np.flatnonzero(generic.region("scalp"))
-    ears = float(body.joints_m[generic.joint("skullbase"), 2])
-    behind = scalp[body.vertices_m[scalp, 2] < ears + 0.035]
-    top = body.vertices_m[behind] + 0.015 * normals[behind]
-    nape, chin = body.vertices_m[generic.feature("nape")], body.vertices_m[generic.feature("chin_bottom")]
-    low = chin[1] + rng.uniform(-0.9, 0.3) * (chin[1] - nape[1])
-    half = float(np.abs(top[:, 0]).max()) * rng.uniform(0.75, 1.0)
-    back = min(float(top[:, 2].min()), nape[2] - 0.005)
-    ends = np.array(
-        [[x * half, low, back + depth] for x in np.linspace(-1, 1, 7) for depth in (0.0, 0.05 + 0.02 * abs(x))]
-    )
-    hull = trimesh.convex.convex_hull(np.vstack([top, ends])).subdivide_to_size(0.012)
-    vertices, triangles = np.asarray(hull.vertices), np.asarray(hull.faces, dtype=np.int64)
-    vertices = vertices + 0.002 * waves(vertices, (0.02, 0.06), 12, rng)[:, None]
-    colours = np.clip(colour * (1.0 + 0.15 * waves(vertices * [1, 0.1, 1], (0.006, 0.02), 12, rng))[:, None], 0, 1)
-    top_row = np.full(len(vertices), generic.feature("head_top"))
-    return vertices, triangles, np.full(len(vertices), HAIR, np.int8), colours, _following(generic, top_row)
-
-
-def _following(generic: GenericHuman, rows: NDArray[np.integer]) -> csr_matrix:
-    """Return the matrix of vertices that move as one coarse vertex each."""
-    ones = np.ones(len(rows))
-    return csr_matrix((ones, (np.arange(len(rows)), rows)), shape=(len(rows), len(generic.vertices_m)))
