@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measures import TapeRules, girth_planes
-from cloner.geometry.stretching import Loop, fields, grown
+from cloner.geometry.stretching import CLOSE_MM, Loop, fields, grown, zone_m
 from cloner.records.bodies import BodyMesh
 
 Array = NDArray[np.float64]
@@ -44,29 +44,31 @@ def taped_body(body: BodyMesh, tape_mm: Mapping[str, float], *, side_seen: bool)
     """
     generic, rules = load_generic(), load_tape_rules()
     vertices = body.vertices_m
-    for most in _steps(side_seen):
+    for kind, most in enumerate(MOST_WITH_SIDE if side_seen else MOST_WITHOUT_SIDE):
         for _ in range(ROUNDS):
             loops = _loops(generic, rules, BodyMesh(vertices, body.joints_m), tape_mm)
-            if not loops:
-                return body
-            own = [fields(vertices, loop, FRONTAL)[most[0]] for loop in loops]
-            vertices = vertices + grown(vertices, loops, own, [most[1] / ROUNDS] * len(loops))
+            if all(loop.girth_mm(vertices) > loop.wanted_mm - CLOSE_MM for loop in loops):
+                return BodyMesh(vertices, body.joints_m)
+            own = [fields(vertices, loop, FRONTAL)[kind] for loop in loops]
+            vertices = vertices + grown(vertices, loops, own, most / ROUNDS)
     return BodyMesh(vertices, body.joints_m)
-
-
-def _steps(side_seen: bool) -> tuple[tuple[int, float], ...]:
-    return tuple(enumerate(MOST_WITH_SIDE if side_seen else MOST_WITHOUT_SIDE))
 
 
 def _loops(generic: GenericHuman, rules: TapeRules, body: BodyMesh, tape_mm: Mapping[str, float]) -> list[Loop]:
     """Return the loops of the taped girths, both sides of limbs."""
-    planes = girth_planes(body.vertices_m, body.joints_m, rules)
-    return [
-        Loop(plane.point_m, plane.normal, plane.triangles, _weight(generic, plane.segments), float(tape_mm[key]))
-        for key, own in planes.items()
-        if key in tape_mm
-        for plane in own
-    ]
+    own = girth_planes(body.vertices_m, body.joints_m, rules) if tape_mm else {}
+    planes = [(plane, float(tape_mm[key])) for key, both in own.items() if key in tape_mm for plane in both]
+    loops = []
+    for plane, wanted in planes:
+        axis = plane.normal / np.linalg.norm(plane.normal)
+        away = [
+            float((other.point_m - plane.point_m) @ axis)
+            for other, _ in planes
+            if other is not plane and other.segments[0] == plane.segments[0]
+        ]
+        weight = _weight(generic, plane.segments)
+        loops.append(Loop(plane.point_m, plane.normal, plane.triangles, weight, wanted, zone_m(away)))
+    return loops
 
 
 def _weight(generic: GenericHuman, segments: tuple[str, ...]) -> Array:
