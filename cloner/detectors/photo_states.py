@@ -1,0 +1,131 @@
+"""What a body photo shows that makes points unreadable, and what the operator can do about it."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.detectors import pose_rows as net
+from cloner.detectors.flanks import ARM_HALF
+from cloner.detectors.front_cues import level_of, row_of
+from cloner.detectors.front_features import Found, Look
+from cloner.frames import ViewId
+from cloner.records.points import PhotoState, StateKind
+from cloner.vision.outline_walk import Figure
+
+Array = NDArray[np.float64]
+
+#: Ankles nearer to each other than this lie one behind the other, figure heights.
+_ONE_ANKLE: Final = 0.03
+#: Two ankles side by side with socks, figure heights; a narrower run shows one.
+_ANKLE_WIDTH: Final = 0.085
+#: The net's confidence below which it only guesses a foot.
+_GUESSED: Final = 0.3
+#: Names of the joints that the net's levels stand for.
+_JOINTS: Final = {"net_shoulder": "shoulder", "net_hip": "hip", "net_knee": "knee", "net_ankle": "ankle"}
+
+
+def cut_states(figure: Figure, view: ViewId) -> list[PhotoState]:
+    """Return whether the picture's border cuts the person."""
+    if not figure.cut:
+        return []
+    borders = " and the ".join(figure.cut)
+    advice = f"step back until head, hands and feet are in the picture and retake {view}"
+    return [PhotoState(StateKind.CUT, "", f"the picture's {borders} border cuts the person; {advice}")]
+
+
+def front_states(
+    figure: Figure, pose_px: Array, visibility: Array, looks: tuple[Look, Look], found: Found, view: ViewId
+) -> list[PhotoState]:
+    """Return what is unusual about a front or back photo.
+
+    Parameters
+    ----------
+    figure : Figure
+    pose_px, visibility : (33, 2), (33,) float64
+    looks : two Look, the person's left and right
+    found : the named points
+    view : ViewId
+    """
+    states = cut_states(figure, view)
+    for look in looks:
+        states += _arm_states(figure, pose_px, look, found, view)
+        states += _refused_levels(figure, look)
+    if "crotch" not in found:
+        states.append(_legs_together(figure, looks, view))
+    return states + _foot_states(figure, pose_px, visibility, looks, view)
+
+
+def _arm_states(figure: Figure, pose_px: Array, look: Look, found: Found, view: ViewId) -> list[PhotoState]:
+    """Return whether an arm touches the trunk, and where its hand is."""
+    side = net.SIDES[look.flank.side]
+    shoulder, wrist = (float(pose_px[pair[look.flank.side], 1]) for pair in (net.SHOULDERS, net.WRISTS))
+    states = []
+    if f"armpit_{side}" not in found:
+        advice = f"hold the arms a little away from the body and retake {view}"
+        sentence = f"the {side} arm touches the body; {advice}"
+        states.append(PhotoState(StateKind.ARM_TOUCHES, side, sentence, rows_px=(shoulder, wrist)))
+    elif hand_hidden(figure, pose_px, look):
+        sentence = f"the {side} hand lies before the body or in a pocket; let the arms hang beside and retake {view}"
+        states.append(PhotoState(StateKind.HAND_HIDDEN, side, sentence, 0.7, rows_px=(wrist, wrist)))
+    return states
+
+
+def hand_hidden(figure: Figure, pose_px: Array, look: Look) -> bool:
+    """Whether a wrist lies on the trunk or the thighs, with no background between."""
+    wrist = pose_px[net.WRISTS[look.flank.side]]
+    entry = round(look.flank.place(float(wrist[1])))
+    if not 0 <= entry < len(look.flank.rows):
+        return False
+    strip = look.flank.strip
+    aside = (wrist[0] - strip.centres_px[entry, 0]) * look.flank.outwards
+    apart = look.flank.arm_gap[entry] > 0.0 or aside > strip.far[entry]
+    near_end = len(look.arm.far) - 1
+    narrow = look.arm.width[
+        round(min(look.arm_levels.level["joint_wrist"], look.arm_share[-1]) * near_end / look.arm_share[-1])
+    ]
+    return bool(not apart and not narrow < 1.5 * ARM_HALF * figure.height_px)
+
+
+def _refused_levels(figure: Figure, look: Look) -> list[PhotoState]:
+    """Return the net's joints that contradict the rest of the body."""
+    side, states = net.SIDES[look.flank.side], []
+    for name, joint in _JOINTS.items():
+        if name in look.levels.refused:
+            sentence = f"the pose net put the {side} {joint} where none can be; its level was taken from the others"
+            row = row_of(figure, look.cues[name])
+            states.append(PhotoState(StateKind.REFUSED, side, sentence, rows_px=(row, row)))
+    return states
+
+
+def _legs_together(figure: Figure, looks: tuple[Look, Look], view: ViewId) -> PhotoState:
+    """Return that no gap between the legs shows the crotch."""
+    ankle = max(row_of(figure, look.levels.level["joint_ankle"]) for look in looks)
+    hip = min(row_of(figure, look.levels.level["joint_hip"]) for look in looks)
+    advice = f"stand with the feet a foot's length apart and retake {view}"
+    return PhotoState(
+        StateKind.LEGS_TOGETHER, "", f"the legs touch, so the crotch is not seen; {advice}", 0.9, rows_px=(hip, ankle)
+    )
+
+
+def _foot_states(
+    figure: Figure, pose_px: Array, visibility: Array, looks: tuple[Look, Look], view: ViewId
+) -> list[PhotoState]:
+    """Return whether one foot hides the other, or something hides a foot."""
+    ankles = pose_px[list(net.ANKLES)]
+    entry = round(looks[0].flank.place(float(ankles[:, 1].mean())))
+    width = looks[0].flank.strip.width[min(max(entry, 0), len(looks[0].flank.rows) - 1)]
+    apart = abs(float(ankles[0, 0] - ankles[1, 0])) / figure.height_px
+    advice = f"stand with both feet side by side and retake {view}"
+    if apart < _ONE_ANKLE and width < _ANKLE_WIDTH * figure.height_px:
+        sentence = f"one foot stands behind the other; {advice}"
+        rows = (row_of(figure, level_of(figure, float(ankles[:, 1].min()))), float(figure.bottom_px[1]))
+        return [PhotoState(StateKind.FOOT_HIDDEN, "", sentence, 0.8, rows_px=rows)]
+    hidden = [side for side, row in zip(net.SIDES, net.ANKLES, strict=True) if visibility[row] < _GUESSED]
+    if len(hidden) == 1:
+        row = float(ankles[net.SIDES.index(hidden[0]), 1])
+        sentence = f"the {hidden[0]} foot is hidden; {advice}"
+        return [PhotoState(StateKind.FOOT_HIDDEN, hidden[0], sentence, 0.6, rows_px=(row, row))]
+    return []
