@@ -29,6 +29,8 @@ class OutlineField:
         Photo pixels per grid cell.
     veiled : (M,) bool
         Samples where hair or loose clothing, not the body, makes the outline.
+    draped : (M,) bool
+        Those of loose clothing: the body is inside them.
     """
 
     samples_px: Array
@@ -37,6 +39,7 @@ class OutlineField:
     distance: NDArray[np.float32]
     reduction: float
     veiled: NDArray[np.bool_]
+    draped: NDArray[np.bool_]
 
     def signed_distance(self, points_px: Array) -> Array:
         """Return (N,) distances of photo points to the outline, positive outside."""
@@ -74,8 +77,9 @@ class OutlineField:
 def outline_field(
     contours_px: tuple[Array, ...],
     mask: NDArray[np.bool_],
-    veil: NDArray[np.bool_],
+    hair: NDArray[np.bool_],
     *,
+    cloth: NDArray[np.bool_] | None = None,
     step_px: float,
     reduction: float,
 ) -> OutlineField:
@@ -85,7 +89,8 @@ def outline_field(
     ----------
     contours_px : closed polygons of any orientation, photo pixels
     mask : (H, W) filled outline
-    veil : (H, W) pixels that show hair or loose clothing
+    hair : (H, W) pixels that show hair
+    cloth : (H, W) pixels that show loose clothing, or None
     step_px : spacing of samples
     reduction : photo pixels per cell of the distance field, at least 1
     """
@@ -111,10 +116,12 @@ def outline_field(
         points.append(sample)
         normals.append(normal)
     samples, outward = np.vstack(points), np.vstack(normals)
-    field = OutlineField(samples, outward, step_px, distance, reduction, np.zeros(len(samples), dtype=bool))
+    clear = np.zeros(len(samples), dtype=bool)
+    field = OutlineField(samples, outward, step_px, distance, reduction, clear, clear)
     probe = 2 * reduction * outward
     outward[field.signed_distance(samples + probe) < field.signed_distance(samples - probe)] *= -1
     inner = np.round(samples - 4 * reduction * outward).astype(int)
-    height, width = veil.shape
-    veiled = veil[np.clip(inner[:, 1], 0, height - 1), np.clip(inner[:, 0], 0, width - 1)]
-    return OutlineField(samples, outward, step_px, distance, reduction, veiled)
+    height, width = hair.shape
+    row, column = np.clip(inner[:, 1], 0, height - 1), np.clip(inner[:, 0], 0, width - 1)
+    draped = clear if cloth is None else cloth[row, column]
+    return OutlineField(samples, outward, step_px, distance, reduction, hair[row, column] | draped, draped)

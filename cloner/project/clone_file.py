@@ -51,6 +51,7 @@ def save_clone(clone: Clone, path: Path) -> None:
         "morph_names": list(clone.morph_names),
         "feature_names": list(clone.features_m),
         "shells": len(clone.shells),
+        "shell_kinds": [shell.kind for shell in clone.shells],
         "views": {str(view): _camera_facts(posed.camera) for view, posed in clone.views.items()},
         "stature_m": clone.stature_m,
         "sole_m": clone.sole_m,
@@ -89,11 +90,8 @@ def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
         lens = Camera(camera_from_model=arrays[f"view_{key}_camera_from_model"], **camera)
         views[ViewId(key)] = PosedView(ViewId(key), lens, arrays[f"view_{key}_rotations"])
     shells = tuple(
-        Shell(
-            **{name: arrays[f"shell_{number}_{name}"] for name in _SHELL},
-            rgba=_unpacked(arrays[f"shell_{number}_rgba_png"]),
-        )
-        for number in range(facts["shells"])
+        _shell({name: arrays[f"shell_{number}_{name}"] for name in (*_SHELL, "rgba_png")}, kind)
+        for number, kind in enumerate(facts.get("shell_kinds", ["hair"] * facts["shells"]))
     )
     return Clone(
         **{name: arrays[name] for name in _PLAIN},
@@ -105,6 +103,12 @@ def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
         stature_m=facts["stature_m"],
         sole_m=facts["sole_m"],
     )
+
+
+def _shell(parts: dict[str, NDArray[Any]], kind: str) -> Shell:
+    """Return the shell of its arrays."""
+    plain: dict[str, Any] = {name: parts[name] for name in _SHELL}
+    return Shell(**plain, rgba=_unpacked(parts["rgba_png"]), kind=kind)
 
 
 def _camera_facts(camera: Camera) -> dict[str, Any]:

@@ -54,7 +54,7 @@ class HeadFit:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shell:
-    """A loose volume over the body: hair (later also skirts and coats).
+    """A loose volume over the body: hair, a skirt, the lower part of a coat.
 
     Attributes
     ----------
@@ -64,6 +64,8 @@ class Shell:
     skin_joints : (N, 4) int32
     skin_weights : (N, 4) float64, rows sum to one
     rgba : (S, S, 4) uint8 texture
+    kind : str
+        "hair" or "cloth".
     """
 
     vertices_m: NDArray[np.float64]
@@ -72,6 +74,7 @@ class Shell:
     skin_joints: NDArray[np.int32]
     skin_weights: NDArray[np.float64]
     rgba: NDArray[np.uint8]
+    kind: str = "hair"
 
     def __post_init__(self) -> None:
         freeze(

@@ -70,6 +70,11 @@ def rim_trust() -> Array:
     return trust
 
 
+def beyond_cloth(photo: Outlined, pixels: Array) -> NDArray[np.bool_]:
+    """Return (M,) whether the body at pixels (M, 2) sticks out of the outline: there it gives way to cloth too."""
+    return np.asarray(photo.field.signed_distance(pixels) > 0.0)
+
+
 def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, params: Params) -> BodyMesh:
     """Return the body after one smooth displacement of its skin on to all outlines."""
     triangles = body_triangles()
@@ -86,7 +91,8 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         flat = across[:, :2] / np.maximum(np.linalg.norm(across[:, :2], axis=1, keepdims=True), 1e-9)
         reach_px = reach_mm / seen.mm_per_px
         nearest, distance = photo.field.nearest_rim(seen.body.pixels[rim], flat, reach_px)
-        keep = ~photo.field.veiled & (distance < reach_px * np.where(trust[rim[nearest]] > 0.5, 1.0, 0.35))
+        keep = distance < reach_px * np.where(trust[rim[nearest]] > 0.5, 1.0, 0.35)
+        keep &= ~photo.field.veiled | (photo.field.draped & beyond_cloth(photo, seen.body.pixels[rim[nearest]]))
         vertex = rim[nearest[keep]]
         normal = photo.field.normals[keep]
         wanted = np.einsum("ka,ka->k", photo.field.samples_px[keep] - seen.body.pixels[vertex], normal)

@@ -1,4 +1,4 @@
-"""Stage: the hair as a volume of its own over the head.
+"""Stage: the hair as a volume of its own over the head, and loose clothing as one around the legs.
 
 References
 ----------
@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 from fast_simplification import simplify
@@ -34,6 +35,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.loose import SAID, loose_shells
 
 Array = NDArray[np.float64]
 
@@ -86,11 +88,27 @@ def run(
     rng: np.random.Generator,
     params: Params | None = None,
 ) -> StageResult:
-    """Return one hair shell, or none with the reason as a warning.
+    """Return the hair's shell, or none with the reason as a warning, then the shells of loose clothing.
 
     Residuals: median and largest thickness of the cap, mm.
     """
-    params = params or Params()
+    hair = grow_hair(photos, proposals, silhouettes, joined, tick, params or Params())
+    loose = loose_shells(load_generic(), joined, photos, proposals, silhouettes)
+    if not loose:
+        return hair
+    shells = (*cast(tuple[Shell, ...], hair.values["shells"]), *loose)
+    return StageResult({"shells": shells}, hair.residuals, (*hair.warnings, SAID))
+
+
+def grow_hair(
+    photos: PhotoSet,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    joined: Joined,
+    tick: Callable[[float], None],
+    params: Params,
+) -> StageResult:
+    """Return one hair shell, or none with the reason as a warning, and the thickness of its cap."""
     generic = load_generic()
     views = hair_views(generic, joined, proposals, silhouettes)
     if not any(view.hair.any() for view in views):

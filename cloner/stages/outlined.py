@@ -58,9 +58,13 @@ def outlined_photos(phenotype: Phenotype, silhouettes: SilhouetteSet, proposals:
     for view, posed in phenotype.views.items():
         reduction = max(posed.camera.height_px / PICTURE_HEIGHT, 1.0)
         silhouette = silhouettes.views[view]
-        veil = (proposals.views[view].labels == HAIR) | silhouette.loose_mask()
         field = outline_field(
-            silhouette.contours_px, silhouette.mask, veil, step_px=2.0 * reduction, reduction=reduction
+            silhouette.contours_px,
+            silhouette.mask,
+            proposals.views[view].labels == HAIR,
+            cloth=silhouette.loose_mask(),
+            step_px=2.0 * reduction,
+            reduction=reduction,
         )
         photos[view] = Outlined(posed, field)
     return photos

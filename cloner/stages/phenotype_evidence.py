@@ -115,7 +115,8 @@ def gather_evidence(
     field = outline_field(
         outline.contours_px,
         outline.mask,
-        (proposal.labels == HAIR) | outline.loose_mask(),
+        proposal.labels == HAIR,
+        cloth=outline.loose_mask(),
         step_px=2.0 * reduction,
         reduction=reduction,
     )

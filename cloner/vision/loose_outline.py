@@ -30,6 +30,7 @@ FINGER_STRETCH = 2.0  # the net's finger points are knuckles; the tips lie this 
 ARM_SHARE, HAND_SHARE = 0.030, 0.020  # half widths of a sleeved arm and of a finger's line with the net's error
 LEG_SHARES = (0.055, 0.036, 0.027)  # half widths of a leg at hip, knee and ankle (generic mean) with trousers on
 ARC_SHARE = 0.045  # a level hem 0.25 m wide looks this high from a camera 0.7 m above it
+END_SHARE = 0.0015  # an edge ends where it falls behind its widest place by this
 SETTLE_SHARE = 0.012  # outlines are smoothed over this
 LEAST_DROP = 0.035  # a hem gives up this much width at once
 SURE_DROP = 0.10
@@ -188,8 +189,11 @@ def region_around_legs(legs: LegRows, level: float, confidence: float) -> LooseR
         out = sign * edges[:, column]
         low = np.flatnonzero(seen[:, column] & (line > bottom - 2.5 * arc))
         if low.size:
-            widest = np.max(out[low])
-            end = int(low[out[low] > widest - 0.35 * settle][-1])
+            widest, slack = np.max(out[low]), END_SHARE * legs.figure_px
+            last = int(low[out[low] > widest - slack][-1])
+            # where a flat ellipse has lost that slack it is this share of its half height below its end
+            share = np.sqrt(2.0 * slack / max(0.5 * np.ptp(edges[last]), 2.0 * slack))
+            end = round((last - share * bottom) / (1.0 - share))
             seen[end + 1 :, column] = False
             ends[column] = end
         else:
