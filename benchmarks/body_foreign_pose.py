@@ -19,30 +19,34 @@ from cloner.records.clones import Clone
 Array = NDArray[np.float64]
 
 VERTICES: Final = 1500  # of the clone, drawn at random, that feel the surface
-TURNS: Final = 6
+TURNS: Final = 10
 #: How far a clone's surface may lie from the truth's and still steer, metres: the error that is to be measured.
 _SURFACE_SIGMA_M: Final = 0.01
-_REACH_M: Final = 0.08
+_REACH_M: Final = 0.12
 
 
 def rotations_by_surface(
-    clone: Clone, generic: GenericHuman, truth: TruthSurface, start: Array, truth_from_clone: Array
+    clone: Clone, generic: GenericHuman, truth: TruthSurface, start: Array
 ) -> tuple[Array, Array]:
     """Return the (94, 3) rotations and the rigid (4, 4) motion that lay a clone on a surface.
 
     Parameters
     ----------
-    clone, generic, truth
+    clone, generic
+    truth : TruthSurface
+        Facing +Z with y up, as the clone does.
     start : (94, 3) float64
         Rotations to begin from and to stay near.
-    truth_from_clone : (4, 4) float64
-        Rigid motion to begin from.
     """
     rng = np.random.default_rng(0)
     chosen = rng.choice(np.unique(skin_triangles(generic)), VERTICES, replace=False)
     spread, parents = pose_matrix(generic.joint_names), generic.joint_parents.astype(np.int32)
     joints, weights = generic.skin_joints[chosen], generic.skin_weights[chosen].astype(np.float64)
     tree = cKDTree(truth.points_m)
+    begun = skin(clone.vertices_m[chosen], joint_transforms(clone.joints_m, parents, start), joints, weights)
+    truth_from_clone = np.eye(4)
+    truth_from_clone[:3, 3] = (np.ptp(truth.points_m, axis=0) - np.ptp(begun, axis=0)) / 2.0  # boxes' middles meet
+    truth_from_clone[:3, 3] += truth.points_m.min(axis=0) - begun.min(axis=0)
 
     def moved(values: Array) -> Array:
         rotations = start + (spread @ values[6:]).reshape(-1, 3)

@@ -34,8 +34,8 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.stages.rough import follow_joints
 from cloner.stages.textures import assemble
 
-BODY_STAGES: Final = ("proposals", "points", "views", "silhouettes", "phenotype", "skeleton", "rough", "fine")
-REST: Final = ("head", "join", "hair")
+#: All the product's stages but the textures, which no ruler of the body sees.
+ALL_STAGES: Final = tuple(stage.name for stage in pipeline.STAGES if stage.name != "textures")
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,7 +103,7 @@ def score_clone(values: Values, seconds: Mapping[str, Any], truth: KnownTruth, t
         "steps": {name: score_step(clone, generic, truth) for name, clone in clones.items()},
         "outlines": score_outlines(values, truth),
         "points": score_points(values["body_points"], truth),
-        "measures": score_measures(clones["finished"], truth, tightness),
+        "measures": score_measures(values["measures"], truth, tightness),
         "stature_m": truth.stature_m,
         "stature_error_mm": stature_error_mm(clones["finished"], generic, truth),
         "sole_mm": 1e3 * clones["finished"].sole_m,
@@ -114,7 +114,7 @@ def score_clone(values: Values, seconds: Mapping[str, Any], truth: KnownTruth, t
 def score_photos(photos: PhotoSet, person: Person, truth: KnownTruth, tightness: str) -> tuple[dict[str, Any], Values]:
     """Return the figures of one person and the values of the stages; a refused photo gives ``error`` alone."""
     try:
-        values, seconds = run_stages(first_values(photos, person), (*BODY_STAGES, *REST))
+        values, seconds = run_stages(first_values(photos, person), ALL_STAGES)
     except ClonerError as error:
         return {"error": f"{error.message} ({error.where})"}, {}
     return score_clone(values, seconds, truth, tightness), values

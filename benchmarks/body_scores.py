@@ -24,10 +24,10 @@ from cloner.evaluate.posing import (
 from cloner.evaluate.truth import TruthSurface, TruthView
 from cloner.frames import MILLIMETRES_PER_METRE, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
-from cloner.generic.tape import body_girths, load_tape_rules
-from cloner.geometry.measures import girths_mm
+from cloner.geometry.measures import TRUTH_GIRTHS
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone, TextureAtlas
+from cloner.records.measures import MeasureSet
 from cloner.records.points import PointSet
 from cloner.records.views import Camera
 from cloner.render import clone_layers, coverage
@@ -138,9 +138,7 @@ def placed(step: Clone, generic: GenericHuman, truth: KnownTruth) -> tuple[Array
         rotations = rotations_towards(step, generic, held.joints_m, held.points_m, start.rotations)
         posed = pose_clone(step, generic, rotations)
         return rotations, truth_from_body(posed, generic, held.joints_m, held.points_m)
-    front = truth.views[ViewId.BODY_FRONT.value].camera
-    first = np.linalg.inv(front.camera_from_model) @ start.camera.camera_from_model
-    return rotations_by_surface(step, generic, truth.surface, start.rotations, first)
+    return rotations_by_surface(step, generic, truth.surface, start.rotations)
 
 
 def _photo_mask(step: Clone, view: str) -> Mask:
@@ -237,22 +235,22 @@ def score_points(body_points: PointSet, truth: KnownTruth) -> dict[str, Any]:
     return {"percent": errors, "wrong": wrong}
 
 
-def score_measures(clone: Clone, truth: KnownTruth, tightness: str) -> dict[str, Any]:
-    """Return shown, estimated and true girths with their ±, mm, for the tables and for calibrating the ±."""
-    shown = girths_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
-    told = body_girths(shown, clone.stature_m)
+def score_measures(measures: MeasureSet, truth: KnownTruth, tightness: str) -> dict[str, Any]:
+    """Return shown, told and true girths with their ±, mm, for the tables and for calibrating the ±."""
+    found = {name: measures.measures[TRUTH_GIRTHS.get(name, name)] for name in truth.girths_mm}
     return {
         "tightness": tightness,
+        "upper_fit": dict(measures.upper_fit),
+        "lower_fit": dict(measures.lower_fit),
         "girths": {
             name: {
-                "shown": shown[name],
-                "value": told[name].value_mm,
-                "plus_minus": told[name].plus_minus_mm,
+                "shown": girth.shown_mm,
+                "value": girth.value_mm,
+                "plus_minus": girth.plus_minus_mm,
                 "true": truth.girths_mm[name],
                 "true_dressed": truth.dressed_girths_mm.get(name),
             }
-            for name in told
-            if name in truth.girths_mm
+            for name, girth in found.items()
         },
     }
 
