@@ -255,7 +255,7 @@ def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path
         EXPORTERS.get(name)(clone, folder)
     progress("previews", 0.9)
     points = (values["body_points"], values["face_points"])
-    write_previews(clone, values["photos"], values["proposals"], points, values["silhouettes"], folder)
+    write_previews(clone, values["photos"], values["proposals"], points, values["obeyed_silhouettes"], folder)
 
 
 def _relative_files(folder: Path) -> list[str]:

@@ -19,6 +19,7 @@ from cloner.stages import (
     head,
     join,
     measures,
+    obeyed,
     phenotype,
     points,
     proposals,
@@ -50,6 +51,15 @@ class Stage:
     run: Callable[..., StageResult]
 
 
+def taking_obeyed(run: Callable[..., StageResult]) -> Callable[..., StageResult]:
+    """Return a stage's function that takes person and outlines with the corrections obeyed."""
+
+    def run_obeyed(*, obeyed: object, obeyed_silhouettes: object, **values: object) -> StageResult:
+        return run(joined=obeyed, silhouettes=obeyed_silhouettes, **values)
+
+    return run_obeyed
+
+
 STAGES: tuple[Stage, ...] = (
     Stage("proposals", 1, ("photos",), ("proposals",), proposals.run),
     Stage("points", 1, ("photos", "proposals", "corrections"), ("body_points", "face_points"), points.run),
@@ -70,14 +80,27 @@ STAGES: tuple[Stage, ...] = (
         join.run,
     ),
     Stage(
+        "obeyed",
+        1,
+        ("body_points", "joined", "silhouettes"),
+        ("obeyed", "obeyed_silhouettes", "obeyed_points"),
+        obeyed.run,
+    ),
+    Stage(
         "measures",
         1,
-        ("photos", "proposals", "silhouettes", "phenotype", "bodies", "joined", "person"),
+        ("photos", "proposals", "obeyed_silhouettes", "phenotype", "bodies", "obeyed", "person"),
         ("measures",),
-        measures.run,
+        taking_obeyed(measures.run),
     ),
-    Stage("hair", 1, ("photos", "proposals", "silhouettes", "joined"), ("shells",), hair.run),
-    Stage("textures", 1, ("photos", "proposals", "silhouettes", "joined", "shells", "head"), ("clone",), textures.run),
+    Stage("hair", 1, ("photos", "proposals", "obeyed_silhouettes", "obeyed"), ("shells",), taking_obeyed(hair.run)),
+    Stage(
+        "textures",
+        1,
+        ("photos", "proposals", "obeyed_silhouettes", "obeyed", "shells", "head"),
+        ("clone",),
+        taking_obeyed(textures.run),
+    ),
 )
 
 

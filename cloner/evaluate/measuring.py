@@ -97,7 +97,7 @@ def clone_here(photos: Path, stature_m: float, out: Path) -> CloneRun:
     load_photos(photos)
     jpeg_bytes(clone.atlas.rgb)
     floor = time.perf_counter() - before + clock.spent.get("proposals", 0.0)
-    silhouettes: SilhouetteSet = outcome.values["silhouettes"]
+    silhouettes: SilhouetteSet = outcome.values["obeyed_silhouettes"]
     return CloneRun(
         clone=clone,
         outlines={view.value: silhouette.mask for view, silhouette in silhouettes.views.items()},

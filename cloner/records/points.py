@@ -210,3 +210,31 @@ class Corrections:
     def __post_init__(self) -> None:
         inner = {view: MappingProxyType(dict(named)) for view, named in self.points.items()}
         object.__setattr__(self, "points", MappingProxyType(inner))
+
+
+@dataclass(frozen=True, slots=True)
+class ObeyedPoint:
+    """How well the finished clone keeps to one corrected point.
+
+    Attributes
+    ----------
+    view : ViewId
+    name : str
+    kind : str
+        "outline": the clone's outline passes through it; "pose": that photo's pose puts the joint or feature there;
+        "scale": it set the photo's scale.
+    before_px, after_px : float
+        Distance of the clone's outline or joint from the point without and with this step, photo pixels.
+    moved_mm : float
+        Largest motion of skin, or of the joint, for this point.
+    note : str
+        What kept the clone from obeying, in plain words; "" if nothing did.
+    """
+
+    view: ViewId
+    name: str
+    kind: str
+    before_px: float
+    after_px: float
+    moved_mm: float = 0.0
+    note: str = ""

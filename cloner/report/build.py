@@ -18,7 +18,7 @@ from cloner.pipeline import StageReport
 from cloner.records.clones import Clone
 from cloner.records.heads import HeadFit
 from cloner.records.photos import Person, PhotoSet
-from cloner.records.points import PointSet
+from cloner.records.points import ObeyedPoint, PointSet
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet
 from cloner.report.agreement import agreements
@@ -79,7 +79,7 @@ def build_report(values: Mapping[str, Any], run: Run, files: Iterable[str] = ())
     person: Person = values["person"]
     clone: Clone = values["clone"]
     photos: PhotoSet = values["photos"]
-    seen = agreements(clone, values["silhouettes"])
+    seen = agreements(clone, values["obeyed_silhouettes"])
     return {
         "format": FORMAT,
         "person": _person(person),
@@ -94,6 +94,7 @@ def build_report(values: Mapping[str, Any], run: Run, files: Iterable[str] = ())
         "residuals": _residuals(run.stages),
         "side_shown": _sides(values["views"], values["head"]),
         "features": _features(values["body_points"], values["face_points"]),
+        "corrections": [_obeyed(point) for point in values["obeyed_points"]],
         "outline_segments": _outline_segments(values["silhouettes"]),
         "features_m": {name: _rounded(point, 5) for name, point in sorted(clone.features_m.items())},
         "timings": _timings(run),
@@ -208,6 +209,18 @@ def _features(body: PointSet, face: PointSet) -> dict[str, Any]:
                 }
             )
     return told
+
+
+def _obeyed(point: ObeyedPoint) -> dict[str, Any]:
+    return {
+        "view": point.view,
+        "name": point.name,
+        "kind": point.kind,
+        "px_before": round(point.before_px, 2),
+        "px_after": round(point.after_px, 2),
+        "moved_mm": round(point.moved_mm, 1),
+        "note": point.note,
+    }
 
 
 def _outline_segments(silhouettes: SilhouetteSet) -> dict[str, Any]:

@@ -49,6 +49,13 @@ _FILES: Final = {
 }
 
 
+#: What the kinds of corrected points mean.
+CORRECTIONS_CAPTION = (
+    "outline: the skin was bent until the clone's outline passes through the point; pose: the limb was turned in this "
+    "photo until the joint lies there, the body at rest stays; scale: head top and soles set the photo's scale."
+)
+
+
 def page(report: Mapping[str, Any]) -> str:
     """Return the HTML of a report; it loads nothing but the pictures beside it."""
     person = report["person"]
@@ -63,6 +70,7 @@ def page(report: Mapping[str, Any]) -> str:
         "<h2>Details</h2>",
         _overlays(report["files"]),
         _agreement(report),
+        _corrections(report["corrections"]),
         _features(report["features"], report["outline_segments"]),
         _residuals(report["residuals"]),
         _timings(report["timings"], report["peak_mib"]),
@@ -188,6 +196,24 @@ def _agreement(report: Mapping[str, Any]) -> str:
     caption = "The clone, seen through each photo's camera, against the outline found in that photo"
     table = _table(("photo", "overlap", "px", "mm"), rows, caption=caption)
     return _folded("Agreement with the photos", table) if rows else ""
+
+
+def _corrections(corrections: Sequence[Mapping[str, Any]]) -> str:
+    """Return the table of corrected points, empty when nobody corrected any."""
+    rows = [
+        (
+            c["view"],
+            c["name"],
+            c["kind"],
+            f"{c['px_before']:.1f}",
+            f"{c['px_after']:.1f}",
+            f"{c['moved_mm']:.0f}",
+            c["note"],
+        )
+        for c in corrections
+    ]
+    head = ("photo", "point", "kind", "px off before", "px off after", "moved mm", "note")
+    return _folded("Corrected points", _table(head, rows, caption=CORRECTIONS_CAPTION)) if rows else ""
 
 
 def _features(features: Mapping[str, Any], segments: Mapping[str, Any]) -> str:

@@ -81,6 +81,14 @@ def morphs(generic: GenericHuman, vertices_m: Array) -> tuple[tuple[str, ...], A
     return (*generic.arkit_names, *generic.viseme_names), index, delta, start
 
 
+def named_features(generic: GenericHuman, vertices_m: Array) -> dict[str, Array]:
+    """Return the named feature points of a surface, those of MPEG-4 as ``fdp_...``, (3,) each."""
+    named = zip(generic.feature_names, generic.feature_vertices, strict=True)
+    standard = zip(generic.fdp_names, generic.fdp_vertices, strict=True)
+    features = {name: vertices_m[vertex] for name, vertex in named}
+    return features | {f"fdp_{name}": vertices_m[vertex] for name, vertex in standard}
+
+
 def run(
     *,
     proposals: Proposals,
@@ -119,15 +127,9 @@ def run(
         if view.is_face:
             views[view] = PosedView(view, on_floor(camera, phenotype.sole_m), np.zeros((94, 3)))
     names, index, delta, start = morphs(generic, vertices)
-    features = {
-        name: vertices[vertex] for name, vertex in zip(generic.feature_names, generic.feature_vertices, strict=True)
-    }
-    features |= {
-        f"fdp_{name}": vertices[vertex] for name, vertex in zip(generic.fdp_names, generic.fdp_vertices, strict=True)
-    }
     value = Joined(
         vertices, joints, views, names, index.astype(np.int32), delta.astype(np.float32), start.astype(np.int32),
-        features, phenotype.stature_m, phenotype.sole_m,
+        named_features(generic, vertices), phenotype.stature_m, phenotype.sole_m,
     )  # fmt: skip
     residuals = [
         Residual("head against neck before blending", mm_from_m(float(apart.mean())) if len(apart) else 0.0, "mm")

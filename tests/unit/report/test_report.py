@@ -16,7 +16,7 @@ from cloner.records.clones import Clone
 from cloner.records.heads import HeadFit
 from cloner.records.measures import MEASURE_KEYS, Cover
 from cloner.records.photos import Person, Photo, PhotoSet
-from cloner.records.points import PointSet, Proposal, Proposals, ViewPoints
+from cloner.records.points import ObeyedPoint, PointSet, Proposal, Proposals, ViewPoints
 from cloner.records.results import Residual
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.records.views import View, ViewSet
@@ -60,6 +60,8 @@ def values(clone: Clone) -> dict[str, object]:
         "photos": PhotoSet({ViewId.BODY_FRONT: photo}),
         "clone": clone,
         "silhouettes": SilhouetteSet({ViewId.BODY_FRONT: outline}),
+        "obeyed_silhouettes": SilhouetteSet({ViewId.BODY_FRONT: outline}),
+        "obeyed_points": (ObeyedPoint(ViewId.BODY_FRONT, "waist_left", "outline", 12.25, 0.04, 13.0),),
         "body_points": PointSet({ViewId.BODY_FRONT: named}),
         "face_points": PointSet({}),
         "views": ViewSet({ViewId.BODY_FRONT: View(ViewId.BODY_FRONT, front.camera, "front", True)}),
@@ -84,6 +86,14 @@ def report(values: dict[str, object], run: Run) -> dict[str, object]:
 def test_a_clone_agrees_with_its_own_outline(report: dict) -> None:
     assert report["silhouette_iou"]["body_front"] > 0.99
     assert report["outline_rms"]["body_front"]["px"] < 0.7, "only the drawing's own fineness may differ"
+
+
+def test_corrected_points_are_told_before_and_after(report: dict) -> None:
+    (told,) = report["corrections"]
+    assert (told["view"], told["name"], told["kind"]) == ("body_front", "waist_left", "outline")
+    assert (told["px_before"], told["px_after"], told["moved_mm"]) == (12.25, 0.04, 13.0)
+    assert "Corrected points" in page(report)
+    assert "Corrected points" not in page({**report, "corrections": []})
 
 
 def test_a_shifted_outline_is_measured(clone: Clone, values: dict) -> None:
@@ -146,7 +156,7 @@ def test_every_measure_is_told_with_its_uncertainty_and_in_plain_words(report: d
 
 def test_without_a_body_photo_measures_are_said_to_be_generic(values: dict, run: Run, clone: Clone) -> None:
     shown = measures_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
-    report = build_report({**values, "silhouettes": SilhouetteSet({}), "measures": unseen(shown)}, run)
+    report = build_report({**values, "obeyed_silhouettes": SilhouetteSet({}), "measures": unseen(shown)}, run)
     assert report["measures_mm"]["measured"] is False
     assert "generic" in report["measures_mm"]["note"]
     assert all(measure["plus_minus"] is None for measure in report["measures_mm"]["values"].values())

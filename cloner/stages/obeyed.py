@@ -1,0 +1,146 @@
+"""Corrections obeyed, as the last step of the body: what an operator placed wins, where it was placed.
+
+Points on the outline bend the skin around them until the clone's outline passes through them (``obeyed_skin.py``);
+joints, and features of head and feet, turn that photo's pose (``obeyed_pose.py``), and the skin in rest pose stays.
+Head top and soles set the photo's scale: they are evidence of the fit. Nothing else moves, so that moving a point
+again needs this step alone.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from cloner.frames import ViewId
+from cloner.generic.load import load_generic
+from cloner.records.bodies import PosedView
+from cloner.records.clones import Joined
+from cloner.records.points import BodyPoints, ObeyedPoint
+from cloner.records.results import Residual, StageResult
+from cloner.records.silhouettes import Silhouette, SilhouetteSet
+from cloner.stages.join import named_features
+from cloner.stages.obeyed_claims import Wish, scene_of
+from cloner.stages.obeyed_pose import PoseWish, obey_pose
+from cloner.stages.obeyed_skin import obey_skin
+from cloner.stages.points import ENDS
+from cloner.stages.silhouettes import ON_OUTLINE
+from cloner.vision.fixed_points import bend_through
+from cloner.vision.loops import fill_polygon
+
+Array = NDArray[np.float64]
+
+#: What is told of points that set the scale.
+SCALE_NOTE = "it sets the scale of its photo; hair and soles are no skin that could be laid on it"
+
+
+def obey(joined: Joined, body_points: BodyPoints) -> tuple[Joined, tuple[ObeyedPoint, ...]]:
+    """Return the person after all corrections are obeyed, and how well each is.
+
+    Parameters
+    ----------
+    joined : Joined
+        As fitted; never one that was bent before.
+    body_points : BodyPoints
+        Only corrected points count.
+    """
+    placed = [
+        (view, name, points.points_px[row])
+        for view, points in body_points.views.items()
+        if view in joined.views
+        for row, name in enumerate(points.names)
+        if points.corrected[row]
+    ]
+    if not placed:
+        return joined, ()
+    views = {view: posed for view, posed in joined.views.items() if view.is_body}
+    scales = [_scale(joined, views[view], name, point) for view, name, point in placed if name in ENDS]
+    on_skin = [Wish(*one) for one in placed if one[1] not in ENDS and _on_outline(one[1])]
+    on_pose = [PoseWish(*one) for one in placed if one[1] not in ENDS and _posed(one[1])]
+    joints, views, poses = obey_pose(joined.vertices_m, joined.joints_m, views, on_pose)
+    vertices, skins = obey_skin(joined.vertices_m, joints, views, on_skin, joined.stature_m)
+    vertices = vertices.copy()
+    vertices[:, 1] = np.maximum(vertices[:, 1], np.minimum(joined.vertices_m[:, 1], 0.0))  # the floor holds
+    features = named_features(load_generic(), vertices)
+    person = replace(joined, vertices_m=vertices, joints_m=joints, views={**joined.views, **views}, features_m=features)
+    return person, (*scales, *poses, *skins)
+
+
+def _on_outline(name: str) -> bool:
+    return name in load_generic().feature_names and name.startswith(ON_OUTLINE)
+
+
+def _posed(name: str) -> bool:
+    generic = load_generic()
+    return name in generic.joint_names or (name in generic.feature_names and not name.startswith(ON_OUTLINE))
+
+
+def _scale(joined: Joined, posed: PosedView, name: str, point_px: Array) -> ObeyedPoint:
+    """Return what is told of a head top or sole: how much higher or lower the person's own is in the photo."""
+    generic = load_generic()
+    part = "head" if name == ENDS[0] else f"{name.removeprefix('sole_')}_foot"
+    own = scene_of(joined.vertices_m, joined.joints_m, posed).pixels[
+        generic.vertex_segment == generic.segment_names.index(part), 1
+    ]
+    edge = float(own.min() - 0.5 if name == ENDS[0] else own.max() + 0.5)
+    away = abs(edge - float(point_px[1]))
+    return ObeyedPoint(posed.view, name, "scale", away, away, 0.0, SCALE_NOTE)
+
+
+def bent_silhouettes(
+    silhouettes: SilhouetteSet, body_points: BodyPoints, obeyed: tuple[ObeyedPoint, ...]
+) -> SilhouetteSet:
+    """Return the outlines bent through the corrected points on them; the others are the same objects."""
+    followed = {(one.view, one.name) for one in obeyed if one.kind == "outline" and one.after_px <= 1.0}
+    views: dict[ViewId, Silhouette] = dict(silhouettes.views)
+    for view, points in body_points.views.items():
+        rows = [k for k, name in enumerate(points.names) if (view, name) in followed]
+        if rows and view in views:
+            views[view] = _bent(views[view], points.points_px[rows])
+    return SilhouetteSet(views)
+
+
+def _bent(silhouette: Silhouette, fixed_px: Array) -> Silhouette:
+    """Return an outline that passes through the points, each on the contour nearest to it."""
+    distances = np.stack([cKDTree(contour).query(fixed_px)[0] for contour in silhouette.contours_px])
+    whose = np.argmin(distances, axis=0)
+    contours, mask = list(silhouette.contours_px), silhouette.mask.copy()
+    size = (mask.shape[0], mask.shape[1])
+    for number in np.unique(whose):
+        before = contours[number]
+        contours[number] = bend_through(before, fixed_px[whose == number])
+        mask ^= fill_polygon(before, size) ^ fill_polygon(contours[number], size)
+    return replace(silhouette, contours_px=tuple(contours), mask=mask)
+
+
+def run(
+    *,
+    body_points: BodyPoints,
+    joined: Joined,
+    silhouettes: SilhouetteSet,
+    tick: Callable[[float], None],
+    rng: np.random.Generator,
+) -> StageResult:
+    """Give the person and the outlines with corrections obeyed, and how well each is.
+
+    Residual: the worst distance of the clone from a corrected point, px.
+    """
+    person, told = obey(joined, body_points)
+    tick(0.8)
+    outlines = bent_silhouettes(silhouettes, body_points, told) if told else silhouettes
+    worst = [one.after_px for one in told if one.kind != "scale"]
+    residuals = (Residual("corrected point, worst", max(worst), "px"),) if worst else ()
+    values: Mapping[str, object] = {"obeyed": person, "obeyed_silhouettes": outlines, "obeyed_points": told}
+    return StageResult(values, residuals, warnings_of(told))
+
+
+def warnings_of(told: tuple[ObeyedPoint, ...]) -> tuple[str, ...]:
+    """Return one sentence for every corrected point that could not be obeyed."""
+    return tuple(
+        f"{one.view}: the corrected point {one.name} could not be obeyed: {one.note}"
+        for one in told
+        if one.note and one.kind != "scale"
+    )

@@ -1,0 +1,205 @@
+"""Poses turned at corrected joints, so that the clone's joints lie in each photo where an operator placed them.
+
+A corrected joint says how the limb is held in that photo, and a little where the joint lies in the limb: angles of the
+limb give way first, then the joint's place in rest pose (the paper's post-correction of the skeleton). The skin in rest
+pose stays as it is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.generic.load import load_generic
+from cloner.geometry.poses import FREEDOMS, SIGMAS, pose_matrix
+from cloner.geometry.skinning import joint_transforms, skin
+from cloner.records.bodies import PosedView
+from cloner.records.points import ObeyedPoint
+
+Array = NDArray[np.float64]
+
+#: Angles of each limb, by the names of its freedoms; the side's letter stands before.
+LIMBS = {"arm": ("clavicle", "shoulder", "elbow", "wrist"), "leg": ("hip", "knee", "ankle")}
+#: Which limb a joint or feature is turned with, by the start of its name without the side.
+LIMB_OF = {
+    **dict.fromkeys(("shoulder", "elbow", "wrist"), "arm"),
+    **dict.fromkeys(("hip", "knee", "ankle", "heel", "toe"), "leg"),
+}
+#: Joints that should stay where they are seen while others are moved.
+KEPT = tuple(f"{s}_{name}" for name in ("elbow", "wrist", "knee", "ankle") for s in "lr")
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """What gives way (all taste, after watching legs and arms follow a drag).
+
+    Attributes
+    ----------
+    angle_share : float
+        Spread of an angle's change, as a share of how much people differ in it.
+    place_mm : float
+        Spread of a joint's place in the limb.
+    kept_px : float
+        Spread of the other joints' places in the photo.
+    exact_px : float
+        Spread of a corrected joint.
+    most_angle, most_mm : float
+        Largest change of an angle (radians) and of a joint's place.
+    turns : int
+    """
+
+    angle_share: float = 0.5
+    place_mm: float = 8.0
+    kept_px: float = 8.0
+    exact_px: float = 0.05
+    most_angle: float = 0.5
+    most_mm: float = 40.0
+    turns: int = 6
+    still: float = 0.01
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PoseWish:
+    """One corrected joint, or feature that the pose carries: ``target_px`` is (2,) photo pixels of ``view``."""
+
+    view: ViewId
+    name: str
+    target_px: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Held:
+    """One photo's part: its wishes, the angles that may turn (282, F) and their spreads (F,), and where joints stay."""
+
+    posed: PosedView
+    wishes: tuple[PoseWish, ...]
+    angles: Array
+    spread: Array
+    kept_px: Array
+
+    def rotations(self, turned: Array) -> Array:
+        """Return the (94, 3) rotations after the angles turned by (F,) radians."""
+        return np.asarray(self.posed.rotations + (self.angles @ turned).reshape(-1, 3))
+
+
+def obey_pose(
+    vertices_m: Array, joints_m: Array, views: Mapping[ViewId, PosedView], wishes: list[PoseWish]
+) -> tuple[Array, dict[ViewId, PosedView], list[ObeyedPoint]]:
+    """Return the joints in rest pose (94, 3), the poses, and how well each corrected joint is obeyed.
+
+    Parameters
+    ----------
+    vertices_m : (V, 3) rest pose
+    joints_m : (94, 3) rest pose
+    views : mapping
+        Camera and pose of every body photo.
+    wishes : list of PoseWish
+    """
+    if not wishes:
+        return joints_m, dict(views), []
+    params, generic = Params(), load_generic()
+    held = [
+        _hold(vertices_m, joints_m, views[view], tuple(wish for wish in wishes if wish.view is view), params)
+        for view in dict.fromkeys(wish.view for wish in wishes)
+    ]
+    rows = sorted({generic.joint(wish.name) for wish in wishes if wish.name in generic.joint_names})
+    shift_m, turned = _solved(vertices_m, joints_m, held, rows, params)
+    joints = joints_m.copy()
+    joints[rows] += shift_m
+    poses, told = dict(views), {}
+    for one, angles in zip(held, turned, strict=True):
+        view = one.posed.view
+        poses[view] = PosedView(view, one.posed.camera, one.rotations(angles))
+        was = _seen(one.posed, one.wishes, vertices_m, joints_m, one.posed.rotations, ())
+        now = _seen(one.posed, one.wishes, vertices_m, joints, poses[view].rotations, ())
+        for wish, old, new in zip(one.wishes, was, now, strict=True):
+            row = rows.index(generic.joint(wish.name)) if wish.name in generic.joint_names else -1
+            told[id(wish)] = _tell(wish, old, new, float(np.linalg.norm(shift_m[row])) if row >= 0 else 0.0)
+    return joints, poses, [told[id(wish)] for wish in wishes]
+
+
+def _hold(vertices_m: Array, joints_m: Array, posed: PosedView, wishes: tuple[PoseWish, ...], params: Params) -> _Held:
+    """Return one photo's part of the solution."""
+    starts: set[str] = set()
+    for wish in wishes:
+        words = wish.name.split("_")
+        side = next((word[0] for word in words if word in ("l", "r", "left", "right")), "")
+        limb = next((LIMB_OF[word] for word in words if word in LIMB_OF), "")
+        starts |= {f"{side}_{part}" for part in LIMBS[limb]} if limb else {"neck"}
+    columns = [k for k, freedom in enumerate(FREEDOMS) if freedom.name.startswith(tuple(starts))]
+    angles = pose_matrix(load_generic().joint_names)[:, columns]
+    kept = _seen(posed, (), vertices_m, joints_m, posed.rotations, KEPT)
+    return _Held(posed, wishes, angles, params.angle_share * SIGMAS[columns], kept)
+
+
+def _seen(
+    posed: PosedView,
+    wishes: tuple[PoseWish, ...],
+    vertices_m: Array,
+    joints_m: Array,
+    rotations: Array,
+    others: tuple[str, ...],
+) -> Array:
+    """Return where the wishes' joints and features, and other joints, are seen, (N, 2) px."""
+    generic = load_generic()
+    transforms = joint_transforms(joints_m, generic.joint_parents, rotations)
+    points = []
+    for name in (*(wish.name for wish in wishes), *others):
+        if name in generic.joint_names:
+            row = generic.joint(name)
+            points.append(transforms[row, :3, :3] @ joints_m[row] + transforms[row, :3, 3])
+        else:
+            row = generic.feature(name)
+            weights = generic.skin_weights[row : row + 1].astype(np.float64)
+            points.append(skin(vertices_m[row : row + 1], transforms, generic.skin_joints[row : row + 1], weights)[0])
+    return posed.camera.project(np.array(points))
+
+
+def _solved(
+    vertices_m: Array, joints_m: Array, held: list[_Held], rows: list[int], params: Params
+) -> tuple[Array, list[Array]]:
+    """Return how joints move in rest pose (M, 3), and the angles' changes of every photo; Gauss-Newton."""
+    places = 3 * len(rows)
+    ends = np.cumsum([places, *(len(one.spread) for one in held)])
+    spread = np.concatenate([np.full(places, m_from_mm(params.place_mm)), *(one.spread for one in held)])
+    most = np.concatenate(
+        [np.full(places, m_from_mm(params.most_mm)), np.full(int(ends[-1]) - places, params.most_angle)]
+    )
+
+    def residual(number: int, x: Array) -> Array:
+        one, joints = held[number], joints_m.copy()
+        joints[rows] += x[:places].reshape(-1, 3)
+        turned = one.rotations(x[ends[number] : ends[number + 1]])
+        seen = _seen(one.posed, one.wishes, vertices_m, joints, turned, KEPT)
+        exact = (seen[: len(one.wishes)] - [wish.target_px for wish in one.wishes]) / params.exact_px
+        kept = (seen[len(one.wishes) :] - one.kept_px) / params.kept_px
+        return np.concatenate([exact.ravel(), kept.ravel()])
+
+    x = np.zeros(int(ends[-1]))
+    for _ in range(params.turns):
+        parts, right = [np.diag(1.0 / spread)], [-x / spread]
+        for number in range(len(held)):
+            value = residual(number, x)
+            jacobian = np.zeros((len(value), len(x)))
+            for column in (*range(places), *range(int(ends[number]), int(ends[number + 1]))):
+                ahead = x.copy()
+                ahead[column] += 1e-4
+                jacobian[:, column] = (residual(number, ahead) - value) / 1e-4
+            parts.append(jacobian)
+            right.append(-value)
+        step = np.linalg.lstsq(np.vstack(parts), np.concatenate(right), rcond=None)[0]
+        x = np.clip(x + step, -most, most)
+        if np.abs(step / spread).max() < params.still:
+            break
+    return x[:places].reshape(-1, 3), [x[ends[k] : ends[k + 1]] for k in range(len(held))]
+
+
+def _tell(wish: PoseWish, was_px: Array, now_px: Array, shift_m: float) -> ObeyedPoint:
+    """Return what became of a wish."""
+    before, after = (float(np.linalg.norm(seen - wish.target_px)) for seen in (was_px, now_px))
+    note = "" if after <= 1.0 else f"the limb does not reach it, so the clone stays {after:.0f} px off it"
+    return ObeyedPoint(wish.view, wish.name, "pose", before, after, mm_from_m(shift_m), note)
