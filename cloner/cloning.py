@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Final
+from typing import Any, Final, cast
 
 from cloner import pipeline
 from cloner.errors import ClonerError
@@ -23,6 +23,7 @@ from cloner.project.corrections import check_against
 from cloner.project.folder import load_photos, person_warnings, photo_warnings, read_corrections, read_person
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
+from cloner.refitting import still_true
 from cloner.report.build import Run, build_report, warnings_of
 from cloner.report.write import write_report
 from cloner.stages import textures
@@ -88,7 +89,8 @@ def clone_photos(
         Project seed; the same input and seed give the same clone.
     progress : callable
     known : mapping, optional
-        Values that are known already (say "proposals"); their stages are skipped.
+        Values that are known already (say "proposals"); their stages are skipped, and their reports, if they are
+        among them as "stage_reports", are told again.
     texture_size : int
         Side of the texture atlas, texels; one of `TEXTURE_SIZES`.
 
@@ -101,7 +103,9 @@ def clone_photos(
     """
     values = {**(known or {}), "photos": photos, "person": person, "corrections": corrections}
     check_texture_size(texture_size)
-    return pipeline.run(values, seed=seed, progress=progress, stages=_stages(texture_size))
+    values, fresh = pipeline.run(values, seed=seed, progress=progress, stages=_stages(texture_size))
+    reports = with_earlier(fresh, (known or {}).get("stage_reports", ()))
+    return {**values, "stage_reports": reports}, list(reports)
 
 
 def clone_folder(
@@ -136,7 +140,7 @@ def clone_folder(
     progress : callable
         Called with a step's name and a fraction 0..1; may raise Cancelled.
     known : mapping, optional
-        Values of an earlier run on this folder, as :func:`still_true` takes them.
+        Values of an earlier run on this folder; those still true are not found again.
 
     Raises
     ------
@@ -164,7 +168,7 @@ def clone_folder(
             corrections,
             seed=seed,
             texture_size=texture_size,
-            known=still_true(known or {}, photos),
+            known=still_true(known or {}, photos, person, corrections),
             progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
         _write_clone(values, formats, folder, progress)
@@ -185,24 +189,11 @@ def clone_folder(
     return CloneOutcome(person.identifier, out_dir / person.identifier, report, values)
 
 
-def still_true(known: Mapping[str, object], photos: PhotoSet) -> dict[str, object]:
-    """Return those of an earlier run's values that depend on nothing but the photos, if these are the same files.
-
-    Parameters
-    ----------
-    known : mapping
-        With "photos" as they were then; of the rest only "proposals" can stay, as a correction changes all others.
-    photos : PhotoSet
-        As they are now.
-    """
-    before = known.get("photos")
-    if "proposals" not in known or not isinstance(before, PhotoSet) or _digests(before) != _digests(photos):
-        return {}
-    return {"proposals": known["proposals"]}
-
-
-def _digests(photos: PhotoSet) -> dict[ViewId, str]:
-    return {view: photo.digest for view, photo in photos.photos.items()}
+def with_earlier(fresh: Sequence[StageReport], earlier: object) -> tuple[StageReport, ...]:
+    """Return the reports of all stages in their order: of those that did not run again the earlier one, at no time."""
+    by_name = {report.name: replace(report, seconds=0.0, cpu_seconds=0.0) for report in cast(Any, earlier)}
+    by_name |= {report.name: report for report in fresh}
+    return tuple(by_name[stage.name] for stage in pipeline.STAGES if stage.name in by_name)
 
 
 def check_formats(formats: Sequence[str]) -> None:

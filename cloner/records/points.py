@@ -222,7 +222,7 @@ class ObeyedPoint:
     name : str
     kind : str
         "outline": the clone's outline passes through it; "pose": that photo's pose puts the joint or feature there;
-        "scale": it set the photo's scale.
+        "scale": it set the photo's scale; "cloth": it lies on loose clothing, whose outline passes through it.
     before_px, after_px : float
         Distance of the clone's outline or joint from the point without and with this step, photo pixels.
     moved_mm : float

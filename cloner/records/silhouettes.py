@@ -29,6 +29,8 @@ class Silhouette:
         Per feature segment: its name, "edges" or "mask", and the goodness G^P.
     loose : tuple of LooseRegion
         Where loose clothing, not the body, makes the outline.
+    through : tuple of str
+        Points an operator placed far off, through which the outline was traced again.
     """
 
     view: ViewId
@@ -36,6 +38,7 @@ class Silhouette:
     mask: NDArray[np.bool_]
     sources: tuple[tuple[str, str, float], ...]
     loose: tuple[LooseRegion, ...] = ()
+    through: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         freeze(self, mask=(np.bool_, (None, None)))

@@ -26,7 +26,7 @@ from cloner.stages.join import named_features
 from cloner.stages.obeyed_claims import Wish, scene_of
 from cloner.stages.obeyed_pose import PoseWish, obey_pose
 from cloner.stages.obeyed_skin import obey_skin
-from cloner.stages.points import ENDS
+from cloner.stages.points import ENDS, FAR
 from cloner.stages.silhouettes import ON_OUTLINE
 from cloner.vision.fixed_points import bend_through
 from cloner.vision.loops import fill_polygon
@@ -37,7 +37,7 @@ Array = NDArray[np.float64]
 SCALE_NOTE = "it sets the scale of its photo; hair and soles are no skin that could be laid on it"
 
 
-def obey(joined: Joined, body_points: BodyPoints) -> tuple[Joined, tuple[ObeyedPoint, ...]]:
+def obey(joined: Joined, body_points: BodyPoints, silhouettes: SilhouetteSet) -> tuple[Joined, tuple[ObeyedPoint, ...]]:
     """Return the person after all corrections are obeyed, and how well each is.
 
     Parameters
@@ -46,6 +46,8 @@ def obey(joined: Joined, body_points: BodyPoints) -> tuple[Joined, tuple[ObeyedP
         As fitted; never one that was bent before.
     body_points : BodyPoints
         Only corrected points count.
+    silhouettes : SilhouetteSet
+        Where loose clothing makes the outline, points move the outline alone: no skin is there.
     """
     placed = [
         (view, name, points.points_px[row])
@@ -58,7 +60,9 @@ def obey(joined: Joined, body_points: BodyPoints) -> tuple[Joined, tuple[ObeyedP
         return joined, ()
     views = {view: posed for view, posed in joined.views.items() if view.is_body}
     scales = [_scale(joined, views[view], name, point) for view, name, point in placed if name in ENDS]
-    on_skin = [Wish(*one) for one in placed if one[1] not in ENDS and _on_outline(one[1])]
+    outlines = [Wish(*one) for one in placed if one[1] not in ENDS and _on_outline(one[1])]
+    on_skin = [wish for wish in outlines if not _on_cloth(silhouettes.views.get(wish.view), wish.target_px)]
+    cloths = [ObeyedPoint(w.view, w.name, "cloth", 0.0, 0.0) for w in outlines if w not in on_skin]
     on_pose = [PoseWish(*one) for one in placed if one[1] not in ENDS and _posed(one[1])]
     joints, views, poses = obey_pose(joined.vertices_m, joined.joints_m, views, on_pose)
     vertices, skins = obey_skin(joined.vertices_m, joints, views, on_skin, joined.stature_m)
@@ -66,7 +70,14 @@ def obey(joined: Joined, body_points: BodyPoints) -> tuple[Joined, tuple[ObeyedP
     vertices[:, 1] = np.maximum(vertices[:, 1], np.minimum(joined.vertices_m[:, 1], 0.0))  # the floor holds
     features = named_features(load_generic(), vertices)
     person = replace(joined, vertices_m=vertices, joints_m=joints, views={**joined.views, **views}, features_m=features)
-    return person, (*scales, *poses, *skins)
+    return person, (*scales, *poses, *skins, *cloths)
+
+
+def _on_cloth(silhouette: Silhouette | None, point_px: Array) -> bool:
+    if silhouette is None:
+        return False
+    margin = FAR * float(np.count_nonzero(silhouette.mask.any(axis=1)))
+    return any(bool(region.covers(point_px[None], margin_px=margin)[0]) for region in silhouette.loose)
 
 
 def _on_outline(name: str) -> bool:
@@ -94,7 +105,7 @@ def bent_silhouettes(
     silhouettes: SilhouetteSet, body_points: BodyPoints, obeyed: tuple[ObeyedPoint, ...]
 ) -> SilhouetteSet:
     """Return the outlines bent through the corrected points on them; the others are the same objects."""
-    followed = {(one.view, one.name) for one in obeyed if one.kind == "outline" and one.after_px <= 1.0}
+    followed = {(one.view, one.name) for one in obeyed if one.kind in ("outline", "cloth") and one.after_px <= 1.0}
     views: dict[ViewId, Silhouette] = dict(silhouettes.views)
     for view, points in body_points.views.items():
         rows = [k for k, name in enumerate(points.names) if (view, name) in followed]
@@ -128,10 +139,10 @@ def run(
 
     Residual: the worst distance of the clone from a corrected point, px.
     """
-    person, told = obey(joined, body_points)
+    person, told = obey(joined, body_points, silhouettes)
     tick(0.8)
     outlines = bent_silhouettes(silhouettes, body_points, told) if told else silhouettes
-    worst = [one.after_px for one in told if one.kind != "scale"]
+    worst = [one.after_px for one in told if one.kind in ("outline", "pose")]
     residuals = (Residual("corrected point, worst", max(worst), "px"),) if worst else ()
     values: Mapping[str, object] = {"obeyed": person, "obeyed_silhouettes": outlines, "obeyed_points": told}
     return StageResult(values, residuals, warnings_of(told))

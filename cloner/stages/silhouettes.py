@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +15,7 @@ from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import BodyPoints, Proposal, Proposals, ViewPoints
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
-from cloner.stages.points import FAR, for_fitting
+from cloner.stages.points import FAR, figure_height_px, for_fitting
 from cloner.vision.loose_outline import find_loose
 from cloner.vision.outlines import Outline, OutlineLoop, extract_outline
 
@@ -35,15 +35,14 @@ def outline_points(points: ViewPoints | None) -> tuple[tuple[str, ...], NDArray[
     return tuple(points.names[k] for k in rows), points.points_px[rows], points.corrected[rows]
 
 
-def astray_points(outline: Outline, points: ViewPoints | None) -> tuple[str, ...]:
-    """Return the names of corrected points that the outline misses by more than doubt in it explains."""
+def astray_points(contours_px: Sequence[NDArray[np.float64]], points: ViewPoints | None) -> tuple[str, ...]:
+    """Return the names of corrected points that an outline misses by more than doubt in it explains."""
     names, positions, corrected = outline_points(points)
-    if not corrected.any():
+    if points is None or not corrected.any():
         return ()
-    nearest, _ = cKDTree(np.concatenate([loop.polygon for loop in outline.loops])).query(positions)
-    return tuple(
-        n for n, gap, own in zip(names, nearest, corrected, strict=True) if own and gap > FAR * outline.height_px
-    )
+    nearest, _ = cKDTree(np.concatenate(contours_px)).query(positions)
+    far = FAR * figure_height_px(points.proposed or points)
+    return tuple(n for n, gap, own in zip(names, nearest, corrected, strict=True) if own and gap > far)
 
 
 def _segment_names(loop: OutlineLoop, number: int, names: tuple[str, ...]) -> list[str]:
@@ -69,7 +68,7 @@ def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> S
         raise ClonerError(
             "the person's outline was not found", "Retake the photo before a plain background", photo.name
         )
-    astray = astray_points(outline, points)
+    astray = astray_points([loop.polygon for loop in outline.loops], points)
     if points is not None and astray:
         names, positions, fixed = outline_points(for_fitting(points, astray))
         outline = extract_outline(photo.rgb, mask, positions, fixed=fixed)
@@ -77,7 +76,8 @@ def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> S
     for number, loop in enumerate(outline.loops):
         labels = _segment_names(loop, number, names)
         sources += [(n, s, float(g)) for n, s, g in zip(labels, loop.sources, loop.goodness, strict=True)]
-    return Silhouette(photo.view, tuple(loop.polygon for loop in outline.loops), outline.filled, tuple(sources))
+    contours = tuple(loop.polygon for loop in outline.loops)
+    return Silhouette(photo.view, contours, outline.filled, tuple(sources), through=astray)
 
 
 def run(

@@ -1,23 +1,21 @@
-"""What a second run may take over from a first one."""
+"""What the report tells of stages that did not run again."""
 
 from __future__ import annotations
 
-import numpy as np
-
-from cloner.cloning import still_true
-from cloner.frames import ViewId
-from cloner.records.photos import Photo, PhotoSet
+from cloner.cloning import with_earlier
+from cloner.pipeline import STAGES, StageReport
 
 
-def photos(**digests: str) -> PhotoSet:
-    blank = np.zeros((4, 4, 3), dtype=np.uint8)
-    return PhotoSet({ViewId(view): Photo(ViewId(view), blank, None, digest, "") for view, digest in digests.items()})
+def report(name: str, seconds: float) -> StageReport:
+    return StageReport(name, seconds, seconds, 100.0, (), (f"a word of {name}",))
 
 
-def test_proposals_stay_while_the_files_stay() -> None:
-    before = {"photos": photos(body_front="a", face_front="b"), "proposals": "found", "body_points": "old"}
-    assert still_true(before, photos(body_front="a", face_front="b")) == {"proposals": "found"}
-    assert still_true(before, photos(body_front="a", face_front="c")) == {}
-    assert still_true(before, photos(body_front="a")) == {}
-    assert still_true({"proposals": "found"}, photos(body_front="a")) == {}
-    assert still_true({"photos": photos(body_front="a")}, photos(body_front="a")) == {}
+def test_stages_that_did_not_run_again_are_told_again_at_no_time() -> None:
+    earlier = tuple(report(stage.name, 2.0) for stage in STAGES)
+    fresh = [report("points", 0.5), report("textures", 1.5)]
+    told = with_earlier(fresh, earlier)
+    assert [one.name for one in told] == [stage.name for stage in STAGES]
+    seconds = {one.name: one.seconds for one in told}
+    assert (seconds["points"], seconds["textures"], seconds["fine"]) == (0.5, 1.5, 0.0)
+    assert all(one.warnings == (f"a word of {one.name}",) for one in told), "warnings are not forgotten"
+    assert with_earlier(fresh, ()) == tuple(fresh)
