@@ -14,11 +14,22 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.optimize import minimize
 
 from cloner.generic.load import load_generic
 from cloner.generic.measure_prior import FILE, load_measure_prior
 from cloner.geometry.measuring import ALL_KEYS, bare_rows
-from cloner.geometry.under_clothes import LOWER, NINE_IN_TEN, UPPER, Estimate, Evidence, MeasurePrior, estimate
+from cloner.geometry.under_clothes import (
+    LOWER,
+    NINE_IN_TEN,
+    UPPER,
+    Estimate,
+    Evidence,
+    MeasurePrior,
+    estimate,
+    hypotheses,
+    weighed,
+)
 from cloner.records.measures import FITS, Cover
 
 MODELS = Path(__file__).resolve().parents[1] / "generic_models" / "cloner_models"
@@ -36,8 +47,12 @@ BOTH = (
     *("trunk_slice_55", "trunk_slice_70", "trunk_slice_85"),
 )
 #: Real garments are cut in more ways than the painted ones: their spread is widened, and each slice differs a little.
-WIDER = 1.3
+WIDER = 1.2
 CUT_SHARE = 0.1
+#: A fit's own bias counts in full with many more people than this a fit.
+LEAN = 5.0
+#: Largest believed relative error of a clone.
+LARGEST = 0.15
 #: Shrinkage of the fit's covariance towards its diagonal, and a floor (relative).
 SHRINK = 0.3
 FLOOR = 0.003
@@ -88,14 +103,51 @@ def ease(samples: Sequence[Mapping[str, Any]], garment: np.ndarray) -> tuple[np.
     return mean, np.array(spread)
 
 
-def fit_error(samples: Sequence[Mapping[str, Any]], garment: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return bias and covariance of the clone's relative error against the dressed person."""
+def fit_error(samples: Sequence[Mapping[str, Any]], garment: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return bias (K,), covariance (K, K) and the extra bias (F, K) under each fit of the clone's relative error.
+
+    What the fit makes of cloth depends on the cloth; few people say how, so each fit's bias leans on the common one.
+    """
     true = np.array([np.where(garment > 0, sample["dressed"], sample["naked"]) for sample in samples])
+    fits = np.array([int(sample["tightness"]) for sample in samples])
     error = np.array([sample["shown"] for sample in samples]) / true - 1.0
     middle = np.median(error, axis=0)
-    error = np.clip(error - middle, -0.15, 0.15)  # a clone that failed is a warning's business, not the table's
-    covariance = np.cov(error.T)
-    return middle + error.mean(axis=0), (1 - SHRINK) * covariance + np.diag(SHRINK * np.diag(covariance) + FLOOR**2)
+    error = np.clip(error - middle, -LARGEST, LARGEST)  # a clone that failed is a warning's business, not the table's
+    own = np.array([error[fits == fit].mean(axis=0) for fit in range(len(FITS))])
+    share = len(samples) / (len(samples) + len(FITS) * LEAN)
+    extra = share * (own - own.mean(axis=0)) * (garment > 0)
+    rest = error - own.mean(axis=0) - extra[fits]
+    covariance = rest.T @ rest / max(len(samples) - len(FITS), 1)
+    shrunk = (1 - SHRINK) * covariance + np.diag(SHRINK * np.diag(covariance) + FLOOR**2)
+    return middle + own.mean(axis=0), shrunk, extra
+
+
+def table(bodies: Sequence[Mapping[str, Any]], fits: Sequence[Mapping[str, Any]]) -> MeasurePrior:
+    """Return the table without what only its own use can tell: tempering, odds and spread."""
+    garment = garments()
+    means, covariances = family(bodies, np.random.default_rng(0))
+    added, spread = ease(bodies, garment)
+    bias, covariance, extra = fit_error(fits, garment)
+    usual = np.mean([sample["naked"] for sample in fits], axis=0)
+    gap = float(np.median([np.mean(sample["gap_mm"]) for sample in fits]))
+    shown = added + extra * (usual + added)
+    flat = (1.0, np.zeros(len(FITS)), np.full(len(ALL_KEYS), NINE_IN_TEN))
+    return MeasurePrior(means, covariances, shown, spread, bias, covariance, *flat, garment, gap)
+
+
+def odds(logs: Sequence[np.ndarray], fits: Sequence[int]) -> tuple[float, np.ndarray]:
+    """Return the temper and the log odds with which likelihoods tell the true fit best (J. C. Platt, 1999)."""
+
+    def cost(x: np.ndarray) -> float:
+        added = np.array([0.0, x[1], x[2]])
+        total = 0.5 * (x[0] + 1.0) ** 2 + 0.05 * (x[1] ** 2 + x[2] ** 2)  # weak beliefs, for few people
+        for each, fit in zip(logs, fits, strict=True):
+            weights = weighed(each, float(np.exp(x[0])), added)
+            total -= np.log(weights[:, fit].sum() + 1e-6) + np.log(weights[:, :, fit].sum() + 1e-6)
+        return float(total)
+
+    found = minimize(cost, [-1.0, 0.0, 0.0], method="Nelder-Mead").x
+    return float(np.exp(found[0])), np.array([0.0, found[1], found[2]])
 
 
 def evidence(sample: Mapping[str, Any], prior: MeasurePrior) -> Evidence:
@@ -113,33 +165,24 @@ def judged(samples: Sequence[Mapping[str, Any]], prior: MeasurePrior) -> tuple[n
     return errors, np.array([each.deviation_mm for each in found]), found
 
 
-def spreads(
-    samples: Sequence[Mapping[str, Any]], prior: MeasurePrior, garment: np.ndarray, folds: int = 4
-) -> np.ndarray:
-    """Return the half width of nine in ten errors in standard deviations, each person judged by a table without him."""
-    ratios = np.zeros((len(samples), len(ALL_KEYS)))
-    for fold in range(folds):
-        own = np.arange(len(samples)) % folds == fold
-        bias, covariance = fit_error([s for s, out in zip(samples, own, strict=True) if not out], garment)
-        left = replace(prior, fit_bias=bias, fit_covariance=covariance)
-        errors, deviations, _ = judged([s for s, out in zip(samples, own, strict=True) if out], left)
-        ratios[own] = np.abs(errors) / deviations
-    own = np.quantile(ratios, 0.9, axis=0)
-    common = np.quantile(ratios, 0.9)
-    count = len(samples)
-    return (count * own + 20.0 * common) / (count + 20.0)  # few people: lean on what all measures have in common
-
-
-def make(folder: Path) -> MeasurePrior:
-    """Return the table of a folder of samples."""
-    bodies, fits, garment = read(folder / "ease"), read(folder / "fits"), garments()
-    means, covariances = family(bodies, np.random.default_rng(0))
-    added, spread = ease(bodies, garment)
-    bias, covariance = fit_error(fits, garment)
-    gap = float(np.median([np.mean(sample["gap_mm"]) for sample in fits]))
-    flat = np.full(len(ALL_KEYS), NINE_IN_TEN)
-    prior = MeasurePrior(means, covariances, added, spread, bias, covariance, flat, garment, gap)
-    return replace(prior, spread=spreads(fits, prior, garment))
+def make(bodies: Sequence[Mapping[str, Any]], fits: Sequence[Mapping[str, Any]], folds: int = 5) -> MeasurePrior:
+    """Return the whole table; tempering, odds and spread come from people judged by a table made without them."""
+    groups = (np.arange(len(fits)) // len(FITS)) % folds
+    parts = [
+        table(bodies, [sample for sample, group in zip(fits, groups, strict=True) if group != fold])
+        for fold in range(folds)
+    ]
+    pairs = [(sample, parts[group]) for sample, group in zip(fits, groups, strict=True)]
+    logs = [hypotheses(evidence(sample, part), part).logs for sample, part in pairs]
+    temper, log_odds = odds(logs, [int(sample["tightness"]) for sample in fits])
+    ratios = []
+    for sample, judge in pairs:
+        part = replace(judge, temper=temper, log_odds=log_odds)
+        each = estimate(evidence(sample, part), part)
+        ratios.append(np.abs(each.mm - sample["naked"]) / each.deviation_mm)
+    own, common = np.quantile(ratios, 0.9, axis=0), np.quantile(ratios, 0.9)
+    spread = (len(fits) * own + 20.0 * common) / (len(fits) + 20.0)  # few people: lean on what all have in common
+    return replace(table(bodies, fits), temper=temper, log_odds=log_odds, spread=spread)
 
 
 def told(samples: Sequence[Mapping[str, Any]], prior: MeasurePrior) -> None:
@@ -179,7 +222,9 @@ def write(prior: MeasurePrior, folder: Path) -> None:
         "licence": "CC0-1.0",
     }
     np.savez_compressed(MODELS / FILE, keys=np.array(ALL_KEYS), made=json.dumps(made), **small)
-    print(json.dumps(made, indent=1), f"\n{(MODELS / FILE).stat().st_size / 1024:.0f} KiB")
+    print(
+        json.dumps(made, indent=1), prior.temper, prior.log_odds, f"\n{(MODELS / FILE).stat().st_size / 1024:.0f} KiB"
+    )
 
 
 def main() -> None:
@@ -190,7 +235,7 @@ def main() -> None:
     if chosen.check:
         told(read(chosen.samples / "checks"), load_measure_prior())
     else:
-        prior = make(chosen.samples)
+        prior = make(read(chosen.samples / "ease"), read(chosen.samples / "fits"))
         write(prior, chosen.samples)
         told(read(chosen.samples / "fits"), prior)
 

@@ -30,5 +30,7 @@ def load_measure_prior() -> MeasurePrior:
     with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
         if tuple(archive["keys"].tolist()) != ALL_KEYS:
             raise ValueError(f"{FILE} was made for other measures: run benchmarks/measure_table.py")
-        arrays = {field.name: archive[field.name] for field in fields(MeasurePrior) if field.name != "gap_mm"}
-        return MeasurePrior(**arrays, gap_mm=float(archive["gap_mm"]))
+        arrays = {field.name: archive[field.name] for field in fields(MeasurePrior)}
+        temper, gap_mm = float(arrays.pop("temper")), float(arrays.pop("gap_mm"))
+        garment = arrays.pop("garment")
+        return MeasurePrior(**arrays, garment=garment, temper=temper, gap_mm=gap_mm)

@@ -98,7 +98,9 @@ def grown(vertices_m: Array, loops: Sequence[Loop], directions: Sequence[Array],
     """
     before = np.array([loop.girth_mm(vertices_m) for loop in loops])
     wanted = np.array([loop.wanted_mm for loop in loops])
-    asked = np.flatnonzero(wanted - before > CLOSE_MM)  # a girth that is large enough is cloth and no matter here
+    asked = [
+        int(row) for row in np.flatnonzero(wanted - before > CLOSE_MM)
+    ]  # a girth that is large enough is cloth and no matter here
     if not len(asked):
         return np.zeros_like(vertices_m)
     slopes = np.empty((len(asked), len(asked)))

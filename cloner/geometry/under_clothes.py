@@ -50,12 +50,16 @@ class MeasurePrior:
         Mean measure over stature, mm a metre, one row for each sex; all equally frequent.
     covariances : (S, K, K) float64
     ease_mm : (F, K) float64
-        What the clothes of each fit of `FITS` add.
+        What the clothes of each fit of `FITS` add to what a clone shows.
     ease_covariances : (F, K, K) float64, mm²
     fit_bias : (K,) float64
-        Mean relative error of the clone's skin against the dressed person.
+        Mean relative error of the clone's skin against the dressed person, over all fits of clothes.
     fit_covariance : (K, K) float64
         Of that error.
+    temper : float
+        Power of the likelihoods, below 1: the fit's errors are no clean Gaussians. Measured on known people.
+    log_odds : (F,) float64
+        Added to the likelihoods' logarithms for each garment of a fit, measured likewise.
     spread : (K,) float64
         Half of nine in ten of the errors, in standard deviations of the estimate; measured on known people.
     garment : (K,) int64
@@ -70,6 +74,8 @@ class MeasurePrior:
     ease_covariances: Array
     fit_bias: Array
     fit_covariance: Array
+    temper: float
+    log_odds: Array
     spread: Array
     garment: NDArray[np.int64]
     gap_mm: float
@@ -79,6 +85,7 @@ class MeasurePrior:
         vectors = {name: (np.float64, (count,)) for name in ("fit_bias", "spread")}
         tables = {"means": (np.float64, (None, count)), "ease_mm": (np.float64, (len(FITS), count))}
         stacks = {name: (np.float64, (None, count, count)) for name in ("covariances", "ease_covariances")}
+        vectors["log_odds"] = (np.float64, (len(FITS),))
         one = {"fit_covariance": (np.float64, (count, count)), "garment": (np.int64, (count,))}
         freeze(self, **vectors, **tables, **stacks, **one)
 
@@ -125,32 +132,63 @@ class Estimate:
     lower_fit: Array
 
 
-def estimate(evidence: Evidence, prior: MeasurePrior) -> Estimate:
-    """Return the likeliest measures of a body under its clothes."""
+@dataclass(frozen=True, slots=True, eq=False)
+class Hypotheses:
+    """What every sex in every pair of clothes would mean.
+
+    Attributes
+    ----------
+    logs : (S, F, F) float64
+        Logarithms of the likelihoods, neither tempered nor shifted; sex, fit above and below the waist.
+    mm, variances : (S, F, F, K) float64
+        Measures of the body and their variances.
+    """
+
+    logs: Array
+    mm: Array
+    variances: Array
+
+
+def hypotheses(evidence: Evidence, prior: MeasurePrior) -> Hypotheses:
+    """Return what every sex in every pair of clothes would mean for one person."""
     rows = np.flatnonzero(~np.isnan(evidence.shown_mm))
     shown = evidence.shown_mm[rows] / (1.0 + prior.fit_bias[rows])
     noise = prior.fit_covariance[np.ix_(rows, rows)] * np.outer(shown, shown) * evidence.noise**2
     noise += TAPE_MM**2 * np.eye(len(rows))
     taped = np.array(sorted(evidence.tape_mm), dtype=np.intp)
     tape = np.array([evidence.tape_mm[row] for row in taped])
-    logs, means, variances, fits = [], [], [], []
-    for mean, covariance in zip(prior.means, prior.covariances, strict=True):
+    size = (len(prior.means), len(FITS), len(FITS))
+    logs, means, variances = (
+        np.zeros(size),
+        np.zeros((*size, len(prior.fit_bias))),
+        np.zeros((*size, len(prior.fit_bias))),
+    )
+    for sex, (mean, covariance) in enumerate(zip(prior.means, prior.covariances, strict=True)):
         start = (evidence.stature_m * mean, evidence.stature_m**2 * covariance)
         known, told = _conditioned(*start, taped, tape, TAPE_MM**2 * np.eye(len(taped)))
         for upper, lower, ease, spread in _garments(prior, evidence.bare):
             wanted = shown - ease[rows]
             body, seen = _conditioned(*known, rows, wanted, noise + spread[np.ix_(rows, rows)])
-            logs.append(told + seen)
-            means.append(body[0])
-            variances.append(np.diag(body[1]))
-            fits.append((upper, lower))
-    weights = np.exp(np.array(logs) - max(logs))
-    weights /= weights.sum()
-    each = np.array(means)
-    best = weights @ each
-    variance = weights @ (np.array(variances) + (each - best) ** 2)
-    upper_fit, lower_fit = (np.eye(len(FITS))[column].T @ weights for column in np.array(fits).T)
-    return Estimate(best, np.sqrt(np.maximum(variance, 0.0)), upper_fit, lower_fit)
+            logs[sex, upper, lower] = told + seen
+            means[sex, upper, lower] = body[0]
+            variances[sex, upper, lower] = np.diag(body[1])
+    return Hypotheses(logs, means, np.maximum(variances, 0.0))
+
+
+def weighed(logs: Array, temper: float, log_odds: Array) -> Array:
+    """Return (S, F, F) probabilities of hypotheses from their likelihoods' logarithms."""
+    odds = temper * logs + log_odds[None, :, None] + log_odds[None, None, :]
+    weights = np.exp(odds - odds.max())
+    return np.asarray(weights / weights.sum())
+
+
+def estimate(evidence: Evidence, prior: MeasurePrior) -> Estimate:
+    """Return the likeliest measures of a body under its clothes."""
+    found = hypotheses(evidence, prior)
+    weights = weighed(found.logs, prior.temper, prior.log_odds)
+    best = np.einsum("suf,sufk->k", weights, found.mm)
+    variance = np.einsum("suf,sufk->k", weights, found.variances + (found.mm - best) ** 2)
+    return Estimate(best, np.sqrt(variance), weights.sum(axis=(0, 2)), weights.sum(axis=(0, 1)))
 
 
 def _conditioned(
