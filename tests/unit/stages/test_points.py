@@ -66,6 +66,35 @@ def test_a_correction_may_add_a_point_nobody_proposed():
     assert after.corrected.tolist() == [False, False, True]
 
 
+def standing(**moved):
+    """Return the points of a person 100 px tall, some moved by an operator."""
+    places = {"head_top": (40.0, 10.0), "sole_left": (45.0, 110.0), "sole_right": (35.0, 110.0), "l_knee": (44.0, 80.0)}
+    places |= {"waist_left": (50.0, 45.0)}
+    before = ViewPoints(FRONT, tuple(places), np.array(list(places.values())), np.full(5, 0.6), np.zeros(5, bool))
+    return before, points.corrected(before, {n: Correction(*place) for n, place in moved.items()}, PHOTOS.photos[FRONT])
+
+
+def test_the_fit_takes_proposals_where_corrections_are_obeyed_later():
+    before, after = standing(waist_left=(60.0, 45.0), l_knee=(46.0, 81.0), hip_left=(51.0, 60.0))
+    taken = points.for_fitting(after)
+    assert taken.names == before.names, "what nobody proposed moves no whole body"
+    assert np.array_equal(taken.points_px, before.points_px)
+    assert np.array_equal(taken.confidence, before.confidence)
+    assert not taken.corrected.any()
+
+
+def test_the_fit_takes_the_ends_and_joints_that_were_far_off():
+    _, after = standing(head_top=(40.0, 12.0), l_knee=(49.0, 80.0))
+    taken = points.for_fitting(after)
+    assert taken.get("head_top") == pytest.approx([40.0, 12.0]), "it sets the scale"
+    assert taken.get("l_knee") == pytest.approx([49.0, 80.0]), "5 % of the figure: the proposal was wrong"
+    assert dict(zip(taken.names, taken.corrected, strict=True)) == {
+        "head_top": True, "sole_left": False, "sole_right": False, "l_knee": True, "waist_left": False,
+    }  # fmt: skip
+    astray = points.for_fitting(standing(waist_left=(60.0, 45.0))[1], ("waist_left",))
+    assert astray.get("waist_left") == pytest.approx([60.0, 45.0]), "unless the outline itself was wrong there"
+
+
 @pytest.mark.parametrize("place", [(-1.0, 50.0), (40.0, -0.5), (WIDTH, 50.0), (40.0, HEIGHT + 7.0)])
 def test_a_correction_off_the_image_is_refused(place):
     with pytest.raises(ClonerError, match="crotch lies off the image") as caught:
