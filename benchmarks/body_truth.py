@@ -26,6 +26,8 @@ from painted_people_pictures import rendered
 Array = NDArray[np.float64]
 
 KINDS: Final = {SKIN: "bare", CLOTH: "worn", HAIR: "hair", SHOE: "worn", ORGAN: "organ"}
+#: Those of the marks that pose a clone which clothes cover.
+TRUNK_MARKS: Final = ("acromion_L", "acromion_R", "neck_base_L", "neck_base_R", "crotch", "nape")
 #: Joints that say how the trunk and the head are carried.
 SPINE: Final = ("HumanoidRoot", "vl1", "vt6", "vc7", "skullbase")
 #: Points on the true surface: 4.5 mm apart on average, under the disc that each stands for.
@@ -72,9 +74,13 @@ def joints_m(shot: Shot) -> dict[str, Array]:
 
 
 def marks_m(shot: Shot) -> dict[str, Array]:
-    """Return the named marks on the naked skin, and where the shoes point."""
+    """Return the named marks on the naked skin, and where the shoes point.
+
+    Marks of the trunk lie on the clothes, as a clone's do: what poses it must not depend on how thick they are.
+    """
     generic = load_generic()
     named = {name: shot.naked_m[generic.feature(name)] for name in generic.feature_names}
+    named |= {name: shot.dressed_m[generic.feature(name)] for name in TRUNK_MARKS}
     return {**named, **{name: named[own] for name, own in _SHOES.items()}}
 
 

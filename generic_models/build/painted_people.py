@@ -143,7 +143,7 @@ def known_body(
 
 
 def photograph_person(
-    seed: int, *, tightness: Tightness, background: Background, size_px: tuple[int, int] = SIZE_PX
+    seed: int, *, tightness: Tightness, background: Background, size_px: tuple[int, int] = SIZE_PX, splits: int = 2
 ) -> KnownPerson:
     """Return a random person, three body photos in three poses, and a held-out photo in the front photo's pose.
 
@@ -154,9 +154,11 @@ def photograph_person(
     tightness : "tight", "regular" or "loose"
     background : "plain", "cluttered" or "low_contrast"
     size_px : (width, height)
+    splits : int
+        How often the mesh's triangles are split in four: 2 for photographs, fewer for quick tests.
     """
     generic = load_generic()
-    body, dressed = known_body(seed, tightness, background)
+    body, dressed = known_body(seed, tightness, background, splits=splits)
     rng = np.random.default_rng([seed, 2])
     side, exif = str(rng.choice(["left", "right"])), bool(rng.random() < 0.5)
     poses = {name: random_rotations(generic, body.joints_m, rng) for name in list(AZIMUTH_DEG)[:3]}

@@ -70,6 +70,9 @@ def random_body(generic: GenericHuman, rng: np.random.Generator) -> RandomBody:
         face = np.tensordot(FACE_SPREAD * rng.normal(size=len(generic.face_basis)), generic.face_basis, axes=1)
         vertices[generic.head_vertices] += face
     vertices = vertices + bumps(generic, vertices, rng)
+    # the face's own shape moves the skull's top by up to 10 mm, and what the visitor tells must be true
+    scale = stature / float(vertices[generic.part("body"), 1].max())
+    vertices, joints = scale * vertices, scale * joints
     return RandomBody(stature, coefficients, vertices, joints, phenotype)
 
 
