@@ -18,7 +18,7 @@ from cloner.detectors import pose_rows as net
 from cloner.detectors.front_cues import sole_row
 from cloner.detectors.front_features import Found, Look, crotch, look_along, side_points
 from cloner.detectors.levels import load_levels, load_offsets
-from cloner.detectors.photo_states import cut_states, front_states
+from cloner.detectors.photo_states import cut_states, front_states, turned_states
 from cloner.detectors.pose_order import in_order
 from cloner.detectors.side_features import look_from_side, profile_points
 from cloner.frames import ViewId
@@ -129,7 +129,7 @@ def _from_side(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, 
     for side, name in enumerate(net.SIDES):
         error = CUT_ERROR if "bottom" in figure.cut else END_ERROR
         found[f"sole_{name}"] = np.array([pose[net.ANKLES[side], 0], figure.bottom_px[1]]), error
-    return found, cut_states(figure, proposal.view)
+    return found, cut_states(figure, proposal.view) + turned_states(figure, pose, proposal.view)
 
 
 def _head_and_feet(figure: Figure, pose: Array, proposal: Proposal) -> Found:

@@ -20,8 +20,12 @@ FRONTAL: Final = (0.1, 0.9)
 PROFILE: Final = (-0.3, 1.3)
 #: Distance of the ears over the photo's height below which no close-up is shown (samples: face front 0.23, body 0.06).
 CLOSE_UP: Final = 0.10
+#: How much surer the net is of the toes than of the heels when a person faces the camera (samples: 0.23-0.49 in front,
+#: -0.59 to -0.17 from behind).
+TOES_LEAD: Final = 0.1
 # BlazePose numbering
 _NOSE, _EARS, _SHOULDERS, _KNEES, _ANKLES = 0, (7, 8), (11, 12), (25, 26), (27, 28)
+_HEELS, _TOES = (29, 30), (31, 32)
 _HINT: Final = "Rename or retake the photos so that each shows what its name says"
 
 
@@ -62,7 +66,15 @@ def _trouble_in_body(proposal: Proposal) -> str:
         return f"this photo shows the person from the side, not the {view.value[5:]}"
     if view is ViewId.BODY_FRONT and left < right and proposal.face_presence == 0.0:
         return "this photo shows the person's back, not the front"
+    if view is ViewId.BODY_BACK and left > right and _toes_lead(proposal):
+        return "this photo shows the person's front, not the back"
     return ""
+
+
+def _toes_lead(proposal: Proposal) -> bool:
+    """Whether the toes are seen better than the heels, as on a person who faces the camera."""
+    seen = proposal.pose_visibility
+    return bool(seen[[*_TOES]].mean() > seen[[*_HEELS]].mean() + TOES_LEAD)
 
 
 def _trouble_in_face_front(proposal: Proposal) -> str:

@@ -2,23 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import Correction, Corrections, PointSet, Proposals, ViewPoints
+from cloner.records.points import Correction, Corrections, PhotoState, PointSet, Proposals, StateKind, ViewPoints
 from cloner.records.results import Residual, StageResult
+from cloner.stages.bone_checks import check_bones
 from cloner.stages.photo_checks import check_photos
+from cloner.vision.loose_outline import find_loose
 
 #: Points that set a body photo's scale.
 ENDS = ("head_top", "sole_left", "sole_right")
 #: A correction farther than this share of the figure's height from the proposal says that the proposal was wrong:
 #: two spreads of the pose net's joints (facts.md: 5-40 px in 1,800 px).
 FAR = 0.035
+#: Value of a mask (0..255) above which a pixel shows the person.
+EDGE_LEVEL = 127
+#: Distance from loose clothing within which an outline is the clothing's, figure heights.
+CLOTH_MARGIN = 0.01
+#: What is left of the confidence in a point of the body on the outline of loose clothing.
+CLOTH_TRUST = 0.1
 
 
 def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: Photo) -> ViewPoints:
@@ -47,7 +57,7 @@ def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: 
         row = names.index(name)
         positions[row] = correction.x_px, correction.y_px
         confidence[row], fixed[row] = 1.0, True
-    return ViewPoints(points.view, tuple(names), positions, confidence, fixed, points.proposed or points)
+    return ViewPoints(points.view, tuple(names), positions, confidence, fixed, points.proposed or points, points.states)
 
 
 def for_fitting(points: ViewPoints, astray: Collection[str] = ()) -> ViewPoints:
@@ -82,7 +92,15 @@ def for_fitting(points: ViewPoints, astray: Collection[str] = ()) -> ViewPoints:
         elif old is not None:
             rows.append((name, old, float(before.confidence[before.names.index(name)]), False))
     names, positions, confidence, kept = zip(*rows, strict=True) if rows else ((), np.zeros((0, 2)), (), ())
-    return ViewPoints(before.view, names, np.array(positions), np.array(confidence), np.array(kept, dtype=np.bool_))
+    return ViewPoints(
+        before.view,
+        names,
+        np.array(positions),
+        np.array(confidence),
+        np.array(kept, dtype=np.bool_),
+        None,
+        before.states,
+    )
 
 
 def figure_height_px(points: ViewPoints) -> float:
@@ -109,13 +127,11 @@ def run(
         If a photo does not show what its name says or a correction lies off the image.
     """
     check_photos(proposals, photos)
-    body: dict[ViewId, ViewPoints] = {}
+    body = body_proposals(proposals)
     face: dict[ViewId, ViewPoints] = {}
     for view, proposal in proposals.views.items():
         photo = photos.photos[view]
         placed = corrections.points.get(view, {})
-        if view.is_body:
-            body[view] = DETECTORS.get("body_points")(proposal)
         if view.is_face or view is ViewId.BODY_FRONT:
             face[view] = DETECTORS.get("face_points")(photo, proposal)
         named_face = face[view].names if view in face else ()
@@ -123,8 +139,43 @@ def run(
             body[view] = corrected(body[view], {n: c for n, c in placed.items() if n not in named_face}, photo)
         if view in face:
             face[view] = corrected(face[view], {n: c for n, c in placed.items() if n in named_face}, photo)
-        tick(len(body) / len(proposals.views))
+        tick(len(face) / len(proposals.views))
     sets = [*body.values(), *face.values()]
     sure = [float(points.confidence.mean()) for points in sets if len(points.names)]
     residuals = (Residual("confidence of proposed points", 100.0 * float(np.mean(sure or [0.0])), "percent"),)
-    return StageResult({"body_points": PointSet(body), "face_points": PointSet(face)}, residuals)
+    return StageResult({"body_points": PointSet(body), "face_points": PointSet(face)}, residuals, told(body))
+
+
+def body_proposals(proposals: Proposals) -> dict[ViewId, ViewPoints]:
+    """Return the proposed points of all body photos, checked against each other."""
+    shown = {view: proposal for view, proposal in proposals.views.items() if view.is_body}
+    body: dict[ViewId, ViewPoints] = {view: DETECTORS.get("body_points")(proposal) for view, proposal in shown.items()}
+    body = check_bones(body, {view: figure_height_px(points) for view, points in body.items()})
+    loose = find_loose({v: (p.mask > EDGE_LEVEL, p.pose_px, p.pose_visibility) for v, p in shown.items()})
+    return body | {view: on_cloth(body[view], regions) for view, regions in loose.items()}
+
+
+def on_cloth(points: ViewPoints, regions: Sequence[LooseRegion]) -> ViewPoints:
+    """Return the points without trust in those on the outline of loose clothing, and with its rows as a state.
+
+    Legs that a skirt hides do not stand together, so nothing is told of that.
+    """
+    margin = CLOTH_MARGIN * figure_height_px(points)
+    hidden = np.zeros(len(points.names), dtype=bool)
+    for region in regions:
+        hidden |= region.covers(points.points_px, margin_px=margin)
+    hidden &= ~np.array([name.startswith(("l_", "r_")) for name in points.names], dtype=bool)
+    states = [state for state in points.states if state.kind is not StateKind.LEGS_TOGETHER]
+    states += [
+        PhotoState(StateKind.LOOSE_OUTLINE, "", "", region.confidence, (float(region.top_px), float(region.bottom_px)))
+        for region in regions
+    ]
+    trust = np.where(hidden & ~points.corrected, CLOTH_TRUST * points.confidence, points.confidence)
+    return replace(points, confidence=trust, states=tuple(states))
+
+
+def told(body: Mapping[ViewId, ViewPoints]) -> tuple[str, ...]:
+    """Return one sentence a state that is worth telling, each with its photo's name."""
+    return tuple(
+        f"{view}: {state.sentence}" for view, points in body.items() for state in points.states if state.sentence
+    )
