@@ -10,7 +10,6 @@ outside the family (shared/foreign/stein_woman; not ours to ship).
 from __future__ import annotations
 
 import argparse
-import copyreg
 import json
 import multiprocessing
 import sys
@@ -19,7 +18,6 @@ from collections.abc import Callable, Iterable
 from concurrent.futures import ProcessPoolExecutor, as_completed
 from functools import partial
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any
 
 from body_ablation import VARIANTS, ablate
@@ -96,9 +94,6 @@ def main() -> None:
         rows = [json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))]
         sys.stdout.write(f"{write_page(rows, folder)}\n")
 
-
-# records hold their mappings in MappingProxyType, which pickle does not know
-copyreg.pickle(MappingProxyType, lambda proxy: (dict, (dict(proxy),)))
 
 if __name__ == "__main__":
     main()

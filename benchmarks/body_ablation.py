@@ -13,7 +13,7 @@ import cv2
 import numpy as np
 from body_people import Case, first_values, run_stages, step_clones, write_json
 from body_scores import HELD_OUT, score_step
-from skimage.measure import find_contours
+from skimage import measure
 
 from cloner.generic.load import load_generic
 from cloner.records.points import PointSet, Proposals, ViewPoints
@@ -47,7 +47,10 @@ def mask_only(values: Values) -> Values:
     views = {}
     for view, proposal in values["proposals"].views.items():
         padded = np.pad(proposal.mask.astype(np.float64), 1)
-        contours = sorted((line[:-1, ::-1] - 1.0 for line in find_contours(padded, 127.5)), key=len, reverse=True)
+
+        contours = sorted(
+            (line[:-1, ::-1] - 1.0 for line in measure.find_contours(padded, 127.5)), key=len, reverse=True
+        )
         kept = tuple(line for line in contours if len(line) > 0.05 * len(contours[0]))
         views[view] = Silhouette(view, kept, proposal.mask > 127, ())
     return {**values, "silhouettes": SilhouetteSet(views)}

@@ -56,7 +56,7 @@ def score_foreign(folder: Path, photos_name: str) -> dict[str, Any]:
 
 def foreign_truth(folder: Path, photos_name: str, told: dict[str, Any]) -> KnownTruth:
     """Return the truth of a foreign body; it has no joints and hardly any named points."""
-    mesh = trimesh.load(folder / told["truth_mesh"], process=False)
+    mesh = trimesh.load_mesh(folder / told["truth_mesh"], process=False)
     vertices, triangles = np.asarray(mesh.vertices, dtype=np.float64), np.asarray(mesh.faces, dtype=np.int32)
     points, normals, _ = sample_surface(vertices, triangles, SURFACE_POINTS, rng=np.random.default_rng(0))
     surface = TruthSurface(

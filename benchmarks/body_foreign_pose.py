@@ -25,9 +25,7 @@ _SURFACE_SIGMA_M: Final = 0.01
 _REACH_M: Final = 0.12
 
 
-def rotations_by_surface(
-    clone: Clone, generic: GenericHuman, truth: TruthSurface, start: Array
-) -> tuple[Array, Array]:
+def rotations_by_surface(clone: Clone, generic: GenericHuman, truth: TruthSurface, start: Array) -> tuple[Array, Array]:
     """Return the (94, 3) rotations and the rigid (4, 4) motion that lay a clone on a surface.
 
     Parameters

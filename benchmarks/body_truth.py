@@ -23,6 +23,8 @@ from painted_people import KnownPerson, Shot, photograph_person
 from painted_people_clothes import CLOTH, HAIR, ORGAN, SHOE, SKIN, Dressed
 from painted_people_pictures import rendered
 
+__all__ = ["KnownPerson", "known_truth", "photograph", "true_view"]
+
 Array = NDArray[np.float64]
 
 KINDS: Final = {SKIN: "bare", CLOTH: "worn", HAIR: "hair", SHOE: "worn", ORGAN: "organ"}

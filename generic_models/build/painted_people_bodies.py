@@ -95,11 +95,11 @@ def waves(points_m: Array, lengths_m: tuple[float, float], count: int, rng: np.r
     """Return (N,) smooth noise of unit variance at (N, 3) points: waves of random direction, length and phase."""
     direction = rng.normal(size=(count, 3))
     direction /= np.linalg.norm(direction, axis=1, keepdims=True)
-    length = np.exp(rng.uniform(*np.log(lengths_m), size=count))
+    length = np.exp(rng.uniform(np.log(lengths_m[0]), np.log(lengths_m[1]), size=count))
     phase = rng.uniform(0.0, 2.0 * np.pi, size=count)
     turns = (2.0 * np.pi * direction / length[:, None]).T.astype(np.float32)
     angles = np.asarray(points_m, dtype=np.float32) @ turns + phase.astype(np.float32)  # noise needs no precision
-    return np.sqrt(2.0 / count) * np.cos(angles).sum(axis=1).astype(np.float64)
+    return np.asarray(np.sqrt(2.0 / count) * np.cos(angles).sum(axis=1), dtype=np.float64)
 
 
 def random_rotations(generic: GenericHuman, joints_m: Array, rng: np.random.Generator) -> Array:

@@ -116,7 +116,7 @@ def rendered(vertices_m: Array, triangles: NDArray[np.integer], colours: Array, 
     renderer = _renderer()
     renderer.viewport_width, renderer.viewport_height = camera.width_px, camera.height_px
     picture, _ = renderer.render(scene, flags=pyrender.RenderFlags.FLAT | pyrender.RenderFlags.RGBA)
-    return picture.astype(np.float32) / np.float32(255.0)
+    return np.asarray(picture, dtype=np.float32) / np.float32(255.0)
 
 
 @functools.cache
@@ -133,7 +133,7 @@ def developed(person: Picture, behind: Picture, rng: np.random.Generator) -> Ima
     noise = rng.standard_normal(picture.shape[:2], dtype=np.float32) * np.float32(rng.uniform(1.0, 3.5))
     image = np.clip(np.float32(255.0) * picture + noise[..., None] + np.float32(0.5), 0, 255).astype(np.uint8)
     _, data = cv2.imencode(".jpg", image[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, int(rng.integers(84, 94))])
-    return np.ascontiguousarray(cv2.imdecode(data, cv2.IMREAD_COLOR)[..., ::-1])
+    return np.ascontiguousarray(np.asarray(cv2.imdecode(data, cv2.IMREAD_COLOR), dtype=np.uint8)[..., ::-1])
 
 
 def room(
@@ -172,7 +172,7 @@ def room(
     lamp = rng.uniform([0, 0], [1.0, 0.6])
     across, down = (np.exp(-(((np.arange(n) / n - at) / 0.8) ** 2)) for n, at in ((width, lamp[0]), (height, lamp[1])))
     light = (0.86 + 0.2 * down[:, None] * across).astype(np.float32) * (1.0 - _shadow(person, rng))
-    return np.clip(picture * light[..., None], 0.0, 1.0)
+    return np.asarray(np.clip(picture * light[..., None], 0.0, 1.0), dtype=np.float32)
 
 
 def _floor_line(camera: Camera, floor_m: float, behind_m: float) -> Array:
@@ -235,7 +235,9 @@ def _furnish(picture: NDArray[np.float32], rng: np.random.Generator) -> None:
     for _ in range(rng.integers(2, 7)):  # poles, cables, shelves
         ends = rng.uniform([0, 0], [width, height], (2, 2))
         ends[1, rng.integers(2)] = ends[0, rng.integers(2)]
-        cv2.line(picture, *[end.astype(int).tolist() for end in ends], colour(), int(rng.integers(3, 26)))
+        cv2.line(
+            picture, ends[0].astype(int).tolist(), ends[1].astype(int).tolist(), colour(), int(rng.integers(3, 26))
+        )
     for _ in range(rng.integers(0, 3)):  # leaves
         root, green = rng.uniform([0, 0.4 * height], [width, height]), (0.1, rng.uniform(0.25, 0.5), 0.12)
         for _ in range(25):

@@ -65,12 +65,13 @@ def random_wardrobe(tightness: Tightness, rng: np.random.Generator, *, alike: fl
     hair = str(rng.choice(["short", "long", "bald"], p=[0.62, 0.30, 0.08]))
     hair_m = float(rng.uniform(0.004, 0.025)) if hair != "bald" else 0.0
     sole = float(rng.uniform(*SOLE_M))
-    return Wardrobe(tightness, *map(float, ease), float(sleeve), float(leg), sole, hair, hair_m, alike)
+    shirt, trousers = float(ease[0]), float(ease[1])
+    return Wardrobe(tightness, shirt, trousers, float(sleeve), float(leg), sole, hair, hair_m, alike)
 
 
 def random_colour(rng: np.random.Generator) -> Array:
     """Return an sRGB colour 0..1 as clothes have: mostly greyish."""
-    return np.clip(rng.uniform(0.06, 0.90) + rng.choice([0.05, 0.15]) * rng.normal(size=3), 0.03, 0.95)
+    return np.asarray(np.clip(rng.uniform(0.06, 0.90) + rng.choice([0.05, 0.15]) * rng.normal(size=3), 0.03, 0.95))
 
 
 def cloth_colours(points_m: Array, base: Array, rng: np.random.Generator, *, patterns: tuple[str, ...]) -> Array:
