@@ -7,18 +7,22 @@ what they leave as it was, that run takes over (``still_true``).
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cloner import pipeline
 from cloner.frames import ViewId
-from cloner.records.clones import Joined
+from cloner.geometry.rims import borders_px, fill_triangles
+from cloner.records.clones import Clone, Joined
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, ObeyedPoint, PointSet, ViewPoints
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.obeyed import obey
+from cloner.stages.obeyed_claims import scene_of
+from cloner.stages.outlined import body_triangles
 from cloner.stages.points import corrected, for_fitting
 from cloner.stages.silhouettes import astray_points
 
@@ -65,6 +69,24 @@ def refit(values: Mapping[str, Any], corrections: Corrections) -> Refitted:
     person, told = obey(values["joined"], body, silhouettes)
     whole = same_fit(values["body_points"], body, silhouettes) and same_points(values["face_points"], face)
     return Refitted(person, told, whole)
+
+
+def clone_after(values: Mapping[str, Any], person: Joined) -> Clone:
+    """Return the last run's clone with its skin moved as the refitted person's is; hair and textures stay."""
+    clone: Clone = values["clone"]
+    moved = person.vertices_m - values["obeyed"].vertices_m
+    views = {**clone.views, **person.views}
+    return replace(clone, vertices_m=clone.vertices_m + moved, joints_m=person.joints_m, views=views)
+
+
+def outline_px(person: Joined, view: ViewId) -> tuple[NDArray[np.float64], ...]:
+    """Return the (M, 2) closed borders of the person's skin as a photo shows it, photo pixels; none of a face photo."""
+    posed = person.views.get(view)
+    if posed is None or not view.is_body:
+        return ()
+    seen = scene_of(person.vertices_m, person.joints_m, posed)
+    size = (posed.camera.height_px, posed.camera.width_px)
+    return borders_px(fill_triangles(seen.pixels, body_triangles(), size))
 
 
 def moved_points(values: Mapping[str, Any], corrections: Corrections) -> tuple[PointSet, PointSet]:

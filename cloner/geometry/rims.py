@@ -34,6 +34,12 @@ def fill_triangles(points_px: Array, triangles: Triangles, size: tuple[int, int]
     return picture
 
 
+def borders_px(picture: NDArray[np.uint8]) -> tuple[Array, ...]:
+    """Return the (M, 2) closed borders of a filled picture, in its pixels, without slivers of under 20 px."""
+    chains, _ = cv2.findContours(picture, cv2.RETR_LIST, cv2.CHAIN_APPROX_NONE)
+    return tuple(chain[:, 0].astype(np.float64) for chain in chains if len(chain) >= 20)
+
+
 def triangle_normals(vertices_m: Array, triangles: Triangles) -> Array:
     """Return (T, 3) area-weighted triangle normals."""
     corner = vertices_m[triangles]

@@ -238,3 +238,8 @@ class ObeyedPoint:
     after_px: float
     moved_mm: float = 0.0
     note: str = ""
+
+    @property
+    def is_missed(self) -> bool:
+        """Whether the clone keeps off the point."""
+        return bool(self.note) and self.kind != "scale"

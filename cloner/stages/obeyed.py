@@ -151,7 +151,5 @@ def run(
 def warnings_of(told: tuple[ObeyedPoint, ...]) -> tuple[str, ...]:
     """Return one sentence for every corrected point that could not be obeyed."""
     return tuple(
-        f"{one.view}: the corrected point {one.name} could not be obeyed: {one.note}"
-        for one in told
-        if one.note and one.kind != "scale"
+        f"{one.view}: the corrected point {one.name} could not be obeyed: {one.note}" for one in told if one.is_missed
     )

@@ -14,7 +14,8 @@ from cloner.cloning import CloneOutcome, Progress, clone_folder
 from cloner.frames import ViewId
 from cloner.project.corrections import no_corrections
 from cloner.records.photos import PhotoSet
-from cloner.records.points import PointSet, ViewPoints
+from cloner.records.points import Corrections, PointSet, ViewPoints
+from cloner.refitting import Refitted, refit
 
 ProposedPoints = dict[ViewId, ViewPoints]
 
@@ -80,7 +81,8 @@ def clone_person(
 
 @dataclass(frozen=True, slots=True)
 class Services:
-    """The two long jobs of the window."""
+    """The two long jobs of the window, and the short one after a drag."""
 
     propose: Callable[[PhotoSet, Progress], Proposed] = propose_points
     clone: Callable[[Path, Path, float | None, Mapping[str, object], Progress], CloneOutcome] = clone_person
+    refit: Callable[[Mapping[str, object], Corrections], Refitted] = refit

@@ -7,7 +7,9 @@ import time
 from collections.abc import Mapping
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QUndoStack
 
 from cloner.cloning import CloneOutcome
@@ -15,8 +17,10 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.corrections import check_against, move_point, no_corrections, remove_point
 from cloner.project.folder import load_photos, read_corrections, read_person, write_corrections
+from cloner.records.clones import Clone
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, ViewPoints
+from cloner.refitting import Refitted, clone_after, outline_px
 from cloner.stages.points import corrected
 from cloner_gui.commands import Swap
 from cloner_gui.services import Proposed, ProposedPoints, Services
@@ -26,6 +30,8 @@ from cloner_gui.worker import Task
 log = logging.getLogger(__name__)
 
 RESULTS = "clones"
+#: A drag that rests so long is shown on the clone, milliseconds (taste: no work while the hand moves).
+REFIT_AFTER_MS = 60
 
 
 class Session(QObject):
@@ -42,6 +48,7 @@ class Session(QObject):
     busy_changed = Signal()
     progressed = Signal(str, float)
     cloned = Signal()
+    refitted = Signal()
     failed = Signal(object)
 
     def __init__(self, services: Services, parent: QObject | None = None) -> None:
@@ -55,11 +62,14 @@ class Session(QObject):
         self.proposed: ProposedPoints = {}
         self.known: Mapping[str, object] = {}
         self.outcome: CloneOutcome | None = None
+        self.moved: Refitted | None = None
         self.warnings: tuple[str, ...] = ()
         self.undo_stack = QUndoStack(self)
         self.drags = 0
         self._since = time.monotonic()
         self._task: Task | None = None
+        self._refit = QTimer(self, singleShot=True, interval=REFIT_AFTER_MS)
+        self._refit.timeout.connect(self.refit)
 
     # --- the folder -------------------------------------------------------
 
@@ -77,6 +87,8 @@ class Session(QObject):
         self.corrections, self.warnings = corrections, warnings
         self.height_cm = 100.0 * person.stature_m if person.stature_is_known else None
         self.proposed, self.known, self.outcome, self.drags = {}, {}, None, 0
+        self.moved = None
+        self._refit.stop()
         self._since = time.monotonic()
         self.undo_stack.clear()
         self.opened.emit()
@@ -116,6 +128,31 @@ class Session(QObject):
             except ClonerError as error:
                 self.failed.emit(error)
         self.points_changed.emit()
+        if self.outcome is not None:
+            self._refit.start()
+
+    def refit(self) -> None:
+        """Move the body of the last clone to the corrections; a body that cannot follow leaves the last one."""
+        if self.outcome is None or "joined" not in self.outcome.values:
+            return
+        try:
+            self.moved = self.services.refit(self.outcome.values, self.corrections)
+        except ClonerError as error:
+            self.failed.emit(error)
+            return
+        self.refitted.emit()
+
+    def clone_outline(self, view: ViewId) -> tuple[NDArray[np.float64], ...]:
+        """Return the borders of the clone's body in a photo, moved points included; none before there is a clone."""
+        person = None if self.outcome is None else self.outcome.values.get("obeyed")
+        person = person if self.moved is None else self.moved.person
+        return () if person is None else outline_px(person, view)
+
+    def clone_now(self) -> Clone | None:
+        """Return the clone with moved points included, None before there is one."""
+        if self.outcome is None or self.moved is None:
+            return None if self.outcome is None else self.outcome.values["clone"]
+        return clone_after(self.outcome.values, self.moved.person)
 
     # --- long work -----------------------------------------------------------------
 
@@ -164,11 +201,11 @@ class Session(QObject):
         task.start()
 
     def _take_proposed(self, proposed: Proposed) -> None:
-        self.proposed, self.known = proposed.points, proposed.known
+        self.proposed, self.known = proposed.points, {**self.known, **proposed.known}
         self.points_changed.emit()
 
     def _take_clone(self, outcome: CloneOutcome) -> None:
-        self.outcome = outcome
+        self.outcome, self.known, self.moved = outcome, outcome.values, None
         self.cloned.emit()
 
     def _done(self) -> None:

@@ -6,6 +6,7 @@ from collections.abc import Collection
 from typing import Final
 
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId
+from cloner.refitting import Refitted
 
 _SIDES: Final = {"L": "left", "R": "right", "left": "left", "right": "right"}
 _FIRST: Final = {"l": "left", "r": "right"}
@@ -29,6 +30,7 @@ STEPS: Final = {
     "fine": "Fitting the outlines",
     "head": "Fitting the head",
     "join": "Joining head and body",
+    "obeyed": "Following corrected points",
     "hair": "Growing the hair",
     "textures": "Painting skin and clothes",
     "export": "Writing the files",
@@ -51,6 +53,13 @@ def spoken(name: str) -> str:
 def spoken_step(step: str) -> str:
     """Return what a step does."""
     return STEPS.get(step, step.capitalize())
+
+
+def spoken_refit(refitted: Refitted) -> str:
+    """Return what became of the corrected points on the last clone's body."""
+    failed = [f"{VIEW_TITLES[one.view]}, {spoken(one.name)}: {one.note}." for one in refitted.obeyed if one.is_missed]
+    told = " ".join(failed) or "The body follows; hair and textures will when you clone again."
+    return told if refitted.is_whole else f"{told} Clone again: this changes more than is shown."
 
 
 def what_is_missing(views: Collection[ViewId]) -> str:

@@ -7,12 +7,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPixmap
+from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPen, QPixmap
 
 RADIUS: Final = 5.0  # taste: visible on a photo of 1,800 px shown at half size
 CORRECTED: Final = QColor(64, 156, 255)
 SURE: Final = QColor(60, 200, 90)
 UNSURE: Final = QColor(240, 70, 50)
+CLONE: Final = QColor(255, 40, 220)  # as in the previews
 _UNSURE_BELOW: Final = 0.25  # confidence at which a point is fully red; taste
 _SURE_ABOVE: Final = 0.75  # confidence at which a point is fully green; taste
 
@@ -43,6 +44,15 @@ def draw_point(painter: QPainter, at: QPointF, colour: QColor, *, strong: bool) 
         painter.drawEllipse(at, radius, radius)
     painter.setPen(QPen(colour, 1.0))
     painter.drawPoint(at)
+
+
+def draw_outline(painter: QPainter, outline: QPainterPath) -> None:
+    """Draw the clone's outline over its photo, as thin as the screen allows at any zoom."""
+    pen = QPen(CLONE, 1.5)
+    pen.setCosmetic(True)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(pen)
+    painter.drawPath(outline)
 
 
 def draw_name(painter: QPainter, at: QPointF, text: str) -> None:

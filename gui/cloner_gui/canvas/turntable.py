@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QMouseEvent, QWheelEvent
+from PySide6.QtGui import QMouseEvent, QShowEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from cloner.errors import ClonerError
@@ -47,6 +47,13 @@ class Turntable(QLabel):
         self._clone = clone
         self._layers = [] if clone is None else clone_layers(clone)
         self.frame("front")
+
+    def update_clone(self, clone: Clone | None) -> None:
+        """Show a clone from where the last one was seen."""
+        self._clone = clone
+        self._layers = [] if clone is None else clone_layers(clone)
+        if self.isVisible():
+            self._draw(fine=True)
 
     def frame(self, framing: str) -> None:
         """Show "front" (the whole person) or "face", turned to the front."""
@@ -99,6 +106,11 @@ class Turntable(QLabel):
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Zoom."""
         self._zoom = min(max(self._zoom * (_ZOOM_STEP if event.angleDelta().y() > 0 else 1 / _ZOOM_STEP), 0.5), 8.0)
+        self._draw(fine=True)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Draw what changed while nobody looked."""
+        super().showEvent(event)
         self._draw(fine=True)
 
     def resizeEvent(self, event: QEvent) -> None:

@@ -3,16 +3,27 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Iterable
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPixmap, QWheelEvent
+from PySide6.QtGui import (
+    QContextMenuEvent,
+    QKeyEvent,
+    QMouseEvent,
+    QPainter,
+    QPainterPath,
+    QPaintEvent,
+    QPixmap,
+    QPolygonF,
+    QWheelEvent,
+)
 from PySide6.QtWidgets import QMenu, QWidget
 
 from cloner.records.points import ViewPoints
-from cloner_gui.canvas.painting import draw_name, draw_point, pixmap_of, point_colour
+from cloner_gui.canvas.painting import draw_name, draw_outline, draw_point, pixmap_of, point_colour
 from cloner_gui.canvas.picking import nearest_point
 from cloner_gui.words import spoken
 
@@ -49,6 +60,7 @@ class PhotoView(QWidget):
         self.setMinimumSize(240, 240)
         self._pixmap = QPixmap()
         self._points: ViewPoints | None = None
+        self._outline = QPainterPath()
         self._scale, self._offset = 1.0, QPointF()
         self._fitted = True
         self._hovered = self._chosen = ""
@@ -60,11 +72,20 @@ class PhotoView(QWidget):
         """Show an (H, W, 3) photo, all of it."""
         self._pixmap = pixmap_of(rgb)
         self._points, self._hovered, self._chosen = None, "", ""
+        self._outline = QPainterPath()
         self.show_all()
 
     def set_points(self, points: ViewPoints | None) -> None:
         """Show points in photo pixels; zoom and choice stay."""
         self._points = points
+        self.update()
+
+    def set_outline(self, borders_px: Iterable[NDArray[np.float64]]) -> None:
+        """Show the (M, 2) closed borders of the clone, photo pixels; none shows nothing."""
+        self._outline = QPainterPath()
+        for border in borders_px:
+            self._outline.addPolygon(QPolygonF([QPointF(x + _HALF_PX, y + _HALF_PX) for x, y in border]))
+            self._outline.closeSubpath()
         self.update()
 
     def show_all(self) -> None:
@@ -185,6 +206,7 @@ class PhotoView(QWidget):
         painter.translate(self._offset)
         painter.scale(self._scale, self._scale)
         painter.drawPixmap(0, 0, self._pixmap)
+        draw_outline(painter, self._outline)
         painter.restore()
         if self._points is None:
             return

@@ -10,7 +10,7 @@ from cloner.frames import ViewId
 from cloner_gui.canvas.painting import CORRECTED, SURE, UNSURE
 from cloner_gui.canvas.view import PhotoView
 from cloner_gui.session import Session
-from cloner_gui.words import VIEW_TITLES, spoken, spoken_step
+from cloner_gui.words import VIEW_TITLES, spoken, spoken_refit, spoken_step
 
 _HELP = (
     "Drag a point to correct it. Wheel: zoom. Drag beside points: pan. Double click: whole photo. Right click: reset."
@@ -49,6 +49,9 @@ class PointsPage(QWidget):
         session.points_changed.connect(self._show_points)
         session.busy_changed.connect(self._show_busy)
         session.progressed.connect(self._show_progress)
+        session.cloned.connect(self._show_body)
+        session.refitted.connect(self._show_refit)
+        self.tabs.currentChanged.connect(self._show_body)
         self._open()
         self._show_busy()
 
@@ -97,3 +100,15 @@ class PointsPage(QWidget):
     def _show_progress(self, step: str, fraction: float) -> None:
         self.progress.setValue(round(1000 * fraction))
         self.status.setText(spoken_step(step))
+
+    def _show_body(self) -> None:
+        """Draw the clone's outline on the photo that is seen."""
+        for view, canvas in self.views.items():
+            if canvas is self.tabs.currentWidget():
+                canvas.set_outline(self._session.clone_outline(view))
+
+    def _show_refit(self) -> None:
+        """Show where the body went, and say what it could not follow."""
+        self._show_body()
+        if self._session.moved is not None:
+            self.status.setText(spoken_refit(self._session.moved))

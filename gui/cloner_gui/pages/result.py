@@ -40,6 +40,7 @@ class ResultPage(QWidget):
         self.folder_button.clicked.connect(lambda: self._open(""))
         session.opened.connect(self._show)
         session.cloned.connect(self._show)
+        session.refitted.connect(lambda: self.turntable.update_clone(session.clone_now()))
         session.busy_changed.connect(self._show_busy)
         session.progressed.connect(self._show_progress)
         self._show()

@@ -1,0 +1,86 @@
+"""A point dragged after cloning moves the shown body at once; the refit itself is the real one, on a known person."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from cloner.evaluate.baselines import generic_clone
+from cloner.frames import BODY_VIEWS, ViewId
+from cloner.generic.load import load_generic
+from cloner.records.photos import Photo, PhotoSet
+from cloner.records.points import PointSet
+from cloner_gui.services import Proposed
+from kit import fitted
+
+from .test_points_page import drag
+
+pytestmark = pytest.mark.gui
+VIEW = ViewId.BODY_FRONT
+
+
+@pytest.fixture
+def cloned(window, jobs, qtbot):
+    """The window on three photos of a known person, proposed and cloned."""
+    person, points, outlines = fitted.fitted_person()
+    sizes = {view: person.views[view].camera for view in BODY_VIEWS}
+    photos = PhotoSet(
+        {v: Photo(v, np.full((c.height_px, c.width_px, 3), 90, np.uint8), None, v.value, "") for v, c in sizes.items()}
+    )
+    session = window.session
+    session.photos = photos
+    session.opened.emit()
+    session.proposed = dict(Proposed(dict(points.views)).points)
+    values = {
+        "photos": photos, "body_points": points, "face_points": PointSet({}), "silhouettes": outlines,
+        "joined": person, "obeyed": person, "clone": generic_clone(load_generic(), 1.72),
+    }  # fmt: skip
+    session._take_clone(SimpleNamespace(folder=session.folder / "clones" / "anna", values=values, warnings=()))
+    window.go(1)
+    qtbot.waitUntil(lambda: window.points.views[VIEW].isVisible())
+    session.points_changed.emit()
+    return window
+
+
+def outline_x(canvas, row_px):
+    """Return the rightmost column of the drawn outline at a row of the photo."""
+    polygon = np.array([(p.x(), p.y()) for path in canvas._outline.toSubpathPolygons() for p in path])
+    return polygon[np.abs(polygon[:, 1] - row_px) < 2.0, 0]
+
+
+def test_a_drag_after_cloning_moves_the_shown_body_and_says_so(cloned, qtbot):
+    canvas = cloned.points.views[VIEW]
+    start = cloned.session.points(VIEW).get("waist_left")
+    before = outline_x(canvas, start[1])
+    assert np.abs(before - start[0]).min() < 6.0, "the clone's outline is drawn as soon as there is a clone"
+    with qtbot.waitSignal(cloned.session.refitted, timeout=5000):
+        drag(qtbot, canvas, tuple(start), (start[0] + 10, start[1]), (start[0] + 25, start[1]))
+    place = cloned.session.points(VIEW).get("waist_left")
+    assert place[0] > start[0] + 20
+    assert np.abs(outline_x(canvas, place[1]) - place[0]).min() < 2.5
+    assert "follows" in cloned.points.status.text()
+    moved = cloned.session.clone_now().vertices_m - cloned.session.outcome.values["clone"].vertices_m
+    assert 0.02 < np.linalg.norm(moved, axis=1).max() < 0.05, "the turntable shows the bend"
+    with qtbot.waitSignal(cloned.session.refitted, timeout=5000):
+        cloned.undo_action.trigger()
+    assert np.allclose(outline_x(canvas, start[1]), before), "undo brings the body back"
+
+
+def test_a_point_that_the_body_cannot_follow_is_told(cloned, qtbot):
+    with qtbot.waitSignal(cloned.session.refitted, timeout=5000):
+        start = cloned.session.points(VIEW).get("waist_left")
+        cloned.session.place_point(VIEW, "waist_left", start[0] + 200, start[1])
+    assert "waist, left" in cloned.points.status.text()
+    assert "off the body" in cloned.points.status.text()
+
+
+def test_nothing_is_refitted_before_there_is_a_clone(window, qtbot):
+    window.session.propose()
+    qtbot.waitUntil(lambda: window.session.points(VIEW) is not None and not window.session.busy)
+    window.session.place_point(VIEW, "nose_tip", 610.0, 300.0)
+    assert not window.session._refit.isActive()
+    assert window.session.clone_outline(VIEW) == ()
+
+
+def test_the_window_keeps_the_last_values_for_the_next_clone(cloned):
+    assert cloned.session.known is cloned.session.outcome.values
