@@ -30,6 +30,8 @@ _TURN: Final = (4.8, 4.7, 4.0)
 MOST_TURNED: Final = 22.0
 #: Shoulders farther apart in a side photo are told to be turned, figure heights (painted people: 22 degrees).
 SHOULDERS_APART: Final = 0.075
+#: Share of the upper arm that hangs down, below which it is held out.
+RAISED: Final = 0.4
 #: Names of the joints that the net's levels stand for.
 _JOINTS: Final = {"net_shoulder": "shoulder", "net_hip": "hip", "net_knee": "knee", "net_ankle": "ankle"}
 
@@ -95,6 +97,8 @@ def _arm_states(figure: Figure, pose_px: Array, look: Look, found: Found, view: 
     shoulder, wrist = (float(pose_px[pair[look.flank.side], 1]) for pair in (net.SHOULDERS, net.WRISTS))
     states = []
     if f"armpit_{side}" not in found:
+        if _raised(pose_px, look.flank.side):
+            return []
         advice = f"hold the arms a little away from the body and retake {view}"
         sentence = f"no background is seen between the {side} arm and the body; {advice}"
         states.append(PhotoState(StateKind.ARM_TOUCHES, side, sentence, rows_px=(shoulder, wrist)))
@@ -102,6 +106,12 @@ def _arm_states(figure: Figure, pose_px: Array, look: Look, found: Found, view: 
         sentence = f"the {side} hand lies before the body or in a pocket; let the arms hang beside and retake {view}"
         states.append(PhotoState(StateKind.HAND_HIDDEN, side, sentence, 0.7, rows_px=(wrist, wrist)))
     return states
+
+
+def _raised(pose_px: Array, side: int) -> bool:
+    """Whether an upper arm is held out so far that the row-wise search below it cannot see its armpit."""
+    upper = pose_px[net.ELBOWS[side]] - pose_px[net.SHOULDERS[side]]
+    return bool(upper[1] < RAISED * np.linalg.norm(upper))
 
 
 def hand_hidden(figure: Figure, pose_px: Array, look: Look) -> bool:

@@ -151,8 +151,18 @@ def body_proposals(proposals: Proposals) -> dict[ViewId, ViewPoints]:
     shown = {view: proposal for view, proposal in proposals.views.items() if view.is_body}
     body: dict[ViewId, ViewPoints] = {view: DETECTORS.get("body_points")(proposal) for view, proposal in shown.items()}
     body = check_bones(body, {view: figure_height_px(points) for view, points in body.items()})
+    if shows_crotch(body):
+        return body
     loose = find_loose({v: (p.mask > EDGE_LEVEL, p.pose_px, p.pose_visibility) for v, p in shown.items()})
     return body | {view: on_cloth(body[view], regions) for view, regions in loose.items()}
+
+
+def shows_crotch(body: Mapping[ViewId, ViewPoints]) -> bool:
+    """Whether a front or back photo shows background up to the crotch: then no skirt or coat is closed around the legs.
+
+    Wide thighs that touch look much like a short skirt; a crotch at its usual level tells them apart.
+    """
+    return any("crotch" in points.names for points in body.values())
 
 
 def on_cloth(points: ViewPoints, regions: Sequence[LooseRegion]) -> ViewPoints:

@@ -96,8 +96,7 @@ def run(
         linked = [source == "edges" for _, source, _ in views[view].sources]
         residuals.append(Residual("outline on edges", 100.0 * float(np.mean(linked or [False])), "percent", view.value))
         tick(len(views) / len(proposals.views))
-    loose = find_loose(
-        {v: (s.mask, proposals.views[v].pose_px, proposals.views[v].pose_visibility) for v, s in views.items()}
-    )
+    shown = {v: (s.mask, proposals.views[v].pose_px, proposals.views[v].pose_visibility) for v, s in views.items()}
+    loose = {} if shows_crotch(body_points.views) else find_loose(shown)
     views |= {view: replace(views[view], loose=regions) for view, regions in loose.items()}
     return StageResult({"silhouettes": SilhouetteSet(views)}, tuple(residuals))
