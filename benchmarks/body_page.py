@@ -28,7 +28,7 @@ from body_tables import (
 DOCS: Final = Path(__file__).resolve().parents[1] / "docs"
 PAGE: Final = DOCS / "body_benchmark.md"
 WORST: Final = 5
-WIDEST_PX: Final = 1500
+WIDEST_PX: Final = 1100
 #: Stages that the bar of the body's seconds does not mean.
 _OTHERS: Final = ("proposals", "points", "head", "hair")
 

@@ -108,7 +108,8 @@ def score_step(step: Clone, generic: GenericHuman, truth: KnownTruth) -> dict[st
     -------
     dict
         ``silhouette_iou`` and ``below_head_iou`` by view (the held-out one too), ``surface_mean_mm`` and
-        ``surface_p95_mm`` without head, hair and hands, ``part_mm`` by part (mean and p95), ``joints_mm``.
+        ``surface_p95_mm`` without head, hair and hands, ``part_mm`` by part (mean and p95), ``joints_mm`` and
+        ``joints_off_mm`` (to the person's left, up, forward).
     """
     rotations, truth_from_step = placed(step, generic, truth)
     masks = {view: _photo_mask(step, view) for view in truth.views if view != HELD_OUT}
@@ -118,11 +119,13 @@ def score_step(step: Clone, generic: GenericHuman, truth: KnownTruth) -> dict[st
     if not surface.joints_m:
         surface = replace(surface, joints_m=joints_by_truth_name(posed, generic))
     found = skins.body_distances(posed, generic, surface, rng=np.random.default_rng(SEED))
+    off = joint_errors_mm(found.aligned, generic, truth)
     return {
         "silhouette_iou": {view: rulers.overlap(mask, truth.views[view].mask) for view, mask in masks.items()},
         "below_head_iou": {view: below_head_overlap(mask, truth, view) for view, mask in masks.items()},
         **surface_scores(found, generic),
-        "joints_mm": joint_errors_mm(found.aligned, generic, truth),
+        "joints_mm": {name: float(np.linalg.norm(away)) for name, away in off.items()},
+        "joints_off_mm": {name: away.tolist() for name, away in off.items()},
     }
 
 
@@ -197,11 +200,11 @@ def surface_scores(found: skins.BodyDistances, generic: GenericHuman) -> dict[st
     }
 
 
-def joint_errors_mm(posed: Posed, generic: GenericHuman, truth: KnownTruth) -> dict[str, float]:
-    """Return how far the main joints lie from the truth's after the surfaces were aligned, mm."""
+def joint_errors_mm(posed: Posed, generic: GenericHuman, truth: KnownTruth) -> dict[str, Array]:
+    """Return the (3,) offsets of the main joints from the truth's after the surfaces were aligned, mm."""
     own = joints_by_truth_name(posed, generic) | {name: posed.joints_m[generic.joint(name)] for name in truth.spine_m}
     true = {**truth.surface.joints_m, **truth.spine_m}
-    return {name: mm_from_m(float(np.linalg.norm(own[name] - at))) for name, at in true.items() if name in own}
+    return {name: MILLIMETRES_PER_METRE * (own[name] - at) for name, at in true.items() if name in own}
 
 
 def score_outlines(values: Values, truth: KnownTruth) -> dict[str, Any]:

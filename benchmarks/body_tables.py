@@ -123,16 +123,23 @@ def parts(people: Sequence[Row]) -> str:
         ]
         for part in PARTS
     ]
-    joints = Counter[str]()
-    for row in people:
-        for name, value in row["steps"]["finished"]["joints_mm"].items():
-            joints[name] += value / len(people)
-    told = ", ".join(f"{name} {value:.0f}" for name, value in joints.most_common(20))
     head = ("part", "generic", "phenotype", "fine", "finished", "finished, p95 of the surface")
     return (
         "## Where the error is\n\nMean surface error by part, mm; median / 90th percentile / worst.\n\n"
-        f"{table(head, lines)}\n\nMean distance of the finished clone's joints from the truth's, mm: {told}."
+        f"{table(head, lines)}\n\n{joints(people)}"
     )
+
+
+def joints(people: Sequence[Row]) -> str:
+    """Return how far the finished clone's joints lie from the truth's, and to which side on average."""
+    lines = []
+    for name in people[0]["steps"]["finished"]["joints_mm"]:
+        found = [row["steps"]["finished"] for row in people]
+        offsets = np.array([own["joints_off_mm"][name] for own in found if "joints_off_mm" in own]).reshape(-1, 3)
+        sides = [f"{value:+.0f}" for value in np.median(offsets, axis=0)] if len(offsets) else ["-"] * 3
+        lines.append([name, spread([own["joints_mm"][name] for own in found], 0), *sides])
+    head = ("joint", "distance", "median offset to the left", "up", "forward")
+    return "Joints of the finished clone beside the truth's after alignment, mm.\n\n" + table(head, lines)
 
 
 def outlines(people: Sequence[Row]) -> str:
@@ -168,7 +175,19 @@ def girths(people: Sequence[Row]) -> str:
         "## Naked girths\n\nMedian error with its sign; size of the error (median / 90th percentile / worst), mm; how"
         " often the truth lies inside the printed ±.\n\n"
         + table(("girth", *TIGHTNESSES), [[name, *(cell(name, worn) for worn in TIGHTNESSES)] for name in names])
+        + "\n\nThe clone's skin beside the dressed truth under the same tapes, median of clone minus truth, mm.\n\n"
+        + table(
+            ("girth", *TIGHTNESSES),
+            [[name, *(too_large(people, name, worn) for worn in TIGHTNESSES)] for name in names],
+        )
     )
+
+
+def too_large(people: Sequence[Row], name: str, tightness: str) -> str:
+    """Return how much too large the clone's skin is at one girth, with its sign."""
+    own = [row["measures"]["girths"][name] for row in people if row["tightness"] == tightness]
+    off = [girth["shown"] - girth["true_dressed"] for girth in own if girth["shown"] and girth["true_dressed"]]
+    return f"{np.median(off):+.0f}" if off else "-"
 
 
 def points(people: Sequence[Row]) -> str:
