@@ -31,6 +31,7 @@ STEPS: Final = {
     "head": "Fitting the head",
     "join": "Joining head and body",
     "obeyed": "Following corrected points",
+    "measures": "Measuring the body",
     "hair": "Growing the hair",
     "textures": "Painting skin and clothes",
     "export": "Writing the files",
