@@ -87,14 +87,14 @@ def completed(figure: Figure, pose_px: Array, kind: str) -> Figure:
     if not {"top", "bottom"} & set(figure.cut):
         return figure
     model = load_levels(kind)
-    hip, ankle, ears = (float(model.mean[model.index(name)]) for name in ("net_hip", "net_ankle", "net_ears"))
-    rows = [float(pose_px[list(pair), 1].mean()) for pair in (net.HIPS, net.ANKLES, net.EARS)]
-    whole = (rows[0] - rows[2]) / (ears - hip) if "bottom" in figure.cut else (rows[1] - rows[2]) / (ears - ankle)
+    ankle, ears = (float(model.mean[model.index(name)]) for name in ("net_ankle", "net_ears"))
+    rows = [float(pose_px[list(pair), 1].mean()) for pair in (net.ANKLES, net.EARS)]
+    whole = (rows[0] - rows[1]) / (ears - ankle)
     top, bottom = figure.top_px.copy(), figure.bottom_px.copy()
     if "bottom" in figure.cut:
-        bottom[1] = max(bottom[1], rows[0] + hip * whole)
+        bottom[1] = max(bottom[1], rows[0] + ankle * whole)
     if "top" in figure.cut:
-        top[1] = min(top[1], rows[2] - (1.0 - ears) * whole)
+        top[1] = min(top[1], rows[1] - (1.0 - ears) * whole)
     return replace(figure, top_px=top, bottom_px=bottom)
 
 
