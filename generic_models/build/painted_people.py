@@ -30,6 +30,7 @@ from painted_people_pictures import (
     BACKGROUNDS,
     Background,
     developed,
+    framed,
     lit,
     random_camera,
     rendered,
@@ -215,7 +216,7 @@ def take(
     """Return one shot of a person in a pose; the room is the seed's, wherever he is seen from."""
     joints, naked, worn = posed(dressed, body, rotations)
     floor, top = float(worn[:, 1].min()), float(worn[:, 1].max())
-    camera, focal_mm = random_camera(azimuth_deg, (floor, top), size_px, rng)
+    camera, focal_mm = framed(*random_camera(azimuth_deg, (floor, top), size_px, rng), worn)
     normals = vertex_normals(worn, dressed.triangles)
     colours = lit(worn, normals, dressed.colours, camera, np.random.default_rng([seed, 4]))
     person = rendered(worn, dressed.triangles, colours, camera)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import os
+from dataclasses import replace
 
 os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
 
@@ -30,6 +31,7 @@ FOCAL_35MM: Final = (45.0, 75.0)
 DISTANCE_M: Final = (2.5, 4.5)
 CAMERA_HEIGHT_M: Final = (0.9, 1.6)
 FILL: Final = (0.74, 0.90)
+MARGIN: Final = 0.015  # of the photo that stays empty around a person
 TILT_DEG: Final = (1.0, 1.5)  # aim and roll, spread
 M_FROM_GL: Final = np.diag([1.0, -1.0, -1.0, 1.0])  # OpenGL looks along -z with y up
 _GAMMA: Final = 2.2
@@ -70,6 +72,13 @@ def random_camera(
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = rotation, -rotation @ eye
     return Camera(width, height, focal, matrix), focal_mm
+
+
+def framed(camera: Camera, focal_35mm: float, vertices_m: Array) -> tuple[Camera, float]:
+    """Return the camera zoomed out until nothing of a person is cut off, and its 35-mm-equivalent focal length."""
+    away = np.abs(camera.project(vertices_m) - camera.centre_px).max(axis=0) / (camera.centre_px * (1.0 - MARGIN))
+    shrink = 1.0 / max(1.0, float(away.max()))
+    return replace(camera, focal_px=camera.focal_px * shrink), focal_35mm * shrink
 
 
 def lit(vertices_m: Array, normals: Array, colours: Array, camera: Camera, rng: np.random.Generator) -> Array:

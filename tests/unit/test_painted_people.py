@@ -105,3 +105,17 @@ def contrast(background):
 
 def test_low_contrast_rooms_have_the_colour_of_the_clothes():
     assert contrast("low_contrast") < 0.6 * contrast("plain")
+
+
+def test_nobody_is_cut_off():
+    generic, pictures = load_generic(), script("painted_people_pictures")
+    for seed in range(8):
+        rng = np.random.default_rng(seed)
+        body = bodies.random_body(generic, rng)
+        bottom, top = body.vertices_m[:, 1].min(), body.vertices_m[:, 1].max()
+        drawn = pictures.random_camera(45.0 * seed, (bottom, top), SIZE_PX, rng)
+        camera, focal_35mm = pictures.framed(*drawn, body.vertices_m)
+        pixels = camera.project(body.vertices_m)
+        assert pixels.min() > 0.0, seed
+        assert (pixels < np.array(SIZE_PX) - 1.0).all(), seed
+        assert focal_35mm / drawn[1] == pytest.approx(camera.focal_px / drawn[0].focal_px), "EXIF tells the zoom used"
