@@ -1,9 +1,9 @@
 """What one drag costs, and what it moves: 30 drags of body points on the values of one whole run.
 
-Every drag moves one proposed outline point by 10 or 30 px outward or inward, or a joint by 10 px, each on the unmoved
-values. Printed: CPU and wall milliseconds of ``cloner.refitting.refit`` (median and worst), the distance of the
-clone's outline or joint from the point before and after (worst), the largest motion of skin farther from the point
-than the bend may reach, and whether a whole run with the last drag's correction gives the same body.
+Every drag moves one proposed outline point by 10 or 30 px outward or inward, or a joint or face point by 10 px, each on
+the unmoved values. Printed: CPU and wall milliseconds of ``cloner.refitting.refit`` (median and worst), how far the
+clone's outline, joint or face is from the point (worst), the largest motion of skin out of the bend's reach, and with
+--whole whether a whole run with the last drag's correction gives the same body.
 """
 
 from __future__ import annotations
@@ -33,6 +33,7 @@ REACH_MM = 250.0
 DRAGS = 30
 OUTLINE = ("waist", "knee_outer", "knee_inner", "shoulder_end", "chest_front", "hip_", "belly_front", "elbow_outer")
 JOINTS = ("l_knee", "r_elbow", "l_ankle", "r_hip")
+FACE = ("eye_outer_L", "mouth_corner_R", "nose_tip", "chin_front")
 
 
 class Drag(NamedTuple):
@@ -61,9 +62,13 @@ def places(values: Mapping[str, Any]) -> list[tuple[ViewId, str, float]]:
     """Return view, name and signed length of 30 drags, the same for the same person."""
     every = [
         (view, name, by_px)
-        for view, points in values["body_points"].views.items()
+        for kind in ("body_points", "face_points")
+        for view, points in values[kind].views.items()
         for name in points.names
-        for by_px in ((-30.0, -10.0, 10.0, 30.0) if name.startswith(OUTLINE) else (10.0,) if name in JOINTS else ())
+        if view.is_body == (kind == "body_points")
+        for by_px in (
+            (-30.0, -10.0, 10.0, 30.0) if name.startswith(OUTLINE) else (10.0,) if name in JOINTS + FACE else ()
+        )
     ]
     order = np.random.default_rng(1).permutation(len(every))
     return [every[row] for row in order[:DRAGS]]
@@ -71,9 +76,9 @@ def places(values: Mapping[str, Any]) -> list[tuple[ViewId, str, float]]:
 
 def moved(values: Mapping[str, Any], view: ViewId, name: str, by_px: float) -> Corrections:
     """Return corrections with one point moved off the photo's outline, joints to the side."""
-    start = values["body_points"].views[view].get(name)
+    start = values["body_points" if view.is_body else "face_points"].views[view].get(name)
     way = np.array([1.0, 0.0])
-    if name.startswith(ON_OUTLINE):
+    if view.is_body and name.startswith(ON_OUTLINE):
         line = np.concatenate(values["silhouettes"].views[view].contours_px)
         at = int(np.argmin(np.linalg.norm(line - start, axis=1)))
         along = line[(at + 6) % len(line)] - line[at - 6]
@@ -129,7 +134,7 @@ def table(drags: list[Drag], told: Mapping[str, Any]) -> str:
         f"  CPU ms   median {np.median(cpu):.0f}  worst {max(cpu):.0f}",
         f"  wall ms  median {np.median(wall):.0f}  worst {max(wall):.0f}",
     ]
-    for kind in ("outline", "pose"):
+    for kind in ("outline", "pose", "face"):
         own = [drag for drag in drags if drag.kind == kind]
         if own:
             after = max(drag.after_px for drag in own)

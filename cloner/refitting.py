@@ -22,6 +22,7 @@ from cloner.records.points import Corrections, ObeyedPoint, PointSet, ViewPoints
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.obeyed import obey
 from cloner.stages.obeyed_claims import scene_of
+from cloner.stages.obeyed_face import show_face
 from cloner.stages.outlined import body_triangles
 from cloner.stages.points import corrected, for_fitting
 from cloner.stages.silhouettes import astray_points
@@ -66,9 +67,10 @@ def refit(values: Mapping[str, Any], corrections: Corrections) -> Refitted:
     """
     body, face = moved_points(values, corrections)
     silhouettes: SilhouetteSet = values["silhouettes"]
-    person, told = obey(values["joined"], body, silhouettes)
+    head, on_face = show_face(values["joined"], values["face_points"], face)
+    person, told = obey(head, body, silhouettes)
     whole = same_fit(values["body_points"], body, silhouettes) and same_points(values["face_points"], face)
-    return Refitted(person, told, whole)
+    return Refitted(person, (*told, *on_face), whole)
 
 
 def clone_after(values: Mapping[str, Any], person: Joined) -> Clone:
@@ -166,13 +168,14 @@ def still_true(
     Notes
     -----
     A value stays while all that its stage needs has stayed; corrections of points change only what takes those
-    points (see ``FITTED``). The clone itself is always painted anew: its size may be another.
+    points (see ``FITTED``). The clone itself is always painted anew: its size may be another. The stages' reports are
+    kept under "stage_reports", for what does not run again.
     """
     before = known.get("photos")
     if not isinstance(before, PhotoSet) or _digests(before) != _digests(photos):
         return {}
     changed = {"corrections", *(("person",) if known.get("person") != person else ())}
-    kept: dict[str, object] = {}
+    kept: dict[str, object] = {"stage_reports": known["stage_reports"]} if "stage_reports" in known else {}
     for stage in pipeline.STAGES:
         needs = set(stage.needs)
         if stage.name == "points" and {*stage.gives, *stage.needs, "silhouettes"} <= set(known):

@@ -222,7 +222,8 @@ class ObeyedPoint:
     name : str
     kind : str
         "outline": the clone's outline passes through it; "pose": that photo's pose puts the joint or feature there;
-        "scale": it set the photo's scale; "cloth": it lies on loose clothing, whose outline passes through it.
+        "scale": it set the photo's scale; "cloth": it lies on loose clothing, whose outline passes through it;
+        "face": the face was bent to it, until the next whole run fits the head anew.
     before_px, after_px : float
         Distance of the clone's outline or joint from the point without and with this step, photo pixels.
     moved_mm : float

@@ -4,6 +4,7 @@ The outline is judged by the filled picture of the person, not by the solver's o
 """
 
 import functools
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -12,9 +13,11 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import triangle_normals
+from cloner.records.bodies import PosedView
 from cloner.records.points import PointSet, ViewPoints
 from cloner.stages.obeyed import bent_silhouettes, obey, warnings_of
-from kit import fitted, people
+from cloner.stages.obeyed_face import show_face
+from kit import fitted, people, studio
 
 FRONT, SIDE, BACK = ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.BODY_BACK
 #: Farther than this from the place on the skin, nothing moves: at most 120 mm along the outline for these drags, and
@@ -229,3 +232,27 @@ def test_the_outline_is_bent_through_the_point_too():
     assert not (outlines.views[FRONT].mask & ~bent.views[FRONT].mask).any()
     rows, columns = np.nonzero(grown)
     assert np.hypot(columns - start[0], rows - start[1]).max() < 80.0
+
+
+def test_a_dragged_face_point_is_shown_at_once_and_the_face_around_follows():
+    person, _, _ = fitted.fitted_person()
+    eye, far = person.features_m["eye_outer_L"], person.features_m["mouth_corner_R"]
+    camera = studio.camera(0.0, distance_m=1.2, height_m=eye[1], aim_m=eye[1], size_px=(1200, 1600))
+    close = ViewId.FACE_FRONT
+    person = replace(person, views={**person.views, close: PosedView(close, camera, np.zeros((94, 3)))})
+    start = camera.project(np.array([eye, far]))
+    before = ViewPoints(close, ("eye_outer_L", "mouth_corner_R"), start, np.ones(2), np.zeros(2, bool))
+    dragged_px = start + [[9.0, -4.0], [0.0, 0.0]]
+    after = ViewPoints(close, before.names, dragged_px, np.ones(2), np.array([True, False]), before)
+    bent, told = show_face(person, PointSet({close: before}), PointSet({close: after}))
+    generic = load_generic()
+    seen = camera.project(bent.vertices_m[[generic.feature("eye_outer_L"), generic.feature("mouth_corner_R")]])
+    assert np.linalg.norm(seen[0] - dragged_px[0]) <= 1.0
+    assert np.linalg.norm(seen[1] - start[1]) < 0.5, "the mouth stays"
+    moved_mm = 1000.0 * np.linalg.norm(bent.vertices_m - person.vertices_m, axis=1)
+    beside = np.linalg.norm(person.vertices_m - eye, axis=1) > 0.06
+    assert moved_mm[beside].max() <= 2.0
+    assert [one.kind for one in told] == ["face"]
+    again, nothing = show_face(person, PointSet({close: after}), PointSet({close: after}))
+    assert again is person, "what the last run has fitted already is not bent again"
+    assert nothing == ()
