@@ -114,6 +114,12 @@ class LooseView:
         joints, weights = self.hanging.weights(points_m)
         return self.posed.camera.project(skin(points_m, self.transforms, joints, weights))
 
+    def depth(self, point_m: Array) -> float:
+        """Return the distance of a rest point (3,) from the camera along its axis, metres."""
+        joints, weights = self.hanging.weights(point_m[None])
+        posed = skin(point_m[None], self.transforms, joints, weights)
+        return float(self.posed.camera.to_camera(posed)[0, 2])
+
     def across(self, points_m: Array) -> Array:
         """Return (N,) where rest points lie between the cloth's edges: -1 at the first, 1 at the last."""
         pixel = self.project(points_m)
@@ -165,7 +171,7 @@ def body_sections(generic: GenericHuman, joined: Joined, heights_m: Array, angle
 
 
 def hem_heights(views: list[LooseView], centre_m: Array, half_m: Array) -> Array:
-    """Return (COLUMNS,) rest heights of the hem from where the photos' edges end.
+    """Return (COLUMNS,) rest heights of the hem from where the photos' edges end and where it hangs lowest in them.
 
     Parameters
     ----------
@@ -174,12 +180,19 @@ def hem_heights(views: list[LooseView], centre_m: Array, half_m: Array) -> Array
     """
     ends: dict[tuple[int, float], list[float]] = {}
     for view in views:
+        places = {}
+        for axis in (0, 2):
+            for sign in (-1.0, 1.0):
+                places[axis, sign] = centre_m.copy()
+                places[axis, sign][axis] += sign * half_m[axis // 2]
         axis = 0 if view.posed.view is not ViewId.BODY_SIDE else 2
         for sign in (-1.0, 1.0):
-            beside = centre_m.copy()
-            beside[axis] += sign * half_m[axis // 2]
-            edge = int(view.project(beside[None])[0, 0] > view.project(centre_m[None])[0, 0])
-            ends.setdefault((axis, sign), []).append(view.height_of(float(view.region.hem_px[edge]), beside))
+            edge = view.across(places[axis, sign][None])[0] > 0.0
+            row = float(view.region.hem_px[int(edge)])
+            ends.setdefault((axis, sign), []).append(view.height_of(row, places[axis, sign]))
+        nearest = min((key for key in places if key[0] != axis), key=lambda key: view.depth(places[key]))
+        row = float(view.region.hem_row(view.across(places[nearest][None]))[0])
+        ends.setdefault(nearest, []).append(view.height_of(row, places[nearest]))
     level = float(np.mean([height for found in ends.values() for height in found]))
     mean = {key: float(np.mean(found)) for key, found in ends.items()}
     shares = directions(ring_angles(COLUMNS))

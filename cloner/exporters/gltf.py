@@ -1,7 +1,7 @@
 """Write a clone as one binary glTF 2.0 file: skinned, with morph targets and textures inside.
 
 Metres, +Y up, facing +Z. Scene: the node "Armature" holds the 94 H-Anim
-joints; the skinned nodes "Body" and "Hair" stand beside it, because glTF
+joints; the skinned nodes "Body", "Hair" and "Cloth" stand beside it, because glTF
 ignores the parents of skinned meshes and the validator warns of any.
 
 References
@@ -24,9 +24,9 @@ from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import Surface, load_surfaces, surface_normals
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.wedges import welded_normals
 from cloner.records.clones import Clone
-from cloner.records.heads import Shell
+from cloner.records.heads import SHELL_KINDS, Shell
 
 CREDITS: Final = (
     "Made by Cloner (photo-cloner, Apache-2.0) from the person's photographs. "
@@ -64,7 +64,7 @@ def build(clone: Clone) -> Any:
     skin = _skeleton(gltf, buffer, clone, generic)
     roots = [0]
     gltf.samplers.append(pygltflib.Sampler(magFilter=_LINEAR, minFilter=_TRILINEAR, wrapS=_REPEAT, wrapT=_REPEAT))
-    for mesh in (_body(gltf, buffer, clone, generic), _hair(gltf, buffer, clone)):
+    for mesh in (_body(gltf, buffer, clone, generic), *(_loose(gltf, buffer, clone, kind) for kind in SHELL_KINDS)):
         if mesh is not None:
             gltf.meshes.append(mesh)
             gltf.nodes.append(pygltflib.Node(name=mesh.name, mesh=len(gltf.meshes) - 1, skin=skin))
@@ -160,19 +160,20 @@ def _targets(buffer: GltfBuffer, clone: Clone, surface: Surface) -> list[int]:
     return accessors
 
 
-def _hair(gltf: Any, buffer: GltfBuffer, clone: Clone) -> Any:
-    """Return the mesh of all shells, or None for a person without any."""
-    if not clone.shells:
+def _loose(gltf: Any, buffer: GltfBuffer, clone: Clone, kind: str) -> Any:
+    """Return the mesh of all shells of a kind, or None for a person without any."""
+    shells = [shell for shell in clone.shells if shell.kind == kind]
+    if not shells:
         return None
     return pygltflib.Mesh(
-        name="Hair", primitives=[_shell(gltf, buffer, shell, k) for k, shell in enumerate(clone.shells)]
+        name=kind.capitalize(), primitives=[_shell(gltf, buffer, shell, k) for k, shell in enumerate(shells)]
     )
 
 
 def _shell(gltf: Any, buffer: GltfBuffer, shell: Shell, number: int) -> Any:
-    name = "hair" if number == 0 else f"hair_{number}"
+    name = shell.kind if number == 0 else f"{shell.kind}_{number}"
     texture = _texture(gltf, buffer, png_bytes(shell.rgba), "image/png", name)
-    normals = vertex_normals(shell.vertices_m, shell.triangles)
+    normals = welded_normals(shell.vertices_m, shell.triangles)
     attributes = _attributes(buffer, shell.vertices_m, normals, shell.uv, shell.skin_joints, shell.skin_weights)
     return pygltflib.Primitive(
         attributes=attributes,

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.generic.surfaces import load_surfaces, surface_normals
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.wedges import welded_normals
 from cloner.records.clones import Clone
 
 
@@ -73,8 +73,8 @@ def _meshes(clone: Clone) -> list[_Mesh]:
         own, look = surface.vertex, "atlas" if surface.rgba is None else surface.name
         meshes.append((look, clone.vertices_m[own], normals[own], surface.uv, surface.triangles, surface.rgba))
     for number, shell in enumerate(clone.shells):
-        smooth = vertex_normals(shell.vertices_m, shell.triangles)
-        meshes.append((f"hair_{number}", shell.vertices_m, smooth, shell.uv, shell.triangles, shell.rgba))
+        smooth = welded_normals(shell.vertices_m, shell.triangles)
+        meshes.append((f"{shell.kind}_{number}", shell.vertices_m, smooth, shell.uv, shell.triangles, shell.rgba))
     return meshes
 
 

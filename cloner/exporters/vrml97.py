@@ -45,7 +45,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
         if surface.rgba is not None:
             pictures[f"textures/{name}_{surface.name}.png"] = png_bytes(surface.rgba)
     for number, shell in enumerate(clone.shells):
-        pictures[f"textures/{name}_hair_{number}.png"] = png_bytes(shell.rgba)
+        pictures[f"textures/{name}_{shell.kind}_{number}.png"] = png_bytes(shell.rgba)
     for relative, data in pictures.items():
         write_bytes(folder / relative, data)
     scene = folder / f"{name}.wrl"

@@ -14,7 +14,7 @@ from cloner.exporters.hanim_names import identifier, segment_name, site_name
 from cloner.exporters.partition import Piece, dominant_joint, partition
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import load_surfaces, surface_normals
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.wedges import welded_normals
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
@@ -35,7 +35,7 @@ class SkinMesh:
     vertices_m, normals, uv, triangles, skin_joints, skin_weights
         As in :class:`cloner.records.heads.Shell`.
     vertex : (N,) int32
-        The generic human's vertex of every vertex, -1 on hair.
+        The generic human's vertex of every vertex, -1 on shells.
     """
 
     name: str
@@ -73,11 +73,11 @@ def skin_meshes(clone: Clone, generic: GenericHuman, name: str) -> tuple[SkinMes
     for number, shell in enumerate(clone.shells):
         meshes.append(
             SkinMesh(
-                f"hair_{number}",
-                f"{name}_hair_{number}.png",
+                f"{shell.kind}_{number}",
+                f"{name}_{shell.kind}_{number}.png",
                 True,
                 shell.vertices_m,
-                vertex_normals(shell.vertices_m, shell.triangles),
+                welded_normals(shell.vertices_m, shell.triangles),
                 shell.uv,
                 shell.triangles,
                 shell.skin_joints,

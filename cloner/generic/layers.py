@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.skinning import joint_transforms, skin
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.wedges import welded_normals
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
@@ -66,7 +66,7 @@ def clone_layers(clone: Clone, rotations: Array | None = None) -> list[Layer]:
     for shell in clone.shells:
         loose = skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
         layers.append(
-            Layer(loose, vertex_normals(loose, shell.triangles), shell.triangles, shell.uv, shell.rgba, two_sided=True)
+            Layer(loose, welded_normals(loose, shell.triangles), shell.triangles, shell.uv, shell.rgba, two_sided=True)
         )
     return layers
 

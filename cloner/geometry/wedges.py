@@ -69,6 +69,15 @@ def split_seams(triangles: Index, uv_triangles: Index) -> Wedges:
     return Wedges(unique // span, unique % span, inverse.reshape(-1, 3))
 
 
+def welded_normals(vertices_m: Array, triangles: Index) -> Array:
+    """Return (V, 3) unit normals that are the same for vertices at the same place: seams of charts do not show."""
+    _, place = np.unique(np.round(vertices_m, 7), axis=0, return_inverse=True)
+    place = place.reshape(-1).astype(np.int32)
+    points = np.zeros((int(place.max(initial=-1)) + 1, 3))
+    points[place] = vertices_m
+    return vertex_normals(points, place[triangles])[place]
+
+
 def vertex_normals(vertices_m: Array, triangles: Index) -> Array:
     """Return (V, 3) unit normals, weighted by the corners' angles.
 

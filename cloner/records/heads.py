@@ -52,6 +52,10 @@ class HeadFit:
         object.__setattr__(self, "cameras", MappingProxyType(dict(self.cameras)))
 
 
+#: What a shell can be.
+SHELL_KINDS = ("hair", "cloth")
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Shell:
     """A loose volume over the body: hair, a skirt, the lower part of a coat.
@@ -65,7 +69,7 @@ class Shell:
     skin_weights : (N, 4) float64, rows sum to one
     rgba : (S, S, 4) uint8 texture
     kind : str
-        "hair" or "cloth".
+        One of ``SHELL_KINDS``.
     """
 
     vertices_m: NDArray[np.float64]

@@ -29,6 +29,8 @@ class LooseRegion:
         First and last column in every row from ``top_px`` down; below the hem's ends they go on straight.
     hem_px : (2,) float64
         Rows in which the left and the right edge end.
+    sag_px : float
+        How much lower the hem hangs halfway between its ends: half an ellipse, as a level hem looks from above.
     seen : (R, 2) bool
         False where an arm hides the edge, which is then carried over from the rows around.
     confidence : float in 0..1
@@ -38,6 +40,7 @@ class LooseRegion:
     top_px: int
     edges_px: NDArray[np.float64]
     hem_px: NDArray[np.float64]
+    sag_px: float
     seen: NDArray[np.bool_]
     confidence: float
 
@@ -61,6 +64,17 @@ class LooseRegion:
         first, last = self.edges_px[place].T
         across = (points_px[:, 0] >= first - margin_px) & (points_px[:, 0] <= last + margin_px)
         return np.asarray(across & (row >= -0.5 - margin_px) & (row <= len(self.edges_px) - 0.5 + margin_px))
+
+    def hem_row(self, across: NDArray[np.floating]) -> NDArray[np.float64]:
+        """Return (N,) the hem's row at places between the edges, -1 at the first, 1 at the last."""
+        level = np.interp(across, [-1.0, 1.0], self.hem_px)
+        return np.asarray(level + self.sag_px * np.sqrt(np.clip(1.0 - across**2, 0.0, None)))
+
+    def cloth(self, shape: tuple[int, int], *, margin_px: float = 0.0) -> NDArray[np.bool_]:
+        """Return the (H, W) pixels between the edges and above the hem by at least a margin."""
+        low, high = self.edges_px[int(np.clip(self.hem_px.mean() - self.top_px, 0, len(self.edges_px) - 1))]
+        across = 2.0 * (np.arange(shape[1]) - low) / max(high - low, 1.0) - 1.0
+        return self.mask(shape) & (np.arange(shape[0])[:, None] <= self.hem_row(across) - margin_px)
 
     def mask(self, shape: tuple[int, int]) -> NDArray[np.bool_]:
         """Return the (H, W) pixels between the edges."""

@@ -28,6 +28,7 @@ from cloner.vision.repair import signed_distance
 
 #: The sentence of the report.
 SAID = "Loose clothing between hips and knees was given its own surface"
+HEM_MARGIN = 0.005  # of the figure: a hem hangs unevenly, and below it are legs
 ARM_MARGIN = 0.012  # of the figure: hands are wider than the net's lines
 CLAIM = {ViewId.BODY_FRONT: 1.0, ViewId.BODY_BACK: 1.0, ViewId.BODY_SIDE: 0.8}  # taste: hands hide the side more often
 
@@ -83,7 +84,9 @@ def shell_views(views: list[LooseView], proposals: Proposals, silhouettes: Silho
         name, proposal = view.posed.view, proposals.views[view.posed.view]
         person = silhouettes.views[name].mask
         figure = float(np.count_nonzero(person.any(axis=1)))
-        mask: NDArray[np.bool_] = person & view.region.mask((person.shape[0], person.shape[1]))
+        mask: NDArray[np.bool_] = person & view.region.cloth(
+            (person.shape[0], person.shape[1]), margin_px=HEM_MARGIN * figure
+        )
         arms = arm_zone(proposal.pose_px, proposal.pose_visibility, figure, (person.shape[0], person.shape[1]))
         mask &= signed_distance(arms) < -ARM_MARGIN * figure
         inside = signed_distance(mask)

@@ -35,6 +35,7 @@ SETTLE_SHARE = 0.012  # outlines are smoothed over this
 LEAST_DROP = 0.035  # a hem gives up this much width at once
 SURE_DROP = 0.10
 MOST = 0.85
+LEAST_STEP = 0.012  # both edges step in by this at a hem that is not seen to bridge the legs
 LEAST_GAP = 0.018  # legs nearer to each other say nothing
 STANDS_OFF = 0.015  # beyond the leg's half width, where the legs say nothing
 #: Shares of hip to ankle between which a hem is believed: above it is a jacket's.
@@ -142,8 +143,26 @@ def _runs(mask: Bools) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     return before, after
 
 
-def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = HEMS) -> tuple[float, float]:
-    """Return level and confidence of the hem of cloth around the legs; (0, 0) where there is none.
+@dataclass(frozen=True, slots=True)
+class Hem:
+    """Where cloth around the legs ends in one photo.
+
+    Attributes
+    ----------
+    level : float
+        Share of hip to ankle.
+    confidence : float in 0..1
+    bridges : bool
+        Whether the cloth fills what the legs have apart; otherwise only both its edges step in at once.
+    """
+
+    level: float
+    confidence: float
+    bridges: bool
+
+
+def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = HEMS) -> Hem | None:
+    """Return the hem of cloth around the legs, None where there is none.
 
     Parameters
     ----------
@@ -154,18 +173,25 @@ def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = H
     """
     arc, settle = (max(2, round(share * legs.figure_px)) for share in (ARC_SHARE, SETTLE_SHARE))
     width = median_filter(legs.width_px, settle)
-    drops = np.zeros(len(width))
+    drops, bridging = np.zeros(len(width)), np.zeros(len(width), dtype=np.bool_)
     for row in range(2 * arc, len(width) - settle):
-        if between[0] < legs.level[row] < between[1]:
-            above, below = slice(row - 2 * arc, row - arc), slice(row + 1, row + 1 + settle)
-            drop = (np.median(width[above]) - np.median(width[below])) / legs.figure_px
-            drops[row] = drop if drop >= LEAST_DROP and (not both_legs or _bridges(legs, above)) else 0.0
+        if not between[0] < legs.level[row] < between[1]:
+            continue
+        above, below = slice(row - 2 * arc, row - arc), slice(row + 1, row + 1 + settle)
+        drop = float(np.median(width[above]) - np.median(width[below])) / legs.figure_px
+        if drop < LEAST_DROP:
+            continue
+        bridging[row] = both_legs and _bridges(legs, above)
+        if bridging[row] or not both_legs or _steps_in(legs, above, below):
+            drops[row] = drop
+    if bridging.any():
+        drops[~bridging] = 0.0
     deepest = int(np.argmax(drops))
     if drops[deepest] == 0.0:
-        return 0.0, 0.0
+        return None
     # legs go on tapering below a hem: it is where most of the width is lost first
     row = deepest - arc + int(np.argmax(drops[deepest - arc : deepest + 1] >= MOST * drops[deepest]))
-    return float(legs.level[row]), min(float(drops[deepest]) / SURE_DROP, 1.0)
+    return Hem(float(legs.level[row]), min(float(drops[deepest]) / SURE_DROP, 1.0), bool(bridging[deepest]))
 
 
 def _bridges(legs: LegRows, rows: slice) -> bool:
@@ -178,43 +204,83 @@ def _bridges(legs: LegRows, rows: slice) -> bool:
     return bool((np.median(legs.off_px[rows], axis=0) > STANDS_OFF * legs.figure_px).all())
 
 
-def region_around_legs(legs: LegRows, level: float, confidence: float) -> LooseRegion:
-    """Return the region from the waist to a hem whose lowest part lies at a level."""
+def _steps_in(legs: LegRows, above: slice, below: slice) -> bool:
+    """Whether the outline steps in on both sides, as it does below a hem and not along a leg."""
+    step = np.median(legs.off_px[above], axis=0) - np.median(legs.off_px[below], axis=0)
+    return bool((step > LEAST_STEP * legs.figure_px).all())
+
+
+def region_around_legs(mask: Bools, legs: LegRows, hem: Hem) -> LooseRegion:
+    """Return the region from the waist to a hem.
+
+    Parameters
+    ----------
+    mask : (H, W) bool, the filled outline
+    legs : LegRows
+    hem : Hem
+        Of this photo.
+    """
     arc, settle = (max(2, round(share * legs.figure_px)) for share in (ARC_SHARE, SETTLE_SHARE))
-    bottom = int(np.searchsorted(legs.level, level))
-    edges, seen = legs.edges_px[: bottom + 1].copy(), legs.seen[: bottom + 1].copy()
-    ends = np.zeros(2)
-    line = np.arange(bottom + 1)
+    row = int(np.searchsorted(legs.level, hem.level))
+    ends = np.array([_edge_end(legs, column, row, arc, settle) for column in (0, 1)], dtype=np.float64)
+    line = np.arange(len(legs.level))
+    edges, seen = legs.edges_px.copy(), legs.seen & (line[:, None] <= ends)
     for column, sign in ((0, -1.0), (1, 1.0)):
-        out = sign * edges[:, column]
-        low = np.flatnonzero(seen[:, column] & (line > bottom - 2.5 * arc))
-        if low.size:
-            widest, slack = np.max(out[low]), END_SHARE * legs.figure_px
-            last = int(low[out[low] > widest - slack][-1])
-            # where a flat ellipse has lost that slack it is this share of its half height below its end
-            share = np.sqrt(2.0 * slack / max(0.5 * np.ptp(edges[last]), 2.0 * slack))
-            end = round((last - share * bottom) / (1.0 - share))
-            seen[end + 1 :, column] = False
-            ends[column] = end
-        else:
-            ends[column] = bottom - 0.5 * arc
-        known = np.flatnonzero(seen[:, column])
+        out, known = sign * edges[:, column], np.flatnonzero(seen[:, column])
         if known.size:
             # below the last row that is surely cloth's, arm and cloth cannot be told: the outline itself is kept
             kept = np.concatenate([known, line[(line > known[-1]) & (line <= ends[column])]])
             # nor does cloth reach beyond the outline
-            edges[:, column] = sign * np.minimum(
-                np.interp(line, kept, out[kept]), np.where(line > ends[column], np.inf, out)
-            )
+            limit = np.where(line > ends[column], np.inf, out)
+            edges[:, column] = sign * np.minimum(np.interp(line, kept, out[kept]), limit)
         edges[:, column] = gaussian_filter1d(edges[:, column], 0.5 * settle, mode="nearest")
-    return LooseRegion(AROUND_LEGS, legs.top_px, edges, legs.top_px + ends, seen, confidence)
+    sag = _sag(mask, legs.top_px, edges, ends, arc)
+    last = min(int(max(ends.max() + max(sag, 0.0), row)) + settle, len(line) - 1)
+    return LooseRegion(
+        AROUND_LEGS, legs.top_px, edges[: last + 1], legs.top_px + ends, sag, seen[: last + 1], hem.confidence
+    )
+
+
+def _edge_end(legs: LegRows, column: int, row: int, arc: int, settle: int) -> float:
+    """Return the row in which one edge of the cloth ends: where it steps in to the leg."""
+    out = median_filter(legs.off_px[:, column], 3)
+    first, last = max(row - 2 * arc, 0), min(row + arc, len(out) - 1 - settle)
+    rows = np.arange(first, last)
+    if rows.size < 2:
+        return float(row)
+    step = out[rows] - out[rows + settle]
+    corner = int(rows[np.argmax(step)])
+    if step.max() < LEAST_STEP * legs.figure_px:
+        return float(row - arc // 2)
+    near = np.arange(max(corner - settle, 0), corner + settle)
+    # the flat ellipse of a hem is a little past its end when it has lost this much
+    return float(near[out[near] > out[near].max() - END_SHARE * legs.figure_px][-1])
+
+
+def _sag(mask: Bools, top_px: int, edges: Array, ends: Array, arc: int) -> float:
+    """Return how much lower the hem hangs in the middle of the picture than at its ends, px; 0 where legs hide it."""
+    low, high = edges[int(ends.min())]
+    columns = np.arange(max(int(low), 0), min(int(high), mask.shape[1] - 1) + 1)
+    if columns.size < 8:
+        return 0.0
+    across = 2.0 * (columns - low) / max(high - low, 1.0) - 1.0
+    level = np.interp(across, [-1.0, 1.0], ends)
+    first = int(ends.min()) - arc
+    strip = mask[top_px + first : top_px + int(ends.max()) + 2 * arc, columns]
+    length = np.argmin(strip, axis=0)  # rows filled from the strip's top; 0 where all are: a leg
+    bulge = np.sqrt(np.clip(1.0 - across**2, 0.0, None))
+    told = (length > 0) & (bulge > 0.3)
+    if told.mean() < 0.1:
+        return 0.0
+    return float(np.clip(np.median((first + length - 1 - level)[told] / bulge[told]), -arc, 2 * arc))
 
 
 def find_loose(photos: Mapping[ViewId, tuple[Bools, Array, Array]]) -> dict[ViewId, tuple[LooseRegion, ...]]:
     """Return the loose clothing of every body photo that shows some.
 
-    Cloth around the legs must be seen from the front and from behind, or in the
-    only one of the two; the side photo then shows how far it reaches.
+    Cloth around the legs must bridge them from the front or from behind, and the
+    other of the two must at least show its hem; the side photo then shows how far
+    it reaches.
 
     Parameters
     ----------
@@ -222,18 +288,20 @@ def find_loose(photos: Mapping[ViewId, tuple[Bools, Array, Array]]) -> dict[View
     """
     rows = {view: leg_rows(*photo) for view, photo in photos.items() if view.is_body}
     flat = {view: legs for view, legs in rows.items() if legs is not None and view is not ViewId.BODY_SIDE}
-    hems = {view: find_hem(legs, both_legs=True) for view, legs in flat.items()}
-    if not hems or min(sure for _, sure in hems.values()) == 0.0:
+    hems = {view: hem for view, legs in flat.items() if (hem := find_hem(legs, both_legs=True)) is not None}
+    if not hems or len(hems) < len(flat) or not any(hem.bridges for hem in hems.values()):
         return {}
-    levels = [level for level, _ in hems.values()]
+    levels = [hem.level for hem in hems.values()]
     if max(levels) - min(levels) > SAME_HEM:
         return {}
-    found: dict[ViewId, tuple[LooseRegion, ...]] = {
-        view: (region_around_legs(flat[view], *hem),) for view, hem in hems.items()
-    }
+    found: dict[ViewId, tuple[LooseRegion, ...]] = {}
+    for view, hem in hems.items():
+        found[view] = (region_around_legs(photos[view][0], flat[view], hem),)
     side = rows.get(ViewId.BODY_SIDE)
-    if side is not None:
-        level, sure = float(np.mean(levels)), min(sure for _, sure in hems.values())
-        near = find_hem(side, both_legs=False, between=(level - SAME_HEM, level + SAME_HEM))
-        found[ViewId.BODY_SIDE] = (region_around_legs(side, near[0] or level, sure),)
+    if side is None:
+        return found
+    level, sure = float(np.mean(levels)), min(hem.confidence for hem in hems.values())
+    near = find_hem(side, both_legs=False, between=(level - SAME_HEM, level + SAME_HEM))
+    hem = Hem(level if near is None else near.level, sure, bridges=False)
+    found[ViewId.BODY_SIDE] = (region_around_legs(photos[ViewId.BODY_SIDE][0], side, hem),)
     return found

@@ -17,7 +17,7 @@ from scipy.spatial import ConvexHull
 
 from cloner.generic.load import GenericHuman
 from cloner.geometry.skinning import blend_transforms, joint_transforms
-from cloner.geometry.tubes import directions, hull_radii, ring_angles, tube_mesh, tube_points
+from cloner.geometry.tubes import hull_radii, ring_angles, tube_mesh, tube_points
 
 Array = NDArray[np.float64]
 Kind = Literal["short skirt", "long skirt", "coat", "bag"]
@@ -58,9 +58,15 @@ class Garment:
 
 
 def make_garment(
-    generic: GenericHuman, vertices_m: Array, joints_m: Array, kind: Kind, rng: np.random.Generator
+    generic: GenericHuman,
+    vertices_m: Array,
+    joints_m: Array,
+    kind: Kind,
+    rng: np.random.Generator,
+    *,
+    ease_m: float = EASE_M,
 ) -> Garment:
-    """Return a random garment for a naked body in rest pose."""
+    """Return a random garment for a naked body in rest pose; ``ease_m`` is what it needs for clothes below it."""
     if kind == "bag":
         return _bag(generic, vertices_m, joints_m, rng)
     hem = float(rng.uniform(*HEM[kind]))
@@ -70,7 +76,7 @@ def make_garment(
     top = float(joints_m[generic.joint("vt3"), 1]) if kind == "coat" else waist - rng.uniform(0.0, 0.04)
     heights = np.linspace(top, hip + hem * (ankle - hip), RINGS)
     centres, radii = body_rings(generic, vertices_m, heights)
-    radii = radii + (EASE_M if kind != "coat" else 0.018)
+    radii = radii + ease_m + (0.0 if kind != "coat" else 0.012)
     drop = (heights[0] - heights[-1]) / (RINGS - 1)
     below = heights < (hip + 0.05 if kind != "coat" else waist)
     for k in range(1, RINGS):
@@ -185,7 +191,9 @@ def _strap(
     count = len(loop)
     first = np.arange(count)
     after = (first + 1) % count
-    triangles = np.vstack([np.stack([first, after, first + count], 1), np.stack([after, after + count, first + count], 1)])
+    triangles = np.vstack(
+        [np.stack([first, after, first + count], 1), np.stack([after, after + count, first + count], 1)]
+    )
     return vertices, triangles.astype(np.int64)
 
 
@@ -196,7 +204,9 @@ def _cloth(points_m: Array, angles: Array, rng: np.random.Generator) -> Array:
     width = rng.uniform(0.03, 0.07)
     rows, columns = np.sin(points_m[:, 1] / width * np.pi) > 0.3, np.sin(angles * rng.integers(12, 24)) > 0.0
     border = points_m[:, 1] < points_m[:, 1].min() + 0.04
-    chosen = {"plain": border, "stripes": rows, "checks": rows ^ columns}[str(rng.choice(["plain", "stripes", "checks"]))]
+    chosen = {"plain": border, "stripes": rows, "checks": rows ^ columns}[
+        str(rng.choice(["plain", "stripes", "checks"]))
+    ]
     shade = 1.0 + 0.05 * np.cos(13 * angles)
     return np.clip(np.where(chosen[:, None], other, base) * shade[:, None], 0.0, 1.0)
 
@@ -204,6 +214,3 @@ def _cloth(points_m: Array, angles: Array, rng: np.random.Generator) -> Array:
 def _eased(value: Array) -> Array:
     share = np.clip(value, 0.0, 1.0)
     return np.asarray(share * share * (3.0 - 2.0 * share))
-
-
-__all__ = ["KINDS", "Garment", "body_rings", "directions", "hanging", "make_garment", "posed_garment"]
