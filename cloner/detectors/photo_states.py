@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cloner.detectors import pose_rows as net
 from cloner.detectors.flanks import ARM_HALF
-from cloner.detectors.front_cues import level_of, row_of
+from cloner.detectors.front_cues import row_of
 from cloner.detectors.front_features import Found, Look
 from cloner.frames import ViewId
 from cloner.records.points import PhotoState, StateKind
@@ -166,7 +166,7 @@ def _foot_states(
     advice = f"stand with both feet side by side and retake {view}"
     if apart < _ONE_ANKLE and width < _ANKLE_WIDTH * figure.height_px:
         sentence = f"one foot stands behind the other; {advice}"
-        rows = (row_of(figure, level_of(figure, float(ankles[:, 1].min()))), float(figure.bottom_px[1]))
+        rows = (float(ankles[:, 1].min()), float(figure.bottom_px[1]))
         return [PhotoState(StateKind.FOOT_HIDDEN, "", sentence, 0.8, rows_px=rows)]
     hidden = [side for side, row in zip(net.SIDES, net.ANKLES, strict=True) if visibility[row] < _GUESSED]
     if len(hidden) == 1:
