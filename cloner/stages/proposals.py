@@ -65,7 +65,7 @@ def propose(photo: Photo) -> Proposal:
     pose = DETECTORS.get("pose")(photo.rgb)
     if pose is None:
         raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
-    mask = refine_mask(photo.rgb, pose.mask)
+    mask = refine_mask(photo.rgb, pose.mask, pose.points_px if photo.view.is_body else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
         raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
     points, depth, presence = face_in(photo)

@@ -23,7 +23,7 @@ def seen(name: str, set_name: str, view: str) -> tuple[PoseResult, np.ndarray]:
     rgb = photo(name, set_name, view).rgb
     pose = detect_pose(rgb)
     assert pose is not None
-    return pose, refine_mask(rgb, pose.mask)
+    return pose, refine_mask(rgb, pose.mask, pose.points_px if view.startswith("body") else None)
 
 
 def check(name: str, set_name: str, view: str) -> float:
