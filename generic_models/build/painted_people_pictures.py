@@ -201,11 +201,11 @@ def _shadow(person: Picture, rng: np.random.Generator) -> Picture:
     rows = np.flatnonzero(cover.max(axis=1) > 0.5)
     feet = cover.copy()
     feet[: rows[-1] - int(0.05 * len(rows))] = 0.0
-    pool = cv2.GaussianBlur(feet, (0, 0), sigmaX=0.022 * len(cover), sigmaY=0.006 * len(cover))
+    pool = cv2.GaussianBlur(feet, (0, 0), sigmaX=0.016 * len(cover), sigmaY=0.005 * len(cover))
     shift = np.array([[1, 0, rng.uniform(-0.03, 0.03) * width], [0, 1, rng.uniform(0.0, 0.0075) * height]])
     moved = cv2.warpAffine(cover, shift, cover.shape[::-1])
     moved = cv2.GaussianBlur(moved, (0, 0), rng.uniform(0.01, 0.04) * cover.shape[1])
-    dark = np.clip(1.1 * pool + rng.uniform(0.0, 0.35) * moved, 0.0, 0.75)
+    dark = np.clip(0.9 * pool + rng.uniform(0.0, 0.35) * moved, 0.0, 0.6)
     return np.asarray(cv2.resize(dark, (width, height)), dtype=np.float32)
 
 
