@@ -75,7 +75,7 @@ def welded_normals(vertices_m: Array, triangles: Index) -> Array:
     place = place.reshape(-1).astype(np.int32)
     points = np.zeros((int(place.max(initial=-1)) + 1, 3))
     points[place] = vertices_m
-    return vertex_normals(points, place[triangles])[place]
+    return vertex_normals(points, np.asarray(place[triangles], dtype=np.int32))[place]
 
 
 def vertex_normals(vertices_m: Array, triangles: Index) -> Array:

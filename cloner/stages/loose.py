@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.loose_shape import COLUMNS, Hanging, LooseView, loose_tube, loose_views
+from cloner.baking.loose_shape import COLUMNS, loose_tube
+from cloner.baking.loose_views import Hanging, LooseView, loose_views
 from cloner.baking.shell_paint import ShellView, paint_shell
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
@@ -23,7 +24,7 @@ from cloner.records.loose import AROUND_LEGS
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.vision.loose_outline import arm_zone
+from cloner.vision.leg_rows import arm_zone
 from cloner.vision.repair import signed_distance
 
 #: The sentence of the report.
