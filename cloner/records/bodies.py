@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 
 import numpy as np
@@ -104,8 +104,18 @@ class SkeletonSet:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BodySet:
-    """The paper's two bodies and the consensus used for export (rest pose)."""
+    """The paper's two bodies and the consensus used for export (rest pose).
+
+    Attributes
+    ----------
+    views : mapping of ViewId to PosedView
+        Every body photo's pose, found again with the consensus; empty before that.
+    """
 
     front_side: BodyMesh
     back_side: BodyMesh
     consensus: BodyMesh
+    views: Mapping[ViewId, PosedView] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "views", MappingProxyType(dict(self.views)))

@@ -11,7 +11,6 @@ from scipy.spatial import ConvexHull
 
 from cloner.generic.load import load_generic
 from cloner.records.bodies import BodyMesh
-from cloner.stages.outlined import Outlined, Seen, see
 
 Array = NDArray[np.float64]
 
@@ -27,14 +26,11 @@ class Params:
     shod, spread : tuple of float
         Usual width, length and height of a shoe over the foot in it, and a shift
         forwards in metres; and how far each may differ (taste).
-    outline_mm : float
-        Trust in one rim vertex's distance from the outline.
     """
 
     barefoot_m: float = 0.006
     shod: tuple[float, float, float, float] = (1.08, 1.08, 1.2, 0.0)
     spread: tuple[float, float, float, float] = (0.1, 0.06, 0.15, 0.01)
-    outline_mm: float = 5.0
 
 
 @functools.cache
@@ -92,31 +88,8 @@ def sized_feet(mesh: BodyMesh, size: Array, sole_m: float) -> Array:
     return moved
 
 
-def fit_feet(mesh: BodyMesh, photos: tuple[Outlined, ...], sole_m: float, params: Params) -> BodyMesh:
-    """Return the body with feet or shoes of the size the outlines show."""
+def shaped_feet(mesh: BodyMesh, sole_m: float, params: Params) -> tuple[BodyMesh, Array, Array]:
+    """Return the body with toes closed where it wears shoes, the feet's usual size and its spread."""
     shod = sole_m > params.barefoot_m
-    start = closed_toes(mesh) if shod else mesh
     mean = np.array(params.shod) if shod else np.array([1.0, 1.0, 1.0, 0.0])
-    spread = np.array(params.spread)
-    size = mean.copy()
-    on_feet = np.zeros(len(mesh.vertices_m), dtype=bool)
-    on_feet[_feet()[0]] = _feet()[1] > 0.6
-    for _ in range(3):
-        body = BodyMesh(sized_feet(start, size, sole_m), mesh.joints_m)
-        seen = [see(body, photo) for photo in photos]
-        rims = [np.flatnonzero(s.body.on_rim & on_feet) for s in seen]
-
-        def residual(values: Array, seen: list[Seen] = seen, rims: list[NDArray[np.int64]] = rims) -> Array:
-            vertices = sized_feet(start, values, sole_m)
-            parts = [(values - mean) / spread]
-            for photo, one, rim in zip(photos, seen, rims, strict=True):
-                posed = np.einsum("vab,vb->va", one.blended[rim, :, :3], vertices[rim]) + one.blended[rim, :, 3]
-                gap = photo.field.signed_distance(photo.posed.camera.project(posed)) * one.mm_per_px / params.outline_mm
-                parts.append(3.0 * np.tanh(gap / 3.0) / np.sqrt(max(len(rim) / 40.0, 1.0)))
-            return np.concatenate(parts)
-
-        value = residual(size)
-        jacobian = np.stack([(residual(size + step) - value) / 1e-3 for step in 1e-3 * np.eye(4)], axis=1)
-        size = size - np.linalg.solve(jacobian.T @ jacobian, jacobian.T @ value)
-        size = np.clip(size, mean - 3 * spread, mean + 3 * spread)
-    return BodyMesh(sized_feet(start, size, sole_m), mesh.joints_m)
+    return (closed_toes(mesh) if shod else mesh), mean, np.array(params.spread)

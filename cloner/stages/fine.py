@@ -24,9 +24,12 @@ from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.feet import Params as FeetParams
-from cloner.stages.feet import fit_feet
+from cloner.stages.feet import shaped_feet, sized_feet
+from cloner.stages.hands import SPREAD, USUAL, sized_hands
 from cloner.stages.outlined import Outlined, body_triangles, coverage, gap_mm, outlined_photos, see, views_of
 from cloner.stages.rough import shape_slices
+from cloner.stages.stances import Params as StanceParams
+from cloner.stages.stances import fit_stances
 from cloner.stages.tape_fit import taped_body
 
 Array = NDArray[np.float64]
@@ -116,6 +119,20 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
     return BodyMesh(mesh.vertices_m + np.clip(heights, -0.05, 0.05)[:, None] * normals, mesh.joints_m)
 
 
+def extremities(
+    mesh: BodyMesh, photos: dict[ViewId, Outlined], sole_m: float
+) -> tuple[BodyMesh, dict[ViewId, Outlined]]:
+    """Return the body with hands and feet of the photos' size, and the photos with limbs turned to it."""
+    start, usual, spread = shaped_feet(mesh, sole_m, FeetParams())
+    feet = len(usual)
+
+    def sizer(size: Array) -> BodyMesh:
+        return sized_hands(BodyMesh(sized_feet(start, size[:feet], sole_m), start.joints_m), size[feet:])
+
+    size = (np.concatenate([usual, USUAL]), np.concatenate([spread, SPREAD]))
+    return fit_stances(sizer, size, photos, StanceParams())
+
+
 def run(
     *,
     proposals: Proposals,
@@ -138,7 +155,7 @@ def run(
         tick(0.2 * len(sliced))
     joints = rough_bodies.consensus.joints_m
     consensus = BodyMesh((sliced[0].vertices_m + sliced[1].vertices_m) / 2, joints)
-    consensus = fit_feet(consensus, tuple(photos.values()), phenotype.sole_m, FeetParams())
+    consensus, photos = extremities(consensus, photos, phenotype.sole_m)
     for number, reach in enumerate(params.settle_reach_mm):
         consensus = settled(consensus, tuple(photos.values()), reach, params)
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))
@@ -149,4 +166,7 @@ def run(
         residuals.append(
             Residual("silhouette overlap without hair", 100.0 * coverage(consensus, photo), "percent", view.value)
         )
-    return StageResult({"bodies": BodySet(sliced[0], sliced[1], consensus)}, tuple(residuals))
+    return StageResult(
+        {"bodies": BodySet(sliced[0], sliced[1], consensus, {view: photo.posed for view, photo in photos.items()})},
+        tuple(residuals),
+    )

@@ -114,7 +114,7 @@ def run(
     apart = np.linalg.norm(head.vertices_m[place] - body.vertices_m[border], axis=1)
     vertices = flat_soles(generic, blend_head(generic, body, head), phenotype.sole_m)
     vertices = to_stature(generic, vertices, phenotype.stature_m)
-    photos = outlined_photos(phenotype, silhouettes, proposals)
+    photos = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
     seen = {view: for_fitting(points) for view, points in body_points.views.items()}
     poses = carried(BodyMesh(vertices, body.joints_m), photos, seen)
     lift = np.array([0.0, phenotype.sole_m, 0.0])

@@ -109,7 +109,7 @@ def run(
     """Give the measures of the joined person. Residual: how far the body's rim is from the outlines."""
     prior = load_measure_prior()
     shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
-    outlined = outlined_photos(phenotype, silhouettes, proposals)
+    outlined = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
     if not outlined:
         return StageResult({"measures": unseen(shown)})
     tick(0.4)

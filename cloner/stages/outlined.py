@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -52,10 +53,15 @@ class Outlined:
         return self.posed.view
 
 
-def outlined_photos(phenotype: Phenotype, silhouettes: SilhouetteSet, proposals: Proposals) -> dict[ViewId, Outlined]:
-    """Return the body photos prepared for comparison with posed bodies."""
+def outlined_photos(
+    phenotype: Phenotype,
+    silhouettes: SilhouetteSet,
+    proposals: Proposals,
+    poses: Mapping[ViewId, PosedView] | None = None,
+) -> dict[ViewId, Outlined]:
+    """Return the body photos prepared for comparison with posed bodies, in the phenotype's poses or in better ones."""
     photos = {}
-    for view, posed in phenotype.views.items():
+    for view, posed in (poses or phenotype.views).items():
         reduction = max(posed.camera.height_px / PICTURE_HEIGHT, 1.0)
         silhouette = silhouettes.views[view]
         field = outline_field(

@@ -9,6 +9,7 @@ from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import feet
+from cloner.stages.fine import extremities
 from cloner.stages.outlined import outlined_photos
 from kit import people, studio
 
@@ -79,7 +80,7 @@ def photographed(body, vertices_m, sole_m):
         outlines[view], proposals[view] = studio.silhouette_record(view, mask), studio.empty_proposal(view, mask)
         views[view] = PosedView(view, camera, rotations)
     phenotype = Phenotype(np.zeros(1), 1.70, sole_m, views, {})
-    return tuple(outlined_photos(phenotype, SilhouetteSet(outlines), Proposals(proposals)).values())
+    return outlined_photos(phenotype, SilhouetteSet(outlines), Proposals(proposals))
 
 
 def extent(vertices_m, axis):
@@ -88,7 +89,7 @@ def extent(vertices_m, axis):
 
 def test_a_large_shoe_is_found_from_its_outlines(body):
     true = feet.sized_feet(feet.closed_toes(body), np.array([1.2, 1.14, 1.3, 0.0]), SOLE_M)
-    found = feet.fit_feet(body, photographed(body, true, SOLE_M), SOLE_M, feet.Params()).vertices_m
+    found = extremities(body, photographed(body, true, SOLE_M), SOLE_M)[0].vertices_m
     assert extent(found, 2) == pytest.approx(extent(true, 2), abs=4.0)
     assert extent(found, 0) == pytest.approx(extent(true, 0), abs=4.0)
     usual = feet.sized_feet(feet.closed_toes(body), np.array(feet.Params().shod), SOLE_M)
@@ -96,7 +97,7 @@ def test_a_large_shoe_is_found_from_its_outlines(body):
 
 
 def test_naked_feet_stay_naked(body):
-    found = feet.fit_feet(body, photographed(body, body.vertices_m, 0.0), 0.0, feet.Params()).vertices_m
+    found = extremities(body, photographed(body, body.vertices_m, 0.0), 0.0)[0].vertices_m
     assert extent(found, 2) == pytest.approx(extent(body.vertices_m, 2), abs=4.0)
     # outlines are half a pixel (0.6 mm) large on every side, and toes spread
     assert extent(found, 0) == pytest.approx(extent(body.vertices_m, 0), abs=6.0)

@@ -1,0 +1,48 @@
+"""Hands of the photos' length and width; no slice pushes a hand."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.load import load_generic
+from cloner.geometry.turning import below
+from cloner.records.bodies import BodyMesh
+
+Array = NDArray[np.float64]
+
+#: Usual length and width of a hand over the phenotype's, and how far they differ (taste).
+USUAL, SPREAD = (1.0, 1.0), (0.05, 0.06)
+
+
+@functools.cache
+def _hand(side: str) -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
+    """Return a hand's vertices, their weight, and the joints in it."""
+    generic = load_generic()
+    segment = generic.segment_names.index({"l": "left_hand", "r": "right_hand"}[side])
+    weight = generic.segment_weights[:, segment].astype(np.float64)
+    vertices = np.flatnonzero(weight > 0.001)
+    return vertices, weight[vertices], np.flatnonzero(below(generic.joint_parents, generic.joint(f"{side}_wrist")))
+
+
+def sized_hands(mesh: BodyMesh, size: Array) -> BodyMesh:
+    """Return the body with both hands, and the joints in them, scaled about their wrists.
+
+    Parameters
+    ----------
+    size : (2,) factors along the hand, and across it in width and thickness alike
+    """
+    generic = load_generic()
+    vertices, joints = mesh.vertices_m.copy(), mesh.joints_m.copy()
+    for side in "lr":
+        rows, weight, inside = _hand(side)
+        wrist = mesh.joints_m[generic.joint(f"{side}_wrist")]
+        along = mesh.joints_m[generic.joint(f"{side}_middle1")] - wrist
+        along = along / max(float(np.linalg.norm(along)), 1e-9)
+        for points, chosen, share in ((vertices, rows, weight), (joints, inside, np.ones(len(inside)))):
+            local = points[chosen] - wrist
+            length = np.outer(local @ along, along)
+            points[chosen] += share[:, None] * ((size[0] - 1.0) * length + (size[1] - 1.0) * (local - length))
+    return BodyMesh(vertices, joints)
