@@ -36,7 +36,7 @@ class LegRows:
     joined : (R,) bool, whether everything between both legs is filled
     gap_px : (R,) room between the legs inside the cloth, as the pose and usual legs have it
     off_px : (R, 2) how far the edges stand off from usual legs
-    width_px : (R,) filled pixels between the edges
+    inner_px : (R,) filled pixels between the legs' axes
     figure_px : float
     """
 
@@ -47,7 +47,7 @@ class LegRows:
     joined: Bools
     gap_px: Array
     off_px: Array
-    width_px: Array
+    inner_px: Array
     figure_px: float
 
 
@@ -99,8 +99,8 @@ def leg_rows(mask: Bools, pose_px: Array, visibility: Array) -> LegRows | None:
     gap = np.maximum(axes[:, 1] - axes[:, 0] - 2.0 * half, 0.0)
     off = np.stack([axes[:, 0] - half - edges[:, 0], edges[:, 1] - axes[:, 1] - half], axis=1)
     total = np.concatenate([np.zeros((len(at), 1)), np.cumsum(mask[at], axis=1)], axis=1)
-    width = total[line, reach[:, 1] + 1] - total[line, reach[:, 0]]
-    return LegRows(int(at[0]), (at - hips) / (ankles - hips), edges, seen, joined, gap, off, width, figure)
+    inner = total[line, columns[:, 1] + 1] - total[line, columns[:, 0]]
+    return LegRows(int(at[0]), (at - hips) / (ankles - hips), edges, seen, joined, gap, off, inner, figure)
 
 
 def _leg_axes(pose_px: Array, at: NDArray[np.int64]) -> Array:

@@ -27,10 +27,11 @@ END_SHARE = 0.0015  # an edge ends where it falls behind its widest place by thi
 SETTLE_SHARE = 0.012  # outlines are smoothed over this
 LEAST_DROP = 0.035  # a hem gives up this much width at once
 SURE_DROP = 0.10
-MOST = 0.85
+MOST = 0.85  # of the deepest drop
 LEAST_STEP = 0.012  # both edges step in by this at a hem that is not seen to bridge the legs
 LEAST_GAP = 0.018  # legs nearer to each other say nothing
-STANDS_OFF = 0.015  # beyond the leg's half width, where the legs say nothing
+LEAST_SEEN = 0.25  # of the rows above a hem; arms may hide the others
+SURE_BRIDGE, LOW_BRIDGE = 0.05, 0.25  # narrow skirts step in little: they must bridge legs apart, well below the crotch
 #: Shares of hip to ankle between which a hem is believed: above it is a jacket's.
 HEMS = (0.20, 0.985)
 SAME_HEM = 0.15  # levels of one hem in two photos, with the error of both poses (measured: 0.12 on a coat)
@@ -66,17 +67,20 @@ def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = H
     between : levels where it is looked for
     """
     arc, settle = (max(2, round(share * legs.figure_px)) for share in (ARC_SHARE, SETTLE_SHARE))
-    width = median_filter(legs.width_px, settle)
-    drops, bridging = np.zeros(len(width)), np.zeros(len(width), dtype=np.bool_)
-    for row in range(2 * arc, len(width) - settle):
+    drops, bridging = np.zeros(len(legs.level)), np.zeros(len(legs.level), dtype=np.bool_)
+    for row in range(2 * arc, len(drops) - settle):
         if not between[0] < legs.level[row] < between[1]:
             continue
         above, below = slice(row - 2 * arc, row - arc), slice(row + 1, row + 1 + settle)
-        drop = float(np.median(width[above]) - np.median(width[below])) / legs.figure_px
-        if drop < LEAST_DROP:
+        steps = _steps(legs, above, below)
+        drop = float(steps.sum() + np.median(legs.inner_px[above]) - np.median(legs.inner_px[below])) / legs.figure_px
+        if np.isnan(drop) or drop < LEAST_DROP:
             continue
-        bridging[row] = both_legs and _bridges(legs, above)
-        if bridging[row] or not both_legs or _steps_in(legs, above, below):
+        both_in = float(steps.min()) > LEAST_STEP * legs.figure_px
+        bridging[row] = (
+            both_legs and _bridges(legs, above) and (both_in or (drop > SURE_BRIDGE and _is_low(legs, above)))
+        )
+        if bridging[row] or both_in or not both_legs:
             drops[row] = drop
     if bridging.any():
         drops[~bridging] = 0.0
@@ -88,20 +92,25 @@ def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = H
     return Hem(float(legs.level[row]), min(float(drops[deepest]) / SURE_DROP, 1.0), bool(bridging[deepest]))
 
 
+def _steps(legs: LegRows, above: slice, below: slice) -> Array:
+    """Return (2,) how far both edges step in, px; an edge that arms hide does as the other, both hidden NaN."""
+    steps = np.full(2, np.nan)
+    for side in (0, 1):
+        high, low = (legs.off_px[rows, side][legs.seen[rows, side]] for rows in (above, below))
+        if high.size >= LEAST_SEEN * (above.stop - above.start) and low.size > 0:
+            steps[side] = np.median(high) - np.median(low)
+    return np.where(np.isnan(steps), steps[::-1], steps)
+
+
 def _bridges(legs: LegRows, rows: slice) -> bool:
-    """Whether the outline fills what the legs have apart, or stands off where they are not apart."""
-    if legs.joined[rows].mean() < FILLED:
-        return False
-    apart = legs.gap_px[rows] > LEAST_GAP * legs.figure_px
-    if apart.mean() > 0.5:
-        return True
-    return bool((np.median(legs.off_px[rows], axis=0) > STANDS_OFF * legs.figure_px).all())
+    """Whether the outline fills everything between the legs."""
+    return bool(legs.joined[rows].mean() >= FILLED)
 
 
-def _steps_in(legs: LegRows, above: slice, below: slice) -> bool:
-    """Whether the outline steps in on both sides, as it does below a hem and not along a leg."""
-    step = np.median(legs.off_px[above], axis=0) - np.median(legs.off_px[below], axis=0)
-    return bool((step > LEAST_STEP * legs.figure_px).all())
+def _is_low(legs: LegRows, rows: slice) -> bool:
+    """Whether rows lie below where thighs touch, and the legs are apart there."""
+    apart = np.median(legs.gap_px[rows]) > LEAST_GAP * legs.figure_px
+    return bool(apart and np.median(legs.level[rows]) > LOW_BRIDGE)
 
 
 def region_around_legs(mask: Bools, legs: LegRows, hem: Hem) -> LooseRegion:

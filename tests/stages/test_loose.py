@@ -1,0 +1,218 @@
+"""Skirts and coats get surfaces of their own; the legs below stay legs; trousers and jackets stay body."""
+
+import functools
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cloner.baking.loose_views import Hanging
+from cloner.frames import BODY_VIEWS, ViewId
+from cloner.generic.load import load_generic
+from cloner.geometry.contours import outline_field
+from cloner.geometry.skinning import joint_transforms, skin
+from cloner.records.loose import AROUND_LEGS
+from cloner.records.points import Proposals
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages import loose
+from cloner.vision.loose_outline import find_loose
+from kit import painted, people, studio
+
+sys.path.append(str(Path(__file__).parents[2] / "generic_models" / "build"))
+import painted_garments
+
+CLOTH, SKIN, WALL = (150, 40, 60), (210, 170, 150), (90, 140, 90)
+POSE_ROWS = {"shoulder": (11, 12), "elbow": (13, 14), "wrist": (15, 16), "hip": (23, 24), "knee": (25, 26),
+             "ankle": (27, 28)}  # fmt: skip
+
+
+def pose_of(joints_m, seen_by, rng):
+    """Return what a pose net says of posed joints, 4 px wrong."""
+    generic = load_generic()
+    pose, sure = np.zeros((33, 2)), np.zeros(33)
+    for name, rows in POSE_ROWS.items():
+        for side, row in zip("lr", rows, strict=True):
+            pose[row] = seen_by.project(joints_m[[generic.joint(f"{side}_{name}")]])[0] + rng.normal(0.0, 4.0, 2)
+            sure[row] = 1.0
+    for side, rows in (("l", (17, 19, 21)), ("r", (18, 20, 22))):
+        for name, row in zip(("pinky1", "index1", "thumb2"), rows, strict=True):
+            pose[row], sure[row] = seen_by.project(joints_m[[generic.joint(f"{side}_{name}")]])[0], 1.0
+    return pose, sure
+
+
+def widened(person, share):
+    """Return the person's vertices in trousers and jacket: pushed out by a share of the generic's ease."""
+    from cloner.geometry.wedges import vertex_normals
+
+    return person.vertices_m + share * vertex_normals(person.vertices_m, people.skin_triangles())
+
+
+@functools.cache
+def photographed(kind, seed=3, ease_m=0.0):
+    """Return person, garment, fit, photos, proposals and outlines of somebody who re-poses between photos."""
+    generic, rng = load_generic(), np.random.default_rng(seed)
+    person = people.known_person(seed, spread=0.6)
+    garment = None
+    if kind:
+        garment = painted_garments.make_garment(generic, person.vertices_m, person.joints_m, kind, rng)
+    fit = painted.joined(person, {view: people.known_pose(10 * seed + k) for k, view in enumerate(painted.BODY)})
+    skin_faces = people.skin_triangles()
+    pictures, proposals, outlines = {}, {}, {}
+    for view, posed in fit.views.items():
+        worn = replace(person, vertices_m=widened(person, ease_m)) if ease_m else person
+        vertices, joints = worn.posed(posed.rotations)
+        faces = skin_faces
+        if garment is not None:
+            cloth = painted_garments.posed_garment(generic, person.joints_m, garment, posed.rotations)
+            faces = np.vstack([skin_faces, garment.triangles + len(vertices)])
+            vertices = np.vstack([vertices, cloth])
+        colours = np.where(np.arange(len(faces))[:, None] < len(skin_faces), SKIN, CLOTH)
+        pictures[view] = painted.draw(vertices, faces, colours, posed.camera, background=WALL)
+        mask = (pictures[view] != WALL).any(axis=2)
+        pose, sure = pose_of(joints, posed.camera, rng)
+        proposals[view] = replace(studio.empty_proposal(view, mask), pose_px=pose, pose_visibility=sure)
+        outlines[view] = studio.silhouette_record(view, mask)
+    return person, garment, fit, pictures, proposals, outlines
+
+
+def regions(kind, **options):
+    *_, proposals, outlines = photographed(kind, **options)
+    return find_loose({v: (outlines[v].mask, p.pose_px, p.pose_visibility) for v, p in proposals.items()})
+
+
+@functools.cache
+def dressed(kind, seed=3):
+    """Return person, garment, fit, outlines with their loose regions, and the shells made of them."""
+    person, garment, fit, pictures, proposals, outlines = photographed(kind, seed)
+    found = regions(kind, seed=seed)
+    outlines = {view: replace(one, loose=found.get(view, ())) for view, one in outlines.items()}
+    shells = loose.loose_shells(
+        load_generic(), fit, studio.photo_set(pictures), Proposals(proposals), SilhouetteSet(outlines),
+        loose.Params(size=256),
+    )  # fmt: skip
+    return person, garment, fit, outlines, shells
+
+
+def posed_shell(fit, shell, rotations):
+    moved = joint_transforms(fit.joints_m, load_generic().joint_parents, rotations)
+    return skin(shell.vertices_m, moved, shell.skin_joints, shell.skin_weights)
+
+
+@pytest.mark.parametrize("kind", ["short skirt", "long skirt", "coat"])
+def test_cloth_around_the_legs_is_found_in_all_photos_with_its_hem(kind):
+    _, garment, fit, *_ = photographed(kind)
+    found = regions(kind)
+    assert set(found) == set(fit.views), kind
+    for view, (region,) in found.items():
+        assert region.name == AROUND_LEGS
+        cloth = painted_garments.posed_garment(load_generic(), fit.joints_m, garment, fit.views[view].rotations)
+        lowest = cloth[:, 1] < cloth[:, 1].min() + 0.10
+        pixels = fit.views[view].camera.project(cloth[lowest])
+        ends = pixels[[pixels[:, 0].argmin(), pixels[:, 0].argmax()]]
+        pixel_mm = 1000 * fit.views[view].camera.metres_per_pixel(cloth.mean(axis=0))
+        assert np.abs(region.hem_px - ends[:, 1]).max() * pixel_mm < 45.0, f"{kind} {view}"
+
+
+@pytest.mark.parametrize(("kind", "ease_m"), [("", 0.0), ("", 0.025), ("bag", 0.0)])
+@pytest.mark.parametrize("seed", [3, 4])
+def test_legs_trousers_and_bags_are_no_skirt(kind, ease_m, seed):
+    assert regions(kind, seed=seed, ease_m=ease_m) == {}
+
+
+@pytest.mark.parametrize("kind", ["short skirt", "long skirt", "coat"])
+def test_the_shell_shows_the_outline_of_the_cloth_in_every_photo(kind):
+    person, _, fit, outlines, (shell,) = dressed(kind)
+    both = np.vstack([people.skin_triangles(), shell.triangles + len(person.vertices_m)])
+    for view, posed in fit.views.items():
+        body, _ = person.posed(posed.rotations)
+        shown = studio.silhouette(np.vstack([body, posed_shell(fit, shell, posed.rotations)]), both, posed.camera)
+        true = outlines[view].mask
+        overlap = (shown & true).sum() / (shown | true).sum()
+        assert overlap > 0.96, f"{kind} {view}: {overlap:.3f}"
+
+
+def test_no_leg_pokes_through_at_rest_and_the_top_meets_the_waist():
+    person, *_, (shell,) = dressed("short skirt")
+    generic = load_generic()
+    legs = np.isin(generic.vertex_segment, [generic.segment_names.index(f"{s}_thigh") for s in ("left", "right")])
+    inside = person.vertices_m[legs & (person.vertices_m[:, 1] > shell.vertices_m[:, 1].min() + 0.02)]
+    for point in inside[::7]:
+        ring = shell.vertices_m[np.abs(shell.vertices_m[:, 1] - point[1]) < 0.012][:, [0, 2]]
+        middle = ring.mean(axis=0)
+        way = point[[0, 2]] - middle
+        turned = ring - middle
+        facing = turned @ way / (np.linalg.norm(turned, axis=1) * np.linalg.norm(way) + 1e-9) > 0.98
+        assert np.linalg.norm(turned[facing], axis=1).min() > np.linalg.norm(way) + 0.003
+    top = shell.vertices_m[shell.vertices_m[:, 1] > shell.vertices_m[:, 1].max() - 1e-4]
+    trunk = person.vertices_m[~legs]
+    gap = np.linalg.norm(top[:, None] - trunk[None], axis=2).min(axis=1)
+    assert np.median(gap) < 0.02
+
+
+def test_walking_stretches_the_cloth_and_does_not_tear_it():
+    person, *_, (shell,) = dressed("short skirt")
+    generic = load_generic()
+    step = np.zeros((94, 3))
+    step[generic.joint("l_hip"), 0], step[generic.joint("r_hip"), 0] = -np.radians(25), np.radians(25)
+    moved = joint_transforms(person.joints_m, generic.joint_parents, step)
+    after = skin(shell.vertices_m, moved, shell.skin_joints, shell.skin_weights)
+    edges = np.concatenate([shell.triangles[:, [0, 1]], shell.triangles[:, [1, 2]]])
+    length = [np.linalg.norm(p[edges[:, 0]] - p[edges[:, 1]], axis=1) for p in (shell.vertices_m, after)]
+    assert (length[1] / length[0]).max() < 4.0
+    hem = shell.vertices_m[:, 1] < shell.vertices_m[:, 1].min() + 0.03
+    left = after[hem & (shell.vertices_m[:, 0] > 0.1), 2] - shell.vertices_m[hem & (shell.vertices_m[:, 0] > 0.1), 2]
+    right = after[hem & (shell.vertices_m[:, 0] < -0.1), 2] - shell.vertices_m[hem & (shell.vertices_m[:, 0] < -0.1), 2]
+    assert left.mean() > 0.05  # each side goes with its leg
+    assert right.mean() < -0.05
+    assert np.allclose(shell.skin_weights.sum(axis=1), 1.0)
+    assert (shell.skin_weights > -1e-12).all()
+
+
+def test_cloth_at_the_sides_hangs_from_its_own_thigh_and_the_waist_from_the_spine():
+    person = people.known_person(3, spread=0.6)
+    generic = load_generic()
+    fit = painted.joined(person, dict.fromkeys(painted.BODY, np.zeros((94, 3))))
+    hanging = Hanging.of(generic, fit)
+    low = hanging.hip_m - 0.4
+    points = np.array(
+        [[0.25, low, 0.0], [-0.25, low, 0.0], [hanging.middle_m, low, 0.2], [0.0, hanging.levels_m[3], 0.1]]
+    )
+    joints, weights = hanging.weights(points)
+    named = [
+        {generic.joint_names[j]: w for j, w in zip(row, share, strict=True) if w > 1e-9}
+        for row, share in zip(joints, weights, strict=True)
+    ]
+    assert named[0]["l_hip"] > 0.9
+    assert named[1]["r_hip"] > 0.9
+    assert named[2]["l_hip"] == pytest.approx(named[2]["r_hip"])
+    assert set(named[3]) <= {"vl4", "vl3", "vl5"}
+
+
+def test_the_shell_has_the_colour_of_the_cloth():
+    *_, (shell,) = dressed("long skirt")
+    texel = np.clip((shell.uv * shell.rgba.shape[0] - 0.5).round().astype(int), 0, shell.rgba.shape[0] - 1)
+    rgb = shell.rgba[texel[:, 1], texel[:, 0], :3].astype(int)
+    assert np.percentile(np.abs(rgb - CLOTH).max(axis=1), 95) < 12
+    assert shell.kind == "cloth"
+
+
+def test_nobody_without_loose_clothing_gets_a_shell():
+    *_, shells = dressed("")
+    assert shells == ()
+
+
+def test_outline_samples_on_cloth_are_veiled_and_known_as_draped():
+    _, _, _, outlines, _ = dressed("short skirt")
+    front = outlines["body_front"]
+    nothing = np.zeros_like(front.mask)
+    field = outline_field(front.contours_px, front.mask, nothing, cloth=front.loose_mask(), step_px=4.0, reduction=2.0)
+    region = front.loose[0]
+    rows = (field.samples_px[:, 1] > region.top_px + 20) & (field.samples_px[:, 1] < region.hem_px.min() - 20)
+    on_edge = rows & region.covers(field.samples_px, margin_px=3.0)
+    assert on_edge.sum() > 50
+    assert field.draped[on_edge].mean() > 0.95
+    assert (field.veiled >= field.draped).all()
+    assert not field.veiled[field.samples_px[:, 1] > region.bottom_px + 10].any()
+    assert set(BODY_VIEWS) == {ViewId(view) for view in outlines}
