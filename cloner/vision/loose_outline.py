@@ -30,10 +30,11 @@ SURE_DROP = 0.10
 MOST = 0.85  # of the deepest drop
 LEAST_STEP = 0.012  # both edges step in by this at a hem that is not seen to bridge the legs
 LEAST_GAP = 0.018  # legs nearer to each other say nothing
+CALVES, STANDS_OFF = (0.60, 0.95), 0.025  # where cloth to the floor stands off usual legs by this on both sides
 LEAST_SEEN = 0.25  # of the rows above a hem; arms may hide the others
 SURE_BRIDGE, LOW_BRIDGE = 0.05, 0.25  # narrow skirts step in little: they must bridge legs apart, well below the crotch
-#: Shares of hip to ankle between which a hem is believed: above it is a jacket's.
-HEMS = (0.20, 0.985)
+#: Shares of hip to ankle between which a hem is believed: above it is a jacket's; a near one looks lower than ankles.
+HEMS = (0.20, 1.15)
 SAME_HEM = 0.15  # levels of one hem in two photos, with the error of both poses (measured: 0.12 on a coat)
 FILLED = 0.9  # of the rows above the hem
 
@@ -86,10 +87,22 @@ def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = H
         drops[~bridging] = 0.0
     deepest = int(np.argmax(drops))
     if drops[deepest] == 0.0:
-        return None
+        return _floor_length(legs) if both_legs else None
     # legs go on tapering below a hem: it is where most of the width is lost first
     row = deepest - arc + int(np.argmax(drops[deepest - arc : deepest + 1] >= MOST * drops[deepest]))
     return Hem(float(legs.level[row]), min(float(drops[deepest]) / SURE_DROP, 1.0), bool(bridging[deepest]))
+
+
+def _floor_length(legs: LegRows) -> Hem | None:
+    """Return the hem of cloth to the floor: it fills what the legs have apart and stands off down to the ankles."""
+    rows = np.flatnonzero((legs.level > CALVES[0]) & (legs.level < CALVES[1]))
+    if rows.size == 0 or legs.joined[rows].mean() < FILLED:
+        return None
+    apart = float(np.median(legs.gap_px[rows])) > LEAST_GAP * legs.figure_px
+    off = float(np.median(legs.off_px[rows], axis=0).min()) / legs.figure_px
+    if not apart or off < STANDS_OFF:
+        return None
+    return Hem(float(legs.level[-1]), min(2.0 * off / SURE_DROP, 1.0), bridges=True)
 
 
 def _steps(legs: LegRows, above: slice, below: slice) -> Array:

@@ -105,7 +105,8 @@ def body_rings(generic: GenericHuman, vertices_m: Array, heights_m: Array) -> tu
     angles = ring_angles(COLUMNS)
     centres, radii = np.zeros((len(heights_m), 2)), np.zeros((len(heights_m), len(angles)))
     for k, height in enumerate(heights_m):
-        near = points[np.abs(points[:, 1] - height) < 0.015][:, [0, 2]]
+        away = np.abs(points[:, 1] - height)
+        near = points[away < max(0.015, np.partition(away, 24)[24])][:, [0, 2]]
         centres[k] = (near.min(axis=0) + near.max(axis=0)) / 2.0
         radii[k] = hull_radii(near, centres[k], angles)
     return centres, radii
