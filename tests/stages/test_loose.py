@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import trimesh
+from scipy.spatial import cKDTree
 
 from cloner.baking.loose_views import Hanging
 from cloner.frames import BODY_VIEWS, ViewId
@@ -24,6 +26,7 @@ sys.path.append(str(Path(__file__).parents[2] / "generic_models" / "build"))
 import painted_garments
 
 CLOTH, SKIN, WALL = (150, 40, 60), (210, 170, 150), (90, 140, 90)
+PAINTED = ("long skirt",)  # drawing takes a second a view
 POSE_ROWS = {"shoulder": (11, 12), "elbow": (13, 14), "wrist": (15, 16), "hip": (23, 24), "knee": (25, 26),
              "ankle": (27, 28)}  # fmt: skip
 
@@ -68,9 +71,11 @@ def photographed(kind, seed=3, ease_m=0.0):
             cloth = painted_garments.posed_garment(generic, person.joints_m, garment, posed.rotations)
             faces = np.vstack([skin_faces, garment.triangles + len(vertices)])
             vertices = np.vstack([vertices, cloth])
-        colours = np.where(np.arange(len(faces))[:, None] < len(skin_faces), SKIN, CLOTH)
-        pictures[view] = painted.draw(vertices, faces, colours, posed.camera, background=WALL)
-        mask = (pictures[view] != WALL).any(axis=2)
+        mask = studio.silhouette(vertices, faces, posed.camera)
+        pictures[view] = np.where(mask[..., None], CLOTH, WALL).astype(np.uint8)
+        if kind in PAINTED:
+            colours = np.where(np.arange(len(faces))[:, None] < len(skin_faces), SKIN, CLOTH)
+            pictures[view] = painted.draw(vertices, faces, colours, posed.camera, background=WALL)
         pose, sure = pose_of(joints, posed.camera, rng)
         proposals[view] = replace(studio.empty_proposal(view, mask), pose_px=pose, pose_visibility=sure)
         outlines[view] = studio.silhouette_record(view, mask)
@@ -129,26 +134,33 @@ def test_the_shell_shows_the_outline_of_the_cloth_in_every_photo(kind):
         body, _ = person.posed(posed.rotations)
         shown = studio.silhouette(np.vstack([body, posed_shell(fit, shell, posed.rotations)]), both, posed.camera)
         true = outlines[view].mask
-        overlap = (shown & true).sum() / (shown | true).sum()
-        assert overlap > 0.96, f"{kind} {view}: {overlap:.3f}"
+        below = slice(outlines[view].loose[0].top_px, None)  # above the waist a coat is body
+        overlap = (shown & true)[below].sum() / (shown | true)[below].sum()
+        assert overlap > 0.95, f"{kind} {view}: {overlap:.3f}"
 
 
 def test_no_leg_pokes_through_at_rest_and_the_top_meets_the_waist():
     person, *_, (shell,) = dressed("short skirt")
     generic = load_generic()
-    legs = np.isin(generic.vertex_segment, [generic.segment_names.index(f"{s}_thigh") for s in ("left", "right")])
-    inside = person.vertices_m[legs & (person.vertices_m[:, 1] > shell.vertices_m[:, 1].min() + 0.02)]
-    for point in inside[::7]:
-        ring = shell.vertices_m[np.abs(shell.vertices_m[:, 1] - point[1]) < 0.012][:, [0, 2]]
-        middle = ring.mean(axis=0)
-        way = point[[0, 2]] - middle
-        turned = ring - middle
-        facing = turned @ way / (np.linalg.norm(turned, axis=1) * np.linalg.norm(way) + 1e-9) > 0.98
-        assert np.linalg.norm(turned[facing], axis=1).min() > np.linalg.norm(way) + 0.003
-    top = shell.vertices_m[shell.vertices_m[:, 1] > shell.vertices_m[:, 1].max() - 1e-4]
-    trunk = person.vertices_m[~legs]
-    gap = np.linalg.norm(top[:, None] - trunk[None], axis=2).min(axis=1)
+    names = ("left_thigh", "right_thigh", "pelvis")
+    legs = np.isin(generic.vertex_segment, [generic.segment_names.index(name) for name in names])
+    top, hem = (limit(shell.vertices_m[:, 1]) for limit in (np.max, np.min))
+    height = person.vertices_m[:, 1]
+    mesh = trimesh.Trimesh(shell.vertices_m, shell.triangles, process=False)
+    for point in person.vertices_m[legs & (height > hem + 0.02) & (height < top - 0.04)][::40]:
+        section = trimesh.intersections.mesh_plane(mesh, [0.0, 1.0, 0.0], [0.0, point[1], 0.0])[..., [0, 2]]
+        middle = section.reshape(-1, 2).mean(axis=0)
+        away = point[[0, 2]] - middle
+        turned = section.mean(axis=1) - middle
+        facing = np.argmax(turned @ away / np.linalg.norm(turned, axis=1))
+        assert np.linalg.norm(turned[facing]) > np.linalg.norm(away) + 0.004
+    rim = shell.vertices_m[height_is(shell.vertices_m, top)]
+    gap = cKDTree(person.vertices_m[people.skin_triangles()].mean(axis=1)).query(rim)[0]
     assert np.median(gap) < 0.02
+
+
+def height_is(points_m, height_m):
+    return np.abs(points_m[:, 1] - height_m) < 1e-4
 
 
 def test_walking_stretches_the_cloth_and_does_not_tear_it():
