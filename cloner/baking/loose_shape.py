@@ -19,6 +19,7 @@ RINGS, COLUMNS = 44, 96
 HULL_RINGS, HULL_COLUMNS, STEPS = 24, 48, 54  # the hull is smooth: found coarsely, then refined
 FARTHEST_M = 0.80  # cloth stands off the body's axis by no more than this
 ROUNDNESS = 2.2  # exponent of a section between ellipse (2) and box: hips and legs make it a little square (taste)
+SLANT_M = 0.03  # a foot beside the hem, or an arm, passes for its end: farther from the median is not believed
 LEVEL_TRUST = 0.6  # hems are usually level: what the photos' ends differ counts so much (taste)
 CLEARANCE_MM = 6.0  # cloth hangs at least this far outside the legs
 TUCK_MM, TUCK_M = 2.0, 0.03  # its upper border lies this deep in the skin and comes out within this height
@@ -71,8 +72,8 @@ def hem_heights(views: list[LooseView], centre_m: Array, half_m: Array) -> Array
         nearest = min((key for key in places if key[0] != axis), key=lambda key: view.depth(places[key]))
         row = float(view.region.hem_row(view.across(places[nearest][None]))[0])
         ends.setdefault(nearest, []).append(view.height_of(row, places[nearest]))
-    level = float(np.mean([height for found in ends.values() for height in found]))
-    mean = {key: float(np.mean(found)) for key, found in ends.items()}
+    level = float(np.median([height for found in ends.values() for height in found]))
+    mean = {key: float(np.clip(np.mean(found), level - SLANT_M, level + SLANT_M)) for key, found in ends.items()}
     shares = directions(ring_angles(COLUMNS))
     across, along = shares.T
     sides = np.where(across > 0, mean.get((0, 1.0), level), mean.get((0, -1.0), level))
