@@ -92,4 +92,14 @@ def shaped_feet(mesh: BodyMesh, sole_m: float, params: Params) -> tuple[BodyMesh
     """Return the body with toes closed where it wears shoes, the feet's usual size and its spread."""
     shod = sole_m > params.barefoot_m
     mean = np.array(params.shod) if shod else np.array([1.0, 1.0, 1.0, 0.0])
-    return (closed_toes(mesh) if shod else mesh), mean, np.array(params.spread)
+    return (flat_soled(closed_toes(mesh)) if shod else mesh), mean, np.array(params.spread)
+
+
+def flat_soled(mesh: BodyMesh) -> BodyMesh:
+    """Return the body with the arches of its soles filled down to the floor, as a shoe's sole does."""
+    generic = load_generic()
+    flat = mesh.vertices_m.copy()
+    for side in ("left", "right"):
+        sole = np.flatnonzero(generic.region("sole") & generic.region(f"foot_{side}"))
+        flat[sole, 1] = flat[sole, 1].min()
+    return BodyMesh(flat, mesh.joints_m)

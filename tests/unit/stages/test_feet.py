@@ -68,6 +68,17 @@ def test_closed_toes_leave_no_gap_between_them(body):
     assert np.all(after >= before - 1e-3)
 
 
+def test_a_shoes_sole_is_flat_and_the_instep_stays(body):
+    flat = feet.flat_soled(body).vertices_m
+    generic = load_generic()
+    sole = generic.region("sole")
+    for side in ("left", "right"):
+        own = sole & generic.region(f"foot_{side}")
+        assert np.ptp(body.vertices_m[own, 1]) > 0.004, "a naked foot has an arch"
+        assert np.ptp(flat[own, 1]) == 0.0
+    assert np.array_equal(flat[~sole], body.vertices_m[~sole])
+
+
 def photographed(body, vertices_m, sole_m):
     """Return three perfect outlines of a person who stands as known_pose says."""
     rotations = people.known_pose(1, spread=0.0)
