@@ -12,9 +12,10 @@ from dataclasses import dataclass
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 from scipy.spatial import cKDTree
 
-from cloner.vision.edges import EdgeMap, detect_edges, refine_subpixel
+from cloner.vision.edges import EdgeMap, detect_edges, refine_subpixel, sample
 from cloner.vision.linking import FEWEST_POINTS, split_curves, walk_curves
 from cloner.vision.loops import MaskLoop
 from cloner.vision.sides import colour_model, side_evidence
@@ -34,9 +35,12 @@ class LinkParams:
     smoothing : float
         Sigma of the blur that takes the net's staircase off the mask before its contour is
         taken.  Measurement: twice as much rounds fingers off.
-    band : float
-        Half width of the vicinity band.  Origin: measurement of the net's mask, whose p95 error
-        is 0.7 % of the height.
+    least_band, band : float
+        Half width of the vicinity band where the mask is sure of its contour, and at most.
+        Measured on 66 photos: 92 % of a refined mask's contour lies within 0.12 % of the height,
+        and paths of edges farther than 0.3 % from a sure contour lead away more often than back.
+    doubt : float
+        Half width of the band in widths of the mask's own transition from outside to inside.
     segment : float
         Longest edge segment.
     bridge : float
@@ -64,7 +68,9 @@ class LinkParams:
     """
 
     smoothing: float = 0.0008
+    least_band: float = 0.0035
     band: float = 0.010
+    doubt: float = 1.0
     segment: float = 0.008
     bridge: float = 0.025
     spacing: float = 0.15
@@ -133,11 +139,12 @@ def gather_band(
         One per contour; each edge point belongs to the contour nearest to it.
     """
     reach = max(params.band * height_px, 2.0)
+    reaches = np.concatenate([band_reach(mask, loop, height_px=height_px, params=params) for loop in loops])
     everywhere = np.concatenate([loop.points for loop in loops])
     top_left, window = _window(everywhere, mask.shape, margin_px=4 * reach)
     edge_map = detect_edges(rgb[window])
     offset = top_left.astype(np.float64)
-    near = _vicinity(everywhere - offset, edge_map.edges.shape, reach_px=reach)
+    near = _vicinity(everywhere - offset, edge_map.edges.shape, reaches)
     curves = walk_curves(edge_map.edges & near)
     pixels, first = split_curves([curve.astype(np.float64) for curve in curves], longest_px=params.segment * height_px)
     if len(pixels) == 0:
@@ -177,13 +184,31 @@ def _window(points_px: Floats, shape: tuple[int, ...], *, margin_px: float) -> t
     return low, (rows, slice(int(low[0]), int(high[0])))
 
 
-def _vicinity(points_px: Floats, shape: tuple[int, ...], *, reach_px: float) -> Bools:
-    """Return the pixels within reach of any of the points."""
+def band_reach(mask: Image, loop: MaskLoop, *, height_px: float, params: LinkParams) -> Floats:
+    """Return (N,) half widths in px of the vicinity band along a contour: wide where the mask rises slowly.
+
+    A mask that jumps from nothing to certainty knows where its contour is; one that creeps does not, and there the
+    edges decide over a wider band.
+    """
+    across = [sample(mask, loop.points + side * loop.inward) for side in (1.0, -1.0)]
+    slope = np.abs(across[0] - across[1]) / 2.0
+    least, most = (max(share * height_px, 2.0) for share in (params.least_band, params.band))
+    reach = np.clip(params.doubt / np.maximum(slope, 1e-6), least, most)
+    # The contour of a doubtful spot begins where its neighbours' certainty ends.
+    reach = maximum_filter1d(reach, 2 * round(most) + 1, mode="wrap")
+    return np.asarray(gaussian_filter1d(reach, most, mode="wrap"), dtype=np.float64)
+
+
+def _vicinity(points_px: Floats, shape: tuple[int, ...], reaches_px: Floats) -> Bools:
+    """Return the pixels within reach of the nearest of the points, each with its own reach."""
     far = np.full(shape, 255, np.uint8)
     at = np.rint(points_px).astype(np.intp)
-    far[np.clip(at[:, 1], 0, shape[0] - 1), np.clip(at[:, 0], 0, shape[1] - 1)] = 0
-    distance = cv2.distanceTransform(far, cv2.DIST_L2, 5)
-    near = distance <= reach_px
+    rows, columns = np.clip(at[:, 1], 0, shape[0] - 1), np.clip(at[:, 0], 0, shape[1] - 1)
+    far[rows, columns] = 0
+    distance, labels = cv2.distanceTransformWithLabels(far, cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL)
+    reach_of = np.zeros(int(labels.max()) + 1)
+    np.maximum.at(reach_of, labels[rows, columns], reaches_px)
+    near = distance <= reach_of[labels]
     # Canny answers to the picture's own border; a cut figure is closed by the mask there.
     near[[0, -1]] = False
     near[:, [0, -1]] = False

@@ -8,6 +8,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.vision.band import LinkParams, band_reach
 from cloner.vision.edges import detect_edges, refine_subpixel
 from cloner.vision.loops import fill_polygon, fill_polygons, mask_loops, signed_area
 from cloner.vision.outlines import Outline, extract_outline
@@ -83,7 +84,8 @@ def test_mask_stands_in_where_there_is_no_edge() -> None:
 
 def test_holes_are_contours_of_their_own() -> None:
     canvas = draw(photograph(noise=0.0), ellipse(scale=0.4), WALL)
-    mask = rough_mask(shift=2.0) - fill_polygon(ellipse(scale=0.42), (HEIGHT, WIDTH))
+    hole = fill_polygon(ellipse(scale=0.42), (HEIGHT, WIDTH)).astype(np.float32)
+    mask = rough_mask(shift=2.0) - cv2.GaussianBlur(hole, (0, 0), 4.0)
     outline = extract_outline(with_noise(canvas, 3.0, 2), np.clip(mask, 0, 1).astype(np.float32))
     assert [loop.is_hole for loop in outline.loops] == [False, True]
     gaps = cKDTree(ellipse(20000, scale=0.4)).query(outline.loops[1].polygon)[0]
@@ -145,3 +147,38 @@ def test_red_on_green_of_equal_brightness_is_an_edge() -> None:
     rgb[:, :30, 0] = 120
     rgb[:, 30:, 1] = 120
     assert detect_edges(rgb).edges[5:35, 28:32].any(axis=1).all()
+
+
+def test_band_is_wide_only_where_the_mask_is_in_doubt() -> None:
+    figure = fill_polygon(ellipse(), (HEIGHT, WIDTH)).astype(np.float32)
+    sure, vague = cv2.GaussianBlur(figure, (0, 0), 0.8), cv2.GaussianBlur(figure, (0, 0), 6.0)
+    mask = np.where(np.arange(HEIGHT)[:, None] < 300, sure, vague).astype(np.float32)
+    loop = mask_loops(mask, height_px=480.0)[0]
+    params = LinkParams()
+    reach = band_reach(mask, loop, height_px=480.0, params=params)
+    above, below = reach[loop.points[:, 1] < 270], reach[loop.points[:, 1] > 330]
+    assert above.max() < 3.0
+    assert below.min() > 0.8 * params.band * 480.0
+
+
+@pytest.mark.parametrize("radius", [60.3, 151.7])
+@pytest.mark.parametrize("noise", [0.0, 3.0])
+def test_disc_comes_back_to_a_tenth_of_a_pixel(radius: float, noise: float) -> None:
+    centre = np.array([180.37, 190.61])
+    t = np.linspace(0, 2 * np.pi, 6000, endpoint=False)
+    disc = centre + radius * np.column_stack([np.cos(t), np.sin(t)])
+    photo = with_noise(draw(np.full((380, 360, 3), WALL, np.uint8), disc, SKIN), noise, 11)
+    coarse = fill_polygon(centre + np.array([1.5, -1.0]) + 1.005 * (disc - centre), (380, 360)).astype(np.float32)
+    outline = extract_outline(photo, cv2.GaussianBlur(coarse, (0, 0), 2.5))
+    error = np.linalg.norm(outline.loops[0].polygon - centre, axis=1) - radius
+    assert np.abs(error).mean() < 0.12
+    assert abs(error.mean()) < 0.06  # neither fat nor thin
+
+
+@pytest.mark.parametrize("step", [8, 14])
+def test_on_low_contrast_the_links_are_nearer_than_the_mask(step: int) -> None:
+    wall = (SKIN[0] - step, SKIN[1] - step, SKIN[2] - step)
+    photo, mask = photograph(wall=wall, noise=2.0), rough_mask(shift=3.0, blur=4.0)
+    outline = extract_outline(photo, mask)
+    mask_error = cKDTree(ellipse(20000)).query(mask_loops(mask, height_px=480.0)[0].points)[0].mean()
+    assert distances(outline).mean() < 0.8 * mask_error
