@@ -65,19 +65,6 @@ FREEDOMS: tuple[Freedom, ...] = (
 SIGMAS: Array = np.array([freedom.sigma for freedom in FREEDOMS])
 
 
-def prior_spread(from_side: bool) -> Array:
-    """Return the (D,) prior spread of the pose vector, radians, for one photo.
-
-    Arms that swing forwards are seen from the side and hidden from the front, arms
-    that are raised sideways the other way round; what a photo hides keeps its prior.
-    """
-    if not from_side:
-        return SIGMAS
-    swing, raised = math.radians(22.0), math.radians(12.0)
-    seen = {"shoulder_x": swing, "elbow_x": swing, "shoulder_z": raised}
-    return np.array([seen.get(freedom.name[2:], freedom.sigma) for freedom in FREEDOMS])
-
-
 def pose_matrix(joint_names: Sequence[str]) -> Array:
     """Return the (94 * 3, D) matrix that spreads a pose vector over all joints.
 

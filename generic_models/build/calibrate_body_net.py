@@ -1,0 +1,140 @@
+"""Find where the pose net's points lie on a body: ``python generic_models/build/calibrate_body_net.py``.
+
+Random dressed people are photographed from the front, both sides and the back and shown to the net. Every point's mean
+place beside a joint of the skeleton, and its spread, go to ``cloner_models/body_net.npz``, apart for what faces the
+camera from the front, from the back, on the near and on the far side of a side photo.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+from archives import save
+from numpy.typing import NDArray
+from painted_people import Shot, photograph_once
+from painted_people_bodies import RandomBody
+from painted_people_clothes import TIGHTNESSES
+from painted_people_pictures import BACKGROUNDS
+
+from cloner.detectors import litert
+from cloner.generic.body_net import LANDMARKS, SIDES, base_place
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.skinning import blend_transforms, joint_transforms
+
+Array = NDArray[np.float64]
+OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "body_net.npz"
+FIRST_SEED = 7000  # far from the seeds that tests and benchmarks draw
+TURNED_DEG = 8.0  # how far people turn away from the direction they were asked for
+DIRECTIONS = {"front": 0.0, "left": 90.0, "back": 180.0, "right": -90.0}
+MIRROR = np.array([-1.0, 1.0, 1.0])
+#: Holds an offset's component along the line of sight, which no photo shows, at zero; share of one photo's weight.
+RIDGE = 3.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Found:
+    """One landmark in one photo, mirrored to the left side of the body; lengths in shares of the stature.
+
+    Attributes
+    ----------
+    landmark : int, row of `LANDMARKS`
+    side : str, one of `SIDES`
+    sight : (2, 3) picture axes in the rest frame of the point
+    error : (2,) net point minus the projected base, along the picture's axes
+    """
+
+    landmark: int
+    side: str
+    sight: Array
+    error: Array
+
+
+def side_of(direction: str, left: bool, middle: bool) -> str:
+    """Return which of `SIDES` a landmark shows in a photo."""
+    if direction in ("front", "back"):
+        return direction
+    return "near" if middle or left == (direction == "left") else "far"
+
+
+def findings(shot: Shot, body: RandomBody, direction: str, generic: GenericHuman) -> Iterator[Found]:
+    """Give every landmark that the net finds in a photo."""
+    pose = litert.detect_pose(shot.rgb)
+    if pose is None:
+        return
+    transforms = joint_transforms(body.joints_m, generic.joint_parents.astype(np.int32), shot.rotations)
+    blended = blend_transforms(transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    for row, landmark in enumerate(LANDMARKS):
+        for number, left in enumerate((True, False)):
+            base = landmark.base(left)
+            turn = (
+                transforms[generic.joint(base), :3, :3]
+                if base in generic.joint_names
+                else blended[generic.feature(base), :, :3]
+            )
+            place = base_place(generic, base, shot.naked_m, shot.joints_m)
+            metres = shot.camera.metres_per_pixel(place) / body.stature_m
+            error = (pose.points_px[landmark.rows[number]] - shot.camera.project(place[None])[0]) * metres
+            sight = shot.camera.camera_from_model[:2, :3] @ turn
+            middle = landmark.rows[0] == landmark.rows[1]
+            mirrored = (direction == "right") if middle else not left
+            if middle and not left:
+                continue
+            yield Found(row, side_of(direction, left, middle), sight * MIRROR if mirrored else sight, error)
+
+
+def solve(found: list[Found]) -> tuple[Array, float]:
+    """Return the offset (3,) that explains one landmark best, and the median-based spread of one axis."""
+    sights, errors = np.array([f.sight for f in found]), np.array([f.error for f in found])
+    weight, offset = np.ones(len(found)), np.zeros(3)
+    spread = 1.0
+    for _ in range(8):
+        normal = np.einsum("n,nia,nib->ab", weight, sights, sights) + RIDGE * np.eye(3)
+        offset = np.linalg.solve(normal, np.einsum("n,nia,ni->a", weight, sights, errors))
+        rest = np.linalg.norm(errors - sights @ offset, axis=1)
+        spread = float(np.median(rest)) / 1.1774  # median of a Rayleigh distribution
+        weight = 1.0 / (1.0 + (rest / (3.0 * spread)) ** 2)
+    return offset, spread
+
+
+def main() -> None:
+    """Photograph, ask, average, write."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--people", type=int, default=150)
+    arguments = parser.parse_args()
+    generic = load_generic()
+    found: list[Found] = []
+    for number in range(arguments.people):
+        seed = FIRST_SEED + number
+        rng = np.random.default_rng(seed)
+        beside = "left" if number % 2 else "right"
+        for direction in ("front", beside, "back"):
+            azimuth = DIRECTIONS[direction] + rng.uniform(-TURNED_DEG, TURNED_DEG)
+            clothes, room = rng.choice(len(TIGHTNESSES)), rng.choice(len(BACKGROUNDS))
+            shot, body, _ = photograph_once(seed, azimuth, tightness=TIGHTNESSES[clothes], background=BACKGROUNDS[room])
+            found.extend(findings(shot, body, direction, generic))
+        if number % 10 == 9:
+            print(f"{number + 1} people", flush=True)
+    offset, spread = np.zeros((len(SIDES), len(LANDMARKS), 3)), np.zeros((len(SIDES), len(LANDMARKS)))
+    for row, landmark in enumerate(LANDMARKS):
+        for place, side in enumerate(SIDES):
+            own = [f for f in found if f.landmark == row and f.side == side]
+            if own:
+                offset[place, row], spread[place, row] = solve(own)
+                shift = 1700.0 * offset[place, row]
+                print(f"{landmark.name:10s} {side:5s} n {len(own):3d} offset mm at 1.70 m {shift.round(1)}"
+                      f" spread {1700.0 * spread[place, row]:5.1f}")  # fmt: skip
+    net = (files("cloner_models") / "nets" / "pose_landmark_heavy.tflite").read_bytes()
+    save(OUT, {"names": np.array([m.name for m in LANDMARKS], dtype=np.str_), "sides": np.array(SIDES, dtype=np.str_),
+               "offset": offset.astype(np.float32), "spread": spread.astype(np.float32),
+               "people": np.array(arguments.people),
+               "net_sha256": np.array(hashlib.sha256(net).hexdigest())})  # fmt: skip
+
+
+if __name__ == "__main__":
+    main()
