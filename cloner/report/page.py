@@ -216,6 +216,13 @@ def _corrections(corrections: Sequence[Mapping[str, Any]]) -> str:
     return _folded("Corrected points", _table(head, rows, caption=CORRECTIONS_CAPTION)) if rows else ""
 
 
+#: What won a piece of the outline.
+_OUTLINE_SOURCES = {
+    "edges": "edges linked in the photo",
+    "mask": "border of the person mask: no convincing edges",
+}
+
+
 def _features(features: Mapping[str, Any], segments: Mapping[str, Any]) -> str:
     parts = []
     for view, named in features.items():
@@ -234,7 +241,10 @@ def _features(features: Mapping[str, Any], segments: Mapping[str, Any]) -> str:
         table = _table(("point", "x px", "y px", "confidence", "source"), rows, caption="")
         parts.append(_folded(title, table))
     for view, pieces in segments.items():
-        lines = [(str(piece["segment"]), str(piece["source"]), f"{piece['goodness']:.2f}") for piece in pieces]
+        lines = [
+            (_words(piece["segment"]), _OUTLINE_SOURCES[piece["source"]], f"{piece['goodness']:.2f}")
+            for piece in pieces
+        ]
         linked = sum(piece["source"] == "edges" for piece in pieces)
         title = f"{_words(view)}: {linked} of {len(pieces)} outline pieces from edges"
         table = _table(("piece", "source", "goodness"), lines, caption="")

@@ -46,7 +46,8 @@ def astray_points(contours_px: Sequence[NDArray[np.float64]], points: ViewPoints
 
 
 def _segment_names(loop: OutlineLoop, number: int, names: tuple[str, ...]) -> list[str]:
-    labels = [names[row] if row >= 0 else f"{number}.{k}" for k, row in enumerate(loop.feature_rows)]
+    unnamed = f"gap {number}" if loop.is_hole else f"outline {number}"
+    labels = [names[row] if row >= 0 else f"{unnamed} point {k + 1}" for k, row in enumerate(loop.feature_rows)]
     return [f"{labels[k]} - {labels[(k + 1) % len(labels)]}" for k in range(len(labels))]
 
 
@@ -73,7 +74,7 @@ def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> S
         names, positions, fixed = outline_points(for_fitting(points, astray))
         outline = extract_outline(photo.rgb, mask, positions, fixed=fixed)
     sources: list[tuple[str, str, float]] = []
-    for number, loop in enumerate(outline.loops):
+    for number, loop in enumerate(outline.loops, start=1):
         labels = _segment_names(loop, number, names)
         sources += [(n, s, float(g)) for n, s, g in zip(labels, loop.sources, loop.goodness, strict=True)]
     contours = tuple(loop.polygon for loop in outline.loops)
