@@ -27,6 +27,9 @@ from cloner.stages.points import for_fitting
 
 Array = NDArray[np.float64]
 
+#: Parts of the sole that stand no higher than this touch the floor; higher ones are the toe's spring and the arch.
+TREAD_M = 0.003
+
 
 def blend_head(generic: GenericHuman, body: BodyMesh, head: HeadFit) -> Array:
     """Return (V, 3) vertices: the head's on the head, the body's below, blended over the neck."""
@@ -38,10 +41,11 @@ def blend_head(generic: GenericHuman, body: BodyMesh, head: HeadFit) -> Array:
 
 
 def flat_soles(generic: GenericHuman, vertices_m: Array, sole_m: float) -> Array:
-    """Return the vertices with the soles flat at ``-sole_m`` and nothing below them."""
+    """Return the vertices with the soles flat at ``-sole_m`` and nothing below them; a toe's spring stays."""
     flat = vertices_m.copy()
     flat[:, 1] = np.maximum(flat[:, 1], -sole_m)
-    flat[generic.region("sole"), 1] = -sole_m
+    treads = generic.region("sole") & (flat[:, 1] < -sole_m + TREAD_M)
+    flat[treads, 1] = -sole_m
     return flat
 
 
