@@ -146,9 +146,16 @@ def _fit(colours: Floats, *, noise: float = 3.0) -> tuple[Floats, Floats] | None
 
 def _distance(lab: Floats, fit: tuple[Floats, Floats]) -> Floats:
     """Return the Mahalanobis distance of each colour."""
-    away = lab - fit[0]
-    square = np.einsum("...i,ij,...j->...", away, fit[1], away)
-    return np.asarray(np.sqrt(np.maximum(square, 0.0)), np.float64)
+    return np.asarray(np.sqrt(_square(lab, *fit)), np.float64)
+
+
+def _square(lab: Floats, mean: Floats, inverse: Floats) -> NDArray[np.float32]:
+    """Return the squared Mahalanobis distance of each colour; one product of matrices, in single precision."""
+    root = np.linalg.cholesky(inverse).T.astype(np.float32)
+    # centred before the product: single precision loses the difference of large numbers
+    planes = (lab.reshape(-1, 3) - mean).astype(np.float32).T
+    x, y, z = root @ planes
+    return np.asarray((x * x + y * y + z * z).reshape(lab.shape[:-1]), np.float32)
 
 
 def _mixture(lab: Floats, where: Flags, parts: int, floor: float) -> Floats:
@@ -168,15 +175,14 @@ def _mixture(lab: Floats, where: Flags, parts: int, floor: float) -> Floats:
         1,
         cv2.KMEANS_USE_INITIAL_LABELS,
     )
-    best = np.full(lab.shape[:2], -np.inf)
+    best = np.full(lab.shape[:2], -np.inf, np.float32)
     for part in range(parts):
         chosen = samples[member[:, 0] == part]
         if len(chosen) < 6:
             continue
         cov = np.cov(chosen.T) + 16.0 * np.eye(3)
-        away = lab - chosen.mean(axis=0)
-        square = np.einsum("...i,ij,...j->...", away, np.linalg.inv(cov), away)
-        weight = np.log(len(chosen) / len(samples)) - 0.5 * np.log(np.linalg.det(cov))
+        square = _square(lab, chosen.mean(axis=0), np.asarray(np.linalg.inv(cov), np.float64))
+        weight = np.float32(np.log(len(chosen) / len(samples)) - 0.5 * np.log(np.linalg.det(cov)))
         best = np.logaddexp(best, weight - 0.5 * square)
     return np.asarray(np.maximum(best, floor), np.float64)
 
@@ -210,10 +216,12 @@ def _classify(
     prior = _prior(inside.shape, head, face, view, bald=bool(bald))
     seeds = [skin, hair, cloth]
     scores = np.zeros((3, *inside.shape))
+    # 4 px of 150 a head: about 6 mm; 1e-3: contrasts above 8 grey levels stay edges
+    along = cv2.ximgproc.createGuidedFilter(small.astype(np.float32) / 255.0, 4, 1e-3)
     for _ in range(3):
         for k, where in enumerate(seeds):
             scores[k] = _mixture(lab, where, *_MIXTURES[k]) + prior[k]
-        smooth = _smooth(small, scores)
+        smooth = _smooth(along, scores)
         label = smooth.argmax(axis=0)
         sure = smooth.max(axis=0) > 0.8
         seeds = [inside & (label == k) & sure for k in range(3)]
@@ -255,15 +263,12 @@ def _prior(shape: tuple[int, int], head: HeadFrame, face: Floats | None, view: s
     return prior
 
 
-def _smooth(small: NDArray[np.uint8], scores: Floats) -> Floats:
+def _smooth(along: cv2.ximgproc.GuidedFilter, scores: Floats) -> Floats:
     """Return class probabilities smoothed along the photo's edges."""
-    shares = np.exp(scores - scores.max(axis=0))
+    shares = np.exp((scores - scores.max(axis=0)).astype(np.float32))
     shares /= shares.sum(axis=0)
-    guide = small.astype(np.float32) / 255.0
-    # 4 px of 150 a head: about 6 mm; 1e-3: contrasts above 8 grey levels stay edges
-    return np.stack(
-        [cv2.ximgproc.guidedFilter(guide, s.astype(np.float32), 4, 1e-3).astype(np.float64) for s in shares]
-    )
+    smooth = along.filter(np.ascontiguousarray(shares.transpose(1, 2, 0)))
+    return np.ascontiguousarray(smooth.transpose(2, 0, 1), np.float64)
 
 
 def _connected(shares: Floats, inside: Flags, sure_skin: Flags, head: HeadFrame) -> NDArray[np.float32]:
