@@ -11,7 +11,7 @@ from typing import Any, Final
 
 import cv2
 import numpy as np
-from body_people import Case, first_values, run_stages, step_clones, write_json
+from body_people import Case, commit, first_values, run_stages, step_clones, write_json
 from body_scores import HELD_OUT, score_step
 from skimage import measure
 
@@ -138,6 +138,7 @@ def ablate(case: Case, folder: Path) -> dict[str, Any]:
         "tightness": case.tightness,
         "background": case.background,
         "variants": variants,
+        "commit": commit(),
     }
     write_json(folder / f"ablation_{case.name}.json", row)
     return row

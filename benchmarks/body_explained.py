@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, Final
 
-import numpy as np
-
 Row = Mapping[str, Any]
 
 #: From here on a figure is told as a cause; taste, a little beyond what most people have.
@@ -33,7 +31,8 @@ def explain(row: Row) -> str:
     thick = sorted(((mean, part) for part, (mean, _) in last["part_mm"].items() if mean > THICK_MM), reverse=True)
     if thick:
         causes.append("surface: " + ", ".join(f"{part} {mm:.0f} mm" for mm, part in thick[:3]))
-    inputs = float(np.mean([found["outline_iou"] for found in row["outlines"].values()]))
-    if not causes and inputs >= POOR_OUTLINE_IOU:
-        causes.append("nothing stands out: small errors everywhere")
+    if not causes:
+        part, (mean, _) = max(last["part_mm"].items(), key=lambda item: item[1][0])
+        joint, away = max(last["joints_mm"].items(), key=lambda item: item[1])
+        causes.append(f"no single cause; most at {part} ({mean:.0f} mm) and {joint} ({away:.0f} mm)")
     return "; ".join(causes)

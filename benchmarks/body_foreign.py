@@ -8,7 +8,7 @@ from typing import Any, Final
 
 import numpy as np
 import trimesh
-from body_people import score_photos
+from body_people import commit, score_photos
 from body_scores import HELD_OUT, KnownTruth
 from numpy.typing import NDArray
 
@@ -51,7 +51,14 @@ def score_foreign(folder: Path, photos_name: str) -> dict[str, Any]:
     found, _ = score_photos(photos, Person(folder.name, "", float(told["stature_m"])), truth, "painted on")
     background = "plain" if photos_name == "input" else "cluttered"
     name = f"{folder.name} {photos_name}"
-    return {"name": name, "tightness": "painted on", "background": background, "foreign": True, **found}
+    return {
+        "name": name,
+        "tightness": "painted on",
+        "background": background,
+        "foreign": True,
+        "commit": commit(),
+        **found,
+    }
 
 
 def foreign_truth(folder: Path, photos_name: str, told: dict[str, Any]) -> KnownTruth:

@@ -31,6 +31,11 @@ class Column:
         return spread([self.read(row) for row in rows], self.digits, high=self.high)
 
 
+def commits(rows: Iterable[Row]) -> str:
+    """Return the versions of the product that some rows were measured with."""
+    return ", ".join(sorted({str(row["commit"]) for row in rows if row.get("commit")})) or "unknown"
+
+
 def spread(values: Iterable[float], digits: int, *, high: bool = False) -> str:
     """Return median, 90th percentile and worst as one cell; ``high`` says that more is better."""
     found = np.array([value for value in values if value is not None and np.isfinite(value)])
@@ -228,7 +233,8 @@ def ablation(rows: Sequence[Row]) -> str:
     )
     split = {name: [row["variants"][name] for row in rows if name in row["variants"]] for name in rows[0]["variants"]}
     return (
-        f"## Ablation\n\nFine body of {len(rows)} people; median / 90th percentile / worst. *edges only*: the mask is"
+        f"## Ablation\n\nCommit {commits(rows)}."
+        f" Fine body of {len(rows)} people; median / 90th percentile / worst. *edges only*: the mask is"
         " rounded by about 40 mm and only says where to look; *wrong points*: proposed points moved by 6 to 12 % of the"
         " photo's height.\n\n" + table_of(columns, split)
     )
@@ -248,7 +254,8 @@ def foreign_table(rows: Sequence[Row]) -> str:
     ]
     head = ("body", "after", *(column.title for column in step_columns("fine")[:4]))
     return (
-        "## A body from outside the family\n\n`shared/foreign/stein_woman` (O. Stein, CC BY 4.0; not ours to ship). Its"
+        f"## A body from outside the family\n\nCommit {commits(rows)}."
+        " `shared/foreign/stein_woman` (O. Stein, CC BY 4.0; not ours to ship). Its"
         " joints are unknown: the clone's pose follows its surface, which is kinder than the other tables.\n\n"
         f"{table(head, lines)}\n\nGirths, mm: {'; '.join(tapes)}."
     )
