@@ -118,13 +118,12 @@ def split_curves(curves: list[Floats], *, longest_px: float, deviation_px: float
         return np.zeros((0, 2)), np.zeros(1, dtype=np.intp)
     points = np.concatenate(curves)
     size = max(int(longest_px), 3)
-    cuts: list[Ints] = []
-    offset = 0
-    for curve in curves:
-        pieces = max(1, -(-len(curve) // size))
-        cuts.append(offset + np.linspace(0, len(curve), pieces, endpoint=False).astype(np.intp))
-        offset += len(curve)
-    first = np.append(np.concatenate(cuts), offset)
+    lengths = np.array([len(curve) for curve in curves], dtype=np.intp)
+    pieces = np.maximum(-(-lengths // size), 1)
+    which = np.repeat(np.arange(len(curves)), pieces)
+    number = np.arange(len(which)) - np.repeat(np.cumsum(pieces) - pieces, pieces)
+    starts = np.cumsum(lengths) - lengths
+    first = np.append(starts[which] + number * lengths[which] // pieces[which], len(points))
     while True:
         extra = _worst_bends(points, first, deviation_px)
         if len(extra) == 0:
