@@ -158,11 +158,13 @@ def body_proposals(proposals: Proposals) -> dict[ViewId, ViewPoints]:
 
 
 def shows_crotch(body: Mapping[ViewId, ViewPoints]) -> bool:
-    """Whether a front or back photo shows background up to the crotch: then no skirt or coat is closed around the legs.
+    """Whether front and back photo show background up to the crotch: then no skirt or coat is closed around the legs.
 
-    Wide thighs that touch look much like a short skirt; a crotch at its usual level tells them apart.
+    Wide thighs that touch look much like a short skirt; a crotch at its usual level tells them apart. An open coat
+    shows it in the front photo only.
     """
-    return any("crotch" in points.names for points in body.values())
+    flat = [points for view, points in body.items() if view is not ViewId.BODY_SIDE]
+    return bool(flat) and all("crotch" in points.names for points in flat)
 
 
 def on_cloth(points: ViewPoints, regions: Sequence[LooseRegion]) -> ViewPoints:
