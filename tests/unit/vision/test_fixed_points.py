@@ -80,7 +80,7 @@ def test_outline_passes_through_a_corrected_point_and_is_left_alone_elsewhere(ou
     assert gap_px(polygon, points[1:2])[0] < 0.1
     away = np.linalg.norm(polygon - points[1], axis=1) > 4.0 * abs(out_px) + 20.0
     assert gap_px(free.loops[0].polygon, polygon[away]).max() < 1.0
-    assert sharpest_turn(polygon, step=6) < 60.0
+    assert sharpest_turn(polygon) < 60.0
     assert (held.filled != free.filled).sum() < 6.0 * out_px**2 + 60
 
 

@@ -153,3 +153,29 @@ def test_no_segment_gives_no_path() -> None:
     assert best_path(none, longest_bridge_px=5.0) is None
     following, preceding = best_successors(none, longest_bridge_px=5.0)
     assert len(following) == len(preceding) == 0
+
+
+def test_best_path_is_the_argmax_over_all_grown_paths() -> None:
+    rng = np.random.default_rng(4)
+    for _ in range(6):
+        x = rng.uniform(0, 80, 14)
+        y, rise = rng.uniform(-6, 6, 14), rng.uniform(-3, 3, 14)
+        rows = [(a, b, a + rng.uniform(6, 18), b + c, rng.uniform(1, 4)) for a, b, c in zip(x, y, rise, strict=True)]
+        near = _candidates(rows)
+        following, preceding = best_successors(near, longest_bridge_px=15.0)
+        scores = {}
+        for seed in range(14):
+            chain = list(grow_path(seed, following, preceding))
+            joints = list(itertools.pairwise(chain))
+            turns = [
+                bridge(near.ends[a] - near.starts[a], near.ends[b] - near.starts[b], near.starts[b] - near.ends[a])
+                for a, b in joints
+            ]
+            alpha1, alpha2, gaps = (np.array([turn[k] for turn in turns]) for k in range(3))
+            tails = np.linalg.norm(near.starts[chain[0]]) + np.linalg.norm(near.ends[chain[-1]] - [100.0, 0.0])
+            away = np.average(near.mean_distances[chain], weights=near.counts[chain])
+            scores[tuple(chain)] = path_goodness(near.totals[chain], float(tails), float(away), gaps, alpha1, alpha2)
+        best = best_path(near, longest_bridge_px=15.0)
+        assert best is not None
+        assert best.goodness == pytest.approx(max(scores.values()))
+        assert scores[tuple(best.members.tolist())] == pytest.approx(best.goodness)

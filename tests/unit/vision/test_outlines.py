@@ -182,3 +182,14 @@ def test_on_low_contrast_the_links_are_nearer_than_the_mask(step: int) -> None:
     outline = extract_outline(photo, mask)
     mask_error = cKDTree(ellipse(20000)).query(mask_loops(mask, height_px=480.0)[0].points)[0].mean()
     assert distances(outline).mean() < 0.8 * mask_error
+
+
+def test_canny_thresholds_follow_the_photo_s_noise() -> None:
+    quiet, loud = (detect_edges(photograph(noise=noise)) for noise in (2.0, 6.0))
+    assert loud.low > 1.5 * quiet.low
+    assert loud.high == pytest.approx(2.0 * loud.low)
+    for found in (quiet, loud):
+        assert found.edges[5:55, 5:100].mean() < 0.002  # the flat wall
+        rows, columns = np.nonzero(found.edges)
+        on = cKDTree(np.column_stack([columns, rows])).query(ellipse(600))[0] < 1.5
+        assert on.mean() > 0.98
