@@ -32,6 +32,7 @@ LEAST_STEP = 0.012  # both edges step in by this at a hem that is not seen to br
 LEAST_GAP = 0.018  # legs nearer to each other say nothing
 CALVES, STANDS_OFF = (0.60, 0.95), 0.025  # where cloth to the floor stands off usual legs by this on both sides
 LEAST_SEEN = 0.25  # of the rows above a hem; arms may hide the others
+HIGH_DROP = 0.07  # so near the crotch, wide thighs that touch and then part can lose nearly as much
 SURE_BRIDGE, LOW_BRIDGE = 0.05, 0.25  # narrow skirts step in little: they must bridge legs apart, well below the crotch
 #: Shares of hip to ankle between which a hem is believed: above it is a jacket's; a near one looks lower than ankles.
 HEMS = (0.20, 1.15)
@@ -78,9 +79,9 @@ def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = H
         if np.isnan(drop) or drop < LEAST_DROP:
             continue
         both_in = float(steps.min()) > LEAST_STEP * legs.figure_px
-        bridging[row] = (
-            both_legs and _bridges(legs, above) and (both_in or (drop > SURE_BRIDGE and _is_low(legs, above)))
-        )
+        low = _is_low(legs, above)
+        sure = low if both_in else low and drop > SURE_BRIDGE
+        bridging[row] = both_legs and (sure or (both_in and drop > HIGH_DROP)) and _bridges(legs, above)
         if bridging[row] or both_in or not both_legs:
             drops[row] = drop
     if bridging.any():
