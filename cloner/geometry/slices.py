@@ -17,6 +17,9 @@ from cloner.geometry.contours import OutlineField
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
+#: Least and greatest change of a section's unseen depth: a sleeve doubles no arm (taste).
+ASPECT_LIMITS = (0.8, 1.35)
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SlicePairs:
@@ -31,12 +34,15 @@ class SlicePairs:
         the silhouette, metres; zero where invalid.
     valid : (K, 2) bool
         False where the occluding point is hidden or no silhouette is in reach.
+    vertices : (K, 2) int
+        The occluding points; 0 where a slice has none, which is not valid either.
     """
 
     levels: Array
     theta: Array
     shift_m: Array
     valid: Bools
+    vertices: NDArray[np.int64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -106,6 +112,7 @@ def occluding_pairs(
     half = 0.5 / max(len(levels), 4)
     count = len(levels)
     theta, shift, valid = np.zeros((count, 2)), np.zeros((count, 2, 3)), np.zeros((count, 2), dtype=bool)
+    chosen = np.zeros((count, 2), dtype=np.int64)
     steps = np.linspace(-reach_px, reach_px, 41)
     for k, level in enumerate(levels):
         near = np.flatnonzero(np.abs(slice_s[members] - level) <= half)
@@ -114,7 +121,7 @@ def occluding_pairs(
         for column, sign in enumerate((1.0, -1.0)):
             local = near[np.argmax(sign * side[near])]
             vertex = members[local]
-            theta[k, column] = slice_theta[vertex]
+            theta[k, column], chosen[k, column] = slice_theta[vertex], vertex
             if not body.on_rim[vertex]:
                 continue
             line = body.pixels[vertex] + steps[:, None] * (sign * across)
@@ -123,7 +130,7 @@ def occluding_pairs(
                 continue
             shift[k, column] = body.lift[vertex] @ (crossing * sign * across)
             valid[k, column] = True
-    return SlicePairs(levels, theta, shift, valid)
+    return SlicePairs(levels, theta, shift, valid, chosen)
 
 
 def _outward_crossing(distance: Array, steps: Array) -> float | None:
@@ -191,3 +198,36 @@ def fine_shift(pairs: SlicePairs, s: Array, theta: Array, *, smooth: float) -> A
     weight = slice_weight(theta, first, second)[:, None]
     moved = [np.stack([np.interp(s, pairs.levels, shift[:, c, a]) for a in range(3)], axis=1) for c in (0, 1)]
     return np.asarray(weight * moved[0] + (1.0 - weight) * moved[1])
+
+
+def aspect_shift(pairs: SlicePairs, vertices_m: Array, points_m: Array, s: Array, *, smooth: float) -> Array:
+    """Return (N, 3) displacements that scale a segment's unseen depth as the photo scales its width.
+
+    A photo tells nothing of the section along its own line of sight. Where no other
+    photo does, the section keeps its shape: ratio of new to old distance of the two
+    occluding points, applied square to them and to the segment's axis.
+
+    Parameters
+    ----------
+    vertices_m : (V, 3) rest vertices, from which the occluding points are taken
+    points_m : (N, 3) rest points to move
+    s : (N,) their overlay coordinate
+    smooth : float
+        Gaussian smoothing along the axis, in slices.
+    """
+    known = pairs.valid.all(axis=1)
+    if known.sum() < 2:
+        return np.zeros_like(points_m)
+    ends, shift = vertices_m[pairs.vertices[known]], pairs.shift_m[known]
+    across = ends[:, 0] - ends[:, 1]
+    width = np.maximum(np.linalg.norm(across, axis=1), 1e-6)
+    ratio = 1.0 + np.einsum("ka,ka->k", shift[:, 0] - shift[:, 1], across) / width**2
+    rows = np.hstack([np.clip(ratio, *ASPECT_LIMITS)[:, None], ends.mean(axis=1), across / width[:, None]])
+    if smooth > 0:
+        rows = gaussian_filter1d(rows, smooth, axis=0, mode="nearest")
+    along = rows[-1, 1:4] - rows[0, 1:4]
+    depth = np.cross(along, rows[:, 4:])
+    rows[:, 4:] = depth / np.maximum(np.linalg.norm(depth, axis=1, keepdims=True), 1e-9)
+    at = np.stack([np.interp(s, pairs.levels[known], column) for column in rows.T], axis=1)
+    away = np.einsum("na,na->n", points_m - at[:, 1:4], at[:, 4:])
+    return np.asarray(((at[:, 0] - 1.0) * away)[:, None] * at[:, 4:])

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.slices import fine_shift
+from cloner.geometry.slices import aspect_shift, fine_shift
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
@@ -92,9 +92,11 @@ def shape_slices(
     """Return the body after its slices were moved by T_i,m of every photo.
 
     The occluding points of front and back photos set the width, those of the side
-    photo the depth; arms have front and back silhouettes only (paper §3.6).
+    photo the depth; arms have front and back silhouettes only (paper §3.6). What no
+    photo shows square to a seen width keeps the section's shape.
     """
     generic = load_generic()
+    sides = {photo.view is ViewId.BODY_SIDE for photo in photos}
     vertices = mesh.vertices_m.copy()
     for photo in photos:
         seen = see(BodyMesh(vertices, mesh.joints_m), photo)
@@ -108,7 +110,10 @@ def shape_slices(
             pairs = slice_pairs(seen, photo, name, levels, reach_mm)
             s = np.clip(generic.slice_s[near].astype(np.float64), 0.0, 1.0)
             theta = generic.slice_theta[near].astype(np.float64)
-            shift[near] += weight[near, None] * fine_shift(pairs, s, theta, smooth=smooth)
+            moved = fine_shift(pairs, s, theta, smooth=smooth)
+            if name.endswith("arm") or len(sides) == 1:
+                moved += aspect_shift(pairs, vertices, vertices[near], s, smooth=smooth)
+            shift[near] += weight[near, None] * moved
         vertices += shift
     return BodyMesh(vertices, mesh.joints_m)
 

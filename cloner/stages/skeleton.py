@@ -20,7 +20,7 @@ from cloner.records.bodies import BodyMesh, Phenotype, Skeleton, SkeletonSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.outlined import Outlined, outlined_photos, see, slice_pairs, views_of
+from cloner.stages.outlined import Outlined, Seen, outlined_photos, see, slice_pairs, views_of
 
 Array = NDArray[np.float64]
 
@@ -50,13 +50,10 @@ KEY_JOINTS = {
 }
 
 
-def key_shift(photos: tuple[Outlined, ...], mesh: BodyMesh, side: str, joint: str, params: Params) -> Array:
+def key_shift(photos: tuple[tuple[Outlined, Seen], ...], side: str, joint: str, params: Params) -> Array:
     """Return the (3,) rest-pose motion of one key joint towards the middle of the limb's outline, metres."""
     shifts = []
-    for photo in photos:
-        if photo.view is ViewId.BODY_SIDE:
-            continue
-        seen = see(mesh, photo)
+    for photo, seen in photos:
         for part, level in KEY_JOINTS[joint]:
             pairs = slice_pairs(seen, photo, f"{side}_{part}", np.array([level]), params.reach_mm)
             if pairs.valid[0].all():
@@ -92,9 +89,11 @@ def run(
     photos = outlined_photos(phenotype, silhouettes, proposals)
     made = {}
     for number, main in enumerate((ViewId.BODY_FRONT, ViewId.BODY_BACK)):
-        pair = views_of(photos, main)
+        pair = tuple(
+            (photo, see(mesh, photo)) for photo in views_of(photos, main) if photo.view is not ViewId.BODY_SIDE
+        )
         shifts = {
-            f"{side[0]}_{joint}": key_shift(pair, mesh, side, joint, params)
+            f"{side[0]}_{joint}": key_shift(pair, side, joint, params)
             for side in ("left", "right")
             for joint in KEY_JOINTS
         }

@@ -166,11 +166,18 @@ def fit_stances(
     return sizer(values), photos
 
 
+def turned_limbs(mesh: BodyMesh, photos: dict[ViewId, Outlined], params: Params) -> dict[ViewId, Outlined]:
+    """Return the photos with limbs and cameras turned to a body that keeps its sizes."""
+    return fit_stances(lambda _: mesh, (np.zeros(0), np.zeros(0)), photos, params)[1]
+
+
 def _grown(sizer: Sizer, values: Array) -> tuple[BodyMesh, Array]:
     """Return the body and (V, 3, S) how its rest vertices move with each size."""
     mesh, step = sizer(values), m_from_mm(1.0)
-    moved = [(sizer(values + step * axis).vertices_m - mesh.vertices_m) / step for axis in np.eye(len(values))]
-    return mesh, np.stack(moved, axis=2)
+    grown = np.zeros((*mesh.vertices_m.shape, len(values)))
+    for place, axis in enumerate(np.eye(len(values))):
+        grown[:, :, place] = (sizer(values + step * axis).vertices_m - mesh.vertices_m) / step
+    return mesh, grown
 
 
 def turned_pose(posed: PosedView, angles: Array, middle_m: Array) -> PosedView:

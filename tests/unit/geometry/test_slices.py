@@ -4,7 +4,15 @@ import numpy as np
 import pytest
 
 from cloner.geometry.contours import outline_field
-from cloner.geometry.slices import PosedBody, SlicePairs, fine_shift, occluding_pairs, rest_lift, slice_weight
+from cloner.geometry.slices import (
+    PosedBody,
+    SlicePairs,
+    aspect_shift,
+    fine_shift,
+    occluding_pairs,
+    rest_lift,
+    slice_weight,
+)
 
 PIXELS_PER_M = 1000.0
 RADIUS_M = 0.10
@@ -93,6 +101,23 @@ def test_a_gap_is_filled_from_its_neighbours_and_an_unseen_side_stays():
     shift = np.zeros((3, 2, 3))
     shift[[0, 2], 0, 0] = 0.01, 0.03
     valid = np.array([[True, False], [False, False], [True, False]])
-    pairs = SlicePairs(LEVELS, np.tile([0.0, np.pi], (3, 1)), shift, valid)
+    pairs = SlicePairs(LEVELS, np.tile([0.0, np.pi], (3, 1)), shift, valid, np.zeros((3, 2), dtype=np.int64))
     found = fine_shift(pairs, np.array([0.5, 0.5, 0.25]), np.array([0.0, np.pi, 0.0]), smooth=0.0)
     assert found[:, 0] == pytest.approx([0.02, 0.0, 0.01])
+
+
+def test_unseen_depth_grows_as_the_seen_width_about_the_same_axis(tube, body, photo):
+    vertices, s, _ = tube
+    pairs = find(tube, body, photo)
+    moved = aspect_shift(pairs, vertices, vertices, s, smooth=0.0)
+    # the tube is 200 mm wide and the photo shows 221 mm
+    ratio = (RIGHT_PX - LEFT_PX) / 200.0
+    assert moved[:, 2] == pytest.approx((ratio - 1.0) * vertices[:, 2], abs=2e-4)
+    assert moved[:, :2] == pytest.approx(np.zeros((len(vertices), 2)), abs=1e-9)
+
+
+def test_depth_stays_where_the_photo_shows_no_width(tube, body, photo):
+    hidden = PosedBody(body.pixels, body.joints_px, body.pixels[:, 0] > 500.0, body.lift)
+    pairs = find(tube, hidden, photo)
+    assert pairs.valid.any(axis=0).tolist() == [False, True], "one side alone is no width"
+    assert not aspect_shift(pairs, tube[0], tube[0], tube[1], smooth=0.0).any()
