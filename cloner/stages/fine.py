@@ -78,10 +78,21 @@ def beyond_cloth(photo: Outlined, pixels: Array) -> NDArray[np.bool_]:
     return np.asarray(photo.field.signed_distance(pixels) > 0.0)
 
 
-def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, params: Params) -> BodyMesh:
-    """Return the body after one smooth displacement of its skin on to all outlines."""
+def neck_trust() -> Array:
+    """Return (V,) how far the outline moves each vertex of the neck of a joined person; everything else stays."""
+    generic = load_generic()
+    return np.where(generic.region("neck") & (generic.vertex_part == generic.part_names.index("body")), 1.0, 0.0)
+
+
+def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, params: Params, trust: Array) -> BodyMesh:
+    """Return the body after one smooth displacement of its skin on to all outlines.
+
+    Parameters
+    ----------
+    trust : (V,) 0..1
+        How far outlines move each vertex; vertices without trust stay where they are.
+    """
     triangles = body_triangles()
-    trust = rim_trust()
     normals = vertex_normals(mesh.vertices_m, triangles)
     rows, slopes, gaps, weights = [], [], [], []
     for photo in photos:
@@ -157,7 +168,7 @@ def run(
     consensus = BodyMesh((sliced[0].vertices_m + sliced[1].vertices_m) / 2, joints)
     consensus, photos = extremities(consensus, photos, phenotype.sole_m)
     for number, reach in enumerate(params.settle_reach_mm):
-        consensus = settled(consensus, tuple(photos.values()), reach, params)
+        consensus = settled(consensus, tuple(photos.values()), reach, params, rim_trust())
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))
     consensus = taped_body(consensus, dict(person.tape_mm), side_seen=ViewId.BODY_SIDE in photos)
     residuals = []

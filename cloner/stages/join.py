@@ -12,7 +12,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.frames import mm_from_m
+from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, PosedView
 from cloner.records.clones import Joined
@@ -22,13 +22,17 @@ from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 from cloner.stages.carriage import carried
-from cloner.stages.outlined import outlined_photos
+from cloner.stages.fine import Params as FineParams
+from cloner.stages.fine import neck_trust, settled
+from cloner.stages.outlined import Outlined, outlined_photos
 from cloner.stages.points import for_fitting
 
 Array = NDArray[np.float64]
 
 #: Parts of the sole that stand no higher than this touch the floor; higher ones are the toe's spring and the arch.
 TREAD_M = 0.003
+#: Farthest outline that the joined neck believes, in two rounds.
+NECK_REACH_MM = (25.0, 15.0)
 
 
 def blend_head(generic: GenericHuman, body: BodyMesh, head: HeadFit) -> Array:
@@ -62,6 +66,16 @@ def to_stature(generic: GenericHuman, vertices_m: Array, stature_m: float) -> Ar
     stretched = vertices_m.copy()
     stretched[:, 1] += share**2 * (3.0 - 2.0 * share) * (stature_m - top)
     return stretched
+
+
+def slim_neck(mesh: BodyMesh, photos: dict[ViewId, Outlined], poses: dict[ViewId, PosedView]) -> Array:
+    """Return the vertices with the neck on the photos' outlines: body and head bring no neck of the person's own."""
+    carried_photos = tuple(Outlined(poses[view], photo.field) for view, photo in photos.items())
+    if not carried_photos:
+        return mesh.vertices_m
+    for reach_mm in NECK_REACH_MM:
+        mesh = settled(mesh, carried_photos, reach_mm, FineParams(), neck_trust())
+    return mesh.vertices_m
 
 
 def on_floor(camera: Camera, sole_m: float) -> Camera:
@@ -121,6 +135,7 @@ def run(
     photos = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
     seen = {view: for_fitting(points) for view, points in body_points.views.items()}
     poses = carried(BodyMesh(vertices, body.joints_m), photos, seen)
+    vertices = slim_neck(BodyMesh(vertices, body.joints_m), photos, poses)
     lift = np.array([0.0, phenotype.sole_m, 0.0])
     vertices, joints = vertices + lift, body.joints_m + lift
     views = {
