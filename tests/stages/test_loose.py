@@ -6,21 +6,25 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+import pygltflib
 import pytest
 import trimesh
 from scipy.spatial import cKDTree
 
 from cloner.baking.loose_views import Hanging
+from cloner.exporters import gltf, vrml97
 from cloner.frames import BODY_VIEWS, ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.contours import outline_field
 from cloner.geometry.skinning import joint_transforms, skin
+from cloner.project.clone_file import load_clone, save_clone
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import loose
 from cloner.vision.loose_outline import find_loose
 from kit import painted, people, studio
+from kit.clones import toy_clone
 
 sys.path.append(str(Path(__file__).parents[2] / "generic_models" / "build"))
 import painted_garments
@@ -228,3 +232,21 @@ def test_outline_samples_on_cloth_are_veiled_and_known_as_draped():
     assert (field.veiled >= field.draped).all()
     assert not field.veiled[field.samples_px[:, 1] > region.bottom_px + 10].any()
     assert set(BODY_VIEWS) == {ViewId(view) for view in outlines}
+
+
+def test_files_name_the_cloth_and_keep_its_weights(tmp_path):
+    *_, (shell,) = dressed("short skirt")
+    clone = replace(toy_clone(1.64, hair=True), shells=(*toy_clone(1.64, hair=True).shells, shell))
+    (glb,) = gltf.export(clone, tmp_path)
+    scene = pygltflib.GLTF2().load(str(glb))
+    assert [mesh.name for mesh in scene.meshes] == ["Body", "Hair", "Cloth"]
+    accessor = scene.accessors[scene.meshes[2].primitives[0].attributes.WEIGHTS_0]
+    view = scene.bufferViews[accessor.bufferView]
+    start = view.byteOffset + (accessor.byteOffset or 0)
+    written = np.frombuffer(scene.binary_blob()[start : start + 16 * accessor.count], np.float32).reshape(-1, 4)
+    assert np.allclose(written, shell.skin_weights, atol=1e-5)
+    text = vrml97.export(clone, tmp_path)[0].read_text()
+    assert "look_cloth_1" in text
+    assert (tmp_path / "textures" / "clone_cloth_1.png").exists()
+    save_clone(clone, tmp_path / "clone.npz")
+    assert [one.kind for one in load_clone(tmp_path / "clone.npz").shells] == ["hair", "cloth"]
