@@ -68,7 +68,7 @@ class LinkParams:
     """
 
     smoothing: float = 0.0008
-    least_band: float = 0.0035
+    least_band: float = 0.0025
     band: float = 0.010
     doubt: float = 1.0
     segment: float = 0.008
