@@ -26,7 +26,7 @@ from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.feet import Params as FeetParams
 from cloner.stages.feet import shaped_feet, sized_feet
 from cloner.stages.hands import SPREAD, USUAL, sized_hands
-from cloner.stages.outlined import Outlined, body_triangles, coverage, gap_mm, outlined_photos, see, views_of
+from cloner.stages.outlined import Outlined, body_triangles, coverage, gaps_mm, outlined_photos, see, views_of
 from cloner.stages.rough import shape_slices
 from cloner.stages.stances import Params as StanceParams
 from cloner.stages.stances import fit_stances
@@ -144,6 +144,18 @@ def extremities(
     return fit_stances(sizer, size, photos, StanceParams())
 
 
+def residuals_of(mesh: BodyMesh, photos: dict[ViewId, Outlined]) -> tuple[Residual, ...]:
+    """Return how far the body's rim lies from the outline in every photo, whole and per part, and the overlap."""
+    residuals = []
+    for view, photo in photos.items():
+        seen = see(mesh, photo)
+        for part, gap in gaps_mm(seen, photo).items():
+            residuals.append(Residual(f"outline gap {part}".strip(), gap, "mm", view.value))
+        overlap = 100.0 * coverage(seen, photo)
+        residuals.append(Residual("silhouette overlap without hair", overlap, "percent", view.value))
+    return (*residuals,)
+
+
 def run(
     *,
     proposals: Proposals,
@@ -171,13 +183,7 @@ def run(
         consensus = settled(consensus, tuple(photos.values()), reach, params, rim_trust())
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))
     consensus = taped_body(consensus, dict(person.tape_mm), side_seen=ViewId.BODY_SIDE in photos)
-    residuals = []
-    for view, photo in photos.items():
-        residuals.append(Residual("outline gap", gap_mm(consensus, photo), "mm", view.value))
-        residuals.append(
-            Residual("silhouette overlap without hair", 100.0 * coverage(consensus, photo), "percent", view.value)
-        )
     return StageResult(
         {"bodies": BodySet(sliced[0], sliced[1], consensus, {view: photo.posed for view, photo in photos.items()})},
-        tuple(residuals),
+        residuals_of(consensus, photos),
     )

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.contours import OutlineField, outline_field
-from cloner.geometry.rims import fill_triangles, rim_vertices
+from cloner.geometry.rims import rim_vertices
 from cloner.geometry.skinning import blend_transforms, joint_transforms
 from cloner.geometry.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
@@ -78,12 +78,13 @@ def outlined_photos(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Seen:
-    """A body posed as in a photo: geometry for slices, and model-frame vertices."""
+    """A body posed as in a photo: geometry for slices, model-frame vertices, and its filled picture, reduced."""
 
     body: PosedBody
     posed_m: Array
     blended: Array
     mm_per_px: float
+    picture: NDArray[np.bool_]
 
 
 def see(mesh: BodyMesh, photo: Outlined) -> Seen:
@@ -98,14 +99,14 @@ def see(mesh: BodyMesh, photo: Outlined) -> Seen:
     reduction = photo.field.reduction
     size = (photo.field.distance.shape[0], photo.field.distance.shape[1])
     small = (pixels + 0.5) / reduction - 0.5
-    rim, _ = rim_vertices(small, posed_m, body_triangles(), camera.position_m, size, 2.5)
+    rim, picture = rim_vertices(small, posed_m, body_triangles(), camera.position_m, size, 2.5)
     on_rim = np.zeros(len(pixels), dtype=bool)
     on_rim[rim] = True
     depth = camera.to_camera(posed_m)[:, 2]
     size_m = depth / camera.focal_px if camera.pixels_per_m is None else np.full(len(depth), 1.0 / camera.pixels_per_m)
     lift = rest_lift(blended, camera.camera_from_model[:3, :3], size_m)
     body = PosedBody(pixels, camera.project(joints), on_rim, lift)
-    return Seen(body, posed_m, blended, mm_from_m(float(np.median(size_m))))
+    return Seen(body, posed_m, blended, mm_from_m(float(np.median(size_m))), picture > 0)
 
 
 def segment_members(name: str) -> NDArray[np.int64]:
@@ -137,19 +138,28 @@ def views_of(views: dict[ViewId, Outlined], main: ViewId) -> tuple[Outlined, ...
     return tuple(views[view] for view in wanted) or tuple(views.values())
 
 
+def gaps_mm(seen: Seen, photo: Outlined) -> dict[str, float]:
+    """Return the mean distance of the rim from the photo's outline, mm: of the whole body under "", and per part.
+
+    Method §7, residual in mm per part and per view. Left and right count together;
+    what hair or loose clothing veils does not count.
+    """
+    generic = load_generic()
+    rim = np.flatnonzero(seen.body.on_rim)
+    rim = rim[~photo.field.is_veiled(seen.body.pixels[rim])]
+    distance = np.abs(photo.field.signed_distance(seen.body.pixels[rim])) * seen.mm_per_px
+    parts = np.array([name.removeprefix("left_").removeprefix("right_") for name in generic.segment_names])
+    part = parts[generic.vertex_segment[rim]]
+    gaps = {name: float(distance[part == name].mean()) for name in dict.fromkeys(parts) if (part == name).any()}
+    return {"": float(distance.mean()) if len(rim) else 0.0, **gaps}
+
+
 def gap_mm(mesh: BodyMesh, photo: Outlined) -> float:
-    """Return the mean distance of the body's rim from the photo's outline, mm (method §7, residual)."""
-    seen = see(mesh, photo)
-    rim = seen.body.pixels[seen.body.on_rim]
-    distance = np.abs(photo.field.signed_distance(rim[~photo.field.is_veiled(rim)]))
-    return float(distance.mean()) * seen.mm_per_px
+    """Return the mean distance of the body's rim from the photo's outline, mm."""
+    return gaps_mm(see(mesh, photo), photo)[""]
 
 
-def coverage(mesh: BodyMesh, photo: Outlined) -> float:
+def coverage(seen: Seen, photo: Outlined) -> float:
     """Return the intersection over union of the body's and the photo's filled outlines."""
-    seen = see(mesh, photo)
-    size = (photo.field.distance.shape[0], photo.field.distance.shape[1])
-    small = (seen.body.pixels + 0.5) / photo.field.reduction - 0.5
-    model = fill_triangles(small, body_triangles(), size) > 0
     inside = photo.field.distance <= 0
-    return float((model & inside).sum() / max((model | inside).sum(), 1))
+    return float((seen.picture & inside).sum() / max((seen.picture | inside).sum(), 1))
