@@ -24,6 +24,7 @@ from painted_people_clothes import CLOTH, TIGHTNESSES, dress, random_wardrobe
 from painted_people_pictures import BACKGROUNDS
 
 from cloner import pipeline
+from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measuring import measures_mm
@@ -108,7 +109,11 @@ def main() -> None:
     chosen = parser.parse_args()
     first = {"ease": EASE_SEED, "fits": FIT_SEED, "checks": CHECK_SEED}[chosen.what]
     for number, seed, path in stored(chosen.out / chosen.what, range(first, first + chosen.people)):
-        sample = eased(seed) if chosen.what == "ease" else fitted(seed, number)
+        try:
+            sample = eased(seed) if chosen.what == "ease" else fitted(seed, number)
+        except ClonerError as error:  # the product refuses a photo now and then, and says so: no measures then
+            print(f"{seed}: {error}", flush=True)
+            continue
         np.savez_compressed(path, **sample)
         print(path.name, flush=True)
 
