@@ -13,7 +13,7 @@ from kit import studio
 
 @given(st.floats(-1e4, 1e4))
 def test_millimetres_there_and_back(length_m):
-    assert m_from_mm(mm_from_m(length_m)) == pytest.approx(length_m, abs=1e-12)
+    assert m_from_mm(mm_from_m(length_m)) == pytest.approx(length_m, rel=1e-12, abs=1e-12)
 
 
 def test_known_lengths():
