@@ -13,19 +13,43 @@ import scipy.sparse as sparse
 from numpy.typing import NDArray
 from scipy.sparse.linalg import splu
 
+from cloner.geometry.rims import triangle_normals
+
 Array = NDArray[np.float64]
+
+#: Rounds in which folds are sought again; each evens the motion half as often.
+UNFOLDING_TURNS = 10
 
 
 @functools.lru_cache(maxsize=4)
-def _bending(triangles_bytes: bytes, count: int) -> sparse.csc_matrix:
+def _averaging(triangles_bytes: bytes, count: int) -> sparse.csr_matrix:
     triangles = np.frombuffer(triangles_bytes, dtype=np.int32).reshape(-1, 3)
     rows = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
     rows = np.concatenate([rows, rows[:, ::-1]])
     links = sparse.coo_matrix((np.ones(len(rows)), (rows[:, 0], rows[:, 1])), shape=(count, count)).tocsr()
     links.data[:] = 1.0
     degree = np.maximum(np.asarray(links.sum(axis=1)).ravel(), 1.0)
-    laplacian = sparse.identity(count, format="csr") - sparse.diags(1.0 / degree) @ links
+    return (sparse.diags(1.0 / degree) @ links).tocsr()
+
+
+@functools.lru_cache(maxsize=4)
+def _bending(triangles_bytes: bytes, count: int) -> sparse.csc_matrix:
+    laplacian = sparse.identity(count, format="csr") - _averaging(triangles_bytes, count)
     return (laplacian.T @ laplacian).tocsc()
+
+
+def smoothed_directions(directions: Array, triangles: NDArray[np.int32], *, turns: int) -> Array:
+    """Return (V, 3) unit directions, each averaged with its neighbours ``turns`` times.
+
+    In a crease (armpit, crotch) normals of both flanks meet; skin that moves along
+    them runs through itself. Averaged, they point out of the crease together.
+    """
+    averaging = _averaging(np.ascontiguousarray(triangles, dtype=np.int32).tobytes(), len(directions))
+    smooth = directions
+    for _ in range(turns):
+        smooth = 0.5 * smooth + 0.5 * (averaging @ smooth)
+        smooth = smooth / np.maximum(np.linalg.norm(smooth, axis=1, keepdims=True), 1e-9)
+    return np.asarray(smooth)
 
 
 def bending_matrix(triangles: NDArray[np.int32], count: int) -> sparse.csc_matrix:
@@ -60,3 +84,30 @@ def settle(
     right = np.bincount(rows, weight * slope * gap, count)
     matrix = (stiffness * bending + sparse.diags(data + anchor)).tocsc()
     return np.asarray(splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}).solve(right))
+
+
+def unfolded(before_m: Array, after_m: Array, triangles: NDArray[np.int32], *, most_degrees: float = 60.0) -> Array:
+    """Return moved vertices with folds taken out: where a triangle turned too far, the motion is evened.
+
+    Parameters
+    ----------
+    before_m, after_m : (V, 3) vertices before and after the motion
+    triangles : (T, 3)
+    most_degrees : float
+        No fit of an outline turns skin farther than this; what does has run through a crease.
+    """
+    averaging = _averaging(np.ascontiguousarray(triangles, dtype=np.int32).tobytes(), len(before_m))
+    start, least = triangle_normals(before_m, triangles), np.cos(np.deg2rad(most_degrees))
+    size = np.linalg.norm(start, axis=1)
+    motion = after_m - before_m
+    for _ in range(UNFOLDING_TURNS):
+        now = triangle_normals(before_m + motion, triangles)
+        turned = np.einsum("ta,ta->t", start, now) < least * size * np.linalg.norm(now, axis=1)
+        if not turned.any():
+            break
+        near = np.zeros(len(before_m))
+        near[triangles[turned].ravel()] = 1.0
+        near = (averaging @ (averaging @ near) + near > 0.0) & (np.linalg.norm(motion, axis=1) > 0.0)
+        for _ in range(UNFOLDING_TURNS // 2):
+            motion[near] = (averaging @ motion)[near]
+    return np.asarray(before_m + motion)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
-from cloner.geometry.settling import bending_matrix, settle
+from cloner.geometry.settling import bending_matrix, settle, smoothed_directions, unfolded
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype
 from cloner.records.photos import Person
 from cloner.records.points import Proposals
@@ -49,6 +49,9 @@ class Params:
         Farthest believed silhouette pixel for slices and, falling, for the settling rounds.
     stiffness, anchor : float
         Resistance of the settling to bending and to moving at all (taste: pictures).
+    direction_turns : int
+        How often the directions in which skin settles are averaged, over some 25 mm (measured: crossing triangle pairs
+        of four people fell from 128, 40, 25, 21 to 6, 0, 0, 0 and no overlap changed).
     """
 
     slices: int = 16
@@ -57,6 +60,7 @@ class Params:
     settle_reach_mm: tuple[float, ...] = (45.0, 30.0, 20.0)
     stiffness: float = 1.0
     anchor: float = 0.002
+    direction_turns: int = 20
 
 
 def rim_trust() -> Array:
@@ -94,6 +98,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
     """
     triangles = body_triangles()
     normals = vertex_normals(mesh.vertices_m, triangles)
+    ways = smoothed_directions(normals, triangles, turns=params.direction_turns)
     rows, slopes, gaps, weights = [], [], [], []
     for photo in photos:
         seen = see(mesh, photo)
@@ -101,6 +106,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         rim = np.flatnonzero(seen.body.on_rim & (trust > 0))
         turned = np.einsum("vab,vb->va", seen.blended[rim, :, :3], normals[rim])
         across = turned @ camera.camera_from_model[:3, :3].T
+        moving = np.einsum("vab,vb->va", seen.blended[rim, :, :3], ways[rim]) @ camera.camera_from_model[:3, :3].T
         per_m = 1.0 / np.linalg.norm(seen.body.lift[rim, :, 0], axis=1)
         flat = across[:, :2] / np.maximum(np.linalg.norm(across[:, :2], axis=1, keepdims=True), 1e-9)
         reach_px = reach_mm / seen.mm_per_px
@@ -113,7 +119,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         rows.append(vertex)
         gaps.append(wanted * m_from_mm(seen.mm_per_px))
         slopes.append(
-            np.einsum("ka,ka->k", across[nearest[keep], :2], normal) * per_m[nearest[keep]] * m_from_mm(seen.mm_per_px)
+            np.einsum("ka,ka->k", moving[nearest[keep], :2], normal) * per_m[nearest[keep]] * m_from_mm(seen.mm_per_px)
         )
         step_mm = photo.field.step_px * seen.mm_per_px
         weights.append(np.full(len(vertex), step_mm / 4.0) * trust[vertex] * (1.0 - distance[keep] / reach_px))
@@ -127,7 +133,8 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         stiffness=params.stiffness,
         anchor=anchor,
     )
-    return BodyMesh(mesh.vertices_m + np.clip(heights, -0.05, 0.05)[:, None] * normals, mesh.joints_m)
+    moved = mesh.vertices_m + np.clip(heights, -0.05, 0.05)[:, None] * ways
+    return BodyMesh(unfolded(mesh.vertices_m, moved, triangles), mesh.joints_m)
 
 
 def extremities(

@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from cloner.geometry.settling import bending_matrix, settle
+from cloner.geometry.rims import triangle_normals, vertex_normals
+from cloner.geometry.settling import bending_matrix, settle, smoothed_directions, unfolded
 
 
 @pytest.fixture(scope="module")
@@ -64,3 +65,53 @@ def test_bending_is_blind_to_a_constant_and_sees_a_bump(sphere):
     bump[0] = 1.0
     assert constant @ bending @ constant == pytest.approx(0.0, abs=1e-9)
     assert bump @ bending @ bump > 1.0
+
+
+def grid(height):
+    """Return vertices (V, 3) and triangles of a 21 x 21 sheet of 10 mm cells with z = height(x)."""
+    x, y = (a.ravel() for a in np.meshgrid(np.arange(21) / 100.0, np.arange(21) / 100.0))
+    corner = np.arange(441).reshape(21, 21)
+    a, b, c, d = (part.ravel() for part in (corner[:-1, :-1], corner[:-1, 1:], corner[1:, 1:], corner[1:, :-1]))
+    triangles = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)]).astype(np.int32)
+    return np.stack([x, y, height(x)], axis=1), triangles
+
+
+def test_directions_out_of_a_crease_no_longer_meet():
+    vertices, triangles = grid(lambda x: 1.5 * np.abs(x - 0.1))  # flanks of a valley, 113 degrees between their normals
+    normals = vertex_normals(vertices, triangles)
+    ways = smoothed_directions(normals, triangles, turns=20)
+    assert np.linalg.norm(ways, axis=1) == pytest.approx(np.ones(len(ways)))
+    row = np.flatnonzero(np.isclose(vertices[:, 1], 0.1))
+    beside = row[np.isclose(np.abs(vertices[row, 0] - 0.1), 0.02)]
+
+    def meet(directions):
+        return float(directions[beside[0], 0] - directions[beside[1], 0])
+
+    assert meet(normals) > 1.5
+    assert meet(ways) < 0.7 * meet(normals)
+    far = np.abs(vertices[:, 0] - 0.1) > 0.09
+    assert np.einsum("va,va->v", ways, normals)[far].min() > 0.95, "away from the crease little changes"
+
+
+def test_a_fold_is_taken_out_and_the_rest_stays():
+    vertices, triangles = grid(np.zeros_like)
+    moved = vertices + [0.0, 0.0, 0.003]
+    middle = 10 * 21 + 10
+    moved[middle, 0] += 0.025  # past its neighbour: triangles turn over
+
+    def least_cosine(after):
+        before, now = triangle_normals(vertices, triangles), triangle_normals(after, triangles)
+        size = np.linalg.norm(before, axis=1) * np.maximum(np.linalg.norm(now, axis=1), 1e-12)
+        return float((np.einsum("ta,ta->t", before, now) / size).min())
+
+    assert least_cosine(moved) < 0.0
+    flat = unfolded(vertices, moved, triangles)
+    assert least_cosine(flat) > 0.5
+    far = np.linalg.norm(vertices - vertices[middle], axis=1) > 0.04
+    np.testing.assert_allclose(flat[far], moved[far], atol=1e-12)
+
+
+def test_skin_without_folds_is_left_alone():
+    vertices, triangles = grid(np.zeros_like)
+    moved = vertices + 0.01 * np.sin(20.0 * vertices[:, :1]) * [0.0, 0.0, 1.0]
+    np.testing.assert_allclose(unfolded(vertices, moved, triangles), moved, atol=1e-15)
