@@ -107,7 +107,8 @@ def test_a_fold_is_taken_out_and_the_rest_stays():
     assert least_cosine(moved) < 0.0
     flat = unfolded(vertices, moved, triangles)
     assert least_cosine(flat) > 0.5
-    far = np.linalg.norm(vertices - vertices[middle], axis=1) > 0.04
+    # the triangles around it and two rings more: three diagonals of 14 mm
+    far = np.linalg.norm(vertices - vertices[middle], axis=1) > 0.043
     np.testing.assert_allclose(flat[far], moved[far], atol=1e-12)
 
 
