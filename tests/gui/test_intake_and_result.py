@@ -187,6 +187,7 @@ def test_cloning_reuses_what_the_points_page_found(window, jobs, qtbot, tmp_path
     with qtbot.waitSignal(session.cloned, timeout=20000):
         session.clone(tmp_path / "first")
     assert jobs.known == {}, "nothing was proposed yet"
+    qtbot.waitUntil(lambda: not session.busy)
     with qtbot.waitSignal(session.points_changed, timeout=20000):
         session.propose()
     qtbot.waitUntil(lambda: not session.busy)
