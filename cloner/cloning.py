@@ -25,6 +25,7 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
 from cloner.refitting import still_true
 from cloner.report.build import Run, build_report, warnings_of
+from cloner.report.viewer import write_viewer
 from cloner.report.write import write_report
 from cloner.stages import textures
 
@@ -36,6 +37,7 @@ Progress = Callable[[str, float], None]
 DEFAULT_FORMATS: Final = ("glb", "wrl")
 PIPELINE_SHARE: Final = 0.85  # measured on the samples: the stages' part of the whole time
 CLONE_FILE: Final = "clone.npz"
+GLB_FILE: Final = "clone.glb"
 TEXTURE_SIZES: Final = (512, 1024, 2048, 4096)  # powers of two, as graphics cards want them
 DEFAULT_TEXTURE_SIZE: Final = textures.Params().size
 
@@ -172,6 +174,8 @@ def clone_folder(
             progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
         _write_clone(values, formats, folder, progress)
+        if (folder / GLB_FILE).is_file():
+            write_viewer(f"Clone of {person.name or person.identifier}", folder / GLB_FILE)
         run = Run(
             seconds=time.perf_counter() - wall,
             cpu_seconds=time.process_time() - cpu,

@@ -1,57 +1,89 @@
-"""Draw a finished clone from its file."""
+"""Draw a finished clone from its file, still or turning."""
 
 from __future__ import annotations
 
 import os
 import re
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Final
 
+import numpy as np
+from numpy.typing import NDArray
 from PIL import Image
 
 from cloner.errors import ClonerError
+from cloner.geometry.viewpoints import framing_cameras
 from cloner.project.clone_file import load_clone
-from cloner.render import render, standard_camera
+from cloner.records.clones import Clone
+from cloner.render import clone_layers, draw, render, standard_camera
+from cloner.vision.films import FORMATS, write_film
 
 CLONE_FILE: Final = "clone.npz"
 LARGEST_PX: Final = 4096  # the renderer draws at twice this size
+TURNTABLE: Final = "turntable"
+TURN_FRAMES: Final = 72  # taste: 5 degrees a picture
+TURN_SECONDS: Final = 6.0  # taste
+_BACKDROP: Final = (226, 228, 230)
+
+Pixels = NDArray[np.uint8]
 
 
 def draw_file(clone_path: Path, view: str, out: Path, size: str = "800x1200") -> None:
-    """Draw a clone as the named view sees it into a PNG file.
+    """Draw a clone as the named view sees it into a PNG file, or turning into a film.
 
     Parameters
     ----------
     clone_path : Path
         ``clone.npz`` or the folder that holds it.
     view : str
-        As :func:`cloner.render.standard_camera` knows it.
+        As :func:`cloner.render.standard_camera` knows it, or "turntable".
     out : Path
+        A turntable's suffix says the format: .gif, .webp or .mp4.
     size : str
         "WIDTHxHEIGHT" in pixels.
 
     Raises
     ------
     ClonerError
-        If there is no clone, the view or size is unknown, or ``out`` cannot be written.
+        If there is no clone, the view, size or film's format is unknown, or ``out`` cannot be written.
     """
     width, height = _size(size)
+    if view == TURNTABLE and out.suffix.lower() not in FORMATS:
+        raise ClonerError("a turntable is a film", f"Give --out one of {', '.join(FORMATS)}", out.name)
     path = clone_path / CLONE_FILE if clone_path.is_dir() else clone_path
     if not path.is_file():
         raise ClonerError("there is no clone", "Give a result's folder or its clone.npz", clone_path.name)
     clone = load_clone(path)
+    temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
     try:
-        camera = standard_camera(clone, view, width, height)
-    except ValueError as error:
-        raise ClonerError(str(error), "Choose one of those", "--view") from error
-    picture = Image.fromarray(render(clone, camera, shading="soft"))
-    temporary = out.with_name(f".{out.name}.partial-{os.getpid()}")
-    try:
-        picture.save(temporary, format="PNG")
+        if view == TURNTABLE:
+            write_film(turntable(clone, width, height), TURN_FRAMES / TURN_SECONDS, temporary)
+        else:
+            Image.fromarray(_still(clone, view, width, height)).save(temporary, format="PNG")
         temporary.replace(out)
     except OSError as error:
-        temporary.unlink(missing_ok=True)
         raise ClonerError("the picture cannot be written", "Choose another --out file", out.name) from error
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _still(clone: Clone, view: str, width_px: int, height_px: int) -> Pixels:
+    try:
+        camera = standard_camera(clone, view, width_px, height_px)
+    except ValueError as error:
+        raise ClonerError(f"{error}, {TURNTABLE}", "Choose one of those", "--view") from error
+    return render(clone, camera, shading="soft")
+
+
+def turntable(clone: Clone, width_px: int, height_px: int, frames: int = TURN_FRAMES) -> Iterator[Pixels]:
+    """Yield the pictures (height_px, width_px, 3) of the clone turning once about the vertical, from the front on."""
+    layers = clone_layers(clone)
+    points = np.vstack([layer.vertices_m for layer in layers])
+    for camera in framing_cameras(
+        points, np.linspace(0.0, 360.0, frames, endpoint=False).tolist(), width_px, height_px
+    ):
+        yield draw(layers, camera, shading="soft", background=_BACKDROP)
 
 
 def _size(text: str) -> tuple[int, int]:

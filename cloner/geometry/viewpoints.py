@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
@@ -55,16 +56,24 @@ def framing_camera(points_m: Array, azimuth_deg: float, width_px: int, height_px
     azimuth_deg : float
         0 in front of the person, 90 at the person's left.
     """
-    azimuth = np.radians(azimuth_deg)
-    outward = np.array([np.sin(azimuth), 0.0, np.cos(azimuth)])
+    return framing_cameras(points_m, [azimuth_deg], width_px, height_px)[0]
+
+
+def framing_cameras(
+    points_m: Array, azimuths_deg: Sequence[float], width_px: int, height_px: int
+) -> tuple[Camera, ...]:
+    """Return level cameras on the given sides, at the one distance from which each of them frames all points."""
     target = (points_m.min(axis=0) + points_m.max(axis=0)) / 2.0
     focal = FOCAL_PER_LONG_SIDE * max(width_px, height_px)
-    rotation = look_at(target + outward, target)[:3, :3]
-    inside = (points_m - target) @ rotation.T
-    # a point at depth z before the target fills |x| f / (d + z) pixels: solve for the distance of each
     half = np.array([width_px, height_px]) / (2.0 * MARGIN)
-    distance = float((np.abs(inside[:, :2]) * focal / half - inside[:, 2:3]).max())
-    return Camera(width_px, height_px, focal, look_at(target + distance * outward, target))
+    outwards = [np.array([np.sin(azimuth), 0.0, np.cos(azimuth)]) for azimuth in np.radians(azimuths_deg)]
+    distances = []
+    for outward in outwards:
+        inside = (points_m - target) @ look_at(target + outward, target)[:3, :3].T
+        # a point at depth z before the target fills |x| f / (d + z) pixels: solve for the distance of each
+        distances.append(float((np.abs(inside[:, :2]) * focal / half - inside[:, 2:3]).max()))
+    places = [target + max(distances) * outward for outward in outwards]
+    return tuple(Camera(width_px, height_px, focal, look_at(place, target)) for place in places)
 
 
 def pose_along(direction: Array) -> Array:

@@ -7,6 +7,7 @@ from html import escape
 from typing import Any, Final
 
 from cloner.frames import ViewId
+from cloner.report.viewer import FILE as VIEWER
 
 _STYLE: Final = """
 :root { color-scheme: light dark; --line: #8884; --soft: #8881; --warn: #c70; }
@@ -21,6 +22,7 @@ td.n { text-align: right; font-variant-numeric: tabular-nums; }
 figure { margin: 0; max-width: 100%; } figure.wide { flex-basis: 100%; }
 figure img { display: block; max-width: 100%; height: 20rem; object-fit: contain; }
 figure.wide img { height: auto; max-height: 36rem; } figure img { object-position: left; }
+iframe { width: 100%; height: 34rem; border: 1px solid var(--line); border-radius: .5rem; }
 figcaption { font-size: .9rem; opacity: .8; } summary { cursor: pointer; padding: .4rem 0; font-weight: 600; }
 details { border-bottom: 1px solid var(--line); } details details summary { font-weight: 400; }
 details details { border: 0; margin-left: 1rem; } code { font-size: .85em; overflow-wrap: anywhere; }
@@ -41,6 +43,7 @@ _WIDE: Final = ("three_quarter", "face", "head")
 #: What the downloads are for.
 _FILES: Final = {
     "clone.glb": "for Blender, Unity, Unreal, web pages",
+    VIEWER: "the clone to look at in any browser, alone in one file",
     "clone.wrl": "VRML97 with H-Anim 1.1",
     "clone.obj": "rest pose",
     "clone.ply": "rest pose",
@@ -57,13 +60,14 @@ CORRECTIONS_CAPTION = (
 
 
 def page(report: Mapping[str, Any]) -> str:
-    """Return the HTML of a report; it loads nothing but the pictures beside it."""
+    """Return the HTML of a report; it loads nothing but the pictures and the viewer beside it."""
     person = report["person"]
     title = person["name"] or person["identifier"]
     parts = [
         f"<h1>Clone of {escape(title)}</h1>",
         f'<p class="lead">{escape(_summary(report))}</p>',
         _warnings(report["warnings"]),
+        _viewer(report["files"]),
         _pictures(report["files"]),
         _downloads(report["files"]),
         _body(report),
@@ -116,6 +120,13 @@ def _downloads(files: Iterable[str]) -> str:
         if file in _FILES
     ]
     return f"<h2>Files</h2><ul>{''.join(links)}</ul>" if links else ""
+
+
+def _viewer(files: Iterable[str]) -> str:
+    """Return the frame in which the clone turns, if it was written as glTF."""
+    if VIEWER not in files:
+        return ""
+    return f'<iframe src="{VIEWER}" title="The clone, to be turned by hand" loading="lazy"></iframe>'
 
 
 def _pictures(files: Iterable[str]) -> str:
