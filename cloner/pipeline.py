@@ -23,6 +23,7 @@ from cloner.stages import (
     phenotype,
     points,
     proposals,
+    regions,
     rough,
     silhouettes,
     skeleton,
@@ -98,9 +99,10 @@ STAGES: tuple[Stage, ...] = (
         "textures",
         1,
         ("photos", "proposals", "obeyed_silhouettes", "obeyed", "shells", "head"),
-        ("clone",),
+        ("painted",),
         taking_obeyed(textures.run),
     ),
+    Stage("regions", 1, ("painted",), ("clone",), regions.run),
 )
 
 

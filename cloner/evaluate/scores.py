@@ -18,6 +18,7 @@ from cloner.evaluate.posing import (
     rotations_towards,
     truth_from_body,
 )
+from cloner.evaluate.regions import region_agreement
 from cloner.evaluate.truth import THREE_QUARTER, Truth, TruthView
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
@@ -108,7 +109,7 @@ def score_subject(
                 del found["silhouette_iou"]  # the shoulders of a face photo are in no known pose
             for metric, figure in found.items():
                 yield Score(metric, name, "dE00" if metric == "delta_e" else "", figure)
-    posed = _posed_as_truth(subject, generic, truth, rotations)
+    posed, truth_rotations, truth_from_clone = _posed_as_truth(subject, generic, truth, rotations)
     yield from _surface_scores(posed, generic, truth, rng)
     photographed = bool(subject.views)  # the generic human has its stature and its one colour by construction
     if photographed:
@@ -119,7 +120,8 @@ def score_subject(
     # a seam is a matter of one texture alone, not of likeness: nobody else's seams are a baseline
     for where, ratio in likeness.seam_ratios(subject, generic).items() if photographed and subject is clone else ():
         yield Score(f"seam_{where}_ratio", "", "", ratio)
-    yield Score("region_agreement", "", "", None)
+    agreement = region_agreement(subject, generic, truth_rotations, truth_from_clone, truth.surface, rng=rng)
+    yield Score("region_agreement", "", "", agreement)
 
 
 def _girths_mm(subject: Clone, measures: MeasureSet | None) -> dict[str, float]:
@@ -146,11 +148,12 @@ def _surface_scores(posed: Posed, generic: GenericHuman, truth: Truth, rng: np.r
     yield Score("face_landmarks_worst_mm", "", "mm", mm_from_m(float(away.max())))
 
 
-def _posed_as_truth(subject: Clone, generic: GenericHuman, truth: Truth, start: Array) -> Posed:
-    """Return the subject in the truth's pose, laid on its joints without a scale."""
+def _posed_as_truth(subject: Clone, generic: GenericHuman, truth: Truth, start: Array) -> tuple[Posed, Array, Array]:
+    """Return the subject in the truth's pose, laid on its joints without a scale; that pose, and the rigid motion."""
     rotations = rotations_towards(subject, generic, truth.surface.joints_m, truth.surface.marks_m, start)
     posed = pose_clone(subject, generic, rotations)
-    return posed.moved(truth_from_body(posed, generic, truth.surface.joints_m, truth.surface.marks_m))
+    truth_from_clone = truth_from_body(posed, generic, truth.surface.joints_m, truth.surface.marks_m)
+    return posed.moved(truth_from_clone), rotations, truth_from_clone
 
 
 def _stature_m(subject: Clone, generic: GenericHuman) -> float:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Final
 
@@ -72,6 +72,8 @@ class TruthSurface:
         Named marks in the same pose.
     bare_m, bare_triangles : (V, 3) float64 and (T, 3) int32
         The naked body's mesh in the same pose where the folder has it, else empty.
+    label : (N,) str array
+        "skin", "hair", "eyes", "clothes", "shoes", or "" where a part is none of these; empty where nothing is known.
     """
 
     points_m: Array
@@ -81,6 +83,7 @@ class TruthSurface:
     marks_m: Mapping[str, Array]
     bare_m: Array
     bare_triangles: NDArray[np.int32]
+    label: NDArray[np.str_] = field(default_factory=lambda: np.zeros(0, dtype=np.str_))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -189,12 +192,12 @@ def _read_surface(path: Path, base: Mapping[str, Any]) -> TruthSurface:
     except (OSError, ValueError, KeyError) as error:
         raise ClonerError("the truth's surface is missing or broken", "Copy the file again", path.name) from error
     kinds = np.array([_kind(name) for name in names])[part]
+    labels = np.array([_label(name) for name in names])[part]
     kept = kinds != ""
     normals = normals[kept] / np.maximum(np.linalg.norm(normals[kept], axis=1, keepdims=True), 1e-9)
     marks, joints = _vectors(base["points_3d_m"]), _vectors(base["joints_3d_m"])
-    return TruthSurface(
-        points[kept], normals, kinds[kept], joints, marks, *_read_bare(path.with_name("truth_body.npz"))
-    )
+    bare = _read_bare(path.with_name("truth_body.npz"))
+    return TruthSurface(points[kept], normals, kinds[kept], joints, marks, *bare, labels[kept])
 
 
 def _read_bare(path: Path) -> tuple[Array, NDArray[np.int32]]:
@@ -216,3 +219,13 @@ def _kind(part: str) -> str:
         return "bare"
     # MakeHuman names clothes by "suit" and "shoes"; all that is neither is hair
     return "worn" if any(word in part for word in ("suit", "shoes", "cloth", "dress", "skirt")) else "hair"
+
+
+def _label(part: str) -> str:
+    """Return what a part's asset name says people call it."""
+    if part.startswith("high-poly"):
+        return "eyes"
+    kind = _kind(part)
+    if kind == "worn":
+        return "shoes" if "shoes" in part else "clothes"
+    return {"bare": "skin", "hair": "hair"}.get(kind, "")

@@ -22,7 +22,7 @@ from cloner.records.views import Camera
 
 FORMAT: Final = "cloner-clone"
 VERSION: Final = 1
-_PLAIN: Final = ("vertices_m", "joints_m", "morph_index", "morph_delta_m", "morph_start")
+_PLAIN: Final = ("vertices_m", "joints_m", "morph_index", "morph_delta_m", "morph_start", "triangle_regions")
 _SHELL: Final = ("vertices_m", "triangles", "uv", "skin_joints", "skin_weights")
 _AGAIN: Final = "Clone the person again with this version of Cloner"
 
@@ -72,7 +72,7 @@ def load_clone(path: Path) -> Clone:
     """
     try:
         with np.load(path, allow_pickle=False) as archive:
-            arrays = {name: archive[name] for name in archive.files}
+            arrays = {"triangle_regions": np.zeros(0, np.uint8), **{name: archive[name] for name in archive.files}}
         facts = json.loads(arrays["facts_json"].tobytes())
         if facts.get("format") != FORMAT or facts["version"] > VERSION:
             raise ClonerError("The clone was written by a newer version", _AGAIN, path.name)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 
 import numpy as np
@@ -105,6 +105,8 @@ class Clone:
     stature_m : float
         Barefoot stature; the skull's top is at ``stature_m + sole_m``.
     sole_m : float
+    triangle_regions : (T,) uint8
+        Place in ``cloner.records.regions.REGIONS`` of every triangle of the generic human; empty where nobody said.
     """
 
     vertices_m: NDArray[np.float64]
@@ -119,6 +121,8 @@ class Clone:
     views: Mapping[ViewId, PosedView]
     stature_m: float
     sole_m: float
+    triangle_regions: NDArray[np.uint8] = field(default_factory=lambda: np.zeros(0, np.uint8))
 
     def __post_init__(self) -> None:
         _freeze_person(self)
+        freeze(self, triangle_regions=(np.uint8, (None,)))

@@ -68,7 +68,7 @@ def run(
     rng: np.random.Generator,
     params: Params | None = None,
 ) -> StageResult:
-    """Return the textured clone.
+    """Return the textured clone; its regions are still to be said.
 
     Residuals: disagreement between photos that show the same surface, in grey
     levels, before and after evening; gap between mesh and photo outlines that
@@ -109,7 +109,7 @@ def run(
     clone = assemble(joined, shells, finish(atlas, rgb, seen))
     tick(1.0)
     warnings = () if sources else ("No photo could be laid on the body: it keeps one plain colour",)
-    return StageResult({"clone": clone}, tuple(residuals), warnings)
+    return StageResult({"painted": clone}, tuple(residuals), warnings)
 
 
 def finish(atlas: AtlasMap, rgb: NDArray[np.float32], seen: NDArray[np.bool_]) -> TextureAtlas:

@@ -60,7 +60,7 @@ def gradient():
 
 def test_a_gradient_comes_back_within_levels(gradient):
     _, colours, result = gradient
-    atlas = result.values["clone"].atlas
+    atlas = result.values["painted"].atlas
     texel, expected = on_texels(colours)
     seen = atlas.coverage.reshape(-1)[texel] > 0
     wrong = np.abs(atlas.rgb.reshape(-1, 3)[texel].astype(float) - expected).mean(axis=1)
@@ -74,7 +74,7 @@ def test_no_background_shows_on_the_body(gradient):
     fit, _, _ = gradient
     result = bake(fit, np.tile(np.float64(CLOTH), (len(fit.vertices_m), 1)))
     texel, _ = on_texels(np.zeros((len(fit.vertices_m), 1)))
-    rgb = result.values["clone"].atlas.rgb.reshape(-1, 3)[texel].astype(int)
+    rgb = result.values["painted"].atlas.rgb.reshape(-1, 3)[texel].astype(int)
     mouth = on_texels(load_generic().region("mouth_interior").astype(float)[:, None])[1][:, 0] > 0.0
     assert np.mean(np.abs(rgb[~mouth] - CLOTH).max(axis=1) > 8) < 0.01
 
@@ -100,7 +100,7 @@ def test_an_arm_before_the_hip_is_not_painted_on_the_hip(error_deg):
     result = bake(fit, colours, believed=believed)
     low = [k for k, n in enumerate(generic.segment_names) if n == "pelvis" or n.endswith("thigh")]
     texel, hip = on_texels(np.isin(generic.vertex_segment, low).astype(float)[:, None])
-    rgb = result.values["clone"].atlas.rgb.reshape(-1, 3)[texel[hip[:, 0] > 0.99]].astype(int)
+    rgb = result.values["painted"].atlas.rgb.reshape(-1, 3)[texel[hip[:, 0] > 0.99]].astype(int)
     assert np.mean(rgb[:, 0] > rgb[:, 2]) < 0.005
 
 
@@ -121,4 +121,4 @@ def test_without_photos_the_body_has_one_colour_and_the_report_says_so(gradient)
         params=textures.Params(size=SIZE),
     )  # fmt: skip
     assert "No photo" in result.warnings[0]
-    assert not result.values["clone"].atlas.coverage.any()
+    assert not result.values["painted"].atlas.coverage.any()

@@ -1,0 +1,213 @@
+"""Stage: say of every triangle what it is: skin, hair, eyes, mouth, upper clothes, lower clothes or shoes.
+
+The generic human knows where eyes, mouth and scalp are and what people wear where; the painted colours say where
+skin ends and one garment meets the next.
+
+References
+----------
+L. Grady, Multilabel random walker image segmentation using prior models, CVPR 2005, equation 8.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from types import MappingProxyType
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_matrix, diags
+from scipy.sparse.csgraph import connected_components
+from scipy.sparse.linalg import splu
+from skimage.color import rgb2lab
+
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.records.clones import Clone
+from cloner.records.regions import REGIONS
+from cloner.records.results import Residual, StageResult
+
+Array = NDArray[np.float64]
+
+#: The labels that colour decides.
+WORN: Final = ("skin", "upper_clothes", "lower_clothes", "shoes")
+#: What people show or wear there, for `WORN`; taste, between bathing suit and winter coat.
+_USUAL: Final[Mapping[str, tuple[float, ...]]] = MappingProxyType({
+    "head": (0.99, 0.01, 0.0, 0.0),
+    "torso": (0.1, 0.85, 0.05, 0.0),
+    "pelvis": (0.03, 0.3, 0.67, 0.0),
+    "upper_arm": (0.4, 0.6, 0.0, 0.0),
+    "forearm": (0.5, 0.5, 0.0, 0.0),
+    "hand": (0.9, 0.1, 0.0, 0.0),
+    "thigh": (0.25, 0.05, 0.7, 0.0),
+    "calf": (0.35, 0.0, 0.55, 0.1),
+    "foot": (0.1, 0.0, 0.06, 0.84),
+})  # fmt: skip
+#: Where each garment's own colour is learned, shares of it that lie outside are other things (prints, belts).
+_LEARNED: Final = {"upper_clothes": ("torso",), "lower_clothes": ("thigh",), "shoes": ("foot",)}
+
+#: A walker that ends on one label this often is sure of it.
+SURE: Final = 0.9
+#: Smaller patches apart from the rest of their label are prints and creases, not garments; taste.
+ISLAND: Final = 0.04
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """Settings of the regions.
+
+    Attributes
+    ----------
+    contrast : float
+        CIELAB distance of neighbouring triangles over which a border is likely (taste).
+    trust : float
+        Weight of a triangle's own colour and place against one neighbour of the same colour (taste).
+    plain : float
+        Likelihood of any other colour beside a garment's own; prints and folds are common.
+    """
+
+    contrast: float = 6.0
+    trust: float = 0.02
+    plain: float = 0.02
+
+
+def run(
+    *,
+    painted: Clone,
+    tick: Callable[[float], None],
+    rng: np.random.Generator,
+    params: Params | None = None,
+) -> StageResult:
+    """Return the clone with its triangles labelled.
+
+    Residuals: how sure the labels of the colours are, percent of the surface above nine in ten.
+    """
+    params = params or Params()
+    generic = load_generic()
+    labels, sure = label_triangles(generic, painted, params)
+    tick(1.0)
+    told = Residual("regions_sure", 100.0 * sure, "percent")
+    return StageResult({"clone": replace(painted, triangle_regions=labels)}, (told,))
+
+
+def label_triangles(generic: GenericHuman, clone: Clone, params: Params) -> tuple[NDArray[np.uint8], float]:
+    """Return (T,) places in `REGIONS` of the generic human's triangles, and the share of the skin that is sure."""
+    triangles, uv_triangles = generic.triangles()
+    on_body = _part(generic, "body")
+    colours = triangle_colours(clone.atlas.rgb, generic.uv.astype(np.float64)[uv_triangles])
+    corners = clone.vertices_m[triangles]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2.0
+    links = neighbour_links(triangles, colours, params.contrast)
+    likely = _likely(generic, colours, on_body, params)
+    shares = random_walk(links, likely, params.trust * area / np.median(area[on_body]))
+    worn = without_islands(shares.argmax(axis=1), links, area)
+    labels = np.array([REGIONS.index(name) for name in WORN])[worn]
+    for name, chosen in _known(generic, clone):
+        labels[chosen] = REGIONS.index(name)
+    sure = shares[on_body].max(axis=1) > SURE
+    return labels.astype(np.uint8), float(area[on_body][sure].sum() / area[on_body].sum())
+
+
+def _part(generic: GenericHuman, name: str) -> NDArray[np.bool_]:
+    """Return which triangles belong to a part."""
+    first = generic.triangles()[0][:, 0]
+    return np.asarray(generic.vertex_part[first] == generic.part_names.index(name))
+
+
+def _likely(generic: GenericHuman, colours: Array, on_body: NDArray[np.bool_], params: Params) -> Array:
+    """Return (T, 4) how likely each of `WORN` is by place and colour; rows sum to one."""
+    triangles = generic.triangles()[0]
+    segments = [name.removeprefix("left_").removeprefix("right_") for name in generic.segment_names]
+    place = np.array(segments)[generic.vertex_segment[triangles[:, 0]]]
+    face = generic.region("face") & ~generic.region("lips") & ~generic.region("eyelids")
+    own = {"skin": face[triangles].all(axis=1)}
+    own |= {name: on_body & np.isin(place, places) for name, places in _LEARNED.items()}
+    likely = np.array([_USUAL[name] for name in place])
+    likely = likely * np.column_stack([likelihood(colours, colours[own[name]], params.plain) for name in WORN])
+    return np.asarray(likely / likely.sum(axis=1, keepdims=True))
+
+
+def _known(generic: GenericHuman, clone: Clone) -> Iterator[tuple[str, NDArray[np.bool_]]]:
+    """Yield what needs no colour: names of regions and their triangles, later ones win."""
+    triangles = generic.triangles()[0]
+    for part in generic.part_names:
+        if part != "body":
+            name = {"eye": "eyes", "lashes": "hair"}.get(part.split("_")[0], "mouth")
+            yield name, _part(generic, part)
+    yield "mouth", _part(generic, "body") & generic.region("mouth_interior")[triangles].all(axis=1)
+    if any(shell.kind == "hair" for shell in clone.shells):
+        yield "hair", _part(generic, "body") & generic.region("scalp")[triangles].all(axis=1)
+
+
+def triangle_colours(rgb: NDArray[np.uint8], corners_uv: Array) -> Array:
+    """Return (T, 3) CIELAB colours of triangles: the mean of their middle and of three places half way to the corners.
+
+    Parameters
+    ----------
+    rgb : (S, S, 3) uint8, sRGB
+    corners_uv : (T, 3, 2), v downwards
+    """
+    size = len(rgb)
+    middle = corners_uv.mean(axis=1, keepdims=True)
+    places = np.concatenate([middle, (middle + corners_uv) / 2.0], axis=1)
+    texels = np.clip(np.floor(places * size).astype(int), 0, size - 1)
+    taken = rgb[texels[..., 1], texels[..., 0]].astype(np.float64).mean(axis=1)
+    return np.asarray(rgb2lab(taken[None] / 255.0)[0])
+
+
+def likelihood(colours: Array, own: Array, plain: float) -> Array:
+    """Return how likely each colour is of a material, given samples of it; `plain` for those it never shows.
+
+    Shading moves lightness more than hue, so lightness counts a third.
+    """
+    if len(own) < 30:
+        return np.full(len(colours), plain)
+    middle = np.median(own, axis=0)
+    spread = np.maximum(1.48 * np.median(np.abs(own - middle), axis=0), (8.0, 3.0, 3.0)) * (2.0, 1.0, 1.0)
+    far = (((colours - middle) / spread) ** 2).sum(axis=1)
+    return np.asarray(np.exp(-0.5 * far) + plain)
+
+
+def neighbour_links(triangles: NDArray[np.integer], colours: Array, contrast: float) -> coo_matrix:
+    """Return (T, T) symmetric weights of triangles that share an edge: near 1 for equal colours, small at borders."""
+    edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+    owner = np.tile(np.arange(len(triangles)), 3)
+    order = np.lexsort((edges[:, 1], edges[:, 0]))
+    same = (edges[order[1:]] == edges[order[:-1]]).all(axis=1)
+    first, second = owner[order[:-1][same]], owner[order[1:][same]]
+    apart = ((colours[first] - colours[second]) * (0.5, 1.0, 1.0) / contrast) ** 2
+    weight = np.exp(-apart.sum(axis=1)) + 1e-3
+    count = len(triangles)
+    half = coo_matrix((weight, (first, second)), shape=(count, count))
+    return half + half.T
+
+
+def without_islands(labels: NDArray[np.integer], links: coo_matrix, area: Array) -> NDArray[np.integer]:
+    """Return the labels with islands smaller than `ISLAND` of their label's whole given to what lies around them."""
+    links = links.tocoo()
+    inside = labels[links.row] == labels[links.col]
+    kept = coo_matrix((inside[inside], (links.row[inside], links.col[inside])), shape=links.shape)
+    count, part = connected_components(kept, directed=False)
+    part_area = np.bincount(part, area, count)
+    whole = np.bincount(labels, area, labels.max() + 1)
+    first = np.zeros(count, dtype=np.int64)
+    first[part] = labels
+    small = part_area < ISLAND * whole[first]
+    votes = np.zeros((count, labels.max() + 1))
+    np.add.at(votes, (part[links.row[~inside]], labels[links.col[~inside]]), area[links.col[~inside]])
+    taken = np.where(small & votes.any(axis=1), votes.argmax(axis=1), first)
+    return np.asarray(taken[part])
+
+
+def random_walk(links: coo_matrix, likely: Array, trust: Array) -> Array:
+    """Return (T, K) the shares of labels that a random walker meets first, with prior models (Grady 2005, equation 8).
+
+    Parameters
+    ----------
+    links : (T, T) sparse symmetric weights
+    likely : (T, K) rows sum to one
+    trust : (T,) weights of the priors
+    """
+    laplacian = diags(np.asarray(links.sum(axis=1)).ravel()) - links
+    system = (laplacian + diags(trust + 1e-9)).tocsc()
+    return np.asarray(splu(system).solve((trust + 1e-9)[:, None] * likely))
