@@ -11,7 +11,7 @@ import numpy as np
 from body_scores import HELD_OUT, KnownTruth
 from numpy.typing import NDArray
 
-from cloner.evaluate.posing import JOINTS
+from cloner.evaluate.posing import JOINTS, hand_vertices
 from cloner.evaluate.surfaces import sample_surface
 from cloner.evaluate.truth import TruthSurface, TruthView
 from cloner.generic.load import load_generic
@@ -83,6 +83,7 @@ def marks_m(shot: Shot) -> dict[str, Array]:
     generic = load_generic()
     named = {name: shot.naked_m[generic.feature(name)] for name in generic.feature_names}
     named |= {name: shot.dressed_m[generic.feature(name)] for name in TRUNK_MARKS}
+    named |= {name: shot.naked_m[vertex] for name, vertex in hand_vertices(generic).items()}
     return {**named, **{name: named[own] for name, own in _SHOES.items()}}
 
 
