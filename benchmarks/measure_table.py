@@ -25,6 +25,7 @@ from cloner.geometry.under_clothes import (
     UPPER,
     Estimate,
     Evidence,
+    Hypotheses,
     MeasurePrior,
     estimate,
     hypotheses,
@@ -49,6 +50,8 @@ BOTH = (
 #: Real garments are cut in more ways than the painted ones: their spread is widened, and each slice differs a little.
 WIDER = 1.2
 CUT_SHARE = 0.1
+#: Real cloth folds in more ways too: standard deviation of a rumple's logarithm beside that of painted cloth.
+RUMPLED = 1.3
 #: A fit's own bias counts in full with many more people than this a fit.
 LEAN = 5.0
 #: Largest believed relative error of a clone.
@@ -122,6 +125,16 @@ def fit_error(samples: Sequence[Mapping[str, Any]], garment: np.ndarray) -> tupl
     return middle + own.mean(axis=0), shrunk, extra
 
 
+def rumples(samples: Sequence[Mapping[str, Any]]) -> tuple[np.ndarray, np.ndarray]:
+    """Return mean and widened standard deviation (F, 2) of the logarithm of what the outlines' rumples are."""
+    known = [sample for sample in samples if "rumple" in sample]
+    fits = np.array([int(sample["tightness"]) for sample in known])
+    logs = np.log(np.array([sample["rumple"] for sample in known]))
+    means = np.array([np.nanmean(logs[fits == fit], axis=0) for fit in range(len(FITS))])
+    own = np.sqrt(np.nanmean((logs - means[fits]) ** 2, axis=0))
+    return means, np.tile(RUMPLED * own, (len(FITS), 1))
+
+
 def table(bodies: Sequence[Mapping[str, Any]], fits: Sequence[Mapping[str, Any]]) -> MeasurePrior:
     """Return the table without what only its own use can tell: tempering, odds and spread."""
     garment = garments()
@@ -132,22 +145,22 @@ def table(bodies: Sequence[Mapping[str, Any]], fits: Sequence[Mapping[str, Any]]
     gap = float(np.median([np.mean(sample["gap_mm"]) for sample in fits]))
     shown = added + extra * (usual + added)
     flat = (1.0, np.zeros(len(FITS)), np.full(len(ALL_KEYS), NINE_IN_TEN))
-    return MeasurePrior(means, covariances, shown, spread, bias, covariance, *flat, garment, gap)
+    return MeasurePrior(means, covariances, shown, spread, bias, covariance, *flat, *rumples(fits), garment, gap)
 
 
-def odds(logs: Sequence[np.ndarray], fits: Sequence[int]) -> tuple[float, np.ndarray]:
+def odds(found: Sequence[Hypotheses], fits: Sequence[int]) -> tuple[float, np.ndarray]:
     """Return the temper and the log odds with which likelihoods tell the true fit best (J. C. Platt, 1999)."""
 
     def cost(x: np.ndarray) -> float:
         added = np.array([0.0, x[1], x[2]])
         total = 0.5 * (x[0] + 1.0) ** 2 + 0.05 * (x[1] ** 2 + x[2] ** 2)  # weak beliefs, for few people
-        for each, fit in zip(logs, fits, strict=True):
+        for each, fit in zip(found, fits, strict=True):
             weights = weighed(each, float(np.exp(x[0])), added)
             total -= np.log(weights[:, fit].sum() + 1e-6) + np.log(weights[:, :, fit].sum() + 1e-6)
         return float(total)
 
-    found = minimize(cost, [-1.0, 0.0, 0.0], method="Nelder-Mead").x
-    return float(np.exp(found[0])), np.array([0.0, found[1], found[2]])
+    best = minimize(cost, [-1.0, 0.0, 0.0], method="Nelder-Mead").x
+    return float(np.exp(best[0])), np.array([0.0, best[1], best[2]])
 
 
 def evidence(sample: Mapping[str, Any], prior: MeasurePrior) -> Evidence:
@@ -155,7 +168,8 @@ def evidence(sample: Mapping[str, Any], prior: MeasurePrior) -> Evidence:
     names = [name for name in sample if name.startswith("cover_")]
     covers = {name[6:]: Cover(tuple(None if s < 0 else bool(s) for s in sample[name]), 1.0) for name in names}
     noise = max(1.0, float(np.mean(sample["gap_mm"])) / prior.gap_mm)
-    return Evidence(sample["shown"], float(sample["stature_m"]), bare_rows(covers), noise=noise)
+    more = {"rumple_mm": sample["rumple"]} if "rumple" in sample else {}
+    return Evidence(sample["shown"], float(sample["stature_m"]), bare_rows(covers), noise=noise, **more)
 
 
 def judged(samples: Sequence[Mapping[str, Any]], prior: MeasurePrior) -> tuple[np.ndarray, np.ndarray, list[Estimate]]:
@@ -173,8 +187,8 @@ def make(bodies: Sequence[Mapping[str, Any]], fits: Sequence[Mapping[str, Any]],
         for fold in range(folds)
     ]
     pairs = [(sample, parts[group]) for sample, group in zip(fits, groups, strict=True)]
-    logs = [hypotheses(evidence(sample, part), part).logs for sample, part in pairs]
-    temper, log_odds = odds(logs, [int(sample["tightness"]) for sample in fits])
+    found = [hypotheses(evidence(sample, part), part) for sample, part in pairs]
+    temper, log_odds = odds(found, [int(sample["tightness"]) for sample in fits])
     ratios = []
     for sample, judge in pairs:
         part = replace(judge, temper=temper, log_odds=log_odds)
@@ -208,6 +222,13 @@ def told(samples: Sequence[Mapping[str, Any]], prior: MeasurePrior) -> None:
     print(f"fit recognised: above {100 * right[0]:.0f} %, below {100 * right[1]:.0f} %")
 
 
+def runs(seeds: Sequence[str]) -> list[str]:
+    """Return seeds as "first-last" of those that follow each other."""
+    numbers = np.array(sorted(map(int, seeds)))
+    parts = np.split(numbers, np.flatnonzero(np.diff(numbers) > 1) + 1)
+    return [f"{part[0]}-{part[-1]}" for part in parts]
+
+
 def write(prior: MeasurePrior, folder: Path) -> None:
     """Write the table and how it was made."""
     arrays = {name: getattr(prior, name) for name in prior.__slots__}
@@ -216,8 +237,8 @@ def write(prior: MeasurePrior, folder: Path) -> None:
     seeds = {kind: [path.stem for path in sorted((folder / kind).glob("*.npz"))] for kind in ("ease", "fits")}
     made = {
         "by": "benchmarks/measure_table.py",
-        "bodies dressed without photos": {"count": len(seeds["ease"]), "seeds": [seeds["ease"][0], seeds["ease"][-1]]},
-        "people photographed and cloned": {"count": len(seeds["fits"]), "seeds": [seeds["fits"][0], seeds["fits"][-1]]},
+        "bodies dressed without photos": {"count": len(seeds["ease"]), "seeds": runs(seeds["ease"])},
+        "people photographed and cloned": {"count": len(seeds["fits"]), "seeds": runs(seeds["fits"])},
         "people": "random members of the generic family (generic_models/build/painted_people.py); nobody real",
         "licence": "CC0-1.0",
     }

@@ -18,6 +18,8 @@ Triangles = NDArray[np.int32]
 UP: Final = np.array([0.0, 1.0, 0.0])
 #: Step of the searches for the largest and smallest girth, metres; below what a tape reads (5 mm).
 SEARCH_STEP_M: Final = 0.004
+#: The search goes in larger steps first: girths change slowly with the height.
+SEARCH_STRIDE: Final = 4
 #: Where the calf muscle lies between ankle (0) and knee (1).
 CALF_SPAN: Final = (0.25, 0.85)
 
@@ -225,8 +227,14 @@ def _extreme(
         return span_m[1]
     corners = vertices_m[triangles, 1]
     near = triangles[(corners.max(axis=1) >= span_m[0]) & (corners.min(axis=1) <= span_m[1])]  # saves four fifths
-    girths = np.array([girth_mm(vertices_m, near, np.array([0.0, y, 0.0]), UP) for y in heights])
-    return float(heights[int(choose(girths))])
+
+    def best(rows: NDArray[np.intp]) -> int:
+        levels = [np.array([0.0, heights[row], 0.0]) for row in rows]
+        return int(rows[int(choose(np.array([girth_mm(vertices_m, near, level, UP) for level in levels])))])
+
+    coarse = best(np.arange(0, len(heights), SEARCH_STRIDE))
+    around = np.arange(max(coarse - SEARCH_STRIDE + 1, 0), min(coarse + SEARCH_STRIDE, len(heights)))
+    return float(heights[best(around)])
 
 
 def _round_the_head(vertices_m: Array, rules: TapeRules) -> Plane:

@@ -114,7 +114,16 @@ def nearest_of(points_m: Array, triangles: NDArray[np.int32], camera: Camera) ->
     return nearest_depth(pixel, depth, triangles, width, height)
 
 
-def look(posed_m: Array, triangles: NDArray[np.int32], camera: Camera) -> Sight:
+def facing(posed_m: Array, triangles: NDArray[np.int32], camera: Camera) -> NDArray[np.int32]:
+    """Return the triangles whose outside the camera may see."""
+    corners = camera.project(posed_m)[triangles]
+    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    return np.asarray(triangles[first[:, 0] * second[:, 1] < first[:, 1] * second[:, 0]])  # y runs down in photos
+
+
+def look(
+    posed_m: Array, triangles: NDArray[np.int32], camera: Camera, occluders: NDArray[np.int32] | None = None
+) -> Sight:
     """Return what the camera sees of a posed mesh.
 
     Parameters
@@ -122,13 +131,16 @@ def look(posed_m: Array, triangles: NDArray[np.int32], camera: Camera) -> Sight:
     posed_m : (V, 3) model frame, metres
     triangles : (T, 3) int32
     camera : Camera
+    occluders : (O, 3) int32, optional
+        Triangles that can hide others, all by default; of a closed surface :func:`facing` ones do, in a third of the
+        time.
     """
     towards = camera.position_m - posed_m
     if camera.pixels_per_m is not None:
         towards = np.broadcast_to(-camera.camera_from_model[2, :3], posed_m.shape)
     towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
     cosine = np.einsum("vk,vk->v", vertex_normals(posed_m, triangles), towards)
-    nearest = nearest_of(posed_m, triangles, camera)
+    nearest = nearest_of(posed_m, triangles if occluders is None else occluders, camera)
     reach = 2 * OCCLUDER_GROWTH_PX + 1
     guarded = cv2.erode(nearest, np.ones((reach, reach), np.uint8), borderValue=np.inf)
     width = 2 * EDGE_WIDTH_PX + 1

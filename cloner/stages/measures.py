@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -21,7 +22,8 @@ from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.covering import covers
-from cloner.stages.outlined import gap_mm, outlined_photos
+from cloner.stages.outlined import gaps_mm, outlined_photos, see
+from cloner.stages.rumpled import garments_rumples_mm
 
 Array = NDArray[np.float64]
 
@@ -29,12 +31,19 @@ Array = NDArray[np.float64]
 UNKNOWN_STATURE_M: Final = 0.09
 #: Half of nine in ten errors of a tape, mm.
 TAPE_ERROR_MM: Final = 5.0
+#: No clothes were seen.
+NO_RUMPLE_MM: Final = np.full(2, np.nan)
 #: A tape this many of its ± away from what the photos tell is asked about.
 STRANGE: Final = 2.0
 
 
 def measured(
-    shown_mm: Mapping[str, float], person: Person, cover: Mapping[str, Cover], *, noise: float = 1.0
+    shown_mm: Mapping[str, float],
+    person: Person,
+    cover: Mapping[str, Cover],
+    *,
+    noise: float = 1.0,
+    rumple_mm: Array = NO_RUMPLE_MM,
 ) -> tuple[MeasureSet, tuple[str, ...]]:
     """Return the measures of a photographed person and sentences about tapes that contradict the photos.
 
@@ -47,13 +56,15 @@ def measured(
         By segment.
     noise : float
         How much worse this clone fits its outlines than usual, as a ratio.
+    rumple_mm : (2,) float64
+        How rumpled the outline of the clothes is above and below the waist; NaN where not seen.
     """
     prior = load_measure_prior()
     shown = np.array([shown_mm.get(key, np.nan) for key in ALL_KEYS])
     tape = {ALL_KEYS.index(key): value for key, value in person.tape_mm}
-    without = Evidence(shown, person.stature_m, bare_rows(cover), {}, noise)
+    without = Evidence(shown, person.stature_m, bare_rows(cover), {}, noise, rumple_mm)
     photos_say = estimate(without, prior)
-    found = estimate(Evidence(shown, person.stature_m, without.bare, tape, noise), prior) if tape else photos_say
+    found = estimate(replace(without, tape_mm=tape), prior) if tape else photos_say
     share = 0.0 if person.stature_is_known else NINE_IN_TEN * UNKNOWN_STATURE_M / person.stature_m
     values = {key: _measure(key, found, prior, shown_mm, dict(person.tape_mm), share) for key in MEASURE_KEYS}
     fits = [dict(zip(FITS, map(float, each), strict=True)) for each in (found.upper_fit, found.lower_fit)]
@@ -116,8 +127,11 @@ def run(
     regions = [region for silhouette in silhouettes.views.values() for region in silhouette.loose]
     if any(region.name == AROUND_LEGS for region in regions):
         shown = {key: value for key, value in shown.items() if key not in LOOSE_KEYS}
-    gap = float(np.mean([gap_mm(bodies.consensus, photo) for photo in outlined.values()]))
+    seen = {view: see(bodies.consensus, photo) for view, photo in outlined.items()}
+    gap = float(np.mean([gaps_mm(seen[view], photo)[""] for view, photo in outlined.items()]))
     tick(0.7)
     cover = covers(photos, proposals, joined)
-    found, warnings = measured(shown, person, cover, noise=max(1.0, gap / prior.gap_mm))
+    rumple = garments_rumples_mm(seen, outlined, silhouettes, cover)
+    noise = max(1.0, gap / prior.gap_mm)
+    found, warnings = measured(shown, person, cover, noise=noise, rumple_mm=rumple)
     return StageResult({"measures": found}, (Residual("gap of the body's rim", gap, "mm"),), warnings)

@@ -56,6 +56,21 @@ def test_bodies_are_found_under_clothes_of_every_fit(fit: int) -> None:
     assert said > 0.6, f"the clothes' fit was recognised in {100 * said:.0f} percent"
 
 
+def test_folds_make_loose_clothes_likelier_but_smooth_ones_prove_nothing() -> None:
+    prior = load_measure_prior()
+    rumpled, flat = (np.exp(prior.rumple_means[fit]) for fit in (2, 0))
+    for body in bodies(5):
+        regular = body + prior.ease_mm[1]
+        plain, folded, smooth = (found(regular, rumple_mm=each) for each in (np.full(2, np.nan), rumpled, flat))
+        assert folded.upper_fit[2] >= plain.upper_fit[2] >= smooth.upper_fit[2]
+        assert folded.lower_fit[2] >= plain.lower_fit[2]
+        assert folded.mm[WAIST] <= smooth.mm[WAIST] + 0.5
+    wide = bodies(1)[0] + 1.3 * prior.ease_mm[2]
+    pressed = found(wide, rumple_mm=0.5 * flat)
+    assert pressed.upper_fit[2] > 0.8, "a wide suit stays wide, however well it is pressed"
+    assert pressed.upper_fit == pytest.approx(found(wide, rumple_mm=flat).upper_fit), "nothing is closer than tight"
+
+
 def test_bare_skin_is_taken_as_it_is() -> None:
     bare = NOTHING_BARE.copy()
     bare[[ARM, WRIST]] = True
