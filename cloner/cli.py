@@ -1,4 +1,4 @@
-"""The command line: ``cloner clone``, ``batch``, ``render``, ``evaluate``, ``gui`` and ``doctor``."""
+"""The command line: ``cloner clone``, ``batch``, ``render``, ``animate``, ``evaluate``, ``gui`` and ``doctor``."""
 
 from __future__ import annotations
 
@@ -121,6 +121,20 @@ def _render(
     from cloner.picture import draw_file
 
     draw_file(clone_path, view, out, size)
+    typer.echo(str(out))
+
+
+@app.command("animate")
+def _animate(
+    clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
+    captures: Annotated[list[Path], typer.Argument(metavar="BVH...", help="Motion captures.")],
+    out: Annotated[Path, typer.Option("--out", help="The .glb file to write.")],
+    cycles: Annotated[bool, typer.Option("--cycle", help="Make an endless walk on the spot of each.")] = False,
+) -> None:
+    """Lay motion captures on a finished clone."""
+    from cloner.animating import animate_file
+
+    animate_file(clone_path, captures, out, cycles=cycles)
     typer.echo(str(out))
 
 

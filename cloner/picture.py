@@ -51,10 +51,7 @@ def draw_file(clone_path: Path, view: str, out: Path, size: str = "800x1200") ->
     width, height = _size(size)
     if view == TURNTABLE and out.suffix.lower() not in FORMATS:
         raise ClonerError("a turntable is a film", f"Give --out one of {', '.join(FORMATS)}", out.name)
-    path = clone_path / CLONE_FILE if clone_path.is_dir() else clone_path
-    if not path.is_file():
-        raise ClonerError("there is no clone", "Give a result's folder or its clone.npz", clone_path.name)
-    clone = load_clone(path)
+    clone = clone_of(clone_path)
     temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
     try:
         if view == TURNTABLE:
@@ -66,6 +63,20 @@ def draw_file(clone_path: Path, view: str, out: Path, size: str = "800x1200") ->
         raise ClonerError("the picture cannot be written", "Choose another --out file", out.name) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def clone_of(path: Path) -> Clone:
+    """Return the clone in ``clone.npz`` or in the folder that holds it.
+
+    Raises
+    ------
+    ClonerError
+        If there is none.
+    """
+    file = path / CLONE_FILE if path.is_dir() else path
+    if not file.is_file():
+        raise ClonerError("there is no clone", "Give a result's folder or its clone.npz", path.name)
+    return load_clone(file)
 
 
 def _still(clone: Clone, view: str, width_px: int, height_px: int) -> Pixels:

@@ -1,4 +1,4 @@
-"""Write a clone as one binary glTF 2.0 file: skinned, with morph targets and textures inside.
+"""Write a clone as one binary glTF 2.0 file: skinned, with morph targets, textures, a walk and an idle inside.
 
 Metres, +Y up, facing +Z. Scene: the node "Armature" holds the 94 H-Anim
 joints; the skinned nodes "Body", "Hair" and "Cloth" stand beside it, because glTF
@@ -12,6 +12,7 @@ Khronos Group 2021, glTF 2.0 specification, sections 3.6 (accessors), 3.7
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Final
 
@@ -22,11 +23,14 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.exporters.gltf_buffer import GltfBuffer
+from cloner.exporters.gltf_motion import animation
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import Surface, load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
+from cloner.motion.own import own_motions
 from cloner.records.clones import Clone
 from cloner.records.heads import SHELL_KINDS, Shell
+from cloner.records.motions import Motion
 
 CREDITS: Final = (
     "Made by Cloner (photo-cloner, Apache-2.0) from the person's photographs. "
@@ -39,8 +43,8 @@ _HAIR_CUTOFF: Final = 0.4  # taste: strands stay closed when seen from afar
 _REPEAT, _LINEAR, _TRILINEAR = 10497, 9729, 9987  # the numbers GL gives them
 
 
-def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
-    """Write ``<name>.glb`` and return its path.
+def export(clone: Clone, folder: Path, *, name: str = "clone", motions: Sequence[Motion] = ()) -> tuple[Path, ...]:
+    """Write ``<name>.glb`` with walk, idle and the given motions, and return its path.
 
     Raises
     ------
@@ -48,12 +52,12 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
         If the folder cannot be written to.
     """
     path = folder / f"{name}.glb"
-    write_bytes(path, b"".join(build(clone).save_to_bytes()))
+    write_bytes(path, b"".join(build(clone, motions).save_to_bytes()))
     return (path,)
 
 
-def build(clone: Clone) -> Any:
-    """Return the clone as a ``pygltflib.GLTF2`` with its binary blob set."""
+def build(clone: Clone, motions: Sequence[Motion] = ()) -> Any:
+    """Return the clone as a ``pygltflib.GLTF2`` with its binary blob set; ``motions`` come after its own."""
     generic = load_generic()
     gltf = pygltflib.GLTF2(
         asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}", copyright=CREDITS),
@@ -69,6 +73,10 @@ def build(clone: Clone) -> Any:
             gltf.meshes.append(mesh)
             gltf.nodes.append(pygltflib.Node(name=mesh.name, mesh=len(gltf.meshes) - 1, skin=skin))
             roots.append(len(gltf.nodes) - 1)
+    body = next(number for number, node in enumerate(gltf.nodes) if node.mesh == 0)
+    joints, root = range(1, 1 + len(generic.joint_names)), int(np.flatnonzero(generic.joint_parents < 0)[0])
+    for motion in (*own_motions(clone), *motions):
+        gltf.animations.append(animation(gltf, buffer, clone, motion, joints, root, body))
     gltf.scenes.append(pygltflib.Scene(name="clone", nodes=roots, extras=_facts(clone)))
     data = buffer.data()
     gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))

@@ -43,6 +43,11 @@ class GltfBuffer:
         view = self.view(np.ascontiguousarray(values).tobytes(), pygltflib.ARRAY_BUFFER)
         return self._accessor(values, view, bounds=bounds)
 
+    def values(self, values: NDArray[Any], *, bounds: bool = False) -> int:
+        """Add plain float32 values (N,) or (N, k), of an animation for example, and return their accessor."""
+        plain = np.ascontiguousarray(values, dtype=np.float32)
+        return self._accessor(plain, self.view(plain.tobytes()), bounds=bounds)
+
     def indices(self, values: NDArray[Any]) -> int:
         """Add the (N,) corners of triangles, as short as they fit, and return the accessor."""
         flat = values.reshape(-1)
@@ -82,7 +87,7 @@ class GltfBuffer:
             bufferView=view, componentType=_COMPONENT[values.dtype], count=len(values), type=_KIND[width]
         )
         if bounds:
-            accessor.min = values.min(axis=0).astype(float).tolist()
-            accessor.max = values.max(axis=0).astype(float).tolist()
+            accessor.min = np.atleast_1d(values.min(axis=0)).astype(float).tolist()
+            accessor.max = np.atleast_1d(values.max(axis=0)).astype(float).tolist()
         self._gltf.accessors.append(accessor)
         return len(self._gltf.accessors) - 1

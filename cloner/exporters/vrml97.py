@@ -3,7 +3,7 @@
 H-Anim 1.1 knows no skin: the body is cut into rigid pieces by the joint that
 moves each triangle most, and the pieces hang on the joints' segments. Borders
 repeat the same vertices and normals, so the resting body shows no seam. The
-face's morph targets become Displacers. Metres, +Y up, facing +Z.
+face's morph targets become Displacers. It walks on the spot as soon as the world is loaded. Metres, +Y up, facing +Z.
 
 References
 ----------
@@ -22,10 +22,12 @@ from cloner import __version__
 from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.exporters.hanim_names import segment_name, site_name
 from cloner.exporters.hanim_protos import PROTOS
+from cloner.exporters.vrml_motion import motion_text
 from cloner.exporters.vrml_segments import row_text, segment_texts
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import load_surfaces
 from cloner.geometry.viewpoints import AZIMUTH_DEG
+from cloner.motion.own import own_motions
 from cloner.records.clones import Clone
 
 _FIELD_OF_VIEW: Final = 0.6  # radians; taste
@@ -70,6 +72,7 @@ def _scene(clone: Clone, name: str) -> Iterator[str]:
     yield _uses("segments", [segment_name(joint) for joint in generic.joint_names])
     yield _uses("sites", [site_name(feature) for feature in clone.features_m])
     yield "}\n"
+    yield from motion_text(own_motions(clone)[0], generic.joint_names, generic.joint_names[root])  # routes come last
 
 
 def _uses(field: str, names: Sequence[str]) -> str:

@@ -209,3 +209,31 @@ def test_a_folder_that_is_a_file_is_an_operator_s_error(clone, tmp_path):
         export(clone, blocked)
     assert caught.value.where == "clone.glb"
     assert "folder" in caught.value.hint
+
+
+def test_walk_and_idle_are_inside_and_close(gltf, clone):
+    """Every channel's values are those of its own times, unit quaternions that end where they began."""
+    names = {animation.name: animation for animation in gltf.animations}
+    assert set(names) == {"walk", "idle"}
+    for animation in names.values():
+        times = _read(gltf, animation.samplers[0].input)[:, 0]
+        assert (np.diff(times) > 0).all()
+        for channel in animation.channels:
+            values = _read(gltf, animation.samplers[channel.sampler].output)
+            values = values.reshape(len(times), -1)
+            assert np.abs(values[0] - values[-1]).max() < 1e-5
+            if channel.target.path == "rotation":
+                assert np.linalg.norm(values, axis=1) == pytest.approx(1.0, abs=1e-5)
+                assert (np.einsum("fa,fa->f", values[1:], values[:-1]) > 0).all()
+    assert 0.8 < names["walk"].extras["speed_m_s"] < 2.2
+    moved = {gltf.nodes[channel.target.node].name for channel in names["walk"].channels}
+    assert {"HumanoidRoot", "l_hip", "r_knee", "l_shoulder"} <= moved
+
+
+def test_the_idle_blinks_through_the_morph_targets(gltf, clone):
+    idle = next(animation for animation in gltf.animations if animation.name == "idle")
+    (channel,) = [one for one in idle.channels if one.target.path == "weights"]
+    assert gltf.nodes[channel.target.node].name == "Body"
+    weights = _read(gltf, idle.samplers[channel.sampler].output).reshape(-1, len(clone.morph_names))
+    assert weights[:, clone.morph_names.index("eyeBlinkLeft")].max() > 0.8
+    assert weights[:, clone.morph_names.index("jawOpen")].max() == 0.0

@@ -54,6 +54,13 @@ def test_the_viewer_shows_turns_and_smiles_without_a_network(folder: Path, tmp_p
         press(page, "open mouth")
         page.value("new Promise(done => setTimeout(done, 500))")
         moved = np.abs(page.picture().astype(int) - still).max(axis=2) > 24
+        press(page, "open mouth")
+        press(page, "face")
+        press(page, "walk")
+        page.value("new Promise(done => setTimeout(done, 400))")
+        early = page.picture()
+        page.value("new Promise(done => setTimeout(done, 350))")
+        walking = np.abs(page.picture().astype(int) - early).max(axis=2)[60:540] > 24
         person = far_from_backdrop(shots["front"])[60:540]
         rows, columns = np.flatnonzero(person.any(axis=1)), np.flatnonzero(person.any(axis=0))
         assert len(rows) > 400
@@ -61,6 +68,7 @@ def test_the_viewer_shows_turns_and_smiles_without_a_network(folder: Path, tmp_p
         assert (np.abs(shots["front"].astype(int) - shots["back"]).max(axis=2) > 24).sum() > 500  # another side
         moved[:60], moved[540:] = False, False  # the buttons themselves change colour
         assert 100 < moved.sum() < 0.25 * moved.size
+        assert walking.sum() > 300
         assert not page.complaints()
         assert all(address.startswith(("file:", "blob:", "data:", "about:")) for address in page.requests())
 

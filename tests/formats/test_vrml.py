@@ -100,10 +100,27 @@ def test_the_file_names_94_joints_and_facts(wrl):
     assert len(re.findall(r"^DEF hanim_\w+ Segment ", text, re.M)) == 94
     for proto in ("Humanoid", "Joint", "Segment", "Site", "Displacer"):
         assert text.count(f"PROTO {proto} [") == 1
-    assert "ROUTE" not in text
     defined = re.findall(r"DEF (\w+)", text)
     assert len(defined) == len(set(defined)), "every DEF name once"
     assert set(re.findall(r"USE (\w+)", text)) <= set(defined)
+
+
+def test_the_walk_is_played_by_routes_that_come_last(wrl):
+    text = wrl.read_text()
+    assert re.search(r"DEF walk_clock TimeSensor \{ cycleInterval 1.0000 loop TRUE \}", text)
+    routes = re.findall(r"ROUTE (\w+)\.\w+ TO (\w+)\.\w+", text)
+    assert ("walk_l_knee_rotation", "hanim_l_knee") in routes
+    assert {name for pair in routes for name in pair} <= set(re.findall(r"DEF (\w+)", text))
+    assert "DEF" not in text[text.index("ROUTE") :]
+    knee = re.search(
+        r"DEF walk_l_knee_rotation OrientationInterpolator \{ key \[ (.*?) \] keyValue \[ (.*?) \] \}", text
+    )
+    keys = np.array(knee[1].split(), dtype=float)
+    angles = np.array(knee[2].replace(",", " ").split(), dtype=float).reshape(-1, 4)[:, 3]
+    assert keys[0] == 0.0
+    assert keys[-1] == 1.0
+    assert (np.diff(keys) > 0).all()
+    assert 0.7 < np.ptp(angles) < 1.6, "a knee bends by some 60 degrees"
 
 
 def test_joint_centres_and_sites_are_where_the_clone_has_them(wrl, clone):

@@ -1,0 +1,73 @@
+"""Motions as glTF animations.
+
+References
+----------
+Khronos Group 2021, glTF 2.0 specification, section 3.11 (animations).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, Final
+
+import numpy as np
+import pygltflib
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from cloner.exporters.gltf_buffer import GltfBuffer
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
+
+#: Smaller turns of a joint in a whole motion are left out, radians; taste.
+STILL: Final = 1e-4
+
+
+def animation(
+    gltf: Any, buffer: GltfBuffer, clone: Clone, motion: Motion, joints: Sequence[int], root: int, mesh: int
+) -> Any:
+    """Return a motion as a ``pygltflib.Animation``.
+
+    Parameters
+    ----------
+    gltf, buffer
+        The file being built.
+    clone : Clone
+    motion : Motion
+    joints : sequence of int
+        Nodes of the 94 joints.
+    root : int
+        Number of the joint that moves in space.
+    mesh : int
+        Node of the mesh with the morph targets.
+    """
+    times = buffer.values(motion.times_s, bounds=True)
+    made = pygltflib.Animation(
+        name=motion.name, extras={"cyclic": motion.cyclic, "speed_m_s": round(motion.speed_m_s, 4)}
+    )
+
+    def channel(node: int, path: str, values: NDArray[np.float64]) -> None:
+        made.samplers.append(
+            pygltflib.AnimationSampler(input=times, output=buffer.values(values), interpolation="LINEAR")
+        )
+        target = pygltflib.AnimationChannelTarget(node=node, path=path)
+        made.channels.append(pygltflib.AnimationChannel(sampler=len(made.samplers) - 1, target=target))
+
+    for joint, node in enumerate(joints):
+        if np.abs(motion.rotations[:, joint]).max() > STILL:
+            channel(node, "rotation", quaternions(motion.rotations[:, joint]))
+    if np.abs(motion.root_m).max() > 0.0:
+        channel(joints[root], "translation", clone.joints_m[root] + motion.root_m)
+    if set(motion.weights) & set(clone.morph_names):
+        still = np.zeros(len(motion.times_s))
+        rows = [motion.weights.get(name, still) for name in clone.morph_names]
+        channel(mesh, "weights", np.column_stack(rows).reshape(-1))
+    return made
+
+
+def quaternions(rotations: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return (F, 4) unit quaternions x, y, z, w of (F, 3) rotation vectors, neighbours never on opposite sides."""
+    found = Rotation.from_rotvec(np.array(rotations)).as_quat()
+    flips = np.where(np.einsum("fa,fa->f", found[1:], found[:-1]) < 0.0, -1.0, 1.0)
+    found[1:] *= np.cumprod(flips)[:, None]
+    return np.asarray(found)

@@ -1,0 +1,57 @@
+"""A motion as VRML97: one clock, interpolators for the joints, and the routes between them.
+
+References
+----------
+ISO/IEC 14772-1:1997, 6.49 (TimeSensor), 6.32 (OrientationInterpolator), 6.38 (PositionInterpolator).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Final
+
+import numpy as np
+
+from cloner.exporters.vrml_segments import row_text
+from cloner.records.motions import Motion
+
+#: Smaller turns of a joint in a whole motion are left out, radians; taste.
+STILL: Final = 1e-3
+
+
+def motion_text(motion: Motion, joint_names: Sequence[str], root: str) -> Iterator[str]:
+    """Yield nodes and routes that play a motion for ever from the moment the world is loaded.
+
+    Parameters
+    ----------
+    motion : Motion
+    joint_names : sequence of str
+        In the order of the motion's joints; their nodes are named ``hanim_<joint>``.
+    root : str
+        The joint that moves in space.
+    """
+    duration = float(motion.times_s[-1])
+    keys = " ".join(f"{time / duration:.4f}" for time in motion.times_s)
+    yield f"DEF {motion.name}_clock TimeSensor {{ cycleInterval {duration:.4f} loop TRUE }}\n"
+    routes = []
+    for joint, name in enumerate(joint_names):
+        rotations = motion.rotations[:, joint]
+        if np.abs(rotations).max() < STILL:
+            continue
+        node = f"{motion.name}_{name}_rotation"
+        values = ", ".join(_axis_angle(row) for row in rotations)
+        yield f"DEF {node} OrientationInterpolator {{ key [ {keys} ] keyValue [ {values} ] }}\n"
+        routes.append((node, f"hanim_{name}.set_rotation"))
+    node = f"{motion.name}_{root}_translation"
+    values = ", ".join(row_text(row) for row in motion.root_m)
+    yield f"DEF {node} PositionInterpolator {{ key [ {keys} ] keyValue [ {values} ] }}\n"
+    routes.append((node, f"hanim_{root}.set_translation"))
+    for node, target in routes:
+        yield f"ROUTE {motion.name}_clock.fraction_changed TO {node}.set_fraction\n"
+        yield f"ROUTE {node}.value_changed TO {target}\n"
+
+
+def _axis_angle(vector: np.ndarray) -> str:
+    angle = float(np.linalg.norm(vector))
+    axis = vector / angle if angle > 1e-9 else np.array([0.0, 0.0, 1.0])
+    return f"{row_text(axis)} {angle:.4f}"

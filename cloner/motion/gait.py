@@ -1,0 +1,213 @@
+"""A walk and an idle for any clone, made from the angles that people walk with.
+
+The curves are ours: knots read off the usual sagittal angles of healthy gait (hip 30 degrees forward at heel strike and
+10 back, knee 60 degrees in swing, ankle 10 up and 18 down), so nobody's capture is in them.
+
+References
+----------
+D. A. Winter, The Biomechanics and Motor Control of Human Gait, 1991 (ranges of the joints' angles).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from types import MappingProxyType
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from cloner.motion import turns
+from cloner.motion.body import FOOT, NECK, SIDES, SPINE, Body, below
+from cloner.motion.contact import grounded, planted
+from cloner.records.motions import Motion
+
+Array = NDArray[np.float64]
+
+X, Y, Z = 0, 1, 2
+FRAMES_PER_S: Final = 30
+WALK_S: Final = 1.0  # one left and one right step
+IDLE_S: Final = 6.0
+#: Angles of a leg over its own cycle from heel strike on, degrees: thigh forward, knee bent, foot pitched up, toes up.
+_LEG: Final[Mapping[str, tuple[tuple[float, float], ...]]] = MappingProxyType({
+    "thigh": ((0.0, 27.0), (0.12, 22.0), (0.3, 4.0), (0.5, -13.0), (0.62, -4.0), (0.75, 18.0), (0.88, 29.0)),
+    "knee": ((0.0, 4.0), (0.12, 16.0), (0.3, 7.0), (0.42, 5.0), (0.52, 14.0), (0.62, 40.0), (0.72, 60.0), (0.85, 28.0),
+             (0.95, 3.0)),
+    "foot": ((0.0, 18.0), (0.08, 2.0), (0.15, 0.0), (0.38, 0.0), (0.5, -18.0), (0.62, -55.0), (0.75, -22.0),
+             (0.88, 8.0), (0.95, 17.0)),
+    "toes": ((0.0, 8.0), (0.12, 0.0), (0.38, 0.0), (0.5, 16.0), (0.6, 32.0), (0.7, 4.0), (0.85, 4.0)),
+})  # fmt: skip
+ARM_SWING_DEG: Final = 21.0
+ARM_OUT_DEG: Final = 9.0  # away from the body: sleeves have thickness
+ELBOW_DEG: Final = (14.0, 34.0)  # at the back and at the front of the swing
+PELVIS_TURN_DEG: Final = 5.0
+PELVIS_DROP_DEG: Final = 3.0
+CHEST_TURN_DEG: Final = 5.0
+SWAY_M: Final = 0.018  # of the hips over the standing foot
+FINGERS: Final = ("index", "middle", "ring", "pinky")
+CURL: Final = 0.30  # of each knuckle of a relaxed hand, radians
+PALM_BACK: Final = 0.5  # how much a hanging palm faces backwards, against inwards
+FOREARM_TWIST: Final = 0.5  # the share of a hand's turn that shows in the forearm
+STEP_WIDTH_M: Final = 0.10  # between the ankles, at a stature of 1.70 m
+TOE_OUT_DEG: Final = 7.0
+_STATURE_M: Final = 1.70
+
+
+def walk(body: Body) -> Motion:
+    """Return one second of walking on the spot, two steps, closed into a circle.
+
+    The ground's speed is in ``speed_m_s``; standing feet follow it without sliding.
+    """
+    times = np.linspace(0.0, WALK_S, round(WALK_S * FRAMES_PER_S) + 1)
+    phase = times / WALK_S
+    turn = 2.0 * np.pi * phase
+    pelvis = turns.about(Y, np.radians(-PELVIS_TURN_DEG) * np.cos(turn)) @ turns.about(
+        Z, np.radians(PELVIS_DROP_DEG) * np.sin(turn)
+    )
+    chest = turns.about(Y, np.radians(CHEST_TURN_DEG) * np.cos(turn)) @ turns.about(X, np.full(len(turn), 0.03))
+    world = upright(body, pelvis, chest)
+    for side, own in zip(SIDES, (phase, phase + 0.5), strict=True):
+        _swing_leg(body, world, side, own)
+        _swing_arm(body, world, side, np.cos(2.0 * np.pi * own))
+    root = np.zeros((len(times), 3))
+    root[:, 0] = SWAY_M * np.sin(turn)
+    motion = Motion("walk", times, root, turns.local_from_world(world, body.parents), cyclic=True)
+    motion = grounded(body, motion)
+    return grounded(body, planted(body, replace(motion, speed_m_s=_ground_speed(body, motion))))
+
+
+def idle(body: Body) -> Motion:
+    """Return six seconds of standing: breath, a slow sway of chest and head, two blinks; closed into a circle."""
+    times = np.linspace(0.0, IDLE_S, round(IDLE_S * FRAMES_PER_S) + 1)
+    turn = 2.0 * np.pi * times / IDLE_S
+    still = np.tile(np.eye(3), (len(times), 1, 1))
+    breath = 0.012 * (1.0 - np.cos(2.0 * turn))
+    chest = turns.about(Y, 0.02 * np.sin(turn)) @ turns.about(X, -breath)
+    world = upright(body, still, chest)
+    for side in SIDES:
+        sign = 1.0 if side == "l" else -1.0
+        aim_limb(body, world, side, "hip", still)
+        aim_limb(body, world, side, "knee", still)
+        for joint in (*FOOT, "metatarsal"):
+            world[:, body.joint(f"{side}_{joint}")] = still
+        out = turns.about(Z, np.full(len(times), sign * np.radians(ARM_OUT_DEG)) + sign * 0.5 * breath)
+        aim_limb(body, world, side, "shoulder", out)
+        aim_limb(body, world, side, "elbow", out @ turns.about(X, np.full(len(times), np.radians(-12.0))))
+        follow(body, world, side)
+    head = turns.about(Y, 0.05 * np.sin(turn + 0.7)) @ turns.about(X, 0.02 * np.sin(2.0 * turn))
+    world[:, below(body, body.joint("skullbase"))] = head[:, None]
+    blinks = np.maximum(*(np.clip(1.0 - np.abs(times - at) / 0.12, 0.0, 1.0) for at in (1.7, 4.6)))
+    weights = {"eyeBlinkLeft": blinks, "eyeBlinkRight": blinks}
+    rotations = turns.local_from_world(world, body.parents)
+    return grounded(body, Motion("idle", times, np.zeros((len(times), 3)), rotations, weights, cyclic=True))
+
+
+def upright(body: Body, pelvis: Array, chest: Array) -> Array:
+    """Return (F, 94, 3, 3) orientations of a trunk turning from ``pelvis`` to ``chest`` (F, 3, 3), the head ahead."""
+    world = np.tile(np.eye(3), (len(pelvis), len(body.names), 1, 1))
+    world[:, body.joint("HumanoidRoot")] = world[:, body.joint("sacroiliac")] = pelvis
+    for row, name in enumerate(SPINE):
+        world[:, below(body, body.joint(name))] = turns.shared(pelvis, chest, (row + 1) / len(SPINE))[:, None]
+    for row, name in enumerate(NECK):
+        part = 1.0 - (row + 1) / len(NECK)
+        world[:, below(body, body.joint(name))] = turns.shared(np.broadcast_to(np.eye(3), chest.shape), chest, part)[
+            :, None
+        ]
+    for side in SIDES:
+        world[:, below(body, body.joint(f"{side}_sternoclavicular"))] = chest[:, None]
+    return world
+
+
+def aim_limb(body: Body, world: Array, side: str, name: str, swing: Array) -> None:
+    """Turn one limb's joint so that at no ``swing`` (F, 3, 3) it hangs straight down, whatever the rest pose."""
+    chain = {"hip": "knee", "knee": "ankle", "shoulder": "elbow", "elbow": "wrist"}
+    joint, end = body.joint(f"{side}_{name}"), body.joint(f"{side}_{chain[name]}")
+    hanging = turns.between(body.joints_m[end] - body.joints_m[joint], np.array([0.0, -1.0, 0.0]))
+    world[:, joint] = swing @ hanging
+
+
+def follow(body: Body, world: Array, side: str) -> None:
+    """Let a hand hang from its forearm: palm to the thigh, fingers a little curled."""
+    elbow, wrist = body.joint(f"{side}_elbow"), body.joint(f"{side}_wrist")
+    palm, forearm = palm_normal(body, side), world[:, elbow]
+    along = forearm @ (body.joints_m[wrist] - body.joints_m[elbow])
+    along /= np.linalg.norm(along, axis=1, keepdims=True)
+    inward = np.array([-1.0 if side == "l" else 1.0, 0.0, -PALM_BACK])
+    now, wanted = (
+        vectors - np.einsum("fa,fa->f", vectors, along)[:, None] * along
+        for vectors in (forearm @ palm, np.broadcast_to(inward, along.shape))
+    )
+    twist = turns.between(now, wanted)
+    still = np.broadcast_to(np.eye(3), twist.shape)
+    world[:, elbow] = turns.shared(still, twist, FOREARM_TWIST) @ forearm
+    world[:, below(body, wrist)] = (twist @ forearm)[:, None]
+    for finger in FINGERS:
+        knuckles = [body.joint(f"{side}_{finger}{number}") for number in (1, 2, 3)]
+        axis = np.cross(body.joints_m[knuckles[2]] - body.joints_m[knuckles[0]], palm)
+        axis /= np.linalg.norm(axis)
+        for number, knuckle in enumerate(knuckles, start=1):
+            world[:, below(body, knuckle)] = (twist @ forearm @ turns.matrices(axis * number * CURL))[:, None]
+
+
+def palm_normal(body: Body, side: str) -> Array:
+    """Return (3,) the direction that the palm faces at rest."""
+    wrist, index, little = (body.joints_m[body.joint(f"{side}_{name}")] for name in ("wrist", "index1", "pinky1"))
+    normal = np.cross(index - wrist, little - wrist) * (-1.0 if side == "l" else 1.0)
+    return np.asarray(normal / np.linalg.norm(normal))
+
+
+def _swing_leg(body: Body, world: Array, side: str, phase: Array) -> None:
+    angle = {name: np.radians(_curve(knots, phase)) for name, knots in _LEG.items()}
+    hip, knee, ankle = (body.joints_m[body.joint(f"{side}_{name}")] for name in ("hip", "knee", "ankle"))
+    length = np.linalg.norm(hip - knee) + np.linalg.norm(knee - ankle)
+    sign = 1.0 if side == "l" else -1.0
+    half = 0.5 * STEP_WIDTH_M * length / (0.48 * _STATURE_M)
+    inward = turns.about(Z, np.full(len(phase), sign * np.arcsin((half - abs(hip[0])) / length)))
+    thigh = inward @ turns.about(X, -angle["thigh"])
+    aim_limb(body, world, side, "hip", thigh)
+    aim_limb(body, world, side, "knee", thigh @ turns.about(X, angle["knee"]))
+    toe = body.joints_m[body.joint(f"{side}_metatarsal")] - ankle
+    outward = np.arctan2(toe[0], toe[2])
+    turned = turns.about(Y, np.full(len(phase), sign * np.radians(TOE_OUT_DEG) - outward))
+    foot = (
+        turned
+        @ turns.about(Y, np.full(len(phase), outward))
+        @ turns.about(X, -angle["foot"])
+        @ turns.about(Y, np.full(len(phase), -outward))
+    )
+    for name in FOOT:
+        world[:, body.joint(f"{side}_{name}")] = foot
+    world[:, body.joint(f"{side}_metatarsal")] = foot @ turns.about(X, -angle["toes"])
+
+
+def _swing_arm(body: Body, world: Array, side: str, back: Array) -> None:
+    """Swing an arm against its own leg: ``back`` (F,) is 1 at its heel strike."""
+    sign = 1.0 if side == "l" else -1.0
+    out = turns.about(Z, np.full(len(back), sign * np.radians(ARM_OUT_DEG)))
+    forward = np.radians(ARM_SWING_DEG) * (-back - 0.1)
+    bent = np.radians(np.interp(-back, (-1.0, 1.0), ELBOW_DEG))
+    aim_limb(body, world, side, "shoulder", out @ turns.about(X, -forward))
+    aim_limb(body, world, side, "elbow", out @ turns.about(X, -forward - bent))
+    follow(body, world, side)
+
+
+def _curve(knots: tuple[tuple[float, float], ...], phase: Array) -> Array:
+    """Return the smooth periodic curve through knots of (phase, value) at phases of any turn."""
+    place, value = np.array([*knots, (1.0 + knots[0][0], knots[0][1])]).T
+    return np.asarray(CubicSpline(place, value, bc_type="periodic")(np.mod(phase, 1.0)))
+
+
+def _ground_speed(body: Body, motion: Motion) -> float:
+    """Return the speed at which the standing feet carry the ground backwards, metres a second."""
+    step = float(np.diff(motion.times_s).mean())
+    left, right = body.sole_points(body.world(motion), motion.root_m)
+    speeds = []
+    for points, rolls in zip((left, right), body.rolls, strict=True):
+        ball = np.einsum("n,fna->fa", rolls[1], points)
+        flat = np.diff(ball[:, 1]) / step
+        back = -np.diff(ball[:, 2]) / step
+        stands = (np.abs(flat) < 0.15) & (back > 0.2) & (ball[1:, 1] < 0.03)
+        speeds.append(back[stands])
+    return float(np.median(np.concatenate(speeds)))

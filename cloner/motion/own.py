@@ -1,0 +1,14 @@
+"""The motions that every clone leaves with."""
+
+from __future__ import annotations
+
+from cloner.motion.body import body_of
+from cloner.motion.gait import idle, walk
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
+
+
+def own_motions(clone: Clone) -> tuple[Motion, ...]:
+    """Return walk and idle in the clone's own proportions."""
+    body = body_of(clone)
+    return walk(body), idle(body)

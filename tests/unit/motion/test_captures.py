@@ -1,0 +1,199 @@
+"""Captured motions are read, understood whatever their names, and laid on other bodies."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cloner.errors import ClonerError
+from cloner.motion import contact
+from cloner.motion.anatomy import find_anatomy, plain
+from cloner.motion.body import Body, body_of
+from cloner.motion.bvh import parse_bvh, read_bvh
+from cloner.motion.cycle import walk_cycle
+from cloner.motion.gait import walk
+from cloner.motion.retarget import retarget
+from cloner.motion.turns import about
+from kit.clones import toy_clone
+
+MOCAP = Path(__file__).resolve().parents[4] / "shared" / "mocap"
+needs_mocap = pytest.mark.skipif(not MOCAP.is_dir(), reason="../shared/mocap is not here: no real captures are read")
+
+SIMPLE = """HIERARCHY
+ROOT Hips
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Chest
+  {
+    OFFSET 0 10 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    End Site
+    {
+      OFFSET 0 5 0
+    }
+  }
+}
+MOTION
+Frames: 2
+Frame Time: 0.1
+1 2 3 0 0 0 0 0 0
+1 2 4 90 0 0 0 90 0
+"""
+
+
+@pytest.fixture(scope="module")
+def body() -> Body:
+    return body_of(toy_clone(1.70))
+
+
+def test_numbers_of_a_small_file_are_the_ones_by_hand() -> None:
+    capture = parse_bvh(SIMPLE)
+    assert capture.names == ("Hips", "Chest")
+    assert capture.parents.tolist() == [-1, 0]
+    assert capture.ends[1].tolist() == [0, 5, 0]
+    assert capture.root.tolist() == [[1, 2, 3], [1, 2, 4]]
+    assert capture.frame_s == 0.1
+    assert np.allclose(capture.local[1, 0], about(2, np.pi / 2))
+    assert np.allclose(capture.world()[1, 1], about(2, np.pi / 2) @ about(0, np.pi / 2))
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (("HIERARCHY", "HIER"), "HIERARCHY"),
+        (("Frames: 2", "Frames: 3"), "promised"),
+        (("Zrotation Xrotation", "Wrotation Xrotation"), "Wrotation"),
+        (("1 2 4 90", "1 2 nan 90"), "numbers"),
+        (("}\nMOTION", "MOTION"), "bracket"),
+        (("Frames: 2", "Frames: -2"), "frames"),
+    ],
+)
+def test_broken_files_are_refused_in_words(change, words, tmp_path: Path) -> None:
+    path = tmp_path / "broken.bvh"
+    path.write_text(SIMPLE.replace(*change))
+    with pytest.raises(ClonerError) as caught:
+        read_bvh(path)
+    assert words in caught.value.message
+    assert caught.value.where == "broken.bvh"
+
+
+@pytest.mark.parametrize(
+    ("name", "parts"),
+    [
+        ("mixamorig:LeftForeArm", ("forearm", "l")),
+        ("mixamorig1:RightUpLeg", ("upleg", "r")),
+        ("lShin", ("shin", "l")),
+        ("RightKnee", ("knee", "r")),
+        ("LoArm_L", ("loarm", "l")),
+        ("calf_r", ("calf", "r")),
+        ("l_elbow", ("elbow", "l")),
+        ("rradius", ("radius", "r")),
+        ("leftLowerLeg", ("lowerleg", "l")),
+        ("Hips", ("hips", "")),
+        ("lowerback", ("lowerback", "")),
+    ],
+)
+def test_sides_and_names_of_every_dialect(name: str, parts: tuple[str, str]) -> None:
+    assert plain(name) == parts
+
+
+def test_a_skeleton_without_knees_is_refused_in_words() -> None:
+    with pytest.raises(ClonerError) as caught:
+        find_anatomy(parse_bvh(SIMPLE))
+    assert "left knee" in caught.value.message
+
+
+def as_bvh(body: Body, motion, *, scale: float, up: str) -> str:
+    """Write a motion of ours as a BVH of main joints in another unit and with another axis up."""
+    kept = ["HumanoidRoot", "vl1", "vt1", "skullbase"]
+    for side in "lr":
+        kept += [f"{side}_{name}" for name in ("shoulder", "elbow", "wrist", "hip", "knee", "ankle", "metatarsal")]
+    parent = {"HumanoidRoot": "", "vl1": "HumanoidRoot", "vt1": "vl1", "skullbase": "vt1"}
+    for side in "lr":
+        chain = ("vt1", *(f"{side}_{name}" for name in ("shoulder", "elbow", "wrist")))
+        parent |= dict(zip(chain[1:], chain, strict=False))
+        chain = ("HumanoidRoot", *(f"{side}_{name}" for name in ("hip", "knee", "ankle", "metatarsal")))
+        parent |= dict(zip(chain[1:], chain, strict=False))
+    turn = np.eye(3) if up == "y" else np.array([[1.0, 0, 0], [0, 0, -1.0], [0, 1.0, 0]])
+    world = turn @ body.world(motion) @ turn.T
+    place = {name: turn @ body.joints_m[body.joint(name)] * scale for name in kept}
+    lines, order = ["HIERARCHY"], []
+
+    def write(name: str, depth: int) -> None:
+        above = parent[name]
+        order.append(name)
+        offset = place[name] - (place[above] if above else 0)
+        kind = "ROOT" if not above else "JOINT"
+        channels = "CHANNELS 6 Xposition Yposition Zposition" if not above else "CHANNELS 3"
+        lines.extend([f"{kind} {name}", "{", "OFFSET " + " ".join(f"{v:.6f}" for v in offset)])
+        lines.append(channels + " Zrotation Yrotation Xrotation")
+        children = [other for other in kept if parent[other] == name]
+        for child in children:
+            write(child, depth + 1)
+        if not children:
+            lines.extend(["End Site", "{", "OFFSET 0 1 0", "}"])
+        lines.append("}")
+
+    write("HumanoidRoot", 0)
+    from scipy.spatial.transform import Rotation
+
+    rows = []
+    root = (body.places(motion)[:, body.joint("HumanoidRoot")] @ turn.T) * scale
+    for frame in range(len(motion.times_s)):
+        numbers = list(root[frame])
+        for name in order:
+            own = world[frame, body.joint(name)]
+            local = own if not parent[name] else world[frame, body.joint(parent[name])].T @ own
+            numbers += Rotation.from_matrix(local).as_euler("ZYX", degrees=True).tolist()
+        rows.append(" ".join(f"{number:.8f}" for number in numbers))
+    step = float(np.diff(motion.times_s).mean())
+    return "\n".join([*lines, "MOTION", f"Frames: {len(rows)}", f"Frame Time: {step:.9f}", *rows]) + "\n"
+
+
+@pytest.mark.parametrize(("scale", "up"), [(1.0, "y"), (100.0, "y"), (39.37, "z")])
+def test_our_own_walk_comes_back_through_a_file_of_another_unit_and_axis(body: Body, scale: float, up: str) -> None:
+    """Limbs point as before within a degree or two, whatever unit and axis the file has; soles are on the floor."""
+    motion = walk(body)
+    back = retarget(parse_bvh(as_bvh(body, motion, scale=scale, up=up)), body, name="back")
+    before, after = body.world(motion), body.world(back)
+    for name in ("l_hip", "r_knee", "l_shoulder", "r_elbow", "vt1", "skullbase"):
+        joint = body.joint(name)
+        cosine = (np.einsum("fab,fab->f", before[:, joint], after[:, joint]) - 1.0) / 2.0
+        assert np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))).max() < 6.0, name
+    left, right = body.sole_points(body.world(back), back.root_m)
+    assert min(left[..., 1].min(), right[..., 1].min()) > -0.01
+
+
+@needs_mocap
+@pytest.mark.parametrize(
+    "name", ["cmu_02_02_walk.bvh", "cmu_131_01_start_walk_stop.bvh", "makehuman_walk1.bvh", "cmu_03_03.bvh"]
+)
+def test_real_captures_of_three_dialects_stand_upright_and_do_not_slide(body: Body, name: str) -> None:
+    motion = retarget(read_bvh(MOCAP / name), body, name="real")
+    places = body.places(motion)
+    height = places[:, body.joint("skullbase"), 1] - places[:, body.joint("l_ankle"), 1]
+    assert (height > 0.6).mean() > 0.95
+    assert np.median(places[:, body.joint("l_knee"), 0] - places[:, body.joint("r_knee"), 0]) > 0.0, "left is left"
+    left, right = body.sole_points(body.world(motion), motion.root_m)
+    assert min(left[..., 1].min(), right[..., 1].min()) > -0.02
+    assert contact.sliding_m(body, motion)[0] < 0.006
+
+
+@needs_mocap
+def test_a_walk_is_cut_to_a_circle_of_about_a_second(body: Body) -> None:
+    made = walk_cycle(body, retarget(read_bvh(MOCAP / "cmu_02_02_walk.bvh"), body, name="walk"))
+    assert 0.8 < made.times_s[-1] < 1.3
+    assert np.abs(made.rotations[0] - made.rotations[-1]).max() < 1e-6
+    assert 0.8 < made.speed_m_s < 2.2
+    assert contact.sliding_m(body, made)[1] < 0.01
+
+
+def test_a_motion_without_steps_makes_no_walk(body: Body) -> None:
+    from cloner.motion.gait import idle
+
+    with pytest.raises(ClonerError) as caught:
+        walk_cycle(body, idle(body))
+    assert "steps" in caught.value.hint

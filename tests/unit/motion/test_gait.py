@@ -1,0 +1,78 @@
+"""The walk and the idle that every clone leaves with."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from cloner.motion import contact
+from cloner.motion.body import SIDES, Body, body_of
+from cloner.motion.gait import idle, walk
+from cloner.records.motions import Motion
+from kit.clones import toy_clone
+
+
+@pytest.fixture(scope="module", params=[1.45, 1.75, 1.98])
+def body(request) -> Body:
+    return body_of(toy_clone(request.param))
+
+
+@pytest.fixture(scope="module")
+def walking(body: Body) -> Motion:
+    return walk(body)
+
+
+def test_the_walk_closes_after_one_second(walking: Motion) -> None:
+    assert walking.times_s[-1] == 1.0
+    assert np.abs(walking.rotations[0] - walking.rotations[-1]).max() < 1e-9
+    assert np.abs(walking.root_m[0] - walking.root_m[-1]).max() < 1e-9
+
+
+def test_a_sole_is_always_on_the_floor_and_none_below_it(body: Body, walking: Motion) -> None:
+    left, right = body.sole_points(body.world(walking), walking.root_m)
+    low = np.minimum(left[..., 1].min(axis=1), right[..., 1].min(axis=1))
+    assert np.abs(low).max() < 0.003
+
+
+def test_standing_feet_go_with_the_ground_at_the_speed_of_a_walk(body: Body, walking: Motion) -> None:
+    assert 0.9 < walking.speed_m_s < 2.1
+    mean, worst = contact.sliding_m(body, walking)
+    assert mean < 0.004
+    assert worst < 0.01
+    for stands in contact.standing(body, walking):
+        assert 0.4 < stands.mean() < 0.75, "a foot stands for about six tenths of the cycle"
+
+
+def test_left_and_right_do_the_same_half_a_cycle_apart(body: Body, walking: Motion) -> None:
+    places = body.places(walking)
+    left, right = (places[:-1, body.joint(f"{side}_ankle")] for side in SIDES)
+    assert np.abs(left - np.roll(right, 15, axis=0) * (-1.0, 1.0, 1.0)).max() < 0.02
+
+
+def test_arms_swing_against_the_legs_and_hang_at_the_sides(body: Body, walking: Motion) -> None:
+    places = body.places(walking)
+    for side, sign in (("l", 1.0), ("r", -1.0)):
+        wrist, ankle = (places[:, body.joint(f"{side}_{name}"), 2] for name in ("wrist", "ankle"))
+        assert np.corrcoef(wrist, ankle)[0, 1] < -0.8
+        aside = sign * places[:, body.joint(f"{side}_wrist"), 0]
+        hip = sign * places[:, body.joint(f"{side}_hip"), 0]
+        assert (aside > hip).all()
+
+
+def test_knees_never_bend_forwards(body: Body, walking: Motion) -> None:
+    places = body.places(walking)
+    for side in SIDES:
+        hip, knee, ankle = (places[:, body.joint(f"{side}_{name}")] for name in ("hip", "knee", "ankle"))
+        ahead = np.cross(ankle - hip, knee - hip)[:, 0]  # of a knee in front of the line from hip to ankle
+        assert (ahead < 0.01).all()
+
+
+def test_idle_closes_breathes_and_blinks(body: Body) -> None:
+    motion = idle(body)
+    assert np.abs(motion.rotations[0] - motion.rotations[-1]).max() < 1e-9
+    assert motion.weights["eyeBlinkLeft"].max() > 0.8
+    assert motion.weights["eyeBlinkLeft"][[0, -1]].max() == 0.0
+    chest = body.places(motion)[:, body.joint("vt3")]
+    assert 0.001 < np.ptp(chest, axis=0).max() < 0.05
+    feet = body.places(motion)[:, body.joint("l_ankle")]
+    assert np.ptp(feet, axis=0).max() < 1e-3
