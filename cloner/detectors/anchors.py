@@ -3,9 +3,22 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
+
+#: Input side, px, and layers (stride px, anchors a cell) of the detector nets by name.
+DETECTOR_LAYERS: Final[dict[str, tuple[int, tuple[tuple[int, int], ...]]]] = {
+    "pose_detection": (224, ((8, 2), (16, 2), (32, 6))),
+    "face_detection_short_range": (128, ((8, 2), (16, 6))),
+    "face_detection_full_range": (192, ((4, 1),)),
+}
+
+
+def sigmoid(values: NDArray[Any]) -> NDArray[np.float64]:
+    """Return 0..1 of a net's logits."""
+    return 1.0 / (1.0 + np.exp(-np.clip(values.astype(np.float64), -60.0, 60.0)))
 
 
 @lru_cache(maxsize=8)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.profile import Template
+from cloner.detectors.profile_fit import ProfileModel
 from cloner.geometry.surface import SurfacePoints
 
 Array = NDArray[np.float64]
@@ -35,8 +35,11 @@ class FaceNet:
         Weights that make named points from net points, rows sum to one.
     rule_error : (K,) float64
         Root-mean-square error of each rule as a share of the eye distance.
-    template : Template
-        Midline profile of the mean head.
+    iris_offset_iod : (2,) float64
+        The left iris' centre beside the pupil point, share of the eye distance; the right one mirrors it.
+    iris_error_iod : float
+    profile : ProfileModel
+        Outlines of side faces with named points.
     """
 
     places: SurfacePoints
@@ -46,7 +49,9 @@ class FaceNet:
     names: tuple[str, ...]
     rules: Array
     rule_error: Array
-    template: Template
+    iris_offset_iod: Array
+    iris_error_iod: float
+    profile: ProfileModel
 
 
 @functools.cache
@@ -55,10 +60,11 @@ def load_face_net() -> FaceNet:
     place = importlib.resources.files("cloner_models") / "face_net.npz"
     with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
         data = {name: archive[name] for name in archive.files}
-    template = Template(
-        data["profile_m"].astype(np.float64),
+    profile = ProfileModel(
+        data["profile_mean_m"].astype(np.float64),
+        data["profile_modes_m"].astype(np.float64),
+        data["profile_rest_m"].astype(np.float64),
         tuple(str(n) for n in data["profile_names"]),
-        data["profile_landmarks_m"].astype(np.float64),
     )
     return FaceNet(
         SurfacePoints(data["corners"], data["weights"].astype(np.float64)),
@@ -68,5 +74,7 @@ def load_face_net() -> FaceNet:
         tuple(str(n) for n in data["named"]),
         data["rules"].astype(np.float64),
         data["rule_error_iod"].astype(np.float64),
-        template,
+        data["iris_offset_iod"].astype(np.float64),
+        float(data["iris_error_iod"].ravel()[0]),
+        profile,
     )

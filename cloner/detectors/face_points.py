@@ -2,30 +2,23 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.face_net import load_face_net
-from cloner.detectors.profile import Hints, find_profile
-from cloner.detectors.results import POSE_NAMES
+from cloner.detectors.face_net import FaceNet, load_face_net
+from cloner.detectors.face_side import find_side_face
 from cloner.frames import ViewId
 from cloner.records.photos import Photo
-from cloner.records.points import Proposal, ViewPoints
+from cloner.records.points import Proposal, ViewPoints, face_confidence
 
 Array = NDArray[np.float64]
 
-#: Error of a rule (share of the eye distance) at which the confidence has fallen to 1/e.
-LOOSE_RULE_IOD = 0.10
-#: Error of the laid-on profile at which the confidence has fallen to 1/e, metres.
-LOOSE_PROFILE_M = 0.0025
-#: How well each profile point is defined by the outline alone (measured on the sample visitors, both sets: nose tip
-#: within 1.5 mm, nasion and subnasale 3, lips 3-5, chin_front 10 along the chin, where it is flat).
-PROFILE_CONFIDENCE = {
-    "glabella": 0.3, "nasion": 0.6, "nose_tip": 0.95, "subnasale": 0.7, "lip_top": 0.6, "stomion": 0.6,
-    "lip_bottom": 0.5, "chin_front": 0.4, "chin_bottom": 0.5,
-}  # fmt: skip
-#: Pose points below this visibility are no hints.
-VISIBLE = 0.3
+#: Points of a side photo that its outline tells; those inside the face are left to the front photo.
+PROFILE: Final = (
+    "glabella", "nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom",
+)  # fmt: skip
 
 
 def propose_face_points(photo: Photo, proposal: Proposal) -> ViewPoints:
@@ -40,7 +33,7 @@ def propose_face_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     Returns
     -------
     ViewPoints
-        Without points where no face was found.
+        Without points where no face was found. Confidence is exp(-expected error / 10 % of the eye distance).
     """
     if photo.view in (ViewId.FACE_SIDE, ViewId.BODY_SIDE):
         return _side_points(photo, proposal)
@@ -55,33 +48,28 @@ def _front_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     if proposal.face_presence < 0.5:
         return _none(photo.view)
     net = load_face_net()
-    points = net.rules @ proposal.face_px
-    confidence = proposal.face_presence * np.exp(-net.rule_error / LOOSE_RULE_IOD)
+    points, error = net.rules @ proposal.face_px, net.rule_error.copy()
+    rows = [net.names.index(f"pupil_{side}") for side in "LR"]
+    if proposal.irises_px.any():
+        points[rows], error[rows] = _pupils(net, points, proposal.irises_px), net.iris_error_iod
+    confidence = proposal.face_presence * face_confidence(error)
     return ViewPoints(photo.view, net.names, points, np.clip(confidence, 0.0, 1.0), np.zeros(len(points), dtype=bool))
 
 
-def pose_hints(proposal: Proposal) -> tuple[int | None, Hints | None]:
-    """Return which way the head looks (+1 image right, -1 left) and rough face places, as far as the pose tells."""
-    row = {name: index for index, name in enumerate(POSE_NAMES)}
-    ears, eyes = [row["ear_l"], row["ear_r"]], [row["eye_l"], row["eye_r"]]
-    mouth, nose = [row["mouth_l"], row["mouth_r"]], row["nose"]
-    if proposal.pose_visibility[[nose, *eyes, *mouth]].max() < VISIBLE:
-        return None, None
-    points = proposal.pose_px
-    ahead = float(points[nose, 0] - points[ears, 0].mean())
-    hints = Hints(points[nose], points[eyes].mean(axis=0), points[mouth].mean(axis=0))
-    if np.linalg.norm(hints.mouth_px - hints.eye_px) < 3.0:
-        return None, None
-    return (1 if ahead > 0 else -1), hints
+def _pupils(net: FaceNet, points: Array, irises_px: Array) -> Array:
+    """Return the pupils (2, 2) px, left first, from the irises' centres: the net's lie a little beside."""
+    across = points[net.names.index("eye_outer_L")] - points[net.names.index("eye_outer_R")]
+    unit = across / max(float(np.linalg.norm(across)), 1e-6) * float(np.linalg.norm(irises_px[0] - irises_px[1]))
+    down = np.array([-unit[1], unit[0]])
+    aside, below = net.iris_offset_iod
+    return np.asarray(irises_px - np.stack([aside * unit + below * down, below * down - aside * unit]))
 
 
 def _side_points(photo: Photo, proposal: Proposal) -> ViewPoints:
-    facing, hints = pose_hints(proposal)
-    profile = find_profile(proposal.mask, load_face_net().template, facing=facing, hints=hints)
-    if profile is None:
+    found = find_side_face(proposal, load_face_net().profile)
+    if found is None:
         return _none(photo.view)
-    fit = float(np.exp(-profile.error_m / LOOSE_PROFILE_M))
-    confidence = np.array([PROFILE_CONFIDENCE[name] for name in profile.names]) * fit
-    return ViewPoints(
-        photo.view, profile.names, profile.points_px, confidence, np.zeros(len(profile.names), dtype=bool)
-    )
+    kept = [row for row, name in enumerate(found.names) if name in PROFILE]
+    confidence = face_confidence(found.error_iod[kept])
+    names = tuple(found.names[row] for row in kept)
+    return ViewPoints(photo.view, names, found.points_px[kept], confidence, np.zeros(len(kept), dtype=bool))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 import threading
+from collections.abc import Sequence
 from functools import lru_cache
 from importlib.resources import files
 from typing import Any, Final, Literal
@@ -16,10 +17,12 @@ import numpy as np
 from ai_edge_litert.interpreter import Interpreter
 from numpy.typing import NDArray
 
-from cloner.detectors.anchors import decode, join, make_anchors
+from cloner.detectors.anchors import DETECTOR_LAYERS, decode, join, make_anchors, sigmoid
 from cloner.detectors.chatter import chatter_logged
+from cloner.detectors.face_regions import closer_look
 from cloner.detectors.mask_crops import body_mask, portrait_mask
 from cloner.detectors.placing import (
+    around,
     circle_crop,
     distinct,
     face_crop,
@@ -29,8 +32,9 @@ from cloner.detectors.placing import (
     near_head,
     owns,
     same_place,
+    turned,
     whole_photo,
-)
+)  # fmt: skip
 from cloner.detectors.results import POSE_NAMES, Box, FaceResult, PoseResult
 from cloner.vision.crops import Crop, cut, move_points, photo_px_from_crop
 
@@ -58,30 +62,24 @@ def _net(name: str) -> Interpreter:
     return net
 
 
-def _run(name: str, image: Photo, *, low: float) -> list[NDArray[np.float32]]:
-    """Run a net on an image scaled to low..1; return its outputs without the batch axis."""
-    values = image.astype(np.float32) * np.float32((1.0 - low) / 255.0) + np.float32(low)
+def _invoke(name: str, inputs: Sequence[NDArray[np.float32]]) -> list[NDArray[np.float32]]:
+    """Run a net on inputs without the batch axis; return its outputs the same way."""
     with _LOCK:  # an interpreter has one set of buffers
         net: Any = _net(name)
-        net.set_tensor(net.get_input_details()[0]["index"], values[None])
+        for detail, values in zip(net.get_input_details(), inputs, strict=True):
+            net.set_tensor(detail["index"], values[None])
         net.invoke()
         return [net.get_tensor(d["index"])[0] for d in net.get_output_details()]
 
 
-def _sigmoid(values: NDArray[np.float32]) -> Floats:
-    return 1.0 / (1.0 + np.exp(-np.clip(values.astype(np.float64), -60.0, 60.0)))
-
-
-_DETECTORS: Final[dict[str, tuple[int, tuple[tuple[int, int], ...]]]] = {
-    "pose_detection": (224, ((8, 2), (16, 2), (32, 6))),
-    "face_detection_short_range": (128, ((8, 2), (16, 6))),
-    "face_detection_full_range": (192, ((4, 1),)),
-}
+def _run(name: str, image: Photo, *, low: float) -> list[NDArray[np.float32]]:
+    """Run a net on an image scaled to low..1; return its outputs without the batch axis."""
+    return _invoke(name, [image.astype(np.float32) * np.float32((1.0 - low) / 255.0) + np.float32(low)])
 
 
 def _detect(name: str, photo: Photo, crop: Crop, kind: Literal["person", "face"], threshold: float) -> list[Box]:
     """Run one detector on a square crop; return boxes in photo px, the best first."""
-    side, layers = _DETECTORS[name]
+    side, layers = DETECTOR_LAYERS[name]
     image = cut(photo, crop, width=side, height=side)
     raw, logits = sorted(_run(f"{name}.tflite", image, low=-1.0), key=lambda a: -a.shape[-1])
     anchors = make_anchors(side, layers)
@@ -209,15 +207,13 @@ def detect_pose(rgb: Photo) -> PoseResult | None:
     out = _pose_net(rgb, crop)
     points = _pose_points(out, crop)
     table = out[195].reshape(39, 5)[:33]
-    turn = np.array([[math.cos(crop.angle_rad), -math.sin(crop.angle_rad)],
-                     [math.sin(crop.angle_rad), math.cos(crop.angle_rad)]])  # fmt: skip
     world = out[117].reshape(39, 3)[:33].astype(np.float64)
-    world[:, :2] = world[:, :2] @ turn.T
+    world[:, :2] = turned(world[:, :2], crop.angle_rad)
     hips_inside = max(points[23, 1], points[24, 1]) < 0.98 * rgb.shape[0]
     return PoseResult(
         points_px=points[:33],
-        visibility=_sigmoid(table[:, 3]),
-        presence=_sigmoid(table[:, 4]),
+        visibility=sigmoid(table[:, 3]),
+        presence=sigmoid(table[:, 4]),
         world_m=world,
         score=float(out[1].ravel()[0]),
         mask=body_mask(rgb, crop, _pose_mask_net) if hips_inside else portrait_mask(rgb, _selfie_net),
@@ -225,7 +221,7 @@ def detect_pose(rgb: Photo) -> PoseResult | None:
 
 
 def _pose_mask_net(photo: Photo, crop: Crop) -> Floats:
-    return _sigmoid(_pose_net(photo, crop)[POSE_SIDE * POSE_SIDE].reshape(POSE_SIDE, POSE_SIDE))
+    return sigmoid(_pose_net(photo, crop)[POSE_SIDE * POSE_SIDE].reshape(POSE_SIDE, POSE_SIDE))
 
 
 def _selfie_net(photo: Photo, crop: Crop) -> Floats:
@@ -244,14 +240,14 @@ def _mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
     photo_from_crop = photo_px_from_crop(crop, width=FACE_SIDE, height=FACE_SIDE)
     moved = move_points(table[:, :2] - 0.5, photo_from_crop)
     depth = table[:, 2] * crop.width_px / FACE_SIDE
-    return np.column_stack([moved, depth]), float(_sigmoid(flag).ravel()[0])
+    return np.column_stack([moved, depth]), float(sigmoid(flag).ravel()[0])
 
 
 def _mean_mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
     """Return the mean mesh of a crop and its mirror image; halves the net's jitter."""
     straight, presence = _mesh(photo, crop)
-    flipped, turned = mirror_crop(photo, crop)
-    mirrored, other = _mesh(flipped, turned)
+    flipped, other_crop = mirror_crop(photo, crop)
+    mirrored, other = _mesh(flipped, other_crop)
     mirrored = mirrored[mirror_order()]
     mirrored[:, 0] = photo.shape[1] - 1 - mirrored[:, 0]
     return (straight + mirrored) / 2, min(presence, other)
@@ -290,12 +286,11 @@ def detect_face(rgb: Photo, box: Box | None = None) -> FaceResult | None:
         return None
     across = float(np.hypot(*(points[263, :2] - points[33, :2])))
     turn = math.degrees(math.atan2(points[263, 2] - points[33, 2], across))
-    return FaceResult(points[:, :2], points[:, 2], presence, turn, box)
+    closer, irises = closer_look(rgb, points, _invoke)
+    return FaceResult(closer, points[:, 2], presence, turn, box, irises)
 
 
 def _look_closer(photo: Photo, box: Box) -> Box:
     """Detect a small face again in a crop round it, where its eyes are sharper."""
-    side = 3.0 * max(box.width_px, box.height_px)
-    middle = ((box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2)
-    near = _detect("face_detection_short_range", photo, Crop(*middle, side, side), "face", 0.5)
+    near = _detect("face_detection_short_range", photo, around(box), "face", 0.5)
     return near[0] if near and same_place(near[0], box, 0.3) else box

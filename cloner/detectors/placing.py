@@ -75,6 +75,12 @@ def face_crop(box: Box) -> Crop:
     return Crop(*middle, side, side, math.atan2(down, across))
 
 
+def around(box: Box) -> Crop:
+    """Return an upright square three times as large as a found face."""
+    side = 3.0 * max(box.width_px, box.height_px)
+    return Crop((box.left_px + box.right_px) / 2, (box.top_px + box.bottom_px) / 2, side, side)
+
+
 def mesh_crop(points: Floats) -> Crop:
     """Return the square the mesh net wants, from a first mesh in photo px."""
     across, down = (points[263, :2] - points[33, :2]).tolist()
@@ -85,6 +91,12 @@ def mesh_crop(points: Floats) -> Crop:
     middle = turn.T @ ((low + high) / 2)
     side = 1.5 * float((high - low).max())
     return Crop(float(middle[0]), float(middle[1]), side, side, angle)
+
+
+def turned(points: Floats, angle_rad: float) -> Floats:
+    """Return (N, 2) points turned about the origin, clockwise as seen."""
+    cos, sin = math.cos(angle_rad), math.sin(angle_rad)
+    return np.asarray(points @ [[cos, sin], [-sin, cos]])
 
 
 def mirror_crop(photo: Photo, crop: Crop) -> tuple[Photo, Crop]:

@@ -91,7 +91,7 @@ class FaceResult:
     Parameters
     ----------
     points_px : (468, 2) float64
-        The face mesh's points in photo px.
+        The face mesh's points in photo px; those of lips, eyes and brows from a second, closer look.
     depth_px : (468,) float64
         Relative depth in px, smaller is nearer to the camera; weak perspective.
     presence : float
@@ -101,6 +101,8 @@ class FaceResult:
         right. Trust the points below about 40 degrees only.
     box : Box or None
         The detector's box the search started from.
+    irises_px : (2, 2) float64
+        Centres of the person's left and right iris.
     """
 
     points_px: NDArray[np.float64]
@@ -108,3 +110,4 @@ class FaceResult:
     presence: float
     turn_deg: float
     box: Box | None
+    irises_px: NDArray[np.float64]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from types import MappingProxyType
 
@@ -18,6 +18,9 @@ HAIR = 2
 #: Error at which a body point's confidence has fallen to 1/e, share of the figure's height.
 CONFIDENCE_SCALE = 0.02
 
+#: Error at which a face point's confidence has fallen to 1/e, share of the inter-ocular distance.
+FACE_CONFIDENCE_SCALE = 0.10
+
 
 def confidence_of(error: float) -> float:
     """Return a body point's confidence for an expected error in shares of the figure's height."""
@@ -27,6 +30,16 @@ def confidence_of(error: float) -> float:
 def expected_error(confidence: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the expected distance from the truth of body points, as shares of the figure's height."""
     return -CONFIDENCE_SCALE * np.log(np.clip(confidence, 1e-6, 1.0))
+
+
+def face_confidence(error: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the confidence of face points with expected errors in shares of the inter-ocular distance."""
+    return np.exp(-np.maximum(error, 0.0) / FACE_CONFIDENCE_SCALE)
+
+
+def expected_face_error(confidence: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the expected distance from the truth of face points, as shares of the inter-ocular distance."""
+    return -FACE_CONFIDENCE_SCALE * np.log(np.clip(confidence, 1e-6, 1.0))
 
 
 class StateKind(StrEnum):
@@ -80,7 +93,8 @@ class ViewPoints:
         Unique point names.
     points_px : (N, 2) float64, photo pixels, (0, 0) = centre of top-left pixel
     confidence : (N,) float64 in 0..1
-        Body points: exp(-expected error / 2 % of the figure's height), see ``expected_error``.
+        Body points: exp(-expected error / 2 % of the figure's height), see ``expected_error``; face points:
+        exp(-expected error / 10 % of the inter-ocular distance), see ``expected_face_error``.
     corrected : (N,) bool
         True where an operator placed the point.
     proposed : ViewPoints or None
@@ -150,6 +164,8 @@ class Proposal:
         0 background, 1 skin, 2 hair, 3 cloth or other (meaningful on the head).
     barefoot : bool
         Whether the feet have the colour of the face.
+    irises_px : (2, 2) float64
+        Centres of the person's left and right iris; zeros where no face was found or nobody looked.
     """
 
     view: ViewId
@@ -161,6 +177,7 @@ class Proposal:
     mask: NDArray[np.uint8]
     labels: NDArray[np.uint8]
     barefoot: bool = False
+    irises_px: NDArray[np.float64] = field(default_factory=lambda: np.zeros((2, 2)))
 
     def __post_init__(self) -> None:
         freeze(
@@ -171,6 +188,7 @@ class Proposal:
             face_depth=(np.float64, (468,)),
             mask=(np.uint8, (None, None)),
             labels=(np.uint8, (None, None)),
+            irises_px=(np.float64, (2, 2)),
         )
 
 

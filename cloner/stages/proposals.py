@@ -43,14 +43,14 @@ def check_people(photo: Photo) -> None:
         )
 
 
-def face_in(photo: Photo) -> tuple[NDArray[np.float64], NDArray[np.float64], float]:
-    """Return (468, 2) points, (468,) depths in pixels and the presence of the face; zeros where a photo shows none."""
+def face_in(photo: Photo) -> tuple[NDArray[np.float64], NDArray[np.float64], float, NDArray[np.float64]]:
+    """Return (468, 2) points, (468,) depths, all pixels, presence and (2, 2) irises of a face; zeros without one."""
     if photo.view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
         face = DETECTORS.get("face")(photo.rgb)
         if face is not None and face.presence >= FACE_PRESENCE:
             points, depth = (np.asarray(values, dtype=np.float64) for values in (face.points_px, face.depth_px))
-            return points, depth, float(face.presence)
-    return np.zeros((468, 2)), np.zeros(468), 0.0
+            return points, depth, float(face.presence), face.irises_px
+    return np.zeros((468, 2)), np.zeros(468), 0.0, np.zeros((2, 2))
 
 
 def propose(photo: Photo) -> Proposal:
@@ -68,7 +68,7 @@ def propose(photo: Photo) -> Proposal:
     mask = refine_mask(photo.rgb, pose.mask, pose.points_px if photo.view.is_body else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
         raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
-    points, depth, presence = face_in(photo)
+    points, depth, presence, irises = face_in(photo)
     shown = points if presence > 0.0 else None
     labels = head_hair_labels(photo.rgb, mask, shown, photo.view, pose_points=pose.points_px)
     return Proposal(
@@ -81,6 +81,7 @@ def propose(photo: Photo) -> Proposal:
         np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8),
         labels,
         photo.view.is_body and barefoot(photo, mask > 0.5, labels, pose.points_px),
+        irises,
     )
 
 

@@ -1,20 +1,27 @@
 """Find where the face net's 468 points lie on the generic head: ``python generic_models/build/calibrate_face_net.py``.
 
-Random generic heads are painted, photographed and shown to the net; every point's place on the surface and its spread
-go to ``cloner_models/face_net.npz``, with the linear rules that turn net points into named feature points.
+Random dressed people (``painted_faces.py``) are photographed from the front and shown to the net; every point's place
+on the surface and its spread go to ``cloner_models/face_net.npz``, with the linear rules that turn net points into
+named feature points, and with the model of profiles (``profile_shapes.py``) that side photos need.
 """
 
 from __future__ import annotations
 
 import argparse
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 from archives import save
 from numpy.typing import NDArray
-from painted_heads import Head, photograph, random_camera
+from painted_faces import EXTRAS, make_sitter, photograph_face
+from painted_heads import Head
+from painted_people_pictures import BACKGROUNDS
+from profile_shapes import NAMES as PROFILE
+from profile_shapes import joint_model, profile_shapes
 
 from cloner.detectors import litert
+from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.surface import SurfacePoints, first_hits, nearest_points
@@ -23,27 +30,41 @@ from cloner.records.views import Camera
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "face_net.npz"
 SEED = 468  # any number; fixed so that a rebuild gives the same file
+FIRST_SITTER = 5000  # far from the seeds that tests and benchmarks draw
+EXTRA_EVERY = 4  # every so manieth sitter wears a beard, glasses or hair over the ears
 NAMED = (
     "eye_inner", "eye_outer", "eye_upper", "eye_lower", "mouth_corner", "ala", "pupil",
     "ear_top", "ear_lobe", "ear_outer",
 )  # fmt: skip
 MIDDLE = ("nasion", "glabella", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front",
           "chin_bottom")  # fmt: skip
-PROFILE = ("glabella", "nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front",
-           "chin_bottom")  # fmt: skip
 MODES = 24  # joint errors of the net that are kept; the rest counts as independent
-BANK = 24  # profiles kept for the search in side photos
+PROFILES = 500  # random side faces behind the profile model
+PROFILE_MODES = 20
 NEIGHBOURS = 14  # net points a named point is made from
 RIDGE = 30.0  # holds the rule near plain interpolation; taste, 40 heads fix 14 weights only softly
 
 
-def random_head(generic: GenericHuman, rng: np.random.Generator, spread: float = 0.8) -> Array:
-    """Return the vertices of a random person at 1.70 m, metres; ``spread`` scales the population's variety."""
-    vertices, _ = generic.shape(0.8 * rng.normal(size=generic.shape_basis.shape[0]), 1.70)
-    if generic.face_basis.size:
-        face = np.tensordot(spread * rng.normal(size=len(generic.face_basis)), generic.face_basis, axes=1)
-        vertices[generic.head_vertices] += face
-    return vertices
+@dataclass(frozen=True, slots=True, eq=False)
+class Shown:
+    """One front face as the net saw it: true vertices and camera, net points (468, 2) and irises (2, 2)."""
+
+    vertices_m: Array
+    camera: Camera
+    points_px: Array
+    irises_px: Array
+    picture: NDArray[np.uint8]
+
+
+def show_sitter(seed: int) -> Shown | None:
+    """Return a random person's front face with the net's points, or None when it sees no face."""
+    extras = () if seed % EXTRA_EVERY else (EXTRAS[seed // EXTRA_EVERY % 3],)
+    background = BACKGROUNDS[seed % len(BACKGROUNDS)]
+    known = photograph_face(make_sitter(seed, extras), ViewId.FACE_FRONT, background=background)
+    found = litert.detect_face(known.rgb)
+    if found is None:
+        return None
+    return Shown(known.vertices_m, known.camera, found.points_px, found.irises_px, known.rgb)
 
 
 def exposed_triangles(generic: GenericHuman, triangles: NDArray[np.integer]) -> NDArray[np.bool_]:
@@ -58,12 +79,6 @@ def exposed_triangles(generic: GenericHuman, triangles: NDArray[np.integer]) -> 
         seen[hit[hit >= 0]] = True
     body = generic.vertex_part[triangles].max(axis=1) == generic.part_names.index("body")
     return seen & body
-
-
-def net_points(picture: NDArray[np.uint8]) -> Array | None:
-    """Return the net's (468, 2) points or None when it sees no face."""
-    result = litert.detect_face(picture)
-    return None if result is None else np.asarray(result.points_px)
 
 
 def places(generic: GenericHuman, vertices: Array, camera: Camera, points: Array, triangles: NDArray[np.integer],
@@ -88,6 +103,9 @@ def places(generic: GenericHuman, vertices: Array, camera: Camera, points: Array
 def named_rule(net: Array, named: Array, centre: Array) -> tuple[NDArray[np.int64], Array, float]:
     """Return net indices, weights summing to one and rms error (share of the eye distance) for one named point.
 
+    The error is that of a face the rule was not made from (leave one out).
+
+
     Parameters
     ----------
     net : (heads, 468, 2), named : (heads, 2)
@@ -102,108 +120,98 @@ def named_rule(net: Array, named: Array, centre: Array) -> tuple[NDArray[np.int6
     columns = (net[:, chosen[:-1]] - net[:, chosen[-1:]]).transpose(0, 2, 1).reshape(-1, len(chosen) - 1)
     target = (named - np.einsum("k,hka->ha", start, net[:, chosen])).reshape(-1)
     ridge = RIDGE * 0.02**2 * np.eye(len(chosen) - 1)
-    free = np.linalg.solve(columns.T @ columns + ridge, columns.T @ target)
+    system = columns.T @ columns + ridge
+    free = np.linalg.solve(system, columns.T @ target)
+    leverage = 1.0 - np.einsum("ri,ij,rj->r", columns, np.linalg.inv(system), columns)
+    error = ((columns @ free - target) / leverage).reshape(-1, 2)
     weights = start + np.append(free, -free.sum())
-    error = np.einsum("k,hka->ha", weights, net[:, chosen]) - named
     return chosen, weights, float(np.sqrt((error**2).sum(axis=1).mean()))
-
-
-def profile_template(generic: GenericHuman, vertices: Array) -> tuple[Array, Array]:
-    """Return a head's side outline from 25 mm over the glabella to the chin's underside, and its named points.
-
-    Both are (120, 2) and (K, 2) metres, forward and up from the nose tip. The outline is the foremost point of each
-    level, filled up with the midline under the nose and the chin where a level has more than one.
-    """
-    body = generic.vertex_part == generic.part_names.index("body")
-    tip = vertices[generic.feature("nose_tip")]
-    corners = generic.triangles()[0]
-    corners = corners[body[corners].all(axis=1) & (np.abs(vertices[corners, 0]) < 0.03).all(axis=1)]
-    low = vertices[generic.feature("chin_bottom"), 1] - 0.001
-    high = vertices[generic.feature("glabella"), 1] + 0.025
-    front: list[Array] = []
-    for level in np.arange(low, high, 0.001):
-        above = vertices[corners, 1] > level
-        cut = corners[above.any(axis=1) & ~above.all(axis=1)]
-        reach = -np.inf
-        for first, second in ((0, 1), (1, 2), (2, 0)):
-            a, b = vertices[cut[:, first]], vertices[cut[:, second]]
-            crosses = (a[:, 1] > level) != (b[:, 1] > level)
-            a, b = a[crosses], b[crosses]
-            depth = a[:, 2] + (level - a[:, 1]) / (b[:, 1] - a[:, 1]) * (b[:, 2] - a[:, 2])
-            reach = max(reach, float(depth.max(initial=-np.inf)))
-        front.append(np.array([reach, level]))
-    points = np.stack(front)
-    gap = np.linalg.norm(np.diff(points, axis=0), axis=1)
-    along = np.concatenate([[0.0], np.cumsum(gap)])
-    even = np.linspace(0.0, along[-1], 120)
-    points = np.column_stack([np.interp(even, along, points[:, k]) for k in range(2)])
-    named = np.stack([vertices[generic.feature(n)][[2, 1]] for n in PROFILE])
-    return points - tip[[2, 1]], named - tip[[2, 1]]
-
-
-def profile_bank(generic: GenericHuman, rng: np.random.Generator) -> tuple[Array, Array]:
-    """Return the outlines (B, 120, 2) and named points (B, K, 2) of the mean head and of random ones."""
-    heads = [generic.vertices_m.astype(np.float64)] + [random_head(generic, rng, 1.3) for _ in range(BANK - 1)]
-    pairs = [profile_template(generic, vertices) for vertices in heads]
-    return np.stack([p for p, _ in pairs]), np.stack([n for _, n in pairs])
 
 
 def main() -> None:
     """Photograph, ask, average, write."""
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--heads", type=int, default=40)
+    parser.add_argument("--heads", type=int, default=120)
     parser.add_argument("--sheet", type=Path, help="write a picture of some heads with the net's points")
     arguments = parser.parse_args()
-    generic, rng = load_generic(), np.random.default_rng(SEED)
-    head = Head(generic)
-    exposed = exposed_triangles(generic, head.coarse)
-    mean = generic.vertices_m.astype(np.float64)
-    names = [f"{n}_{s}" for n in NAMED for s in "LR"] + list(MIDDLE)
-    found: list[tuple[Array, Camera, Array, Array]] = []
-    pictures = []
-    for _ in range(arguments.heads):
-        vertices = random_head(generic, rng)
-        camera = random_camera(generic, vertices, rng)
-        picture = photograph(head, vertices, camera, rng)
-        points = net_points(picture)
-        if points is None:
-            continue
-        found.append((vertices, camera, points, places(generic, vertices, camera, points, head.coarse, exposed)))
-        pictures.append(picture)
-    stacked = np.stack([p for *_, p in found])
-    middle = np.median(stacked, axis=0)
+    shown = [show_sitter(seed) for seed in range(FIRST_SITTER, FIRST_SITTER + arguments.heads)]
+    faces = [face for face in shown if face is not None]
+    generic = load_generic()
+    surface, twin = mean_places(generic, faces)
+    arrays = named_rules(generic, faces) | spreads(generic, faces, surface, twin) | profiles(generic)
+    arrays |= {"corners": surface.corners, "weights": surface.weights.astype(np.float32)}
+    save(OUT, arrays)
+    report(arrays, len(faces))
+    if arguments.sheet:
+        write_sheet(arguments.sheet, faces[:6], surface)
+
+
+def mean_places(generic: GenericHuman, faces: list[Shown]) -> tuple[SurfacePoints, NDArray[np.int64]]:
+    """Return the symmetric mean places of the net's points, and each one's twin on the other side."""
+    triangles, mean = Head(generic, splits=0).coarse, generic.vertices_m.astype(np.float64)
+    exposed = exposed_triangles(generic, triangles)
+    stacked = [places(generic, f.vertices_m, f.camera, f.points_px, triangles, exposed) for f in faces]
+    middle = np.median(np.stack(stacked), axis=0)
     twin = np.linalg.norm((middle * [-1.0, 1.0, 1.0])[:, None] - middle[None], axis=2).argmin(axis=1)
     middle = (middle + middle[twin] * [-1.0, 1.0, 1.0]) / 2.0
-    surface = nearest_points(middle, mean, head.coarse[exposed], candidates=40)
-    reprojected, sizes = [], []
-    for vertices, camera, points, _ in found:
-        iod = np.linalg.norm(np.diff(camera.project(vertices[[generic.feature(f"pupil_{s}") for s in "LR"]]), axis=0))
-        metres = camera.metres_per_pixel(vertices[generic.feature("nasion")])
-        reprojected.append((points - camera.project(surface.at(vertices))) * metres)
-        sizes.append(iod)
-    error = np.stack(reprojected)
-    sigma_m = np.sqrt((error**2).sum(axis=2).mean(axis=0) / 2.0)  # along one axis
+    return nearest_points(middle, mean, triangles[exposed], candidates=40), twin
+
+
+def spreads(
+    generic: GenericHuman, faces: list[Shown], surface: SurfacePoints, twin: NDArray[np.int64]
+) -> dict[str, NDArray[np.generic]]:
+    """Return how far net points lie from their places: each one's spread, joint errors, and what is left alone."""
+    nasion = generic.feature("nasion")
+    error = np.stack(
+        [
+            (f.points_px - f.camera.project(surface.at(f.vertices_m))) * f.camera.metres_per_pixel(f.vertices_m[nasion])
+            for f in faces
+        ]
+    )
     drift, alone = joint_errors(np.concatenate([error, error[:, twin] * [-1.0, 1.0]]))
-    unit = np.array(sizes)[:, None, None]
-    net = np.stack([p for _, _, p, _ in found]) / unit
+    sigma_m = np.sqrt((error**2).sum(axis=2).mean(axis=0) / 2.0)  # along one axis
+    return {
+        "sigma_m": sigma_m.astype(np.float32),
+        "drift_m": drift.astype(np.float16),
+        "alone_m": alone.astype(np.float32),
+    }
+
+
+def named_rules(generic: GenericHuman, faces: list[Shown]) -> dict[str, NDArray[np.generic]]:
+    """Return the rules from net points to named points, and where the irises' centres lie from the pupils."""
+    names = [f"{n}_{s}" for n in NAMED for s in "LR"] + list(MIDDLE)
+    pupils = [generic.feature(f"pupil_{side}") for side in "LR"]
+    seen = [f.camera.project(f.vertices_m) for f in faces]
+    unit = np.array([np.linalg.norm(np.diff(s[pupils], axis=0)) for s in seen])[:, None, None]
+    net = np.stack([f.points_px for f in faces]) / unit
     origin = net.mean(axis=1, keepdims=True)
-    rules = np.zeros((len(names), 468))
-    errors = np.zeros(len(names))
+    rules, errors = np.zeros((len(names), 468)), np.zeros(len(names))
     for row, name in enumerate(names):
-        vertex = generic.feature(name)
-        seen = np.stack([c.project(v[vertex][None])[0] for v, c, *_ in found])[:, None] / unit
-        chosen, weights, errors[row] = named_rule(net - origin, (seen - origin)[:, 0], (net - origin).mean(axis=0))
+        true = np.stack([s[generic.feature(name)] for s in seen])[:, None] / unit
+        chosen, weights, errors[row] = named_rule(net - origin, (true - origin)[:, 0], (net - origin).mean(axis=0))
         rules[row, chosen] = weights
-    profile, landmarks = profile_bank(generic, rng)
-    save(OUT, {"profile_m": profile.astype(np.float32), "profile_names": np.array(PROFILE, dtype=np.str_),
-               "profile_landmarks_m": landmarks.astype(np.float32),
-               "corners": surface.corners, "weights": surface.weights.astype(np.float32),
-               "sigma_m": sigma_m.astype(np.float32), "drift_m": drift.astype(np.float16),
-               "alone_m": alone.astype(np.float32), "named": np.array(names, dtype=np.str_),
-               "rules": rules.astype(np.float32), "rule_error_iod": errors.astype(np.float32)})  # fmt: skip
-    report(names, errors, sigma_m, len(found))
-    if arguments.sheet:
-        write_sheet(arguments.sheet, pictures[:6], found[:6], surface)
+    away = np.stack([f.irises_px - s[pupils] for f, s in zip(faces, seen, strict=True)]) / unit
+    away[:, 1, 0] *= -1.0  # the right eye mirrors the left
+    error = np.sqrt(((away - away.mean(axis=(0, 1))) ** 2).sum(axis=2).mean())
+    return {
+        "named": np.array(names, dtype=np.str_),
+        "rules": rules.astype(np.float32),
+        "rule_error_iod": errors.astype(np.float32),
+        "iris_offset_iod": away.mean(axis=(0, 1)).astype(np.float32),
+        "iris_error_iod": np.array([error], dtype=np.float32),
+    }
+
+
+def profiles(generic: GenericHuman) -> dict[str, NDArray[np.generic]]:
+    """Return the joint model of side outlines and named points."""
+    curves, named = profile_shapes(generic, np.random.default_rng(SEED), PROFILES)
+    mean, modes, rest = joint_model(curves, named, PROFILE_MODES)
+    return {
+        "profile_mean_m": mean.astype(np.float32),
+        "profile_modes_m": modes.astype(np.float32),
+        "profile_rest_m": rest.astype(np.float32),
+        "profile_names": np.array(PROFILE, dtype=np.str_),
+    }
 
 
 def joint_errors(error: Array) -> tuple[Array, Array]:
@@ -222,26 +230,26 @@ def joint_errors(error: Array) -> tuple[Array, Array]:
     return drift.reshape(MODES, 468, 2), alone
 
 
-def report(names: list[str], errors: Array, sigma_m: Array, count: int) -> None:
+def report(arrays: dict[str, NDArray[np.generic]], count: int) -> None:
     """Print what was found."""
+    sigma_m = arrays["sigma_m"]
     print(f"{count} heads; net points: median sigma {1e3 * np.median(sigma_m):.2f} mm, worst {1e3 * sigma_m.max():.2f}")
-    for name, error in zip(names, errors, strict=True):
+    for name, error in zip(arrays["named"], arrays["rule_error_iod"], strict=True):
         print(f"  {name:16s} {100 * error:5.2f} % of the eye distance")
+    print(f"  irises {100 * float(arrays['iris_error_iod'][0]):.2f} %, beside by {100 * arrays['iris_offset_iod']} %")
 
 
-def write_sheet(
-    path: Path,
-    pictures: list[NDArray[np.uint8]],
-    found: list[tuple[Array, Camera, Array, Array]],
-    surface: SurfacePoints,
-) -> None:
+def write_sheet(path: Path, faces: list[Shown], surface: SurfacePoints) -> None:
     """Draw the net's points (green) and the calibrated places (red) on some heads."""
     import cv2
 
     tiles = []
-    for picture, (vertices, camera, points, _) in zip(pictures, found, strict=True):
-        tile = picture.copy()
-        for colour, dots in (((0, 255, 0), points), ((255, 0, 0), camera.project(surface.at(vertices)))):
+    for face in faces:
+        tile = face.picture.copy()
+        for colour, dots in (
+            ((0, 255, 0), face.points_px),
+            ((255, 0, 0), face.camera.project(surface.at(face.vertices_m))),
+        ):
             for x, y in dots:
                 cv2.circle(tile, (round(x), round(y)), 1, colour, -1)
         tiles.append(tile)

@@ -8,8 +8,9 @@ Fetch the packages with the ordinary client and unpack them side by side::
 
 FOLDER holds ``mediapipe-<name>-<version>/package``. Every output is named, with its
 package, version, sha256 and licence, in ``nets/PROVENANCE.json``.
-``face_landmark_with_attention.tflite`` is left out: it needs the custom operator
-Landmarks2TransformMatrix, which ai-edge-litert 2.3 does not have (measured).
+``face_landmark_with_attention.tflite`` needs custom operators that ai-edge-litert 2.3
+does not have (measured), so it is cut into the part before and the part after them;
+``cloner/detectors/face_regions.py`` does what lay between.
 """
 
 from __future__ import annotations
@@ -24,7 +25,9 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
+import flatbuffers
 import numpy as np
+from ai_edge_litert import schema_py_generated as schema
 
 NETS = Path(__file__).resolve().parents[1] / "cloner_models" / "nets"
 VERSIONS = {
@@ -42,6 +45,13 @@ WANTED = (
     ("face_mesh", "face_landmark.tflite"),
     ("selfie_segmentation", "selfie_segmentation.tflite"),
 )
+ATTENTION = "face_landmark_with_attention.tflite"
+# tensors of the attention net: image; mesh, features, face flag; three sampled grids; lips, then eye and iris twice
+WHOLE = ((0,), (719, 35, 710))
+PARTS = ((199, 200, 201), (697, 700, 703, 704, 707))
+CUTS = {"face_attention_mesh.tflite": WHOLE, "face_attention_regions.tflite": PARTS}
+# operators Landmarks2TransformMatrix, whose options hold each region's mesh points, and how many those are
+REGIONS = {"lips": (192, 80), "eye_right": (193, 71), "eye_left": (194, 71)}
 GEOMETRY = "geometry_pipeline_metadata_landmarks.binarypb"
 
 
@@ -130,6 +140,51 @@ def write_npz(path: Path, arrays: dict[str, np.ndarray]) -> None:
             archive.writestr(entry, buffer.getvalue())
 
 
+def cut_net(model: bytes, inputs: tuple[int, ...], outputs: tuple[int, ...]) -> bytes:
+    """Return the net that leads from some tensors of another to some others."""
+    net = schema.ModelT.InitFromPackedBuf(model, 0)
+    graph = net.subgraphs[0]
+    maker = {int(t): n for n, operator in enumerate(graph.operators) for t in operator.outputs}
+    kept: set[int] = set()
+    used, left = {*inputs, *outputs}, list(outputs)
+    while left:
+        tensor = left.pop()
+        if tensor in inputs or tensor not in maker or maker[tensor] in kept:
+            continue
+        operator = graph.operators[maker[tensor]]
+        kept.add(maker[tensor])
+        used |= {int(t) for t in (*operator.inputs, *operator.outputs) if t >= 0}
+        left += [int(t) for t in operator.inputs if t >= 0]
+    row = {tensor: k for k, tensor in enumerate(sorted(used))}
+    graph.operators = [graph.operators[k] for k in sorted(kept)]
+    graph.tensors = [graph.tensors[k] for k in sorted(used)]
+    codes = sorted({operator.opcodeIndex for operator in graph.operators})
+    for operator in graph.operators:
+        operator.inputs = [row[int(t)] if t >= 0 else -1 for t in operator.inputs]
+        operator.outputs = [row[int(t)] for t in operator.outputs]
+        operator.opcodeIndex = codes.index(operator.opcodeIndex)
+    net.operatorCodes = [net.operatorCodes[k] for k in codes]
+    graph.inputs, graph.outputs = [row[t] for t in inputs], [row[t] for t in outputs]
+    buffers = [schema.BufferT()]
+    for tensor in graph.tensors:
+        data = net.buffers[tensor.buffer]
+        tensor.buffer = 0 if data.data is None else len(buffers)
+        buffers += [] if data.data is None else [data]
+    net.buffers, net.metadata, net.metadataBuffer, net.signatureDefs = buffers, None, None, None
+    builder = flatbuffers.Builder(len(model))
+    builder.Finish(net.Pack(builder), b"TFL3")
+    return bytes(builder.Output())
+
+
+def region_points(model: bytes, operator: int, count: int) -> np.ndarray:
+    """Return the mesh points (count,) of one region, out of the options of its operator."""
+    options = bytes(schema.ModelT.InitFromPackedBuf(model, 0).subgraphs[0].operators[operator].customOptions)
+    at = options.index(b"subset_idxs\0") + len(b"subset_idxs\0")
+    while struct.unpack_from("<H", options, at)[0] != count:  # the vector is aligned and begins with its length
+        at += 1
+    return np.frombuffer(options, "<u2", count, at + 2).astype(np.int32)
+
+
 def build(source: Path) -> None:
     """Write all nets, the canonical face and their provenance."""
     NETS.mkdir(parents=True, exist_ok=True)
@@ -141,6 +196,11 @@ def build(source: Path) -> None:
     face = canonical_face(read_asset(packages["face_mesh"], GEOMETRY))
     write_npz(NETS / "canonical_face.npz", face)
     rows.append(("face_mesh", "canonical_face.npz", GEOMETRY))
+    attention = read_asset(packages["face_mesh"], ATTENTION)
+    for name, (inputs, outputs) in CUTS.items():
+        (NETS / name).write_bytes(cut_net(attention, inputs, outputs))
+    write_npz(NETS / "face_regions.npz", {name: region_points(attention, *at) for name, at in REGIONS.items()})
+    rows += [("face_mesh", name, ATTENTION) for name in (*CUTS, "face_regions.npz")]
     table = [
         {
             "file": name,

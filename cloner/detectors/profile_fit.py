@@ -1,0 +1,325 @@
+"""The face's profile in a side photo: a shape model of profiles laid on the person's outline.
+
+Face nets fail at 90 degrees, so the profile is found by its shape. The model (``profile_shapes.py``) holds outlines of
+random turned heads together with their named points; a coarse search over places, sizes, tilts and a few shapes gives
+starts, Gauss-Newton lays the model on the outline, and the best one tells where the named points are.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+Array = NDArray[np.float64]
+Field = NDArray[np.float32]
+
+#: Rows of the picture in which the search looks; a face then has a pixel a millimetre or so.
+_SEARCH_ROWS: Final = 600
+#: Sizes around the guess, and tilts in radians.
+_SIZES: Final = np.geomspace(0.66, 1.5, 12)
+_TILTS: Final = np.radians(np.linspace(-27.0, 27.0, 10))
+#: Modes of which both ends are tried, and how far they go, standard deviations.
+_TRIED_MODES: Final = 3
+_TRIED_SIGMA: Final = 1.5
+#: The outline is also felt this far inside and outside, and no gap counts more than this, metres.
+_FEEL_M: Final = 0.005
+_CAP_M: Final = 0.006
+#: Cost of a size or tilt that is usual times e, or off by a radian: of equal fits the usual one wins (taste).
+_UNUSUAL_SIZE: Final = 0.004
+_UNUSUAL_TILT: Final = 0.004
+STARTS: Final = 10
+#: Error of an outline point, metres; neighbours err together, so it is larger than a mask's own.
+_SIGMA_M: Final = 0.0016
+#: Gates of the Gauss-Newton turns, metres: what lies beyond is another thing (glasses, a fringe).
+_GATES_M: Final = (0.012, 0.012, 0.010, 0.008, 0.007, 0.006, 0.006, 0.005, 0.005, 0.005)
+#: How much a normal that differs by a radian counts as distance, metres.
+_NORMAL_M: Final = 0.006
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ProfileModel:
+    """Outlines of side faces with named points.
+
+    Attributes
+    ----------
+    mean : (M + K, 2) float64
+        Forward and up, metres; first the outline from over the glabella to behind the chin, then the named points.
+    modes : (B, M + K, 2) float64
+        Times a standard normal number each.
+    rest_m : (M + K,) float64
+        Spread that the modes leave.
+    names : tuple of str, K of them
+        Those without a side; paired ones are of the side that is seen.
+    """
+
+    mean: Array
+    modes: Array
+    rest_m: Array
+    names: tuple[str, ...]
+
+    @property
+    def samples(self) -> int:
+        """Number of outline points M."""
+        return len(self.mean) - len(self.names)
+
+    def shape(self, weights: Array) -> Array:
+        """Return the (M + K, 2) shape of some weights (B,)."""
+        return np.asarray(self.mean + np.tensordot(weights, self.modes, axes=1))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Laid:
+    """A profile model laid on a photo.
+
+    Attributes
+    ----------
+    px_from_m : (2, 3) float64
+        Maps (forward, up, 1) to photo px.
+    weights : (B,) float64
+    cost_m : float
+        Mean capped distance of the outline from the model plus the prior's share, metres.
+    covariance : (4 + B, 4 + B) float64
+        Of size and turn, place, and weights, as the last turn of Gauss-Newton leaves it.
+    gap_m : (M,) float64
+        How far the photo's outline lies before the model's along the normals; NaN where none was near.
+    """
+
+    px_from_m: Array
+    weights: Array
+    cost_m: float
+    covariance: Array
+    gap_m: Array
+
+    @property
+    def size(self) -> float:
+        """Pixels per metre."""
+        return float(np.sqrt(abs(np.linalg.det(self.px_from_m[:, :2]))))
+
+
+def similarity(facing: int, size: float, tilt: float, nose_px: Array, nose_m: Array) -> Array:
+    """Return the (2, 3) map of (forward, up, 1) metres to px that puts a point on another; tilt turns faces upwards."""
+    c, s = size * np.cos(tilt), size * np.sin(tilt)
+    linear = np.array([[facing * c, -facing * s], [-s, -c]])
+    return np.column_stack([linear, nose_px - linear @ nose_m])
+
+
+def normals_of(curve: Array) -> Array:
+    """Return (N, 2) unit normals of an open curve: to the left of its direction in an x-right, y-up frame."""
+    along = np.gradient(curve, axis=0)
+    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-12)
+    return np.column_stack([-along[:, 1], along[:, 0]])
+
+
+def signed_distance(mask: NDArray[np.uint8], scale: float) -> Field:
+    """Return the (h, w) distance to the outline of a person's probability, inside positive, scaled px."""
+    size = (max(1, round(mask.shape[1] * scale)), max(1, round(mask.shape[0] * scale)))
+    inside = (cv2.resize(mask, size, interpolation=cv2.INTER_AREA) > 127).astype(np.uint8)
+    within = cv2.distanceTransform(inside, cv2.DIST_L2, 5)
+    return np.asarray(within - cv2.distanceTransform(1 - inside, cv2.DIST_L2, 5), np.float32)
+
+
+def search(
+    mask: NDArray[np.uint8], model: ProfileModel, noses_px: Array, facing: int, size: float, lean: float
+) -> list[tuple[Array, Array]]:
+    """Return starts, best first: (2, 3) maps and weights.
+
+    Parameters
+    ----------
+    mask : (H, W) uint8
+    model : ProfileModel
+    noses_px : (N, 2) outline points that may be the nose tip
+    size : float
+        First guess, px per metre.
+    lean : float
+        First guess of the tilt, radians.
+    """
+    scale = min(1.0, _SEARCH_ROWS / mask.shape[0])
+    field = signed_distance(mask, scale)
+    shapes = [np.zeros(len(model.modes))]
+    for mode in range(_TRIED_MODES):
+        for sign in (-1.0, 1.0):
+            weights = np.zeros(len(model.modes))
+            weights[mode] = sign * _TRIED_SIGMA
+            shapes.append(weights)
+    rated: list[tuple[float, Array, Array]] = []
+    for weights in shapes:
+        for tilt in _TILTS:
+            cost, sizes = _rate(field, model, weights, noses_px * scale, facing, size * scale, float(tilt))
+            cost = cost + _UNUSUAL_TILT * (tilt - 0.5 * lean) ** 2 + _UNUSUAL_SIZE * np.log(_SIZES)[None] ** 2
+            for row in np.argsort(cost, axis=None)[:STARTS]:
+                nose, which = np.unravel_index(row, cost.shape)
+                tip = model.shape(weights)[model.samples + model.names.index("nose_tip")]
+                start = similarity(facing, sizes[which] / scale, float(tilt), noses_px[nose], tip)
+                rated.append((float(cost[nose, which]), start, weights))
+    rated.sort(key=lambda r: r[0])
+    return _apart(rated, model)
+
+
+def _rate(
+    field: Field, model: ProfileModel, weights: Array, noses: Array, facing: int, size: float, tilt: float
+) -> tuple[Array, Array]:
+    """Return (noses, sizes) mean capped distances in metres, and the sizes tried in the field's px per metre."""
+    shape = model.shape(weights)
+    curve = shape[: model.samples]
+    tip = shape[model.samples + model.names.index("nose_tip")]
+    outwards = normals_of(curve)[::3]
+    sizes = size * _SIZES
+    felt = np.stack([curve[::3] + away * outwards for away in (-_FEEL_M, 0.0, _FEEL_M)]) - tip
+    want = np.array([_FEEL_M, 0.0, -_FEEL_M])[:, None]
+    turned = felt @ similarity(facing, 1.0, tilt, np.zeros(2), np.zeros(2))[:, :2].T
+    place = noses[:, None, None, None] + sizes[None, :, None, None, None] * turned
+    column = np.clip(np.rint(place[..., 0]).astype(np.intp), 0, field.shape[1] - 1)
+    row = np.clip(np.rint(place[..., 1]).astype(np.intp), 0, field.shape[0] - 1)
+    gap = np.abs(field[row, column] / sizes[None, :, None, None] - want)
+    return np.minimum(gap, _CAP_M).mean(axis=(2, 3)), sizes
+
+
+def _apart(rated: list[tuple[float, Array, Array]], model: ProfileModel) -> list[tuple[Array, Array]]:
+    """Return the best starts, none nearly like a better one."""
+    kept: list[tuple[Array, Array]] = []
+    places: list[Array] = []
+    for _, start, weights in rated:
+        knots = model.shape(weights)[[0, model.samples // 2, model.samples - 1]] @ start[:, :2].T + start[:, 2]
+        reach = 0.008 * np.sqrt(abs(np.linalg.det(start[:, :2])))
+        if all(np.abs(knots - other).max() > reach for other in places):
+            kept.append((start, weights))
+            places.append(knots)
+        if len(kept) == STARTS:
+            break
+    return kept
+
+
+def lay(outline_px: Array, model: ProfileModel, start: Array, weights: Array, size: float) -> Laid:
+    """Return the model laid on an outline by Gauss-Newton from a start.
+
+    Parameters
+    ----------
+    outline_px : (N, 4) float64
+        Points of the person's outline and its outward normals.
+    start : (2, 3), weights : (B,)
+    size : float
+        Px per metre expected, known to about a fifth.
+    """
+    px_from_m, weights = np.asarray(start), np.asarray(weights)
+    covariance: Array = np.eye(4 + len(weights))
+    for gate in _GATES_M:
+        here, _, found, kept = _pairs(outline_px, model, px_from_m, weights, gate)
+        if kept.sum() < 20:
+            break
+        now = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+        normal = outline_px[found, 2:]
+        gap = ((outline_px[found, :2] - here) * normal).sum(axis=1) / now
+        share = 1.0 / (1.0 + (gap / (0.35 * gate)) ** 2) ** 2
+        strength = np.where(kept, share, 0.0) / _SIGMA_M**2
+        slope = _slopes(model, px_from_m, weights, normal, now)
+        prior = np.concatenate([[25.0, 8.0, 0.0, 0.0], np.ones(len(weights))])
+        pull = np.concatenate([[25.0 * np.log(size / now), 0.0, 0.0, 0.0], -weights])
+        system = slope.T @ (strength[:, None] * slope) + np.diag(prior + 1e-9)
+        step = np.linalg.solve(system, slope.T @ (strength * gap) + pull)
+        covariance = np.asarray(np.linalg.inv(system))
+        px_from_m = _moved(px_from_m, step[:4], model, weights)
+        weights = np.asarray(weights + step[4:])
+    return Laid(px_from_m, weights, *_judged(outline_px, model, px_from_m, weights, covariance))
+
+
+def _pairs(
+    outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array, gate: float
+) -> tuple[Array, Array, NDArray[np.intp], NDArray[np.bool_]]:
+    """Return model points and normals in px, the outline point nearest to each in place and slope, and which count."""
+    size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    curve = model.shape(weights)[: model.samples]
+    here = curve @ px_from_m[:, :2].T + px_from_m[:, 2]
+    outwards = normals_of(curve) @ px_from_m[:, :2].T / size
+    tree = cKDTree(np.hstack([outline_px[:, :2], _NORMAL_M * size * outline_px[:, 2:]]))
+    _, found = tree.query(np.hstack([here, _NORMAL_M * size * outwards]))
+    near = np.linalg.norm(outline_px[found, :2] - here, axis=1) < gate * size
+    alike = (outline_px[found, 2:] * outwards).sum(axis=1) > 0.5
+    return here, outwards, found, near & alike
+
+
+def _slopes(model: ProfileModel, px_from_m: Array, weights: Array, normal: Array, size: float) -> Array:
+    """Return (M, 4 + B) change of the outline along the normals, metres, by log size, turn, place, weights."""
+    centred = (model.shape(weights)[: model.samples] - model.mean[: model.samples].mean(axis=0)) @ px_from_m[:, :2].T
+    turned = np.column_stack([-centred[:, 1], centred[:, 0]])
+    bent = model.modes[:, : model.samples] @ px_from_m[:, :2].T
+    return np.column_stack(
+        [
+            (centred * normal).sum(axis=1) / size,
+            (turned * normal).sum(axis=1) / size,
+            normal[:, 0],
+            normal[:, 1],
+            np.einsum("bma,ma->mb", bent, normal) / size,
+        ]
+    )
+
+
+def _moved(px_from_m: Array, step: Array, model: ProfileModel, weights: Array) -> Array:
+    """Return the map after a step of log size, turn (radians, clockwise as seen) and place (metres)."""
+    size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    step = step * min(1.0, 0.3 / max(abs(step[0]), abs(step[1]), 1e-9))
+    c, s = np.cos(step[1]), np.sin(step[1])
+    linear = np.exp(step[0]) * np.array([[c, -s], [s, c]]) @ px_from_m[:, :2]
+    pivot = model.mean[: model.samples].mean(axis=0)
+    shift = px_from_m[:, :2] @ pivot + px_from_m[:, 2] + size * step[2:] - linear @ pivot
+    return np.column_stack([linear, shift])
+
+
+def _judged(
+    outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array, covariance: Array
+) -> tuple[float, Array, Array]:
+    """Return cost, covariance and gaps of a laid model."""
+    here, outwards, found, kept = _pairs(outline_px, model, px_from_m, weights, _GATES_M[-1])
+    size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    gap = ((outline_px[found, :2] - here) * outwards).sum(axis=1) / size
+    capped = np.where(kept, np.minimum(np.abs(gap), _CAP_M), _CAP_M)
+    cost = float(capped.mean() + _SIGMA_M * float(weights @ weights) / model.samples)
+    return cost, covariance, np.where(kept, gap, np.nan)
+
+
+def find_laid(
+    mask: NDArray[np.uint8],
+    outline_px: Array,
+    model: ProfileModel,
+    noses_px: Array,
+    facing: int,
+    size: float,
+    lean: float,
+) -> Laid | None:
+    """Return the best of all starts laid on the outline, or None without any.
+
+    Parameters
+    ----------
+    mask : (H, W) uint8
+    outline_px : (N, 4) outline points and outward normals
+    noses_px : (M, 2) where the nose tip may be
+    facing : int
+        +1 when the person looks to the image's right, -1 left.
+    size, lean : float
+        First guesses: px per metre, and the tilt in radians.
+    """
+    if len(noses_px) == 0 or len(outline_px) < 50:
+        return None
+    tried = [
+        lay(outline_px, model, start, weights, size)
+        for start, weights in search(mask, model, noses_px, facing, size, lean)
+    ]
+    return min(tried, key=lambda laid: laid.cost_m)
+
+
+def named_px(model: ProfileModel, laid: Laid) -> tuple[Array, Array]:
+    """Return the named points (K, 2) in photo px and their expected errors (K,), metres, along one axis."""
+    shape = model.shape(laid.weights)
+    points = shape[model.samples :] @ laid.px_from_m[:, :2].T + laid.px_from_m[:, 2]
+    bent = model.modes[:, model.samples :].transpose(1, 2, 0)
+    centred = shape[model.samples :] - model.mean[: model.samples].mean(axis=0)
+    # upright frame: turning by a radian moves (forward, up) to (-up, forward); its sign does not matter for a spread
+    fixed = np.stack([centred, np.column_stack([-centred[:, 1], centred[:, 0]])], axis=2)
+    place = np.broadcast_to(np.eye(2), (len(centred), 2, 2))
+    slope = np.concatenate([fixed, place, bent], axis=2)
+    spread = np.einsum("kai,ij,kaj->k", slope, laid.covariance, slope) / 2.0
+    return points, np.sqrt(np.maximum(spread, 0.0) + model.rest_m[model.samples :] ** 2)
