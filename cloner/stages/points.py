@@ -10,6 +10,7 @@ import numpy as np
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.geometry.completion import bring_along
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Correction, Corrections, PhotoState, PointSet, Proposals, StateKind, ViewPoints
@@ -18,6 +19,8 @@ from cloner.stages.bone_checks import check_bones
 from cloner.stages.photo_checks import check_photos
 from cloner.vision.loose_outline import find_loose
 
+#: A point that all faces have, and no body.
+FACE_MARK = "nose_tip"
 #: Points that set a body photo's scale.
 ENDS = ("head_top", "sole_left", "sole_right")
 #: A correction farther than this share of the figure's height from the proposal says that the proposal was wrong:
@@ -32,7 +35,7 @@ CLOTH_TRUST = 0.1
 
 
 def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: Photo) -> ViewPoints:
-    """Return the points with an operator's corrections on top; corrections win.
+    """Return the points with an operator's corrections on top; corrections win, and a face's neighbours follow them.
 
     Raises
     ------
@@ -57,6 +60,9 @@ def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: 
         row = names.index(name)
         positions[row] = correction.x_px, correction.y_px
         confidence[row], fixed[row] = 1.0, True
+    if FACE_MARK in points.names:
+        known = fixed[: len(points.names)]
+        positions[: len(known)] = bring_along(points.points_px, known, positions[: len(known)][known])
     return ViewPoints(points.view, tuple(names), positions, confidence, fixed, points.proposed or points, points.states)
 
 
@@ -134,6 +140,9 @@ def run(
         placed = corrections.points.get(view, {})
         if view.is_face or view is ViewId.BODY_FRONT:
             face[view] = DETECTORS.get("face_points")(photo, proposal)
+            if view.is_face and not face[view].names:
+                keys = {name: np.array([point.x_px, point.y_px]) for name, point in placed.items()}
+                face[view] = DETECTORS.get("complete_face")(view, keys)
         named_face = face[view].names if view in face else ()
         if view in body:
             body[view] = corrected(body[view], {n: c for n, c in placed.items() if n not in named_face}, photo)
