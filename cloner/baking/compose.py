@@ -7,7 +7,16 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.sources import Limits, Source, covered_by_hair, hair_allowed, hair_kept, visible_points
+from cloner.baking.materials import Materials
+from cloner.baking.sources import (
+    Limits,
+    Source,
+    covered_by_hair,
+    hair_allowed,
+    hair_kept,
+    shown_colours,
+    visible_points,
+)
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import head_weight
 from cloner.geometry.atlas import AtlasMap
@@ -15,7 +24,7 @@ from cloner.geometry.graphs import SurfaceGraph
 from cloner.geometry.partition import border_shares, partition_surface
 from cloner.vision.aligning import sample
 from cloner.vision.blending import Layer, blend_pyramids, push_pull
-from cloner.vision.evening import apply_light, light_basis
+from cloner.vision.evening import apply_light
 
 Array = NDArray[np.float64]
 
@@ -23,6 +32,10 @@ SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden 
 CHUNK_TEXELS = 1 << 18  # texels worked on at once: tables stay in tens of MiB
 LAST_CHOICE = 0.0005  # beside an inner outline a photo paints only what no other one sees
 OWNER_SMOOTHING = 4  # rounds; borders of 2-3 edge lengths' smoothness
+CLASH = 0.6  # of a full difference between skin and not skin
+OWNER_SHARE = 0.6
+BORDER_KIND = 0.4  # half the range of kinds that is border
+KIND_EDGE = 0.15  # kinds mix where their shares differ by less
 FILL_SHARE = 1e-6  # the smooth fill shows only where no photo does
 
 
@@ -43,9 +56,9 @@ def bake(
     atlas: AtlasMap,
     sources: list[Source],
     shares: Array,
-    gains: Array,
-    normals: Array,
+    light: Array,
     base: NDArray[np.float32],
+    kinds: Materials,
     limits: Limits,
     *,
     levels: int,
@@ -55,7 +68,7 @@ def bake(
 
     Parameters
     ----------
-    shares : (K, V); gains : (K, 4, 3); normals : (V, 3); base : (V, 3) levels
+    shares : (K, V); light : (K, V, 3) log gains; base : (3, V, 3) levels of skin, hair and cloth
     levels : int
         Pyramid levels of the blend.
     tick : callable, called with fractions 0..1
@@ -68,7 +81,7 @@ def bake(
     size = atlas.size
     covered = atlas.covered()
     ground = np.zeros((size * size, 3), np.float32)
-    ground[atlas.texel] = atlas.interpolate(base)
+    ground[atlas.texel] = lay_ground(atlas, base, kinds)
     ground = push_pull(ground.reshape(size, size, 3), covered.astype(np.float32))
     seen = np.zeros(size * size, bool)
 
@@ -76,7 +89,7 @@ def bake(
         yield Layer(ground, np.full((size, size), FILL_SHARE, np.float32))
         for k, source in enumerate(sources):
             tick(k / len(sources))
-            texel, colour, weight = paint(generic, atlas, source, shares[k], gains[k], normals, limits)
+            texel, colour, weight = paint(generic, atlas, source, shares[k], light[k], kinds, limits)
             if texel.size == 0:
                 continue
             if not source.mirrored:
@@ -92,8 +105,8 @@ def paint(
     atlas: AtlasMap,
     source: Source,
     share: Array,
-    gain: Array,
-    normals: Array,
+    light: Array,
+    kinds: Materials,
     limits: Limits,
 ) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
     """Return texels (N,), their colours (N, 3) in levels and weights (N,) from one photo."""
@@ -109,7 +122,8 @@ def paint(
             share,
             hair_allowed(generic),
             hair_kept(generic),
-            light_basis(normals) @ gain,
+            kinds.bare,
+            light,
         ]
     ).astype(np.float32)
     pieces = [
@@ -134,9 +148,25 @@ def _paint_rows(
     good = visible_points(source, limits, pixel, lookup, depth, cosine) & (weight > 0.0)
     good &= ~covered_by_hair(source, pixel, lookup, depth, values[:, 7] > 0.5, values[:, 8] > 0.5)
     unsafe = source.sight.before_edge(pixel, depth, cosine)
-    weight = np.where(unsafe, LAST_CHOICE * weight, weight)[good]
-    colour = apply_light(sample(source.plate.rgb, lookup[good]), values[good, 9:12])
+    weight = np.where(unsafe, LAST_CHOICE * weight, weight)
+    # Only who owns a border draws it: another's collar a little off would lie beside it.
+    clash = np.abs(sample(source.plate.skin, lookup)[:, 0] / 255.0 - values[:, 9])
+    unsure = (values[:, 6] > OWNER_SHARE) & (np.abs(values[:, 9] - 0.5) < BORDER_KIND)
+    good &= (clash < CLASH) | unsure
+    weight = weight[good]
+    colour = apply_light(shown_colours(source, lookup[good]), values[good, 10:13])
     return atlas.texel[rows[good]], colour.astype(np.float32), weight
+
+
+def lay_ground(atlas: AtlasMap, base: NDArray[np.float32], kinds: Materials) -> NDArray[np.float32]:
+    """Return (N, 3) the fill of all texels: each of one kind, mixed only over the width of a few texels."""
+    share = atlas.interpolate(np.column_stack([kinds.bare * (1.0 - kinds.scalp), kinds.bare * kinds.scalp, kinds.worn]))
+    share = np.maximum(share - share.max(axis=1, keepdims=True) + KIND_EDGE, 0.0)
+    share /= share.sum(axis=1, keepdims=True)
+    found = share[:, :1] * atlas.interpolate(base[0])
+    for k in (1, 2):
+        found += share[:, k : k + 1] * atlas.interpolate(base[k])
+    return np.asarray(found, np.float32)
 
 
 def dense_layer(

@@ -5,35 +5,112 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.sources import Source
+from cloner.baking.materials import Materials
+from cloner.baking.sources import Source, shown_colours
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.records.results import Residual
-from cloner.vision.aligning import sample
-from cloner.vision.evening import REFERENCE_HOLD, SECOND_HOLD, apply_light, even_light, light_basis
+from cloner.vision.evening import (
+    FLATTENED,
+    FLATTENED_CLOTH,
+    REFERENCE_HOLD,
+    apply_light,
+    even_light,
+    light_basis,
+    log_levels,
+    one_sided_light,
+    unsaturated,
+)
 from cloner.vision.painting import MOUTH_RGB
 
 Array = NDArray[np.float64]
 
 TRUSTED_COSINE = 0.45  # photos are compared where both see the surface at less than 63 degrees
+LIKE_LOG = 0.25  # photos that differ by more than a quarter after evening show different things
+SKIN_PRIOR = 1.0  # taste: how much one colour of skin counts against another photo of the same place
+FADE = 0.02  # against data of weight 1: a correction dies away over sqrt(LEVEL_STIFFNESS / FADE) = 10 edges
+LEVEL_STIFFNESS = 2.0  # taste: a correction follows no detail finer than some edges
 FILL_STIFFNESS = 0.02  # taste: seen colours hold, unseen ones are harmonic
+FILL_TRUST = 0.1  # a colour seen worse than this spreads nowhere
+NEAREST_WEIGHT = 1e-3  # the nearest colour holds a little, so that borders of cloth do not melt over a hole
+BORDER_LEVELS = 12.0  # neighbours that differ by more are two things
 # The face's tone counts most: neck and hands are matched to it.
 _REFERENCES = (ViewId.FACE_FRONT, ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.BODY_SIDE, ViewId.FACE_SIDE)
+
+_CLOTH_REFERENCES = (ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
 
 
 def vertex_colours(sources: list[Source]) -> Array:
     """Return (K, V, 3) slightly blurred colours of every vertex in every photo, levels."""
-    return np.stack([sample(s.plate.blurred, s.lookup_px) for s in sources]).astype(np.float64)
+    return np.stack([shown_colours(s, s.lookup_px, blurred=True) for s in sources]).astype(np.float64)
 
 
-def even_photos(sources: list[Source], colours: Array, normals: Array) -> Array:
-    """Return (K, 4, 3) log gains per source that even out exposure, white balance and light."""
-    trust = np.stack([_trust(source) for source in sources])
-    first = min(_REFERENCES.index(source.view) for source in sources)
-    held = {ViewId.BODY_FRONT: SECOND_HOLD, _REFERENCES[first]: REFERENCE_HOLD}
-    hold = np.array([held.get(source.view, 1.0) for source in sources])
-    return even_light(colours, trust, normals, hold)
+def even_photos(
+    generic: GenericHuman,
+    sources: list[Source],
+    colours: Array,
+    normals: Array,
+    kinds: Materials,
+    graph: SurfaceGraph,
+) -> Array:
+    """Return (K, V, 3) log gains per source and vertex that even out exposure, white balance and light.
+
+    Three steps, each on what the one before left: light from one side, told by
+    the person's own symmetry; one exposure and first-order light a photo, told
+    by shared surface; and a smooth rest along the borders between photos, so
+    that no border needs a wide blend in the atlas. Skin and cloth are evened
+    each by its own kind: cameras and developers bend dark cloth otherwise than skin.
+
+    Parameters
+    ----------
+    colours : (K, V, 3) levels
+    normals : (V, 3) unit
+    kinds : Materials
+    """
+    trust = np.stack([_trust(source) for source in sources]) * unsaturated(colours)
+    skin, worn = trust * ((kinds.bare > 0.5) & (kinds.scalp < 0.5)), trust * (kinds.worn > 0.5)
+    light = kinds.bare[:, None] * _even_kind(generic, sources, colours, normals, skin, SKIN_PRIOR)
+    light += kinds.worn[:, None] * _even_kind(generic, sources, colours, normals, worn, 0.0)
+    claim = np.stack([source.score for source in sources]) * unsaturated(colours)
+    return np.asarray(light + level_borders(evened_colours(colours, light), claim, graph))
+
+
+def _even_kind(
+    generic: GenericHuman, sources: list[Source], colours: Array, normals: Array, trust: Array, prior: float
+) -> Array:
+    """Return (K, V, 3) log gains from the vertices that ``trust`` (K, V) leaves.
+
+    With a ``prior`` > 0 the surface is thought of one colour as well, by that share of a photo's
+    trust: light that overlaps do not show is told by the skin itself.
+    """
+    share = FLATTENED if prior > 0.0 else FLATTENED_CLOTH
+    own = _flattened(generic, sources, colours, trust, normals, share)
+    level = np.stack([apply_light(colours[k], own[k]) for k in range(len(sources))])
+    references = _REFERENCES if prior > 0.0 else _CLOTH_REFERENCES
+    first = min(range(len(sources)), key=lambda k: (references.index(sources[k].view), sources[k].mirrored))
+    hold = np.where(np.arange(len(sources)) == first, REFERENCE_HOLD, 1.0)
+    rows = trust[first] > 0.0
+    if prior > 0.0 and rows.any():
+        plain = np.median(level[first, rows], axis=0)
+        level = np.concatenate([level, np.tile(plain, (1, len(normals), 1))])
+        trust = np.concatenate([trust, prior * trust.max(axis=0, keepdims=True)])
+        hold = np.append(hold, REFERENCE_HOLD)
+    gains = even_light(level, trust, normals, hold)[: len(sources)]
+    return np.asarray(own + np.einsum("vb,kbc->kvc", light_basis(normals), gains))
+
+
+def _flattened(
+    generic: GenericHuman, sources: list[Source], colours: Array, trust: Array, normals: Array, share: float
+) -> Array:
+    """Return (K, V, 3) log gains that take some of the one-sided light out of photos that show both halves."""
+    light = np.zeros((len(sources), len(normals), 3))
+    for k, source in enumerate(sources):
+        if source.view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+            continue
+        slope = one_sided_light(np.asarray(log_levels(colours[k]), np.float64), trust[k], normals, generic.mirror)
+        light[k] = -share * normals[:, :1] * slope
+    return light
 
 
 def _trust(source: Source) -> Array:
@@ -42,15 +119,51 @@ def _trust(source: Source) -> Array:
     return np.where(source.score > 0.0, steep, 0.0) * (0.25 if source.mirrored else 1.0)
 
 
-def evened_colours(colours: Array, gains: Array, normals: Array) -> Array:
+def level_borders(colours: Array, claim: Array, graph: SurfaceGraph) -> Array:
+    """Return (K, V, 3) smooth log gains that bring photos together where they take over from each other.
+
+    Where photos agree on what they show, each is drawn towards their mean,
+    weighted by claim; the correction dies away over some ten edges. Where they
+    differ by more than light can, they show different things: no correction.
+
+    Parameters
+    ----------
+    colours : (K, V, 3) levels after evening
+    claim : (K, V) >= 0
+
+    References
+    ----------
+    Lempitsky and Ivanov 2007, "Seamless mosaicing of image-based texture maps" (seam levelling), with data
+    from the whole overlap instead of one line.
+    """
+    logs = np.asarray(log_levels(colours), np.float64)
+    share = claim**2 / np.maximum((claim**2).sum(axis=0), 1e-12)
+    found = np.zeros_like(logs)
+    for k in range(len(logs)):
+        pull, mass, data = np.zeros(logs.shape[1:]), share[k].copy(), np.zeros(logs.shape[1])
+        for j in range(len(logs)):
+            if j == k:
+                continue
+            gap = logs[j] - logs[k]
+            alike = 1.0 / (1.0 + (np.abs(gap).mean(axis=1) / LIKE_LOG) ** 4)
+            part = share[j] * alike * (claim[k] > 0.0)
+            pull += part[:, None] * gap
+            mass += part
+            data += np.sqrt(share[k] * share[j]) * alike
+        weight = np.clip(2.0 * data, 0.0, 1.0)
+        goal = weight[:, None] * pull / np.maximum(mass, 1e-9)[:, None]
+        found[k] = graph.fill(goal / (weight + FADE)[:, None], weight + FADE, LEVEL_STIFFNESS)
+    return found
+
+
+def evened_colours(colours: Array, light: Array) -> Array:
     """Return (K, V, 3) vertex colours after evening, levels."""
-    basis = light_basis(normals)
-    return np.stack([apply_light(colours[k], basis @ gains[k]) for k in range(len(colours))])
+    return np.stack([apply_light(colours[k], light[k]) for k in range(len(colours))])
 
 
-def compare_photos(sources: list[Source], colours: Array, gains: Array, normals: Array) -> list[Residual]:
+def compare_photos(sources: list[Source], colours: Array, light: Array) -> list[Residual]:
     """Return per photo the median difference to the others on shared surface, before and after, grey levels."""
-    evened = evened_colours(colours, gains, normals)
+    evened = evened_colours(colours, light)
     trust = np.stack([_trust(source) for source in sources])
     found: list[Residual] = []
     for k, source in enumerate(sources):
@@ -66,13 +179,24 @@ def compare_photos(sources: list[Source], colours: Array, gains: Array, normals:
 
 
 def fill_surface(
-    generic: GenericHuman, sources: list[Source], evened: Array, graph: SurfaceGraph
+    generic: GenericHuman, sources: list[Source], evened: Array, kinds: Materials, graph: SurfaceGraph
 ) -> NDArray[np.float32]:
-    """Return (V, 3) a smooth colour for every vertex: seen ones keep theirs, others spread along the surface."""
+    """Return (3, V, 3) smooth colours of skin, hair and cloth for every vertex.
+
+    Seen vertices keep their own in the field of their kind; elsewhere each
+    field spreads along the surface by itself, so that a hole beside a collar
+    is filled with skin above the line and cloth below it.
+    """
     score = np.stack([source.score for source in sources])
-    weight = score.sum(axis=0)
-    colour = (score[..., None] * evened).sum(axis=0) / np.maximum(weight, 1e-9)[:, None]
-    weight = np.clip(weight * 2.0, 0.0, 1.0)
+    total = score.sum(axis=0)
+    colour = (score[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
+    weight = np.clip(total * 2.0, 0.0, 1.0)
     inside = generic.region("mouth_interior")
     colour[inside], weight[inside] = MOUTH_RGB, 1.0
-    return np.clip(graph.fill(colour, weight, FILL_STIFFNESS), 0.0, 255.0).astype(np.float32)
+    fields = []
+    for kind in (kinds.bare * (1.0 - kinds.scalp), kinds.bare * kinds.scalp, kinds.worn):
+        own = weight * np.clip(2.0 * kind - 1.0, 0.0, 1.0)
+        near = colour[graph.nearest(own > FILL_TRUST)]
+        near[~(own > FILL_TRUST).any()] = np.average(colour, axis=0, weights=weight + 1e-9)
+        fields.append(graph.fill(near, np.maximum(own, NEAREST_WEIGHT), FILL_STIFFNESS, near / BORDER_LEVELS))
+    return np.clip(np.stack(fields), 0.0, 255.0).astype(np.float32)

@@ -8,7 +8,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.sources import body_triangles, parents_of, person_mask, pose
+from cloner.baking.posed import body_triangles, parents_of, pose
+from cloner.baking.sources import person_mask
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.geometry.seeing import depth_at, nearest_of

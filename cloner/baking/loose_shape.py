@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from cloner.baking.loose_views import LooseView
-from cloner.baking.sources import body_triangles
+from cloner.baking.posed import body_triangles
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import GenericHuman
 from cloner.geometry.tubes import directions, hull_radii, ring_angles, tube_points

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.sources import parents_of
+from cloner.baking.posed import parents_of
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.skinning import joint_transforms, skin

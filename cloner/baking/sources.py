@@ -8,11 +8,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.baking.posed import body_triangles, pose, pose_shell
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, lower_arms, mirrored_share, photo_shares
 from cloner.geometry.seeing import Sight, depth_at, look, nearest_of
-from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
@@ -21,14 +21,20 @@ from cloner.records.points import Proposal, Proposals
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.aligning import outline_shift, sample, shift_points
+from cloner.vision.evening import unclipped, unsaturated
 from cloner.vision.plates import Plate, prepare_plate
+from cloner.vision.skin_colour import SkinColour
+from cloner.vision.vetting import label_colour
 
 Array = NDArray[np.float64]
 
+_FACED = (ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
 PERSON_LEVEL = 127  # a net's probability above one half
 HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
 CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stretched
 UNSAFE_CLAIM = 0.3  # of the usual, beside an inner outline
+BURNT_CLAIM = 0.15  # of the usual, where a channel is at its end
+SQUARE_COSINE = (0.6, 0.8)  # surfaces that face a photo stay its own: features must not come from two photos
 COLLAR_SHARE = 0.025  # of the figure: how far a collar reaches from the neck's skin
 HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
 
@@ -82,31 +88,6 @@ class Source:
     score: Array
 
 
-def body_triangles(generic: GenericHuman) -> NDArray[np.int32]:
-    """Return the (T, 3) triangles of the skin, without eyes, teeth, tongue and lashes."""
-    triangles = generic.triangles()[0]
-    part = generic.vertex_part[triangles[:, 0]]
-    return np.asarray(triangles[part == generic.part_names.index("body")], np.int32)
-
-
-def parents_of(generic: GenericHuman) -> NDArray[np.int32]:
-    """Return (94,) each joint's parent, -1 above the root."""
-    return np.asarray(generic.joint_parents, np.int32)
-
-
-def pose(generic: GenericHuman, joined: Joined, view: PosedView) -> Array:
-    """Return the (V, 3) vertices as the person stood in one photo, metres."""
-    transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
-    joints, weights = np.asarray(generic.skin_joints, np.int32), np.asarray(generic.skin_weights, np.float64)
-    return skin(joined.vertices_m, transforms, joints, weights)
-
-
-def pose_shell(generic: GenericHuman, joined: Joined, view: PosedView, shell: Shell) -> Array:
-    """Return the (N, 3) vertices of a shell as in one photo, metres."""
-    transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
-    return skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
-
-
 def person_mask(view: ViewId, proposal: Proposal, silhouettes: SilhouetteSet) -> NDArray[np.bool_]:
     """Return the (H, W) person: the extracted outline, or the net's mask where there is none."""
     silhouette = silhouettes.views.get(view)
@@ -128,10 +109,11 @@ def gather_sources(
     sources: list[Source] = []
     residuals: list[Residual] = []
     faces = frozenset(view for view in joined.views if view.is_face and view in photos.photos)
+    skins = person_skin(photos, proposals, silhouettes)
     for view, posed_view in joined.views.items():
         if view not in photos.photos or view not in proposals.views:
             continue
-        plate = make_plate(view, photos, proposals.views[view], silhouettes, limits)
+        plate = make_plate(view, photos, proposals.views[view], silhouettes, limits, skins.get(view))
         if not (plate.inside_px > 0.0).any():
             continue
         source, gap = make_source(generic, joined, shells, posed_view, plate, limits, faces)
@@ -142,7 +124,29 @@ def gather_sources(
     return sources, residuals
 
 
-def make_plate(view: ViewId, photos: PhotoSet, proposal: Proposal, silhouettes: SilhouetteSet, limits: Limits) -> Plate:
+def person_skin(photos: PhotoSet, proposals: Proposals, silhouettes: SilhouetteSet) -> dict[ViewId, SkinColour]:
+    """Return the colour of the skin in every photo; photos without a face take that of the first with one."""
+    found: dict[ViewId, SkinColour] = {}
+    for view in _FACED:
+        if view in photos.photos and view in proposals.views:
+            mask = person_mask(view, proposals.views[view], silhouettes)
+            colour = label_colour(photos.photos[view].rgb, mask, proposals.views[view].labels)
+            if colour is not None:
+                found[view] = colour
+    if not found:
+        return {}
+    first = next(iter(found.values()))
+    return {view: found.get(view, first) for view in photos.photos}
+
+
+def make_plate(
+    view: ViewId,
+    photos: PhotoSet,
+    proposal: Proposal,
+    silhouettes: SilhouetteSet,
+    limits: Limits,
+    skin: SkinColour | None,
+) -> Plate:
     """Return the photo without background; see :func:`prepare_plate`."""
     frontal = proposal.face_presence >= limits.face_presence and view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT)
     mask = person_mask(view, proposal, silhouettes)
@@ -152,6 +156,7 @@ def make_plate(view: ViewId, photos: PhotoSet, proposal: Proposal, silhouettes: 
         proposal.labels,
         proposal.face_px if frontal else None,
         (proposal.pose_px, proposal.pose_visibility) if view is ViewId.BODY_SIDE else None,
+        skin,
     )
 
 
@@ -184,6 +189,9 @@ def make_source(
         seen &= in_arm_zone(generic, plate, lookup)
     share = photo_shares(generic, posed_view.view, faces=faces)
     share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
+    # Where a photo is burnt out another one shows more, if it faces the surface better.
+    square = np.clip((sight.cosine - SQUARE_COSINE[0]) / (SQUARE_COSINE[1] - SQUARE_COSINE[0]), 0.0, 1.0)
+    share = share * np.maximum(np.maximum(unsaturated(sample(plate.blurred, lookup)), square), BURNT_CLAIM)
     return replace(source, score=share * np.where(seen, np.clip(sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
 
 
@@ -197,6 +205,15 @@ def align(sight: Sight, plate: Plate, limits: Limits) -> tuple[Array, float]:
     usable = cv2.dilate(plate.hair.astype(np.uint8), np.ones((growth, growth), np.uint8)) == 0
     field, gap = outline_shift(mesh_mask, plate.inside_px, usable, limit)
     return shift_points(sight.pixel_px, field), gap
+
+
+def shown_colours(source: Source, lookup_px: NDArray[np.floating], *, blurred: bool = False) -> NDArray[np.float32]:
+    """Return (N, 3) what a photo shows at (N, 2) lookups, levels, burnt-out skin mended."""
+    plate = source.plate
+    colour = sample(plate.blurred if blurred else plate.rgb, lookup_px)
+    if plate.red_share > 1.0:
+        return np.asarray(unclipped(colour, plate.red_share, sample(plate.skin, lookup_px)[:, 0] / 255.0), np.float32)
+    return colour
 
 
 def near_bare_head(plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:

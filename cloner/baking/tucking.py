@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.baking.sources import body_triangles
+from cloner.baking.posed import body_triangles
 from cloner.frames import m_from_mm
 from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import surface_graph

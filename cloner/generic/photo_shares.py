@@ -18,8 +18,9 @@ _BODY_ON_HEAD = {ViewId.BODY_FRONT: 0.12, ViewId.BODY_SIDE: 0.1, ViewId.BODY_BAC
 # An arm hangs before the body in the side photo: a few pixels off, it would take the shirt's colour. Front and back
 # photos see arms against the background.
 _ARM_SIDE = {"upper_arm": 0.4, "forearm": 0.15, "hand": 0.1}
-# The tops of the shoulders face no body camera; face photos look down on them a little, in nearly the same pose.
-_FACE_ON_SHOULDERS, _SHOULDER_REACH_M = 0.15, 0.09
+# Collars belong to the face photos: two photos never agree about them to the millimetre, further down on plain cloth
+# they may. Arms hang in no known pose in face photos, so they keep near the neck.
+_SHOULDER_REACH_M = 0.08
 
 
 def photo_shares(generic: GenericHuman, view: ViewId, *, faces: frozenset[ViewId]) -> NDArray[np.float64]:
@@ -32,11 +33,10 @@ def photo_shares(generic: GenericHuman, view: ViewId, *, faces: frozenset[ViewId
     faces : frozenset of ViewId
         The face photos there are: they keep body photos off the head.
     """
-    head = head_weight(generic)
-    near_head = np.maximum(head, _FACE_ON_SHOULDERS * _beside_neck(generic))
+    head = np.maximum(head_weight(generic), _beside_neck(generic)) if faces else head_weight(generic)
     ears = generic.region("ear_left") | generic.region("ear_right")
     if view is ViewId.FACE_FRONT:
-        return near_head * np.where(generic.region("face"), _FACE_FRONT, 1.0) * np.where(ears, 0.6, 1.0)
+        return head * np.where(generic.region("face"), _FACE_FRONT, 1.0) * np.where(ears, 0.6, 1.0)
     if view is ViewId.FACE_SIDE:
         return head * np.where(ears, _EAR_SIDE, _SIDE)
     on_body = np.ones(len(head))

@@ -36,7 +36,16 @@ class SurfaceGraph:
             values = np.where((degree > 0).reshape(-1, *[1] * (values.ndim - 1)), 0.5 * values + mean @ values, values)
         return values
 
-    def fill(self, values: Array, weight: Array, stiffness: float) -> Array:
+    def nearest(self, known: NDArray[np.bool_]) -> NDArray[np.int64]:
+        """Return (V,) the nearest known vertex along the surface; a vertex without any keeps its own number."""
+        own = np.arange(known.size)
+        rows = np.flatnonzero(known)
+        if rows.size == 0:
+            return own
+        _, _, found = dijkstra(self.lengths, directed=False, indices=rows, min_only=True, return_predecessors=True)
+        return np.asarray(np.where(found >= 0, found, own), np.int64)
+
+    def fill(self, values: Array, weight: Array, stiffness: float, alike: Array | None = None) -> Array:
         """Return (V, K) values that keep to ``values`` by ``weight`` and are harmonic elsewhere.
 
         Solves (W + s L) x = W c with the umbrella Laplacian L; a part without
@@ -48,8 +57,14 @@ class SurfaceGraph:
         weight : (V,), 0 = unknown
         stiffness : float
             Weight s of one edge against one known vertex of weight 1.
+        alike : (V, K), optional
+            Edges count less, the more these values differ along them: borders stay borders.
         """
         link = (self.lengths > 0).astype(np.float64)
+        if alike is not None:
+            ends = link.tocoo()
+            gap = np.abs(alike[ends.row] - alike[ends.col]).mean(axis=1)
+            link = csr_matrix((1.0 / (1.0 + gap**2) ** 2, (ends.row, ends.col)), shape=link.shape)
         laplacian = diags(np.asarray(link.sum(axis=1)).ravel()) - link
         mean = (weight[:, None] * values).sum(0) / max(float(weight.sum()), 1e-12)
         anchor = 1e-6  # keeps parts without data solvable; far below any real weight

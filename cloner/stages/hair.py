@@ -21,8 +21,8 @@ from cloner.baking.hair_cap import Scalp, measure_scalp
 from cloner.baking.hair_tail import find_tail
 from cloner.baking.hair_views import HairView, Hanger, hair_views
 from cloner.baking.hair_volume import VOXEL_M, hair_field
+from cloner.baking.posed import body_triangles
 from cloner.baking.shell_paint import ShellView, paint_shell
-from cloner.baking.sources import body_triangles
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.atlas import map_atlas

@@ -16,8 +16,10 @@ from numpy.typing import NDArray
 
 from cloner.baking.compose import bake, share_surface
 from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
+from cloner.baking.materials import doubt_grazing, find_materials
 from cloner.baking.parts import paint_parts
-from cloner.baking.sources import Limits, body_triangles, gather_sources
+from cloner.baking.posed import body_triangles
+from cloner.baking.sources import Limits, gather_sources
 from cloner.baking.tucking import tuck_scalp
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import load_generic
@@ -42,7 +44,8 @@ class Params:
     size : int
         Side of the atlas, texels.
     levels : int
-        Levels of the Laplacian pyramids; light differences melt over 2**levels texels.
+        Levels of the Laplacian pyramids. Light is evened on the surface: more levels only carry halos of what
+        photos disagree about over 2**levels texels.
     band_m, head_band_m : float
         Half width L of the mixing band between two photos on body and head, metres (taste).
     limits : Limits
@@ -50,7 +53,7 @@ class Params:
     """
 
     size: int = 2048
-    levels: int = 5
+    levels: int = 2
     band_m: float = 0.012
     head_band_m: float = 0.008
     limits: Limits = field(default_factory=Limits)
@@ -85,18 +88,20 @@ def run(
         graph = person_graph(generic, joined.vertices_m)
         normals = vertex_normals(joined.vertices_m, body_triangles(generic))
         colours = vertex_colours(sources)
-        gains = even_photos(sources, colours, normals)
-        residuals += compare_photos(sources, colours, gains, normals)
-        base = fill_surface(generic, sources, evened_colours(colours, gains, normals), graph)
+        kinds = find_materials(generic, sources, graph)
+        sources = doubt_grazing(sources, colours, kinds, graph)
+        light = even_photos(generic, sources, colours, normals, kinds, graph)
+        residuals += compare_photos(sources, colours, light)
+        base = fill_surface(generic, sources, evened_colours(colours, light), kinds, graph)
         shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
         rgb, seen = bake(
             generic,
             atlas,
             sources,
             shares,
-            gains,
-            normals,
+            light,
             base,
+            kinds,
             params.limits,
             levels=params.levels,
             tick=lambda part: tick(0.4 + 0.5 * part),

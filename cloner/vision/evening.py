@@ -8,13 +8,19 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 LEVEL_OFFSET = 8.0  # grey levels; keeps the logarithm of dark cloth finite and its noise small
-ROUNDS = 6  # reweighted least squares settles after 4-6 rounds (measured)
-HUBER_LOG = 0.08  # differences above 8 % are other things than light: cloth moved, a limb in the way
+ROUNDS = 8  # reweighted least squares settles after 6-8 rounds (measured)
+HUBER_LOG = 0.15  # differences above 15 % are mostly other things than light: cloth moved, a limb in the way
 _RIDGE_CONSTANT = 1.0  # taste: against pairs that weigh 20-50, exposure is nearly free
-RIDGE_SLOPE = 20.0  # taste: misplaced cloth must not pass for light from one side
-LARGEST_LOG = 0.15  # taste: a gain beyond 1.16 burns skin out; real lamps differ more, then a rest stays
+RIDGE_SLOPE = 4.0  # taste: misplaced cloth must not pass for light from one side
+LARGEST_LOG = 0.5  # of gamma-coded levels, a factor of 3 in light: window and shadow side of one face
 REFERENCE_HOLD = 1e4  # a reference does not give way
-SECOND_HOLD = 4.0  # taste: the other front photo gives way little
+SATURATED = (225.0, 252.0)  # levels from which on a channel is believed less, and not at all
+CLIPPED = (238.0, 252.0)  # red levels between which it is taken for clipped; JPEG rings by some levels
+LARGEST_RED = 330.0  # beyond this green is clipped as well
+FLATTENED = 0.6  # taste: share of one-sided light on skin that is taken out; all of it makes faces look drawn
+FLATTENED_CLOTH = 0.3  # taste: folds turn into light and dark sides too
+SLOPE_HUBER = 0.05  # beyond 5 % the two halves of a person differ by more than light
+LEAST_PAIRS = 60  # fewer vertices on both halves tell nothing
 
 
 def log_levels(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
@@ -81,6 +87,61 @@ def even_light(
             right[second] -= drive
         result = np.asarray(np.linalg.solve(system, right), np.float64).reshape(count, 4, 3)
     return _without_harm(result, logs, weights, basis)
+
+
+def unsaturated(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
+    """Return (...,) trust 1..0 in colours (..., 3), levels: burnt-out ones tell neither light nor colour."""
+    low, high = SATURATED
+    return np.asarray(np.clip((high - rgb.max(axis=-1)) / (high - low), 0.0, 1.0))
+
+
+def unclipped(rgb: NDArray[np.floating], red_share: float, skin: NDArray[np.floating]) -> NDArray[np.floating]:
+    """Return colours (N, 3) with the red that bright skin lost at 255 put back, levels, up to LARGEST_RED.
+
+    Skin burns out in red first; darkened again it would be green.
+
+    Parameters
+    ----------
+    red_share : float
+        Red against green of this skin.
+    skin : (N,) in 0..1
+    """
+    found = np.array(rgb, copy=True)
+    red = np.minimum(found[:, 1] * red_share, LARGEST_RED)
+    share = skin * np.clip((found[:, 0] - CLIPPED[0]) / (CLIPPED[1] - CLIPPED[0]), 0.0, 1.0)
+    found[:, 0] += share * np.maximum(red - found[:, 0], 0.0)
+    return found
+
+
+def one_sided_light(logs: Array, weight: Array, normals: Array, twin: NDArray[np.integer]) -> Array:
+    """Return (3,) slopes b of the light across one photo: its log level rises by ``b * n_x``.
+
+    People are painted alike on both halves, so what differs between a vertex
+    and its twin, as far as it goes with the surface's direction, is light.
+
+    Parameters
+    ----------
+    logs : (V, 3) log levels
+    weight : (V,) >= 0, 0 = not seen
+    normals : (V, 3) unit, x to the person's left
+    twin : (V,) each vertex's mirror image
+
+    Returns
+    -------
+    (3,) per channel; zero when too few vertices are seen on both halves.
+    """
+    trust = np.minimum(weight, weight[twin])
+    rows = np.flatnonzero((trust > 0.0) & (normals[:, 0] > 0.0) & (normals[twin, 0] < 0.0))
+    if rows.size < LEAST_PAIRS:
+        return np.zeros(3)
+    lean = normals[rows, 0] - normals[twin[rows], 0]
+    gap = logs[rows] - logs[twin[rows]]
+    slope = np.zeros(3)
+    for _ in range(ROUNDS):
+        rest = np.abs(gap - lean[:, None] * slope).mean(axis=1)
+        strength = trust[rows] / np.maximum(rest / SLOPE_HUBER, 1.0)
+        slope = (strength * lean) @ gap / max(float(strength @ lean**2), 1e-9)
+    return np.asarray(slope)
 
 
 def _without_harm(gains: Array, logs: Array, weights: Array, basis: Array) -> Array:

@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.vision.repair import repair_bleeding
+from cloner.vision.skin_colour import SkinColour
+from cloner.vision.vetting import shown_bare
 
 #: Outline of the eye openings in the 468-point face net, right eye then left eye (MediaPipe's own contour lists).
 EYE_OPENINGS = (
@@ -42,6 +44,10 @@ class Plate:
         Pixels labelled hair.
     bare : (H, W) bool
         Pixels labelled skin.
+    skin : (H, W) uint8
+        255 where a pixel shows skin, by label or by colour (below the face no label is sure), or hair.
+    red_share : float
+        Red against green of this skin, levels; 0 where unknown.
     eyes : (H, W) bool
         Open eyes: sclera and iris belong to the eyeballs, not to the lids.
     arms : (H, W) bool
@@ -55,6 +61,8 @@ class Plate:
     inside_px: NDArray[np.float32]
     hair: NDArray[np.bool_]
     bare: NDArray[np.bool_]
+    skin: NDArray[np.uint8]
+    red_share: float
     eyes: NDArray[np.bool_]
     arms: NDArray[np.bool_]
     figure_px: float
@@ -66,6 +74,7 @@ def prepare_plate(
     labels: NDArray[np.uint8],
     face_px: NDArray[np.float64] | None,
     pose: tuple[NDArray[np.float64], NDArray[np.float64]] | None,
+    skin: SkinColour | None,
 ) -> Plate:
     """Return a photo ready for projection.
 
@@ -78,6 +87,8 @@ def prepare_plate(
         Points of the face net; None where there is no frontal face.
     pose : ((33, 2), (33,)) or None
         Points and visibility of the pose net; None where arms do not lie before the body.
+    skin : SkinColour or None
+        The person's, from this photo or, where it shows no face, from another.
     """
     rows = np.flatnonzero(mask.any(axis=1))
     figure = float(rows[-1] - rows[0] + 1) if rows.size else float(mask.shape[0])
@@ -86,7 +97,9 @@ def prepare_plate(
     blurred = cv2.GaussianBlur(repaired, (0, 0), max(1.5, 0.003 * figure))
     hair, bare = labels == HAIR_LABEL, labels == SKIN_LABEL
     arms = _arm_zone(*pose, figure, mask.shape) if pose is not None else np.zeros(mask.shape, bool)
-    return Plate(repaired, blurred, inside, hair, bare, _eye_openings(face_px, mask.shape), arms, figure)
+    shown = shown_bare(repaired, mask, hair, bare, skin)
+    red = 0.0 if skin is None else skin.red_share()
+    return Plate(repaired, blurred, inside, hair, bare, shown, red, _eye_openings(face_px, mask.shape), arms, figure)
 
 
 def _arm_zone(

@@ -40,6 +40,10 @@ class SkinColour:
     spread: tuple[float, float]
     brightness: float
 
+    def red_share(self) -> float:
+        """Return red against green in coded levels."""
+        return float(np.exp(self.middle[0] / _GAMMA))
+
 
 def chroma(rgb: NDArray[np.number]) -> tuple[Array, Array]:
     """Return (N, 2) log ratios, which shading leaves alone, and (N,) brightness of (N, 3) sRGB values 0..255."""

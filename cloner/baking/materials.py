@@ -1,0 +1,100 @@
+"""What the surface is made of, by vote of the photos: bare skin, hair, or something worn."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.baking.sources import Source, hair_allowed
+from cloner.generic.load import GenericHuman
+from cloner.geometry.graphs import SurfaceGraph
+from cloner.vision.aligning import sample
+from cloner.vision.evening import log_levels
+
+Array = NDArray[np.float64]
+
+SQUARE = 0.5  # cosine from which a sight is believed by itself
+STRANGE_LOG = 0.45  # light differs by less between neighbours, skin and cloth by more
+STRANGE_KIND = 0.5
+KIND_STIFFNESS = 0.1  # an island of one or two edges is outvoted by what surrounds it
+KIND_STEP = (0.25, 0.75)
+MAJORITY = 0.1  # weight of what most of a body part is, against one square sight
+SPREAD_STIFFNESS = 0.02  # votes hold, unseen vertices follow their neighbours
+SURE = 4.0  # a claim of a half decides alone; a grazing one says little beside the neighbours
+HAIR_ROUNDS = 2  # rings over which the scalp's own kind fades
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Materials:
+    """Shares of kinds at each vertex.
+
+    Attributes
+    ----------
+    bare : (V,) float64 in 0..1, the person's own: skin or hair
+    scalp : (V,) float64 in 0..1, where the person's own is hair
+    worn : (V,) float64, 1 - bare
+    """
+
+    bare: Array
+    scalp: Array
+    worn: Array
+
+
+def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[Array, Array]:
+    """Return votes and weights in which unseen vertices lean to what most of their body part is."""
+    total = np.bincount(generic.vertex_segment, weight)
+    mean = np.bincount(generic.vertex_segment, weight * vote) / np.maximum(total, 1e-9)
+    clear = (MAJORITY * (2.0 * mean - 1.0) ** 2 * (total > 0.0))[generic.vertex_segment]
+    both = weight + clear
+    return (weight * vote + clear * mean[generic.vertex_segment]) / np.maximum(both, 1e-12), both
+
+
+def doubt_grazing(sources: list[Source], colours: Array, kinds: Materials, graph: SurfaceGraph) -> list[Source]:
+    """Return the sources without grazing sights that show something else than their surroundings.
+
+    A lookup wrong by a pixel lies centimetres off on a surface seen from its edge: the top of a
+    shoulder takes the colour of the neck behind it. Such a sight is believed where it agrees with
+    what photos show squarely nearby.
+
+    Parameters
+    ----------
+    colours : (K, V, 3) levels, not yet evened
+    kinds : Materials
+    """
+    logs = np.asarray(log_levels(colours), np.float64)
+    square = np.stack([np.where(s.sight.cosine > SQUARE, s.score, 0.0) for s in sources])
+    total = square.sum(axis=0)
+    if not total.any():
+        return sources
+    mean = (square[..., None] * logs).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
+    around = graph.fill(mean, np.clip(2.0 * total, 0.0, 1.0), SPREAD_STIFFNESS)
+    found = []
+    for source, log in zip(sources, logs, strict=True):
+        shown = sample(source.plate.skin, source.lookup_px)[:, 0] / 255.0
+        alike = (np.abs(log - around).mean(axis=1) < STRANGE_LOG) & (np.abs(shown - kinds.bare) < STRANGE_KIND)
+        found.append(replace(source, score=source.score * ((source.sight.cosine > SQUARE) | alike)))
+    return found
+
+
+def find_materials(generic: GenericHuman, sources: list[Source], graph: SurfaceGraph) -> Materials:
+    """Return what each vertex is made of.
+
+    The photo that shows a place best decides: photos disagree about where
+    a collar ends, because heads turn and cloth moves, and their mean would be a smear.
+    """
+    shown = np.stack([sample(s.plate.skin, s.lookup_px)[:, 0] / 255.0 for s in sources]).astype(np.float64)
+    square = np.stack([np.where(s.sight.cosine > SQUARE, s.score, 0.0) for s in sources])
+    claim = square**2
+    total = claim.sum(axis=0)
+    vote = (claim * shown).sum(axis=0) / np.maximum(total, 1e-12)
+    weight = np.clip(SURE * total, 0.0, 1.0)
+    head = generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
+    vote, weight = np.where(head, 1.0, vote), np.where(head, 1.0, weight)
+    vote, weight = _with_majority(generic, vote, weight)
+    bare = graph.fill(vote[:, None], weight, KIND_STIFFNESS)[:, 0]
+    # Islands are misplaced sights: borders stay, what is smaller than some edges goes.
+    bare = np.clip((bare - KIND_STEP[0]) / (KIND_STEP[1] - KIND_STEP[0]), 0.0, 1.0)
+    scalp = graph.smooth(hair_allowed(generic).astype(np.float64), HAIR_ROUNDS)
+    return Materials(bare, scalp, 1.0 - bare)

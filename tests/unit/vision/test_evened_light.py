@@ -1,0 +1,59 @@
+"""Light told from the person's own symmetry, burnt-out skin, and skin told from collars."""
+
+import numpy as np
+
+from cloner.vision.evening import log_levels, one_sided_light, unclipped
+from cloner.vision.skin_colour import skin_colour
+from cloner.vision.vetting import shown_bare
+
+SKIN = np.array([190, 140, 115])
+
+
+def _ball(count=800):
+    """Return unit normals whose second half mirrors the first, and each one's twin."""
+    half = np.random.default_rng(3).normal(size=(count // 2, 3))
+    half /= np.linalg.norm(half, axis=1, keepdims=True)
+    twin = np.concatenate([np.arange(count // 2, count), np.arange(count // 2)])
+    return np.concatenate([half, half * (-1, 1, 1)]), twin
+
+
+def test_a_lamp_from_one_side_is_told_from_the_two_halves():
+    normals, twin = _ball()
+    paint = np.random.default_rng(4).uniform(3.5, 5.0, (len(normals) // 2, 3))
+    logs = np.concatenate([paint, paint]) + 0.4 * normals[:, :1]
+    badge = np.arange(len(normals) // 2)[:40]
+    logs[badge] = 5.5  # what one half alone wears is no light
+    slope = one_sided_light(logs, np.ones(len(logs)), normals, twin)
+    assert np.abs(slope - 0.4).max() < 0.03
+
+
+def test_one_half_alone_tells_no_light():
+    normals, twin = _ball()
+    weight = np.where(np.arange(len(normals)) < len(normals) // 2, 1.0, 0.0)
+    assert not one_sided_light(np.asarray(log_levels(normals + 2.0)), weight, normals, twin).any()
+
+
+def test_burnt_out_skin_gets_its_red_back_and_cloth_does_not():
+    burnt = np.array([[255.0, 215.0, 180.0]] * 2 + [[200.0, 150.0, 120.0]])
+    mended = unclipped(burnt, SKIN[0] / SKIN[1], np.array([1.0, 0.0, 1.0]))
+    assert mended[0, 0] > 285.0
+    assert np.allclose(mended[1:], burnt[1:])
+
+
+def test_collars_labelled_skin_are_not_skin_and_unlabelled_arms_are():
+    rng = np.random.default_rng(5)
+    rgb = np.full((200, 120, 3), (40, 70, 150), np.uint8)
+    rgb[20:100, 40:80] = SKIN  # face and neck
+    rgb[100:120, 40:80] = (225, 225, 225)  # a white collar
+    rgb[130:190, 5:30] = SKIN * 0.8  # an arm in the shade
+    rgb = np.clip(rgb + rng.normal(0, 3, rgb.shape), 0, 255).astype(np.uint8)
+    bare = np.zeros(rgb.shape[:2], bool)
+    bare[20:120, 40:80] = True
+    hair = np.zeros_like(bare)
+    hair[10:20, 40:80] = True
+    shown = shown_bare(rgb, np.ones_like(bare), hair, bare, skin_colour(rgb[20:100, 40:80].reshape(-1, 3)))
+    assert shown[30:90, 45:75].min() > 200
+    assert shown[104:116, 45:75].max() < 50
+    assert shown[140:180, 10:25].min() > 200
+    assert shown[130:190, 90:115].max() < 50
+    assert shown[12:18, 45:75].min() > 200  # hair is the person's own too
