@@ -33,6 +33,7 @@ from cloner.records.measures import Cover
 from cloner.stages.covering import covers
 from cloner.stages.outlined import outlined_photos, see
 from cloner.stages.rumpled import garments_rumples_mm
+from cloner.stages.side_arms import hidden_rows
 
 #: First seeds: dressed bodies without photos, photographed people to calibrate on, and people to check the result on.
 EASE_SEED, FIT_SEED, CHECK_SEED = 710_000, 740_000, 750_000
@@ -86,17 +87,18 @@ def fitted(seed: int, number: int) -> dict[str, Any]:
         "dressed": vector(dressed_m, known.body.joints_m),
         "naked": vector(known.body.vertices_m, known.body.joints_m),
         "cloth": known.dressed.kind[: len(dressed_m)] == CLOTH,
-        "rumple": rumple_mm(found, cover),
+        **evidence(found, cover),
         "gap_mm": [residual.value for residual in fine.residuals if residual.name == "outline gap"],
     } | {f"cover_{name}": flags(own) for name, own in cover.items()}
 
 
-def rumple_mm(found: Mapping[str, Any], cover: Mapping[str, Cover]) -> np.ndarray:
-    """Return how rumpled the clothes' outline is above and below the waist."""
+def evidence(found: Mapping[str, Any], cover: Mapping[str, Cover]) -> dict[str, np.ndarray]:
+    """Return how rumpled the outline is above and below the waist, and where an arm hides the trunk's depth."""
     bodies = found["bodies"]
     photos = outlined_photos(found["phenotype"], found["silhouettes"], found["proposals"], bodies.views)
     seen = {view: see(bodies.consensus, photo) for view, photo in photos.items()}
-    return garments_rumples_mm(seen, photos, found["silhouettes"], cover)
+    rumple = garments_rumples_mm(seen, photos, found["silhouettes"], cover)
+    return {"rumple": rumple, "hidden": hidden_rows(bodies.consensus.vertices_m, seen)}
 
 
 def flags(cover: Cover) -> np.ndarray:

@@ -24,6 +24,7 @@ from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.covering import covers
 from cloner.stages.outlined import gaps_mm, outlined_photos, see
 from cloner.stages.rumpled import garments_rumples_mm
+from cloner.stages.side_arms import hidden_rows
 
 Array = NDArray[np.float64]
 
@@ -33,6 +34,7 @@ UNKNOWN_STATURE_M: Final = 0.09
 TAPE_ERROR_MM: Final = 5.0
 #: No clothes were seen.
 NO_RUMPLE_MM: Final = np.full(2, np.nan)
+NOT_HIDDEN: Final = np.zeros(len(ALL_KEYS), dtype=bool)
 #: A tape this many of its ± away from what the photos tell is asked about.
 STRANGE: Final = 2.0
 
@@ -44,6 +46,7 @@ def measured(
     *,
     noise: float = 1.0,
     rumple_mm: Array = NO_RUMPLE_MM,
+    hidden: NDArray[np.bool_] = NOT_HIDDEN,
 ) -> tuple[MeasureSet, tuple[str, ...]]:
     """Return the measures of a photographed person and sentences about tapes that contradict the photos.
 
@@ -58,11 +61,13 @@ def measured(
         How much worse this clone fits its outlines than usual, as a ratio.
     rumple_mm : (2,) float64
         How rumpled the outline of the clothes is above and below the waist; NaN where not seen.
+    hidden : (K,) bool
+        Where an arm hides the depth of the trunk in the side photo.
     """
     prior = load_measure_prior()
     shown = np.array([shown_mm.get(key, np.nan) for key in ALL_KEYS])
     tape = {ALL_KEYS.index(key): value for key, value in person.tape_mm}
-    without = Evidence(shown, person.stature_m, bare_rows(cover), {}, noise, rumple_mm)
+    without = Evidence(shown, person.stature_m, bare_rows(cover), {}, noise, rumple_mm, hidden)
     photos_say = estimate(without, prior)
     found = estimate(replace(without, tape_mm=tape), prior) if tape else photos_say
     share = 0.0 if person.stature_is_known else NINE_IN_TEN * UNKNOWN_STATURE_M / person.stature_m
@@ -133,5 +138,6 @@ def run(
     cover = covers(photos, proposals, joined)
     rumple = garments_rumples_mm(seen, outlined, silhouettes, cover)
     noise = max(1.0, gap / prior.gap_mm)
-    found, warnings = measured(shown, person, cover, noise=noise, rumple_mm=rumple)
+    hidden = hidden_rows(bodies.consensus.vertices_m, seen)
+    found, warnings = measured(shown, person, cover, noise=noise, rumple_mm=rumple, hidden=hidden)
     return StageResult({"measures": found}, (Residual("gap of the body's rim", gap, "mm"),), warnings)

@@ -116,6 +116,20 @@ def test_a_worse_outline_leaves_more_open_and_missing_slices_are_no_zero() -> No
     assert found(half).deviation_mm[CALF] > found(shown).deviation_mm[CALF]
 
 
+def test_a_hidden_depth_leaves_that_girth_open_and_its_neighbours_speak_for_it() -> None:
+    hidden = NOTHING_BARE.copy()
+    hidden[WAIST] = True
+    off, warned, wider = [], [], []
+    for body in bodies(20):
+        wider.append(found(body, hidden=hidden).deviation_mm[WAIST] - found(body).deviation_mm[WAIST])
+        wrong = body.copy()
+        wrong[WAIST] += 30.0
+        off.append(found(wrong).mm[WAIST] - body[WAIST])
+        warned.append(found(wrong, hidden=hidden).mm[WAIST] - body[WAIST])
+    assert np.mean(wider) > 0.5, "one is unsure of what one has not seen"
+    assert np.mean(np.abs(warned)) < np.mean(np.abs(off)) - 1.0
+
+
 def test_the_table_is_that_of_the_shipped_human() -> None:
     generic, prior = load_generic(), load_measure_prior()
     mean = np.array(list(measures_mm(*generic.shape(np.zeros(0), STATURE_M), load_tape_rules()).values()))

@@ -55,6 +55,12 @@ def test_bare_arms_are_measured_as_they_are(shown: dict[str, float]) -> None:
     assert bare.covers["left_forearm"].share == 0.0
 
 
+def test_a_bare_throat_does_not_make_the_neck_bare(shown: dict[str, float]) -> None:
+    neck = {"neck": Cover((False,), 1.0)}
+    covered, open_collar = (measured(shown, person(), cover)[0].measures["neck_girth"] for cover in ({}, neck))
+    assert covered.value_mm == pytest.approx(open_collar.value_mm, abs=1.0)
+
+
 def test_a_tape_is_told_as_it_is_and_helps_its_neighbours(shown: dict[str, float]) -> None:
     plain = measured(shown, person(), {})[0]
     tape = plain.measures["waist_girth"].value_mm - 25.0
