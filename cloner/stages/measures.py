@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.frames import ViewId
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows, measures_mm
@@ -35,6 +36,8 @@ TAPE_ERROR_MM: Final = 5.0
 #: No clothes were seen.
 NO_RUMPLE_MM: Final = np.full(2, np.nan)
 NOT_HIDDEN: Final = np.zeros(len(ALL_KEYS), dtype=bool)
+#: Girths that the depth in the side photo decides most.
+WAISTS: Final = ("narrowest_waist_girth", "waist_girth", "navel_girth")
 #: A tape this many of its ± away from what the photos tell is asked about.
 STRANGE: Final = 2.0
 
@@ -48,7 +51,7 @@ def measured(
     rumple_mm: Array = NO_RUMPLE_MM,
     hidden: NDArray[np.bool_] = NOT_HIDDEN,
 ) -> tuple[MeasureSet, tuple[str, ...]]:
-    """Return the measures of a photographed person and sentences about tapes that contradict the photos.
+    """Return the measures of a photographed person and sentences about what makes some of them doubtful.
 
     Parameters
     ----------
@@ -73,7 +76,7 @@ def measured(
     share = 0.0 if person.stature_is_known else NINE_IN_TEN * UNKNOWN_STATURE_M / person.stature_m
     values = {key: _measure(key, found, prior, shown_mm, dict(person.tape_mm), share) for key in MEASURE_KEYS}
     fits = [dict(zip(FITS, map(float, each), strict=True)) for each in (found.upper_fit, found.lower_fit)]
-    return MeasureSet(values, cover, *fits), _strange(photos_say, prior, person, share)
+    return MeasureSet(values, cover, *fits), (*_unsure(hidden), *_strange(photos_say, prior, person, share))
 
 
 def _measure(
@@ -88,6 +91,16 @@ def _measure(
     value = float(tape_mm.get(key, found.mm[row]))
     half = float(np.hypot(prior.spread[row] * found.deviation_mm[row], share * value))
     return Measure(value, TAPE_ERROR_MM if key in tape_mm else half, shown_mm.get(key), key in tape_mm)
+
+
+def _unsure(hidden: NDArray[np.bool_]) -> tuple[str, ...]:
+    """Return a sentence when an arm hides the waist's depth."""
+    if not hidden[[ALL_KEYS.index(key) for key in WAISTS]].any():
+        return ()
+    return (
+        f"{ViewId.BODY_SIDE}: an arm lies over the edge of the trunk, girths there are less certain; with the arm "
+        "before the middle of the trunk they would be surer",
+    )
 
 
 def _strange(photos_say: Estimate, prior: MeasurePrior, person: Person, share: float) -> tuple[str, ...]:

@@ -55,6 +55,15 @@ def test_bare_arms_are_measured_as_they_are(shown: dict[str, float]) -> None:
     assert bare.covers["left_forearm"].share == 0.0
 
 
+def test_an_arm_over_the_waist_is_told_and_leaves_it_less_sure(shown: dict[str, float]) -> None:
+    hidden = np.array([key in ("waist_girth", "navel_girth", "narrowest_waist_girth") for key in ALL_KEYS])
+    plain, told = measured(shown, person(), {}), measured(shown, person(), {}, hidden=hidden)
+    assert not plain[1]
+    assert len(told[1]) == 1
+    assert "arm" in told[1][0]
+    assert told[0].measures["waist_girth"].plus_minus_mm > plain[0].measures["waist_girth"].plus_minus_mm + 1.0
+
+
 def test_a_bare_throat_does_not_make_the_neck_bare(shown: dict[str, float]) -> None:
     neck = {"neck": Cover((False,), 1.0)}
     covered, open_collar = (measured(shown, person(), cover)[0].measures["neck_girth"] for cover in ({}, neck))
