@@ -64,8 +64,11 @@ class Head:
         self.front = (self.matrix @ body > 0.99) & (self.mean[:, 2] > self.eyes["L"][1][2] - 0.02)
 
     def brows(self, rng: np.random.Generator) -> Array:
-        """Return a soft mask (V',) of brows at a random height and slope: they say little about the bone below."""
-        height, slope, arch, thick = rng.normal([0.0, 0.0, 0.0, 0.0028], [0.0032, 0.0025, 0.0018, 0.0005])
+        """Return a soft mask (V',) of brows at a random height and slope: they say little about the bone below.
+
+        Their middle lies 19 mm over the eye on average: 16-17 mm on the sample visitors, 25 on a scanned head.
+        """
+        height, slope, arch, thick = rng.normal([-0.0035, 0.0, 0.0, 0.0028], [0.0045, 0.0025, 0.0018, 0.0005])
         out = np.zeros(len(self.mean))
         for side, sign in (("L", 1.0), ("R", -1.0)):
             inner, outer = self.eyes[side]
