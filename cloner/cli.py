@@ -38,7 +38,7 @@ app = typer.Typer(
 HeightOption = Annotated[
     float | None, typer.Option("--height-cm", help="Barefoot height in cm; wins over person.toml.")
 ]
-FormatOption = Annotated[str, typer.Option("--format", help="Formats to write, with commas: glb,wrl,obj,ply,regions.")]
+FormatOption = Annotated[str, typer.Option("--format", help="Formats to write, with commas: glb,wrl,x3d,vrm,obj,ply,regions.")]
 SeedOption = Annotated[int, typer.Option("--seed", help="The same photos and seed give the same clone.")]
 SizeOption = Annotated[int, typer.Option("--size", help="Side of the texture in texels: 512, 1024, 2048 or 4096.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder that receives the results.")]

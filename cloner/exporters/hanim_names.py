@@ -75,6 +75,37 @@ def site_name(feature: str) -> str:
     return _SITES.get(feature, f"{identifier(feature)}_pt")
 
 
+_JOINTS_2: Final = {
+    "HumanoidRoot": "humanoid_root",
+    "ankle": "talocrural",
+    "subtalar": "tarsometatarsal_2",
+    "midtarsal": "metatarsophalangeal_2",
+    "metatarsal": "tarsal_distal_interphalangeal_2",
+    "wrist": "radiocarpal",
+    "thumb1": "carpometacarpal_1",
+    "thumb2": "metacarpophalangeal_1",
+    "thumb3": "carpal_interphalangeal_1",
+}
+_FINGERS_2: Final = {"index": 2, "middle": 3, "ring": 4, "pinky": 5}
+_KNUCKLES_2: Final = {
+    "0": "carpometacarpal",
+    "1": "metacarpophalangeal",
+    "2": "carpal_proximal_interphalangeal",
+    "3": "carpal_distal_interphalangeal",
+}
+
+
+def joint_name_2(joint: str) -> str:
+    """Return the H-Anim 2 (ISO/IEC 19774:2019) name of an H-Anim 1.1 joint; most are the same."""
+    side, _, bare = joint.partition("_")
+    if side not in ("l", "r") or not bare:
+        return _JOINTS_2.get(joint, joint)
+    finger, number = bare[:-1], bare[-1:]
+    if finger in _FINGERS_2 and number in _KNUCKLES_2:
+        return f"{side}_{_KNUCKLES_2[number]}_{_FINGERS_2[finger]}"
+    return f"{side}_{_JOINTS_2.get(bare, bare)}"
+
+
 def identifier(name: str) -> str:
     """Return a name with everything but letters, digits and _ replaced: "fdp_2.1" gives "fdp_2_1"."""
     return re.sub(r"[^A-Za-z0-9_]", "_", name)

@@ -32,23 +32,56 @@ def dominant_joint(skin_joints: NDArray[np.integer], skin_weights: NDArray[np.fl
 
 
 def partition(
-    triangles: NDArray[np.int32], skin_joints: NDArray[np.integer], skin_weights: NDArray[np.floating], joints: int
+    triangles: NDArray[np.int32],
+    skin_joints: NDArray[np.integer],
+    skin_weights: NDArray[np.floating],
+    parents: NDArray[np.integer],
+    *,
+    overlap: int = 0,
 ) -> tuple[Piece, ...]:
-    """Return the pieces of a mesh; every triangle lies in exactly one.
+    """Return the pieces of a mesh.
 
     A triangle goes to the joint with the largest sum of weights over its
     corners, so neighbouring pieces repeat the very same border vertices.
+
+    Parameters
+    ----------
+    parents : (J,) int
+        Parent joint of every joint, -1 for the root.
+    overlap : int
+        Rings of triangles of the joints above that every piece repeats: a bent joint then opens no gap between rigid
+        pieces, and what is repeated turns inwards. With 0 every triangle lies in exactly one piece.
     """
     if len(triangles) == 0:
         return ()
-    total = np.zeros((len(triangles), joints))
+    total = np.zeros((len(triangles), len(parents)))
     row = np.arange(len(triangles))[:, None]
     for corner in range(3):
         np.add.at(total, (row, skin_joints[triangles[:, corner]]), skin_weights[triangles[:, corner]])
     owner = total.argmax(axis=1)
     pieces = []
     for joint in np.unique(owner):
-        rows = np.flatnonzero(owner == joint)
+        rows = np.flatnonzero(_grown(owner == joint, np.isin(owner, _above(int(joint), parents)), triangles, overlap))
         vertex, local = np.unique(triangles[rows], return_inverse=True)
         pieces.append(Piece(int(joint), rows, vertex.astype(np.int32), local.reshape(-1, 3).astype(np.int32)))
     return tuple(pieces)
+
+
+def _above(joint: int, parents: NDArray[np.integer]) -> list[int]:
+    """Return the joints between a joint and the root, the root too."""
+    found = []
+    while parents[joint] >= 0:
+        joint = int(parents[joint])
+        found.append(joint)
+    return found
+
+
+def _grown(
+    own: NDArray[np.bool_], open_: NDArray[np.bool_], triangles: NDArray[np.int32], rings: int
+) -> NDArray[np.bool_]:
+    """Return the own triangles with the open ones that lie at most ``rings`` neighbours away."""
+    for _ in range(rings):
+        touched = np.zeros(int(triangles.max()) + 1, dtype=bool)
+        touched[triangles[own]] = True
+        own = own | (open_ & touched[triangles].any(axis=1))
+    return own

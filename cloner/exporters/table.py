@@ -11,6 +11,8 @@ from cloner.registry import Registry
 EXPORTERS = Registry("format")
 EXPORTERS.add("glb", "cloner.exporters.gltf:export")
 EXPORTERS.add("wrl", "cloner.exporters.vrml97:export")
+EXPORTERS.add("x3d", "cloner.exporters.x3d:export")
+EXPORTERS.add("vrm", "cloner.exporters.vrm:export")
 EXPORTERS.add("obj", "cloner.exporters.meshes:export_obj")
 EXPORTERS.add("regions", "cloner.exporters.regions:export")
 EXPORTERS.add("ply", "cloner.exporters.meshes:export_ply")

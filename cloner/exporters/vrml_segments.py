@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 
 #: Smaller offsets of a displacer are left out, metres; taste: keeps the text readable by old programs.
 SMALLEST_OFFSET_M: Final = 1e-4
+#: Rings of triangles that a piece repeats of the ones above; with two, shoulders grow flaps when the arms are lowered.
+OVERLAP_RINGS: Final = 1
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -96,7 +98,8 @@ def segment_texts(clone: Clone, generic: GenericHuman, name: str) -> list[str]:
     """
     held: list[list[tuple[SkinMesh, Piece]]] = [[] for _ in generic.joint_names]
     for mesh in skin_meshes(clone, generic, name):
-        for piece in partition(mesh.triangles, mesh.skin_joints, mesh.skin_weights, len(generic.joint_names)):
+        parents = generic.joint_parents
+        for piece in partition(mesh.triangles, mesh.skin_joints, mesh.skin_weights, parents, overlap=OVERLAP_RINGS):
             held[piece.joint].append((mesh, piece))
     sites = _sites(clone, generic)
     seen: set[str] = set()

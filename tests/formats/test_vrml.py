@@ -65,7 +65,9 @@ def test_coin_parses_every_joint_and_segment_without_complaint(wrl, clone):
 def test_coin_sees_all_triangles_in_metres_on_the_floor(wrl, clone):
     found, _ = _coin(wrl)
     triangles = sum(len(surface.triangles) for surface in load_surfaces())
-    assert found["triangles"] == triangles + sum(len(shell.triangles) for shell in clone.shells)
+    everything = triangles + sum(len(shell.triangles) for shell in clone.shells)
+    # pieces repeat a ring of the pieces above, so that bent joints stay closed
+    assert everything <= found["triangles"] < 1.2 * everything
     assert found["low"][1] == pytest.approx(0.0, abs=0.002)
     assert found["high"][1] == pytest.approx(clone.shells[0].vertices_m[:, 1].max(), abs=1e-4)
     assert found["high"][2] == pytest.approx(clone.vertices_m[:, 2].max(), abs=1e-4), "it faces +Z"
@@ -148,7 +150,9 @@ def test_the_textures_lie_where_the_file_looks(wrl):
 def test_pieces_hold_every_triangle_once_and_share_their_borders(clone):
     generic = load_generic()
     body = load_surfaces()[0]
-    pieces = partition(body.triangles, generic.skin_joints[body.vertex], generic.skin_weights[body.vertex], 94)
+    pieces = partition(
+        body.triangles, generic.skin_joints[body.vertex], generic.skin_weights[body.vertex], generic.joint_parents
+    )
     rows = np.concatenate([piece.rows for piece in pieces])
     assert np.array_equal(np.sort(rows), np.arange(len(body.triangles)))
     for piece in pieces:

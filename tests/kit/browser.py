@@ -104,8 +104,8 @@ class Page:
 
 
 @contextmanager
-def browser(folder: Path) -> Iterator[Page]:
-    """Give a page of a fresh Chromium whose profile lies in ``folder``."""
+def browser(folder: Path, *flags: str) -> Iterator[Page]:
+    """Give a page of a fresh Chromium whose profile lies in ``folder``, started with further flags."""
     if CHROMIUM is None:
         raise RuntimeError("no Chromium on this machine")
     theirs_in, ours_out = os.pipe()
@@ -116,7 +116,7 @@ def browser(folder: Path) -> Iterator[Page]:
         os.dup2(high_in, 3)
         os.dup2(high_out, 4)
 
-    command = [CHROMIUM, *_FLAGS, f"--user-data-dir={folder}", "about:blank"]
+    command = [CHROMIUM, *_FLAGS, *flags, f"--user-data-dir={folder}", "about:blank"]
     process = subprocess.Popen(
         command, close_fds=False, preexec_fn=place_pipes, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
     )

@@ -1,0 +1,131 @@
+"""Write a clone as VRM 1.0: a glTF in T-pose with humanoid bones, expressions, gaze and the terms of its use.
+
+References
+----------
+VRM Consortium 2022, VRMC_vrm 1.0: humanoid, expressions, lookAt, meta.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from types import MappingProxyType
+from typing import Any, Final
+
+from cloner.exporters.files import write_bytes
+from cloner.exporters.gltf import CREDITS, build
+from cloner.generic.load import load_generic
+from cloner.motion.rest import in_t_pose
+from cloner.records.clones import Clone
+
+EXTENSION: Final = "VRMC_vrm"
+_LICENCE: Final = "https://vrm.dev/licenses/1.0/"  # the one address that the format allows here
+_TRUNK: Final = {
+    "hips": "HumanoidRoot", "spine": "vl5", "chest": "vl1", "upperChest": "vt6", "neck": "vc4", "head": "skullbase",
+    "jaw": "temporomandibular",
+}  # fmt: skip
+_SIDED: Final = {
+    "Eye": "eyeball_joint", "Shoulder": "sternoclavicular", "UpperArm": "shoulder", "LowerArm": "elbow",
+    "Hand": "wrist", "UpperLeg": "hip", "LowerLeg": "knee", "Foot": "ankle", "Toes": "metatarsal",
+    "ThumbMetacarpal": "thumb1", "ThumbProximal": "thumb2", "ThumbDistal": "thumb3",
+}  # fmt: skip
+_FINGERS: Final = {"Index": "index", "Middle": "middle", "Ring": "ring", "Little": "pinky"}
+_KNUCKLES: Final = {"Proximal": "1", "Intermediate": "2", "Distal": "3"}
+#: VRM's expressions as sums of the clone's targets.
+EXPRESSIONS: Final[Mapping[str, Mapping[str, float]]] = MappingProxyType({
+    "happy": {"mouthSmileLeft": 0.8, "mouthSmileRight": 0.8, "cheekSquintLeft": 0.5, "cheekSquintRight": 0.5},
+    "angry": {"browDownLeft": 0.9, "browDownRight": 0.9, "noseSneerLeft": 0.5, "noseSneerRight": 0.5,
+              "mouthFrownLeft": 0.4, "mouthFrownRight": 0.4},
+    "sad": {"browInnerUp": 0.8, "mouthFrownLeft": 0.7, "mouthFrownRight": 0.7, "eyeSquintLeft": 0.2,
+            "eyeSquintRight": 0.2},
+    "relaxed": {"mouthSmileLeft": 0.35, "mouthSmileRight": 0.35, "eyeSquintLeft": 0.3, "eyeSquintRight": 0.3},
+    "surprised": {"eyeWideLeft": 0.8, "eyeWideRight": 0.8, "browOuterUpLeft": 0.7, "browOuterUpRight": 0.7,
+                  "browInnerUp": 0.6, "jawOpen": 0.3},
+    "aa": {"viseme_aa": 1.0}, "ih": {"viseme_I": 1.0}, "ou": {"viseme_U": 1.0}, "ee": {"viseme_E": 1.0},
+    "oh": {"viseme_O": 1.0},
+    "blink": {"eyeBlinkLeft": 1.0, "eyeBlinkRight": 1.0}, "blinkLeft": {"eyeBlinkLeft": 1.0},
+    "blinkRight": {"eyeBlinkRight": 1.0},
+})  # fmt: skip
+
+
+def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
+    """Write ``<name>.vrm`` and return its path.
+
+    The terms say what holds for a person's likeness unless that person says otherwise: only they and those they allow
+    may use it, and it is not to be passed on.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written to.
+    """
+    posed = in_t_pose(clone)
+    gltf = build(posed)
+    gltf.extensionsUsed = [*gltf.extensionsUsed, EXTENSION]
+    nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
+    gltf.extensions = {EXTENSION: _vrm(posed, nodes, name)}
+    path = folder / f"{name}.vrm"
+    write_bytes(path, b"".join(gltf.save_to_bytes()))
+    return (path,)
+
+
+def _vrm(clone: Clone, nodes: Mapping[str, int], name: str) -> dict[str, Any]:
+    generic = load_generic()
+    head = clone.joints_m[generic.joint("skullbase")]
+    eyes = (clone.joints_m[generic.joint("l_eyeball_joint")] + clone.joints_m[generic.joint("r_eyeball_joint")]) / 2.0
+    turn = {"inputMaxValue": 90.0, "outputScale": 10.0}
+    return {
+        "specVersion": "1.0",
+        "meta": {
+            "name": name,
+            "version": "1",
+            "authors": ["Cloner"],
+            "copyrightInformation": CREDITS,
+            "licenseUrl": _LICENCE,
+            "avatarPermission": "onlyAuthor",
+            "allowExcessivelyViolentUsage": False,
+            "allowExcessivelySexualUsage": False,
+            "commercialUsage": "personalNonProfit",
+            "allowPoliticalOrReligiousUsage": False,
+            "allowAntisocialOrHateUsage": False,
+            "creditNotation": "required",
+            "allowRedistribution": False,
+            "modification": "prohibited",
+        },
+        "humanoid": {"humanBones": {bone: {"node": nodes[joint]} for bone, joint in human_bones().items()}},
+        "expressions": {"preset": _expressions(clone, nodes["Body"])},
+        "lookAt": {
+            "type": "bone",
+            "offsetFromHeadBone": [round(float(x), 5) for x in eyes - head],
+            **dict.fromkeys(
+                ("rangeMapHorizontalInner", "rangeMapHorizontalOuter", "rangeMapVerticalDown", "rangeMapVerticalUp"),
+                turn,
+            ),
+        },
+    }
+
+
+def human_bones() -> dict[str, str]:
+    """Return the H-Anim joint of every VRM bone."""
+    bones = dict(_TRUNK)
+    for side, letter in (("left", "l"), ("right", "r")):
+        bones |= {f"{side}{bone}": f"{letter}_{joint}" for bone, joint in _SIDED.items()}
+        bones |= {
+            f"{side}{finger}{knuckle}": f"{letter}_{joint}{number}"
+            for finger, joint in _FINGERS.items()
+            for knuckle, number in _KNUCKLES.items()
+        }
+    return bones
+
+
+def _expressions(clone: Clone, node: int) -> dict[str, Any]:
+    found = {}
+    for name, weights in EXPRESSIONS.items():
+        binds = [
+            {"node": node, "index": clone.morph_names.index(target), "weight": weight}
+            for target, weight in weights.items()
+            if target in clone.morph_names
+        ]
+        if binds:
+            found[name] = {"morphTargetBinds": binds, "isBinary": False}
+    return found

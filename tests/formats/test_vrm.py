@@ -1,0 +1,144 @@
+"""clone.vrm as a VRM 1.0 file, and in three-vrm in a real browser."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pygltflib
+import pytest
+
+from cloner.exporters.vrm import EXPRESSIONS, export, human_bones
+from cloner.generic.load import load_generic
+from cloner.motion.rest import in_t_pose
+from kit.browser import CHROMIUM, browser
+from kit.clones import toy_clone
+from kit.compare_clones import snapshot
+
+MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node")).resolve()
+READER = Path(__file__).with_name("read_vrm.mjs")
+VALIDATOR = Path(__file__).with_name("validate_gltf.mjs")
+REQUIRED = ["hips", "spine", "head"] + [
+    f"{side}{bone}"
+    for side in ("left", "right")
+    for bone in ("UpperLeg", "LowerLeg", "Foot", "UpperArm", "LowerArm", "Hand")
+]
+
+
+@pytest.fixture(scope="module")
+def clone():
+    return toy_clone(1.64)
+
+
+@pytest.fixture(scope="module")
+def vrm(clone, tmp_path_factory) -> Path:
+    before = snapshot(clone)
+    (path,) = export(clone, tmp_path_factory.mktemp("vrm"))
+    assert snapshot(clone) == before
+    return path
+
+
+@pytest.fixture(scope="module")
+def gltf(vrm):
+    return pygltflib.GLTF2().load_binary(str(vrm))
+
+
+def test_all_required_bones_stand_in_one_chain_below_the_hips(gltf) -> None:
+    bones = gltf.extensions["VRMC_vrm"]["humanoid"]["humanBones"]
+    assert set(REQUIRED) <= set(bones)
+    assert set(bones) == set(human_bones())
+    parent = {child: number for number, node in enumerate(gltf.nodes) for child in node.children or []}
+    for name in REQUIRED:
+        node, chain = bones[name]["node"], []
+        while node in parent:
+            node = parent[node]
+            chain.append(node)
+        assert name == "hips" or bones["hips"]["node"] in chain
+
+
+def test_the_rest_pose_is_a_t(clone) -> None:
+    """Arms level within a degree or two and straight, palms down, both feet flat on the floor."""
+    posed, generic = in_t_pose(clone), load_generic()
+    for side, sign in (("l", 1.0), ("r", -1.0)):
+        shoulder, elbow, wrist = (
+            posed.joints_m[generic.joint(f"{side}_{name}")] for name in ("shoulder", "elbow", "wrist")
+        )
+        for bone in (elbow - shoulder, wrist - elbow):
+            assert np.degrees(np.arccos(sign * bone[0] / np.linalg.norm(bone))) < 1.0
+        index, little = (posed.joints_m[generic.joint(f"{side}_{name}")] for name in ("index1", "pinky1"))
+        assert index[2] > little[2], "palm down: the thumb's side is in front"
+        assert abs(index[1] - little[1]) < 0.02
+        hip, ankle = posed.joints_m[generic.joint(f"{side}_hip")], posed.joints_m[generic.joint(f"{side}_ankle")]
+        assert np.abs((hip - ankle)[[0, 2]]).max() < 0.01
+    assert posed.vertices_m[:, 1].min() == pytest.approx(clone.vertices_m[:, 1].min(), abs=1e-6)
+    soles = posed.vertices_m[generic.region("sole")]
+    assert np.median(soles[:, 1]) < 0.02
+    assert np.ptp(posed.vertices_m[:, 0]) > 0.9 * clone.stature_m
+
+
+def test_expressions_bind_existing_targets(gltf, clone) -> None:
+    preset = gltf.extensions["VRMC_vrm"]["expressions"]["preset"]
+    assert set(preset) == set(EXPRESSIONS)
+    for name, expression in preset.items():
+        for bind in expression["morphTargetBinds"]:
+            assert gltf.nodes[bind["node"]].mesh is not None
+            assert clone.morph_names[bind["index"]] in EXPRESSIONS[name]
+            assert 0.0 < bind["weight"] <= 1.0
+
+
+def test_terms_protect_the_person(gltf) -> None:
+    meta = gltf.extensions["VRMC_vrm"]["meta"]
+    assert meta["avatarPermission"] == "onlyAuthor"
+    assert meta["allowRedistribution"] is False
+    assert {"name", "authors", "licenseUrl"} <= set(meta)
+
+
+@pytest.mark.skipif(
+    shutil.which("node") is None or not (MODULES / "node_modules/gltf-validator").is_dir(),
+    reason="gltf-validator is not here",
+)
+def test_the_khronos_validator_finds_no_error(vrm) -> None:
+    done = subprocess.run(["node", VALIDATOR, MODULES, vrm], capture_output=True, text=True, check=True, timeout=120)
+    issues = json.loads(done.stdout)["issues"]
+    assert issues["numErrors"] == issues["numWarnings"] == 0
+
+
+@pytest.mark.skipif(
+    CHROMIUM is None
+    or not all((MODULES / "node_modules" / name).is_dir() for name in ("three", "@pixiv/three-vrm", "esbuild")),
+    reason="three-vrm, esbuild or Chromium is not here; run: npm install three @pixiv/three-vrm esbuild",
+)
+@pytest.mark.slow
+def test_three_vrm_reads_bones_expressions_and_gaze(vrm, tmp_path: Path) -> None:
+    """The reader of the format's own makers finds the person, blinks it and lifts its arm."""
+    import base64
+
+    entry = MODULES / "read_vrm_entry.mjs"
+    shutil.copy(READER, entry)
+    script = tmp_path / "reader.js"
+    esbuild = MODULES / "node_modules" / ".bin" / "esbuild"
+    subprocess.run(
+        [esbuild, entry, "--bundle", "--format=iife", f"--outfile={script}", "--log-level=error"], check=True
+    )
+    page_file = tmp_path / "page.html"
+    data = base64.b64encode(vrm.read_bytes()).decode()
+    page_file.write_text(
+        f'<!doctype html><body><script type="text/plain" id="vrm">{data}</script>'
+        f"<script>{script.read_text()}</script></body>"
+    )
+    with browser(tmp_path / "profile") as page:
+        page.open(page_file)
+        page.wait_for("window.result")
+        result = page.value("window.result")
+    assert result.get("error") is None
+    assert result["metaVersion"] == "1"
+    assert set(REQUIRED) <= set(result["bones"])
+    assert set(EXPRESSIONS) <= set(result["expressions"])
+    assert result["lookAt"] is True
+    assert result["hips_m"] == pytest.approx(0.85, abs=0.2)
+    assert result["hand_raised_m"] > 0.2
+    assert result["blink_weight"] == pytest.approx(1.0, abs=1e-3)

@@ -1,0 +1,121 @@
+"""clone.x3d as XML, and in X_ITE in a real browser."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import time
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cloner.exporters.x3d import export
+from cloner.generic.load import load_generic
+from kit.browser import CHROMIUM, browser
+from kit.clones import toy_clone
+from kit.compare_clones import snapshot
+
+X_ITE = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node")) / "node_modules" / "x_ite" / "dist"
+needs_x_ite = pytest.mark.skipif(
+    CHROMIUM is None or not X_ITE.is_dir(), reason="X_ITE or Chromium is not here; run: npm install x_ite"
+)
+
+
+@pytest.fixture(scope="module")
+def clone():
+    return toy_clone(1.64)
+
+
+@pytest.fixture(scope="module")
+def x3d(clone, tmp_path_factory) -> Path:
+    before = snapshot(clone)
+    path = export(clone, tmp_path_factory.mktemp("x3d"))[0]
+    assert snapshot(clone) == before
+    return path
+
+
+@pytest.fixture(scope="module")
+def root(x3d) -> ET.Element:
+    return ET.parse(x3d).getroot()
+
+
+def numbers(text: str) -> np.ndarray:
+    return np.array(text.replace(",", " ").split(), dtype=float)
+
+
+def test_every_name_is_defined_once_and_before_it_is_used(root) -> None:
+    defined: set[str] = set()
+    for element in root.iter():
+        if name := element.get("DEF"):
+            assert name not in defined
+            defined.add(name)
+        if name := element.get("USE"):
+            assert name in defined
+    for route in root.iter("ROUTE"):
+        assert {route.get("fromNode"), route.get("toNode")} <= defined
+
+
+def test_all_joints_hang_in_the_skeleton_and_are_listed(root) -> None:
+    humanoid = next(root.iter("HAnimHumanoid"))
+    listed = [joint for joint in humanoid.findall("HAnimJoint") if joint.get("containerField") == "joints"]
+    (skeleton,) = [joint for joint in humanoid.findall("HAnimJoint") if joint.get("containerField") == "skeleton"]
+    assert len(listed) == 94
+    assert len(list(skeleton.iter("HAnimJoint"))) == 94
+    assert skeleton.get("name") == "humanoid_root"
+    names = {joint.get("name") for joint in skeleton.iter("HAnimJoint")}
+    assert {"l_talocrural", "r_radiocarpal", "l_carpal_distal_interphalangeal_5", "skullbase", "vc4"} <= names
+
+
+def test_the_skin_is_one_coordinate_bent_by_whole_weights(root, clone) -> None:
+    humanoid = next(root.iter("HAnimHumanoid"))
+    points = numbers(next(humanoid.iter("Coordinate")).get("point")).reshape(-1, 3)
+    assert points[:, 1].min() == pytest.approx(0.0, abs=0.002)
+    assert points[:, 2].max() == pytest.approx(clone.vertices_m[:, 2].max(), abs=1e-4)
+    total = np.zeros(len(points))
+    for joint in humanoid.iter("HAnimJoint"):
+        if joint.get("skinCoordIndex"):
+            index = numbers(joint.get("skinCoordIndex")).astype(int)
+            np.add.at(total, index, numbers(joint.get("skinCoordWeight")))
+    assert total == pytest.approx(1.0, abs=0.002)
+    shapes = list(humanoid.iter("IndexedFaceSet"))
+    assert all(shape.find("Coordinate").get("USE") == "skin_coord" for shape in shapes)
+    corners = np.concatenate([numbers(shape.get("coordIndex")).astype(int) for shape in shapes])
+    assert corners.max() == len(points) - 1
+
+
+def test_the_face_has_displacers_in_metres(root, clone) -> None:
+    blink = next(one for one in root.iter("HAnimDisplacer") if one.get("name") == "eyeBlinkLeft")
+    moved = numbers(blink.get("displacements")).reshape(-1, 3)
+    assert len(moved) == len(blink.get("coordIndex").split())
+    assert 0.003 < np.linalg.norm(moved, axis=1).max() < 0.03
+    assert load_generic().arkit_names[0] in {one.get("name") for one in root.iter("HAnimDisplacer")}
+
+
+@needs_x_ite
+@pytest.mark.slow
+def test_x_ite_shows_the_person_upright_and_walking(x3d, tmp_path: Path) -> None:
+    for name in ("x_ite.min.js", "x_ite.css"):
+        shutil.copy(X_ITE / name, x3d.parent)
+    shutil.copytree(X_ITE / "assets", x3d.parent / "assets", dirs_exist_ok=True)
+    page_file = x3d.with_name("page.html")
+    page_file.write_text(
+        '<!doctype html><meta charset="utf-8"><link rel="stylesheet" href="x_ite.css"><style>body{margin:0}'
+        'x3d-canvas{width:500px;height:500px}</style><script defer src="x_ite.min.js"></script>'
+        '<body><x3d-canvas src="clone.x3d"></x3d-canvas></body>'
+    )
+    with browser(tmp_path / "profile", "--allow-file-access-from-files") as page:
+        page.open(page_file, 500, 500)
+        end, shirt = time.monotonic() + 60, np.zeros((0, 2))
+        while time.monotonic() < end and len(shirt) < 500:
+            time.sleep(0.5)
+            first = page.picture().astype(int)
+            shirt = np.argwhere((first[..., 2] > first[..., 0] + 30) & (first[..., 2] > 60))
+        assert len(shirt) >= 500, page.complaints()
+        time.sleep(0.4)
+        second = page.picture().astype(int)
+        person = np.argwhere(np.abs(first - first[2, 2]).max(axis=2) > 24)
+        assert np.ptp(person[:, 0]) > 1.5 * np.ptp(person[:, 1]), "upright"
+        assert (np.abs(first - second).max(axis=2) > 24).sum() > 300, "it walks"
+        assert not page.complaints()
