@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import functools
 import importlib.resources
+from collections.abc import Mapping
 from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +16,9 @@ from cloner.detectors.profile_fit import ProfileModel
 from cloner.geometry.surface import SurfacePoints
 
 Array = NDArray[np.float64]
+
+#: Curves of the front face that are pulled on to the image.
+CURVES: Final = ("lid_upper_L", "lid_upper_R", "lid_lower_L", "lid_lower_R", "mouth")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -38,6 +44,9 @@ class FaceNet:
     iris_offset_iod : (2,) float64
         The left iris' centre beside the pupil point, share of the eye distance; the right one mirrors it.
     iris_error_iod : float
+    curves : mapping of str to (N, 468) float64
+        Rules that make the points of a lid's edge or the line between the lips from net points, by curve; lids from
+        the inner to the outer corner, the mouth from the person's right to the left.
     profile : ProfileModel
         Outlines of side faces with named points.
     """
@@ -51,6 +60,7 @@ class FaceNet:
     rule_error: Array
     iris_offset_iod: Array
     iris_error_iod: float
+    curves: Mapping[str, Array]
     profile: ProfileModel
 
 
@@ -76,5 +86,6 @@ def load_face_net() -> FaceNet:
         data["rule_error_iod"].astype(np.float64),
         data["iris_offset_iod"].astype(np.float64),
         float(data["iris_error_iod"].ravel()[0]),
+        MappingProxyType({name: data[f"curve_{name}"].astype(np.float64) for name in CURVES}),
         profile,
     )

@@ -89,7 +89,9 @@ def interpolate(corners: Array, values: Array, places: Array) -> Array:
     return np.asarray(np.einsum("nk,nka->na", shares, values[mesh.simplices[found]]))
 
 
-def bring_along(points_px: Array, moved: NDArray[np.bool_], targets_px: Array) -> Array:
+def bring_along(
+    points_px: Array, moved: NDArray[np.bool_], targets_px: Array, *, reach_px: float | None = None
+) -> Array:
     """Return points of which some were moved, with their neighbours brought along.
 
     The moved points and all that lie out of their reach are key points; what lies between follows by completion.
@@ -101,12 +103,14 @@ def bring_along(points_px: Array, moved: NDArray[np.bool_], targets_px: Array) -
     moved : (N,) bool
     targets_px : (M, 2) float64
         Where the moved ones went, in their order.
+    reach_px : float, optional
+        0.16 of all points' extent when not given.
     """
     if not moved.any() or moved.all():
         out = points_px.copy()
         out[moved] = targets_px
         return out
-    reach = REACH * float(np.ptp(points_px, axis=0).max())
+    reach = REACH * float(np.ptp(points_px, axis=0).max()) if reach_px is None else reach_px
     away = np.linalg.norm(points_px[:, None] - points_px[moved][None], axis=2).min(axis=1)
     still = away > reach
     goals = points_px.copy()

@@ -48,8 +48,8 @@ def face_in(photo: Photo) -> tuple[NDArray[np.float64], NDArray[np.float64], flo
     if photo.view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
         face = DETECTORS.get("face")(photo.rgb)
         if face is not None and face.presence >= FACE_PRESENCE:
-            points, depth = (np.asarray(values, dtype=np.float64) for values in (face.points_px, face.depth_px))
-            return points, depth, float(face.presence), face.irises_px
+            points = DETECTORS.get("refined_face")(photo.rgb, face.points_px, face.irises_px)
+            return points, np.asarray(face.depth_px, dtype=np.float64), float(face.presence), face.irises_px
     return np.zeros((468, 2)), np.zeros(468), 0.0, np.zeros((2, 2))
 
 

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 from archives import save
+from face_curves_generic import face_curves
 from numpy.typing import NDArray
 from painted_faces import EXTRAS, make_sitter, photograph_face
 from painted_heads import Head
@@ -138,7 +139,12 @@ def main() -> None:
     faces = [face for face in shown if face is not None]
     generic = load_generic()
     surface, twin = mean_places(generic, faces)
-    arrays = named_rules(generic, faces) | spreads(generic, faces, surface, twin) | profiles(generic)
+    arrays = (
+        named_rules(generic, faces)
+        | curve_rules(generic, faces)
+        | spreads(generic, faces, surface, twin)
+        | profiles(generic)
+    )
     arrays |= {"corners": surface.corners, "weights": surface.weights.astype(np.float32)}
     save(OUT, arrays)
     report(arrays, len(faces))
@@ -200,6 +206,24 @@ def named_rules(generic: GenericHuman, faces: list[Shown]) -> dict[str, NDArray[
         "iris_offset_iod": away.mean(axis=(0, 1)).astype(np.float32),
         "iris_error_iod": np.array([error], dtype=np.float32),
     }
+
+
+def curve_rules(generic: GenericHuman, faces: list[Shown]) -> dict[str, NDArray[np.generic]]:
+    """Return the rules from net points to the points of the pulled curves."""
+    pupils = [generic.feature(f"pupil_{side}") for side in "LR"]
+    seen = [f.camera.project(f.vertices_m) for f in faces]
+    unit = np.array([np.linalg.norm(np.diff(s[pupils], axis=0)) for s in seen])[:, None, None]
+    net = np.stack([f.points_px for f in faces]) / unit
+    origin = net.mean(axis=1, keepdims=True)
+    out: dict[str, NDArray[np.generic]] = {}
+    for name, vertices in face_curves(generic).items():
+        rules = np.zeros((len(vertices), 468))
+        for row, vertex in enumerate(vertices):
+            true = np.stack([s[vertex] for s in seen])[:, None] / unit
+            chosen, weights, _ = named_rule(net - origin, (true - origin)[:, 0], (net - origin).mean(axis=0))
+            rules[row, chosen] = weights
+        out[f"curve_{name}"] = rules.astype(np.float32)
+    return out
 
 
 def profiles(generic: GenericHuman) -> dict[str, NDArray[np.generic]]:
