@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 
 INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
 DRAPE_MM = 25.0  # taste: hair on shoulders and cheeks lies this thick at most
+FREE_MM = 6.0  # hair that stands off the cap by more has no hairline beside it
 VOXEL_M = 0.004
 SMOOTH_VOXELS = 0.8
 COARSE = 4  # voxels a side of a trial cell
@@ -83,17 +84,32 @@ def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:
     thickness = np.where(near.thickness_mm > THINNEST_CAP_MM, near.thickness_mm, -INNER_MM)
     field = np.minimum(thickness - near.skin_mm, near.skin_mm + INNER_MM)
     rows = np.flatnonzero(field > -CLIP_MM)
+    line = voted_line_mm(views, near, rows)
+    field[rows] = np.minimum(field[rows], np.minimum(line, (near.growth[rows] - 0.5) * GROWTH_MM))
+    return np.asarray(field, np.float32)
+
+
+def voted_line_mm(views: list[HairView], near: Near, rows: NDArray[np.int64]) -> NDArray[np.float32]:
+    """Return (R,) distance along the skin to the hairline of some points, mm, positive on the hair's side.
+
+    Labels are read a little above the skin, also for points below it.
+    """
     lift = m_from_mm(1.0) * (np.minimum(near.skin_mm[rows], LIFT_MM) - near.skin_mm[rows])
     read = near.points_m[rows] + near.outward[rows] * lift[:, None]
     votes = near.votes[:, rows]
     line = np.zeros(rows.size, np.float32)
     for view, vote in zip(views, votes, strict=True):
         line += vote * hairline_mm(view, read)
-    total = votes.sum(axis=0)
     unseen = (near.hairy[rows] - 0.5) * 2.0 * CLIP_MM
-    line = (line + UNSEEN_VOTE * unseen) / (total + UNSEEN_VOTE)
-    field[rows] = np.minimum(field[rows], np.minimum(line, (near.growth[rows] - 0.5) * GROWTH_MM))
-    return np.asarray(field, np.float32)
+    return np.asarray((line + UNSEEN_VOTE * unseen) / (votes.sum(axis=0) + UNSEEN_VOTE), np.float32)
+
+
+def inside_hairline_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray[np.float32]:
+    """Return (N,) how far points of the cap lie inside the hairline, mm; FAR_MM where hair hangs free of the skin."""
+    near = near_skin(scalp, points_m)
+    free = near.skin_mm > near.thickness_mm + FREE_MM
+    line = voted_line_mm(views, near, np.arange(len(points_m)))
+    return np.where(free, np.float32(FAR_MM), line).astype(np.float32)
 
 
 def draped_mm(views: list[HairView], near: Near, below_m: float) -> NDArray[np.float32]:

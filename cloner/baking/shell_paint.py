@@ -22,7 +22,7 @@ from cloner.records.photos import Photo
 from cloner.vision.aligning import sample
 from cloner.vision.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.evening import REFERENCE_HOLD, apply_light, even_light, light_basis
-from cloner.vision.repair import repair_bleeding
+from cloner.vision.repair import own_pixels, repair_bleeding
 
 Array = NDArray[np.float64]
 
@@ -31,6 +31,7 @@ LEVELS = 2  # charts are small islands: wide bands would make them differ along 
 SMOOTHING = 3  # rounds over the surface, where charts do not matter
 FLOOR = 1e-6
 _MIRRORED = 0.8
+REACH_SHARE = 0.02  # of the shell's size in the photo: how deep other things shine through its edge
 BAND_PX = 2.5  # labels are about this many pixels unsure
 
 
@@ -92,7 +93,7 @@ def paint_shell(
         claims.append(np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0))
         # Hair and cloth shine at grazing angles: only what both photos see nearly head-on tells their exposures.
         trusts.append(np.where(claims[-1] > 0.0, np.clip((sight.cosine - 0.5) / 0.5, 0.0, 1.0), 0.0))
-        pictures.append(repair_bleeding(photos[view.posed.view].rgb, view.mask, BAND_PX)[0])
+        pictures.append(_repaired(photos[view.posed.view].rgb, view))
     graph = surface_graph(vertices_m, atlas.triangles)
     claims = [graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in claims]
     claim_table = np.stack(claims)
@@ -123,6 +124,13 @@ def paint_shell(
     rgb = push_pull(blend_pyramids(layers(), (size, size, 3), LEVELS) * covered[..., None], covered.astype(np.float32))
     opaque = np.full((size, size, 1), 255.0, np.float32)
     return np.concatenate([np.clip(np.rint(rgb), 0, 255), opaque], axis=2).astype(np.uint8)
+
+
+def _repaired(rgb: NDArray[np.uint8], view: ShellView) -> NDArray[np.uint8]:
+    """Return the photo in which everything shows the shell's own nearest colour."""
+    size = float(np.sqrt(view.mask.sum()))
+    own = own_pixels(rgb, view.mask, max(REACH_SHARE * size, 2.0 * BAND_PX))
+    return repair_bleeding(rgb, own, BAND_PX)[0]
 
 
 def _look(

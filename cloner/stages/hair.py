@@ -18,9 +18,10 @@ from scipy.ndimage import label, map_coordinates
 from skimage.measure import marching_cubes
 
 from cloner.baking.hair_cap import Scalp, measure_scalp
+from cloner.baking.hair_edge import soften_edge
 from cloner.baking.hair_tail import find_tail
 from cloner.baking.hair_views import HairView, Hanger, hair_views
-from cloner.baking.hair_volume import VOXEL_M, hair_field
+from cloner.baking.hair_volume import VOXEL_M, hair_field, inside_hairline_mm
 from cloner.baking.posed import body_triangles
 from cloner.baking.shell_paint import ShellView, paint_shell
 from cloner.frames import ViewId
@@ -125,7 +126,7 @@ def grow_hair(
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
-    shell = dress_shell(generic, joined, photos, views, *mesh, params)
+    shell = dress_shell(generic, joined, photos, views, scalp, *mesh, params)
     residuals = (
         Residual("hair_thickness_median", float(np.median(thick)), "mm"),
         Residual("hair_thickness_largest", float(thick.max()), "mm"),
@@ -196,6 +197,7 @@ def dress_shell(
     joined: Joined,
     photos: PhotoSet,
     views: list[HairView],
+    scalp: Scalp,
     vertices_m: Array,
     triangles: NDArray[np.int32],
     params: Params,
@@ -206,6 +208,7 @@ def dress_shell(
     atlas = map_atlas(charts.uv, charts.triangles, triangles, params.size)
     shown = [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
     rgba = paint_shell(generic, joined, photos.photos, shown, atlas, vertices_m, joints, weights)
+    rgba = soften_edge(rgba, atlas, inside_hairline_mm(views, scalp, vertices_m))
     return Shell(
         vertices_m[charts.vertex], charts.triangles, charts.uv, joints[charts.vertex], weights[charts.vertex], rgba
     )

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 FAR_PX = 1e4  # farther than any photo is wide
+LEAST_MASS = 0.01  # a mean of fewer pixels of the neighbourhood is none
 THICKNESS_KEPT = 0.55  # taste: a finger thinner than the band keeps the colour of its inner 45 %
 
 
@@ -55,6 +56,47 @@ def repair_bleeding(
     soft = cv2.GaussianBlur(repaired, (0, 0), max(band_px / 2.0, 0.8))
     repaired = np.where(safe[..., None], repaired, soft)
     return repaired, signed
+
+
+def own_pixels(rgb: NDArray[np.uint8], mask: NDArray[np.bool_], reach_px: float) -> NDArray[np.bool_]:
+    """Return the mask (H, W) without pixels near its border that look like what lies around it.
+
+    Between strands and through thin edges the surroundings shine. A pixel
+    belongs to them when its colour is nearer to their mean nearby than to the
+    mean of the mask's inside nearby.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    mask : (H, W) bool
+    reach_px : float
+        How deep pixels are judged, and over which width means are taken.
+    """
+    rows, columns = np.flatnonzero(mask.any(axis=1)), np.flatnonzero(mask.any(axis=0))
+    if rows.size == 0:
+        return mask.copy()
+    air = int(3 * reach_px) + 1
+    box = np.s_[max(rows[0] - air, 0) : rows[-1] + air + 1, max(columns[0] - air, 0) : columns[-1] + air + 1]
+    inner, colours = mask[box], rgb[box].astype(np.float32)
+    depth = cv2.distanceTransform(inner.astype(np.uint8), cv2.DIST_L2, 3)
+    core = depth > 0.5 * reach_px
+    own, own_mass = _local_mean(colours, core if core.any() else inner, reach_px)
+    other, other_mass = _local_mean(colours, ~inner, reach_px)
+    nearer = ((colours - other) ** 2).sum(axis=2) < ((colours - own) ** 2).sum(axis=2)
+    doubtful = (depth < 2.0 * reach_px) & (own_mass > LEAST_MASS) & (other_mass > LEAST_MASS)
+    kept = mask.copy()
+    kept[box] = inner & ~(nearer & doubtful)
+    return kept if kept.any() else mask.copy()
+
+
+def _local_mean(
+    rgb: NDArray[np.float32], where: NDArray[np.bool_], reach_px: float
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Return the mean colour (h, w, 3) of marked pixels around each pixel, and their share (h, w)."""
+    size = 2 * int(np.ceil(2.0 * reach_px)) + 1
+    share = cv2.blur(where.astype(np.float32), (size, size))
+    total = cv2.blur(rgb * where[..., None], (size, size))
+    return np.asarray(total / np.maximum(share, 1e-6)[..., None], np.float32), np.asarray(share, np.float32)
 
 
 def signed_distance(mask: NDArray[np.bool_]) -> NDArray[np.float32]:

@@ -4,7 +4,7 @@ import numpy as np
 
 from cloner.vision.aligning import outline_shift, shift_points
 from cloner.vision.evening import apply_light, even_light, light_basis
-from cloner.vision.repair import repair_bleeding, signed_distance
+from cloner.vision.repair import own_pixels, repair_bleeding, signed_distance
 
 
 def _disc(centre, radius, size=200):
@@ -67,3 +67,17 @@ def test_photos_that_share_nothing_are_left_alone():
     weights[0, :25] = weights[1, 25:] = 1.0
     gains = even_light(np.full((2, 50, 3), 90.0), weights, np.tile([0.0, 0.0, 1.0], (50, 1)), np.ones(2))
     assert not gains.any()
+
+
+def test_a_wall_shining_through_strands_is_not_hair():
+    wall, brown = np.array([210, 215, 205]), np.array([90, 60, 40])
+    photo = np.tile(wall, (120, 120, 1)).astype(np.uint8)
+    photo[10:110, 30:90] = brown
+    photo[20:100, 84:86] = wall  # a gap between strands that the labels bridge
+    mask = np.zeros((120, 120), bool)
+    mask[10:110, 30:90] = True
+    mask[40:60, 90:93] = True  # labels a little too far out
+    own = own_pixels(photo, mask, 6.0)
+    assert not own[25:95, 84:86].any()
+    assert not own[42:58, 90:93].any()
+    assert own[15:105, 34:80].all()
