@@ -181,6 +181,16 @@ def slice_weight(theta: Array, first: Array, second: Array) -> Array:
     )
 
 
+def rounded(weight: Array) -> Array:
+    """Return the paper's linear weight along the arc as the cosine of the angle it stands for.
+
+    Departure: between the occluding points the paper's weight falls linearly, and a slice
+    made wider by front and deeper by the side photo gains only 0.71 of both at its
+    diagonals. With the cosine it is scaled as a whole; at the occluding points both agree.
+    """
+    return np.asarray(0.5 - 0.5 * np.cos(np.pi * weight))
+
+
 def fine_shift(pairs: SlicePairs, s: Array, theta: Array, *, smooth: float) -> Array:
     """Return (N, 3) displacements T_i,m = w (P_i1 − V_i1) + (1 − w)(P_i2 − V_i2) of points of a segment.
 
@@ -198,7 +208,7 @@ def fine_shift(pairs: SlicePairs, s: Array, theta: Array, *, smooth: float) -> A
         return np.zeros((len(s), 3))
     ends = [np.unwrap(pairs.theta[:, c]) for c in (0, 1)]
     first, second = (np.interp(s, pairs.levels, end) for end in ends)
-    weight = slice_weight(theta, first, second)[:, None]
+    weight = rounded(slice_weight(theta, first, second))[:, None]
     moved = [np.stack([np.interp(s, pairs.levels, shift[:, c, a]) for a in range(3)], axis=1) for c in (0, 1)]
     return np.asarray(weight * moved[0] + (1.0 - weight) * moved[1])
 

@@ -52,6 +52,8 @@ class Phenotype:
         All body photos; the faces get theirs in the head stage.
     attributes : mapping of str to float
         Named phenotype (sex, age_years, weight, ...), by regression.
+    ease : (E,) float64
+        How far clothes stand off the skin, in the spreads of ``phenotype_clothes``; empty where nobody asked.
     """
 
     coefficients: NDArray[np.float64]
@@ -59,9 +61,10 @@ class Phenotype:
     sole_m: float
     views: Mapping[ViewId, PosedView]
     attributes: Mapping[str, float]
+    ease: NDArray[np.float64] = field(default_factory=lambda: np.zeros(0))
 
     def __post_init__(self) -> None:
-        freeze(self, coefficients=(np.float64, (None,)))
+        freeze(self, coefficients=(np.float64, (None,)), ease=(np.float64, (None,)))
         object.__setattr__(self, "views", MappingProxyType(dict(self.views)))
         object.__setattr__(self, "attributes", MappingProxyType(dict(self.attributes)))
 

@@ -45,7 +45,7 @@ class Footwear:
 SHOES = Footwear((0.024, 0.005, 0.014, 0.036), (1.08, 0.05), (1.08, 0.08), 1.2, True)
 BAREFOOT = Footwear((0.0015, 0.001, 0.0, 0.003), (1.0, 0.03), (1.0, 0.03), 1.0, False)
 #: Number of linear modes: sole height, length, width.
-WORN = 3
+FOOTWEAR = 3
 
 
 def shod(generic: GenericHuman, stature_m: float, wear: Footwear) -> tuple[Array, Array]:
@@ -66,7 +66,7 @@ def shod(generic: GenericHuman, stature_m: float, wear: Footwear) -> tuple[Array
         return sized_feet(foot, np.array(size), sole[0] + sole_sigmas * sole[1])
 
     mean = sized(0.0, 0.0, 0.0)
-    modes = np.array([(sized(*step) - sized(*(-step))) / 2.0 for step in np.eye(WORN)])
+    modes = np.array([(sized(*step) - sized(*(-step))) / 2.0 for step in np.eye(FOOTWEAR)])
     return mean, modes
 
 

@@ -20,9 +20,9 @@ from cloner.records.points import BodyPoints, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet
-from cloner.stages.footwear import WORN, sole_height
+from cloner.stages.footwear import FOOTWEAR, sole_height
 from cloner.stages.phenotype_evidence import Evidence, Params, gather_evidence
-from cloner.stages.phenotype_model import Family, family
+from cloner.stages.phenotype_model import WORN, Family, family
 from cloner.stages.phenotype_solve import State, outline_term, solve
 from cloner.stages.points import for_fitting
 from cloner.stages.portrait import portrait_shape
@@ -76,7 +76,8 @@ def run(
     residuals.append(Residual("height normalisation", mm_from_m(float(np.ptp(above)) / 2.0), "mm"))
     coefficients = state.shape[WORN:]
     sole = sole_height(body.wear, float(state.shape[0]))
-    value = Phenotype(coefficients, person.stature_m, sole, posed, _attributes(generic, coefficients))
+    ease, attributes = state.shape[FOOTWEAR:WORN], _attributes(generic, coefficients)
+    value = Phenotype(coefficients, person.stature_m, sole, posed, attributes, ease)
     return StageResult({"phenotype": value}, tuple(residuals))
 
 

@@ -12,11 +12,14 @@ from cloner.geometry.poses import FREEDOMS, pose_matrix
 from cloner.geometry.posing import Chosen
 from cloner.geometry.tripods import STAND_NAMES, projected
 from cloner.records.views import Camera
-from cloner.stages.footwear import BAREFOOT, SHOES, WORN, Footwear, shod
+from cloner.stages.footwear import BAREFOOT, FOOTWEAR, SHOES, Footwear, shod
+from cloner.stages.phenotype_clothes import EASES, eased
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.integer]
 
+#: Modes of what the family wears, before those of its shape: footwear's, then the clothes'.
+WORN = FOOTWEAR + len(EASES)
 #: Unknowns that belong to one photo: where the camera stands, and the pose.
 OWN = len(STAND_NAMES) + len(FREEDOMS)
 
@@ -32,7 +35,7 @@ class Family:
     wear : Footwear
     mean_m : (V, 3)
     modes_m : (V, 3, C)
-        The first three modes are the footwear's, the others the shape's.
+        The first `WORN` modes are footwear's and clothes', the others the shape's.
     joints_m : (94, 3), joint_modes_m : (94, 3, C)
     pose : (282, D)
     """
@@ -75,7 +78,9 @@ def family(generic: GenericHuman, stature_m: float, *, barefoot: bool, shapes: i
     """Return the family of bodies of a stature."""
     wear = BAREFOOT if barefoot else SHOES
     scale = stature_m / GENERIC_STATURE_M
-    mean, worn = shod(generic, stature_m, wear)
+    feet, soles = shod(generic, stature_m, wear)
+    cloth, eases = eased()
+    mean, worn = feet + cloth, np.concatenate([soles, eases])
     modes = np.empty((len(mean), 3, WORN + shapes))
     modes[..., :WORN] = np.moveaxis(worn, 0, 2)
     modes[..., WORN:] = scale * np.moveaxis(generic.shape_basis[:shapes], 0, 2)

@@ -19,9 +19,8 @@ from cloner.frames import ViewId
 from cloner.geometry.poses import FREEDOMS, SIGMAS, standing_pose
 from cloner.geometry.tripods import AZIMUTH, FACING, HEIGHT, PITCH, ROLL, STAND_NAMES, placed_camera, stand_of
 from cloner.records.views import Camera
-from cloner.stages.footwear import WORN
 from cloner.stages.phenotype_evidence import Evidence, Params
-from cloner.stages.phenotype_model import OWN, Family, draw
+from cloner.stages.phenotype_model import OWN, WORN, Family, draw
 from cloner.stages.phenotype_terms import GroundTerm, OutlineTerm, PointTerm, Term
 
 Array = NDArray[np.float64]

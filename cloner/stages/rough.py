@@ -17,12 +17,23 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
+from cloner.geometry.settling import unfolded
 from cloner.geometry.slices import aspect_shift, fine_shift
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.outlined import GRID_SEGMENTS, Outlined, gap_mm, outlined_photos, see, slice_pairs, views_of
+from cloner.stages.outlined import (
+    GRID_SEGMENTS,
+    Outlined,
+    body_triangles,
+    gap_mm,
+    outlined_photos,
+    see,
+    slice_pairs,
+    views_of,
+)
+from cloner.stages.phenotype_clothes import clothed_body
 
 Array = NDArray[np.float64]
 
@@ -115,7 +126,7 @@ def shape_slices(
                 moved += aspect_shift(pairs, vertices, vertices[near], s, smooth=smooth)
             shift[near] += weight[near, None] * moved
         vertices += shift
-    return BodyMesh(vertices, mesh.joints_m)
+    return BodyMesh(unfolded(mesh.vertices_m, vertices, body_triangles()), mesh.joints_m)
 
 
 def run(
@@ -128,8 +139,8 @@ def run(
     rng: np.random.Generator,
 ) -> StageResult:
     """Give the front+side and back+side bodies with parts in place, and their mean."""
-    params, generic = Params(), load_generic()
-    vertices, joints = generic.shape(phenotype.coefficients, phenotype.stature_m)
+    params = Params()
+    vertices, joints = clothed_body(phenotype)
     photos = outlined_photos(phenotype, silhouettes, proposals)
     bodies = []
     chosen: tuple[tuple[ViewId, Skeleton], ...] = (

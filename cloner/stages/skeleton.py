@@ -21,6 +21,7 @@ from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.outlined import Outlined, Seen, outlined_photos, see, slice_pairs, views_of
+from cloner.stages.phenotype_clothes import clothed_body
 
 Array = NDArray[np.float64]
 
@@ -84,7 +85,7 @@ def run(
 ) -> StageResult:
     """Give the front+side and back+side skeletons and their consensus, in rest pose."""
     params, generic = Params(), load_generic()
-    vertices, joints = generic.shape(phenotype.coefficients, phenotype.stature_m)
+    vertices, joints = clothed_body(phenotype)
     mesh = BodyMesh(vertices, joints)
     photos = outlined_photos(phenotype, silhouettes, proposals)
     made = {}
