@@ -1,43 +1,77 @@
-"""Put captured motions on a finished clone."""
+"""Put captured motions, speech and facial animation on a finished clone."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
 
+import numpy as np
+
 from cloner.errors import ClonerError
+from cloner.exporters.files import write_bytes
 from cloner.exporters.gltf import export
-from cloner.motion.body import body_of
+from cloner.motion.body import Body, body_of
 from cloner.motion.bvh import read_bvh
 from cloner.motion.cycle import walk_cycle
+from cloner.motion.faps import fap_text, read_fap, rotations_of, stream_of, weights_of
 from cloner.motion.retarget import retarget
+from cloner.motion.talk import FRAMES_PER_S, talk
 from cloner.picture import clone_of
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
+
+SPEECH = (".wav", ".txt")
 
 
-def animate_file(clone_path: Path, captures: Sequence[Path], out: Path, *, cycles: bool = False) -> None:
-    """Write a clone with captured motions as a binary glTF file.
+def animate_file(clone_path: Path, sources: Sequence[Path], out: Path, *, cycles: bool = False) -> tuple[Path, ...]:
+    """Write a clone with further animations as a binary glTF file, and the speech's face as FAP files beside it.
 
     Parameters
     ----------
     clone_path : Path
         ``clone.npz`` or the folder that holds it.
-    captures : sequence of Path
-        BVH files; each becomes an animation with the file's name.
+    sources : sequence of Path
+        Each becomes an animation with the file's name: .bvh is laid on the body, .wav and .txt (phonemes) are spoken,
+        .fap moves the face.
     out : Path
         Ends with .glb.
     cycles : bool
-        Cut every capture down to two steps of walking on the spot, closed into a circle.
+        Cut every .bvh down to two steps of walking on the spot, closed into a circle.
+
+    Returns
+    -------
+    tuple of Path
+        All written files.
 
     Raises
     ------
     ClonerError
-        If there is no clone, a capture cannot be read or laid on, or ``out`` cannot be written.
+        If there is no clone, a source cannot be read or laid on, or ``out`` cannot be written.
     """
     if out.suffix.lower() != ".glb":
         raise ClonerError("animations are written as glTF", "Give --out a name that ends with .glb", out.name)
     clone = clone_of(clone_path)
     body = body_of(clone)
-    motions = [retarget(read_bvh(path), body, name=path.stem) for path in captures]
-    if cycles:
-        motions = [walk_cycle(body, motion) for motion in motions]
-    export(clone, out.parent, name=out.stem, motions=motions)
+    motions = [_motion(clone, body, path, cycles=cycles) for path in sources]
+    written = list(export(clone, out.parent, name=out.stem, motions=motions))
+    for path, motion in zip(sources, motions, strict=True):
+        if path.suffix.lower() in SPEECH:
+            written.append(out.with_name(f"{out.stem}_{path.stem}.fap"))
+            write_bytes(written[-1], fap_text(stream_of(clone, motion.weights, FRAMES_PER_S), path.stem).encode())
+    return tuple(written)
+
+
+def _motion(clone: Clone, body: Body, path: Path, *, cycles: bool) -> Motion:
+    """Return the motion that a file holds."""
+    suffix = path.suffix.lower()
+    if suffix == ".bvh":
+        motion = retarget(read_bvh(path), body, name=path.stem)
+        return walk_cycle(body, motion) if cycles else motion
+    if suffix in SPEECH:
+        return talk(body, path)
+    if suffix == ".fap":
+        stream = read_fap(path)
+        times = np.arange(len(stream.values)) / stream.frames_per_s
+        rotations = rotations_of(stream, body.names)
+        return Motion(path.stem, times, np.zeros((len(times), 3)), rotations, weights_of(clone, stream))
+    raise ClonerError(f"{suffix or 'this'} is no kind of animation", "Give .bvh, .wav, .txt or .fap files", path.name)

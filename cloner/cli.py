@@ -38,7 +38,9 @@ app = typer.Typer(
 HeightOption = Annotated[
     float | None, typer.Option("--height-cm", help="Barefoot height in cm; wins over person.toml.")
 ]
-FormatOption = Annotated[str, typer.Option("--format", help="Formats to write, with commas: glb,wrl,x3d,vrm,obj,ply,regions.")]
+FormatOption = Annotated[
+    str, typer.Option("--format", help="Formats to write, with commas: glb,wrl,x3d,vrm,obj,ply,regions.")
+]
 SeedOption = Annotated[int, typer.Option("--seed", help="The same photos and seed give the same clone.")]
 SizeOption = Annotated[int, typer.Option("--size", help="Side of the texture in texels: 512, 1024, 2048 or 4096.")]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder that receives the results.")]
@@ -127,15 +129,18 @@ def _render(
 @app.command("animate")
 def _animate(
     clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
-    captures: Annotated[list[Path], typer.Argument(metavar="BVH...", help="Motion captures.")],
+    sources: Annotated[
+        list[Path],
+        typer.Argument(metavar="SOURCE...", help="Captures (.bvh), speech (.wav, phonemes .txt), faces (.fap)."),
+    ],
     out: Annotated[Path, typer.Option("--out", help="The .glb file to write.")],
-    cycles: Annotated[bool, typer.Option("--cycle", help="Make an endless walk on the spot of each.")] = False,
+    cycles: Annotated[bool, typer.Option("--cycle", help="Make an endless walk on the spot of each .bvh.")] = False,
 ) -> None:
-    """Lay motion captures on a finished clone."""
+    """Lay motion captures, speech and facial animation on a finished clone."""
     from cloner.animating import animate_file
 
-    animate_file(clone_path, captures, out, cycles=cycles)
-    typer.echo(str(out))
+    for path in animate_file(clone_path, sources, out, cycles=cycles):
+        typer.echo(str(path))
 
 
 @app.command("evaluate")

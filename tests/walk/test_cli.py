@@ -13,6 +13,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+import pygltflib
 import pytest
 from PIL import Image
 
@@ -267,6 +268,26 @@ def test_render_draws_a_clone(run: Command, tmp_path: Path, cloned_anna: CloneOu
     assert code == cli.EXIT_INPUT
     assert "front" in complaint(stderr)
     assert [path.name for path in tmp_path.iterdir()] == ["side.png"]
+
+
+def test_animate_adds_speech_and_a_face_and_refuses_other_files(
+    run: Command, tmp_path: Path, cloned_anna: CloneOutcome
+) -> None:
+    phonemes = tmp_path / "mama.txt"
+    phonemes.write_text("M 0.1\nAA1 0.2\nM 0.1\nAA1 0.2\n")
+    out = tmp_path / "anna.glb"
+    code, told, stderr = run("animate", cloned_anna.folder, phonemes, "--out", out)
+    assert code == 0, stderr
+    fap = tmp_path / "anna_mama.fap"
+    assert told.split() == [str(out), str(fap)]
+    again = tmp_path / "again.glb"
+    code, _, stderr = run("animate", cloned_anna.folder, fap, "--out", again)
+    assert code == 0, stderr
+    names = [animation.name for animation in pygltflib.GLTF2().load_binary(str(again)).animations]
+    assert names == ["walk", "idle", "anna_mama"]
+    code, _, stderr = run("animate", cloned_anna.folder, tmp_path / "song.mp3", "--out", out)
+    assert code == cli.EXIT_INPUT
+    assert ".wav" in complaint(stderr)
 
 
 def test_doctor_says_one_line_a_thing(run: Command) -> None:

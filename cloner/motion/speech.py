@@ -1,0 +1,249 @@
+"""Mouth shapes of speech, from its sound or from its phonemes.
+
+Sound: per frame the linear prediction of the signal, its pitch and its zero crossings (the tutorial's features). They
+tell vowels by their first two formants, hissing by its brightness, and closures by silence between sounds. No word is
+understood.
+
+References
+----------
+Tutorial "Inhabited Virtual Heritage", Eurographics 2001, speech. G. Peterson, H. Barney 1952 (formants of vowels).
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.io import wavfile
+from scipy.linalg import solve_toeplitz
+from scipy.ndimage import gaussian_filter1d
+from scipy.signal import resample_poly
+
+from cloner.errors import ClonerError
+from cloner.records.arrays import freeze
+
+Array = NDArray[np.float64]
+
+RATE_HZ: Final = 16_000
+FRAME_S: Final = 0.025
+STEP_S: Final = 0.01
+LPC_ORDER: Final = 14
+PITCH_HZ: Final = (70.0, 400.0)
+LONGEST_S: Final = 600.0
+VISEMES: Final = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "I", "O", "U")
+#: First and second formant of the vowels, hertz, between men's and women's.
+_VOWELS: Final[Mapping[str, tuple[float, float]]] = MappingProxyType({
+    "aa": (780.0, 1250.0), "E": (570.0, 1950.0), "I": (310.0, 2450.0), "O": (560.0, 900.0), "U": (350.0, 950.0),
+    "RR": (490.0, 1400.0), "nn": (260.0, 1500.0),
+})  # fmt: skip
+_VOWEL_BARK: Final = 1.0  # spread of a vowel's formants between people, Bark
+_QUIET: Final = 0.02  # of the loudest frames: silence
+_CLOSURE_S: Final = 0.16  # shorter silences between sounds are closed lips or a stopped tongue
+_COARTICULATION_S: Final = 0.035  # mouths move ahead of sounds and lag behind them
+#: ARPAbet phonemes by mouth shape.
+_PHONEMES: Final[Mapping[str, str]] = MappingProxyType({
+    "sil": "SIL SP", "PP": "P B M", "FF": "F V", "TH": "TH DH", "DD": "T D", "kk": "K G NG HH", "CH": "CH JH SH ZH",
+    "SS": "S Z", "nn": "N L", "RR": "R ER", "aa": "AA AE AH AY AW", "E": "EH EY", "I": "IH IY Y", "O": "OW AO OY",
+    "U": "UW UH W",
+})  # fmt: skip
+_VISEME_OF: Final = {phoneme: viseme for viseme, row in _PHONEMES.items() for phoneme in row.split()}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SpeechFrames:
+    """What is measured of sound, one row every `STEP_S` seconds.
+
+    Attributes
+    ----------
+    energy : (F,) root mean square
+    crossings : (F,) share of samples at which the sign changes
+    pitch_hz : (F,) 0 where the sound has none
+    lpc : (F, LPC_ORDER) coefficients of the linear prediction
+    brightness_hz : (F,) middle of the spectrum
+    """
+
+    energy: Array
+    crossings: Array
+    pitch_hz: Array
+    lpc: Array
+    brightness_hz: Array
+
+    def __post_init__(self) -> None:
+        count = len(self.energy)
+        freeze(
+            self,
+            energy=(np.float64, (count,)),
+            crossings=(np.float64, (count,)),
+            pitch_hz=(np.float64, (count,)),
+            lpc=(np.float64, (count, LPC_ORDER)),
+            brightness_hz=(np.float64, (count,)),
+        )
+
+
+def read_wav(path: Path) -> Array:
+    """Return the sound of a WAV file as one channel of `RATE_HZ` samples a second, -1..1.
+
+    Raises
+    ------
+    ClonerError
+        If the file is missing, no WAV, silent or longer than ten minutes.
+    """
+    try:
+        rate, data = wavfile.read(path)
+    except (OSError, ValueError, EOFError, struct.error) as error:
+        raise ClonerError("the sound cannot be read", "Give a .wav file with 16-bit samples", path.name) from error
+    if len(data) / rate > LONGEST_S:
+        raise ClonerError(f"the sound is longer than {LONGEST_S / 60:.0f} minutes", "Cut it into pieces", path.name)
+    sound = np.asarray(data, dtype=np.float64)
+    if data.dtype.kind == "u":
+        sound = sound - 128.0
+    if sound.ndim == 2:
+        sound = sound.mean(axis=1)
+    if len(sound) < RATE_HZ * FRAME_S or np.abs(sound).max() == 0.0:
+        raise ClonerError("there is nothing to hear in the sound", "Record it again", path.name)
+    divisor = int(np.gcd(rate, RATE_HZ))
+    sound = resample_poly(sound, RATE_HZ // divisor, rate // divisor)
+    return np.asarray(sound / np.abs(sound).max())
+
+
+def frame_features(sound: Array) -> SpeechFrames:
+    """Return the features of a sound of `RATE_HZ` samples a second."""
+    size, step = int(FRAME_S * RATE_HZ), int(STEP_S * RATE_HZ)
+    count = max((len(sound) - size) // step + 1, 1)
+    padded = np.pad(sound, (0, max(size + (count - 1) * step - len(sound), 0)))
+    frames = np.lib.stride_tricks.sliding_window_view(padded, size)[::step][:count]
+    energy = np.sqrt((frames**2).mean(axis=1))
+    crossings = (np.diff(np.signbit(frames), axis=1)).mean(axis=1)
+    power = np.abs(np.fft.rfft(frames * np.hanning(size), 2 * size)) ** 2
+    hertz = np.fft.rfftfreq(2 * size, 1.0 / RATE_HZ)
+    brightness = (power * hertz).sum(axis=1) / np.maximum(power.sum(axis=1), 1e-12)
+    sharpened = np.diff(padded, prepend=0.0) * 0.95 + 0.05 * padded  # voices lose 6 dB an octave at the lips
+    whitened = np.lib.stride_tricks.sliding_window_view(sharpened, size)[::step][:count] * np.hamming(size)
+    return SpeechFrames(energy, crossings, _pitch(frames), np.array([_lpc(row) for row in whitened]), brightness)
+
+
+def _lpc(frame: Array) -> Array:
+    """Return the coefficients of the linear prediction of one windowed frame (autocorrelation method)."""
+    correlation = np.correlate(frame, frame, "full")[len(frame) - 1 : len(frame) + LPC_ORDER]
+    if correlation[0] < 1e-9:
+        return np.zeros(LPC_ORDER)
+    correlation[0] *= 1.0001
+    return np.asarray(solve_toeplitz(correlation[:-1], correlation[1:]))
+
+
+def _pitch(frames: Array) -> Array:
+    """Return (F,) pitches, hertz, 0 where the strongest repetition explains less than a third of the energy."""
+    spectrum = np.fft.rfft(frames - frames.mean(axis=1, keepdims=True), 2 * frames.shape[1])
+    repeated = np.fft.irfft(np.abs(spectrum) ** 2)[:, : frames.shape[1]]
+    first, last = int(RATE_HZ / PITCH_HZ[1]), int(RATE_HZ / PITCH_HZ[0])
+    lag = first + repeated[:, first:last].argmax(axis=1)
+    strength = repeated[np.arange(len(frames)), lag] / np.maximum(repeated[:, 0], 1e-12)
+    return np.where(strength > 0.33, RATE_HZ / lag, 0.0)
+
+
+def formants(lpc: Array) -> tuple[float, float]:
+    """Return the first two formants of a linear prediction, hertz; 0 where there is none."""
+    roots = np.roots(np.concatenate([[1.0], -lpc]))
+    roots = roots[(roots.imag > 0.0) & (np.abs(roots) > 0.7)]
+    hertz = np.sort(np.angle(roots) * RATE_HZ / (2.0 * np.pi))
+    hertz = hertz[(hertz > 180.0) & (hertz < 3800.0)]
+    return (float(hertz[0]), float(hertz[1])) if len(hertz) >= 2 else (0.0, 0.0)
+
+
+def _bark(hertz: Array) -> Array:
+    return np.asarray(26.81 * hertz / (1960.0 + hertz) - 0.53)
+
+
+def sound_visemes(frames: SpeechFrames) -> Array:
+    """Return (F, 15) shares of the mouth shapes; rows sum to one."""
+    shares = np.zeros((len(frames.energy), len(VISEMES)))
+    loud = frames.energy / np.percentile(frames.energy, 98)
+    silent, voiced = loud < _QUIET, frames.pitch_hz > 0.0
+    vowels = list(_VOWELS)
+    places = _bark(np.array([_VOWELS[name] for name in vowels]))
+    for row in range(len(shares)):
+        if silent[row]:
+            shares[row, 0] = 1.0
+        elif frames.crossings[row] > 0.22 and (not voiced[row] or frames.brightness_hz[row] > 3000.0):
+            shares[row, VISEMES.index(_hiss(float(frames.brightness_hz[row]), float(loud[row])))] = 1.0
+        else:
+            away = ((places - _bark(np.array(formants(frames.lpc[row])))) ** 2).sum(axis=1)
+            own = np.exp(-0.5 * (away - away.min()) / _VOWEL_BARK**2)
+            shares[row, [VISEMES.index(name) for name in vowels]] = own / own.sum()
+    for first, last in _runs(silent):
+        inside = first > 0 and last < len(silent) - 1
+        if inside and (last - first + 1) * STEP_S < _CLOSURE_S:
+            shares[first : last + 1] = 0.0
+            shares[first : last + 1, [VISEMES.index("PP"), VISEMES.index("DD")]] = (0.7, 0.3)
+    return shares
+
+
+def _hiss(brightness_hz: float, loud: float) -> str:
+    if loud < 0.08:
+        return "FF" if brightness_hz > 3000.0 else "TH"
+    return "SS" if brightness_hz > 4800.0 else "CH"
+
+
+def _runs(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], flags.astype(np.int8), [0]])))
+    return [(int(first), int(last) - 1) for first, last in edges.reshape(-1, 2)]
+
+
+def phoneme_visemes(phonemes: Sequence[tuple[str, float]]) -> Array:
+    """Return (F, 15) shares of the mouth shapes of ARPAbet phonemes with their lengths in seconds.
+
+    Raises
+    ------
+    ClonerError
+        If a phoneme is not known or a length is not between 0 and 10 seconds.
+    """
+    rows = []
+    for phoneme, seconds in phonemes:
+        viseme = _VISEME_OF.get(phoneme.rstrip("012").upper())
+        if viseme is None:
+            raise ClonerError(
+                f"the phoneme {phoneme!r} is not known", f"Use ARPAbet: {' '.join(_VISEME_OF)}", "phonemes"
+            )
+        if not 0.0 < seconds <= 10.0:
+            raise ClonerError(f"{phoneme} lasts {seconds} s", "Give lengths between 0 and 10 seconds", "phonemes")
+        rows += [VISEMES.index(viseme)] * max(round(seconds / STEP_S), 1)
+    return np.eye(len(VISEMES))[rows]
+
+
+def read_phonemes(path: Path) -> list[tuple[str, float]]:
+    """Return the phonemes of a text file: one a line with its length in seconds, "AA1 0.12".
+
+    Raises
+    ------
+    ClonerError
+        If the file is missing or a line is not that.
+    """
+    try:
+        lines = [line.split() for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
+        return [(line[0], float(line[1])) for line in lines]
+    except (OSError, UnicodeDecodeError) as error:
+        raise ClonerError("the phonemes cannot be read", "Give a text file", path.name) from error
+    except (ValueError, IndexError) as error:
+        raise ClonerError(
+            "a line holds no phoneme with its seconds", 'Write lines like "AA1 0.12"', path.name
+        ) from error
+
+
+def mouth_weights(shares: Array, frames_per_s: float) -> tuple[Array, dict[str, Array]]:
+    """Return times (F,), seconds, and the weights of the viseme targets, smooth as mouths move."""
+    smooth = gaussian_filter1d(shares, _COARTICULATION_S / STEP_S, axis=0, mode="nearest")
+    duration = len(shares) * STEP_S
+    times = np.arange(round(duration * frames_per_s) + 1) / frames_per_s
+    own = (np.arange(len(shares)) + 0.5) * STEP_S
+    weights = {
+        f"viseme_{name}": np.interp(times, own, smooth[:, column]) for column, name in enumerate(VISEMES) if column > 0
+    }
+    for values in weights.values():
+        values[[0, -1]] = 0.0  # a mouth begins and ends at rest
+    return times, weights
