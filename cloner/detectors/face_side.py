@@ -26,12 +26,12 @@ _LEAN: Final = 0.10
 #: The nose tip lies within this height of a hinted nose; steps along the outline at which it is tried, metres.
 _NOSE_REACH_M: Final = 0.055
 _STEP_M: Final = 0.0025
-#: Cost of a laid profile at which the hinted direction of the face is doubted and the other tried, metres.
-_DOUBTED_M: Final = 0.0008
+#: Cost of a laid profile at which the hinted direction of the face is doubted and the other tried.
+_DOUBTED: Final = 0.28
 #: Inter-ocular distance of the mean adult, metres.
 IOD_M: Final = 0.063
-#: Cost at which every second profile was wrong, and how sharply that turns, metres (painted faces).
-_WRONG_M, _WRONG_TURN_M = 0.0011, 0.00013
+#: Cost at which every second profile was wrong, and how sharply that turns (painted faces).
+_WRONG, _WRONG_TURN = 0.32, 0.025
 #: Error of a point on a profile laid wrongly, share of the eye distance.
 _WRONG_ERROR: Final = 0.5
 
@@ -101,13 +101,13 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
         laid = _lay_facing(proposal.mask, full, model, facing, hints if facing == first else None)
         if laid is not None:
             found.append((facing, laid))
-            if hints is not None and laid.cost_m < _DOUBTED_M:
+            if hints is not None and laid.cost < _DOUBTED:
                 break
     if not found:
         return None
-    facing, laid = min(found, key=lambda pair: pair[1].cost_m)
+    facing, laid = min(found, key=lambda pair: pair[1].cost)
     points, spread_m = named_px(model, laid)
-    wrong = 1.0 / (1.0 + np.exp(-(laid.cost_m - _WRONG_M) / _WRONG_TURN_M))
+    wrong = 1.0 / (1.0 + np.exp(-(laid.cost - _WRONG) / _WRONG_TURN))
     # a mean distance in the plane is 1.25 times the spread along one axis
     error = 1.25 * spread_m / IOD_M + wrong * _WRONG_ERROR
     side = "R" if facing > 0 else "L"

@@ -37,6 +37,10 @@ STARTS: Final = 10
 _SIGMA_M: Final = 0.0016
 #: Gates of the Gauss-Newton turns, metres: what lies beyond is another thing (glasses, a fringe).
 _GATES_M: Final = (0.012, 0.012, 0.010, 0.008, 0.007, 0.006, 0.006, 0.005, 0.005, 0.005)
+#: Gap at which a sample counts as half missed, metres: few wrong stretches are better than a compromise with them.
+_MISS_M: Final = 0.0008
+#: Cost of an unusual shape, shares of one sample for each squared standard deviation.
+_MISS_PRIOR: Final = 0.15
 #: How much a normal that differs by a radian counts as distance, metres.
 _NORMAL_M: Final = 0.006
 
@@ -81,8 +85,8 @@ class Laid:
     px_from_m : (2, 3) float64
         Maps (forward, up, 1) to photo px.
     weights : (B,) float64
-    cost_m : float
-        Mean capped distance of the outline from the model plus the prior's share, metres.
+    cost : float
+        Share of the model's outline that misses the photo's, 0..1, plus the prior's share.
     covariance : (4 + B, 4 + B) float64
         Of size and turn, place, and weights, as the last turn of Gauss-Newton leaves it.
     gap_m : (M,) float64
@@ -91,7 +95,7 @@ class Laid:
 
     px_from_m: Array
     weights: Array
-    cost_m: float
+    cost: float
     covariance: Array
     gap_m: Array
 
@@ -216,15 +220,22 @@ def lay(outline_px: Array, model: ProfileModel, start: Array, weights: Array, si
         gap = ((outline_px[found, :2] - here) * normal).sum(axis=1) / now
         share = 1.0 / (1.0 + (gap / (0.35 * gate)) ** 2) ** 2
         strength = np.where(kept, share, 0.0) / _SIGMA_M**2
-        slope = _slopes(model, px_from_m, weights, normal, now)
-        prior = np.concatenate([[25.0, 8.0, 0.0, 0.0], np.ones(len(weights))])
-        pull = np.concatenate([[25.0 * np.log(size / now), 0.0, 0.0, 0.0], -weights])
-        system = slope.T @ (strength[:, None] * slope) + np.diag(prior + 1e-9)
-        step = np.linalg.solve(system, slope.T @ (strength * gap) + pull)
-        covariance = np.asarray(np.linalg.inv(system))
-        px_from_m = _moved(px_from_m, step[:4], model, weights)
-        weights = np.asarray(weights + step[4:])
+        px_from_m, weights, covariance = _step(model, px_from_m, weights, normal, gap, strength, size)
     return Laid(px_from_m, weights, *_judged(outline_px, model, px_from_m, weights, covariance))
+
+
+def _step(
+    model: ProfileModel, px_from_m: Array, weights: Array, normal: Array, gap: Array, strength: Array, size: float
+) -> tuple[Array, Array, Array]:
+    """Return map, weights and covariance after one step of Gauss-Newton towards gaps (M,) metres along normals."""
+    now = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    slope = _slopes(model, px_from_m, weights, normal, now)
+    prior = np.concatenate([[25.0, 8.0, 0.0, 0.0], np.ones(len(weights))])
+    pull = np.concatenate([[25.0 * np.log(size / now), 0.0, 0.0, 0.0], -weights])
+    system = slope.T @ (strength[:, None] * slope) + np.diag(prior + 1e-9)
+    step = np.linalg.solve(system, slope.T @ (strength * gap) + pull)
+    moved = _moved(px_from_m, step[:4], model, weights)
+    return moved, np.asarray(weights + step[4:]), np.asarray(np.linalg.inv(system))
 
 
 def _pairs(
@@ -276,8 +287,8 @@ def _judged(
     here, outwards, found, kept = _pairs(outline_px, model, px_from_m, weights, _GATES_M[-1])
     size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
     gap = ((outline_px[found, :2] - here) * outwards).sum(axis=1) / size
-    capped = np.where(kept, np.minimum(np.abs(gap), _CAP_M), _CAP_M)
-    cost = float(capped.mean() + _SIGMA_M * float(weights @ weights) / model.samples)
+    missed = np.where(kept, gap**2 / (gap**2 + _MISS_M**2), 1.0)
+    cost = float(missed.mean() + _MISS_PRIOR * float(weights @ weights) / model.samples)
     return cost, covariance, np.where(kept, gap, np.nan)
 
 
@@ -308,7 +319,7 @@ def find_laid(
         lay(outline_px, model, start, weights, size)
         for start, weights in search(mask, model, noses_px, facing, size, lean)
     ]
-    return min(tried, key=lambda laid: laid.cost_m)
+    return min(tried, key=lambda laid: laid.cost)
 
 
 def named_px(model: ProfileModel, laid: Laid) -> tuple[Array, Array]:
