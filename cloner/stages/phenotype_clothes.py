@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
+from cloner.geometry.settling import smoothed_directions
 from cloner.records.bodies import Phenotype
 from cloner.stages.outlined import body_triangles
 
@@ -52,18 +53,27 @@ EASES: Final = (
 )
 
 
+#: How often directions are averaged with their neighbours', as when skin settles.
+WAY_TURNS: Final = 10
+#: Nearer to the middle plane than this cloth of left and right hinders each other: it moves sideways the less.
+SEAM_M: Final = 0.06
+
+
 @functools.cache
 def _directions() -> Array:
     """Return (E, V, 3) how the generic's vertices move per metre of every ease."""
     generic = load_generic()
     skin = generic.vertex_part == generic.part_names.index("body")
     normals = vertex_normals(generic.vertices_m.astype(np.float64), body_triangles())
+    # cloth spans creases; along their own normals both flanks of one would run through each other
+    ways = smoothed_directions(normals, body_triangles(), turns=WAY_TURNS)
+    ways[:, 0] *= np.clip(np.abs(generic.vertices_m[:, 0]) / SEAM_M, 0.0, 1.0)
     along = np.clip(generic.slice_s.astype(np.float64), 0.0, 1.0)
     rows = []
     for ease in EASES:
         places = [generic.segment_names.index(name) for name in ease.segments]
         weight = generic.segment_weights[:, places].astype(np.float64).sum(axis=1)
-        rows.append((weight * skin * (along if ease.hangs else 1.0))[:, None] * normals)
+        rows.append((weight * skin * (along if ease.hangs else 1.0))[:, None] * ways)
     return np.array(rows)
 
 

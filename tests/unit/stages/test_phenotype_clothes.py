@@ -49,6 +49,16 @@ def test_cloth_leaves_head_hands_and_feet(segment):
     assert np.abs(vertices - naked)[bare].max() < 0.001
 
 
+def test_thick_trousers_of_left_and_right_leg_do_not_run_through_each_other():
+    generic = load_generic()
+    naked, _ = clothed_body(worn())
+    thick, _ = clothed_body(worn(torso=0.02, left_thigh=0.04))
+    legs = [generic.segment_names.index(name) for name in ("pelvis", "left_thigh", "right_thigh")]
+    lower = (generic.segment_weights[:, legs].sum(axis=1) > 0.99) & (np.abs(naked[:, 0]) > 1e-4)
+    crossed = np.sign(thick[lower, 0]) != np.sign(naked[lower, 0])
+    assert not crossed.any(), f"{crossed.sum()} vertices changed sides"
+
+
 def in_trousers(vertices, joints, thick_m):
     """Return vertices whose legs are pushed away from the bones: cloth made without the product's own modes."""
     generic, wide = load_generic(), vertices.copy()
