@@ -112,7 +112,7 @@ def test_a_known_face_comes_back(seed, azimuth_deg, shown):
     start = generic.shape(np.zeros(1), STATURE_M)[0][generic.head_vertices]
     error = face_error_mm(fitted.vertices_m, true)
     assert fitted.side_shown == shown
-    assert error < 1.0, f"seed {seed}: {error:.2f} mm"
+    assert error < 1.1, f"seed {seed}: {error:.2f} mm"
     assert error < 0.4 * face_error_mm(start, true)
     front = fitted.cameras[ViewId.FACE_FRONT]
     assert np.linalg.norm(front.position_m - camera(0.0, true[generic.feature("nasion")]).position_m) < 0.12
