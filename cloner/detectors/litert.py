@@ -287,7 +287,7 @@ def detect_face(rgb: Photo, box: Box | None = None) -> FaceResult | None:
     across = float(np.hypot(*(points[263, :2] - points[33, :2])))
     turn = math.degrees(math.atan2(points[263, 2] - points[33, 2], across))
     closer, irises = closer_look(rgb, points, _invoke)
-    return FaceResult(closer, points[:, 2], presence, turn, box, irises)
+    return FaceResult(closer, points[:, 2], presence, turn, box, irises, points[:, :2])
 
 
 def _look_closer(photo: Photo, box: Box) -> Box:

@@ -103,6 +103,8 @@ class FaceResult:
         The detector's box the search started from.
     irises_px : (2, 2) float64
         Centres of the person's left and right iris.
+    first_px : (468, 2) float64
+        The mesh before the closer look.
     """
 
     points_px: NDArray[np.float64]
@@ -111,3 +113,4 @@ class FaceResult:
     turn_deg: float
     box: Box | None
     irises_px: NDArray[np.float64]
+    first_px: NDArray[np.float64]
