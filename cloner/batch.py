@@ -2,122 +2,150 @@
 
 from __future__ import annotations
 
-import json
 import logging
 import time
-from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
-from cloner.cloning import CLONE_FILE, DEFAULT_FORMATS, Progress, check_formats, clone_folder, quiet
+from cloner.cloning import DEFAULT_FORMATS, check_formats, clone_folder, stamp_options
 from cloner.errors import Cancelled, ClonerError
-from cloner.project.atomic import RESULT_MARK, write_text
-from cloner.project.folder import holds_photos, safe_identifier
+from cloner.farm import Task, farm, run_tasks, watchdog
+from cloner.project.claims import claimed
+from cloner.project.manifest import Visitor, find_visitors, shard
+from cloner.project.stamps import input_stamp, why_not_current
+from cloner.records.batches import CLONED, FAILED, SKIPPED, BatchRow
+from cloner.report.batch import write_summary
 
 log = logging.getLogger(__name__)
 
-SUMMARY_FILE: Final = "batch.json"
-DEEPEST: Final = 3  # levels below the root that are searched for visitors: day / stand / visitor
+#: People who fewer than this many are not worth a cluster's start.
+ALONE: Final = 1
 
 
 @dataclass(frozen=True, slots=True)
-class BatchRow:
-    """What became of one visitor.
+class BatchOptions:
+    """How a batch is cloned.
 
     Attributes
     ----------
-    identifier : str
-    status : str
-        "cloned", "skipped" (there was a result) or "failed".
-    seconds : float
-    warnings : int
-    message : str
-        One line for people.
+    formats : tuple of str
+    seed : int
+    again : bool
+        Whether visitors with a current result are cloned once more.
+    workers : int
+        Processes on this machine; 1 clones in this very process, so a crash there ends the batch.
+    scheduler : str
+        Address of a Dask cluster that clones instead; its workers must see photos and results under the same paths.
+    shard : str
+        "i/n": only every n-th visitor, from the i-th on, counted from 0.
+    retries : int
+        How often a visitor whose worker died is tried again.
+    timeout_s : float
+        After this long a visitor's worker is ended; 0 never.
     """
 
-    identifier: str
-    status: str
-    seconds: float
-    warnings: int
-    message: str
+    formats: tuple[str, ...] = DEFAULT_FORMATS
+    seed: int = 0
+    again: bool = False
+    workers: int = 1
+    scheduler: str = ""
+    shard: str = ""
+    retries: int = 1
+    timeout_s: float = 0.0
 
 
-def find_visitors(root: Path) -> dict[str, Path]:
-    """Return the folders below a root that hold photos, by identifier.
-
-    Parameters
-    ----------
-    root : Path
-        Searched `DEEPEST` levels deep; hidden folders and results are left out.
-
-    Raises
-    ------
-    ClonerError
-        If the root is missing or holds no visitor, or two would share a name.
-    """
-    if not root.is_dir():
-        raise ClonerError("there is no such folder", "Give the folder that holds the visitors' folders", root.name)
-    visitors: dict[str, Path] = {}
-    for folder in _walk(root, DEEPEST):
-        identifier = safe_identifier("-".join(folder.relative_to(root).parts))
-        if identifier in visitors:
-            message = f"two visitors would both be called {identifier}"
-            raise ClonerError(message, "Rename one of the folders", folder.name)
-        visitors[identifier] = folder
-    if not visitors:
-        hint = "Put each visitor's photos into a folder of its own below it"
-        raise ClonerError("no folder below it holds photos named as views", hint, root.resolve().name)
-    return visitors
+Told = Callable[[BatchRow, int, int], None]
+"""Called with a row, how many are done and how many there are; may raise Cancelled."""
 
 
 def batch_folder(
-    root: Path,
-    out: Path,
-    *,
-    formats: Sequence[str] = DEFAULT_FORMATS,
-    seed: int = 0,
-    again: bool = False,
-    progress: Progress = quiet,
-    told: Callable[[BatchRow], None] = lambda row: None,
+    root: Path, out: Path, options: BatchOptions | None = None, *, told: Told = lambda row, done, of: None
 ) -> tuple[BatchRow, ...]:
-    """Clone every visitor below a root and return one row each; also writes ``batch.json``.
+    """Clone every visitor of a root or manifest and return one row each, in the order of their names.
 
-    Parameters
-    ----------
-    root, out : Path
-    formats : sequence of str
-    seed : int
-    again : bool
-        Whether visitors with a result are cloned once more.
-    progress : callable
-        Called with "visitor: step" and the fraction of the whole batch.
-    told : callable
-        Called with each row as soon as it is known.
+    Also writes ``batch.json``, ``batch.csv`` and ``batch.html``, a sheet with the worst first; a shard's are numbered.
 
     Raises
     ------
     ClonerError
-        If the batch cannot start at all; a visitor's own failure is a row.
+        If the batch cannot start at all, or its cluster disappears; a visitor's own failure is a row.
     Cancelled, KeyboardInterrupt
         After the rows so far were written.
     """
-    check_formats(formats)
-    visitors = find_visitors(root)
+    options = options or BatchOptions()
+    check_formats(options.formats)
+    visitors = shard(find_visitors(root), options.shard)
     rows: list[BatchRow] = []
     try:
-        for number, (identifier, folder) in enumerate(visitors.items()):
-
-            def step(name: str, fraction: float, number: int = number, identifier: str = identifier) -> None:
-                progress(f"{identifier}: {name}", (number + fraction) / len(visitors))
-
-            row = _one(identifier, folder, out, formats, seed, again, step)
+        for row in _rows(visitors, out.resolve(), options):
             rows.append(row)
-            told(row)
+            told(row, len(rows), len(visitors))
     finally:
+        rows.sort(key=lambda row: row.identifier)
         if out.is_dir():
-            _write_summary(out, rows, len(visitors))
+            suffix = f"-{options.shard.replace('/', '-of-')}" if options.shard else ""
+            write_summary(rows, len(visitors), out, f"batch{suffix}")
     return tuple(rows)
+
+
+def _rows(visitors: Sequence[Visitor], out: Path, options: BatchOptions) -> Iterator[BatchRow]:
+    if not options.scheduler and (options.workers <= ALONE or len(visitors) <= ALONE):
+        for visitor in visitors:
+            yield clone_visitor(visitor, out, options)
+        return
+    tasks: list[Task] = [(visitor.identifier, clone_in_worker, (visitor, out, options), {}) for visitor in visitors]
+    with farm(min(options.workers, len(visitors)), options.scheduler, options.retries) as client:
+        for name, result in run_tasks(client, tasks):
+            yield result if isinstance(result, BatchRow) else BatchRow(name, FAILED, 0.0, 0, str(result))
+
+
+def clone_in_worker(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
+    """Clone one visitor in a worker process, which is ended if that takes too long."""
+    with watchdog(options.timeout_s):
+        return clone_visitor(visitor, out, options)
+
+
+def clone_visitor(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
+    """Clone one visitor and return what became of it."""
+    start = time.perf_counter()
+    identifier = visitor.identifier
+    try:
+        with claimed(out, identifier) as ours:
+            if not ours:
+                return BatchRow(identifier, SKIPPED, 0.0, 0, "another run is cloning it just now")
+            return _clone(visitor, out, options, start)
+    except ClonerError as error:
+        return BatchRow(identifier, FAILED, time.perf_counter() - start, 0, str(error))
+    except Cancelled:
+        raise
+    except Exception as error:  # one visitor's defect must not end a night's batch
+        log.exception("%s failed", identifier)
+        message = f"a defect of Cloner ({type(error).__name__}); run it alone with --verbose and report it"
+        return BatchRow(identifier, FAILED, time.perf_counter() - start, 0, message)
+
+
+def _clone(visitor: Visitor, out: Path, options: BatchOptions, start: float) -> BatchRow:
+    identifier = visitor.identifier
+    told = stamp_options(visitor.height_cm, options.formats, options.seed)
+    if not options.again:
+        reason = why_not_current(out / identifier, input_stamp(visitor.photos, told))
+        if not reason:
+            return BatchRow(identifier, SKIPPED, 0.0, 0, "its result is current; --again clones once more")
+        log.info("%s: %s", identifier, reason)
+    outcome = clone_folder(
+        visitor.photos,
+        out,
+        height_cm=visitor.height_cm,
+        formats=options.formats,
+        seed=options.seed,
+        identifier=identifier,
+    )
+    count = len(outcome.warnings)
+    message = "fine" if count == 0 else f"{count} note{'s' if count > 1 else ''} in its report"
+    overlaps = list(outcome.report.get("silhouette_iou", {}).values())
+    return BatchRow(identifier, CLONED, time.perf_counter() - start, count, message, min(overlaps, default=None))
 
 
 def summary_table(rows: Sequence[BatchRow]) -> str:
@@ -125,51 +153,6 @@ def summary_table(rows: Sequence[BatchRow]) -> str:
     width = max((len(row.identifier) for row in rows), default=7)
     lines = [f"{'visitor':{width}}  {'status':8}  {'seconds':>7}  notes"]
     lines += [f"{row.identifier:{width}}  {row.status:8}  {row.seconds:7.1f}  {row.message}" for row in rows]
-    counts = {status: sum(row.status == status for row in rows) for status in ("cloned", "skipped", "failed")}
+    counts = {status: sum(row.status == status for row in rows) for status in (CLONED, SKIPPED, FAILED)}
     lines.append(", ".join(f"{count} {status}" for status, count in counts.items()))
     return "\n".join(lines)
-
-
-def _one(
-    identifier: str, folder: Path, out: Path, formats: Sequence[str], seed: int, again: bool, progress: Progress
-) -> BatchRow:
-    """Clone one visitor and return what became of it."""
-    start = time.perf_counter()
-    if not again and _has_result(out / identifier):
-        return BatchRow(identifier, "skipped", 0.0, 0, "there is a result already; --again clones once more")
-    try:
-        outcome = clone_folder(folder, out, formats=formats, seed=seed, identifier=identifier, progress=progress)
-    except ClonerError as error:
-        return BatchRow(identifier, "failed", time.perf_counter() - start, 0, str(error))
-    except Cancelled:
-        raise
-    except Exception as error:  # one visitor's defect must not end a night's batch
-        log.exception("%s failed", identifier)
-        message = f"a defect of Cloner ({type(error).__name__}); run it alone with --verbose and report it"
-        return BatchRow(identifier, "failed", time.perf_counter() - start, 0, message)
-    count = len(outcome.warnings)
-    message = "fine" if count == 0 else f"{count} note{'s' if count > 1 else ''} in its report"
-    return BatchRow(identifier, "cloned", time.perf_counter() - start, count, message)
-
-
-def _has_result(folder: Path) -> bool:
-    return (folder / RESULT_MARK).is_file() and (folder / CLONE_FILE).is_file()
-
-
-def _walk(folder: Path, depth: int) -> list[Path]:
-    """Return the folders below one that hold photos; none below a folder that holds some itself."""
-    if depth < 0 or (folder / RESULT_MARK).is_file():
-        return []
-    if holds_photos(folder):
-        return [folder]
-    try:
-        inner = sorted(path for path in folder.iterdir() if path.is_dir() and not path.name.startswith("."))
-    except OSError:
-        log.warning("a folder cannot be read and is left out")
-        return []
-    return [found for path in inner for found in _walk(path, depth - 1)]
-
-
-def _write_summary(out: Path, rows: Sequence[BatchRow], wanted: int) -> None:
-    told: dict[str, Any] = {"format": 1, "visitors": wanted, "rows": [asdict(row) for row in rows]}
-    write_text(out / SUMMARY_FILE, json.dumps(told, indent=1, ensure_ascii=False) + "\n")

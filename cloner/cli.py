@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import json
 import logging
+import os
 import signal
 import sys
+import time
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Annotated, Final
@@ -18,7 +20,7 @@ from cloner.terminal import ProgressLine
 
 # The commands import their part when they run: `doctor` must work where a library is missing.
 if TYPE_CHECKING:
-    from cloner.batch import BatchRow
+    from cloner.records.batches import BatchRow
 
 EXIT_INPUT: Final = 2
 EXIT_CANCELLED: Final = 130  # 128 + SIGINT, as shells have it
@@ -91,25 +93,41 @@ def _clone(
 
 @app.command("batch")
 def _batch(
-    photos_root: Annotated[Path, typer.Argument(help="Folder that holds one folder of photos a visitor.")],
+    photos_root: Annotated[
+        Path, typer.Argument(help="Folder that holds one folder of photos a visitor, or a .csv/.toml manifest.")
+    ],
     out: OutOption,
     formats: FormatOption = DEFAULT_FORMATS,
     seed: SeedOption = 0,
-    again: Annotated[bool, typer.Option("--again", help="Clone those with a result once more.")] = False,
+    again: Annotated[bool, typer.Option("--again", help="Clone those with a current result once more.")] = False,
+    workers: Annotated[int, typer.Option("--workers", min=1, help="Processes on this machine.")] = 1,
+    scheduler: Annotated[str, typer.Option("--scheduler", help="Address of a Dask cluster that clones instead.")] = "",
+    shard: Annotated[str, typer.Option("--shard", help="i/n: only every n-th visitor from the i-th (0..n-1) on.")] = "",
+    retries: Annotated[int, typer.Option("--retries", min=0, help="Tries more when a worker dies.")] = 1,
+    timeout: Annotated[float, typer.Option("--timeout", min=0, help="Seconds a visitor may take; 0: any.")] = 0.0,
 ) -> None:
     """Clone every visitor below a folder; one failure does not stop the rest."""
-    from cloner.batch import batch_folder, summary_table
+    from cloner.batch import BatchOptions, batch_folder, summary_table
 
-    def tell(row: BatchRow) -> None:
-        typer.echo(f"{row.identifier}: {row.message}", err=True)
+    options = BatchOptions(split_formats(formats), seed, again, workers, scheduler, shard, retries, timeout)
+    start = time.monotonic()
 
-    with ProgressLine() as progress:
-        rows = batch_folder(
-            photos_root, out, formats=split_formats(formats), seed=seed, again=again, progress=progress, told=tell
-        )
+    def tell(row: BatchRow, done: int, total: int) -> None:
+        typer.echo(f"{done}/{total} {row.identifier}: {row.message}{pace(done, total, start)}", err=True)
+
+    rows = batch_folder(photos_root, out, options, told=tell)
     typer.echo(summary_table(rows))
     if any(row.status == "failed" for row in rows):
         raise typer.Exit(EXIT_SOME_FAILED)
+
+
+def pace(done: int, total: int, start: float) -> str:
+    """Return rate and time left of a batch, from its second visitor on."""
+    spent = time.monotonic() - start
+    if done < 2 or done == total or spent <= 0.0:
+        return ""
+    left = spent / done * (total - done)
+    return f"  ({3600 * done / spent:.0f} an hour, {left / 60:.0f} min left)"
 
 
 @app.command("render")
@@ -196,6 +214,7 @@ def split_formats(text: str) -> tuple[str, ...]:
 def main() -> None:
     """Run the command line and exit with its code; the only place that catches errors for it."""
     signal.signal(signal.SIGTERM, _stop)
+    os.umask(0o077)  # results hold a person's likeness: nobody else's business on a shared machine
     try:
         code = app(standalone_mode=False)
         if code == EXIT_CANCELLED:  # typer turns Ctrl-C into this code before we see it

@@ -17,10 +17,11 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.pipeline import Stage, StageReport, peak_mib
 from cloner.previews import write_previews
-from cloner.project.atomic import result_folder
+from cloner.project.atomic import RESULT_MARK, result_folder
 from cloner.project.clone_file import save_clone
 from cloner.project.corrections import check_against
 from cloner.project.folder import load_photos, person_warnings, photo_warnings, read_corrections, read_person
+from cloner.project.stamps import input_stamp, output_digests
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
 from cloner.refitting import still_true
@@ -186,7 +187,10 @@ def clone_folder(
             warnings=warnings,
         )
         progress("report", 0.97)
-        report = build_report(values, run, _relative_files(folder))
+        report = build_report(values, run, _relative_files(folder)) | {
+            "stamp": input_stamp(photos_dir, stamp_options(height_cm, formats, seed, texture_size)),
+            "outputs": output_digests(folder, _files(folder)),
+        }
         write_report(report, folder)
     progress("done", 1.0)
     log.info("%s: %.1f s, %d warnings", person.identifier, run.seconds, len(warnings_of(run)))
@@ -253,7 +257,20 @@ def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path
     write_previews(clone, values["photos"], values["proposals"], points, values["obeyed_silhouettes"], folder)
 
 
+def stamp_options(
+    height_cm: float | None = None,
+    formats: Sequence[str] = DEFAULT_FORMATS,
+    seed: int = 0,
+    texture_size: int = DEFAULT_TEXTURE_SIZE,
+) -> dict[str, Any]:
+    """Return the options of a clone as its stamp keeps them."""
+    return {"height_cm": height_cm, "formats": sorted(formats), "seed": seed, "texture_size": texture_size}
+
+
 def _relative_files(folder: Path) -> list[str]:
     """Return every file below a folder, relative to it, with the report's own."""
-    files = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()}
-    return sorted(files | {"report.json"})
+    return sorted({*_files(folder), RESULT_MARK})
+
+
+def _files(folder: Path) -> list[str]:
+    return [path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()]

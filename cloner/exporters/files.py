@@ -31,7 +31,6 @@ def write_bytes(path: Path, data: bytes) -> None:
         handle, temporary = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
         with os.fdopen(handle, "wb") as stream:
             stream.write(data)
-        os.chmod(temporary, 0o644)  # mkstemp keeps files private; results are meant to be shared
         os.replace(temporary, path)
     except OSError as error:
         raise ClonerError(

@@ -26,6 +26,7 @@ DEFAULT_HEIGHT_CM: Final = 170.0  # taste: near the mean adult; lengths are then
 SMALLEST_HEIGHT_CM: Final = 60.0  # below the smallest adult ever measured (55 cm), above any typing slip in metres
 LARGEST_HEIGHT_CM: Final = 250.0  # living people stay below; catches millimetres and inches
 LONGEST_IDENTIFIER: Final = 60  # file systems allow 255 bytes; leaves room for our own suffixes
+PERSON_FILE: Final = "person.toml"
 _PERSON_KEYS: Final = {"name", "height_cm", "notes", "measures"}
 
 
@@ -115,7 +116,7 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
     ClonerError
         If the file is malformed, has unknown keys, or the height or a measure is absurd.
     """
-    data = _person_table(folder / "person.toml")
+    data = _person_table(folder / PERSON_FILE)
     name = _text(data, "name")
     notes = _text(data, "notes")
     source = "person.toml, height_cm" if height_cm is None else "--height-cm"

@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-import hashlib
 import importlib.metadata
-import importlib.resources
 import platform
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from importlib.resources.abc import Traversable
 from typing import Any, Final
 
 import cloner
 from cloner.frames import ViewId
 from cloner.geometry.under_clothes import NINE_IN_TEN
 from cloner.pipeline import StageReport
+from cloner.project.stamps import model_digests
 from cloner.records.clones import Clone
 from cloner.records.heads import HeadFit
 from cloner.records.photos import Person, PhotoSet
@@ -123,23 +121,6 @@ def versions() -> dict[str, str]:
         except importlib.metadata.PackageNotFoundError:
             found[name] = "not installed"
     return found
-
-
-def model_digests() -> dict[str, str]:
-    """Return the sha256 of every shipped model file, by path inside ``cloner_models``."""
-    return {name: hashlib.sha256(file.read_bytes()).hexdigest() for name, file in model_files()}
-
-
-def model_files() -> list[tuple[str, Traversable]]:
-    """Return the shipped model files, by path inside ``cloner_models``."""
-    root = importlib.resources.files("cloner_models")
-    folders = (("", root), ("nets/", root / "nets"))
-    return [
-        (prefix + file.name, file)
-        for prefix, folder in folders
-        for file in sorted(folder.iterdir(), key=lambda file: file.name)
-        if file.name.endswith((".npz", ".tflite"))
-    ]
 
 
 def _person(person: Person) -> dict[str, Any]:
