@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.materials import Materials
+from cloner.baking.materials import Materials, always_bare
 from cloner.baking.sources import (
     Limits,
     Source,
@@ -34,7 +34,7 @@ LAST_CHOICE = 0.0005  # beside an inner outline a photo paints only what no othe
 OWNER_SMOOTHING = 4  # rounds; borders of 2-3 edge lengths' smoothness
 CLASH = 0.6  # of a full difference between skin and not skin
 OWNER_SHARE = 0.6
-BORDER_KIND = 0.4  # half the range of kinds that is border
+BORDER_KIND = 0.25  # half the range of kinds that is border
 KIND_EDGE = 0.15  # kinds mix where their shares differ by less
 FILL_SHARE = 1e-6  # the smooth fill shows only where no photo does
 
@@ -123,6 +123,7 @@ def paint(
             hair_allowed(generic),
             hair_kept(generic),
             kinds.bare,
+            always_bare(generic),
             light,
         ]
     ).astype(np.float32)
@@ -150,11 +151,12 @@ def _paint_rows(
     unsafe = source.sight.before_edge(pixel, depth, cosine)
     weight = np.where(unsafe, LAST_CHOICE * weight, weight)
     # Only who owns a border draws it: another's collar a little off would lie beside it.
-    clash = np.abs(sample(source.plate.skin, lookup)[:, 0] / 255.0 - values[:, 9])
+    shown = np.maximum(sample(source.plate.skin, lookup)[:, 0] / 255.0, values[:, 10])
+    clash = np.abs(shown - values[:, 9])
     unsure = (values[:, 6] > OWNER_SHARE) & (np.abs(values[:, 9] - 0.5) < BORDER_KIND)
     good &= (clash < CLASH) | unsure
     weight = weight[good]
-    colour = apply_light(shown_colours(source, lookup[good]), values[good, 10:13])
+    colour = apply_light(shown_colours(source, lookup[good]), values[good, 11:14])
     return atlas.texel[rows[good]], colour.astype(np.float32), weight
 
 
@@ -163,10 +165,11 @@ def lay_ground(atlas: AtlasMap, base: NDArray[np.float32], kinds: Materials) -> 
     share = atlas.interpolate(np.column_stack([kinds.bare * (1.0 - kinds.scalp), kinds.bare * kinds.scalp, kinds.worn]))
     share = np.maximum(share - share.max(axis=1, keepdims=True) + KIND_EDGE, 0.0)
     share /= share.sum(axis=1, keepdims=True)
-    found = share[:, :1] * atlas.interpolate(base[0])
-    for k in (1, 2):
-        found += share[:, k : k + 1] * atlas.interpolate(base[k])
-    return np.asarray(found, np.float32)
+    found = np.zeros((len(share), 3), np.float32)
+    for k in range(3):
+        rows = np.flatnonzero(share[:, k] > 0.0)
+        found[rows] += share[rows, k : k + 1] * atlas.interpolate(base[k], rows)
+    return found
 
 
 def dense_layer(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.materials import Materials
+from cloner.baking.materials import Materials, shown_bare
 from cloner.baking.sources import Source, shown_colours
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
@@ -33,8 +33,9 @@ FADE = 0.02  # against data of weight 1: a correction dies away over sqrt(LEVEL_
 LEVEL_STIFFNESS = 2.0  # taste: a correction follows no detail finer than some edges
 FILL_STIFFNESS = 0.02  # taste: seen colours hold, unseen ones are harmonic
 FILL_TRUST = 0.1  # a colour seen worse than this spreads nowhere
-NEAREST_WEIGHT = 1e-3  # the nearest colour holds a little, so that borders of cloth do not melt over a hole
-BORDER_LEVELS = 12.0  # neighbours that differ by more are two things
+BURNT_WEIGHT = 0.02  # burnt-out colours spread only where there is nothing else
+NEAREST_WEIGHT = 2e-4  # the nearest colour holds a little, so that borders of cloth do not melt over a hole
+BORDER_LEVELS = 20.0  # neighbours that differ by more are two things
 # The face's tone counts most: neck and hands are matched to it.
 _REFERENCES = (ViewId.FACE_FRONT, ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.BODY_SIDE, ViewId.FACE_SIDE)
 
@@ -187,16 +188,28 @@ def fill_surface(
     field spreads along the surface by itself, so that a hole beside a collar
     is filled with skin above the line and cloth below it.
     """
-    score = np.stack([source.score for source in sources])
-    total = score.sum(axis=0)
-    colour = (score[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
-    weight = np.clip(total * 2.0, 0.0, 1.0)
-    inside = generic.region("mouth_interior")
-    colour[inside], weight[inside] = MOUTH_RGB, 1.0
+    shown = shown_bare(generic, sources)
     fields = []
-    for kind in (kinds.bare * (1.0 - kinds.scalp), kinds.bare * kinds.scalp, kinds.worn):
+    for kind, alike in (
+        (kinds.bare * (1.0 - kinds.scalp), shown),
+        (kinds.bare * kinds.scalp, shown),
+        (kinds.worn, 1.0 - shown),
+    ):
+        colour, weight = _mean_shown(generic, sources, evened, alike)
         own = weight * np.clip(2.0 * kind - 1.0, 0.0, 1.0)
+        if not (own > FILL_TRUST).any():  # no photo shows this kind: whatever is there must do
+            colour, own = _mean_shown(generic, sources, evened, np.ones_like(shown))
         near = colour[graph.nearest(own > FILL_TRUST)]
-        near[~(own > FILL_TRUST).any()] = np.average(colour, axis=0, weights=weight + 1e-9)
         fields.append(graph.fill(near, np.maximum(own, NEAREST_WEIGHT), FILL_STIFFNESS, near / BORDER_LEVELS))
     return np.clip(np.stack(fields), 0.0, 255.0).astype(np.float32)
+
+
+def _mean_shown(generic: GenericHuman, sources: list[Source], evened: Array, alike: Array) -> tuple[Array, Array]:
+    """Return (V, 3) mean colours of the photos that show one kind, and (V,) how well it is seen."""
+    score = np.stack([source.score for source in sources]) * alike
+    total = score.sum(axis=0)
+    colour = (score[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
+    weight = np.clip(total * 2.0, 0.0, 1.0) * np.maximum(unsaturated(colour), BURNT_WEIGHT)
+    inside = generic.region("mouth_interior")
+    colour[inside], weight[inside] = MOUTH_RGB, 1.0
+    return colour, weight

@@ -18,9 +18,9 @@ Array = NDArray[np.float64]
 SQUARE = 0.5  # cosine from which a sight is believed by itself
 STRANGE_LOG = 0.45  # light differs by less between neighbours, skin and cloth by more
 STRANGE_KIND = 0.5
-KIND_STIFFNESS = 0.1  # an island of one or two edges is outvoted by what surrounds it
+KIND_STIFFNESS = 0.4  # an island of one or two edges is outvoted by what surrounds it
 KIND_STEP = (0.25, 0.75)
-MAJORITY = 0.1  # weight of what most of a body part is, against one square sight
+MAJORITY = 0.3  # weight of what most of a body part is, against one square sight
 SPREAD_STIFFNESS = 0.02  # votes hold, unseen vertices follow their neighbours
 SURE = 4.0  # a claim of a half decides alone; a grazing one says little beside the neighbours
 HAIR_ROUNDS = 2  # rings over which the scalp's own kind fades
@@ -51,7 +51,9 @@ def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[A
     return (weight * vote + clear * mean[generic.vertex_segment]) / np.maximum(both, 1e-12), both
 
 
-def doubt_grazing(sources: list[Source], colours: Array, kinds: Materials, graph: SurfaceGraph) -> list[Source]:
+def doubt_grazing(
+    generic: GenericHuman, sources: list[Source], colours: Array, kinds: Materials, graph: SurfaceGraph
+) -> list[Source]:
     """Return the sources without grazing sights that show something else than their surroundings.
 
     A lookup wrong by a pixel lies centimetres off on a surface seen from its edge: the top of a
@@ -71,11 +73,21 @@ def doubt_grazing(sources: list[Source], colours: Array, kinds: Materials, graph
     mean = (square[..., None] * logs).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
     around = graph.fill(mean, np.clip(2.0 * total, 0.0, 1.0), SPREAD_STIFFNESS)
     found = []
-    for source, log in zip(sources, logs, strict=True):
-        shown = sample(source.plate.skin, source.lookup_px)[:, 0] / 255.0
+    for source, log, shown in zip(sources, logs, shown_bare(generic, sources), strict=True):
         alike = (np.abs(log - around).mean(axis=1) < STRANGE_LOG) & (np.abs(shown - kinds.bare) < STRANGE_KIND)
         found.append(replace(source, score=source.score * ((source.sight.cosine > SQUARE) | alike)))
     return found
+
+
+def always_bare(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) face and ears: the person's own whatever labels and colours say, under paint and glasses too."""
+    return generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
+
+
+def shown_bare(generic: GenericHuman, sources: list[Source]) -> Array:
+    """Return (K, V) in 0..1 how much of the person's own, skin or hair, each photo shows at each vertex."""
+    shown = np.stack([sample(s.plate.skin, s.lookup_px)[:, 0] / 255.0 for s in sources]).astype(np.float64)
+    return np.where(always_bare(generic), 1.0, shown)
 
 
 def find_materials(generic: GenericHuman, sources: list[Source], graph: SurfaceGraph) -> Materials:
@@ -84,14 +96,14 @@ def find_materials(generic: GenericHuman, sources: list[Source], graph: SurfaceG
     The photo that shows a place best decides: photos disagree about where
     a collar ends, because heads turn and cloth moves, and their mean would be a smear.
     """
-    shown = np.stack([sample(s.plate.skin, s.lookup_px)[:, 0] / 255.0 for s in sources]).astype(np.float64)
+    shown = shown_bare(generic, sources)
     square = np.stack([np.where(s.sight.cosine > SQUARE, s.score, 0.0) for s in sources])
     claim = square**2
     total = claim.sum(axis=0)
     vote = (claim * shown).sum(axis=0) / np.maximum(total, 1e-12)
     weight = np.clip(SURE * total, 0.0, 1.0)
-    head = generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
-    vote, weight = np.where(head, 1.0, vote), np.where(head, 1.0, weight)
+    weight = np.where(always_bare(generic), 1.0, weight)
+    vote = np.where(always_bare(generic), 1.0, vote)
     vote, weight = _with_majority(generic, vote, weight)
     bare = graph.fill(vote[:, None], weight, KIND_STIFFNESS)[:, 0]
     # Islands are misplaced sights: borders stay, what is smaller than some edges goes.

@@ -8,10 +8,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.baking.labelled import PERSON_LEVEL
 from cloner.baking.posed import body_triangles, pose, pose_shell
+from cloner.baking.zones import in_arm_zone, near_bare_head, near_shell
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
-from cloner.generic.photo_shares import arms_beside_head, lower_arms, mirrored_share, photo_shares
+from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
 from cloner.geometry.seeing import Sight, depth_at, look, nearest_of
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
@@ -29,13 +31,12 @@ from cloner.vision.vetting import label_colour
 Array = NDArray[np.float64]
 
 _FACED = (ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
-PERSON_LEVEL = 127  # a net's probability above one half
 HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
 CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stretched
 UNSAFE_CLAIM = 0.3  # of the usual, beside an inner outline
 BURNT_CLAIM = 0.15  # of the usual, where a channel is at its end
 SQUARE_COSINE = (0.6, 0.8)  # surfaces that face a photo stay its own: features must not come from two photos
-COLLAR_SHARE = 0.025  # of the figure: how far a collar reaches from the neck's skin
+SHELL_SHARE = 0.012  # of the figure, 2 cm: labels this far from any shell are doubted
 HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
 
 
@@ -181,6 +182,8 @@ def make_source(
     hair_m = cv2.erode(hair_m, np.ones((9, 9), np.uint8), borderValue=np.inf)
     growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1
     hair = cv2.dilate(plate.hair.astype(np.uint8) * 255, np.ones((growth, growth), np.uint8))
+    if shells:
+        hair[~near_shell(hair_m, hair.shape, SHELL_SHARE * plate.figure_px)] = 0
     source = Source(posed_view.view, False, plate, sight, lookup, hair_m, hair, np.zeros(len(lookup)))
     seen = visible_points(source, limits, sight.pixel_px, lookup, sight.depth_m, sight.cosine)
     seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
@@ -214,22 +217,6 @@ def shown_colours(source: Source, lookup_px: NDArray[np.floating], *, blurred: b
     if plate.red_share > 1.0:
         return np.asarray(unclipped(colour, plate.red_share, sample(plate.skin, lookup_px)[:, 0] / 255.0), np.float32)
     return colour
-
-
-def near_bare_head(plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
-    """Return which of (V,) lookups land on or beside the bare skin of head and neck."""
-    reach = 2 * int(np.ceil(COLLAR_SHARE * plate.figure_px)) + 1
-    grown = cv2.dilate(plate.bare.astype(np.uint8), np.ones((reach, reach), np.uint8))
-    return np.asarray(sample(grown, lookup_px)[:, 0] > 0.5)
-
-
-def in_arm_zone(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
-    """Return (V,) False where the pose net sees an arm but the mesh the trunk, or the other way round."""
-    if not plate.arms.any():
-        return np.ones(len(lookup_px), bool)
-    shown = sample(plate.arms.astype(np.uint8), lookup_px)[:, 0] > 0.5
-    upper = arms_beside_head(generic)
-    return np.where(lower_arms(generic), shown, ~shown | upper)
 
 
 def mirror_source(generic: GenericHuman, source: Source) -> Source:

@@ -22,6 +22,7 @@ from cloner.baking.hair_edge import soften_edge
 from cloner.baking.hair_tail import find_tail
 from cloner.baking.hair_views import HairView, Hanger, hair_views
 from cloner.baking.hair_volume import VOXEL_M, hair_field, inside_hairline_mm
+from cloner.baking.labelled import vet_labels
 from cloner.baking.posed import body_triangles
 from cloner.baking.shell_paint import ShellView, paint_shell
 from cloner.frames import ViewId
@@ -93,6 +94,7 @@ def run(
 
     Residuals: median and largest thickness of the cap, mm.
     """
+    proposals = vet_labels(photos, proposals)
     hair = grow_hair(photos, proposals, silhouettes, joined, tick, params or Params())
     loose = loose_shells(load_generic(), joined, photos, proposals, silhouettes)
     if not loose:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from cloner.baking.compose import bake, share_surface
 from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
+from cloner.baking.labelled import vet_labels
 from cloner.baking.materials import doubt_grazing, find_materials
 from cloner.baking.parts import paint_parts
 from cloner.baking.posed import body_triangles
@@ -79,6 +80,7 @@ def run(
     """
     params = params or Params()
     generic = load_generic()
+    proposals = vet_labels(photos, proposals)
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, shells))
     atlas = generic_atlas(generic, params.size)
     tick(0.15)
@@ -89,7 +91,7 @@ def run(
         normals = vertex_normals(joined.vertices_m, body_triangles(generic))
         colours = vertex_colours(sources)
         kinds = find_materials(generic, sources, graph)
-        sources = doubt_grazing(sources, colours, kinds, graph)
+        sources = doubt_grazing(generic, sources, colours, kinds, graph)
         light = even_photos(generic, sources, colours, normals, kinds, graph)
         residuals += compare_photos(sources, colours, light)
         base = fill_surface(generic, sources, evened_colours(colours, light), kinds, graph)

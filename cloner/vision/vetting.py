@@ -1,12 +1,15 @@
-"""Labels of skin checked against the skin's own colour: a collar is none."""
+"""Labels of skin and hair checked against their own colours: a collar is neither."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Final
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import maximum_filter
 
 from cloner.vision.skin_colour import FARTHEST, SkinColour, chroma, skin_colour, skin_distance
 
@@ -21,6 +24,21 @@ NOT_SKIN: Final = 7.0
 SCALE: Final = 0.5
 #: Holes and specks up to this many checked pixels are brows, stitches and noise.
 SPECK_PX: Final = 5
+#: Patches of hair label are judged by majority over this many checked pixels.
+PATCH_PX: Final = 9
+#: Cells of hair's colours: log red/green and log blue/green in steps, brightness in stops.
+CHROMA_STEP: Final = 0.15
+CELLS: Final = (21, 21, 12)
+#: Share of a photo's hair that makes a colour one of the hair's.
+LEAST_SHARE: Final = 0.003
+#: How much oftener the background must have a colour than the hair.
+BEHIND: Final = 2.0
+#: Background that would take more of the hair is of its colour.
+MOST_KEPT: Final = 0.8
+#: How much likelier than in skin a colour must be in hair.
+LIKELIER: Final = 0.25
+#: Fewer pixels tell nothing.
+LEAST_HAIR: Final = 400
 
 
 def label_colour(rgb: NDArray[np.uint8], mask: NDArray[np.bool_], labels: NDArray[np.uint8]) -> SkinColour | None:
@@ -35,6 +53,107 @@ def label_colour(rgb: NDArray[np.uint8], mask: NDArray[np.bool_], labels: NDArra
     known = rgb[(labels == SKIN_LABEL) & mask]
     colour = skin_colour(known[:: max(len(known) // SAMPLES, 1)])
     return colour if colour is not None and max(colour.spread) < WIDEST else None
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HairColours:
+    """How often colours occur in a person's hair and skin in some photos.
+
+    Attributes
+    ----------
+    hair, skin : (R, B, L) float64
+        Shares in cells of log red/green, log blue/green and brightness in stops.
+    """
+
+    hair: NDArray[np.float64]
+    skin: NDArray[np.float64]
+
+    def has(self, rgb: NDArray[np.uint8]) -> NDArray[np.bool_]:
+        """Return which of (N, 3) colours are the hair's; what skin has more often is skin's: labels overlap."""
+        known = (self.hair > LEAST_SHARE) & (self.hair > LIKELIER * self.skin)
+        return np.asarray(known[_cells(rgb)], bool)
+
+    def below(self, rgb: NDArray[np.uint8], behind: NDArray[np.float64]) -> NDArray[np.bool_]:
+        """Return which of (N, 3) colours the background has clearly more often than the hair."""
+        return np.asarray((behind > BEHIND * self.hair)[_cells(rgb)], bool)
+
+
+def _cells(rgb: NDArray[np.uint8]) -> tuple[NDArray[np.intp], ...]:
+    """Return the cell of each of (N, 3) colours."""
+    ratios, light = chroma(rgb)
+    places = [ratios[:, 0] / CHROMA_STEP, ratios[:, 1] / CHROMA_STEP, np.log2(light)]
+    middles = (CELLS[0] // 2, CELLS[1] // 2, CELLS[2] - 1)
+    return tuple(
+        np.clip(np.rint(place) + middle, 0, cells - 1).astype(np.intp)
+        for place, middle, cells in zip(places, middles, CELLS, strict=True)
+    )
+
+
+def hair_colours(hair: list[NDArray[np.uint8]], skin: list[NDArray[np.uint8]]) -> HairColours | None:
+    """Return the colours of hair and skin from (N, 3) labelled pixels of each photo; None without hair."""
+    own = _shares(hair)
+    return HairColours(own, _shares(skin)) if own.any() else None
+
+
+def _shares(samples: list[NDArray[np.uint8]]) -> NDArray[np.float64]:
+    """Return how often colours occur in photos' (N, 3) pixels, a stop darker or brighter counted as well."""
+    share = np.zeros(CELLS)
+    for each in samples:
+        if len(each) >= LEAST_HAIR:
+            some = each[:: max(len(each) // SAMPLES, 1)]
+            np.add.at(share, _cells(some), 1.0 / len(some))
+    return np.asarray(maximum_filter(share, (1, 1, 3)))
+
+
+def vet_hair(rgb: NDArray[np.uint8], hair: NDArray[np.bool_], colours: HairColours | None) -> NDArray[np.bool_]:
+    """Return hair (H, W) without patches whose colours the person's hair has nowhere else: collars, necks, backs.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    hair : (H, W) bool, the label
+    colours : HairColours or None
+        From other photos of the person; None denies nothing.
+    """
+    if colours is None or not hair.any():
+        return hair
+    return _without(hair, rgb, lambda some: ~colours.has(some))
+
+
+def before_wall(
+    rgb: NDArray[np.uint8], hair: NDArray[np.bool_], person: NDArray[np.bool_], colours: HairColours | None
+) -> NDArray[np.bool_]:
+    """Return hair (H, W) without patches through which the background shows: between tail and neck.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    hair, person : (H, W) bool
+    colours : HairColours or None
+        As in :func:`vet_hair`.
+
+    Notes
+    -----
+    Before a wall of hair's own colour nothing can be told: then all stays.
+    """
+    if colours is None or not hair.any() or person.all():
+        return hair
+    behind = _shares([rgb[~person]])
+    kept = _without(hair, rgb, lambda some: colours.below(some, behind))
+    return kept if kept.sum() > MOST_KEPT * hair.sum() else hair
+
+
+def _without(
+    hair: NDArray[np.bool_], rgb: NDArray[np.uint8], denies: Callable[[NDArray[np.uint8]], NDArray[np.bool_]]
+) -> NDArray[np.bool_]:
+    """Return hair (H, W) without patches of denied colours; single strands and shine may be of any colour."""
+    size = (round(hair.shape[1] * SCALE), round(hair.shape[0] * SCALE))
+    small = cv2.resize(rgb, size, interpolation=cv2.INTER_AREA)
+    named = cv2.resize(hair.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
+    strange = np.zeros(named.shape, np.uint8)
+    strange[named] = 255 * denies(small[named]).astype(np.uint8)
+    strange = cv2.medianBlur(strange, PATCH_PX)
+    return np.asarray(hair & (cv2.resize(strange, hair.shape[::-1], interpolation=cv2.INTER_NEAREST) == 0), bool)
 
 
 def shown_bare(

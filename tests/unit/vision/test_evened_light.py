@@ -4,7 +4,7 @@ import numpy as np
 
 from cloner.vision.evening import log_levels, one_sided_light, unclipped
 from cloner.vision.skin_colour import skin_colour
-from cloner.vision.vetting import shown_bare
+from cloner.vision.vetting import before_wall, hair_colours, shown_bare, vet_hair
 
 SKIN = np.array([190, 140, 115])
 
@@ -57,3 +57,35 @@ def test_collars_labelled_skin_are_not_skin_and_unlabelled_arms_are():
     assert shown[140:180, 10:25].min() > 200
     assert shown[130:190, 90:115].max() < 50
     assert shown[12:18, 45:75].min() > 200  # hair is the person's own too
+
+
+def _strands(shape, base, rng):
+    return np.clip(np.array(base) + rng.normal(0, 6, (*shape, 3)), 0, 255).astype(np.uint8)
+
+
+def test_a_collar_and_a_gap_labelled_hair_are_denied():
+    rng = np.random.default_rng(6)
+    hair, skin = _strands((60, 60), (90, 60, 40), rng), _strands((60, 60), SKIN, rng)
+    colours = hair_colours([hair.reshape(-1, 3)], [skin.reshape(-1, 3)])
+    photo = np.full((160, 120, 3), (90, 160, 130), np.uint8)  # a green wall
+    photo[20:120, 20:100] = _strands((100, 80), (90, 60, 40), rng)
+    photo[30:60, 70:90] = _strands((30, 20), (110, 80, 60), rng)  # shine
+    photo[60:80, 30:50] = (90, 160, 130)  # the wall between tail and neck
+    photo[120:140, 20:100] = (230, 230, 230)  # a collar
+    label = np.zeros(photo.shape[:2], bool)
+    label[20:140, 20:100] = True
+    before = before_wall(photo, label, label, colours)
+    assert not before[64:76, 34:46].any()
+    assert before[30:60, 70:90].mean() > 0.95
+    kept = vet_hair(photo, before, colours)
+    assert not kept[125:135, 30:90].any()
+    assert kept[90:115, 25:95].mean() > 0.95
+
+
+def test_before_a_wall_of_the_hairs_colour_nothing_is_denied():
+    rng = np.random.default_rng(7)
+    photo = _strands((120, 120), (90, 60, 40), rng)
+    label = np.zeros(photo.shape[:2], bool)
+    label[30:90, 30:90] = True
+    colours = hair_colours([photo[label]], [])
+    assert np.array_equal(before_wall(photo, label, label, colours), label)

@@ -1,0 +1,40 @@
+"""Parts of a photo in which its lookups are doubted."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.load import GenericHuman
+from cloner.generic.photo_shares import arms_beside_head, lower_arms
+from cloner.vision.aligning import sample
+from cloner.vision.plates import Plate
+
+Array = NDArray[np.float64]
+
+COLLAR_SHARE = 0.025  # of the figure: how far a collar reaches from the neck's skin
+
+
+def near_shell(hair_m: NDArray[np.float32], shape: tuple[int, ...], reach_px: float) -> NDArray[np.bool_]:
+    """Return (H, W) True within a reach of what hair shells cover: labels farther off are collars and napes."""
+    height, width = shape[:2]
+    size = 2 * int(np.ceil(reach_px * hair_m.shape[0] / height)) + 1
+    near = cv2.dilate(np.isfinite(hair_m).astype(np.uint8), np.ones((size, size), np.uint8))
+    return np.asarray(cv2.resize(near, (width, height), interpolation=cv2.INTER_NEAREST) > 0, bool)
+
+
+def near_bare_head(plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
+    """Return which of (V,) lookups land on or beside the bare skin of head and neck."""
+    reach = 2 * int(np.ceil(COLLAR_SHARE * plate.figure_px)) + 1
+    grown = cv2.dilate(plate.bare.astype(np.uint8), np.ones((reach, reach), np.uint8))
+    return np.asarray(sample(grown, lookup_px)[:, 0] > 0.5)
+
+
+def in_arm_zone(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
+    """Return (V,) False where the pose net sees an arm but the mesh the trunk, or the other way round."""
+    if not plate.arms.any():
+        return np.ones(len(lookup_px), bool)
+    shown = sample(plate.arms.astype(np.uint8), lookup_px)[:, 0] > 0.5
+    upper = arms_beside_head(generic)
+    return np.where(lower_arms(generic), shown, ~shown | upper)
