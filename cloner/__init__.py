@@ -1,3 +1,19 @@
 """Cloner: five photographs and a height in, an animatable textured human out."""
 
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from cloner.api import clone
+
 __version__ = "0.1.0"
+__all__ = ["__version__", "clone"]
+
+
+def __getattr__(name: str) -> Any:
+    """Load what needs the whole product only when somebody asks for it: ``cloner doctor`` must work without."""
+    if name == "clone":
+        return importlib.import_module("cloner.api").clone
+    raise AttributeError(f"module 'cloner' has no attribute {name!r}")

@@ -178,6 +178,59 @@ def _evaluate(
     typer.echo(json.dumps(rows, indent=1) if as_json else format_table(rows))
 
 
+PhotosRootOption = Annotated[
+    Path | None, typer.Option("--photos", help="Folder that holds the visitors' folders of photos.")
+]
+ResultsOption = Annotated[Path | None, typer.Option("--out", help="Folder that holds the results.")]
+
+
+@app.command("list")
+def _list(photos: PhotosRootOption = None, out: ResultsOption = None) -> None:
+    """Say what is held of whom."""
+    from cloner.privacy import holdings, table
+
+    typer.echo(table(holdings(photos, out)))
+
+
+@app.command("export-data")
+def _export_data(
+    identifier: Annotated[str, typer.Argument(help="As cloner list shows it.")],
+    to: Annotated[Path, typer.Option("--to", help="The .zip file to write.")],
+    photos: PhotosRootOption = None,
+    out: ResultsOption = None,
+) -> None:
+    """Hand out everything that is held of a visitor."""
+    from cloner.privacy import export_data, find_holding, holdings
+
+    typer.echo(str(export_data(find_holding(identifier, holdings(photos, out)), to)))
+
+
+@app.command("forget")
+def _forget(
+    identifiers: Annotated[list[str] | None, typer.Argument(help="As cloner list shows them.")] = None,
+    older_days: Annotated[
+        float | None, typer.Option("--older-than", min=0, help="Everybody whose last change is so many days ago.")
+    ] = None,
+    photos: PhotosRootOption = None,
+    out: ResultsOption = None,
+) -> None:
+    """Delete photos, results and batch rows of visitors, for good."""
+    from cloner.privacy import find_holding, forget, holdings, older_than
+
+    held = holdings(photos, out)
+    gone = [find_holding(name, held) for name in identifiers or []]
+    gone += [one for one in (older_than(held, older_days) if older_days is not None else ()) if one not in gone]
+    if not gone:
+        raise ClonerError("nobody is to be forgotten", "Name visitors, or give --older-than DAYS", "cloner forget")
+    left: list[str] = []
+    for holding in gone:
+        left += forget(holding, photos, out)
+        typer.echo(f"{holding.identifier}: {holding.files} files deleted")
+    if left:
+        typer.echo(f"still told of in: {', '.join(sorted(set(left)))}", err=True)
+        raise typer.Exit(EXIT_SOME_FAILED)
+
+
 @app.command("gui")
 def _gui(
     folder: Annotated[Path | None, typer.Argument(help="Folder of photos to open.")] = None,

@@ -53,6 +53,11 @@ def m_from_cm(length_cm: float) -> float:
     return float(length_cm) / 100.0
 
 
+def cm_from_m(length_m: float) -> float:
+    """Return centimetres."""
+    return length_m * 100.0
+
+
 def focal_px_from_35mm(focal_35mm: float, width_px: int, height_px: int) -> float:
     """Return the focal length in pixels for a 35 mm equivalent.
 

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from cloner.errors import ClonerError
-from cloner.frames import ViewId, m_from_cm
+from cloner.frames import ViewId, cm_from_m, m_from_cm
 from cloner.project import corrections as corrections_json
 from cloner.project.atomic import write_text
 from cloner.project.tape import read_tape
@@ -27,7 +27,7 @@ SMALLEST_HEIGHT_CM: Final = 60.0  # below the smallest adult ever measured (55 c
 LARGEST_HEIGHT_CM: Final = 250.0  # living people stay below; catches millimetres and inches
 LONGEST_IDENTIFIER: Final = 60  # file systems allow 255 bytes; leaves room for our own suffixes
 PERSON_FILE: Final = "person.toml"
-_PERSON_KEYS: Final = {"name", "height_cm", "notes", "measures"}
+_PERSON_KEYS: Final = {"name", "height_cm", "notes", "measures", "consent"}
 
 
 def find_photos(folder: Path) -> dict[ViewId, Path]:
@@ -100,7 +100,7 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
     Parameters
     ----------
     folder : Path
-        May hold ``person.toml`` with name, height_cm, notes and a table measures (centimetres).
+        May hold ``person.toml`` with name, height_cm, notes, consent and a table measures (centimetres).
     height_cm : float or None
         Barefoot height from the command line; wins over the file.
     identifier : str or None
@@ -123,6 +123,7 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
     height = height_cm if height_cm is not None else data.get("height_cm")
     known = height is not None
     stature_m = m_from_cm(_checked_height(height, source) if known else DEFAULT_HEIGHT_CM)
+    _text(data, "consent")
     return Person(
         identifier=safe_identifier(identifier if identifier is not None else folder.resolve().name),
         name=name,
@@ -131,6 +132,30 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
         notes=notes,
         tape_mm=_tape_mm(data, stature_m),
     )
+
+
+def read_consent(folder: Path) -> str:
+    """Return what ``person.toml`` says of the visitor's consent: to what, and when; "" where it says nothing.
+
+    Raises
+    ------
+    ClonerError
+        If the file is malformed.
+    """
+    return _text(_person_table(folder / PERSON_FILE), "consent")
+
+
+def checked_height_m(height_m: float | None) -> tuple[float, bool]:
+    """Return a barefoot height, metres, and whether it is known; None gives the height that is assumed.
+
+    Raises
+    ------
+    ClonerError
+        If the height is absurd.
+    """
+    if height_m is None:
+        return m_from_cm(DEFAULT_HEIGHT_CM), False
+    return m_from_cm(_checked_height(cm_from_m(height_m), "height_m")), True
 
 
 def person_warnings(person: Person) -> tuple[str, ...]:

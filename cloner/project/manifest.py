@@ -59,7 +59,7 @@ def find_visitors(root: Path) -> tuple[Visitor, ...]:
     elif root.is_dir():
         visitors = [
             Visitor(safe_identifier("-".join(folder.relative_to(root).parts)), folder)
-            for folder in _walk(root, DEEPEST)
+            for folder in photo_folders(root, DEEPEST)
         ]
     else:
         raise ClonerError("there is no such folder", "Give the folder that holds the visitors' folders", root.name)
@@ -91,7 +91,7 @@ def shard(visitors: tuple[Visitor, ...], text: str) -> tuple[Visitor, ...]:
     return visitors[int(part) :: int(parts)]
 
 
-def _walk(folder: Path, depth: int) -> list[Path]:
+def photo_folders(folder: Path, depth: int) -> list[Path]:
     """Return the folders below one that hold photos; none below a folder that holds some itself."""
     if depth < 0 or (folder / RESULT_MARK).is_file():
         return []
@@ -102,7 +102,7 @@ def _walk(folder: Path, depth: int) -> list[Path]:
     except OSError:
         log.warning("a folder cannot be read and is left out")
         return []
-    return [found for path in inner for found in _walk(path, depth - 1)]
+    return [found for path in inner for found in photo_folders(path, depth - 1)]
 
 
 def _from_manifest(path: Path) -> list[Visitor]:
