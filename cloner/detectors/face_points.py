@@ -8,13 +8,14 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.detectors.ears import FRONT_EARS, SIDE_EARS, Ear, find_ear, load_ears
 from cloner.detectors.face_net import FaceNet, load_face_net
-from cloner.detectors.face_side import find_side_face
+from cloner.detectors.face_side import IOD_M, SideFace, find_side_face
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.completion import complete_points, fit_affine
 from cloner.records.photos import Photo
-from cloner.records.points import Proposal, ViewPoints, face_confidence
+from cloner.records.points import HAIR, Proposal, ViewPoints, face_confidence
 
 Array = NDArray[np.float64]
 
@@ -23,6 +24,14 @@ PROFILE: Final = (
     "glabella", "nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom",
 )  # fmt: skip
 
+#: Expected error of an ear that hair hides, or that was found far from where the face says, eye distances.
+LOST_EAR: Final = 0.20
+#: How far from there is far, eye distances.
+FAR_EAR = {"front": 0.5, "side": 0.9}
+#: Errors of ears on photos of real skin and hair against those on painted ones (sample visitors).
+EAR_ON_PHOTOS = {"front": 1.3, "side": 1.6}
+#: Half the width of the place around an ear's middle in which hair is looked for, eye distances.
+EAR_PATCH: Final = 0.2
 #: Expected error of points completed from a few key points alone, share of the eye distance (taste).
 COMPLETED_ERROR: Final = 0.12
 #: Key points from which a front and a side face are completed.
@@ -60,6 +69,11 @@ def _front_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     rows = [net.names.index(f"pupil_{side}") for side in "LR"]
     if proposal.irises_px.any():
         points[rows], error[rows] = _pupils(net, points, proposal.irises_px), net.iris_error_iod
+    iod = float(np.linalg.norm(points[rows[0]] - points[rows[1]]))
+    for side in "LR":
+        ears = [net.names.index(f"{name}_{side}") for name in FRONT_EARS]
+        ear = _ear("front", photo, proposal, points[ears].mean(axis=0), iod, side)
+        points[ears], error[ears] = ear.points_px, ear.error_iod
     confidence = proposal.face_presence * face_confidence(error)
     return ViewPoints(photo.view, net.names, points, np.clip(confidence, 0.0, 1.0), np.zeros(len(points), dtype=bool))
 
@@ -78,9 +92,31 @@ def _side_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     if found is None:
         return _none(photo.view)
     kept = [row for row, name in enumerate(found.names) if name in PROFILE]
-    confidence = face_confidence(found.error_iod[kept])
-    names = tuple(found.names[row] for row in kept)
-    return ViewPoints(photo.view, names, found.points_px[kept], confidence, np.zeros(len(kept), dtype=bool))
+    names, points, error = [found.names[row] for row in kept], found.points_px[kept], found.error_iod[kept]
+    if photo.view.is_face:
+        ear, side = _side_ear(photo, proposal, found)
+        names += [f"{name}_{side}" for name in SIDE_EARS]
+        points, error = np.vstack([points, ear.points_px]), np.append(error, np.full(len(SIDE_EARS), ear.error_iod))
+    return ViewPoints(photo.view, tuple(names), points, face_confidence(error), np.zeros(len(names), dtype=bool))
+
+
+def _side_ear(photo: Photo, proposal: Proposal, found: SideFace) -> tuple[Ear, str]:
+    """Return the ear of a side photo and whose side it is."""
+    side = "R" if found.facing > 0 else "L"
+    rows = [found.names.index(f"{name}_{side}") for name in SIDE_EARS]
+    ear = _ear("side", photo, proposal, found.points_px[rows].mean(axis=0), IOD_M * found.laid.size, side)
+    return Ear(ear.points_px, max(ear.error_iod, float(found.error_iod.min()))), side
+
+
+def _ear(view: str, photo: Photo, proposal: Proposal, guess_px: Array, iod_px: float, side: str) -> Ear:
+    """Return an ear near a guess, with a large expected error where hair hides it or it lies far off."""
+    ear = find_ear(load_ears()[view], photo.rgb, proposal.mask, guess_px, iod_px, right=side == "R")
+    middle = ear.points_px.mean(axis=0)
+    low, high = np.round(middle - EAR_PATCH * iod_px).astype(int), np.round(middle + EAR_PATCH * iod_px).astype(int) + 1
+    patch = proposal.labels[max(low[1], 0) : max(high[1], 0), max(low[0], 0) : max(high[0], 0)]
+    hidden = patch.size == 0 or float((patch == HAIR).mean()) > 0.5
+    far = float(np.linalg.norm(middle - guess_px)) > FAR_EAR[view] * iod_px
+    return Ear(ear.points_px, max(EAR_ON_PHOTOS[view] * ear.error_iod, LOST_EAR if hidden or far else 0.0))
 
 
 def complete_face(view: ViewId, keys: Mapping[str, Array]) -> ViewPoints:

@@ -27,22 +27,22 @@ _TILTS: Final = np.radians(np.linspace(-27.0, 27.0, 10))
 _TRIED_MODES: Final = 3
 _TRIED_SIGMA: Final = 1.5
 #: The outline is also felt this far inside and outside, and no gap counts more than this, metres.
-_FEEL_M: Final = 0.005
-_CAP_M: Final = 0.006
+_FEEL_M: Final = 0.006
+_CAP_M: Final = 0.007
 #: Cost of a size or tilt that is usual times e, or off by a radian: of equal fits the usual one wins (taste).
 _UNUSUAL_SIZE: Final = 0.004
 _UNUSUAL_TILT: Final = 0.004
 STARTS: Final = 10
 #: Error of an outline point, metres; neighbours err together, so it is larger than a mask's own.
-_SIGMA_M: Final = 0.0016
+_SIGMA_M: Final = 0.0019
 #: Gates of the Gauss-Newton turns, metres: what lies beyond is another thing (glasses, a fringe).
-_GATES_M: Final = (0.012, 0.012, 0.010, 0.008, 0.007, 0.006, 0.006, 0.005, 0.005, 0.005)
+_GATES_M: Final = (0.014, 0.014, 0.012, 0.010, 0.008, 0.007, 0.007, 0.006, 0.006, 0.006)
 #: Gap at which a sample counts as half missed, metres: few wrong stretches are better than a compromise with them.
-_MISS_M: Final = 0.0008
+_MISS_M: Final = 0.00095
 #: Cost of an unusual shape, shares of one sample for each squared standard deviation.
 _MISS_PRIOR: Final = 0.15
 #: How much a normal that differs by a radian counts as distance, metres.
-_NORMAL_M: Final = 0.006
+_NORMAL_M: Final = 0.007
 
 
 @dataclass(frozen=True, slots=True, eq=False)

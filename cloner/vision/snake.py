@@ -102,7 +102,9 @@ def find_edges(picture: Picture, points_px: Array, across: Array, reach_px: floa
     slope: Array = np.asarray(np.gradient(seen, _STEP_PX, axis=1))
     strength: Array
     if sign == "line":
-        strength = np.asarray(np.gradient(slope.mean(axis=2), _STEP_PX, axis=1))  # a dark line's middle curves upwards most
+        strength = np.asarray(
+            np.gradient(slope.mean(axis=2), _STEP_PX, axis=1)
+        )  # a dark line's middle curves upwards most
     elif sign == "any":
         strength = np.linalg.norm(slope, axis=2) / np.sqrt(slope.shape[2])
     else:

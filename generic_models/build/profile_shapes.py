@@ -31,6 +31,8 @@ NAMES: Final = (
     "eye_outer", "eye_upper", "eye_lower", "pupil", "ala", "mouth_corner", "ear_top", "ear_lobe", "ear_back",
     "ear_outer",
 )  # fmt: skip
+#: Inter-ocular distance that all heads are scaled to, metres.
+IOD_M: Final = 0.063
 TURN_DEG: Final = 10.0
 DISTANCE_M: Final = (0.6, 2.0)
 _PX_PER_M: Final = 4000.0
@@ -104,7 +106,10 @@ def profile_of(flat_m: Array, triangles: NDArray[np.integer], row: dict[str, int
 
 
 def profile_shapes(generic: GenericHuman, rng: np.random.Generator, count: int) -> tuple[Array, Array]:
-    """Return curves (N, M, 2) and named points (N, K, 2) of random heads, forward and up, metres."""
+    """Return curves (N, M, 2) and named points (N, K, 2) of random heads, forward and up, metres.
+
+    Heads are scaled to one inter-ocular distance, so that a laid profile tells it.
+    """
     triangles, _ = generic.triangles()
     mean = generic.vertices_m
     head = mean[triangles, 1].min(axis=1) > mean[generic.feature("neck_front_base"), 1] + 0.01
@@ -119,8 +124,10 @@ def profile_shapes(generic: GenericHuman, rng: np.random.Generator, count: int) 
         flat = seen_from_side(vertices, target, rng)
         curve = profile_of(flat, chosen, row)
         if curve is not None:
-            curves.append(curve)
-            named.append(flat[list(row.values())])
+            left, right = (vertices[generic.feature(f"pupil_{side}")] for side in "LR")
+            unit = IOD_M / float(np.linalg.norm(left - right))
+            curves.append(unit * curve)
+            named.append(unit * flat[list(row.values())])
     return np.stack(curves), np.stack(named)
 
 
@@ -131,8 +138,10 @@ def joint_model(curves: Array, named: Array, modes: int) -> tuple[Array, Array, 
     """
     joint = np.concatenate([curves, named], axis=1)
     count = curves.shape[1]
+    sizes = np.linalg.norm(joint[:, :count] - joint[:, :count].mean(axis=1, keepdims=True), axis=(1, 2))
     mean = joint[0] - joint[0, :count].mean(axis=0)
     for _ in range(4):
+        mean = mean * (sizes.mean() / np.linalg.norm(mean[:count] - mean[:count].mean(axis=0)))
         laid = np.stack([_laid(shape, mean, count) for shape in joint])
         mean = laid.mean(axis=0)
     flat = (laid - mean).reshape(len(laid), -1)
