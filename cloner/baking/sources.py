@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.baking.ear_match import shift_ear
 from cloner.baking.labelled import PERSON_LEVEL
 from cloner.baking.posed import body_triangles, pose, pose_shell
 from cloner.baking.zones import in_arm_zone, near_bare_head, near_shell
@@ -172,8 +173,10 @@ def make_source(
 ) -> tuple[Source, float]:
     """Return one photo as a source and the mean gap between outlines before the shift, px."""
     triangles = body_triangles(generic)
-    sight = look(pose(generic, joined, posed_view), triangles, posed_view.camera)
+    posed = pose(generic, joined, posed_view)
+    sight = look(posed, triangles, posed_view.camera)
     lookup, gap = align(sight, plate, limits)
+    lookup = shift_ear(generic, posed, triangles, sight, plate.hair, posed_view.view, lookup)
     hair_m = np.full_like(sight.nearest_m, np.inf)
     for shell in shells:
         shape = pose_shell(generic, joined, posed_view, shell)
