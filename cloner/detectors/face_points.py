@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from cloner.detectors.ears import FRONT_EARS, SIDE_EARS, Ear, find_ear, load_ears
 from cloner.detectors.face_net import FaceNet, load_face_net
 from cloner.detectors.face_side import IOD_M, SideFace, find_side_face
+from cloner.detectors.hairline import trace_hairline
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.completion import complete_points, fit_affine
@@ -19,6 +20,9 @@ from cloner.records.points import HAIR, Proposal, ViewPoints, face_confidence
 
 Array = NDArray[np.float64]
 
+#: Where the hair begins over the forehead (MPEG-4 11.1), and its expected error: locks and fringes make it vague.
+HAIRLINE: Final = "hairline_top"
+HAIRLINE_ERROR: Final = 0.08
 #: Points of a side photo that its outline tells; those inside the face are left to the front photo.
 PROFILE: Final = (
     "glabella", "nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom",
@@ -74,8 +78,20 @@ def _front_points(photo: Photo, proposal: Proposal) -> ViewPoints:
         ears = [net.names.index(f"{name}_{side}") for name in FRONT_EARS]
         ear = _ear("front", photo, proposal, points[ears].mean(axis=0), iod, side)
         points[ears], error[ears] = ear.points_px, ear.error_iod
+    names = net.names
+    if photo.view.is_face:
+        top = _hairline_top(net, points, proposal, iod)
+        if top is not None:
+            names, points, error = (*names, HAIRLINE), np.vstack([points, top]), np.append(error, HAIRLINE_ERROR)
     confidence = proposal.face_presence * face_confidence(error)
-    return ViewPoints(photo.view, net.names, points, np.clip(confidence, 0.0, 1.0), np.zeros(len(points), dtype=bool))
+    return ViewPoints(photo.view, names, points, np.clip(confidence, 0.0, 1.0), np.zeros(len(points), dtype=bool))
+
+
+def _hairline_top(net: FaceNet, points: Array, proposal: Proposal, iod_px: float) -> Array | None:
+    """Return where hair begins straight above the glabella, or None on a bald or covered forehead."""
+    glabella, chin = (points[net.names.index(name)] for name in ("glabella", "chin_bottom"))
+    up = (glabella - chin) / max(float(np.linalg.norm(glabella - chin)), 1e-6)
+    return trace_hairline(proposal.labels, glabella, up, iod_px).top()
 
 
 def _pupils(net: FaceNet, points: Array, irises_px: Array) -> Array:

@@ -21,6 +21,7 @@ CLOTH: Final = 3
 WORK_HEAD_PX: Final = 150.0  # taste: strands vanish, the hairline stays
 _REACH: Final = 1.9  # half width and lower reach of the looked-at region, in heads
 _BALD_DISTANCE: Final = 3.0  # Mahalanobis: a crown this near to the skin is skin
+_UNLIKE: Final = 16.0  # Lab, lightness weighted: painted hair 20-80 (median 31), shaded bald crowns up to 12
 # Gaussians a class and the least log density; cloth may have any colour
 _MIXTURES: Final = ((2, -22.0), (3, -22.0), (4, -13.0))
 _LIGHTNESS: Final = 0.6  # weight of L in Lab: light falls unevenly, colour stays
@@ -144,11 +145,6 @@ def _fit(colours: Floats, *, noise: float = 3.0) -> tuple[Floats, Floats] | None
     return np.asarray(kept.mean(axis=0), np.float64), np.asarray(np.linalg.inv(cov), np.float64)
 
 
-def _distance(lab: Floats, fit: tuple[Floats, Floats]) -> Floats:
-    """Return the Mahalanobis distance of each colour."""
-    return np.asarray(np.sqrt(_square(lab, *fit)), np.float64)
-
-
 def _square(lab: Floats, mean: Floats, inverse: Floats) -> NDArray[np.float32]:
     """Return the squared Mahalanobis distance of each colour; one product of matrices, in single precision."""
     root = np.linalg.cholesky(inverse).T.astype(np.float32)
@@ -156,6 +152,16 @@ def _square(lab: Floats, mean: Floats, inverse: Floats) -> NDArray[np.float32]:
     planes = (lab.reshape(-1, 3) - mean).astype(np.float32).T
     x, y, z = root @ planes
     return np.asarray((x * x + y * y + z * z).reshape(lab.shape[:-1]), np.float32)
+
+
+def _unlike_skin(lab: Floats, skin: Flags, crown: Flags) -> Flags:
+    """Return the crown's pixels that are nearer to its own colour than to the skin's, where the two are far apart.
+
+    Light from aside spreads the skin's colours so far that its Gaussian holds dark hair too; middles do not move so.
+    """
+    own, other = np.median(lab[crown], axis=0), np.median(lab[skin], axis=0)
+    nearer = np.linalg.norm(lab - own, axis=-1) < np.linalg.norm(lab - other, axis=-1)
+    return np.asarray(crown & nearer & (float(np.linalg.norm(own - other)) > _UNLIKE))
 
 
 def _mixture(lab: Floats, where: Flags, parts: int, floor: float) -> Floats:
@@ -203,8 +209,10 @@ def _classify(
     skin, crown, cloth = _seeds(lab, inside, head, face, pose, view)
     skin_fit = _fit(lab[skin]) or _fit(hints, noise=8.0)
     if skin_fit is not None:
-        distance = _distance(lab, skin_fit)
+        distance = np.sqrt(_square(lab, *skin_fit))
         hair = crown & (distance > (_BALD_DISTANCE if skin.any() else 1.0))
+        if skin.any() and crown.any():
+            hair |= _unlike_skin(lab, skin, crown)
         cloth &= distance > 2.0
         bald = hair.sum() < 0.25 * max(crown.sum(), 1)
         if face is None and not bald:
