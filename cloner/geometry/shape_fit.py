@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -35,6 +35,8 @@ class Evidence:
         Errors beyond this many sigmas lose their weight (Cauchy).
     drift_px : (M, N, 2) or None
         Errors that the targets make together; their sizes are solved for and follow the shape coefficients.
+    skew_px : (F, N, 2) or None
+        Errors of the targets that follow from the shape.
     """
 
     camera: int
@@ -45,24 +47,42 @@ class Evidence:
     normal_px: Array | None = None
     outlier: float = 3.0
     drift_px: Array | None = None
+    skew_px: Array | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ShapeFit:
-    """Coefficients (F,) or with drifts (F + M,), cameras, and each turn from its starting pose (radians, (K, 3))."""
+    """Coefficients (F,) or with drifts (F + M,), cameras, and what they moved.
+
+    ``turned`` is each turn from its starting pose (radians, (K, 3)), ``zoomed`` the logarithm of the common change of
+    their focal lengths, with distances that keep the head's size in the photos.
+    """
 
     coefficients: Array
     cameras: tuple[Camera, ...]
     turned: Array
+    zoomed: float = 0.0
+
+
+def zoomed_camera(camera: Camera, by: float, depth_m: float) -> Camera:
+    """Return the camera with its focal length times exp(by), as much farther from what lies ``depth_m`` before it."""
+    factor = float(np.exp(by))
+    pose = np.array(camera.camera_from_model)
+    pose[2, 3] += (factor - 1.0) * depth_m
+    return replace(camera, focal_px=factor * camera.focal_px, camera_from_model=pose)
 
 
 def _rows(item: Evidence, coefficients: Array, camera: Camera) -> tuple[Array, Array, Array, Array]:
-    """Return whitened errors (M,), their rows for shape (M, F) and pose (M, 6), and robust weights (M,)."""
+    """Return whitened errors (M,), their rows for shape (M, F), pose and zoom (M, 7), and robust weights (M,)."""
     shapes = len(item.basis_m)
     points = item.base_m + np.tensordot(coefficients[:shapes], item.basis_m, axes=1)
     seen, by_point, by_step = projection_derivatives(camera, points)
     by_shape = np.zeros((*seen.shape, len(coefficients)))
     by_shape[..., :shapes] = np.einsum("nia,fna->nif", by_point, item.basis_m)
+    by_step = np.concatenate([by_step, _by_zoom(camera, seen, by_step, points)], axis=2)
+    if item.skew_px is not None:
+        by_shape[..., :shapes] += item.skew_px.transpose(1, 2, 0)
+        seen = seen + np.tensordot(coefficients[:shapes], item.skew_px, axes=1)
     if item.drift_px is not None:
         by_shape[..., shapes:] = item.drift_px.transpose(1, 2, 0)
         seen = seen + np.tensordot(coefficients[shapes:], item.drift_px, axes=1)
@@ -78,9 +98,15 @@ def _rows(item: Evidence, coefficients: Array, camera: Camera) -> tuple[Array, A
     return (
         error.ravel(),
         (by_shape * scale[..., None]).reshape(error.size, len(coefficients)),
-        (by_step * scale[..., None]).reshape(error.size, 6),
+        (by_step * scale[..., None]).reshape(error.size, 7),
         weight,
     )
+
+
+def _by_zoom(camera: Camera, seen: Array, by_step: Array, points: Array) -> Array:
+    """Return the pixels' change (N, 2, 1) with the logarithm of the focal length, the head's size kept."""
+    depth = float(camera.to_camera(points)[:, 2].mean()) if len(points) else 0.0
+    return np.asarray((seen - camera.centre_px + depth * by_step[:, :, 5])[..., None])
 
 
 def fit_shape(
@@ -89,6 +115,7 @@ def fit_shape(
     *,
     prior_sigma: Array | float = 1.0,
     turn_sigma: Array | None = None,
+    zoom_sigma: float = 0.0,
     iterations: int = 10,
 ) -> ShapeFit:
     """Return the most likely coefficients and cameras.
@@ -102,13 +129,15 @@ def fit_shape(
         Expected size of the coefficients around zero.
     turn_sigma : (K, 3), optional
         Expected turn of each camera from its start, radians; infinite where the evidence alone decides.
+    zoom_sigma : float
+        Expected relative error of the cameras' common focal length; 0 keeps it.
     """
     fit = start
     count = len(fit.coefficients)
     prior = 1.0 / np.broadcast_to(np.asarray(prior_sigma, dtype=np.float64), (count,)) ** 2
     pull = np.zeros((len(fit.cameras), 3)) if turn_sigma is None else 1.0 / turn_sigma**2
     for iteration in range(iterations):
-        size = count + 6 * len(fit.cameras)
+        size = count + 6 * len(fit.cameras) + 1
         normal, right = np.zeros((size, size)), np.zeros(size)
         normal[:count, :count] += np.diag(prior)
         right[:count] -= prior * fit.coefficients
@@ -116,23 +145,38 @@ def fit_shape(
             turn = slice(count + 6 * index, count + 6 * index + 3)
             normal[turn, turn] += np.diag(pull[index])
             right[turn] -= pull[index] * fit.turned[index]
-        for item in gather(fit, iteration):
+        normal[-1, -1] += 1.0 / max(zoom_sigma, 1e-6) ** 2
+        right[-1] -= fit.zoomed / max(zoom_sigma, 1e-6) ** 2
+        found = gather(fit, iteration)
+        first_of_each = [next(item for item in found if item.camera == k) for k in range(len(fit.cameras))]
+        for item in found:
             error, by_shape, by_step, weight = _rows(item, fit.coefficients, fit.cameras[item.camera])
-            columns = np.r_[np.arange(count), count + 6 * item.camera + np.arange(6)]
+            columns = np.r_[np.arange(count), count + 6 * item.camera + np.arange(6), size - 1]
             rows = np.hstack([by_shape, by_step])
             normal[np.ix_(columns, columns)] += rows.T @ (weight[:, None] * rows)
             right[columns] += rows.T @ (weight * error)
         normal += 1e-9 * np.diag(np.diag(normal)) + 1e-12 * np.eye(size)
         step = np.linalg.solve(normal, right)
         step[:count] = np.clip(step[:count], -1.0, 1.0)
-        poses = np.asarray(step[count:].reshape(-1, 6), dtype=np.float64)
+        poses = np.asarray(step[count:-1].reshape(-1, 6), dtype=np.float64)
         poses[:, :3] = np.clip(poses[:, :3], -0.1, 0.1)
+        zoom = float(np.clip(step[-1], -0.2, 0.2)) if zoom_sigma > 0.0 else 0.0
+        depths = [_depth(item, fit) for item in first_of_each]
         fit = ShapeFit(
             fit.coefficients + step[:count],
-            tuple(moved_camera(c, p) for c, p in zip(fit.cameras, poses, strict=True)),
+            tuple(
+                moved_camera(zoomed_camera(c, zoom, d), p) for c, d, p in zip(fit.cameras, depths, poses, strict=True)
+            ),
             fit.turned + poses[:, :3],
+            fit.zoomed + zoom,
         )
     return fit
+
+
+def _depth(item: Evidence, fit: ShapeFit) -> float:
+    """Return the mean depth of one photo's places, metres."""
+    points = item.base_m + np.tensordot(fit.coefficients[: len(item.basis_m)], item.basis_m, axes=1)
+    return float(fit.cameras[item.camera].to_camera(points)[:, 2].mean())
 
 
 def misfit(fit: ShapeFit, evidence: Sequence[Evidence], turn_sigma: Array) -> float:

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.head_controls import load_head_controls
-from cloner.geometry.contour_match import match
 from cloner.geometry.iris import sample_iris
 from cloner.geometry.skinning import joint_transforms
 from cloner.records.bodies import Phenotype
@@ -24,13 +24,14 @@ from cloner.stages.head_fit import (
     Fitted,
     add_relief,
     fit_basis,
-    outline_vertices,
-    profile_candidates,
+    net_errors,
     scaled,
     seat_parts,
     start_front,
     start_side,
 )
+from cloner.stages.head_flank import find_flank
+from cloner.stages.head_report import report_front, report_side, warn_missing
 from cloner.stages.head_skull import fit_skull
 
 Array = NDArray[np.float64]
@@ -39,8 +40,18 @@ Array = NDArray[np.float64]
 IRIS_RADIUS_M = 0.0059
 #: Colour used when no photo shows the irises, sRGB levels.
 BROWN = np.array([92.0, 64.0, 45.0])
-#: Names that front and side photos both propose.
-SHARED = ("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom")
+#: Iterations after each look into the side photo.
+LOOK_TURNS = 6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Shaped:
+    """The head after the basis, after DFFD, the controls' displacements (K, 3), and the side evidence used."""
+
+    basis: Fitted
+    relief: Fitted
+    moved: Array
+    side: Side | None
 
 
 def run(
@@ -64,12 +75,10 @@ def run(
     model = make_model(phenotype)
     front = read_front(model, proposals, face_points, params)
     side = read_side(model, proposals, silhouettes, face_points, params)
-    _warn(front, side, proposals, log)
-    coefficients, fitted = _fit(model, front, side, _sizes(photos, phenotype, front, side, params, log), params, tick)
-    tick(0.6)
-    drifts = coefficients[len(model.basis_m) :]
+    warn_missing(front, side, proposals, log)
+    shaped = shape_head(model, photos, phenotype, (front, side), params, log, tick)
+    fitted, side, moved = shaped.relief, shaped.side, shaped.moved
     controls = load_head_controls()
-    fitted, moved = add_relief(model, fitted, front, side, drifts, controls, params)
     tick(0.8)
     masks = _masks(fitted, front, proposals)
     skull, factors = fit_skull(model, fitted.head_m, controls, masks)
@@ -83,8 +92,8 @@ def run(
     fitted = Fitted(head, fitted.front, fitted.side)
     log.residuals.append(Residual("head size against the phenotype", 100.0 * (scale - 1.0), "percent"))
     log.residuals.append(Residual("relief", mm_from_m(float(np.linalg.norm(moved, axis=1).mean())), "mm"))
-    _report_front(model, fitted, front, face_points, log)
-    _report_side(model, fitted, side, face_points, log)
+    report_front(model, fitted, front, face_points, log)
+    report_side(model, fitted, side, face_points, log)
     value = HeadFit(
         head,
         _cameras(model, fitted, front, side, phenotype),
@@ -97,20 +106,63 @@ def run(
     return StageResult({"head": value}, tuple(log.residuals), tuple(log.warnings))
 
 
+def shape_head(model: Model, photos: PhotoSet, phenotype: Phenotype, evidence: tuple[Front | None, Side | None],
+               params: Params, log: Log, tick: Callable[[float], None]) -> Shaped:  # fmt: skip
+    """Return the head's shape, step by step, in the phenotype's own size."""
+    front, side = evidence
+    sizes = _sizes(photos, phenotype, front, side, params, log)
+    zoom_sigma = params.distance_sigma if front is not None and _unknown(photos, front) else 0.0
+    coefficients, fitted = _fit(model, front, side, sizes, params, tick, zoom_sigma)
+    if front is not None and side is not None and front.view is ViewId.FACE_FRONT:
+        coefficients, fitted, side = _look_aside(model, photos, front, side, coefficients, fitted, zoom_sigma, params)
+    tick(0.6)
+    net_error_m = net_errors(model, coefficients, params)
+    relief, moved = add_relief(model, fitted, front, side, net_error_m, load_head_controls(), params)
+    return Shaped(fitted, relief, moved, side)
+
+
+def _unknown(photos: PhotoSet, front: Front) -> bool:
+    """Return whether nothing tells the focal length of the front photo."""
+    return front.view is ViewId.FACE_FRONT and not photos.photos[front.view].focal_35mm
+
+
 def _fit(model: Model, front: Front | None, side: Side | None, sizes: dict[str, tuple[int, int, float]],
-         params: Params, tick: Callable[[float], None]) -> tuple[Array, Fitted]:  # fmt: skip
-    """Return coefficients and head: the front photo first, then both together."""
+         params: Params, tick: Callable[[float], None], zoom_sigma: float) -> tuple[Array, Fitted]:  # fmt: skip
+    """Return coefficients and head: the front photo first, then both together.
+
+    With ``zoom_sigma`` the focal lengths are unknown: they start where the face is as far away as people stand.
+    """
     first = None if front is None else start_front(model, front, sizes["front"], params)
+    if front is not None and first is not None and zoom_sigma > 0.0:
+        depth = float(first.to_camera(model.net.places.at(model.vertices_m))[:, 2].mean())
+        sizes = {k: (w, h, f * params.distance_m / depth) for k, (w, h, f) in sizes.items()}
+        first = start_front(model, front, sizes["front"], params)
     coefficients, fitted, _ = fit_basis(model, front, None, (first, None), params)
     tick(0.3)
     if side is None:
         return coefficients, fitted
     tried = [
-        fit_basis(model, front, side, (fitted.front, beside), params, coefficients)
+        fit_basis(model, front, side, (fitted.front, beside), params, coefficients, zoom_sigma=zoom_sigma)
         for beside in start_side(model, fitted.head_m, side, sizes["side"], params)
     ]
     coefficients, fitted, _ = min(tried, key=lambda t: t[2])
     return coefficients, fitted
+
+
+def _look_aside(model: Model, photos: PhotoSet, front: Front, side: Side, coefficients: Array, fitted: Fitted,
+                zoom_sigma: float, params: Params) -> tuple[Array, Fitted, Side]:  # fmt: skip
+    """Return the fit after looking up in the side photo what the front photo shows, and that evidence."""
+    pictures = (photos.photos[ViewId.FACE_FRONT].rgb, photos.photos[ViewId.FACE_SIDE].rgb)
+    for _ in range(params.looks):
+        if fitted.front is None or fitted.side is None:
+            break
+        cameras, shown = (fitted.front, fitted.side), 1 if side.facing > 0 else 0
+        flank = find_flank(model.generic, model.whole(fitted.head_m), cameras, pictures, side=shown)
+        side = replace(side, flank=flank)
+        coefficients, fitted, _ = fit_basis(
+            model, front, side, cameras, params, coefficients, zoom_sigma=zoom_sigma, iterations=LOOK_TURNS
+        )
+    return coefficients, fitted, side
 
 
 def _masks(fitted: Fitted, front: Front | None, proposals: Proposals) -> list[tuple[Camera, NDArray[np.uint8]]]:
@@ -127,17 +179,6 @@ def _controls_before(model: Model, controls_m: Array, phenotype: Phenotype) -> A
     """Return the controls of the mean head at the phenotype's stature."""
     middle = model.generic.vertices_m[model.generic.feature("nasion")].astype(np.float64)
     return np.asarray(controls_m - middle + model.vertices_m[model.generic.feature("nasion")])
-
-
-def _warn(front: Front | None, side: Side | None, proposals: Proposals, log: Log) -> None:
-    if front is None:
-        log.warnings.append("no photo shows the face from the front: the head is the generic one of this build")
-    elif front.view is ViewId.BODY_FRONT:
-        log.warnings.append("no usable front photo of the face: the face comes from the small one in the body photo")
-    if side is None:
-        missing = ViewId.FACE_SIDE not in proposals.views
-        why = "there is no side photo of the face" if missing else "no profile was found in the side photo of the face"
-        log.warnings.append(f"{why}: depths of the face are those of a usual face of this shape")
 
 
 def _sizes(photos: PhotoSet, phenotype: Phenotype, front: Front | None, side: Side | None, params: Params, log: Log
@@ -212,51 +253,3 @@ def _iris(photos: PhotoSet, model: Model, fitted: Fitted, front: Front | None) -
     rules = [model.net.rules[model.net.names.index(f"pupil_{side}")] for side in "LR"]
     colour = sample_iris(photos.photos[front.view].rgb, np.stack(rules) @ front.net_px, IRIS_RADIUS_M / metres)
     return BROWN if colour is None else colour
-
-
-def _report_front(model: Model, fitted: Fitted, front: Front | None, points: FacePoints, log: Log) -> None:
-    if front is None or fitted.front is None:
-        return
-    whole = model.whole(fitted.head_m)
-    eyes = fitted.front.project(whole[[model.generic.feature(f"pupil_{side}") for side in "LR"]])
-    distance = max(float(np.linalg.norm(eyes[0] - eyes[1])), 1e-6)
-    error = np.linalg.norm(fitted.front.project(model.net.places.at(whole)) - front.net_px, axis=1)
-    view = str(front.view)
-    log.residuals.append(Residual("front net points", float(error.mean()), "px", view))
-    log.residuals.append(Residual("front net points", 100.0 * float(error.mean()) / distance, "percent", view))
-    named = points.views.get(front.view)
-    known = [] if named is None else [
-        k for k, n in enumerate(named.names) if n in model.generic.feature_names and not n.startswith("ear")
-    ]  # fmt: skip
-    if named is not None and known:
-        vertices = [model.generic.feature(named.names[k]) for k in known]
-        error = np.linalg.norm(fitted.front.project(whole[vertices]) - named.points_px[known], axis=1)
-        error = 100.0 * error / distance
-        log.residuals.append(Residual("front named points", float(error.mean()), "percent", view))
-        log.residuals.append(Residual("front named points, worst", float(error.max()), "percent", view))
-
-
-def _report_side(model: Model, fitted: Fitted, side: Side | None, points: FacePoints, log: Log) -> None:
-    if side is None or fitted.side is None:
-        return
-    whole = model.whole(fitted.head_m)
-    vertices = outline_vertices(whole, profile_candidates(model), fitted.side, side.facing)
-    metres = fitted.side.metres_per_pixel(whole[model.generic.feature("nasion")])
-    seen = fitted.side.project(whole[vertices])
-    kept, target, normal = match(seen, side.contour_px, side.normals_px, gate_px=0.015 / metres)
-    error = np.abs(((seen[kept] - target) * normal).sum(axis=1)) * metres
-    view = str(ViewId.FACE_SIDE)
-    log.residuals.append(Residual("profile", mm_from_m(float(error.mean())) if len(kept) else 0.0, "mm", view))
-    front = points.views.get(ViewId.FACE_FRONT)
-    if front is None or fitted.front is None:
-        return
-    heights = []
-    for name in SHARED:
-        from_front, from_side = front.get(name), dict(zip(side.names, side.points_px, strict=True)).get(name)
-        if from_front is not None and from_side is not None:
-            near = whole[[model.generic.feature(name)]]
-            pair = [c.back_project(p[None], near)[0, 1] for c, p in
-                    ((fitted.front, from_front), (fitted.side, from_side))]  # fmt: skip
-            heights.append(abs(pair[0] - pair[1]))
-    if heights:
-        log.residuals.append(Residual("height disagreement", mm_from_m(float(np.mean(heights))), "mm", view))

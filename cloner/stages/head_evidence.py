@@ -15,11 +15,16 @@ from cloner.geometry.contour_match import contour_normals
 from cloner.geometry.surface import SurfacePoints
 from cloner.records.bodies import Phenotype
 from cloner.records.photos import Photo
-from cloner.records.points import FacePoints, Proposals, ViewPoints
+from cloner.records.points import HAIR, FacePoints, Proposals, ViewPoints
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.head_flank import Flank
+from cloner.stages.head_modes import HeadModes, load_head_modes
 
 Array = NDArray[np.float64]
+
+#: Depth inside the outline at which hair and skin are told apart, share of the face's height.
+SKIN_DEPTH = 0.015
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,6 +35,8 @@ class Params:
     ----------
     focal_35mm : float
         Stated default for face photos without EXIF, mm.
+    distance_m, distance_sigma : float
+        How far people stand from the camera of a face photo when nothing tells, and its relative spread.
     presence : float
         Least presence of a face that is used.
     net_floor_m : float
@@ -45,6 +52,10 @@ class Params:
         How much the proposed profile points' errors grow once the curve itself is matched.
     contour_m : float
         Expected error of the profile contour.
+    flank_m : float
+        Expected error of a place found in the side photo by its look in the front photo (measured: 0.6-2 mm).
+    looks : int
+        How often the side photo is searched, from an ever better fit.
     reach_m : float
         A correction moves the net's points around it, fading with this distance.
     yaw, tip : float
@@ -58,18 +69,22 @@ class Params:
     """
 
     focal_35mm: float = 70.0
+    distance_m: float = 1.1
+    distance_sigma: float = 0.2
     presence: float = 0.5
-    net_floor_m: float = 0.0010
-    drift: float = 1.2
+    net_floor_m: float = 0.0013
+    drift: float = 1.0
     together: float = 1.5
     loose_net: float = 2.0
-    named_m: float = 0.004
+    named_m: float = 0.009
     corrected_m: float = 0.0008
     loose_named: float = 3.0
     contour_m: float = 0.0015
+    flank_m: float = 0.0012
+    looks: int = 3
     reach_m: float = 0.010
     yaw: float = 0.10
-    tip: float = 0.06
+    tip: float = 0.03
     relief_m: float = 0.004
     bend_m: float = 0.0012
     limit_m: float = 0.010
@@ -80,10 +95,14 @@ class Params:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Model:
-    """The generic head of the phenotype: rest vertices (V, 3), basis (F, H, 3) and where head rows are."""
+    """The generic head of the phenotype: rest vertices (V, 3), basis (F, H, 3) and where head rows are.
+
+    ``modes`` tells how the net sees the basis; the last of its directions are those beyond the generic's family.
+    """
 
     generic: GenericHuman
     net: FaceNet
+    modes: HeadModes
     vertices_m: Array
     joints_m: Array
     basis_m: Array
@@ -122,7 +141,10 @@ class Front:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Side:
-    """The side photo's evidence: named points, their sigmas (m), contour and its normals; +1 looks to image right."""
+    """The side photo's evidence: named points, their sigmas (m), contour and its normals; +1 looks to image right.
+
+    ``flank`` holds vertices and places inside the outline that were found by what the front photo shows of them.
+    """
 
     facing: int
     names: tuple[str, ...]
@@ -131,6 +153,7 @@ class Side:
     sigma_m: Array
     contour_px: Array
     normals_px: Array
+    flank: Flank | None = None
 
 
 @dataclass(slots=True)
@@ -147,8 +170,10 @@ def make_model(phenotype: Phenotype) -> Model:
     vertices, joints = generic.shape(phenotype.coefficients, phenotype.stature_m)
     row = np.full(len(vertices), -1, dtype=np.int64)
     row[generic.head_vertices] = np.arange(len(generic.head_vertices))
-    basis = generic.face_basis.astype(np.float64) * (phenotype.stature_m / GENERIC_STATURE_M)
-    return Model(generic, load_face_net(), vertices, joints, basis, row)
+    modes, scale = load_head_modes(), phenotype.stature_m / GENERIC_STATURE_M
+    vertices[generic.head_vertices] += scale * modes.mean_m
+    basis = scale * np.concatenate([generic.face_basis.astype(np.float64), modes.basis_m])
+    return Model(generic, load_face_net(), modes, vertices, joints, basis, row)
 
 
 def read_front(model: Model, proposals: Proposals, points: FacePoints, params: Params) -> Front | None:
@@ -214,10 +239,21 @@ def read_side(
     low = tip[1] + 0.95 * np.ptp(named.points_px[known, 1])
     normals = contour_normals(contour)
     front = front_contour(np.hstack([contour, normals]), facing, low)
+    front = _without_hair(front, proposals.views[ViewId.FACE_SIDE].labels, float(tip[1]))
     return Side(
         facing, tuple(named.names[k] for k in known), vertices, np.array(named.points_px[known]), sigma,
         front[:, :2], front[:, 2:],
     )  # fmt: skip
+
+
+def _without_hair(front: Array, labels: NDArray[np.uint8], tip_row: float) -> Array:
+    """Return the outline (N, 4) below the lowest hair over the nose tip: above it hair hides the forehead."""
+    inward = SKIN_DEPTH * np.ptp(front[:, 1])
+    column, row = np.round(front[:, :2] - inward * front[:, 2:]).astype(int).T
+    column, row = np.clip(column, 0, labels.shape[1] - 1), np.clip(row, 0, labels.shape[0] - 1)
+    hair = (labels[row, column] == HAIR) & (front[:, 1] < tip_row)
+    lowest = float(front[hair, 1].max()) if hair.any() else -np.inf
+    return np.asarray(front[front[:, 1] > lowest + inward])
 
 
 def focal_px(photo: Photo, params: Params, log: Log) -> float:

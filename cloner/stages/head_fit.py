@@ -27,6 +27,8 @@ ITERATIONS, CURVE_FROM = 12, 4
 #: A contour point farther than this from the model's profile is none of its; shrinks over the iterations, metres.
 GATES_M = (0.015, 0.006)
 LEVEL_M = 0.003
+#: The forehead is followed up to this over the glabella, where no hair covers it, metres.
+FOREHEAD_M = 0.045
 #: A profile laid on the contour with a larger trimmed mean distance is not trusted, metres.
 LAID_M = 0.004
 
@@ -85,7 +87,7 @@ def profile_candidates(model: Model) -> NDArray[np.int64]:
     """Return face vertices near the middle that can form the side outline, brow to chin."""
     v, generic = model.vertices_m, model.generic
     low = v[generic.feature("chin_bottom"), 1] - 0.004
-    high = v[generic.feature("glabella"), 1] + 0.012
+    high = v[generic.feature("glabella"), 1] + FOREHEAD_M
     inside = generic.region("mouth_interior")
     wanted = (np.abs(v[:, 0]) < 0.025) & (v[:, 1] > low) & (v[:, 1] < high) & ~inside
     wanted &= (generic.vertex_part == generic.part_names.index("body")) & (model.row >= 0)
@@ -102,9 +104,9 @@ def outline_vertices(whole: Array, candidates: NDArray[np.int64], camera: Camera
 def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) -> list[Evidence]:
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
     base, basis = model.places(model.net.places)
-    sigma = params.together * np.hypot(model.net.alone_m, params.net_floor_m) / metres
-    drift = params.drift * model.net.drift_m / metres
-    out = [Evidence(0, base, basis, front.net_px, sigma, drift_px=drift)]
+    sigma = params.together * np.hypot(model.modes.alone_m, params.net_floor_m) / metres
+    drift, skew = params.drift * model.modes.drift_m / metres, model.modes.skew_m / metres
+    out = [Evidence(0, base, basis, front.net_px - model.modes.bias_m / metres, sigma, drift_px=drift, skew_px=skew)]
     if len(front.vertices):
         base, basis = model.vertex_places(front.vertices)
         sigma = np.full(len(front.vertices), params.corrected_m / metres)
@@ -127,17 +129,30 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
         base, basis = model.vertex_places(vertices[kept])
         sigma = np.full(len(kept), 1.5 * params.contour_m / metres)
         out.append(Evidence(index, base, basis, target, sigma, normal_px=normal))
+    if side.flank is not None and len(side.flank.vertices):
+        base, basis = model.vertex_places(side.flank.vertices)
+        sigma = np.full(len(base), params.flank_m / metres)
+        out.append(Evidence(index, base, basis, side.flank.points_px, sigma, outlier=2.0))
     return out
 
 
+def net_errors(model: Model, coefficients: Array, params: Params) -> Array:
+    """Return the errors (468, 2), metres, that the net's points make for a face: by its shape, and in this photo."""
+    modes, shapes = model.modes, len(model.basis_m)
+    by_shape = modes.bias_m + np.tensordot(coefficients[:shapes], modes.skew_m, axes=1)
+    return np.asarray(by_shape + params.drift * np.tensordot(coefficients[shapes:], modes.drift_m, axes=1))
+
+
 def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tuple[Camera | None, Camera | None],
-              params: Params, start: Array | None = None) -> tuple[Array, Fitted, float]:  # fmt: skip
+              params: Params, start: Array | None = None, *, zoom_sigma: float = 0.0,
+              iterations: int = ITERATIONS) -> tuple[Array, Fitted, float]:  # fmt: skip
     """Return the coefficients (F + M,), the fitted head, and its misfit, from all evidence together.
 
-    The last M coefficients are the net's joint errors in this photo. ``start`` holds first coefficients.
+    The last M coefficients are the net's joint errors in this photo. ``start`` holds first coefficients;
+    ``zoom_sigma`` is the expected relative error of the cameras' focal length.
     """
     present = tuple(c for c in cameras if c is not None)
-    shapes, drifts = len(model.basis_m), len(model.net.drift_m)
+    shapes, drifts = len(model.basis_m), len(model.modes.drift_m)
     if not present:
         return np.zeros(shapes + drifts), Fitted(model.head(np.zeros(shapes)), None, None), 0.0
     side_index = len(present) - 1
@@ -157,7 +172,7 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
         return found
 
     begin = ShapeFit(np.zeros(shapes + drifts) if start is None else start, present, np.zeros((len(present), 3)))
-    fit = fit_shape(begin, gather, turn_sigma=turn_sigma, iterations=ITERATIONS)
+    fit = fit_shape(begin, gather, turn_sigma=turn_sigma, zoom_sigma=zoom_sigma, iterations=iterations)
     front_camera = fit.cameras[0] if front is not None else None
     side_camera = fit.cameras[side_index] if side is not None else None
     cost = misfit(fit, gather(fit, CURVE_FROM), turn_sigma)
@@ -172,16 +187,16 @@ def _rows(weights: csr_matrix, model: Model, surface: SurfacePoints, movable: ND
     return csr_matrix((place @ weights)[:, np.flatnonzero(movable)])
 
 
-def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | None, drifts: Array,
+def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | None, net_error_m: Array,
                controls: HeadControls, params: Params) -> tuple[Fitted, Array]:  # fmt: skip
     """Return the head after DFFD of what the basis left over, and all controls' displacements (K, 3).
 
-    What the fit took for joint errors of the net (``drifts``) is no shape: it is not followed.
+    What the fit took for errors of the net (``net_error_m``, (468, 2)) is no shape: it is not followed.
     """
     whole = model.whole(fitted.head_m)
     left: list[Leftover] = []
     if front is not None and fitted.front is not None:
-        left += _front_leftovers(model, whole, fitted.front, front, drifts, controls, params)
+        left += _front_leftovers(model, whole, fitted.front, front, net_error_m, controls, params)
     if side is not None and fitted.side is not None:
         left += _side_leftovers(model, whole, fitted.side, side, controls, params)
     moved = np.zeros((len(controls.names), 3))
@@ -193,12 +208,12 @@ def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | N
     return replace(fitted, head_m=fitted.head_m + deform(controls.weights, moved)), moved
 
 
-def _front_leftovers(model: Model, whole: Array, camera: Camera, front: Front, drifts: Array, controls: HeadControls,
-                     params: Params) -> list[Leftover]:  # fmt: skip
+def _front_leftovers(model: Model, whole: Array, camera: Camera, front: Front, net_error_m: Array,
+                     controls: HeadControls, params: Params) -> list[Leftover]:  # fmt: skip
     metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
     weights = _rows(controls.weights, model, model.net.places, controls.movable)
-    sigma = params.loose_net * np.hypot(model.net.alone_m, params.net_floor_m) / metres
-    target = front.net_px - params.drift * np.tensordot(drifts, model.net.drift_m, axes=1) / metres
+    sigma = params.loose_net * np.hypot(model.modes.alone_m, params.net_floor_m) / metres
+    target = front.net_px - net_error_m / metres
     out = [Leftover(camera, model.net.places.at(whole), weights, target, sigma)]
     if len(front.vertices):
         rows = csr_matrix(controls.weights[model.row[front.vertices]][:, np.flatnonzero(controls.movable)])
@@ -217,6 +232,10 @@ def _side_leftovers(model: Model, whole: Array, camera: Camera, side: Side, cont
     rows = csr_matrix(controls.weights[model.row[vertices[kept]]][:, movable])
     sigma = np.full(len(kept), 0.5 * params.contour_m / metres)
     out = [Leftover(camera, whole[vertices[kept]], rows, target, sigma, normal)]
+    if side.flank is not None and len(side.flank.vertices):
+        rows = csr_matrix(controls.weights[model.row[side.flank.vertices]][:, movable])
+        sigma = np.full(rows.shape[0], params.loose_net * params.flank_m / metres)
+        out.append(Leftover(camera, whole[side.flank.vertices], rows, side.flank.points_px, sigma))
     fixed = side.sigma_m <= params.corrected_m
     if fixed.any():
         rows = csr_matrix(controls.weights[model.row[side.vertices[fixed]]][:, movable])

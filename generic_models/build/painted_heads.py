@@ -190,10 +190,33 @@ def random_camera(generic: GenericHuman, vertices_m: Array, rng: np.random.Gener
     return Camera(WIDTH, HEIGHT, focal_px_from_35mm(rng.uniform(62, 85), WIDTH, HEIGHT), pose)
 
 
-def photograph(head: Head, vertices_m: Array, camera: Camera, rng: np.random.Generator) -> NDArray[np.uint8]:
-    """Return a shaded (H, W, 3) picture of the painted head."""
+def random_lights(rng: np.random.Generator) -> list[tuple[float, Array]]:
+    """Return strength and direction of a main light and a weaker one."""
+    return [(rng.uniform(1.5, 3.0), rng.uniform([-1, 0.2, 1], [1, 1.2, 1.6])),
+            (rng.uniform(0.4, 1.2), rng.uniform([-1, -0.2, 0.4], [1, 0.6, 1]))]  # fmt: skip
+
+
+def photograph(
+    head: Head,
+    vertices_m: Array,
+    camera: Camera,
+    rng: np.random.Generator,
+    *,
+    lights: list[tuple[float, Array]] | None = None,
+    colours: Array | None = None,
+) -> NDArray[np.uint8]:
+    """Return a shaded (H, W, 3) picture of the painted head.
+
+    Parameters
+    ----------
+    lights : list of (strength, direction towards the light), optional
+        Random ones when not given.
+    colours : (V', 3), optional
+        What :meth:`Head.colours` gave, for two photos of one person.
+    """
     fine = head.matrix @ vertices_m
-    colours = (np.clip(head.colours(rng), 0, 1) ** 2.2 * 255).astype(np.uint8)
+    shown = head.colours(rng) if colours is None else colours
+    colours = (np.clip(shown, 0, 1) ** 2.2 * 255).astype(np.uint8)
     mesh = trimesh.Trimesh(fine, head.fine, vertex_colors=np.c_[colours, np.full(len(colours), 255)], process=False,
                            vertex_normals=vertex_normals(fine, head.fine))  # fmt: skip
     backdrop = rng.uniform(0.2, 0.8, 3)
@@ -204,14 +227,13 @@ def photograph(head: Head, vertices_m: Array, camera: Camera, rng: np.random.Gen
     eye = np.linalg.inv(M_FROM_GL @ camera.camera_from_model)
     centre = camera.centre_px + 0.5
     scene.add(pyrender.IntrinsicsCamera(camera.focal_px, camera.focal_px, *centre, znear=0.1, zfar=10.0), pose=eye)
-    for strength, direction in ((rng.uniform(1.5, 3.0), rng.uniform([-1, 0.2, 1], [1, 1.2, 1.6])),
-                                (rng.uniform(0.4, 1.2), rng.uniform([-1, -0.2, 0.4], [1, 0.6, 1]))):  # fmt: skip
+    for strength, direction in random_lights(rng) if lights is None else lights:
         place = np.eye(4)
         z = direction / np.linalg.norm(direction)
         x = np.cross([0, 1, 0], z) / np.linalg.norm(np.cross([0, 1, 0], z))
         place[:3, :3] = np.stack([x, np.cross(z, x), z], axis=1)
         scene.add(pyrender.DirectionalLight(intensity=strength), pose=place)
-    renderer = pyrender.OffscreenRenderer(WIDTH, HEIGHT)
+    renderer = pyrender.OffscreenRenderer(camera.width_px, camera.height_px)
     picture, _ = renderer.render(scene)
     renderer.delete()
     noise = rng.normal(0.0, 2.0, picture.shape)

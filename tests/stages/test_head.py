@@ -21,6 +21,8 @@ from cloner.records.points import PointSet, Proposal, Proposals, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 from cloner.stages import head
+from cloner.stages.head_modes import load_head_modes
+from kit.scripts import script
 
 WIDTH, HEIGHT, FOCAL_35MM = 900, 1200, 80.0
 STATURE_M = 1.70
@@ -74,6 +76,10 @@ def photographed(vertices: np.ndarray, *, noise_px: float = 0.0, side: bool = Tr
             continue
         face = net.places.at(vertices) if view is ViewId.FACE_FRONT else np.zeros((468, 3))
         face_px = seen.project(face) if view is ViewId.FACE_FRONT else np.zeros((468, 2))
+        if view is ViewId.FACE_FRONT:  # points as the net is known to draw them, not where they truly are
+            coefficients, _ = script("calibrate_head_net").coefficients_of(generic, vertices)
+            drawn = load_head_modes().family_errors_m(coefficients)
+            face_px = face_px + drawn / seen.metres_per_pixel(face.mean(axis=0))
         face_px = face_px + noise_px * rng.normal(size=face_px.shape)
         mask = mask_of(vertices, seen)
         presence = 1.0 if view is ViewId.FACE_FRONT else 0.0
@@ -112,8 +118,9 @@ def test_a_known_face_comes_back(seed, azimuth_deg, shown):
     start = generic.shape(np.zeros(1), STATURE_M)[0][generic.head_vertices]
     error = face_error_mm(fitted.vertices_m, true)
     assert fitted.side_shown == shown
-    assert error < 1.1, f"seed {seed}: {error:.2f} mm"
-    assert error < 0.4 * face_error_mm(start, true)
+    # a millimetre of doubt in points on photographs, and faces outside the family, leave this much of an exact one
+    assert error < 1.35, f"seed {seed}: {error:.2f} mm"
+    assert error < 0.47 * face_error_mm(start, true)
     front = fitted.cameras[ViewId.FACE_FRONT]
     assert np.linalg.norm(front.position_m - camera(0.0, true[generic.feature("nasion")]).position_m) < 0.12
 
@@ -152,7 +159,10 @@ def test_without_any_face_it_gives_the_generic_head_and_says_so():
     generic = load_generic()
     result = fit(PhotoSet({}), Proposals({}), PointSet({}))
     start = generic.shape(np.zeros(1), STATURE_M)[0][generic.head_vertices]
-    assert np.abs(result.values["head"].vertices_m - start).max() < 0.002
+    away = np.linalg.norm(result.values["head"].vertices_m - start, axis=1)
+    # half way to the canonical face, nothing of a person's own
+    assert np.median(away) < 0.0025
+    assert away.max() < 0.008
     assert any("generic" in w for w in result.warnings)
 
 

@@ -1,0 +1,158 @@
+"""Fit one known head with the product's own stages and score every step; one JSON a head."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any, Final
+
+import numpy as np
+from head_people import KnownHead
+from head_scores import Ruler, ruler, score, worst_landmark
+from numpy.typing import NDArray
+from scipy.interpolate import RBFInterpolator
+
+from cloner import pipeline
+from cloner.errors import ClonerError
+from cloner.frames import ViewId
+from cloner.generic.head_controls import load_head_controls
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.dffd import deform
+from cloner.project.corrections import no_corrections
+from cloner.records.points import PointSet, Proposals, ViewPoints
+from cloner.stages import head
+from cloner.stages.head_evidence import Log, Params, make_model, read_front, read_side
+from cloner.stages.head_modes import load_head_modes
+
+Array = NDArray[np.float64]
+Values = dict[str, Any]
+
+BEFORE: Final = ("proposals", "points", "views", "silhouettes", "phenotype")
+#: Steps of the method, then other ways to carry the same displacements of the control points.
+STEPS: Final = ("generic", "start", "basis", "dffd", "finished")
+WAYS: Final = ("carried by DFFD", "carried by RBF", "scaled by axis")
+
+
+def fit_head(known: KnownHead) -> tuple[Values, dict[str, float]]:
+    """Return the values of all stages before the head, and their CPU seconds; nets run here, once."""
+    start = {"photos": known.photos, "person": known.person, "corrections": no_corrections()}
+    stages = tuple(stage for stage in pipeline.STAGES if stage.name in BEFORE)
+    values, reports = pipeline.run(start, stages=stages)
+    return values, {report.name: report.cpu_seconds for report in reports}
+
+
+def with_true_features(values: Values, known: KnownHead) -> Values:
+    """Return the values with every named point of both photos put where it truly is, as an operator would."""
+    points = dict(values["face_points"].views)
+    for view, camera in known.views.items():
+        if view in points:
+            points[view] = _true_points(points[view], camera.project, known.truth.marks_m)
+    return {**values, "face_points": PointSet(points)}
+
+
+def _true_points(points: ViewPoints, project: Any, marks: Mapping[str, Array]) -> ViewPoints:
+    rows = [row for row, name in enumerate(points.names) if name in marks]
+    places, corrected = points.points_px.copy(), points.corrected.copy()
+    if rows:
+        places[rows] = project(np.array([marks[points.names[row]] for row in rows]))
+        corrected[rows] = True
+    return ViewPoints(points.view, points.names, places, points.confidence, corrected)
+
+
+def with_true_net(values: Values, known: KnownHead) -> Values:
+    """Return the values with the front photo's 468 points where the net draws such a face on the average.
+
+    Its known bias and pull towards the mean stay, for the fit takes them out again; only for the generic's topology.
+    """
+    from calibrate_head_net import coefficients_of
+
+    from cloner.detectors.face_net import load_face_net
+
+    net, camera = load_face_net(), known.views[ViewId.FACE_FRONT]
+    proposals = dict(values["proposals"].views)
+    vertices = np.asarray(known.vertices_m)
+    metres = camera.metres_per_pixel(vertices[load_generic().feature("nasion")])
+    coefficients, scale = coefficients_of(load_generic(), vertices)
+    drawn = load_head_modes().family_errors_m(coefficients) / (scale * metres)
+    true_px = camera.project(net.places.at(vertices)) + drawn
+    proposals[ViewId.FACE_FRONT] = replace(proposals[ViewId.FACE_FRONT], face_px=true_px)
+    return {**values, "proposals": Proposals(proposals)}
+
+
+def steps(values: Values) -> dict[str, Array]:
+    """Return the person's vertices (V, 3) after every step of the head's fit, and by other deformations."""
+    generic, params, log = load_generic(), Params(), Log()
+    phenotype, photos = values["phenotype"], values["photos"]
+    model = make_model(phenotype)
+    front = read_front(model, values["proposals"], values["face_points"], params)
+    side = read_side(model, values["proposals"], values["silhouettes"], values["face_points"], params)
+    shaped = head.shape_head(model, photos, phenotype, (front, side), params, log, lambda fraction: None)
+    mean, _ = generic.shape(np.zeros(0), phenotype.stature_m)
+    out = {
+        "generic": mean,
+        "start": model.vertices_m,
+        "basis": model.whole(shaped.basis.head_m),
+        "dffd": model.whole(shaped.relief.head_m),
+    }
+    return out | _carried(generic, out["start"], out["dffd"])
+
+
+def _carried(generic: GenericHuman, start: Array, goal: Array) -> dict[str, Array]:
+    """Return the start carried to the goal's control points by DFFD, by an RBF, and by scaling the axes."""
+    controls, rows = load_head_controls(), generic.head_vertices
+    scale = float(np.ptp(start[rows, 1]) / np.ptp(generic.vertices_m[rows, 1]))
+    near = np.array([int(np.argmin(((generic.vertices_m[rows] - place) ** 2).sum(axis=1)))
+                     for place in controls.controls_m])  # fmt: skip
+    moves = np.where(controls.movable[:, None], (goal - start)[rows][near], 0.0)
+    places = start[rows][near]
+    _, single = np.unique(near, return_index=True)
+    spline = RBFInterpolator(places[single], moves[single], kernel="thin_plate_spline")
+    faces = near[controls.movable]
+    a, b = start[rows][faces], goal[rows][faces]
+    factors = ((a - a.mean(0)) * (b - b.mean(0))).sum(0) / ((a - a.mean(0)) ** 2).sum(0)
+    made = {
+        "carried by DFFD": start[rows] + deform(controls.weights, moves / scale) * scale,
+        "carried by RBF": start[rows] + spline(start[rows]),
+        "scaled by axis": (start[rows] - a.mean(0)) * factors + b.mean(0),
+    }
+    out = {}
+    for name, vertices in made.items():
+        out[name] = start.copy()
+        out[name][rows] = vertices
+    return out
+
+
+def finished(values: Values) -> tuple[Array, float, tuple[str, ...]]:
+    """Return the head stage's own result as a person's vertices, its CPU seconds and its warnings."""
+    stage = next(stage for stage in pipeline.STAGES if stage.name == "head")
+    begin = time.process_time()
+    result = stage.run(
+        **{name: values[name] for name in stage.needs}, tick=lambda fraction: None, rng=np.random.default_rng(0)
+    )
+    vertices, _ = load_generic().shape(values["phenotype"].coefficients, values["phenotype"].stature_m)
+    vertices[load_generic().head_vertices] = result.values["head"].vertices_m
+    return vertices, time.process_time() - begin, result.warnings
+
+
+def measure_head(known: KnownHead) -> tuple[dict[str, Any], dict[str, Array], Ruler]:
+    """Return the JSON row of one head, its clones (V, 3) by kind of features, and its ruler."""
+    generic, begin, measure = load_generic(), time.process_time(), ruler(known.truth)
+    row: dict[str, Any] = {"name": known.name, "about": dict(known.about)}
+    try:
+        values, seconds = fit_head(known)
+    except ClonerError as error:
+        return row | {"error": f"{error.message} ({error.where})"}, {}, measure
+    proposed, cpu, warnings = finished(values)
+    clones = {"proposed": proposed, "corrected": finished(with_true_features(values, known))[0]}
+    if known.vertices_m is not None:
+        clones["true"] = finished(with_true_net(with_true_features(values, known), known))[0]
+    made = steps(values) | {"finished": proposed}
+    row |= {
+        "steps": {name: score(made[name], measure, generic) for name in (*STEPS, *WAYS)},
+        "features": {name: score(clone, measure, generic) for name, clone in clones.items()},
+        "landmarks": worst_landmark(proposed, measure, generic),
+        "seconds": {**seconds, "head": cpu, "all": time.process_time() - begin},
+        "warnings": list(warnings),
+    }
+    return row, clones, measure

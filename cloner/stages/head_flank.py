@@ -1,0 +1,161 @@
+"""Where the side photo shows what the front photo shows too: outer eye, brow, wing of the nose, corner of the mouth.
+
+The side photo's outline tells the depths of the midline alone; how far eyes, cheeks and mouth corners lie behind it, no
+net tells at 90 degrees. Skin that both photos see is therefore looked up: its brightness in the front photo is laid on
+the fitted head and searched in the side photo, mostly along the line of depth.
+"""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter, map_coordinates
+
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.rims import vertex_normals
+from cloner.geometry.surface import SurfacePoints
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+#: Places looked up, feature or FDP names of the person's left and right.
+PLACES: Final = (
+    ("eye_outer_L", "eye_outer_R"), ("ala_L", "ala_R"), ("mouth_corner_L", "mouth_corner_R"), ("4.5", "4.6"),
+)  # fmt: skip
+#: Radius of a patch, and the samples spread over it.
+PATCH_M, SAMPLES = 0.013, 300
+#: Search along depth and height, and its step, metres.
+ALONG_M, ACROSS_M, STEP_M = 0.012, 0.009, 0.0008
+#: Skin counts where it turns at least this far towards both cameras (cosine).
+TURNED = 0.15
+#: Detail that is compared: smoothed to the first, without what is wider than the second, metres.
+BAND_M = (0.0008, 0.006)
+#: Least samples, and least correlation, that are believed.
+FEWEST, ALIKE = 40, 0.6
+#: A place whose next best spot, farther than this, is nearly as good is ambiguous; metres and share of correlation.
+APART_M, RIVAL = 0.003, 0.92
+#: Places are looked up within this of the step that fits all best, metres.
+AGREE_M = 0.0055
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Flank:
+    """Vertices (N,) found in the side photo, where (N, 2) px, and the correlation (N,)."""
+
+    vertices: NDArray[np.int64]
+    points_px: Array
+    alike: Array
+
+
+def _detail(rgb: NDArray[np.uint8], camera: Camera, points: Array) -> tuple[Array, Array]:
+    """Return a photo's band-passed brightness around the points and the crop's corner (x, y)."""
+    seen = camera.project(points)
+    metres = camera.metres_per_pixel(points.mean(axis=0))
+    room = (ALONG_M + 2.0 * BAND_M[1]) / metres
+    low = np.clip(np.floor(seen.min(axis=0) - room), 0, [camera.width_px - 2, camera.height_px - 2]).astype(int)
+    high = np.clip(np.ceil(seen.max(axis=0) + room), low + 2, [camera.width_px, camera.height_px]).astype(int)
+    grey = rgb[low[1] : high[1], low[0] : high[0]].astype(np.float32).mean(axis=2)
+    fine, wide = (gaussian_filter(grey, band / metres, mode="nearest") for band in BAND_M)
+    return np.asarray(fine - wide, dtype=np.float64), low.astype(np.float64)
+
+
+def _patch(generic: GenericHuman, triangles: NDArray[np.integer], vertex: int) -> SurfacePoints:
+    """Return samples spread over the skin around a vertex of the mean head, always the same."""
+    mean = generic.vertices_m.astype(np.float64)
+    near = triangles[(np.linalg.norm(mean[triangles].mean(axis=1) - mean[vertex], axis=1) < PATCH_M)]
+    corners = mean[near]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    rng = np.random.default_rng(vertex)
+    which = rng.choice(len(near), size=SAMPLES, p=area / area.sum())
+    weights = rng.dirichlet(np.ones(3), size=SAMPLES)
+    return SurfacePoints(near[which].astype(np.int32), weights)
+
+
+def _sample(detail: Array, corner: Array, points_px: Array) -> Array:
+    x, y = points_px[..., 0] - corner[0], points_px[..., 1] - corner[1]
+    return np.asarray(map_coordinates(detail, [y, x], order=1, mode="nearest"))
+
+
+def _correlation(front: Array, beside: Array) -> Array:
+    """Return the correlation of (N,) values with each row of (S, N)."""
+    a = front - front.mean()
+    b = beside - beside.mean(axis=1, keepdims=True)
+    return np.asarray(b @ a / np.maximum(np.sqrt((a**2).sum() * (b**2).sum(axis=1)), 1e-9))
+
+
+@functools.cache
+def _skin() -> NDArray[np.integer]:
+    """Return the triangles of the face's outer skin."""
+    generic = load_generic()
+    kept = (generic.vertex_part == generic.part_names.index("body")) & generic.region("face")
+    kept &= ~generic.region("mouth_interior")
+    triangles, _ = generic.triangles()
+    return np.asarray(triangles[kept[triangles].all(axis=1)])
+
+
+def find_flank(
+    generic: GenericHuman,
+    whole: Array,
+    cameras: tuple[Camera, Camera],
+    pictures: tuple[NDArray[np.uint8], NDArray[np.uint8]],
+    *,
+    side: int,
+) -> Flank:
+    """Return what was found of ``PLACES`` in the side photo.
+
+    Parameters
+    ----------
+    whole : (V, 3) vertices of the fitted person
+    cameras, pictures : front and side
+    side : int
+        0 when the side photo shows the person's left, 1 right.
+    """
+    skin = _skin()
+    normals = vertex_normals(whole, skin)
+    rows = [_vertex(generic, pair[side]) for pair in PLACES]
+    patches = [_patch(generic, skin, row) for row in rows]
+    everything = np.vstack([patch.at(whole) for patch in patches])
+    front, beside = (_detail(p, c, everything) for p, c in zip(pictures, cameras, strict=True))
+    metres = cameras[1].metres_per_pixel(everything.mean(axis=0))
+    steps = np.stack(np.meshgrid(np.arange(-ALONG_M, ALONG_M + 1e-9, STEP_M),
+                                 np.arange(-ACROSS_M, ACROSS_M + 1e-9, STEP_M)), axis=-1).reshape(-1, 2)  # fmt: skip
+    maps: dict[int, Array] = {}
+    for row, patch in zip(rows, patches, strict=True):
+        points, turned = patch.at(whole), patch.at(normals)
+        towards = [((c.position_m - points) * turned).sum(axis=1) / np.linalg.norm(c.position_m - points, axis=1)
+                   for c in cameras]  # fmt: skip
+        points = points[(towards[0] > TURNED) & (towards[1] > TURNED)]
+        if len(points) >= FEWEST:
+            spots = cameras[1].project(points)[None] + (steps / metres)[:, None]
+            maps[row] = _correlation(_sample(*front, cameras[0].project(points)), _sample(*beside, spots))
+    found = _best_steps(maps, steps)
+    return Flank(
+        np.array([row for row, _, _ in found], dtype=np.int64),
+        np.array([cameras[1].project(whole[[row]])[0] + step / metres for row, step, _ in found]).reshape(-1, 2),
+        np.array([share for _, _, share in found]),
+    )
+
+
+def _best_steps(maps: dict[int, Array], steps: Array) -> list[tuple[int, Array, float]]:
+    """Return vertex, step and correlation of the places that agree: most of what is wrong, is wrong for all of them."""
+    if len(maps) < 2:
+        return []
+    together = steps[int(np.mean(list(maps.values()), axis=0).argmax())]
+    near = np.linalg.norm(steps - together, axis=1) < AGREE_M
+    found = []
+    for row, alike in maps.items():
+        best = int(np.where(near, alike, -1.0).argmax())
+        rivals = alike[near & (np.linalg.norm(steps - steps[best], axis=1) > APART_M)]
+        if alike[best] > ALIKE and rivals.max() < RIVAL * alike[best]:
+            found.append((row, steps[best], float(alike[best])))
+    return found
+
+
+def _vertex(generic: GenericHuman, name: str) -> int:
+    if name in generic.feature_names:
+        return generic.feature(name)
+    return int(generic.fdp_vertices[generic.fdp_names.index(name)])
