@@ -10,6 +10,7 @@ from typing import Any, Final
 
 import cloner
 from cloner.frames import ViewId
+from cloner.generic.fdp import fdp_names
 from cloner.geometry.under_clothes import NINE_IN_TEN
 from cloner.pipeline import StageReport
 from cloner.project.stamps import model_digests
@@ -185,6 +186,7 @@ def _features(body: PointSet, face: PointSet) -> dict[str, Any]:
                         "y_px": round(float(point[1]), 2),
                         "confidence": round(float(confidence), 3),
                         "source": "corrected" if corrected else "proposed",
+                        **({"mpeg4": fdp_names()[name]} if name in fdp_names() else {}),
                     }
                     for name, point, confidence, corrected in rows
                 }
