@@ -28,7 +28,7 @@ TIMED_OUT: Final = 75
 PATIENCE_S: Final = 20
 #: Of every worker, before its libraries load: one thread each, as there is one process a core.
 _ENVIRONMENT: Final = {
-    "MALLOC_TRIM_THRESHOLD_": 256 << 20, "OMP_NUM_THREADS": 1, "OPENBLAS_NUM_THREADS": 1, "MKL_NUM_THREADS": 1,
+    "OMP_NUM_THREADS": 1, "OPENBLAS_NUM_THREADS": 1, "MKL_NUM_THREADS": 1,
     "LP_NUM_THREADS": 1,
 }  # fmt: skip
 LOST: Final = "its worker died: a crash, no memory left, or longer than --timeout allows"
@@ -58,7 +58,6 @@ def farm(workers: int, scheduler: str = "", retries: int = 1) -> Iterator[Client
     settings = {
         "distributed.scheduler.allowed-failures": retries,
         "distributed.worker.daemon": False,
-        # dask lets the allocator give back every 64 KiB: photos' arrays then cost more in the kernel than in us
         "distributed.nanny.pre-spawn-environ": _ENVIRONMENT,
         "distributed.comm.timeouts.connect": f"{PATIENCE_S}s",
         "distributed.logging": {"distributed": "error"},
