@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.profile_fit import ProfileModel
+from cloner.detectors.profile_search import ProfileModel
 from cloner.geometry.surface import SurfacePoints
 
 Array = NDArray[np.float64]

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.detectors.profile import front_contour, outline
-from cloner.detectors.profile_fit import Laid, ProfileModel, find_laid, named_px
+from cloner.detectors.profile_fit import Laid, find_laid, named_px
+from cloner.detectors.profile_search import ProfileModel
 from cloner.detectors.results import POSE_NAMES
 from cloner.geometry.contour_match import contour_normals
 from cloner.records.points import Proposal
