@@ -33,6 +33,8 @@ TURN_DEG: Final = (10.0, 7.0, 4.0)
 HEAD_SIZE: Final = 0.035
 #: Head size grows with this power of the stature (correlation 0.3 to 0.4, spread 3.9 % of stature: ANSUR II).
 SIZE_BY_STATURE: Final = 0.35
+#: The generic's heads are smaller than people's (ANSUR II: eye distance 6 %, face 7 %, skull -2 %).
+USUAL_SIZE: Final = 1.035
 #: A bend is a sum of Gaussian hills; amplitude and radii in metres (taste: 1.5 to 2 mm of face surface).
 HILLS, HILL_M, HILL_RADII_M = 12, 0.0016, (0.014, 0.035)
 #: Variety of build and face, in the standard deviations of the two bases, which overlap.
@@ -93,7 +95,7 @@ def random_face(generic: GenericHuman, rng: np.random.Generator, *, bent: bool) 
     vertices[head] += scale * np.tensordot(FACE * rng.normal(size=len(generic.face_basis)), generic.face_basis, axes=1)
     if bent:
         _bend(generic, vertices, rng)
-    size = (stature / GENERIC_STATURE_M) ** (SIZE_BY_STATURE - 1.0) * np.exp(HEAD_SIZE * rng.normal())
+    size = USUAL_SIZE * (stature / GENERIC_STATURE_M) ** (SIZE_BY_STATURE - 1.0) * np.exp(HEAD_SIZE * rng.normal())
     pivot = joints[generic.joint("skullbase")]
     return pivot + size * (vertices - pivot), stature
 

@@ -24,6 +24,8 @@ Array = NDArray[np.float64]
 ASKED: Final = 1500
 #: Turns of the alignment; measured: the mean moves by less than 0.01 mm against 40.
 TURNS: Final = 15
+#: Discs of the clone that steer the alignment; measured: as triangles do, to 0.01 mm, in a fifth of the time.
+DISCS: Final = 20_000
 FACE_RADIUS_M: Final = 0.095
 #: Spacing that identification needs: 600 points a head.
 SEARCHED: Final = 600
@@ -85,9 +87,11 @@ def score(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, f
     out = {"landmarks_mean_mm": 1e3 * float(marks.mean()), "landmarks_worst_mm": 1e3 * float(marks.max())}
     skin = shown_skin()
     surface = TriangleSurface(placed, skin)
-    samples, _, _ = sample_surface(placed, skin, 2 * ASKED, rng=np.random.default_rng(0))
+    samples, directions, _ = sample_surface(placed, skin, DISCS, rng=np.random.default_rng(0))
+    discs = PointSurface(samples, directions, radius=0.003)
+    samples = samples[: 2 * ASKED]
     for scale, name in ((True, "similarity"), (False, "rigid")):
-        transform = align_by_nearest(measure.points, surface, scale=scale, turns=TURNS)
+        transform = align_by_nearest(measure.points, discs, scale=scale, turns=TURNS)
         factor = float(np.cbrt(np.linalg.det(transform[:3, :3])))
         _, to_clone, _ = surface.closest(apply(inverse(transform), measure.points))
         moved = apply(transform, samples)
@@ -147,8 +151,10 @@ def other_person(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict
     marks = np.linalg.norm(placed[[generic.feature(n) for n in names]] - true, axis=1)
     out = {"landmarks_mean_mm": 1e3 * float(marks.mean()), "landmarks_worst_mm": 1e3 * float(marks.max())}
     surface = TriangleSurface(placed, shown_skin())
+    samples, directions, _ = sample_surface(placed, shown_skin(), DISCS, rng=np.random.default_rng(0))
+    discs = PointSurface(samples, directions, radius=0.003)
     for scale, name in ((True, "similarity"), (False, "rigid")):
-        found = align_by_nearest(measure.points, surface, scale=scale, turns=TURNS)
+        found = align_by_nearest(measure.points, discs, scale=scale, turns=TURNS)
         factor = float(np.cbrt(np.linalg.det(found[:3, :3])))
         out[f"{name}_mm"] = 1e3 * factor * float(surface.closest(apply(inverse(found), measure.points))[1].mean())
     return out

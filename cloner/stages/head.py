@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.head_controls import load_head_controls
 from cloner.geometry.iris import sample_iris
-from cloner.geometry.skinning import joint_transforms
 from cloner.records.bodies import Phenotype
 from cloner.records.heads import HeadFit
 from cloner.records.photos import Person, PhotoSet
@@ -32,6 +31,7 @@ from cloner.stages.head_fit import (
 )
 from cloner.stages.head_flank import find_flank
 from cloner.stages.head_report import report_front, report_side, warn_missing
+from cloner.stages.head_size import body_camera, head_scale
 from cloner.stages.head_skull import fit_skull
 
 Array = NDArray[np.float64]
@@ -193,41 +193,6 @@ def _sizes(photos: PhotoSet, phenotype: Phenotype, front: Front | None, side: Si
         focal = known.camera.focal_px if view.is_body and known is not None else focal_px(photo, params, log)
         out[key] = (photo.width_px, photo.height_px, focal)
     return out
-
-
-def body_camera(model: Model, phenotype: Phenotype) -> Camera | None:
-    """Return body_front's camera relative to the rest head, which the body's pose carries along."""
-    posed = phenotype.views.get(ViewId.BODY_FRONT)
-    if posed is None:
-        return None
-    transforms = joint_transforms(model.joints_m, model.generic.joint_parents.astype(np.int32), posed.rotations)
-    skull = transforms[model.generic.joint("skullbase")]
-    camera = posed.camera
-    return Camera(camera.width_px, camera.height_px, camera.focal_px, camera.camera_from_model @ skull,
-                  camera.pixels_per_m)  # fmt: skip
-
-
-def head_scale(
-    model: Model, fitted: Fitted, front: Front | None, proposals: Proposals, phenotype: Phenotype, params: Params
-) -> float:
-    """Return the head's size as a factor: the face in the body photo against the phenotype's own head.
-
-    The face photos alone tell no size. The body photo does, through its camera, but its face is small; both guesses
-    are weighted by their errors.
-    """
-    camera, proposal = body_camera(model, phenotype), proposals.views.get(ViewId.BODY_FRONT)
-    if front is None or camera is None or proposal is None or proposal.face_presence < params.presence:
-        return 1.0
-    seen = camera.project(model.net.places.at(model.whole(fitted.head_m)))
-    weight = 1.0 / (model.net.sigma_m**2 + params.net_floor_m**2)
-    weight = weight / weight.sum()
-    wanted = proposal.face_px - weight @ proposal.face_px
-    have = seen - weight @ seen
-    turned = (weight * (np.conj(have @ [1, 1j]) * (wanted @ [1, 1j]))).sum()
-    factor = abs(turned) / max(float(weight @ (have**2).sum(axis=1)), 1e-12)
-    certain = params.own_scale**2 / (params.own_scale**2 + params.body_scale**2)
-    limit = np.log1p(params.scale_limit)
-    return float(np.exp(np.clip(certain * np.log(max(factor, 1e-3)), -limit, limit)))
 
 
 def _cameras(model: Model, fitted: Fitted, front: Front | None, side: Side | None, phenotype: Phenotype

@@ -1,0 +1,81 @@
+"""How large a head is: from the face in the body photo, and without one from the usual size at this stature."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.generic.load import GENERIC_STATURE_M
+from cloner.geometry.skinning import joint_transforms
+from cloner.records.bodies import Phenotype
+from cloner.records.points import Proposals
+from cloner.records.views import Camera
+from cloner.stages.head_evidence import Front, Model, Params
+from cloner.stages.head_fit import Fitted
+
+Array = NDArray[np.float64]
+
+#: Mean of women and men of 1.70 m, metres (ANSUR II 2012: interpupillary breadth, sellion to menton, head length).
+USUAL_M: Final = (0.0627, 0.1175, 0.192)
+#: Head size grows with this power of the stature (their correlation is 0.3 to 0.4, ANSUR II).
+BY_STATURE: Final = 0.35
+
+
+def body_camera(model: Model, phenotype: Phenotype) -> Camera | None:
+    """Return body_front's camera relative to the rest head, which the body's pose carries along."""
+    posed = phenotype.views.get(ViewId.BODY_FRONT)
+    if posed is None:
+        return None
+    transforms = joint_transforms(model.joints_m, model.generic.joint_parents.astype(np.int32), posed.rotations)
+    skull = transforms[model.generic.joint("skullbase")]
+    camera = posed.camera
+    return Camera(camera.width_px, camera.height_px, camera.focal_px, camera.camera_from_model @ skull,
+                  camera.pixels_per_m)  # fmt: skip
+
+
+def usual_scale(model: Model, fitted: Fitted, phenotype: Phenotype) -> float:
+    """Return the factor that gives a head the usual size at its stature.
+
+    Eye distance, height of the face and length of the skull vote alike; each alone differs by 4 to 6 % among people.
+    """
+    whole = model.whole(fitted.head_m)
+
+    def at(name: str) -> Array:
+        return np.asarray(whole[model.generic.feature(name)])
+
+    skull = whole[model.generic.region("scalp"), 2].min()
+    own = (
+        np.linalg.norm(at("pupil_L") - at("pupil_R")),
+        np.linalg.norm(at("nasion") - at("chin_bottom")),
+        at("glabella")[2] - skull,
+    )
+    by_stature = BY_STATURE * np.log(phenotype.stature_m / GENERIC_STATURE_M)
+    return float(np.exp(by_stature + np.mean(np.log(USUAL_M) - np.log(np.maximum(own, 1e-3)))))
+
+
+def head_scale(
+    model: Model, fitted: Fitted, front: Front | None, proposals: Proposals, phenotype: Phenotype, params: Params
+) -> float:
+    """Return the head's size as a factor: the face in the body photo against the phenotype's own head.
+
+    The face photos alone tell no size. The body photo does, through its camera, but its face is small; both guesses
+    are weighted by their errors. Without any body photo the usual size at the stature is taken.
+    """
+    limit = np.log1p(params.scale_limit)
+    if front is not None and not phenotype.views:
+        return float(np.exp(np.clip(np.log(usual_scale(model, fitted, phenotype)), -limit, limit)))
+    camera, proposal = body_camera(model, phenotype), proposals.views.get(ViewId.BODY_FRONT)
+    if front is None or camera is None or proposal is None or proposal.face_presence < params.presence:
+        return 1.0
+    seen = camera.project(model.net.places.at(model.whole(fitted.head_m)))
+    weight = 1.0 / (model.net.sigma_m**2 + params.net_floor_m**2)
+    weight = weight / weight.sum()
+    wanted = proposal.face_px - weight @ proposal.face_px
+    have = seen - weight @ seen
+    turned = (weight * (np.conj(have @ [1, 1j]) * (wanted @ [1, 1j]))).sum()
+    factor = abs(turned) / max(float(weight @ (have**2).sum(axis=1)), 1e-12)
+    certain = params.own_scale**2 / (params.own_scale**2 + params.body_scale**2)
+    return float(np.exp(np.clip(certain * np.log(max(factor, 1e-3)), -limit, limit)))
