@@ -151,12 +151,12 @@ def _paint_rows(
     unsafe = source.sight.before_edge(pixel, depth, cosine)
     weight = np.where(unsafe, LAST_CHOICE * weight, weight)
     # Only who owns a border draws it: another's collar a little off would lie beside it.
-    shown = np.maximum(sample(source.plate.skin, lookup)[:, 0] / 255.0, values[:, 10])
-    clash = np.abs(shown - values[:, 9])
+    skin = sample(source.plate.skin, lookup)[:, 0] / 255.0
+    clash = np.abs(np.maximum(skin, values[:, 10]) - values[:, 9])
     unsure = (values[:, 6] > OWNER_SHARE) & (np.abs(values[:, 9] - 0.5) < BORDER_KIND)
     good &= (clash < CLASH) | unsure
     weight = weight[good]
-    colour = apply_light(shown_colours(source, lookup[good]), values[good, 11:14])
+    colour = apply_light(shown_colours(source, lookup[good], skin[good]), values[good, 11:14])
     return atlas.texel[rows[good]], colour.astype(np.float32), weight
 
 

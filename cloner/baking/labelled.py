@@ -5,13 +5,15 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.vision.plates import HAIR_LABEL, SKIN_LABEL
-from cloner.vision.vetting import HairColours, before_wall, hair_colours, vet_hair
+from cloner.vision.vetting import before_wall, hair_colours, vet_hair
 
+STRIDE = 4  # colours of hair need no more
 PERSON_LEVEL = 127  # a net's probability above one half
 
 
@@ -21,28 +23,26 @@ def vet_labels(photos: PhotoSet, proposals: Proposals) -> Proposals:
     Nowhere does the background shine through hair in patches. From behind, where no face tells where
     hair may be and collars and napes are taken for it, hair has no colour that it has in no other photo.
     """
+    known = {view: proposal for view, proposal in proposals.views.items() if view in photos.photos}
+    hair, skin = (
+        {view: labelled_pixels(photos.photos[view].rgb, proposal.labels, label) for view, proposal in known.items()}
+        for label in (HAIR_LABEL, SKIN_LABEL)
+    )
     found = dict(proposals.views)
-    for view, proposal in proposals.views.items():
-        named = proposal.labels == HAIR_LABEL
-        if view not in photos.photos or not named.any():
+    for view, proposal in known.items():
+        if not len(hair[view]):
             continue
-        rgb, colours = photos.photos[view].rgb, colours_elsewhere(photos, proposals, view)
-        kept = before_wall(rgb, named, proposal.mask > PERSON_LEVEL, colours)
+        # The back photo's own labels are believed by no other.
+        others = [other for other in known if other is not view and other is not ViewId.BODY_BACK]
+        colours = hair_colours([hair[other] for other in others], [skin[other] for other in others])
+        named = proposal.labels == HAIR_LABEL
+        kept = before_wall(photos.photos[view].rgb, named, proposal.mask > PERSON_LEVEL, colours)
         if view is ViewId.BODY_BACK:
-            kept = vet_hair(rgb, kept, colours)
+            kept = vet_hair(photos.photos[view].rgb, kept, colours)
         found[view] = replace(proposal, labels=np.where(named & ~kept, 0, proposal.labels).astype(np.uint8))
     return Proposals(found)
 
 
-def colours_elsewhere(photos: PhotoSet, proposals: Proposals, view: ViewId) -> HairColours | None:
-    """Return the colours of the hair in all photos but one; the back photo's labels are believed by no other."""
-    others = [
-        other
-        for other in proposals.views
-        if other is not view and other is not ViewId.BODY_BACK and other in photos.photos
-    ]
-    hair, skin = (
-        [photos.photos[other].rgb[proposals.views[other].labels == label] for other in others]
-        for label in (HAIR_LABEL, SKIN_LABEL)
-    )
-    return hair_colours(hair, skin)
+def labelled_pixels(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], label: int) -> NDArray[np.uint8]:
+    """Return (N, 3) colours of every fourth row and column under a label."""
+    return np.asarray(rgb[::STRIDE, ::STRIDE][labels[::STRIDE, ::STRIDE] == label], np.uint8)

@@ -213,13 +213,23 @@ def align(sight: Sight, plate: Plate, limits: Limits) -> tuple[Array, float]:
     return shift_points(sight.pixel_px, field), gap
 
 
-def shown_colours(source: Source, lookup_px: NDArray[np.floating], *, blurred: bool = False) -> NDArray[np.float32]:
-    """Return (N, 3) what a photo shows at (N, 2) lookups, levels, burnt-out skin mended."""
+def shown_colours(
+    source: Source,
+    lookup_px: NDArray[np.floating],
+    skin: NDArray[np.floating] | None = None,
+    *,
+    blurred: bool = False,
+) -> NDArray[np.float32]:
+    """Return (N, 3) what a photo shows at (N, 2) lookups, levels, burnt-out skin mended.
+
+    ``skin`` (N,) in 0..1 is what the plate's ``skin`` shows there, where that is known already.
+    """
     plate = source.plate
     colour = sample(plate.blurred if blurred else plate.rgb, lookup_px)
-    if plate.red_share > 1.0:
-        return np.asarray(unclipped(colour, plate.red_share, sample(plate.skin, lookup_px)[:, 0] / 255.0), np.float32)
-    return colour
+    if plate.shares is None:
+        return colour
+    shown = sample(plate.skin, lookup_px)[:, 0] / 255.0 if skin is None else skin
+    return np.asarray(unclipped(colour, plate.shares, shown), np.float32)
 
 
 def mirror_source(generic: GenericHuman, source: Source) -> Source:

@@ -17,8 +17,8 @@ REFERENCE_HOLD = 1e4  # a reference does not give way
 SATURATED = (225.0, 252.0)  # levels from which on a channel is believed less, and not at all
 CLIPPED = (238.0, 252.0)  # red levels between which it is taken for clipped; JPEG rings by some levels
 LARGEST_RED = 330.0  # beyond this green is clipped as well
-FLATTENED = 0.6  # taste: share of one-sided light on skin that is taken out; all of it makes faces look drawn
-FLATTENED_CLOTH = 0.3  # taste: folds turn into light and dark sides too
+FLATTENED = 0.35  # taste: share of one-sided light on skin that is taken out; all of it makes faces look drawn
+FLATTENED_CLOTH = 0.2  # taste: folds turn into light and dark sides too
 SLOPE_HUBER = 0.05  # beyond 5 % the two halves of a person differ by more than light
 LEAST_PAIRS = 60  # fewer vertices on both halves tell nothing
 
@@ -95,21 +95,28 @@ def unsaturated(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
     return np.asarray(np.clip((high - rgb.max(axis=-1)) / (high - low), 0.0, 1.0))
 
 
-def unclipped(rgb: NDArray[np.floating], red_share: float, skin: NDArray[np.floating]) -> NDArray[np.floating]:
-    """Return colours (N, 3) with the red that bright skin lost at 255 put back, levels, up to LARGEST_RED.
+def unclipped(
+    rgb: NDArray[np.floating], shares: tuple[float, float], skin: NDArray[np.floating]
+) -> NDArray[np.floating]:
+    """Return colours (N, 3) with the hue that bright skin lost put back, levels; red goes up to LARGEST_RED.
 
-    Skin burns out in red first; darkened again it would be green.
+    Skin burns out in red first: darkened again it would be green. Where green is at its end too, only
+    white is left, and shine is white anyway: there blue comes down to the skin's share.
 
     Parameters
     ----------
-    red_share : float
-        Red against green of this skin.
+    shares : (float, float)
+        Red and blue against green of this skin.
     skin : (N,) in 0..1
     """
+    rows = np.flatnonzero(rgb[:, 0] > CLIPPED[0])
+    if rows.size == 0:
+        return rgb
     found = np.array(rgb, copy=True)
-    red = np.minimum(found[:, 1] * red_share, LARGEST_RED)
-    share = skin * np.clip((found[:, 0] - CLIPPED[0]) / (CLIPPED[1] - CLIPPED[0]), 0.0, 1.0)
-    found[:, 0] += share * np.maximum(red - found[:, 0], 0.0)
+    some, own = found[rows], skin[rows]
+    burnt = own * np.clip((some[:, :2].T - CLIPPED[0]) / (CLIPPED[1] - CLIPPED[0]), 0.0, 1.0)
+    found[rows, 0] += burnt[0] * np.maximum(np.minimum(some[:, 1] * shares[0], LARGEST_RED) - some[:, 0], 0.0)
+    found[rows, 2] += burnt[1] * np.minimum(some[:, 1] * shares[1] - some[:, 2], 0.0)
     return found
 
 

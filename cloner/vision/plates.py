@@ -46,8 +46,8 @@ class Plate:
         Pixels labelled skin.
     skin : (H, W) uint8
         255 where a pixel shows skin, by label or by colour (below the face no label is sure), or hair.
-    red_share : float
-        Red against green of this skin, levels; 0 where unknown.
+    shares : (float, float) or None
+        Red and blue against green of this skin, levels.
     eyes : (H, W) bool
         Open eyes: sclera and iris belong to the eyeballs, not to the lids.
     arms : (H, W) bool
@@ -62,7 +62,7 @@ class Plate:
     hair: NDArray[np.bool_]
     bare: NDArray[np.bool_]
     skin: NDArray[np.uint8]
-    red_share: float
+    shares: tuple[float, float] | None
     eyes: NDArray[np.bool_]
     arms: NDArray[np.bool_]
     figure_px: float
@@ -98,8 +98,8 @@ def prepare_plate(
     hair, bare = labels == HAIR_LABEL, labels == SKIN_LABEL
     arms = _arm_zone(*pose, figure, mask.shape) if pose is not None else np.zeros(mask.shape, bool)
     shown = shown_bare(repaired, mask, hair, bare, skin)
-    red = 0.0 if skin is None else skin.red_share()
-    return Plate(repaired, blurred, inside, hair, bare, shown, red, _eye_openings(face_px, mask.shape), arms, figure)
+    shares = None if skin is None else skin.shares()
+    return Plate(repaired, blurred, inside, hair, bare, shown, shares, _eye_openings(face_px, mask.shape), arms, figure)
 
 
 def _arm_zone(

@@ -40,9 +40,9 @@ class SkinColour:
     spread: tuple[float, float]
     brightness: float
 
-    def red_share(self) -> float:
-        """Return red against green in coded levels."""
-        return float(np.exp(self.middle[0] / _GAMMA))
+    def shares(self) -> tuple[float, float]:
+        """Return red and blue against green in coded levels."""
+        return float(np.exp(self.middle[0] / _GAMMA)), float(np.exp(self.middle[1] / _GAMMA))
 
 
 def chroma(rgb: NDArray[np.number]) -> tuple[Array, Array]:

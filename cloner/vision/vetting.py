@@ -38,7 +38,7 @@ MOST_KEPT: Final = 0.8
 #: How much likelier than in skin a colour must be in hair.
 LIKELIER: Final = 0.25
 #: Fewer pixels tell nothing.
-LEAST_HAIR: Final = 400
+LEAST_HAIR: Final = 100
 
 
 def label_colour(rgb: NDArray[np.uint8], mask: NDArray[np.bool_], labels: NDArray[np.uint8]) -> SkinColour | None:
@@ -138,7 +138,7 @@ def before_wall(
     """
     if colours is None or not hair.any() or person.all():
         return hair
-    behind = _shares([rgb[~person]])
+    behind = _shares([rgb[::2, ::2][~person[::2, ::2]]])
     kept = _without(hair, rgb, lambda some: colours.below(some, behind))
     return kept if kept.sum() > MOST_KEPT * hair.sum() else hair
 

@@ -33,11 +33,14 @@ def test_one_half_alone_tells_no_light():
     assert not one_sided_light(np.asarray(log_levels(normals + 2.0)), weight, normals, twin).any()
 
 
-def test_burnt_out_skin_gets_its_red_back_and_cloth_does_not():
-    burnt = np.array([[255.0, 215.0, 180.0]] * 2 + [[200.0, 150.0, 120.0]])
-    mended = unclipped(burnt, SKIN[0] / SKIN[1], np.array([1.0, 0.0, 1.0]))
+def test_burnt_out_skin_gets_its_hue_back_and_cloth_does_not():
+    shares = (SKIN[0] / SKIN[1], SKIN[2] / SKIN[1])
+    burnt = np.array([[255.0, 215.0, 180.0], [255.0, 255.0, 250.0], [255.0, 255.0, 250.0], [200.0, 150.0, 120.0]])
+    mended = unclipped(burnt, shares, np.array([1.0, 1.0, 0.0, 1.0]))
     assert mended[0, 0] > 285.0
-    assert np.allclose(mended[1:], burnt[1:])
+    assert mended[0, 2] == 180.0
+    assert mended[1, 2] < 220.0
+    assert np.allclose(mended[2:], burnt[2:])
 
 
 def test_collars_labelled_skin_are_not_skin_and_unlabelled_arms_are():
