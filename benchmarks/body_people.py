@@ -34,8 +34,8 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.stages.rough import follow_joints
 from cloner.stages.textures import assemble
 
-#: All the product's stages but the textures, which no ruler of the body sees.
-ALL_STAGES: Final = tuple(stage.name for stage in pipeline.STAGES if stage.name != "textures")
+#: All stages but those of the texture, which no ruler of the body sees.
+ALL_STAGES: Final = tuple(stage.name for stage in pipeline.STAGES if stage.name not in ("textures", "regions"))
 
 
 @dataclass(frozen=True, slots=True)
