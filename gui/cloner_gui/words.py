@@ -34,6 +34,7 @@ STEPS: Final = {
     "measures": "Measuring the body",
     "hair": "Growing the hair",
     "textures": "Painting skin and clothes",
+    "regions": "Telling skin from clothes",
     "export": "Writing the files",
     "previews": "Drawing previews",
     "report": "Writing the report",
