@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 from typing import Final
 
@@ -14,6 +15,7 @@ from cloner.detectors.profile_search import ProfileModel
 from cloner.detectors.results import POSE_NAMES
 from cloner.geometry.contour_match import contour_normals
 from cloner.records.points import Proposal
+from cloner.vision.snake import look_along, normals, snake_picture
 
 Array = NDArray[np.float64]
 
@@ -29,12 +31,20 @@ _NOSE_REACH_M: Final = 0.055
 _STEP_M: Final = 0.0025
 #: Cost of a laid profile at which the hinted direction of the face is doubted and the other tried.
 _DOUBTED: Final = 0.28
+#: An outline shows a gradient of more than this many grey levels a pixel, at 120 px between the eyes, within this
+#: distance, along at least this share of it (40 painted and real profiles: 0.4 to 1; a shadow on the wall 0).
+_EDGE_LEVELS: Final = 3.0
+_UNIT_PX: Final = 120.0
+_EDGE_REACH_M: Final = 0.0015
+_EDGE_SHARE: Final = 0.35
+#: Heights below the top, shares of the outline's, between which noses are sought where nothing is hinted.
+_STRETCHES: Final = (0.16, 0.28, 0.44, 0.66)
 #: Inter-ocular distance of the mean adult, metres.
 IOD_M: Final = 0.063
 #: Cost at which every second profile was wrong, and how sharply that turns (painted faces).
 _WRONG, _WRONG_TURN = 0.32, 0.025
 #: Error of a point on a profile laid wrongly, share of the eye distance.
-_WRONG_ERROR: Final = 0.5
+WRONG_ERROR: Final = 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -89,55 +99,81 @@ def pose_hints(proposal: Proposal) -> Hints | None:
 def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
     """Return the profile of a side photo, or None without an outline.
 
-    The direction that the pose net tells is believed unless the profile fits badly there; then the other is tried too.
+    What the pose net tells is believed unless the profile fits badly there; then all fronts are tried, either way.
     """
     ring = outline(proposal.mask)
     if len(ring) < 50:
         return None
     full = np.hstack([ring, contour_normals(ring)])
     hints = pose_hints(proposal)
-    first = 1 if hints is None else hints.facing
     found: list[tuple[int, Laid]] = []
-    for facing in (first, -first):
-        laid = _lay_facing(proposal.mask, full, model, facing, hints if facing == first else None)
-        if laid is not None:
-            found.append((facing, laid))
-            if hints is not None and laid.cost < _DOUBTED:
-                break
+    if hints is not None:
+        near = _lay_near(proposal.mask, full, model, hints)
+        found += [] if near is None else [(hints.facing, near)]
+    if not found or found[0][1].cost > _DOUBTED:
+        for facing in (1, -1):
+            found += [(facing, laid) for laid in _lay_anywhere(proposal.mask, full, model, facing)]
     if not found:
         return None
     facing, laid = min(found, key=lambda pair: pair[1].cost)
     points, spread_m = named_px(model, laid)
     wrong = 1.0 / (1.0 + np.exp(-(laid.cost - _WRONG) / _WRONG_TURN))
     # a mean distance in the plane is 1.25 times the spread along one axis
-    error = 1.25 * spread_m / IOD_M + wrong * _WRONG_ERROR
+    error = 1.25 * spread_m / IOD_M + wrong * WRONG_ERROR
     side = "R" if facing > 0 else "L"
     paired = ("eye", "pupil", "ala", "mouth", "ear")
     names = tuple(f"{name}_{side}" if name.startswith(paired) else name for name in model.names)
     return SideFace(facing, full, laid, names, points, error)
 
 
-def _lay_facing(
-    mask: NDArray[np.uint8], full: Array, model: ProfileModel, facing: int, hints: Hints | None
-) -> Laid | None:
-    """Return the profile laid on the outline when the head looks one way; without hints anywhere along its front."""
+def doubt_of(rgb: NDArray[np.uint8], model: ProfileModel, laid: Laid) -> float:
+    """Return 0..1 how little the photo shows an edge along a laid profile: a mask may follow a shadow on the wall.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    model : ProfileModel
+    laid : Laid
+    """
+    curve = model.shape(laid.weights)[: model.samples] @ laid.px_from_m[:, :2].T + laid.px_from_m[:, 2]
+    picture, small_from_photo = snake_picture(rgb, curve, unit_px=IOD_M * laid.size, unit=_UNIT_PX)
+    small = curve @ small_from_photo[:, :2].T + small_from_photo[:, 2]
+    reach = _EDGE_REACH_M * laid.size * float(small_from_photo[0, 0])
+    offsets, seen = look_along(picture, small, normals(small, closed=False), reach)
+    slope = np.linalg.norm(np.gradient(seen, offsets[1] - offsets[0], axis=1), axis=2) / np.sqrt(seen.shape[2])
+    share = float((slope[:, 2:-2].max(axis=1) > _EDGE_LEVELS).mean())
+    return float(np.clip((_EDGE_SHARE - share) / (0.7 * _EDGE_SHARE), 0.0, 1.0))
+
+
+def _lay_near(mask: NDArray[np.uint8], full: Array, model: ProfileModel, hints: Hints) -> Laid | None:
+    """Return the profile laid on the outline near a hinted nose, or None where no outline is."""
     top = float(full[:, 1].min())
-    front = front_contour(full, facing, float(full[:, 1].max()) + 1.0)
-    if hints is None:
-        below = front[front[:, 1] > top + 5.0]
-        if len(below) == 0:
-            return None
-        size = 0.5 * float(np.ptp(full[:, 1])) / (2.0 * _TOP_OVER_NOSE_M)  # a portrait: half of it is the head
-        step = max(1, round(2.0 * _STEP_M * size))
-        return find_laid(mask, full, model, below[::step, :2], facing=facing, size=size, lean=0.0)
+    front = front_contour(full, hints.facing, float(full[:, 1].max()) + 1.0)
     down = hints.mouth_px - hints.eye_px
     by_face = float(np.linalg.norm(down)) / _EYE_TO_MOUTH_M
     near = front[np.abs(front[:, 1] - hints.nose_px[1]) < _NOSE_REACH_M * by_face]
     if len(near) == 0:
-        return _lay_facing(mask, full, model, facing, None)
-    tip = near[int(np.argmax(facing * near[:, 0]))]
+        return None
+    tip = near[int(np.argmax(hints.facing * near[:, 0]))]
     size = float(np.sqrt(by_face * max(float(tip[1]) - top, 1.0) / _TOP_OVER_NOSE_M))
     near = front[np.abs(front[:, 1] - hints.nose_px[1]) < _NOSE_REACH_M * size]
-    lean = float(np.arctan2(facing * down[0], down[1])) - _LEAN
+    lean = float(np.arctan2(hints.facing * down[0], down[1])) - _LEAN
     step = max(1, int(_STEP_M * size))
-    return find_laid(mask, full, model, near[::step, :2], facing=facing, size=size, lean=lean)
+    return find_laid(mask, full, model, near[::step, :2], facing=hints.facing, size=size, lean=lean)
+
+
+def _lay_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel, facing: int) -> list[Laid]:
+    """Return profiles laid along the whole front of an outline, one for each stretch of heights.
+
+    How far a nose lies below the head's top tells the head's size, so each stretch has a size of its own.
+    """
+    top, height = float(full[:, 1].min()), float(np.ptp(full[:, 1]))
+    front = front_contour(full, facing, float(full[:, 1].max()) + 1.0)
+    out = []
+    for low, high in itertools.pairwise(_STRETCHES):
+        noses = front[(front[:, 1] > top + low * height) & (front[:, 1] <= top + high * height), :2]
+        size = 0.5 * (low + high) * height / _TOP_OVER_NOSE_M
+        step = max(1, round(2.0 * _STEP_M * size))
+        laid = find_laid(mask, full, model, noses[::step], facing=facing, size=size, lean=0.0)
+        out += [] if laid is None else [laid]
+    return out

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cloner.detectors.face_net import load_face_net
-from cloner.detectors.face_side import find_side_face
+from cloner.detectors.face_side import doubt_of, find_side_face
 from cloner.detectors.results import POSE_NAMES
 from cloner.frames import ViewId
 from cloner.records.points import Proposal, expected_face_error, face_confidence
@@ -151,3 +151,24 @@ def test_confidence_tells_the_expected_error():
     error = np.array([0.0, 0.02, 0.1, 0.5])
     assert expected_face_error(face_confidence(error)) == pytest.approx(error)
     assert np.all(np.diff(face_confidence(error)) < 0)
+
+
+def test_a_profile_without_an_edge_in_the_photo_is_doubted():
+    sitter = Sitter(10)
+    found = find_side_face(sitter.proposal(), sitter.model)
+    shown = np.where(sitter.mask[..., None] > 127, 170, 90).astype(np.uint8).repeat(3, axis=2)
+    assert doubt_of(shown, sitter.model, found.laid) == 0.0
+    blurred = cv2.GaussianBlur(shown, (0, 0), 25.0)  # what a mask that follows a soft shadow sees
+    assert doubt_of(blurred, sitter.model, found.laid) > 0.9
+
+
+def test_without_hints_the_profile_is_sought_everywhere():
+    sitter = Sitter(11, facing=-1)
+    proposal = sitter.proposal()
+    blind = Proposal(
+        ViewId.FACE_SIDE, np.zeros((33, 2)), np.zeros(33), np.zeros((468, 2)), np.zeros(468), 0.0, sitter.mask,
+        proposal.labels,
+    )  # fmt: skip
+    found = find_side_face(blind, sitter.model)
+    assert found.facing == -1
+    assert np.mean([sitter.errors(found)[n] for n in MIDLINE[2:]]) < 0.04
