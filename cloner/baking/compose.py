@@ -145,9 +145,13 @@ def _paint_rows(
 ) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
     """Return texels, colours and weights of some texels; ``table`` as made in :func:`paint`."""
     values = atlas.interpolate(table, rows)
+    # Cheap tests first: what they leave is sampled in the photo.
+    first = np.flatnonzero((values[:, 6] > 0.0) & (values[:, 5] > limits.steepest_cosine))
+    values, rows = values[first], rows[first]
+    seen = np.flatnonzero(visible_points(source, limits, values[:, :2], values[:, 2:4], values[:, 4], values[:, 5]))
+    values, rows = values[seen], rows[seen]
     pixel, lookup, depth, cosine, weight = values[:, :2], values[:, 2:4], values[:, 4], values[:, 5], values[:, 6]
-    good = visible_points(source, limits, pixel, lookup, depth, cosine) & (weight > 0.0)
-    good &= ~covered_by_hair(source, pixel, lookup, depth, values[:, 7] > 0.5, values[:, 8] > 0.5)
+    good = ~covered_by_hair(source, pixel, lookup, depth, values[:, 7] > 0.5, values[:, 8] > 0.5)
     unsafe = source.sight.before_edge(pixel, depth, cosine)
     weight = np.where(unsafe, LAST_CHOICE * weight, weight)
     # Only who owns a border draws it: another's collar a little off would lie beside it.
@@ -155,20 +159,27 @@ def _paint_rows(
     clash = np.abs(np.maximum(skin, values[:, 10]) - values[:, 9])
     unsure = (values[:, 6] > OWNER_SHARE) & (np.abs(values[:, 9] - 0.5) < BORDER_KIND)
     good &= (clash < CLASH) | unsure
-    weight = weight[good]
     colour = apply_light(shown_colours(source, lookup[good], skin[good]), values[good, 11:14])
-    return atlas.texel[rows[good]], colour.astype(np.float32), weight
+    return atlas.texel[rows[good]], colour.astype(np.float32), weight[good]
 
 
 def lay_ground(atlas: AtlasMap, base: NDArray[np.float32], kinds: Materials) -> NDArray[np.float32]:
     """Return (N, 3) the fill of all texels: each of one kind, mixed only over the width of a few texels."""
-    share = atlas.interpolate(np.column_stack([kinds.bare * (1.0 - kinds.scalp), kinds.bare * kinds.scalp, kinds.worn]))
-    share = np.maximum(share - share.max(axis=1, keepdims=True) + KIND_EDGE, 0.0)
-    share /= share.sum(axis=1, keepdims=True)
-    found = np.zeros((len(share), 3), np.float32)
+    share = np.column_stack([kinds.bare * (1.0 - kinds.scalp), kinds.bare * kinds.scalp, kinds.worn])
+    order = np.sort(share, axis=1)
+    kind = np.where(order[:, 2] - order[:, 1] > KIND_EDGE, share.argmax(axis=1), -1)[atlas.triangles]
+    pure = np.where((kind == kind[:, :1]).all(axis=1), kind[:, 0], -1)[atlas.triangle]
+    found = np.zeros((len(atlas.texel), 3), np.float32)
     for k in range(3):
-        rows = np.flatnonzero(share[:, k] > 0.0)
-        found[rows] += share[rows, k : k + 1] * atlas.interpolate(base[k], rows)
+        rows = np.flatnonzero(pure == k)
+        found[rows] = atlas.interpolate(base[k], rows)
+    border = np.flatnonzero(pure < 0)
+    part = atlas.interpolate(share, border)
+    part = np.maximum(part - part.max(axis=1, keepdims=True) + KIND_EDGE, 0.0)
+    part /= part.sum(axis=1, keepdims=True)
+    for k in range(3):
+        rows = border[part[:, k] > 0.0]
+        found[rows] += part[part[:, k] > 0.0, k : k + 1] * atlas.interpolate(base[k], rows)
     return found
 
 
