@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 
 ROUND_TAIL = (0.6, 2.5)  # a tail's width against its depth: limits of what is believed
 WIDEST_TAIL_MM = 110.0  # wider hair in the back photo is the head's, not a tail's
+FARTHEST_ASIDE_MM = 40.0  # a tail is looked for this far beside where the side photo has it
 THINNEST_MM = 4.0  # free hair thinner than this is noise of the labels
 SMALLEST_TAIL_MM2 = 900.0  # smaller free areas are the cap's own roughness
 
@@ -166,9 +167,15 @@ def _back_width(back: HairView | None, point_m: Array) -> tuple[float, float] | 
     posed = back.to_view(point_m[None])
     column, row = np.rint(camera.project(posed)[0]).astype(int)
     height, width = back.hair.shape
-    if not (0 <= row < height and 0 <= column < width) or not back.hair[row, column]:
+    if not (0 <= row < height and 0 <= column < width) or not back.hair[row].any():
         return None
     line = back.hair[row]
+    # A head turned or leaning between the photos carries its tail aside.
+    hairy = np.flatnonzero(line)
+    nearest = int(hairy[np.abs(hairy - column).argmin()])
+    if mm_from_m(abs(nearest - column) * camera.metres_per_pixel(posed[0])) > FARTHEST_ASIDE_MM:
+        return None
+    column = nearest
     left = column - int(line[column::-1].argmin() if not line[: column + 1].all() else column) + 1
     right = column + int(line[column:].argmin() if not line[column:].all() else width - column) - 1
     pixel_m = camera.metres_per_pixel(posed[0])
