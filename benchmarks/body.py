@@ -50,7 +50,7 @@ def one_ablation(case: Case, folder: Path) -> dict[str, Any]:
 
 def run_all(work: Callable[[Case, Path], dict[str, Any]], todo: Iterable[Case], folder: Path, jobs: int) -> None:
     """Run the people left to do, some at a time, telling each on one line."""
-    with ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn"), max_tasks_per_child=8) as pool:
+    with ProcessPoolExecutor(jobs, mp_context=multiprocessing.get_context("spawn")) as pool:
         for done in as_completed([pool.submit(work, case, folder) for case in todo]):
             row = done.result()
             sys.stdout.write(f"{row['name']}: {told(row)}\n")

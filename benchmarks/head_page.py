@@ -69,7 +69,8 @@ def _opening(rows: Sequence[Row], failed: Sequence[Row]) -> str:
     seconds = np.array([row["seconds"]["head"] for row in rows])
     return (
         "# Head benchmark\n\n"
-        f"`python benchmarks/head.py --heads {len(rows) + len(failed)} --foreign shared/foreign/ict --page`, commit {commit}: "
+        f"`python benchmarks/head.py --heads {len(rows) + len(failed)} --foreign shared/foreign/ict --page`, "
+        f"commit {commit}: "
         f"{len(rows)} random heads fitted, {len(failed)} refused. Two photos each and the stature, no body photo: the "
         "size of a head is then only guessed from the stature, which the rigid figures and the landmarks show. Every "
         "second head is bent out of the generic's family by smooth hills. Surface and landmarks as in goals.md "
