@@ -27,7 +27,7 @@ from cloner.terminal import ProgressLine
 ROOT = Path(__file__).resolve().parents[1]
 Row = dict[str, Any]
 #: Larger is better; of everything else less is.
-MORE = ("outline_iou", "silhouette_iou", "ssim")
+MORE = ("outline_iou", "silhouette_iou", "ssim", "region_agreement")
 #: Bars of the first milestone: metric and its largest value. Silhouettes have theirs below.
 BARS = (("stature_error_mm", 5.0), ("seconds", 60.0), ("peak_mib", 1536.0), ("reprojected_percent_iod", 3.0))
 
