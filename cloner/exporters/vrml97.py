@@ -19,13 +19,13 @@ from typing import Final
 import numpy as np
 
 from cloner import __version__
-from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
+from cloner.exporters.files import write_bytes
 from cloner.exporters.hanim_names import segment_name, site_name
 from cloner.exporters.hanim_protos import PROTOS
+from cloner.exporters.pictures import write_pictures
 from cloner.exporters.vrml_motion import motion_text
 from cloner.exporters.vrml_segments import row_text, segment_texts
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.generic.surfaces import load_surfaces
 from cloner.geometry.viewpoints import AZIMUTH_DEG
 from cloner.motion.own import own_motions
 from cloner.records.clones import Clone
@@ -42,17 +42,10 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     ClonerError
         If the folder cannot be written to.
     """
-    pictures = {f"textures/{name}_atlas.jpg": jpeg_bytes(clone.atlas.rgb)}
-    for surface in load_surfaces():
-        if surface.rgba is not None:
-            pictures[f"textures/{name}_{surface.name}.png"] = png_bytes(surface.rgba)
-    for number, shell in enumerate(clone.shells):
-        pictures[f"textures/{name}_{shell.kind}_{number}.png"] = png_bytes(shell.rgba)
-    for relative, data in pictures.items():
-        write_bytes(folder / relative, data)
+    pictures = write_pictures(clone, folder, name)
     scene = folder / f"{name}.wrl"
     write_bytes(scene, "".join(_scene(clone, name)).encode())
-    return (scene, *(folder / relative for relative in pictures))
+    return (scene, *pictures)
 
 
 def _scene(clone: Clone, name: str) -> Iterator[str]:

@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner import __version__
-from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
+from cloner.exporters.files import write_bytes
 from cloner.exporters.hanim_names import identifier, joint_name_2, segment_name
+from cloner.exporters.pictures import write_pictures
 from cloner.exporters.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, row_text, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.generic.surfaces import load_surfaces
 from cloner.motion.own import own_motions
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -41,17 +41,10 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     ClonerError
         If the folder cannot be written to.
     """
-    pictures = {f"textures/{name}_atlas.jpg": jpeg_bytes(clone.atlas.rgb)}
-    for surface in load_surfaces():
-        if surface.rgba is not None:
-            pictures[f"textures/{name}_{surface.name}.png"] = png_bytes(surface.rgba)
-    for number, shell in enumerate(clone.shells):
-        pictures[f"textures/{name}_{shell.kind}_{number}.png"] = png_bytes(shell.rgba)
-    for relative, data in pictures.items():
-        write_bytes(folder / relative, data)
+    pictures = write_pictures(clone, folder, name)
     scene = folder / f"{name}.x3d"
     write_bytes(scene, "".join(_document(clone, name)).encode())
-    return (scene, *(folder / relative for relative in pictures))
+    return (scene, *pictures)
 
 
 def _document(clone: Clone, name: str) -> Iterator[str]:

@@ -26,6 +26,7 @@ from scipy.ndimage import gaussian_filter1d
 from scipy.signal import resample_poly
 
 from cloner.errors import ClonerError
+from cloner.motion.contact import runs
 from cloner.records.arrays import freeze
 
 Array = NDArray[np.float64]
@@ -176,7 +177,7 @@ def sound_visemes(frames: SpeechFrames) -> Array:
             away = ((places - _bark(np.array(formants(frames.lpc[row])))) ** 2).sum(axis=1)
             own = np.exp(-0.5 * (away - away.min()) / _VOWEL_BARK**2)
             shares[row, [VISEMES.index(name) for name in vowels]] = own / own.sum()
-    for first, last in _runs(silent):
+    for first, last in runs(silent):
         inside = first > 0 and last < len(silent) - 1
         if inside and (last - first + 1) * STEP_S < _CLOSURE_S:
             shares[first : last + 1] = 0.0
@@ -188,11 +189,6 @@ def _hiss(brightness_hz: float, loud: float) -> str:
     if loud < 0.08:
         return "FF" if brightness_hz > 3000.0 else "TH"
     return "SS" if brightness_hz > 4800.0 else "CH"
-
-
-def _runs(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], flags.astype(np.int8), [0]])))
-    return [(int(first), int(last) - 1) for first, last in edges.reshape(-1, 2)]
 
 
 def phoneme_visemes(phonemes: Sequence[tuple[str, float]]) -> Array:
