@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-import trimesh
 from body_people import commit, score_photos
 from body_scores import HELD_OUT, KnownTruth
+from foreign import foreign_camera, foreign_surface, told_of
 from numpy.typing import NDArray
 
-from cloner.errors import ClonerError
-from cloner.evaluate.surfaces import sample_surface
-from cloner.evaluate.truth import TruthSurface, TruthView
+from cloner.evaluate.truth import TruthView
 from cloner.frames import ViewId
 from cloner.project.folder import load_photos
 from cloner.records.photos import Person, PhotoSet
@@ -42,9 +39,7 @@ def score_foreign(folder: Path, photos_name: str) -> dict[str, Any]:
     ClonerError
         If the folder is not there: it is not ours to ship.
     """
-    if not (folder / "truth.json").is_file():
-        raise ClonerError("the foreign body is not on this machine", "Give its folder with --foreign", str(folder))
-    told = json.loads((folder / "truth.json").read_text())
+    told = told_of(folder, "body")
     all_photos = load_photos(folder / photos_name)
     photos = PhotoSet({view: photo for view, photo in all_photos.photos.items() if view.is_body})
     truth = foreign_truth(folder, photos_name, told)
@@ -63,12 +58,7 @@ def score_foreign(folder: Path, photos_name: str) -> dict[str, Any]:
 
 def foreign_truth(folder: Path, photos_name: str, told: dict[str, Any]) -> KnownTruth:
     """Return the truth of a foreign body; it has no joints and hardly any named points."""
-    mesh = trimesh.load_mesh(folder / told["truth_mesh"], process=False)
-    vertices, triangles = np.asarray(mesh.vertices, dtype=np.float64), np.asarray(mesh.faces, dtype=np.int32)
-    points, normals, _ = sample_surface(vertices, triangles, SURFACE_POINTS, rng=np.random.default_rng(0))
-    surface = TruthSurface(
-        points, normals, np.full(len(points), "bare"), {}, {}, np.zeros((0, 3)), np.zeros((0, 3), np.int32)
-    )
+    surface = foreign_surface(folder, told, {}, SURFACE_POINTS)
     held = photos_name.replace("input", "heldout")
     files = {view.value: f"{photos_name}/{view.value}" for view in ViewId if view.is_body} | {
         HELD_OUT: f"{held}/{_HELD_FILE}"
@@ -87,12 +77,8 @@ def _girth_m(value: Any) -> float:
 
 def foreign_view(folder: Path, name: str, told: dict[str, Any]) -> TruthView:
     """Return the truth of one photo."""
-    camera = told["camera"]
-    matrix = np.eye(4)
-    matrix[:3, :3], matrix[:3, 3] = np.array(camera["R"]), np.array(camera["t"])
-    seen_by = Camera(int(camera["width"]), int(camera["height"]), float(camera["fx"]), matrix)
     mask = read_picture(folder / told["mask"]).rgb[..., 0] > 127
-    return TruthView(name, seen_by, {}, {}, {}, mask, read_picture(folder / told["file"]).rgb)
+    return TruthView(name, foreign_camera(told["camera"]), {}, {}, {}, mask, read_picture(folder / told["file"]).rgb)
 
 
 def _above(camera: Camera, mask: NDArray[np.bool_], height_m: float) -> NDArray[np.bool_]:

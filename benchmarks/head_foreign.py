@@ -2,22 +2,17 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
-import trimesh
+from foreign import foreign_camera, foreign_surface, told_of
 from head_people import KnownHead
 from numpy.typing import NDArray
 
-from cloner.errors import ClonerError
-from cloner.evaluate.surfaces import sample_surface
-from cloner.evaluate.truth import TruthSurface
 from cloner.frames import ViewId
 from cloner.project.folder import load_photos
 from cloner.records.photos import Person, PhotoSet
-from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
 
@@ -48,24 +43,13 @@ def foreign_head(folder: Path, photos_name: str, stature_m: float = 1.75) -> Kno
     ClonerError
         If the folder is not there: it is not ours to ship.
     """
-    if not (folder / "truth.json").is_file():
-        raise ClonerError("the foreign head is not on this machine", "Give its folder with --foreign", str(folder))
-    told = json.loads((folder / "truth.json").read_text())
-    mesh = trimesh.load_mesh(folder / told["truth_mesh"], process=False)
-    vertices, triangles = np.asarray(mesh.vertices, dtype=np.float64), np.asarray(mesh.faces, dtype=np.int32)
-    points, normals, _ = sample_surface(vertices, triangles, SURFACE_POINTS, rng=np.random.default_rng(0))
+    told = told_of(folder, "head")
     marks = {ours: np.array(told["landmarks"][name], dtype=np.float64) for name, ours in NAMES.items()}
-    truth = TruthSurface(
-        points, normals, np.full(len(points), "bare"), {}, marks, np.zeros((0, 3)), np.zeros((0, 3), np.int32)
-    )
+    truth = foreign_surface(folder, told, marks, SURFACE_POINTS)
     photos = load_photos(folder / photos_name)
     faces = PhotoSet({view: photo for view, photo in photos.photos.items() if not view.is_body})
-    views = {ViewId(v): _camera(told["photos"][f"{photos_name}/{v}"]["camera"]) for v in ("face_front", "face_side")}
+    views = {
+        ViewId(v): foreign_camera(told["photos"][f"{photos_name}/{v}"]["camera"]) for v in ("face_front", "face_side")
+    }
     name = f"{folder.name}_{photos_name}"
     return KnownHead(name, faces, Person(name, "", stature_m), truth, None, views, {"light": "foreign"})
-
-
-def _camera(told: dict[str, Any]) -> Camera:
-    pose = np.eye(4)
-    pose[:3, :3], pose[:3, 3] = np.array(told["R"]), np.array(told["t"])
-    return Camera(int(told["width"]), int(told["height"]), float(told["fx"]), pose)

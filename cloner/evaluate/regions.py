@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.evaluate.posing import Posed
 from cloner.evaluate.rulers import apply
 from cloner.evaluate.surfaces import TriangleSurface, seen_from_outside
 from cloner.evaluate.truth import TruthSurface
@@ -33,6 +34,7 @@ _SAMPLES: Final = 8_000  # moves the share by half a percent between seeds
 def region_agreement(
     clone: Clone,
     generic: GenericHuman,
+    posed: Posed,
     rotations: Array,
     truth_from_clone: Array,
     truth: TruthSurface,
@@ -45,9 +47,12 @@ def region_agreement(
     ----------
     clone : Clone
     generic : GenericHuman
+    posed : Posed
+        The clone's skin laid on the truth.
     rotations : (94, 3) float64
-        Pose of the truth, rotation vectors in radians.
+        The pose in which it lies there, rotation vectors in radians.
     truth_from_clone : (4, 4) float64, rigid
+        The motion that laid it there.
     truth : TruthSurface
     rng : numpy Generator
         Draws the points that are asked.
@@ -62,22 +67,26 @@ def region_agreement(
     seen = seen_from_outside(truth.points_m, truth.normals, truth.points_m)
     asked = np.flatnonzero(seen & (truth.label != ""))
     asked = rng.choice(asked, size=min(_SAMPLES, len(asked)), replace=False)
-    vertices, triangles, labels = _labelled(clone, generic, rotations)
-    _, _, nearest = TriangleSurface(apply(truth_from_clone, vertices), triangles).closest(truth.points_m[asked])
+    vertices, triangles, labels = _labelled(clone, generic, posed, rotations, truth_from_clone)
+    _, _, nearest = TriangleSurface(vertices, triangles).closest(truth.points_m[asked])
     found, wanted = np.array(REGIONS)[labels[nearest]], truth.label[asked]
     return float(np.mean([name in RIGHT[label] for name, label in zip(found, wanted, strict=True)]))
 
 
 def _labelled(
-    clone: Clone, generic: GenericHuman, rotations: Array
+    clone: Clone, generic: GenericHuman, posed: Posed, rotations: Array, truth_from_clone: Array
 ) -> tuple[Array, NDArray[np.int32], NDArray[np.uint8]]:
-    """Return vertices, triangles and labels of the posed skin and shells as one mesh."""
+    """Return vertices, triangles and labels of skin and shells, laid on the truth, as one mesh."""
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), rotations)
-    own = skin(clone.vertices_m, transforms, generic.skin_joints.astype(np.int32), generic.skin_weights.astype(float))
-    vertices, triangles, labels = [own], [generic.triangles()[0].astype(np.int32)], [clone.triangle_regions]
+    vertices, triangles, labels = (
+        [posed.vertices_m],
+        [generic.triangles()[0].astype(np.int32)],
+        [clone.triangle_regions],
+    )
     for shell in clone.shells:
         start = sum(map(len, vertices))
-        vertices.append(skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights))
+        loose = skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
+        vertices.append(apply(truth_from_clone, loose))
         triangles.append(shell.triangles + np.int32(start))
         labels.append(np.full(len(shell.triangles), REGIONS.index(SHELL_REGIONS[shell.kind]), dtype=np.uint8))
     return np.vstack(vertices), np.vstack(triangles), np.concatenate(labels)

@@ -120,7 +120,7 @@ def score_subject(
     # a seam is a matter of one texture alone, not of likeness: nobody else's seams are a baseline
     for where, ratio in likeness.seam_ratios(subject, generic).items() if photographed and subject is clone else ():
         yield Score(f"seam_{where}_ratio", "", "", ratio)
-    agreement = region_agreement(subject, generic, truth_rotations, truth_from_clone, truth.surface, rng=rng)
+    agreement = region_agreement(subject, generic, posed, truth_rotations, truth_from_clone, truth.surface, rng=rng)
     yield Score("region_agreement", "", "", agreement)
 
 

@@ -21,10 +21,12 @@ import pygltflib
 from numpy.typing import NDArray
 
 from cloner import __version__
+from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import Surface, load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
 from cloner.motion.own import own_motions
@@ -32,10 +34,6 @@ from cloner.records.clones import Clone
 from cloner.records.heads import SHELL_KINDS, Shell
 from cloner.records.motions import Motion
 
-CREDITS: Final = (
-    "Made by Cloner (photo-cloner, Apache-2.0) from the person's photographs. "
-    "Generic human, weights and face units: MakeHuman community, CC0 1.0."
-)
 #: Smaller offsets of a morph target cannot be seen, metres; taste.
 SMALLEST_OFFSET_M: Final = 2e-5
 _ROUGHNESS: Final = {"body": 0.85, "eyes": 0.25, "mouth": 0.45, "lashes": 0.9}  # taste; wet things shine
@@ -152,13 +150,9 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, generic: GenericHuman) ->
 
 def _targets(buffer: GltfBuffer, clone: Clone, surface: Surface) -> list[int]:
     """Return one sparse accessor a morph target; wedges of one vertex move alike."""
-    offset = np.zeros((len(clone.vertices_m), 3), dtype=np.float32)
     accessors, still = [], -1
-    for k in range(len(clone.morph_names)):
-        rows = slice(int(clone.morph_start[k]), int(clone.morph_start[k + 1]))
-        offset[:] = 0.0
-        offset[clone.morph_index[rows]] = clone.morph_delta_m[rows]
-        own = offset[surface.vertex]
+    for _, offsets in target_offsets(clone):
+        own = offsets[surface.vertex]
         moved = np.flatnonzero(np.abs(own).max(axis=1) > SMALLEST_OFFSET_M)
         if len(moved) == 0 and still >= 0:
             accessors.append(still)  # all targets that leave this surface alone share one accessor of zeros

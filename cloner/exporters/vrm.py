@@ -12,8 +12,9 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
 
+from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import write_bytes
-from cloner.exporters.gltf import CREDITS, build
+from cloner.exporters.gltf import build
 from cloner.generic.load import load_generic
 from cloner.motion.rest import in_t_pose
 from cloner.records.clones import Clone

@@ -19,6 +19,7 @@ from typing import Final
 import numpy as np
 
 from cloner import __version__
+from cloner.exporters.credits import GENERIC_CREDITS
 from cloner.exporters.files import write_bytes
 from cloner.exporters.hanim_names import segment_name, site_name
 from cloner.exporters.hanim_protos import PROTOS
@@ -27,11 +28,11 @@ from cloner.exporters.vrml_motion import motion_text
 from cloner.exporters.vrml_segments import row_text, segment_texts
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.viewpoints import AZIMUTH_DEG
-from cloner.motion.own import own_motions
+from cloner.motion.body import body_of
+from cloner.motion.gait import walk
 from cloner.records.clones import Clone
 
 _FIELD_OF_VIEW: Final = 0.6  # radians; taste
-_CREDITS: Final = "Generic human, weights and face units: MakeHuman community, CC0 1.0"
 
 
 def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
@@ -51,8 +52,8 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
 def _scene(clone: Clone, name: str) -> Iterator[str]:
     """Yield the file's text."""
     generic = load_generic()
-    yield f"#VRML V2.0 utf8\n# Written by Cloner {__version__}. {_CREDITS}.\n\n{PROTOS}\n"
-    yield f'WorldInfo {{ title "clone" info [ "{_CREDITS}" "units=metre up=+Y front=+Z" ] }}\n'
+    yield f"#VRML V2.0 utf8\n# Written by Cloner {__version__}. {GENERIC_CREDITS}.\n\n{PROTOS}\n"
+    yield f'WorldInfo {{ title "clone" info [ "{GENERIC_CREDITS}" "units=metre up=+Y front=+Z" ] }}\n'
     yield 'NavigationInfo { type [ "EXAMINE" "ANY" ] }\nBackground { skyColor 0.88 0.89 0.9 }\n\n'
     yield 'DEF hanim_humanoid Humanoid {\nname "clone"\nversion "1.1"\n'
     yield f'info [ "humanoidVersion=1.1" "authorName=Cloner {__version__}" "height={clone.stature_m:.4f}" ]\n'
@@ -65,7 +66,7 @@ def _scene(clone: Clone, name: str) -> Iterator[str]:
     yield _uses("segments", [segment_name(joint) for joint in generic.joint_names])
     yield _uses("sites", [site_name(feature) for feature in clone.features_m])
     yield "}\n"
-    yield from motion_text(own_motions(clone)[0], generic.joint_names, generic.joint_names[root])  # routes come last
+    yield from motion_text(walk(body_of(clone)), generic.joint_names, generic.joint_names[root])  # routes come last
 
 
 def _uses(field: str, names: Sequence[str]) -> str:

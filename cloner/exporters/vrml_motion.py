@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cloner.exporters.vrml_segments import row_text
 from cloner.records.motions import Motion
@@ -34,12 +35,9 @@ def motion_text(motion: Motion, joint_names: Sequence[str], root: str) -> Iterat
     keys = " ".join(f"{time / duration:.4f}" for time in motion.times_s)
     yield f"DEF {motion.name}_clock TimeSensor {{ cycleInterval {duration:.4f} loop TRUE }}\n"
     routes = []
-    for joint, name in enumerate(joint_names):
-        rotations = motion.rotations[:, joint]
-        if np.abs(rotations).max() < STILL:
-            continue
+    for name, turns in joint_turns(motion, joint_names):
         node = f"{motion.name}_{name}_rotation"
-        values = ", ".join(_axis_angle(row) for row in rotations)
+        values = ", ".join(f"{row_text(row[:3])} {row[3]:.4f}" for row in turns)
         yield f"DEF {node} OrientationInterpolator {{ key [ {keys} ] keyValue [ {values} ] }}\n"
         routes.append((node, f"hanim_{name}.set_rotation"))
     node = f"{motion.name}_{root}_translation"
@@ -51,7 +49,12 @@ def motion_text(motion: Motion, joint_names: Sequence[str], root: str) -> Iterat
         yield f"ROUTE {node}.value_changed TO {target}\n"
 
 
-def _axis_angle(vector: np.ndarray) -> str:
-    angle = float(np.linalg.norm(vector))
-    axis = vector / angle if angle > 1e-9 else np.array([0.0, 0.0, 1.0])
-    return f"{row_text(axis)} {angle:.4f}"
+def joint_turns(motion: Motion, joint_names: Sequence[str]) -> Iterator[tuple[str, NDArray[np.float64]]]:
+    """Yield the joints that move and their (F, 4) turns: a unit axis and an angle, radians."""
+    for joint, name in enumerate(joint_names):
+        rotations = motion.rotations[:, joint]
+        if np.abs(rotations).max() < STILL:
+            continue
+        angle = np.linalg.norm(rotations, axis=1, keepdims=True)
+        axis = np.where(angle > 1e-9, rotations / np.maximum(angle, 1e-9), [0.0, 0.0, 1.0])
+        yield name, np.hstack([axis, angle])

@@ -13,6 +13,7 @@ from scipy.spatial import cKDTree
 from cloner.exporters.hanim_names import identifier, segment_name, site_name
 from cloner.exporters.partition import Piece, dominant_joint, partition
 from cloner.generic.load import GenericHuman
+from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
 from cloner.records.clones import Clone
@@ -164,12 +165,8 @@ def _appearance(mesh: SkinMesh, seen: set[str]) -> str:
 
 def _displacers(clone: Clone, name: str, vertex: NDArray[np.int32]) -> Iterator[str]:
     """Yield one Displacer for every morph target that moves this segment."""
-    offset = np.zeros((len(clone.vertices_m) + 1, 3))  # the last row, reached by -1, never moves: hair
-    for k, target in enumerate(clone.morph_names):
-        rows = slice(int(clone.morph_start[k]), int(clone.morph_start[k + 1]))
-        offset[:] = 0.0
-        offset[clone.morph_index[rows]] = clone.morph_delta_m[rows]
-        own = offset[vertex]
+    for target, offsets in target_offsets(clone):
+        own = offsets[vertex].astype(np.float64)
         moved = np.flatnonzero(np.abs(own).max(axis=1) > SMALLEST_OFFSET_M)
         if len(moved):
             index = " ".join(map(str, moved.tolist()))

@@ -12,25 +12,25 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner import __version__
+from cloner.exporters.credits import GENERIC_CREDITS
 from cloner.exporters.files import write_bytes
 from cloner.exporters.hanim_names import identifier, joint_name_2, segment_name
 from cloner.exporters.pictures import write_pictures
+from cloner.exporters.vrml_motion import joint_turns
 from cloner.exporters.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, row_text, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.motion.own import own_motions
+from cloner.generic.morphs import target_offsets
+from cloner.motion.body import body_of
+from cloner.motion.gait import walk
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
-
-_CREDITS: Final = "Generic human, weights and face units: MakeHuman community, CC0 1.0"
-_STILL: Final = 1e-3  # smaller turns of a joint in a whole motion are left out, radians
 
 
 def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
@@ -53,7 +53,8 @@ def _document(clone: Clone, name: str) -> Iterator[str]:
     joints = tuple(joint_name_2(joint) for joint in generic.joint_names)
     yield '<?xml version="1.0" encoding="UTF-8"?>\n<!DOCTYPE X3D PUBLIC "ISO//Web3D//DTD X3D 4.0//EN" "x3d-4.0.dtd">\n'
     yield '<X3D profile="Immersive" version="4.0">\n<head>\n<component name="HAnim" level="1"/>\n'
-    yield f'<meta name="generator" content="Cloner {__version__}"/>\n<meta name="license" content="{_CREDITS}"/>\n'
+    yield f'<meta name="generator" content="Cloner {__version__}"/>\n'
+    yield f'<meta name="license" content="{GENERIC_CREDITS}"/>\n'
     yield '</head>\n<Scene>\n<Background skyColor="0.88 0.89 0.9"/>\n'
     yield '<NavigationInfo type="&quot;EXAMINE&quot; &quot;ANY&quot;"/>\n'
     yield _viewpoint(clone)
@@ -72,7 +73,7 @@ def _document(clone: Clone, name: str) -> Iterator[str]:
     yield from (f'<HAnimSegment USE="hanim_{segment_name(joint)}" containerField="segments"/>\n'
                 for joint in generic.joint_names)  # fmt: skip
     yield "</HAnimHumanoid>\n"
-    yield from _motion(own_motions(clone)[0], joints)
+    yield from _motion(walk(body_of(clone)), joints)
     yield "</Scene>\n</X3D>\n"
 
 
@@ -119,16 +120,13 @@ def _skin_of(joint: int, meshes: tuple[SkinMesh, ...]) -> tuple[NDArray[np.int64
 
 def _displacers(clone: Clone, meshes: tuple[SkinMesh, ...]) -> Iterator[str]:
     vertex = np.concatenate([mesh.vertex for mesh in meshes])
-    offset = np.zeros((len(clone.vertices_m) + 1, 3))  # the last row, reached by -1, never moves: hair
-    for k, target in enumerate(clone.morph_names):
-        rows = slice(int(clone.morph_start[k]), int(clone.morph_start[k + 1]))
-        offset[:] = 0.0
-        offset[clone.morph_index[rows]] = clone.morph_delta_m[rows]
-        moved = np.flatnonzero(np.abs(offset[vertex]).max(axis=1) > SMALLEST_OFFSET_M)
+    for target, offsets in target_offsets(clone):
+        own = offsets[vertex]
+        moved = np.flatnonzero(np.abs(own).max(axis=1) > SMALLEST_OFFSET_M)
         if len(moved):
             yield (
                 f'<HAnimDisplacer DEF="face_{identifier(target)}" name="{target}" containerField="displacers" '
-                f'coordIndex="{_integers(moved)}" displacements="{_rows([offset[vertex][moved]])}"/>\n'
+                f'coordIndex="{_integers(moved)}" displacements="{_rows([own[moved]])}"/>\n'
             )
 
 
@@ -154,14 +152,9 @@ def _motion(motion: Motion, joints: tuple[str, ...]) -> Iterator[str]:
     keys = _numbers(motion.times_s / duration)
     yield f'<TimeSensor DEF="{motion.name}_clock" cycleInterval="{duration:.4f}" loop="true"/>\n'
     routes = []
-    for joint, name in enumerate(joints):
-        rotations = motion.rotations[:, joint]
-        if np.abs(rotations).max() < _STILL:
-            continue
-        angle = np.linalg.norm(rotations, axis=1, keepdims=True)
-        axis = np.where(angle > 1e-9, rotations / np.maximum(angle, 1e-9), [0.0, 0.0, 1.0])
+    for name, turns in joint_turns(motion, joints):
         node = f"{motion.name}_{name}"
-        values = _rows([np.hstack([axis, angle])])
+        values = _rows([turns])
         yield f'<OrientationInterpolator DEF="{node}" key="{keys}" keyValue="{values}"/>\n'
         routes.append((node, name, "set_rotation"))
     node = f"{motion.name}_way"

@@ -28,17 +28,23 @@ def moved_camera(camera: Camera, step: Array) -> Camera:
     return replace(camera, camera_from_model=pose)
 
 
-def projection_derivatives(camera: Camera, points_m: Array) -> tuple[Array, Array, Array]:
-    """Return pixels (N, 2), their change with the points (N, 2, 3) and with the camera's step (N, 2, 6)."""
-    inside = camera.to_camera(points_m)
+def pixels_by_inside(camera: Camera, inside: Array) -> Array:
+    """Return (N, 2, 3) how pixels change with points (N, 3) of the camera's frame, px a metre."""
     x, y, z = inside.T
     zero = np.zeros_like(z)
     if camera.pixels_per_m is not None:
         scale = np.full_like(z, camera.pixels_per_m)
-        by_inside = np.stack([np.stack([scale, zero, zero], 1), np.stack([zero, scale, zero], 1)], axis=1)
-    else:
-        f = camera.focal_px
-        by_inside = np.stack([np.stack([f / z, zero, -f * x / z**2], 1), np.stack([zero, f / z, -f * y / z**2], 1)], 1)
+        return np.stack([np.stack([scale, zero, zero], 1), np.stack([zero, scale, zero], 1)], axis=1)
+    f = camera.focal_px
+    return np.stack([np.stack([f / z, zero, -f * x / z**2], 1), np.stack([zero, f / z, -f * y / z**2], 1)], 1)
+
+
+def projection_derivatives(camera: Camera, points_m: Array) -> tuple[Array, Array, Array]:
+    """Return pixels (N, 2), their change with the points (N, 2, 3) and with the camera's step (N, 2, 6)."""
+    inside = camera.to_camera(points_m)
+    by_inside = pixels_by_inside(camera, inside)
+    x, y, z = inside.T
+    zero = np.zeros_like(z)
     # d(turned point)/d(rotation vector) = -[point]_x
     cross = np.stack([np.stack([zero, z, -y], 1), np.stack([-z, zero, x], 1), np.stack([y, -x, zero], 1)], axis=1)
     by_step = np.concatenate([by_inside @ cross, by_inside], axis=2)

@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.geometry.resection import pixels_by_inside
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
@@ -70,14 +71,7 @@ def projected(stand: Array, like: Camera, points_m: Array) -> tuple[Array, Array
     camera = placed_camera(stand, like)
     rotation = camera.camera_from_model[:3, :3]
     inside = camera.to_camera(points_m)
-    x, y, z = inside.T
-    zero = np.zeros_like(z)
-    if camera.pixels_per_m is not None:
-        scale = np.full_like(z, camera.pixels_per_m)
-        by_inside = np.stack([np.stack([scale, zero, zero], 1), np.stack([zero, scale, zero], 1)], axis=1)
-    else:
-        f = camera.focal_px
-        by_inside = np.stack([np.stack([f / z, zero, -f * x / z**2], 1), np.stack([zero, f / z, -f * y / z**2], 1)], 1)
+    by_inside = pixels_by_inside(camera, inside)
     roll, tilt, _ = _turns(stand)
     azimuth, distance = stand[AZIMUTH], stand[DISTANCE]
     away, aside = (

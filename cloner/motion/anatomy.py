@@ -144,10 +144,6 @@ def _children(capture: Capture, joint: int) -> list[int]:
     return [int(child) for child in np.flatnonzero(capture.parents == joint)]
 
 
-def _size(capture: Capture) -> float:
-    return float(np.abs(capture.offsets[1:]).sum())
-
-
 def _above(capture: Capture, joint: int) -> int:
     """Return the joint above, over helpers that lie in the same place."""
     near = _HELPER * np.abs(capture.offsets[1:]).max()

@@ -26,7 +26,8 @@ REACH: Final = 0.998
 
 def standing(body: Body, motion: Motion) -> tuple[Mask, Mask]:
     """Return (F,) for the left and the right foot: does its sole stand on the floor at y = 0?"""
-    return _stands(motion, *_rolling(body, motion)[0]), _stands(motion, *_rolling(body, motion)[1])
+    left, right = (_stands(motion, height, slip) for height, slip in _rolling(body, motion))
+    return left, right
 
 
 def _rolling(body: Body, motion: Motion) -> list[tuple[Array, Array]]:

@@ -22,6 +22,7 @@ from scipy.optimize import lsq_linear
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
+from cloner.generic.morphs import target_offsets
 from cloner.records.arrays import freeze
 from cloner.records.clones import Clone
 
@@ -98,14 +99,12 @@ def target_moves(clone: Clone, names: tuple[str, ...]) -> Array:
     generic, units = load_generic(), face_units(clone)
     vertex = dict(zip(generic.fdp_names, generic.fdp_vertices.tolist(), strict=True))
     moves = np.zeros((COUNT, len(names)))
-    offset = np.zeros((len(clone.vertices_m), 3))
-    for column, name in enumerate(names):
-        target = clone.morph_names.index(name)
-        rows = slice(int(clone.morph_start[target]), int(clone.morph_start[target + 1]))
-        offset[:] = 0.0
-        offset[clone.morph_index[rows]] = clone.morph_delta_m[rows]
+    for name, offsets in target_offsets(clone):
+        if name not in names:
+            continue
         for number, (unit, direction, point) in MOVES.items():
-            moves[number - 1, column] = offset[vertex[point]] @ np.array(direction) / units[unit]
+            own = offsets[vertex[point]].astype(np.float64)
+            moves[number - 1, names.index(name)] = own @ np.array(direction) / units[unit]
     return moves
 
 

@@ -9,6 +9,7 @@ import json
 from collections.abc import Mapping, Sequence
 from importlib.resources.abc import Traversable
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Final
 
 import cloner
@@ -75,15 +76,15 @@ def file_digest(path: Path) -> str:
     return digest.hexdigest()
 
 
-def model_digests() -> dict[str, str]:
-    """Return the sha256 of every shipped model file, by path inside ``cloner_models``."""
-    return {name: hashlib.sha256(file.read_bytes()).hexdigest() for name, file in model_files()}
-
-
 @functools.cache
+def model_digests() -> Mapping[str, str]:
+    """Return the sha256 of every shipped model file, by path inside ``cloner_models``; read once a process."""
+    return MappingProxyType({name: hashlib.sha256(file.read_bytes()).hexdigest() for name, file in model_files()})
+
+
 def digest_of_models() -> str:
     """Return one digest of all shipped models."""
-    return hashlib.sha256(json.dumps(model_digests(), sort_keys=True).encode()).hexdigest()
+    return hashlib.sha256(json.dumps(dict(model_digests()), sort_keys=True).encode()).hexdigest()
 
 
 def model_files() -> list[tuple[str, Traversable]]:

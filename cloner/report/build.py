@@ -102,7 +102,7 @@ def build_report(values: Mapping[str, Any], run: Run, files: Iterable[str] = ())
         "formats": list(run.formats),
         "files": sorted(files),
         "versions": versions(),
-        "models": model_digests(),
+        "models": dict(model_digests()),
         "warnings": list(grouped((*warnings_of(run), *weaknesses(photos, values["proposals"], seen)))),
     }
 

@@ -93,30 +93,26 @@ def run(
 def label_triangles(generic: GenericHuman, clone: Clone, params: Params) -> tuple[NDArray[np.uint8], float]:
     """Return (T,) places in `REGIONS` of the generic human's triangles, and the share of the skin that is sure."""
     triangles, uv_triangles = generic.triangles()
-    on_body = _part(generic, "body")
+    parts = np.array(generic.part_names)[generic.vertex_part[triangles[:, 0]]]
+    on_body = parts == "body"
     colours = triangle_colours(clone.atlas.rgb, generic.uv.astype(np.float64)[uv_triangles])
     corners = clone.vertices_m[triangles]
     area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2.0
     links = neighbour_links(triangles, colours, params.contrast)
-    likely = _likely(generic, colours, on_body, params)
+    likely = _likely(generic, triangles, colours, on_body, params)
     shares = random_walk(links, likely, params.trust * area / np.median(area[on_body]))
     worn = without_islands(shares.argmax(axis=1), links, area)
     labels = np.array([REGIONS.index(name) for name in WORN])[worn]
-    for name, chosen in _known(generic, clone):
+    for name, chosen in _known(generic, clone, triangles, parts):
         labels[chosen] = REGIONS.index(name)
     sure = shares[on_body].max(axis=1) > SURE
     return labels.astype(np.uint8), float(area[on_body][sure].sum() / area[on_body].sum())
 
 
-def _part(generic: GenericHuman, name: str) -> NDArray[np.bool_]:
-    """Return which triangles belong to a part."""
-    first = generic.triangles()[0][:, 0]
-    return np.asarray(generic.vertex_part[first] == generic.part_names.index(name))
-
-
-def _likely(generic: GenericHuman, colours: Array, on_body: NDArray[np.bool_], params: Params) -> Array:
+def _likely(
+    generic: GenericHuman, triangles: NDArray[np.integer], colours: Array, on_body: NDArray[np.bool_], params: Params
+) -> Array:
     """Return (T, 4) how likely each of `WORN` is by place and colour; rows sum to one."""
-    triangles = generic.triangles()[0]
     segments = [name.removeprefix("left_").removeprefix("right_") for name in generic.segment_names]
     place = np.array(segments)[generic.vertex_segment[triangles[:, 0]]]
     face = generic.region("face") & ~generic.region("lips") & ~generic.region("eyelids")
@@ -127,16 +123,17 @@ def _likely(generic: GenericHuman, colours: Array, on_body: NDArray[np.bool_], p
     return np.asarray(likely / likely.sum(axis=1, keepdims=True))
 
 
-def _known(generic: GenericHuman, clone: Clone) -> Iterator[tuple[str, NDArray[np.bool_]]]:
+def _known(
+    generic: GenericHuman, clone: Clone, triangles: NDArray[np.integer], parts: NDArray[np.str_]
+) -> Iterator[tuple[str, NDArray[np.bool_]]]:
     """Yield what needs no colour: names of regions and their triangles, later ones win."""
-    triangles = generic.triangles()[0]
     for part in generic.part_names:
         if part != "body":
             name = {"eye": "eyes", "lashes": "hair"}.get(part.split("_")[0], "mouth")
-            yield name, _part(generic, part)
-    yield "mouth", _part(generic, "body") & generic.region("mouth_interior")[triangles].all(axis=1)
+            yield name, parts == part
+    yield "mouth", (parts == "body") & generic.region("mouth_interior")[triangles].all(axis=1)
     if any(shell.kind == "hair" for shell in clone.shells):
-        yield "hair", _part(generic, "body") & generic.region("scalp")[triangles].all(axis=1)
+        yield "hair", (parts == "body") & generic.region("scalp")[triangles].all(axis=1)
 
 
 def triangle_colours(rgb: NDArray[np.uint8], corners_uv: Array) -> Array:

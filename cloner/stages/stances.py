@@ -167,11 +167,6 @@ def fit_stances(
     return sizer(values), photos
 
 
-def turned_limbs(mesh: BodyMesh, photos: dict[ViewId, Outlined], params: Params) -> dict[ViewId, Outlined]:
-    """Return the photos with limbs and cameras turned to a body that keeps its sizes."""
-    return fit_stances(lambda _: mesh, (np.zeros(0), np.zeros(0)), photos, params)[1]
-
-
 def _grown(sizer: Sizer, values: Array) -> tuple[BodyMesh, Array]:
     """Return the body and (V, 3, S) how its rest vertices move with each size."""
     mesh, step = sizer(values), m_from_mm(1.0)
