@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from cloner.evaluate.posing import LANDMARKS
 from cloner.evaluate.rulers import Surface, align_by_nearest, apply, fit_similarity, inverse
-from cloner.evaluate.skins import skin_triangles
+from cloner.evaluate.skins import EARS, in_face, skin_triangles
 from cloner.evaluate.surfaces import PointSurface, TriangleSurface, sample_surface, seen_from_outside
 from cloner.evaluate.truth import TruthSurface
 from cloner.generic.load import GenericHuman, load_generic
@@ -26,7 +26,6 @@ ASKED: Final = 1500
 TURNS: Final = 15
 #: Discs of the clone that steer the alignment; measured: as triangles do, to 0.01 mm, in a fifth of the time.
 DISCS: Final = 20_000
-FACE_RADIUS_M: Final = 0.095
 #: Spacing that identification needs: 600 points a head.
 SEARCHED: Final = 600
 
@@ -44,7 +43,7 @@ def ruler(truth: TruthSurface) -> Ruler:
     """Return the ruler of one truth: what goals.md calls the face, where an outside viewer sees it."""
     bare = truth.kind == "bare"
     firm = bare | (truth.kind == "organ")
-    asked = bare & in_face(truth.points_m, truth.marks_m)
+    asked = bare & in_told_face(truth.points_m, truth.marks_m)
     seen = seen_from_outside(truth.points_m[asked], truth.normals[asked], truth.points_m[firm])
     points, normals = truth.points_m[asked][seen], truth.normals[asked][seen]
     surface: Surface = PointSurface(points, normals, radius=0.006)
@@ -54,11 +53,9 @@ def ruler(truth: TruthSurface) -> Ruler:
     return Ruler(points[few], surface, truth.marks_m)
 
 
-def in_face(points: Array, marks: Mapping[str, Array]) -> NDArray[np.bool_]:
-    """Return which points lie near the nose, above the chin and in front of the ears."""
-    ears = [float(marks[n][2]) for n in ("ear_outer_L", "ear_outer_R", "ear_lobe_L", "ear_lobe_R") if n in marks]
-    near = np.linalg.norm(points - marks["nose_tip"], axis=1) < FACE_RADIUS_M
-    return np.asarray(near & (points[:, 1] > marks["chin_bottom"][1]) & (points[:, 2] > max(ears)))
+def in_told_face(points: Array, marks: Mapping[str, Array]) -> NDArray[np.bool_]:
+    """Return which points lie in the face; foreign heads have not all the marks of the ears."""
+    return in_face(points, marks, [name for name in EARS if name in marks])
 
 
 @functools.cache
@@ -95,7 +92,7 @@ def score(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, f
         factor = float(np.cbrt(np.linalg.det(transform[:3, :3])))
         _, to_clone, _ = surface.closest(apply(inverse(transform), measure.points))
         moved = apply(transform, samples)
-        _, to_truth, _ = measure.surface.closest(moved[in_face(moved, measure.marks)])
+        _, to_truth, _ = measure.surface.closest(moved[in_told_face(moved, measure.marks)])
         out[f"{name}_mm"] = 500.0 * float(factor * to_clone.mean() + to_truth.mean())
         out[f"{name}_p95_mm"] = 500.0 * float(np.quantile(factor * to_clone, 0.95) + np.quantile(to_truth, 0.95))
     out["size_percent"] = 100.0 * (

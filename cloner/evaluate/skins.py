@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -25,6 +25,8 @@ _VOTERS: Final = 3_000  # points that steer the alignment of a whole body
 _DISCS: Final = 100_000  # of the clone, for its alignment
 _DISC_M: Final = 0.006  # measured: the truth against its own samples (3.6 mm apart on average) reads 0.02 mm
 _FACE_RADIUS_M: Final = 0.095  # goals.md: within 95 mm of the nose tip
+#: Marks in front of which a face ends.
+EARS: Final = tuple(f"{name}_{side}" for name in ("ear_outer", "ear_lobe") for side in "LR")
 _HAND_M: Final = 0.25  # longest hand, wrist to fingertip, with room
 _HAIR_NEAR_M: Final = 0.025  # taste: skin this near hair was never seen by a camera
 
@@ -125,7 +127,7 @@ def face_surface_mm(
     bare = truth.kind == "bare"
     firm = bare | (truth.kind == "organ")
     marks = truth.marks_m
-    asked = bare & _in_face(truth.points_m, marks)
+    asked = bare & in_face(truth.points_m, marks)
     seen = seen_from_outside(truth.points_m[asked], truth.normals[asked], truth.points_m[firm])
     points, normals = truth.points_m[asked][seen], truth.normals[asked][seen]
     target: Surface = PointSurface(points, normals, radius=_DISC_M)
@@ -147,7 +149,7 @@ def face_surface_mm(
         _, to_clone, _ = surface.closest(apply(inverse(transform), points))
         to_clone = to_clone * np.cbrt(np.linalg.det(transform[:3, :3]))
         moved = apply(transform, samples)
-        _, to_truth, _ = target.closest(moved[_in_face(moved, marks)])
+        _, to_truth, _ = target.closest(moved[in_face(moved, marks)])
         errors[scale] = _both_ways(to_clone, to_truth)
     return FaceErrors(errors[True], errors[False])
 
@@ -175,13 +177,13 @@ def _within(points: Array, centre: Array, radius_m: float) -> Mask:
     return np.asarray(np.linalg.norm(points - centre, axis=1) < radius_m)
 
 
-def _in_face(points: Array, marks: Mapping[str, Array]) -> Mask:
-    """Return which points lie near the nose, above the chin and in front of the ears."""
-    ears = max(float(marks[f"{name}_{side}"][2]) for name in ("ear_outer", "ear_lobe") for side in "LR")
+def in_face(points: Array, marks: Mapping[str, Array], ears: Sequence[str] = EARS) -> Mask:
+    """Return which points lie near the nose, above the chin and in front of the named marks of the ears (goals.md)."""
+    back = max(float(marks[name][2]) for name in ears)
     return np.asarray(
         _within(points, marks["nose_tip"], _FACE_RADIUS_M)
         & (points[:, 1] > marks["chin_bottom"][1])
-        & (points[:, 2] > ears)
+        & (points[:, 2] > back)
     )
 
 
