@@ -6,12 +6,14 @@ from PySide6.QtGui import QAction, QCloseEvent, QKeySequence
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QPushButton, QStackedWidget, QVBoxLayout, QWidget
 
 from cloner_gui.dialogs import show_error
-from cloner_gui.pages.intake import IntakePage
+from cloner_gui.pages.clone import ClonePage
+from cloner_gui.pages.photos import PhotosPage
 from cloner_gui.pages.points import PointsPage
-from cloner_gui.pages.result import ResultPage
+from cloner_gui.pages.takeaway import TakeawayPage
+from cloner_gui.pages.visitor import VisitorPage
 from cloner_gui.session import Session
 
-Page = IntakePage | PointsPage | ResultPage
+Page = VisitorPage | PhotosPage | PointsPage | ClonePage | TakeawayPage
 
 
 class MainWindow(QMainWindow):
@@ -22,15 +24,16 @@ class MainWindow(QMainWindow):
         self.session = session
         self.setWindowTitle("Cloner")
         self.resize(1180, 860)
-        self.intake, self.points, self.result = IntakePage(session), PointsPage(session), ResultPage(session)
-        self.pages: tuple[Page, ...] = (self.intake, self.points, self.result)
+        self.visitor, self.photos, self.points = VisitorPage(session), PhotosPage(session), PointsPage(session)
+        self.clone, self.takeaway = ClonePage(session), TakeawayPage(session)
+        self.pages: tuple[Page, ...] = (self.visitor, self.photos, self.points, self.clone, self.takeaway)
         self.stack = QStackedWidget()
         self.steps = [_step_button(page.title) for page in self.pages]
         self.back, self.next, self.reason = QPushButton("Back"), QPushButton("Next"), QLabel()
         self._lay_out()
         self._make_menus()
         session.failed.connect(lambda error: show_error(error, self))
-        session.opened.connect(lambda: self.go(0))
+        session.opened.connect(lambda: self.show_page(self.photos))
         self.back.clicked.connect(lambda: self.go(self.stack.currentIndex() - 1))
         self.next.clicked.connect(lambda: self.go(self.stack.currentIndex() + 1))
         self.go(0)
@@ -39,6 +42,10 @@ class MainWindow(QMainWindow):
         """Show a page."""
         self.stack.setCurrentIndex(number)
         self._refresh()
+
+    def show_page(self, page: Page) -> None:
+        """Show a page."""
+        self.go(self.pages.index(page))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Stop the work before the window goes."""
@@ -68,7 +75,7 @@ class MainWindow(QMainWindow):
         opening, leaving = QAction("&Open folder…", self), QAction("&Quit", self)
         opening.setShortcut(QKeySequence.StandardKey.Open)
         leaving.setShortcut(QKeySequence.StandardKey.Quit)
-        opening.triggered.connect(self.intake.choose_folder)
+        opening.triggered.connect(self.photos.choose_folder)
         leaving.triggered.connect(self.close)
         files.addActions([opening, leaving])
         self.undo_action = self.session.undo_stack.createUndoAction(self)
@@ -80,10 +87,10 @@ class MainWindow(QMainWindow):
     def _refresh(self) -> None:
         """Say which page is shown and whether the next may come."""
         number = self.stack.currentIndex()
-        blocked = self.pages[0].why_not()
+        blocked = self.photos.why_not()
         for place, step in enumerate(self.steps):
             step.setChecked(place == number)
-            step.setEnabled(place == 0 or not blocked)
+            step.setEnabled(place < 2 or not blocked)
         reason = self.pages[number].why_not()
         self.back.setEnabled(number > 0)
         self.next.setVisible(number < len(self.pages) - 1)

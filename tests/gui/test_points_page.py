@@ -161,9 +161,9 @@ def test_corrections_of_the_folder_are_shown(window, canvas, qtbot, folder):
     drag(qtbot, canvas, (600, 300), (640, 320))
     moved = place_of(window, "nose_tip")
     window.session.open(folder)
-    assert window.stack.currentIndex() == 0
+    assert window.stack.currentWidget() is window.photos
     assert window.session.undo_stack.count() == 0
-    window.go(1)
+    window.show_page(window.points)
     qtbot.waitUntil(lambda: window.session.points(VIEW) is not None and not window.session.busy)
     assert place_of(window, "nose_tip") == moved
 
@@ -171,7 +171,7 @@ def test_corrections_of_the_folder_are_shown(window, canvas, qtbot, folder):
 def test_a_failed_proposal_says_why_and_can_be_tried_again(window, jobs, qtbot):
     jobs.error = ClonerError("no person found in this photo", "Take it again", "body_front.jpg")
     with qtbot.waitSignal(window.session.failed, timeout=5000):
-        window.go(1)
+        window.show_page(window.points)
     qtbot.waitUntil(lambda: not window.session.busy)
     assert window.points.again.isVisible()
     jobs.error = None

@@ -36,7 +36,7 @@ def cloned(window, jobs, qtbot):
         "joined": person, "obeyed": person, "clone": generic_clone(load_generic(), 1.72),
     }  # fmt: skip
     session._take_clone(SimpleNamespace(folder=session.folder / "clones" / "anna", values=values, warnings=()))
-    window.go(1)
+    window.show_page(window.points)
     qtbot.waitUntil(lambda: window.points.views[VIEW].isVisible())
     session.points_changed.emit()
     return window

@@ -1,4 +1,4 @@
-"""Second page: see the proposed points and drag them right."""
+"""Third page: see the proposed points and drag them right."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class PointsPage(QWidget):
     """One tab a photo, each with its points."""
 
     changed = Signal()
-    title = "2  Points"
+    title = "3  Points"
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)

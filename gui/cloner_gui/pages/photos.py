@@ -1,4 +1,4 @@
-"""First page: which photos, and how tall."""
+"""Second page: which photos."""
 
 from __future__ import annotations
 
@@ -8,8 +8,6 @@ from typing import Final
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import (
-    QCheckBox,
-    QDoubleSpinBox,
     QFileDialog,
     QGridLayout,
     QHBoxLayout,
@@ -20,7 +18,6 @@ from PySide6.QtWidgets import (
 )
 
 from cloner.frames import ViewId
-from cloner.project.folder import DEFAULT_HEIGHT_CM, LARGEST_HEIGHT_CM, SMALLEST_HEIGHT_CM
 from cloner_gui.canvas.painting import pixmap_of
 from cloner_gui.session import Session
 from cloner_gui.words import VIEW_TITLES, what_is_missing
@@ -28,11 +25,11 @@ from cloner_gui.words import VIEW_TITLES, what_is_missing
 _THUMBNAIL_PX: Final = 300
 
 
-class IntakePage(QWidget):
-    """Choose or drop a folder; see its photos; say the height."""
+class PhotosPage(QWidget):
+    """Choose or drop a folder; see its photos."""
 
     changed = Signal()
-    title = "1  Photos"
+    title = "2  Photos"
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -44,15 +41,7 @@ class IntakePage(QWidget):
         choose = QPushButton("Choose folder…")
         choose.clicked.connect(self.choose_folder)
         self.thumbnails = {view: QLabel() for view in ViewId}
-        self.height_known = QCheckBox("Height without shoes")
-        self.height_field = QDoubleSpinBox()
-        self.height_field.setRange(SMALLEST_HEIGHT_CM, LARGEST_HEIGHT_CM)
-        self.height_field.setSuffix(" cm")
-        self.height_field.setDecimals(1)
-        self.height_hint = QLabel()
         self._lay_out(choose)
-        self.height_known.toggled.connect(self._take_height)
-        self.height_field.valueChanged.connect(self._take_height)
         session.opened.connect(self._show)
         self._show()
 
@@ -71,15 +60,10 @@ class IntakePage(QWidget):
             label.setStyleSheet("border: 1px dashed palette(mid); color: palette(mid);")
             grid.addWidget(label, 0, column)
             grid.addWidget(QLabel(VIEW_TITLES[view], alignment=Qt.AlignmentFlag.AlignCenter), 1, column)
-        height = QHBoxLayout()
-        for widget in (self.height_known, self.height_field):
-            height.addWidget(widget)
-        height.addWidget(self.height_hint, 1)
         column_of_all = QVBoxLayout(self)
         column_of_all.addLayout(top)
         column_of_all.addLayout(grid)
         column_of_all.addWidget(self.missing_label)
-        column_of_all.addLayout(height)
         column_of_all.addStretch(1)
 
     def choose_folder(self) -> None:
@@ -101,18 +85,6 @@ class IntakePage(QWidget):
                 mode = Qt.TransformationMode.SmoothTransformation
                 label.setPixmap(pixmap_of(photo.rgb).scaledToHeight(_THUMBNAIL_PX, mode))
         self.missing_label.setText("\n".join([what_is_missing(session.photos.photos), *session.warnings]))
-        height = session.height_cm
-        self.height_field.setValue(DEFAULT_HEIGHT_CM if height is None else height)
-        self.height_known.setChecked(height is not None)
-        self._take_height()
-
-    def _take_height(self) -> None:
-        """Hand the height to the session; say what an unknown height means."""
-        known = self.height_known.isChecked()
-        self.height_field.setEnabled(known)
-        self._session.height_cm = self.height_field.value() if known else None
-        hint = "" if known else f"Unknown: {DEFAULT_HEIGHT_CM:.0f} cm is assumed and every length is unscaled."
-        self.height_hint.setText(hint)
         self.changed.emit()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:

@@ -28,11 +28,11 @@ def drop(page, path):
 
 
 def test_the_first_page_shows_the_photos_and_the_height(window, folder):
-    assert window.intake.folder_label.text() == "anna"
-    assert window.intake.missing_label.text() == "All five photos are here."
-    assert window.intake.height_field.value() == 158.0
-    assert window.intake.height_known.isChecked()
-    assert all(label.pixmap().height() > 100 for label in window.intake.thumbnails.values())
+    assert window.photos.folder_label.text() == "anna"
+    assert window.photos.missing_label.text() == "All five photos are here."
+    assert window.visitor.height_field.value() == 158.0
+    assert window.visitor.height_known.isChecked()
+    assert all(label.pixmap().height() > 100 for label in window.photos.thumbnails.values())
     assert window.next.isEnabled()
 
 
@@ -40,25 +40,25 @@ def test_what_is_missing_is_said_in_words(window, folder):
     (folder / "face_side.jpg").unlink()
     (folder / "body_back.jpg").unlink()
     window.session.open(folder)
-    assert window.intake.missing_label.text() == (
+    assert window.photos.missing_label.text() == (
         "The clone will be less exact. Missing: body_back.jpg, face_side.jpg."
     )
-    assert window.intake.thumbnails[ViewId.FACE_SIDE].text() == "missing"
+    assert window.photos.thumbnails[ViewId.FACE_SIDE].text() == "missing"
     assert window.points.tabs.count() == 3
 
 
 def test_a_photo_dropped_opens_its_folder(window, samples, tmp_path):
     other = tmp_path / "boris"
     shutil.copytree(samples / "boris" / "plain", other)
-    drop(window.intake, other / "face_front.jpg")
+    drop(window.photos, other / "face_front.jpg")
     assert window.session.folder == other
-    assert window.intake.height_field.value() == 175.0
+    assert window.visitor.height_field.value() == 175.0
 
 
 def test_an_unusable_folder_is_told_and_the_old_one_stays(window, tmp_path, folder):
     empty = tmp_path / "empty"
     empty.mkdir()
-    drop(window.intake, empty)
+    drop(window.photos, empty)
     (box,) = dialogs(window)
     assert box.text().startswith("empty: ")
     assert "body_front.jpg" in box.informativeText()
@@ -67,48 +67,48 @@ def test_an_unusable_folder_is_told_and_the_old_one_stays(window, tmp_path, fold
 
 
 def test_an_unknown_height_is_said_to_leave_lengths_unscaled(window, jobs, qtbot):
-    window.intake.height_known.setChecked(False)
-    assert "170 cm is assumed" in window.intake.height_hint.text()
+    window.visitor.height_known.setChecked(False)
+    assert "170 cm is assumed" in window.visitor.height_hint.text()
     assert window.session.height_cm is None
-    window.intake.height_known.setChecked(True)
-    window.intake.height_field.setValue(999.0)
+    window.visitor.height_known.setChecked(True)
+    window.visitor.height_field.setValue(999.0)
     assert window.session.height_cm == 250.0, "the field keeps within what people measure"
 
 
 def test_clone_shows_progress_and_the_result(window, jobs, qtbot, folder):
-    window.intake.height_field.setValue(160.0)
-    window.go(2)
+    window.visitor.height_field.setValue(160.0)
+    window.show_page(window.clone)
     steps = []
     window.session.progressed.connect(lambda step, fraction: steps.append((step, fraction)))
     with qtbot.waitSignal(window.session.cloned, timeout=20000):
-        qtbot.mouseClick(window.result.clone_button, Qt.MouseButton.LeftButton)
+        qtbot.mouseClick(window.clone.clone_button, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not window.session.busy)
     assert jobs.seen == [(folder, folder / "clones", 160.0)]
     assert steps == [("textures", 0.9)]
-    assert window.result.warnings.text() == "• the hair is a guess"
-    assert window.result.report_button.isEnabled()
-    assert window.result.status.text() == "Written to clones/anna"
+    assert window.clone.warnings.text() == "• the hair is a guess"
+    assert window.takeaway.report_button.isEnabled()
+    assert window.clone.status.text() == "Written to clones/anna"
 
 
 def test_cancel_stops_and_opens_no_dialog(window, jobs, qtbot):
     jobs.wait_for_cancel = True
-    window.go(2)
-    assert not window.result.cancel_button.isEnabled()
-    qtbot.mouseClick(window.result.clone_button, Qt.MouseButton.LeftButton)
+    window.show_page(window.clone)
+    assert not window.clone.cancel_button.isEnabled()
+    qtbot.mouseClick(window.clone.clone_button, Qt.MouseButton.LeftButton)
     assert jobs.started.wait(5)
-    assert not window.result.clone_button.isEnabled()
-    qtbot.waitUntil(lambda: window.result.progress.value() == 500)
-    qtbot.mouseClick(window.result.cancel_button, Qt.MouseButton.LeftButton)
+    assert not window.clone.clone_button.isEnabled()
+    qtbot.waitUntil(lambda: window.clone.progress.value() == 500)
+    qtbot.mouseClick(window.clone.cancel_button, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not window.session.busy, timeout=5000)
     assert window.session.outcome is None
     assert dialogs(window) == []
-    assert window.result.clone_button.isEnabled()
-    assert not window.result.progress.isVisible()
+    assert window.clone.clone_button.isEnabled()
+    assert not window.clone.progress.isVisible()
 
 
 def test_closing_the_window_stops_the_work(window, jobs, qtbot):
     jobs.wait_for_cancel = True
-    window.go(2)
+    window.show_page(window.clone)
     window.session.clone()
     assert jobs.started.wait(5)
     task = window.session._task
@@ -129,7 +129,7 @@ def test_closing_the_window_stops_the_work(window, jobs, qtbot):
 )
 def test_a_failed_clone_is_told_in_one_sentence(window, jobs, qtbot, error, text, hint):
     jobs.error = error
-    window.go(2)
+    window.show_page(window.clone)
     with qtbot.waitSignal(window.session.failed, timeout=5000):
         window.session.clone()
     qtbot.waitUntil(lambda: not window.session.busy)
@@ -142,10 +142,10 @@ def test_a_failed_clone_is_told_in_one_sentence(window, jobs, qtbot, error, text
 
 @pytest.mark.gl
 def test_the_result_turns_with_the_mouse(window, qtbot):
-    window.go(2)
+    window.show_page(window.clone)
     with qtbot.waitSignal(window.session.cloned, timeout=20000):
         window.session.clone()
-    table = window.result.turntable
+    table = window.clone.turntable
     front = pixels(table)
     assert (front != front[0, 0]).any(axis=2).mean() > 0.03, "somebody stands there"
     assert mirrored_difference(front) < 3.0, "seen from the front, a symmetric body is symmetric"
@@ -154,9 +154,9 @@ def test_the_result_turns_with_the_mouse(window, qtbot):
     qtbot.mouseRelease(table, Qt.MouseButton.LeftButton, pos=QPoint(178, 100))
     turned = pixels(table)
     assert mirrored_difference(turned) > 2 * mirrored_difference(front)
-    qtbot.mouseClick(window.result.body_button, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.clone.body_button, Qt.MouseButton.LeftButton)
     assert np.array_equal(pixels(table), front)
-    qtbot.mouseClick(window.result.face_button, Qt.MouseButton.LeftButton)
+    qtbot.mouseClick(window.clone.face_button, Qt.MouseButton.LeftButton)
     close = pixels(table)
     assert (close != close[0, 0]).any(axis=2).mean() > 1.5 * (front != front[0, 0]).any(axis=2).mean()
 
@@ -198,9 +198,9 @@ def test_cloning_reuses_what_the_points_page_found(window, jobs, qtbot, tmp_path
 
 
 def test_the_bar_starts_empty_for_every_work(window, jobs, qtbot):
-    window.result.progress.setValue(1000)
+    window.clone.progress.setValue(1000)
     jobs.wait_for_cancel = True
     shown = []
-    window.session.busy_changed.connect(lambda: shown.append(window.result.progress.value()))
+    window.session.busy_changed.connect(lambda: shown.append(window.clone.progress.value()))
     window.session.clone()
     assert shown == [0]

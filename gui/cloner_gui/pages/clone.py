@@ -1,9 +1,8 @@
-"""Third page: clone, and look at the result."""
+"""Fourth page: clone, and look at the result."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QUrl, Signal
-from PySide6.QtGui import QDesktopServices
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
 
 from cloner_gui.canvas.turntable import Turntable
@@ -11,11 +10,11 @@ from cloner_gui.session import Session
 from cloner_gui.words import spoken_step
 
 
-class ResultPage(QWidget):
+class ClonePage(QWidget):
     """Start the clone, watch it grow, turn it."""
 
     changed = Signal()
-    title = "3  Clone"
+    title = "4  Clone"
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -30,14 +29,11 @@ class ResultPage(QWidget):
         self.warnings = QLabel()
         self.warnings.setWordWrap(True)
         self.body_button, self.face_button = QPushButton("Whole person"), QPushButton("Face")
-        self.report_button, self.folder_button = QPushButton("Open report"), QPushButton("Open folder")
         self._lay_out()
         self.clone_button.clicked.connect(lambda: session.clone())
         self.cancel_button.clicked.connect(session.cancel)
         self.body_button.clicked.connect(lambda: self.turntable.frame("front"))
         self.face_button.clicked.connect(lambda: self.turntable.frame("face"))
-        self.report_button.clicked.connect(lambda: self._open("report.html"))
-        self.folder_button.clicked.connect(lambda: self._open(""))
         session.opened.connect(self._show)
         session.cloned.connect(self._show)
         session.refitted.connect(lambda: self.turntable.update_clone(session.clone_now()))
@@ -46,8 +42,8 @@ class ResultPage(QWidget):
         self._show()
 
     def why_not(self) -> str:
-        """Return why no page comes after this one."""
-        return "This is the last page."
+        """Return why the next page cannot come yet."""
+        return "" if self._session.outcome is not None else "Clone first."
 
     def _lay_out(self) -> None:
         top = QHBoxLayout()
@@ -58,8 +54,6 @@ class ResultPage(QWidget):
         for button in (self.body_button, self.face_button):
             bottom.addWidget(button)
         bottom.addStretch(1)
-        for button in (self.report_button, self.folder_button):
-            bottom.addWidget(button)
         column = QVBoxLayout(self)
         column.addLayout(top)
         column.addWidget(self.turntable, 1)
@@ -70,12 +64,13 @@ class ResultPage(QWidget):
         """Show the finished clone, or an empty place for it."""
         outcome = self._session.outcome
         self.turntable.set_clone(None if outcome is None else outcome.values["clone"])
-        for button in (self.body_button, self.face_button, self.report_button, self.folder_button):
+        for button in (self.body_button, self.face_button):
             button.setEnabled(outcome is not None)
         self.status.setText("" if outcome is None else f"Written to {outcome.folder.parent.name}/{outcome.folder.name}")
         self.warnings.setText("" if outcome is None else "\n".join(f"• {text}" for text in outcome.warnings))
         self.warnings.setVisible(bool(self.warnings.text()))
         self._show_busy()
+        self.changed.emit()
 
     def _show_busy(self) -> None:
         busy = self._session.busy
@@ -90,8 +85,3 @@ class ResultPage(QWidget):
     def _show_progress(self, step: str, fraction: float) -> None:
         self.progress.setValue(round(1000 * fraction))
         self.status.setText(spoken_step(step))
-
-    def _open(self, name: str) -> None:
-        """Show a file of the result with the desktop's own program."""
-        if self._session.outcome is not None:
-            QDesktopServices.openUrl(QUrl.fromLocalFile(str((self._session.outcome.folder / name).resolve())))
