@@ -33,8 +33,7 @@ LIBRARIES: Final = (
     "pillow",
     "scikit-image",
     "trimesh",
-    "pyrender",
-    "PyOpenGL",
+    "moderngl",
     "pygltflib",
     "ai-edge-litert",
 )
