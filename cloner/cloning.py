@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Final, cast
 
 from cloner import pipeline
+from cloner.abreast import beside
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
 from cloner.frames import ViewId
@@ -249,12 +250,16 @@ def _stages(texture_size: int) -> tuple[Stage, ...]:
 def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path, progress: Progress) -> None:
     """Write the clone's own file, the exports and the previews."""
     clone = values["clone"]
-    save_clone(clone, folder / CLONE_FILE)
-    for name in formats:
-        EXPORTERS.get(name)(clone, folder)
+
+    def write_files() -> None:
+        save_clone(clone, folder / CLONE_FILE)
+        for name in formats:
+            EXPORTERS.get(name)(clone, folder)
+
     progress("previews", 0.9)
     points = (values["body_points"], values["face_points"])
-    write_previews(clone, values["photos"], values["proposals"], points, values["obeyed_silhouettes"], folder)
+    with beside(write_files):  # drawing stays on this thread, as GL wants it
+        write_previews(clone, values["photos"], values["proposals"], points, values["obeyed_silhouettes"], folder)
 
 
 def stamp_options(

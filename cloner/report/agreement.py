@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import binary_erosion, distance_transform_edt
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.layers import clone_layers
@@ -81,13 +81,19 @@ def _outline_rms_px(drawn: Mask, seen: Mask) -> float:
     first, second = _boundary(drawn)[box], _boundary(seen)[box]
     if not first.any() or not second.any():
         return float(max(drawn.shape))  # nothing to compare: as far off as the photo is large
-    both = np.concatenate([distance_transform_edt(~second)[first], distance_transform_edt(~first)[second]])
+    both = np.concatenate([_distance_px(second)[first], _distance_px(first)[second]])
     return float(np.sqrt(np.mean(both**2)))
 
 
 def _boundary(mask: Mask) -> Mask:
     """Return the mask's outermost pixels, without those on the picture's border."""
-    return np.asarray(mask & ~binary_erosion(mask, border_value=1))
+    inner = cv2.erode(mask.astype(np.uint8), cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3)), borderValue=1)
+    return np.asarray(mask & (inner == 0))
+
+
+def _distance_px(outline: Mask) -> NDArray[np.float32]:
+    """Return (H, W) every pixel's exact distance to the nearest pixel of an outline."""
+    return np.asarray(cv2.distanceTransform((~outline).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE))
 
 
 def _mm_per_pixel(clone: Clone, posed: PosedView) -> float:

@@ -10,6 +10,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.abreast import abreast
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -95,7 +96,7 @@ def barefoot(photo: Photo, mask: NDArray[np.bool_], labels: NDArray[np.uint8], p
 def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: np.random.Generator) -> StageResult:
     """Give one proposal a photo."""
     views: dict[ViewId, Proposal] = {}
-    for view, photo in photos.photos.items():
-        views[view] = propose(photo)
+    for view, proposal in zip(photos.photos, abreast(propose, photos.photos.values()), strict=True):
+        views[view] = proposal
         tick(len(views) / len(photos.photos))
     return StageResult({"proposals": Proposals(views)})

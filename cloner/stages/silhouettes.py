@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.abreast import abreast
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.photos import Photo, PhotoSet
@@ -92,8 +93,12 @@ def run(
     """Give one silhouette a photo; residual: share of the outline that lies on image edges."""
     views: dict[ViewId, Silhouette] = {}
     residuals = []
-    for view, proposal in proposals.views.items():
-        views[view] = silhouette(photos.photos[view], proposal, body_points.views.get(view))
+
+    def outlined(view: ViewId) -> Silhouette:
+        return silhouette(photos.photos[view], proposals.views[view], body_points.views.get(view))
+
+    for view, found in zip(proposals.views, abreast(outlined, proposals.views), strict=True):
+        views[view] = found
         linked = [source == "edges" for _, source, _ in views[view].sources]
         residuals.append(Residual("outline on edges", 100.0 * float(np.mean(linked or [False])), "percent", view.value))
         tick(len(views) / len(proposals.views))
