@@ -19,7 +19,7 @@ from typing import Any, Final
 
 from cloner.errors import ClonerError
 from cloner.project.atomic import RESULT_MARK
-from cloner.project.folder import find_photos, read_consent, read_person, safe_identifier
+from cloner.project.folder import read_consent, read_person, safe_identifier, view_files
 from cloner.project.manifest import DEEPEST, photo_folders
 from cloner.project.stamps import file_digest
 from cloner.records.batches import BatchRow
@@ -80,7 +80,7 @@ def holdings(photos_root: Path | None, out: Path | None) -> tuple[Holding, ...]:
         {} if photos_root is None else {_name(photos_root, one): one for one in photo_folders(photos_root, DEEPEST)}
     )
     results = {} if out is None else {one.parent.name: one.parent for one in sorted(out.glob(f"*/{RESULT_MARK}"))}
-    return tuple(_holding(name, photos.get(name), results.get(name)) for name in sorted({*photos, *results}))
+    return tuple(holding_of(name, photos.get(name), results.get(name)) for name in sorted({*photos, *results}))
 
 
 def _name(root: Path, folder: Path) -> str:
@@ -88,7 +88,8 @@ def _name(root: Path, folder: Path) -> str:
     return safe_identifier("-".join(parts) if parts else root.resolve().name)
 
 
-def _holding(name: str, photos: Path | None, result: Path | None) -> Holding:
+def holding_of(name: str, photos: Path | None, result: Path | None) -> Holding:
+    """Return what is held of one visitor in a folder of photos and a folder of results."""
     files = [path for folder in (photos, result) if folder is not None for path in _files(folder)]
     newest = max((path.stat().st_mtime for path in files), default=0.0)
     size = sum(path.stat().st_size for path in files)
@@ -172,7 +173,7 @@ def _traces(holding: Holding) -> tuple[str, ...]:
     """Return the texts that would tell of a visitor."""
     found = {f'"{holding.identifier}"', f"/{holding.identifier}/"}
     if holding.photos is not None:
-        found |= {file_digest(path) for path in find_photos(holding.photos).values()}
+        found |= {file_digest(path) for path in view_files(holding.photos).values()}
         name = read_person(holding.photos).name.strip()
         if len(name) > 2:
             found.add(name)

@@ -45,6 +45,22 @@ def find_photos(folder: Path) -> dict[ViewId, Path]:
         If the folder is missing, one view has two files, or neither
         body_front nor face_front is there.
     """
+    found = view_files(folder)
+    if ViewId.BODY_FRONT not in found and ViewId.FACE_FRONT not in found:
+        have = f"only {', '.join(found)}" if found else "no photo"
+        message = f"{have} with a usable name is here, and one front photo is needed"
+        raise ClonerError(message, _naming_hint(folder), folder.resolve().name)
+    return found
+
+
+def view_files(folder: Path) -> dict[ViewId, Path]:
+    """Return the photo files of a folder by view, as :func:`find_photos` does, whichever there are.
+
+    Raises
+    ------
+    ClonerError
+        If the folder is missing, one view has two files, or a photo is a link out of the folder.
+    """
     if not folder.is_dir():
         raise ClonerError("there is no such folder of photos", "Give the folder that holds the photos", folder.name)
     found: dict[ViewId, Path] = {}
@@ -56,10 +72,6 @@ def find_photos(folder: Path) -> dict[ViewId, Path]:
             message = f"there are two photos for {view}: {found[view].name} and {path.name}"
             raise ClonerError(message, "Keep one of them", folder.name)
         found[view] = path
-    if ViewId.BODY_FRONT not in found and ViewId.FACE_FRONT not in found:
-        have = f"only {', '.join(found)}" if found else "no photo"
-        message = f"{have} with a usable name is here, and one front photo is needed"
-        raise ClonerError(message, _naming_hint(folder), folder.resolve().name)
     return {view: found[view] for view in ViewId if view in found}
 
 
@@ -85,13 +97,19 @@ def load_photos(folder: Path) -> PhotoSet:
     ClonerError
         As :func:`find_photos` and :func:`cloner.vision.pictures.read_picture`.
     """
-    photos = {}
-    for view, path in find_photos(folder).items():
-        picture = read_picture(path)
-        photos[view] = Photo(
-            view=view, rgb=picture.rgb, focal_35mm=picture.focal_35mm, digest=picture.digest, name=path.name
-        )
-    return PhotoSet(photos=photos)
+    return PhotoSet({view: load_photo(path, view) for view, path in find_photos(folder).items()})
+
+
+def load_photo(path: Path, view: ViewId) -> Photo:
+    """Return one decoded photo of a view.
+
+    Raises
+    ------
+    ClonerError
+        As :func:`cloner.vision.pictures.read_picture`.
+    """
+    picture = read_picture(path)
+    return Photo(view=view, rgb=picture.rgb, focal_35mm=picture.focal_35mm, digest=picture.digest, name=path.name)
 
 
 def read_person(folder: Path, height_cm: float | None = None, identifier: str | None = None) -> Person:
