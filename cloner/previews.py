@@ -23,8 +23,6 @@ from cloner.records.views import Camera
 from cloner.render import Shading, coverage, draw, standard_camera
 
 FOLDER: Final = "previews"
-#: Samples a pixel and axis: the driver takes four of every edge by itself, and pictures this small show no more.
-SAMPLES: Final = 1
 HEIGHT_PX: Final = 1000  # taste: a screen's height
 MARGIN: Final = 0.05  # taste: air around the person, share of the person's height
 _BACKDROP: Final = (226, 228, 230)
@@ -98,10 +96,10 @@ def write_previews(
             continue
         camera, window = _frame(photo, posed, silhouettes.views.get(view))
         layers = clone_layers(clone, posed.rotations)
-        drawn = window.crop(draw(layers, camera, background=_BACKDROP, supersample=SAMPLES))
+        drawn = window.crop(draw(layers, camera, background=_BACKDROP))
         seen = window.crop(_resized(photo.rgb, camera))
         pictures[f"beside_{view}"] = np.hstack([seen, drawn])
-        cover = window.crop((coverage(layers, camera, supersample=SAMPLES) > 0.5).astype(np.uint8)) > 0
+        cover = window.crop((coverage(layers, camera, supersample=1) > 0.5).astype(np.uint8)) > 0
         net = proposals.views.get(view)
         pictures[f"overlay_{view}"] = _overlay(seen, cover, window, silhouettes.views.get(view), points, net, view)
     pictures["three_quarter"] = _strip(clone, ("three_quarter", "front", "left", "back"), HEIGHT_PX * 4 // 5, "soft")
@@ -186,7 +184,7 @@ def _strip(clone: Clone, views: Sequence[str], height_px: int, shading: Shading 
     """Return the resting clone from several sides at one scale, side by side."""
     cameras = evenly_scaled([standard_camera(clone, view, height_px, height_px) for view in views])
     layers = clone_layers(clone)
-    pictures = [draw(layers, camera, shading=shading, background=_BACKDROP, supersample=SAMPLES) for camera in cameras]
+    pictures = [draw(layers, camera, shading=shading, background=_BACKDROP) for camera in cameras]
     return np.hstack([_trimmed(picture) for picture in pictures])
 
 
