@@ -25,6 +25,7 @@ from cloner.vision.loops import (
     mask_loops,
     place_feature_points,
 )
+from cloner.vision.seen_edges import see_edges
 from cloner.vision.tracing import trace_loop
 
 Floats = NDArray[np.float64]
@@ -131,20 +132,28 @@ def extract_outline(
     """
     settings = params or LinkParams()
     height = figure_height(mask)
-    if height > 0:
-        sigma = max(settings.smoothing * height, 0.3)
-        # Replicated borders keep a cut figure's contour on the picture's border.
-        mask = cv2.GaussianBlur(mask, (0, 0), sigma, borderType=cv2.BORDER_REPLICATE)
+    mask = smoothed(mask, height, settings)
     loops = mask_loops(mask, height_px=height)
     if not loops:
         return Outline((), np.zeros(mask.shape, dtype=bool), height)
     points = np.zeros((0, 2)) if feature_points_px is None else feature_points_px
     given = _given_to_loops(loops, points, np.zeros(len(points), dtype=bool) if fixed is None else fixed)
     loops = [_bent(loop, own, height) for loop, own in zip(loops, given, strict=True)]
-    bands = gather_band(rgb, mask, loops, height_px=height, params=settings)
+    everywhere = np.concatenate([loop.points for loop in loops])
+    seen = see_edges(rgb, everywhere, margin_px=max(settings.margin * height, 8.0))
+    bands = gather_band(seen, mask, loops, height_px=height, params=settings)
     traced = [_trace(*its, height, settings) for its in zip(loops, bands, given, strict=True)]
     filled = fill_polygons([t.polygon for t in traced], [t.is_hole for t in traced], mask.shape)
     return Outline(tuple(traced), filled, height)
+
+
+def smoothed(mask: NDArray[np.float32], height_px: float, params: LinkParams) -> NDArray[np.float32]:
+    """Return a mask without the net's staircase."""
+    if height_px <= 0:
+        return mask
+    sigma = max(params.smoothing * height_px, 0.3)
+    # Replicated borders keep a cut figure's contour on the picture's border.
+    return np.asarray(cv2.GaussianBlur(mask, (0, 0), sigma, borderType=cv2.BORDER_REPLICATE))
 
 
 def _given_to_loops(loops: list[MaskLoop], points_px: Floats, fixed: Bools) -> list[_Given]:
