@@ -15,6 +15,8 @@ from cloner.records.arrays import freeze
 
 #: Value of hair in ``Proposal.labels``.
 HAIR = 2
+#: Start of the names of points that an operator put on an outline where no feature has a name.
+ANCHOR = "outline_"
 #: Error at which a body point's confidence has fallen to 1/e, share of the figure's height.
 CONFIDENCE_SCALE = 0.02
 
@@ -228,6 +230,12 @@ class Corrections:
     def __post_init__(self) -> None:
         inner = {view: MappingProxyType(dict(named)) for view, named in self.points.items()}
         object.__setattr__(self, "points", MappingProxyType(inner))
+
+
+def next_anchor(corrections: Corrections, view: ViewId) -> str:
+    """Return a name for one more outline point of a photo that no feature has."""
+    taken = set(corrections.points.get(view, {}))
+    return next(name for name in (f"{ANCHOR}{k}" for k in range(1, len(taken) + 2)) if name not in taken)
 
 
 @dataclass(frozen=True, slots=True)

@@ -19,7 +19,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
-from cloner.records.points import BodyPoints, ObeyedPoint
+from cloner.records.points import ANCHOR, BodyPoints, ObeyedPoint
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.join import named_features
@@ -81,7 +81,7 @@ def _on_cloth(silhouette: Silhouette | None, point_px: Array) -> bool:
 
 
 def _on_outline(name: str) -> bool:
-    return name in load_generic().feature_names and name.startswith(ON_OUTLINE)
+    return name.startswith(ANCHOR) or (name in load_generic().feature_names and name.startswith(ON_OUTLINE))
 
 
 def _posed(name: str) -> bool:

@@ -18,8 +18,9 @@ from cloner.geometry.rim_search import Found, nearest_rim_point, rim_of
 from cloner.geometry.skin_bends import Place
 from cloner.geometry.skinning import blend_transforms, joint_transforms
 from cloner.records.bodies import PosedView
+from cloner.records.points import ANCHOR
 from cloner.records.views import Camera
-from cloner.stages.obeyed_places import generic_metric, territory
+from cloner.stages.obeyed_places import LEAST_FREE, distance_from, free_skin, generic_metric, territory
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -133,6 +134,8 @@ def scene_of(vertices_m: Array, joints_m: Array, posed: PosedView) -> Scene:
 
 def skin_of(wish: Wish, params: Params) -> Bools:
     """Return (V,) the skin that may make the outline at a wished point."""
+    if wish.name.startswith(ANCHOR):  # it has no place on the generic skin: all that may move
+        return np.asarray(free_skin() > LEAST_FREE)
     return territory(wish.name, m_from_mm(params.territory_mm), wish.view is ViewId.BODY_SIDE)
 
 
@@ -158,6 +161,8 @@ def claim_of(wish: Wish, found: Found, seen: Scene, params: Params) -> Claim:
     if gap_px > 2.0:  # the way to the nearest point is square to the outline; an edge's own normal is coarser
         outward = (-away if inward else away) / gap_px
     metric, skin = generic_metric(), skin_of(wish, params)
+    if wish.name.startswith(ANCHOR):
+        skin = skin & (distance_from(found.place) < m_from_mm(params.territory_mm))
     edges = metric.edges[skin[metric.edges].all(axis=1)]
     # What lies farther out already is another part, beyond a gap: the other thigh, seen from the crotch.
     beyond = ((seen.pixels[edges] - found.pixel) @ outward).max(axis=1)

@@ -13,7 +13,7 @@ from cloner.abreast import abreast
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import BodyPoints, Proposal, Proposals, ViewPoints
+from cloner.records.points import ANCHOR, BodyPoints, Proposal, Proposals, ViewPoints
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.points import FAR, figure_height_px, for_fitting, shows_crotch
@@ -24,7 +24,7 @@ from cloner.vision.outlines import Outline, OutlineLoop, extract_outline
 ON_OUTLINE = (
     "head_top", "neck_base", "shoulder_end", "armpit", "elbow_outer", "elbow_inner", "wrist_outer", "wrist_inner",
     "waist", "hip", "crotch", "knee", "ankle_outer", "ankle_inner", "neck_front", "neck_back", "chest_front", "back",
-    "belly_front", "buttock", "thigh", "ankle_front", "ankle_back",
+    "belly_front", "buttock", "thigh", "ankle_front", "ankle_back", ANCHOR,
 )  # fmt: skip
 
 

@@ -217,6 +217,29 @@ def test_without_corrections_the_person_is_the_same_object():
     assert told == ()
 
 
+@pytest.mark.parametrize(("name", "lift_px", "out_px"), [("waist_left", 45.0, 18.0), ("knee_outer_right", -70.0, -7.0)])
+def test_an_outline_point_without_a_name_bends_the_skin_that_makes_the_outline_there(name, lift_px, out_px):
+    person, points, outlines = fitted.fitted_person()
+    line = np.concatenate(outlines.views[FRONT].contours_px)
+    feature = points.views[FRONT].get(name)
+    start = line[np.argmin(np.linalg.norm(line - feature - [0.0, lift_px], axis=1))]
+    side = np.sign(feature[0] - person.views[FRONT].camera.centre_px[0])
+    place = start + [side * out_px, 0.0]
+    anchored = corrected((FRONT, "outline_1", place))
+    bent, told = obey(person, anchored, outlines)
+    assert outline_distance_px(bent, FRONT, place) < 0.5
+    assert [(one.kind, one.note) for one in told] == [("outline", "")]
+    shift = 1000.0 * np.linalg.norm(bent.vertices_m - person.vertices_m, axis=1)
+    centre = person.vertices_m[np.argmax(shift)]
+    assert shift[1000.0 * np.linalg.norm(person.vertices_m - centre, axis=1) > SUPPORT_MM].max() == 0.0
+    assert (
+        np.linalg.norm(
+            np.concatenate(bent_silhouettes(outlines, anchored, told).views[FRONT].contours_px) - place, axis=1
+        ).min()
+        < 0.1
+    )
+
+
 def test_the_outline_is_bent_through_the_point_too():
     person, _, outlines = fitted.fitted_person()
     start, outward = outline_place(FRONT, "waist_left")
