@@ -15,6 +15,7 @@ from cloner.motion.bvh import read_bvh
 from cloner.motion.cycle import walk_cycle
 from cloner.motion.faps import fap_text, read_fap, rotations_of, stream_of, weights_of
 from cloner.motion.retarget import retarget
+from cloner.motion.rig import centred
 from cloner.motion.talk import FRAMES_PER_S, talk
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
@@ -51,7 +52,7 @@ def animate_file(clone_path: Path, sources: Sequence[Path], out: Path, *, cycles
     if out.suffix.lower() != ".glb":
         raise ClonerError("animations are written as glTF", "Give --out a name that ends with .glb", out.name)
     clone = clone_of(clone_path)
-    body = body_of(clone)
+    body = body_of(centred(clone))
     motions = [_motion(clone, body, path, cycles=cycles) for path in sources]
     written = list(export(clone, out.parent, name=out.stem, motions=motions))
     for path, motion in zip(sources, motions, strict=True):

@@ -30,6 +30,7 @@ from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import Surface, load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
 from cloner.motion.own import own_motions
+from cloner.motion.rig import centred
 from cloner.records.clones import Clone
 from cloner.records.heads import SHELL_KINDS, Shell
 from cloner.records.motions import Motion
@@ -50,7 +51,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", motions: Sequence
         If the folder cannot be written to.
     """
     path = folder / f"{name}.glb"
-    write_bytes(path, b"".join(build(clone, motions).save_to_bytes()))
+    write_bytes(path, b"".join(build(centred(clone), motions).save_to_bytes()))
     return (path,)
 
 

@@ -17,6 +17,7 @@ from cloner.exporters.files import write_bytes
 from cloner.exporters.gltf import build
 from cloner.generic.load import load_generic
 from cloner.motion.rest import in_t_pose
+from cloner.motion.rig import centred
 from cloner.records.clones import Clone
 
 EXTENSION: Final = "VRMC_vrm"
@@ -60,7 +61,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     ClonerError
         If the folder cannot be written to.
     """
-    posed = in_t_pose(clone)
+    posed = in_t_pose(centred(clone))
     gltf = build(posed)
     gltf.extensionsUsed = [*gltf.extensionsUsed, EXTENSION]
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}

@@ -30,6 +30,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.viewpoints import AZIMUTH_DEG
 from cloner.motion.body import body_of
 from cloner.motion.gait import walk
+from cloner.motion.rig import centred
 from cloner.records.clones import Clone
 
 _FIELD_OF_VIEW: Final = 0.6  # radians; taste
@@ -43,6 +44,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     ClonerError
         If the folder cannot be written to.
     """
+    clone = centred(clone)
     pictures = write_pictures(clone, folder, name)
     scene = folder / f"{name}.wrl"
     write_bytes(scene, "".join(_scene(clone, name)).encode())

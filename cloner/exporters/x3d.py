@@ -27,6 +27,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.motion.body import body_of
 from cloner.motion.gait import walk
+from cloner.motion.rig import centred
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
@@ -41,6 +42,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     ClonerError
         If the folder cannot be written to.
     """
+    clone = centred(clone)
     pictures = write_pictures(clone, folder, name)
     scene = folder / f"{name}.x3d"
     write_bytes(scene, "".join(_document(clone, name)).encode())

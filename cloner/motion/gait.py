@@ -22,6 +22,7 @@ from scipy.interpolate import CubicSpline
 from cloner.motion import turns
 from cloner.motion.body import FOOT, NECK, SIDES, SPINE, Body, below
 from cloner.motion.contact import grounded, planted
+from cloner.motion.twist import shared_twist
 from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
@@ -49,7 +50,6 @@ SWAY_M: Final = 0.018  # of the hips over the standing foot
 FINGERS: Final = ("index", "middle", "ring", "pinky")
 CURL: Final = 0.30  # of each knuckle of a relaxed hand, radians
 PALM_BACK: Final = 0.5  # how much a hanging palm faces backwards, against inwards
-FOREARM_TWIST: Final = 0.5  # the share of a hand's turn that shows in the forearm
 STEP_WIDTH_M: Final = 0.10  # between the ankles, at a stature of 1.70 m
 TOE_OUT_DEG: Final = 7.0
 _STATURE_M: Final = 1.70
@@ -73,7 +73,8 @@ def walk(body: Body) -> Motion:
         _swing_arm(body, world, side, np.cos(2.0 * np.pi * own))
     root = np.zeros((len(times), 3))
     root[:, 0] = SWAY_M * np.sin(turn)
-    motion = Motion("walk", times, root, turns.local_from_world(world, body.parents), cyclic=True)
+    rotations = shared_twist(body, turns.local_from_world(world, body.parents))
+    motion = Motion("walk", times, root, rotations, cyclic=True)
     motion = grounded(body, motion)
     return grounded(body, planted(body, replace(motion, speed_m_s=_ground_speed(body, motion))))
 
@@ -100,7 +101,7 @@ def idle(body: Body) -> Motion:
     world[:, below(body, body.joint("skullbase"))] = head[:, None]
     blinks = np.maximum(*(np.clip(1.0 - np.abs(times - at) / 0.12, 0.0, 1.0) for at in (1.7, 4.6)))
     weights = {"eyeBlinkLeft": blinks, "eyeBlinkRight": blinks}
-    rotations = turns.local_from_world(world, body.parents)
+    rotations = shared_twist(body, turns.local_from_world(world, body.parents))
     return grounded(body, Motion("idle", times, np.zeros((len(times), 3)), rotations, weights, cyclic=True))
 
 
@@ -140,8 +141,6 @@ def follow(body: Body, world: Array, side: str) -> None:
         for vectors in (forearm @ palm, np.broadcast_to(inward, along.shape))
     )
     twist = turns.between(now, wanted)
-    still = np.broadcast_to(np.eye(3), twist.shape)
-    world[:, elbow] = turns.shared(still, twist, FOREARM_TWIST) @ forearm
     world[:, below(body, wrist)] = (twist @ forearm)[:, None]
     for finger in FINGERS:
         knuckles = [body.joint(f"{side}_{finger}{number}") for number in (1, 2, 3)]

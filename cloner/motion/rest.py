@@ -12,6 +12,7 @@ from cloner.geometry.skinning import blend_transforms, joint_transforms, skin
 from cloner.motion import turns
 from cloner.motion.body import FOOT, SIDES, Body, below, body_of
 from cloner.motion.gait import aim_limb, palm_normal
+from cloner.motion.twist import shared_twist
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 
@@ -61,9 +62,8 @@ def t_pose(body: Body) -> Array:
         level = np.array([0.0, 1.0, 1.0])  # only about the arm's own axis
         twist = turns.between(palm * level, np.array([0.0, -1.0, 0.0]))
         world[:, below(body, wrist)] = twist @ world[0, elbow]
-        world[:, elbow] = turns.shared(still, twist[None], 0.5) @ world[:, elbow]
         for name in ("hip", "knee"):
             aim_limb(body, world, side, name, still)
         for name in (*FOOT, "metatarsal"):
             world[:, body.joint(f"{side}_{name}")] = still
-    return np.asarray(turns.local_from_world(world, body.parents)[0])
+    return np.asarray(shared_twist(body, turns.local_from_world(world, body.parents))[0])

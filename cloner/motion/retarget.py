@@ -17,6 +17,7 @@ from cloner.motion.anatomy import Anatomy, Limb, find_anatomy
 from cloner.motion.body import FOOT, NECK, SIDES, SPINE, Body, below
 from cloner.motion.bvh import Capture
 from cloner.motion.contact import grounded, planted
+from cloner.motion.twist import shared_twist
 from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
@@ -51,7 +52,8 @@ def retarget(capture: Capture, body: Body, *, name: str, frames_per_s: float = 3
         _limb(body, world, side, ("hip", "knee", "ankle"), leg, source, offsets)
         _foot(body, world, side, leg, source, offsets)
         _arm(body, world, side, arm, source, offsets)
-    motion = Motion(name, times, _travel(body, anatomy, where), turns.local_from_world(world, body.parents))
+    rotations = shared_twist(body, turns.local_from_world(world, body.parents))
+    motion = Motion(name, times, _travel(body, anatomy, where), rotations)
     return planted(body, settled(body, motion))
 
 
