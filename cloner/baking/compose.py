@@ -1,4 +1,4 @@
-"""Photos into texels: visibility per texel, then one multiresolution blend."""
+"""Photos into texels, tile by tile: visibility per texel, then one multiresolution blend."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.abreast import abreast
 from cloner.baking.materials import Materials, always_bare
 from cloner.baking.sources import (
     Limits,
@@ -17,6 +18,8 @@ from cloner.baking.sources import (
     shown_colours,
     visible_points,
 )
+from cloner.baking.tiles import Tile, cut_tiles
+from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import head_weight
 from cloner.geometry.atlas import AtlasMap
@@ -29,7 +32,7 @@ from cloner.vision.evening import apply_light
 Array = NDArray[np.float64]
 
 SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden at that very texel
-CHUNK_TEXELS = 1 << 18  # texels worked on at once: tables stay in tens of MiB
+PLAIN_RGB = (190, 160, 145)  # taste: what a person is painted with whom no photo shows
 LAST_CHOICE = 0.0005  # beside an inner outline a photo paints only what no other one sees
 OWNER_SMOOTHING = 4  # rounds; borders of 2-3 edge lengths' smoothness
 CLASH = 0.6  # of a full difference between skin and not skin
@@ -53,7 +56,7 @@ def share_surface(
 
 def bake(
     generic: GenericHuman,
-    atlas: AtlasMap,
+    size: int,
     sources: list[Source],
     shares: Array,
     light: Array,
@@ -63,11 +66,13 @@ def bake(
     *,
     levels: int,
     tick: Callable[[float], None],
-) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
-    """Return the atlas' colours and which texels a photo saw.
+) -> tuple[NDArray[np.uint8], NDArray[np.bool_]]:
+    """Return the atlas' colours and which texels a photo saw; tile by tile, so large atlases need no more memory.
 
     Parameters
     ----------
+    size : int
+        Side of the atlas, texels.
     shares : (K, V); light : (K, V, 3) log gains; base : (3, V, 3) levels of skin, hair and cloth
     levels : int
         Pyramid levels of the blend.
@@ -75,45 +80,64 @@ def bake(
 
     Returns
     -------
-    rgb : (size, size, 3) float32, levels; sensible also outside the charts
+    rgb : (size, size, 3) uint8; `PLAIN_RGB` far from the charts
     seen : (size, size) bool, texels that a photo (not a mirrored one) painted
     """
-    size = atlas.size
+    tables = [paint_table(generic, source, shares[k], light[k], kinds) for k, source in enumerate(sources)]
+
+    def paint_tile(tile: Tile) -> tuple[NDArray[np.uint8], NDArray[np.bool_]] | None:
+        atlas = generic_atlas(generic, size, window=tile.outer)
+        if not atlas.texel.size:
+            return None
+        rgb, seen = bake_tile(generic, atlas, sources, tables, base, kinds, limits, levels)
+        return np.clip(np.rint(rgb[tile.inner]), 0, 255).astype(np.uint8), seen[tile.inner]
+
+    rgb = np.tile(np.array(PLAIN_RGB, np.uint8), (size, size, 1))
+    seen = np.zeros((size, size), bool)
+    tiles = cut_tiles(size)
+    for number, (tile, painted) in enumerate(zip(tiles, abreast(paint_tile, tiles), strict=True)):
+        if painted is not None:
+            rgb[tile.place], seen[tile.place] = painted
+        tick((number + 1) / len(tiles))
+    return rgb, seen
+
+
+def bake_tile(
+    generic: GenericHuman,
+    atlas: AtlasMap,
+    sources: list[Source],
+    tables: list[NDArray[np.float32]],
+    base: NDArray[np.float32],
+    kinds: Materials,
+    limits: Limits,
+    levels: int,
+) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
+    """Return (h, w, 3) colours in levels of one window of the atlas, and (h, w) which texels a photo saw."""
     covered = atlas.covered()
-    ground = np.zeros((size * size, 3), np.float32)
+    ground = np.zeros((covered.size, 3), np.float32)
     ground[atlas.texel] = lay_ground(atlas, base, kinds)
-    ground = push_pull(ground.reshape(size, size, 3), covered.astype(np.float32))
-    seen = np.zeros(size * size, bool)
+    ground = push_pull(ground.reshape(*covered.shape, 3), covered.astype(np.float32))
+    seen = np.zeros(covered.size, bool)
 
     def layers() -> Iterator[Layer]:
-        yield Layer(ground, np.full((size, size), FILL_SHARE, np.float32))
-        for k, source in enumerate(sources):
-            tick(k / len(sources))
-            texel, colour, weight = paint(generic, atlas, source, shares[k], light[k], kinds, limits)
+        yield Layer(ground, np.full(covered.shape, FILL_SHARE, np.float32))
+        for source, table in zip(sources, tables, strict=True):
+            texel, colour, weight = paint(generic, atlas, source, table, limits)
             if texel.size == 0:
                 continue
             if not source.mirrored:
                 seen[texel[weight > 2 * FILL_SHARE]] = True
             yield dense_layer(ground, texel, colour, weight, 1 << levels)
 
-    rgb = blend_pyramids(layers(), (size, size, 3), levels)
-    return rgb, seen.reshape(size, size)
+    rgb = blend_pyramids(layers(), (*covered.shape, 3), levels)
+    return rgb, seen.reshape(covered.shape)
 
 
-def paint(
-    generic: GenericHuman,
-    atlas: AtlasMap,
-    source: Source,
-    share: Array,
-    light: Array,
-    kinds: Materials,
-    limits: Limits,
-) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
-    """Return texels (N,), their colours (N, 3) in levels and weights (N,) from one photo."""
-    skin = generic.vertex_part == generic.part_names.index("body")
-    useful = (share > 0.0) & skin & ~generic.region("mouth_interior")
-    rows = atlas.rows_of(useful[atlas.triangles].any(axis=1) & skin[atlas.triangles[:, 0]])
-    table = np.column_stack(
+def paint_table(
+    generic: GenericHuman, source: Source, share: Array, light: Array, kinds: Materials
+) -> NDArray[np.float32]:
+    """Return (V, 14) what :func:`paint` must know of every vertex: places and depth, shares, kinds, light."""
+    return np.column_stack(
         [
             source.sight.pixel_px,
             source.lookup_px,
@@ -127,13 +151,16 @@ def paint(
             light,
         ]
     ).astype(np.float32)
-    pieces = [
-        _paint_rows(atlas, source, table, rows[start : start + CHUNK_TEXELS], limits)
-        for start in range(0, rows.size, CHUNK_TEXELS)
-    ]
-    if not pieces:
-        return np.zeros(0, np.int32), np.zeros((0, 3), np.float32), np.zeros(0, np.float32)
-    return tuple(np.concatenate(column) for column in zip(*pieces, strict=True))  # type: ignore[return-value]
+
+
+def paint(
+    generic: GenericHuman, atlas: AtlasMap, source: Source, table: NDArray[np.float32], limits: Limits
+) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
+    """Return texels (N,), their colours (N, 3) in levels and weights (N,) from one photo."""
+    skin = generic.vertex_part == generic.part_names.index("body")
+    useful = (table[:, 6] > 0.0) & skin & ~generic.region("mouth_interior")
+    rows = atlas.rows_of(useful[atlas.triangles].any(axis=1) & skin[atlas.triangles[:, 0]])
+    return _paint_rows(atlas, source, table, rows, limits)
 
 
 def _paint_rows(
@@ -143,7 +170,7 @@ def _paint_rows(
     rows: NDArray[np.int64],
     limits: Limits,
 ) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
-    """Return texels, colours and weights of some texels; ``table`` as made in :func:`paint`."""
+    """Return texels, colours and weights of some texels; ``table`` as made by :func:`paint_table`."""
     values = atlas.interpolate(table, rows)
     # Cheap tests first: what they leave is sampled in the photo.
     first = np.flatnonzero((values[:, 6] > 0.0) & (values[:, 5] > limits.steepest_cosine))
@@ -197,14 +224,14 @@ def dense_layer(
 
     Parameters
     ----------
-    ground : (size, size, 3); texel, weight : (N,); colour : (N, 3)
+    ground : (h, w, 3); texel, weight : (N,); colour : (N, 3)
     grid : int
         Corners of the crop are multiples of this.
     """
-    size = ground.shape[0]
-    row, column = np.divmod(texel, size)
+    row, column = np.divmod(texel, ground.shape[1])
     top, left = (max(int(v.min()) // grid - 1, 0) * grid for v in (row, column))
-    bottom, right = (min((int(v.max()) // grid + 2) * grid, size) for v in (row, column))
+    ends = zip((row, column), ground.shape, strict=False)
+    bottom, right = (min((int(v.max()) // grid + 2) * grid, end) for v, end in ends)
     below = ground[top:bottom, left:right]
     image = np.zeros(below.shape, np.float32)
     known = np.zeros(below.shape[:2], np.float32)

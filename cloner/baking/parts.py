@@ -16,13 +16,16 @@ USUAL_IRIS_M = 0.00585  # anatomy: 11.7 mm across
 def paint_parts(
     generic: GenericHuman,
     atlas: AtlasMap,
-    rgb: NDArray[np.float32],
+    rgb: NDArray[np.uint8],
     vertices_m: NDArray[np.float64],
     iris_rgb: NDArray[np.float64],
     iris_radius_m: float,
     rng: np.random.Generator,
-) -> NDArray[np.float32]:
-    """Return the atlas (size, size, 3), levels, with every part but the skin painted."""
+) -> NDArray[np.uint8]:
+    """Return the atlas (size, size, 3) with every part but the skin painted.
+
+    ``atlas`` needs to know the texels of the parts and of the face, whose colour the lids' shade takes.
+    """
     flat = rgb.reshape(-1, 3).copy()
     face = atlas.rows_of(np.all(generic.region("face")[atlas.triangles], axis=1))
     skin_rgb = np.asarray(np.median(flat[atlas.texel[face]], axis=0) if face.size else USUAL_SKIN_RGB, np.float64)
@@ -48,7 +51,7 @@ def paint_parts(
             colour = paint_teeth(share if name == "teeth_upper" else 1.0 - share)
         else:
             colour = paint_plain(rows.size, TONGUE_RGB if name == "tongue" else LASH_RGB)
-        flat[atlas.texel[rows]] = colour
+        flat[atlas.texel[rows]] = np.clip(np.rint(colour), 0, 255)
     return flat.reshape(rgb.shape)
 
 

@@ -80,7 +80,7 @@ def paint_shell(
     atlas : AtlasMap of the shell, its triangles indexing ``vertices_m``
     vertices_m : (N, 3), skin_joints, skin_weights : (N, 4)
     """
-    size = atlas.size
+    size = atlas.shape[0]
     normals = vertex_normals(vertices_m, atlas.triangles)
     usable = [view for view in views if view.posed.view in photos and view.mask.any()]
     sights, claims, trusts, pictures = [], [], [], []

@@ -1,22 +1,29 @@
-"""The generic human's texture atlas and surface graph, made once a process."""
+"""The generic human's texture atlas and surface graph."""
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
+from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
-from cloner.geometry.atlas import AtlasMap, map_atlas
+from cloner.geometry.atlas import AtlasMap, Window, map_atlas
 from cloner.geometry.graphs import SurfaceGraph, surface_graph
 
 
-@lru_cache(maxsize=2)
-def generic_atlas(generic: GenericHuman, size: int) -> AtlasMap:
-    """Return the atlas of the generic human at ``size`` texels a side."""
+def generic_atlas(
+    generic: GenericHuman,
+    size: int,
+    *,
+    window: Window | None = None,
+    wanted: NDArray[np.bool_] | slice = np.s_[:],
+) -> AtlasMap:
+    """Return the atlas of the generic human at ``size`` texels a side, or a window of it.
+
+    ``wanted`` (T,) picks triangles, all by default.
+    """
     triangles, uv_triangles = generic.triangles()
     uv = np.asarray(generic.uv, dtype=np.float64)
-    return map_atlas(uv, uv_triangles.astype(np.int32), triangles.astype(np.int32), size)
+    return map_atlas(uv, uv_triangles[wanted].astype(np.int32), triangles[wanted].astype(np.int32), size, window)
 
 
 def person_graph(generic: GenericHuman, vertices_m: np.ndarray) -> SurfaceGraph:

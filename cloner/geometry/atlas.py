@@ -14,22 +14,22 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AtlasMap:
-    """Texels of all charts, in the order of their triangles.
+    """Texels of all charts in a window of the atlas, in the order of their triangles.
 
     Attributes
     ----------
-    size : int
-        Side of the square atlas, texels.
+    shape : (int, int)
+        Height and width of the window, texels.
     triangles : (T, 3) int32
-        Vertex indices of the triangles.
+        Vertex indices of the triangles: those given, of a window those that show in it.
     texel : (N,) int32
-        ``row * size + column`` of every covered texel, each once.
+        ``row * width + column`` in the window of every covered texel, each once.
     triangle : (N,) int32
-        The triangle that covers it.
+        The triangle that covers it, a row of ``triangles``.
     barycentric : (N, 3) float32
     """
 
-    size: int
+    shape: tuple[int, int]
     triangles: NDArray[np.int32]
     texel: NDArray[np.int32]
     triangle: NDArray[np.int32]
@@ -51,14 +51,28 @@ class AtlasMap:
         return np.flatnonzero(triangles[self.triangle])
 
     def covered(self) -> NDArray[np.bool_]:
-        """Return (size, size) bool, True inside charts."""
-        inside = np.zeros(self.size * self.size, dtype=bool)
+        """Return bool of the window's shape, True inside charts."""
+        inside = np.zeros(self.shape[0] * self.shape[1], dtype=bool)
         inside[self.texel] = True
-        return inside.reshape(self.size, self.size)
+        return inside.reshape(self.shape)
+
+
+@dataclass(frozen=True, slots=True)
+class Window:
+    """A rectangle of an atlas: first row and column, height and width, texels."""
+
+    top: int
+    left: int
+    height: int
+    width: int
 
 
 def map_atlas(
-    uv: NDArray[np.floating], uv_triangles: NDArray[np.int32], triangles: NDArray[np.int32], size: int
+    uv: NDArray[np.floating],
+    uv_triangles: NDArray[np.int32],
+    triangles: NDArray[np.int32],
+    size: int,
+    window: Window | None = None,
 ) -> AtlasMap:
     """Rasterise the charts.
 
@@ -69,12 +83,21 @@ def map_atlas(
         The same triangles by UV point and by vertex.
     size : int
         Side of the atlas in texels; texel (0, 0) has its centre at uv 0.5/size.
+    window : Window, optional
+        The part of the atlas that is wanted, all by default.
     """
-    owner = np.full(size * size, -1, dtype=np.int32)
-    weight = np.zeros((size * size, 3), dtype=np.float32)
-    for texel, triangle, barycentric in fragments(np.asarray(uv, float) * size - 0.5, uv_triangles, size, size):
-        owner[texel] = triangle
-        weight[texel] = barycentric
-    texel = np.flatnonzero(owner >= 0)
-    order = texel[np.argsort(owner[texel], kind="stable")]
-    return AtlasMap(size, triangles, order.astype(np.int32), owner[order], weight[order])
+    part = window or Window(0, 0, size, size)
+    points = np.asarray(uv, float) * size - 0.5 - (part.left, part.top)
+    found = [(np.zeros(0, np.int32), np.zeros(0, np.int32), np.zeros((0, 3), np.float32))]
+    for texel, triangle, barycentric in fragments(points, uv_triangles, part.width, part.height):
+        found.append((texel.astype(np.int32), triangle.astype(np.int32), barycentric))
+    texel, triangle, weight = (np.concatenate(column) for column in zip(*found, strict=True))
+    # Where charts touch two triangles claim a texel: the later one has it.
+    last = np.zeros(part.height * part.width, np.int32)
+    last[texel] = np.arange(len(texel), dtype=np.int32)
+    kept = last[texel] == np.arange(len(texel), dtype=np.int32)
+    texel, triangle, weight = texel[kept], triangle[kept], weight[kept]
+    if window is not None:  # tables by triangle are then as small as the window
+        shown, triangle = np.unique(triangle, return_inverse=True)
+        triangles = triangles[shown]
+    return AtlasMap((part.height, part.width), triangles, texel, triangle.astype(np.int32), weight)

@@ -9,7 +9,9 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-CHUNK_CANDIDATES = 1_500_000  # pixels tested at once: keeps the peak under 150 MiB (measured)
+CHUNK_CANDIDATES = (
+    100_000  # pixels tested at once: tables stay in the cache, a third faster than 1.5 million (measured)
+)
 
 
 def fragments(

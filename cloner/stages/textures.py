@@ -14,16 +14,18 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.compose import bake, share_surface
+from cloner.abreast import abreast
+from cloner.baking.compose import PLAIN_RGB, bake, share_surface
 from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
 from cloner.baking.labelled import vet_labels
 from cloner.baking.materials import doubt_grazing, find_materials
 from cloner.baking.parts import paint_parts
 from cloner.baking.posed import body_triangles
 from cloner.baking.sources import Limits, gather_sources
+from cloner.baking.tiles import Tile, cut_tiles
 from cloner.baking.tucking import tuck_scalp
 from cloner.generic.charts import generic_atlas, person_graph
-from cloner.generic.load import load_generic
+from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.wedges import vertex_normals
 from cloner.records.clones import Clone, Joined, TextureAtlas
@@ -32,8 +34,6 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-
-PLAIN_RGB = (190.0, 160.0, 145.0)  # taste: what a person is painted with whom no photo shows
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,7 +82,6 @@ def run(
     generic = load_generic()
     proposals = vet_labels(photos, proposals)
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, shells))
-    atlas = generic_atlas(generic, params.size)
     tick(0.15)
     sources, residuals = gather_sources(generic, photos, proposals, silhouettes, joined, shells, params.limits)
     tick(0.4)
@@ -98,7 +97,7 @@ def run(
         shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
         rgb, seen = bake(
             generic,
-            atlas,
+            params.size,
             sources,
             shares,
             light,
@@ -109,30 +108,56 @@ def run(
             tick=lambda part: tick(0.4 + 0.5 * part),
         )
     else:
-        rgb = np.tile(np.array(PLAIN_RGB, np.float32), (params.size, params.size, 1))
+        rgb = np.tile(np.array(PLAIN_RGB, np.uint8), (params.size, params.size, 1))
         seen = np.zeros((params.size, params.size), dtype=bool)
-    rgb = paint_parts(generic, atlas, rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, rng)
-    residuals.append(Residual("texels_seen", 100.0 * float(seen.sum()) / max(atlas.texel.size, 1), "percent"))
-    clone = assemble(joined, shells, finish(atlas, rgb, seen))
+    rgb = paint_parts(
+        generic, parts_atlas(generic, params.size), rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, rng
+    )
+    rgb, covered = pad_charts(generic, rgb)
+    residuals.append(Residual("texels_seen", 100.0 * float(seen.sum()) / max(covered, 1), "percent"))
+    clone = assemble(joined, shells, TextureAtlas(rgb, np.where(seen, 255, 0).astype(np.uint8)))
     tick(1.0)
     warnings = () if sources else ("No photo could be laid on the body: it keeps one plain colour",)
     return StageResult({"painted": clone}, tuple(residuals), warnings)
 
 
-def finish(atlas: AtlasMap, rgb: NDArray[np.float32], seen: NDArray[np.bool_]) -> TextureAtlas:
-    """Return the atlas as bytes, every texel outside the charts showing its nearest chart's colour.
+def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:
+    """Return the atlas of what is painted and not photographed, and of the face, whose colour it takes."""
+    triangles = generic.triangles()[0]
+    body = generic.vertex_part[triangles[:, 0]] == generic.part_names.index("body")
+    return generic_atlas(generic, size, wanted=~body | generic.region("face")[triangles].all(axis=1))
 
-    A renderer's smaller mip levels average over chart borders; without the
-    padding they would draw seams.
+
+def pad_charts(generic: GenericHuman, rgb: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], int]:
+    """Return the atlas with every texel near the charts showing its nearest chart's colour, and the charts' texels.
+
+    A renderer's smaller mip levels average over chart borders; without the padding they would draw seams.
     """
-    outside = ~atlas.covered()
-    image = np.clip(np.rint(rgb), 0, 255).astype(np.uint8)
+    size = len(rgb)
+    tiles = cut_tiles(size)
+
+    def pad(tile: Tile) -> tuple[NDArray[np.uint8], int]:
+        window = tile.outer
+        part = rgb[window.top : window.top + window.height, window.left : window.left + window.width]
+        covered = generic_atlas(generic, size, window=window).covered()
+        padded = spread_nearest(part, covered) if covered.any() else part
+        return padded[tile.inner], int(covered[tile.inner].sum())
+
+    padded, count = np.empty_like(rgb), 0
+    for tile, (part, found) in zip(tiles, abreast(pad, tiles), strict=True):
+        padded[tile.place] = part
+        count += found
+    return padded, count
+
+
+def spread_nearest(rgb: NDArray[np.uint8], known: NDArray[np.bool_]) -> NDArray[np.uint8]:
+    """Return the picture (H, W, 3) in which every unknown pixel shows the nearest known one's colour."""
     _, labels = cv2.distanceTransformWithLabels(
-        outside.astype(np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
+        (~known).astype(np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
     )
     colour_of = np.zeros((int(labels.max()) + 1, 3), np.uint8)
-    colour_of[labels[~outside]] = image[~outside]
-    return TextureAtlas(colour_of[labels], np.where(seen, 255, 0).astype(np.uint8))
+    colour_of[labels[known]] = rgb[known]
+    return np.asarray(colour_of[labels], np.uint8)
 
 
 def assemble(joined: Joined, shells: tuple[Shell, ...], atlas: TextureAtlas) -> Clone:
