@@ -10,6 +10,7 @@ import numpy as np
 from cloner.errors import ClonerError
 from cloner.exporters.files import write_bytes
 from cloner.exporters.gltf import export
+from cloner.motion.acclaim import read_acclaim
 from cloner.motion.body import Body, body_of
 from cloner.motion.bvh import read_bvh
 from cloner.motion.cycle import walk_cycle
@@ -22,6 +23,7 @@ from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
 SPEECH = (".wav", ".txt")
+CAPTURES = {".bvh": read_bvh, ".amc": read_acclaim}
 
 
 def animate_file(clone_path: Path, sources: Sequence[Path], out: Path, *, cycles: bool = False) -> tuple[Path, ...]:
@@ -32,12 +34,12 @@ def animate_file(clone_path: Path, sources: Sequence[Path], out: Path, *, cycles
     clone_path : Path
         ``clone.npz`` or the folder that holds it.
     sources : sequence of Path
-        Each becomes an animation with the file's name: .bvh is laid on the body, .wav and .txt (phonemes) are spoken,
+        Each becomes an animation with the file's name: .bvh and .amc (its .asf beside it) are laid on the body, .wav and .txt (phonemes) are spoken,
         .fap moves the face.
     out : Path
         Ends with .glb.
     cycles : bool
-        Cut every .bvh down to two steps of walking on the spot, closed into a circle.
+        Cut every capture down to two steps of walking on the spot, closed into a circle.
 
     Returns
     -------
@@ -65,8 +67,8 @@ def animate_file(clone_path: Path, sources: Sequence[Path], out: Path, *, cycles
 def _motion(clone: Clone, body: Body, path: Path, *, cycles: bool) -> Motion:
     """Return the motion that a file holds."""
     suffix = path.suffix.lower()
-    if suffix == ".bvh":
-        motion = retarget(read_bvh(path), body, name=path.stem)
+    if suffix in CAPTURES:
+        motion = retarget(CAPTURES[suffix](path), body, name=path.stem)
         return walk_cycle(body, motion) if cycles else motion
     if suffix in SPEECH:
         return talk(body, path)
@@ -75,4 +77,6 @@ def _motion(clone: Clone, body: Body, path: Path, *, cycles: bool) -> Motion:
         times = np.arange(len(stream.values)) / stream.frames_per_s
         rotations = rotations_of(stream, body.names)
         return Motion(path.stem, times, np.zeros((len(times), 3)), rotations, weights_of(clone, stream))
-    raise ClonerError(f"{suffix or 'this'} is no kind of animation", "Give .bvh, .wav, .txt or .fap files", path.name)
+    raise ClonerError(
+        f"{suffix or 'this'} is no kind of animation", "Give .bvh, .amc, .wav, .txt or .fap files", path.name
+    )

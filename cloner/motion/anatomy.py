@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 _KNEES: Final = {"knee", "shin", "leg", "loleg", "lowleg", "lowerleg", "calf", "tibia"}
 _ELBOWS: Final = {"elbow", "forearm", "loarm", "lowarm", "lowerarm", "radius"}
 _HEADS: Final = {"head", "skullbase"}
+#: Other bones of the Acclaim files that carry their side as a first small letter.
+_ACCLAIM: Final = {"clavicle", "humerus", "femur", "foot", "toes", "hand", "wrist", "hipjoint", "fingers", "thumb"}
 _TOES: Final = re.compile("toe|ball|midtarsal")
 #: Bones shorter than this share of the whole are helpers, no limbs.
 _HELPER: Final = 0.01
@@ -84,6 +86,8 @@ def find_anatomy(capture: Capture) -> Anatomy:
     heads = [number for number, name in enumerate(capture.names) if plain(name)[0] in _HEADS]
     if not heads:
         raise _unknown("head")
+    for limb, part in zip((*legs, *arms), ("left leg", "right leg", "left arm", "right arm"), strict=True):
+        _has_length(capture, limb, part)
     pelvis = _shared(capture, legs[0].upper, legs[1].upper)
     chest = _shared(capture, arms[0].upper, arms[1].upper)
     # where legs and back begin at different joints, the trunk begins at the joint they share
@@ -110,9 +114,18 @@ def plain(name: str) -> tuple[str, str]:
     if match:
         return re.sub("[^a-z]", "", match[2].lower()), match[1].lower()
     match = re.match(r"^([lr])(.+)$", name)  # lfemur, of the Acclaim files
-    if match and match[2].lower() in _KNEES | _ELBOWS:
+    if match and match[2].lower() in _KNEES | _ELBOWS | _ACCLAIM:
         return match[2].lower(), match[1]
     return re.sub("[^a-z]", "", name.lower()), ""
+
+
+def _has_length(capture: Capture, limb: Limb, part: str) -> None:
+    """Refuse limbs that point nowhere."""
+    longest = float(np.linalg.norm(capture.offsets, axis=1).max())
+    for joint in (limb.lower, limb.end):
+        if np.linalg.norm(capture.offsets[joint]) <= _HELPER * longest:
+            hint = "Export the capture with the lengths of its bones"
+            raise ClonerError(f"the {part} has a bone without length in the capture", hint, capture.names[joint])
 
 
 def _unknown(part: str) -> ClonerError:

@@ -22,6 +22,7 @@ Array = NDArray[np.float64]
 
 LARGEST_BYTES: Final = 200_000_000  # taste: an hour of capture at 120 Hz
 MOST_JOINTS: Final = 1_000
+MOST_ROTATIONS: Final = 30_000_000  # frames times joints, 72 bytes each: that hour with 70 joints
 _AXES: Final = {"X": 0, "Y": 1, "Z": 2}
 _AGAIN: Final = "Export the capture again as BVH"
 
@@ -112,8 +113,8 @@ def parse_bvh(text: str) -> Capture:
         raise ValueError("Frames or Frame Time is missing")
     count, frame_s = int(words[1]), float(words[4])
     width = sum(map(len, channels))
-    if not (0 < count <= 10_000_000 and 0.0 < frame_s < 10.0):
-        raise ValueError(f"{count} frames of {frame_s} s")
+    if not (0 < count * len(names) <= MOST_ROTATIONS and 0.0 < frame_s < 10.0 and width > 0):
+        raise ValueError(f"{count} frames of {width} numbers and {frame_s} s")
     numbers = np.array(words[5 : 5 + count * width], dtype=np.float64)
     if len(numbers) != count * width or not np.isfinite(numbers).all():
         raise ValueError(f"{count} frames of {width} numbers are promised, {len(numbers)} numbers are there")
@@ -155,7 +156,7 @@ def _hierarchy(
                 offsets[open_joints[-1]] = values
             at += 4
         elif word == "CHANNELS":
-            count = int(words[at + 1])
+            count = max(int(words[at + 1]), 0)
             channels[open_joints[-1]] = words[at + 2 : at + 2 + count]
             at += 2 + count
         elif word == "}":

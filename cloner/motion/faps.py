@@ -167,7 +167,7 @@ def read_fap(path: Path) -> FapStream:
         raise ClonerError("the FAP file cannot be read", "Give a .fap file", path.name) from error
     try:
         return _parsed(lines)
-    except (ValueError, IndexError) as error:
+    except (ValueError, IndexError, OverflowError) as error:
         raise ClonerError(f"the FAP file is broken: {error}", "Write it again", path.name) from error
 
 

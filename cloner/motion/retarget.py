@@ -8,6 +8,7 @@ and standing feet are held.
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,11 +43,7 @@ def retarget(capture: Capture, body: Body, *, name: str, frames_per_s: float = 3
     anatomy = find_anatomy(capture)
     count = max(round((len(capture.root) - 1) * capture.frame_s * frames_per_s), 1)
     times = np.arange(count + 1) / frames_per_s
-    rows = np.minimum(np.rint(times / capture.frame_s).astype(int), len(capture.root) - 1)
-    model = facing_front(capture, anatomy, model_from_file(capture, anatomy))
-    source = np.einsum("ab,fjbc,dc->fjad", model, capture.world()[rows], model)  # turns of our axes
-    offsets = capture.offsets @ model.T
-    where = _places(capture, source, offsets, capture.root[rows] @ model.T)
+    source, offsets, where = _in_our_axes(capture, anatomy, times)
     world = _trunk(body, anatomy, capture, source)
     for side, leg, arm in zip(SIDES, anatomy.legs, anatomy.arms, strict=True):
         _limb(body, world, side, ("hip", "knee", "ankle"), leg, source, offsets)
@@ -55,6 +52,27 @@ def retarget(capture: Capture, body: Body, *, name: str, frames_per_s: float = 3
     rotations = shared_twist(body, turns.local_from_world(world, body.parents))
     motion = Motion(name, times, _travel(body, anatomy, where), rotations)
     return planted(body, settled(body, motion))
+
+
+def _in_our_axes(capture: Capture, anatomy: Anatomy, times_s: Array) -> tuple[Array, Array, Array]:
+    """Return (F, J, 3, 3) orientations, (J, 3) offsets and (F, J, 3) places of a capture at some times, our axes."""
+    rows = np.minimum(np.rint(times_s / capture.frame_s).astype(int), len(capture.root) - 1)
+    model = facing_front(capture, anatomy, model_from_file(capture, anatomy))
+    source = np.einsum("ab,fjbc,dc->fjad", model, capture.world()[rows], model)  # turns of our axes
+    offsets = capture.offsets @ model.T
+    return source, offsets, _places(capture, source, offsets, capture.root[rows] @ model.T)
+
+
+def captured_directions(capture: Capture, anatomy: Anatomy, times_s: Array) -> dict[tuple[str, str], Array]:
+    """Return (F, 3) the unit directions of the captured limbs, our axes, by the two H-Anim joints of each bone."""
+    _, _, where = _in_our_axes(capture, anatomy, times_s)
+    found = {}
+    for side, leg, arm in zip(SIDES, anatomy.legs, anatomy.arms, strict=True):
+        for limb, names in ((leg, ("hip", "knee", "ankle")), (arm, ("shoulder", "elbow", "wrist"))):
+            for (first, start), (last, end) in pairwise(zip(names, (limb.upper, limb.lower, limb.end), strict=True)):
+                bone = where[:, end] - where[:, start]
+                found[f"{side}_{first}", f"{side}_{last}"] = bone / np.linalg.norm(bone, axis=1, keepdims=True)
+    return found
 
 
 def model_from_file(capture: Capture, anatomy: Anatomy) -> Array:

@@ -12,6 +12,7 @@ Tutorial "Inhabited Virtual Heritage", Eurographics 2001, speech. G. Peterson, H
 from __future__ import annotations
 
 import struct
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -37,6 +38,8 @@ STEP_S: Final = 0.01
 LPC_ORDER: Final = 14
 PITCH_HZ: Final = (70.0, 400.0)
 LONGEST_S: Final = 600.0
+RATES_HZ: Final = (1_000, 400_000)  # of any microphone
+LARGEST_BYTES: Final = 10_000_000  # of a list of phonemes
 VISEMES: Final = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "I", "O", "U")
 #: First and second formant of the vowels, hertz, between men's and women's.
 _VOWELS: Final[Mapping[str, tuple[float, float]]] = MappingProxyType({
@@ -96,8 +99,12 @@ def read_wav(path: Path) -> Array:
         If the file is missing, no WAV, silent or longer than ten minutes.
     """
     try:
-        rate, data = wavfile.read(path)
-    except (OSError, ValueError, EOFError, struct.error) as error:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", wavfile.WavFileWarning)  # of chunks nobody needs
+            rate, data = wavfile.read(path)
+        if not RATES_HZ[0] <= rate <= RATES_HZ[1] or data.dtype.kind not in "uif" or data.dtype.itemsize > 8:
+            raise ValueError(f"{rate} samples a second of {data.dtype}")
+    except (OSError, ValueError, EOFError, ArithmeticError, MemoryError, TypeError, struct.error) as error:
         raise ClonerError("the sound cannot be read", "Give a .wav file with 16-bit samples", path.name) from error
     if len(data) / rate > LONGEST_S:
         raise ClonerError(f"the sound is longer than {LONGEST_S / 60:.0f} minutes", "Cut it into pieces", path.name)
@@ -106,7 +113,7 @@ def read_wav(path: Path) -> Array:
         sound = sound - 128.0
     if sound.ndim == 2:
         sound = sound.mean(axis=1)
-    if len(sound) < RATE_HZ * FRAME_S or np.abs(sound).max() == 0.0:
+    if len(sound) < RATE_HZ * FRAME_S or not 0.0 < np.abs(sound).max() < np.inf:  # neither nan
         raise ClonerError("there is nothing to hear in the sound", "Record it again", path.name)
     divisor = int(np.gcd(rate, RATE_HZ))
     sound = resample_poly(sound, RATE_HZ // divisor, rate // divisor)
@@ -209,6 +216,10 @@ def phoneme_visemes(phonemes: Sequence[tuple[str, float]]) -> Array:
         if not 0.0 < seconds <= 10.0:
             raise ClonerError(f"{phoneme} lasts {seconds} s", "Give lengths between 0 and 10 seconds", "phonemes")
         rows += [VISEMES.index(viseme)] * max(round(seconds / STEP_S), 1)
+        if len(rows) * STEP_S > LONGEST_S:
+            raise ClonerError(f"they last longer than {LONGEST_S / 60:.0f} minutes", "Cut them", "phonemes")
+    if not rows:
+        raise ClonerError("there is no phoneme", 'Write lines like "AA1 0.12"', "phonemes")
     return np.eye(len(VISEMES))[rows]
 
 
@@ -221,6 +232,8 @@ def read_phonemes(path: Path) -> list[tuple[str, float]]:
         If the file is missing or a line is not that.
     """
     try:
+        if path.stat().st_size > LARGEST_BYTES:
+            raise ClonerError("the file is too large", "Cut it into pieces", path.name)
         lines = [line.split() for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
         return [(line[0], float(line[1])) for line in lines]
     except (OSError, UnicodeDecodeError) as error:

@@ -41,9 +41,12 @@ def talk(body: Body, path: Path) -> Motion:
         If the file cannot be read.
     """
     if path.suffix.lower() == ".wav":
-        shares = sound_visemes(frame_features(read_wav(path)))
-    else:
-        shares = phoneme_visemes(read_phonemes(path))
+        return speak(body, path.stem, sound_visemes(frame_features(read_wav(path))))
+    return speak(body, path.stem, phoneme_visemes(read_phonemes(path)))
+
+
+def speak(body: Body, name: str, shares: Array) -> Motion:
+    """Return the motion of a clone whose mouth takes (F, 15) shares of the mouth's shapes, see ``speech``."""
     times, mouth = mouth_weights(shares, FRAMES_PER_S)
     blinks = [Beat(at, BLINK, _BLINK_ENVELOPE) for at in np.arange(0.9, times[-1], BLINK_EVERY_S)]
     loud = gaussian_filter1d(np.clip(sum(mouth.values()), 0.0, 1.0), 0.15 * FRAMES_PER_S)
@@ -58,4 +61,4 @@ def talk(body: Body, path: Path) -> Motion:
     ):
         own = body.joint(joint)
         rotations[:, own] = turns.vectors(turns.matrices(rotations[:, own]) @ turns.about(axis, angle))
-    return Motion(path.stem, times, standing.root_m[rows], rotations, weights)
+    return Motion(name, times, standing.root_m[rows], rotations, weights)

@@ -7,8 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from cloner.animating import animate_file
 from cloner.errors import ClonerError
 from cloner.motion import contact
+from cloner.motion.acclaim import read_acclaim
 from cloner.motion.anatomy import find_anatomy, plain
 from cloner.motion.body import Body, body_of
 from cloner.motion.bvh import parse_bvh, read_bvh
@@ -16,6 +18,7 @@ from cloner.motion.cycle import walk_cycle
 from cloner.motion.gait import walk
 from cloner.motion.retarget import retarget
 from cloner.motion.turns import about
+from cloner.project.clone_file import save_clone
 from kit.clones import toy_clone
 
 MOCAP = Path(__file__).resolve().parents[4] / "shared" / "mocap"
@@ -197,3 +200,109 @@ def test_a_motion_without_steps_makes_no_walk(body: Body) -> None:
     with pytest.raises(ClonerError) as caught:
         walk_cycle(body, idle(body))
     assert "steps" in caught.value.hint
+
+
+ASF = """:version 1.10
+:units
+  length 0.45
+  angle deg
+:root
+   order TX TY TZ RX RY RZ
+   axis XYZ
+   position 0 0 0
+   orientation 0 0 0
+:bonedata
+  begin
+     id 1
+     name lfemur
+     direction 1 0 0
+     length 4
+     axis 0 0 90 XYZ
+    dof rx rz
+    limits (-160.0 20.0)
+           (-70.0 70.0)
+  end
+  begin
+     id 2
+     name ltibia
+     direction 0 1 0
+     length 5
+     axis 0 0 0 XYZ
+    dof rx
+  end
+:hierarchy
+  begin
+    root lfemur
+    lfemur ltibia
+  end
+"""
+AMC = """:FULLY-SPECIFIED
+:DEGREES
+1
+root 1 2 3 0 0 90
+lfemur 0 0
+ltibia 0
+2
+root 1 2 3 0 0 0
+lfemur 90 0
+ltibia 30
+"""
+
+
+def acclaim(tmp_path: Path, skeleton: str = ASF, motion: str = AMC) -> Path:
+    (tmp_path / "07.asf").write_text(skeleton)
+    (tmp_path / "07_02.amc").write_text(motion)
+    return tmp_path / "07_02.amc"
+
+
+def test_an_acclaim_capture_of_two_bones_is_the_one_by_hand(tmp_path: Path) -> None:
+    capture = read_acclaim(acclaim(tmp_path))
+    assert capture.names == ("root", "lfemur", "ltibia")
+    assert capture.offsets.tolist() == [[0, 0, 0], [0, 0, 0], [4, 0, 0]], "a knee lies at the end of its thigh"
+    assert capture.ends[2].tolist() == [0, 5, 0]
+    assert capture.root.tolist() == [[1, 2, 3], [1, 2, 3]]
+    assert np.allclose(capture.local[0, 0], about(2, np.pi / 2))
+    # the thigh's own first axis is our second one: its axes are turned by 90 degrees about the third
+    assert np.allclose(capture.local[1, 1], about(1, np.pi / 2))
+    assert np.allclose(capture.world()[1, 2], about(1, np.pi / 2) @ about(0, np.pi / 6))
+
+
+@pytest.mark.parametrize(
+    ("skeleton", "motion", "words"),
+    [
+        (ASF, AMC.replace("lfemur 90 0", "lfemur nan 0"), "lfemur"),
+        (ASF, AMC.replace("lfemur 90 0", "lfemur 90"), "lfemur"),
+        (ASF, AMC.replace("ltibia 30\n", ""), "ltibia"),
+        (ASF, AMC.replace("ltibia 30", "rtibia 30"), "rtibia"),
+        (ASF, ":DEGREES\n", "no frames"),
+        (ASF.replace(":hierarchy", ":nothing"), AMC, "hierarchy"),
+        (ASF.replace("length 5", "length inf"), AMC, "ltibia"),
+    ],
+)
+def test_broken_acclaim_files_are_refused_in_words(skeleton: str, motion: str, words: str, tmp_path: Path) -> None:
+    with pytest.raises(ClonerError) as caught:
+        read_acclaim(acclaim(tmp_path, skeleton, motion))
+    assert words in caught.value.message
+    assert caught.value.where == "07_02.amc"
+
+
+def test_a_motion_without_its_skeleton_says_which_file_is_wanted(tmp_path: Path) -> None:
+    path = acclaim(tmp_path)
+    (tmp_path / "07.asf").unlink()
+    with pytest.raises(ClonerError) as caught:
+        read_acclaim(path)
+    assert "skeleton" in caught.value.message
+    assert "07_02.asf" in caught.value.hint
+
+
+def test_a_limb_without_length_is_named_and_nothing_is_written(body: Body, tmp_path: Path) -> None:
+    text = as_bvh(body, walk(body), scale=1.0, up="y")
+    head, _, tail = text.partition("JOINT l_ankle\n{\nOFFSET ")
+    path = tmp_path / "short.bvh"
+    path.write_text(f"{head}JOINT l_ankle\n{{\nOFFSET 0 0 0\n{tail.partition(chr(10))[2]}")
+    save_clone(toy_clone(), tmp_path / "clone.npz")
+    with pytest.raises(ClonerError) as caught:
+        animate_file(tmp_path / "clone.npz", [path], tmp_path / "out" / "walk.glb")
+    assert caught.value.message == "the left leg has a bone without length in the capture"
+    assert caught.value.where == "l_ankle"
+    assert not (tmp_path / "out").exists()
