@@ -104,19 +104,21 @@ def tables(results: list[Path], captures: list[Path], people: int) -> str:
     known = [(_who(path), body_of(centred(clone_of(path)))) for path in results]
     bodies = [*known, *random_bodies(people)]
     lines = [
-        "| walk of | closes, mm | sliding, mm a step | worst, mm | knee least, ° | most, ° | m/s |",
-        "|-" * 7 + "|",
+        _head("walk of", "closes, mm", "sliding, mm a step", "worst, mm", "knee least, °", "most, °", "m/s"),
     ]
     lines += [walk_row(name, body) for name, body in bodies]
     lines += [
         "",
-        "| capture | on | s | sliding, mm | worst, mm | bones off, ° | p95, ° | knee most, ° |",
-        "|-" * 8 + "|",
+        _head("capture", "on", "s", "sliding, mm", "worst, mm", "bones off, °", "p95, °", "knee most, °"),
     ]
     for path in captures:
         capture = CAPTURES[path.suffix.lower()](path)
         lines += [capture_row(path.name, capture, name, body) for name, body in (known or bodies)[:2]]
     return "\n".join(lines) + "\n"
+
+
+def _head(*columns: str) -> str:
+    return f"| {' | '.join(columns)} |\n{'| --- ' * len(columns)}|"
 
 
 def _who(path: Path) -> str:

@@ -34,8 +34,8 @@ def animate_file(clone_path: Path, sources: Sequence[Path], out: Path, *, cycles
     clone_path : Path
         ``clone.npz`` or the folder that holds it.
     sources : sequence of Path
-        Each becomes an animation with the file's name: .bvh and .amc (its .asf beside it) are laid on the body, .wav and .txt (phonemes) are spoken,
-        .fap moves the face.
+        Each becomes an animation with the file's name: .bvh and .amc (its .asf beside it) are laid on the body, .wav
+        and .txt (phonemes) are spoken, .fap moves the face.
     out : Path
         Ends with .glb.
     cycles : bool
@@ -77,6 +77,5 @@ def _motion(clone: Clone, body: Body, path: Path, *, cycles: bool) -> Motion:
         times = np.arange(len(stream.values)) / stream.frames_per_s
         rotations = rotations_of(stream, body.names)
         return Motion(path.stem, times, np.zeros((len(times), 3)), rotations, weights_of(clone, stream))
-    raise ClonerError(
-        f"{suffix or 'this'} is no kind of animation", "Give .bvh, .amc, .wav, .txt or .fap files", path.name
-    )
+    hint = "Give .bvh, .amc, .wav, .txt or .fap files"
+    raise ClonerError(f"{suffix or 'this'} is no kind of animation", hint, path.name)

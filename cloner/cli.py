@@ -149,10 +149,10 @@ def _animate(
     clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
     sources: Annotated[
         list[Path],
-        typer.Argument(metavar="SOURCE...", help="Captures (.bvh), speech (.wav, phonemes .txt), faces (.fap)."),
+        typer.Argument(metavar="SOURCE...", help="Captures (.bvh, .amc), speech (.wav, phonemes .txt), faces (.fap)."),
     ],
     out: Annotated[Path, typer.Option("--out", help="The .glb file to write.")],
-    cycles: Annotated[bool, typer.Option("--cycle", help="Make an endless walk on the spot of each .bvh.")] = False,
+    cycles: Annotated[bool, typer.Option("--cycle", help="Make an endless walk on the spot of each capture.")] = False,
 ) -> None:
     """Lay motion captures, speech and facial animation on a finished clone."""
     from cloner.animating import animate_file
