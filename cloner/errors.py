@@ -2,6 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Final
+
+LONGEST: Final = 400  # taste: a file's own words may be endless, a sentence is not
+
+
+def plain(text: str) -> str:
+    """Return text that a terminal, a log and a table show as it is: one line, no control or direction marks."""
+    shown = "".join(character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in text)
+    return shown if len(shown) <= LONGEST else f"{shown[: LONGEST // 2]}…{shown[-LONGEST // 2 :]}"
+
 
 class ClonerError(Exception):
     """A failure the operator can fix.
@@ -14,13 +24,15 @@ class ClonerError(Exception):
         What to do about it, one clause without a full stop.
     where : str
         The file, view or field it concerns; a name, never a home path.
+
+    All three may quote what somebody else wrote: they are made :func:`plain`.
     """
 
     def __init__(self, message: str, hint: str, where: str) -> None:
-        self.message = message
-        self.hint = hint
-        self.where = where
-        super().__init__(message, hint, where)
+        self.message = plain(message)
+        self.hint = plain(hint)
+        self.where = plain(where)
+        super().__init__(self.message, self.hint, self.where)
 
     def __str__(self) -> str:
         """Return ``where: message. hint``."""

@@ -47,6 +47,14 @@ _VOWELS: Final[Mapping[str, tuple[float, float]]] = MappingProxyType({
     "RR": (490.0, 1400.0), "nn": (260.0, 1500.0),
 })  # fmt: skip
 _VOWEL_BARK: Final = 1.0  # spread of a vowel's formants between people, Bark
+#: Higher than this no vowel has its first formant; what is found there is the second one, hertz.
+HIGHEST_FIRST_HZ: Final = 1000.0
+MERGED_FIRST_HZ: Final = 300.0
+#: Against the loudest frames: nasals hum below this, and their spectrum's middle lies below that, hertz; weaker than
+#: the last are only closing consonants. Read off two synthetic voices.
+HUM: Final = 0.45
+HUM_HZ: Final = 450.0
+WEAK: Final = 0.17
 _QUIET: Final = 0.02  # of the loudest frames: silence
 _CLOSURE_S: Final = 0.16  # shorter silences between sounds are closed lips or a stopped tongue
 _COARTICULATION_S: Final = 0.035  # mouths move ahead of sounds and lag behind them
@@ -161,7 +169,11 @@ def formants(lpc: Array) -> tuple[float, float]:
     roots = roots[(roots.imag > 0.0) & (np.abs(roots) > 0.7)]
     hertz = np.sort(np.angle(roots) * RATE_HZ / (2.0 * np.pi))
     hertz = hertz[(hertz > 180.0) & (hertz < 3800.0)]
-    return (float(hertz[0]), float(hertz[1])) if len(hertz) >= 2 else (0.0, 0.0)
+    if len(hertz) < 2:
+        return 0.0, 0.0
+    if hertz[0] > HIGHEST_FIRST_HZ:  # a low first formant has merged with the voice
+        return MERGED_FIRST_HZ, float(hertz[0])
+    return float(hertz[0]), float(hertz[1])
 
 
 def _bark(hertz: Array) -> Array:
@@ -178,8 +190,8 @@ def sound_visemes(frames: SpeechFrames) -> Array:
     for row in range(len(shares)):
         if silent[row]:
             shares[row, 0] = 1.0
-        elif frames.crossings[row] > 0.22 and (not voiced[row] or frames.brightness_hz[row] > 3000.0):
-            shares[row, VISEMES.index(_hiss(float(frames.brightness_hz[row]), float(loud[row])))] = 1.0
+        elif made := _consonant(frames, row, float(loud[row])):
+            shares[row, [VISEMES.index(name) for name in made]] = 1.0 / len(made)
         else:
             away = ((places - _bark(np.array(formants(frames.lpc[row])))) ** 2).sum(axis=1)
             own = np.exp(-0.5 * (away - away.min()) / _VOWEL_BARK**2)
@@ -190,6 +202,21 @@ def sound_visemes(frames: SpeechFrames) -> Array:
             shares[first : last + 1] = 0.0
             shares[first : last + 1, [VISEMES.index("PP"), VISEMES.index("DD")]] = (0.7, 0.3)
     return shares
+
+
+def _consonant(frames: SpeechFrames, row: int, loud: float) -> tuple[str, ...]:
+    """Return the mouth shapes that a frame between vowels may come from, none for a vowel.
+
+    A closed mouth hums: what is voiced and dull is a nasal, or more quietly a voiced stop or lip's buzz.
+    """
+    bright, voiced = float(frames.brightness_hz[row]), frames.pitch_hz[row] > 0.0
+    if frames.crossings[row] > 0.22 and (not voiced or bright > 3000.0):
+        return (_hiss(bright, loud),)
+    if not voiced and loud < WEAK:
+        return ("DD", "kk", "PP")
+    if voiced and loud < WEAK:
+        return ("SS", "TH") if frames.crossings[row] > 0.27 else ("PP", "FF", "TH", "DD", "kk")
+    return ("PP", "nn") if bright < HUM_HZ and loud < HUM else ()
 
 
 def _hiss(brightness_hz: float, loud: float) -> str:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import errno
-import fcntl
 import logging
 import os
 import shutil
@@ -14,12 +13,17 @@ from pathlib import Path
 from typing import Final
 
 from cloner.errors import ClonerError
+from cloner.project.locks import lock
 
 log = logging.getLogger(__name__)
 
 #: A folder with this file is one of our results and may be replaced by a newer one.
 RESULT_MARK: Final = "report.json"
-_DISK_TROUBLE: Final = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EACCES, errno.EPERM}
+_DISK_TROUBLE: Final = {
+    errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EACCES, errno.EPERM, errno.EFBIG,
+}  # fmt: skip
+_LOCK: Final = ".lock"
+_TRIES: Final = 3
 
 
 def write_text(path: Path, text: str) -> None:
@@ -64,30 +68,40 @@ def result_folder(out: Path, identifier: str) -> Iterator[Path]:
     """
     made = _make_folders(out)
     final = out / identifier
-    lock = -1
+    held = -1
     partial: Path | None = None
     try:
         _restore_and_sweep(out, identifier)
         _check_replaceable(final)
-        partial = Path(tempfile.mkdtemp(prefix=f".{identifier}.partial-{os.getpid()}-", dir=out))
-        lock = _lock(partial)
+        partial, held = _partial_folder(out, identifier)
         inside = partial / identifier  # mkdtemp is private (0700); the result gets ordinary permissions
         inside.mkdir()
         yield inside
         _swap_in(inside, final)
     except OSError as error:
         if error.errno in _DISK_TROUBLE:
-            raise _unwritable(out) from error
+            raise unwritable(out) from error
         raise
     finally:
         if partial is not None:
+            os.close(held)
             shutil.rmtree(partial, ignore_errors=True)
-        if lock >= 0:
-            os.close(lock)
         _remove_empty(made)
 
 
-def _unwritable(out: Path) -> ClonerError:
+def check_writable(out: Path) -> None:
+    """Refuse a folder of results that cannot be written, before any work; leaves none behind.
+
+    Raises
+    ------
+    ClonerError
+        If it cannot be made or written.
+    """
+    _remove_empty(_make_folders(out))
+
+
+def unwritable(out: Path) -> ClonerError:
+    """Return the complaint about a folder of results that cannot be written."""
     hint = "Choose another --out folder, or check its permissions and free space"
     return ClonerError("the results cannot be written there", hint, out.name or "output folder")
 
@@ -101,7 +115,7 @@ def _make_folders(out: Path) -> list[Path]:
             pass  # permission bits do not tell the whole truth (read-only mounts, root): try
     except OSError as error:
         _remove_empty(missing)
-        raise _unwritable(out) from error
+        raise unwritable(out) from error
     return missing
 
 
@@ -112,36 +126,39 @@ def _remove_empty(folders: list[Path]) -> None:
             folder.rmdir()
 
 
-def _lock(folder: Path) -> int:
-    """Return a file descriptor that holds an exclusive lock on a folder while open."""
-    descriptor = os.open(folder, os.O_RDONLY)
-    try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        os.close(descriptor)
-        raise
-    return descriptor
+def _partial_folder(out: Path, identifier: str) -> tuple[Path, int]:
+    """Return a new temporary folder and the descriptor of its lock."""
+    for _ in range(_TRIES):  # a neighbour that sweeps may take an unlocked folder for a dead one
+        partial = Path(tempfile.mkdtemp(prefix=partial_prefix(identifier) + f"{os.getpid()}-", dir=out))
+        with contextlib.suppress(FileNotFoundError):
+            held = lock(partial / _LOCK)
+            if held is not None:
+                return partial, held
+    raise OSError(errno.EIO, "temporary folders vanish")
+
+
+def partial_prefix(identifier: str) -> str:
+    """Return how the temporary folders of a result begin."""
+    return f".{identifier}.partial-"
 
 
 def _restore_and_sweep(out: Path, identifier: str) -> None:
     """Undo what a killed run left: put back a result it had moved aside, drop its rest."""
-    for partial in sorted(out.glob(f".{_escaped(identifier)}.partial-*")):
+    for partial in sorted(path for path in out.iterdir() if path.name.startswith(partial_prefix(identifier))):
         try:
-            descriptor = _lock(partial)
+            held = lock(partial / _LOCK)
         except OSError:
+            continue  # its own run has just removed it
+        if held is None:
             continue  # another run is at work in it
+        older = partial / "replaced"
         try:
-            older = partial / "replaced"
             if older.is_dir() and not (out / identifier).exists():
                 older.rename(out / identifier)
-            shutil.rmtree(partial, ignore_errors=True)
-            log.info("removed what an interrupted run left behind")
         finally:
-            os.close(descriptor)
-
-
-def _escaped(identifier: str) -> str:
-    return "".join(f"[{character}]" if character in "*?[" else character for character in identifier)
+            os.close(held)
+        shutil.rmtree(partial, ignore_errors=True)
+        log.info("removed what an interrupted run left behind")
 
 
 def _check_replaceable(final: Path) -> None:

@@ -1,31 +1,39 @@
-"""One visitor, one worker: a lock file that dies with the process that holds it."""
+"""One visitor, one worker."""
 
 from __future__ import annotations
 
-import fcntl
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+from cloner.project.atomic import unwritable
+from cloner.project.locks import lock, release
 
 
 @contextmanager
 def claimed(out: Path, identifier: str) -> Iterator[bool]:
     """Give whether this process may clone a visitor; others that ask meanwhile get False.
 
-    The lock is the system's (flock), so a killed process leaves none behind.
+    Raises
+    ------
+    ClonerError
+        If ``out`` cannot be written.
     """
-    out.mkdir(parents=True, exist_ok=True)
-    path = out / f".{identifier}.claim"
-    descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o600)
+    path = claim_path(out, identifier)
     try:
-        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
-        os.close(descriptor)
+        out.mkdir(parents=True, exist_ok=True)
+        descriptor = lock(path)
+    except OSError as error:
+        raise unwritable(out) from error
+    if descriptor is None:
         yield False
         return
     try:
         yield True
     finally:
-        path.unlink(missing_ok=True)
-        os.close(descriptor)
+        release(descriptor, path)
+
+
+def claim_path(out: Path, identifier: str) -> Path:
+    """Return the lock file of a visitor."""
+    return out / f".{identifier}.claim"

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import io
 import json
+import math
+import struct
 import zipfile
+import zlib
 from pathlib import Path
 from typing import Any, Final
 
@@ -15,6 +18,7 @@ from PIL import Image
 from cloner.errors import ClonerError
 from cloner.exporters.files import png_bytes, write_bytes
 from cloner.frames import ViewId
+from cloner.generic.load import load_generic
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.heads import Shell
@@ -24,6 +28,14 @@ FORMAT: Final = "cloner-clone"
 VERSION: Final = 1
 _PLAIN: Final = ("vertices_m", "joints_m", "morph_index", "morph_delta_m", "morph_start", "triangle_regions")
 _SHELL: Final = ("vertices_m", "triangles", "uv", "skin_joints", "skin_weights")
+#: What numpy, zipfile, zlib and pillow raise over files that are none of ours, damaged, or made to hurt.
+_BROKEN: Final = (
+    OSError, ValueError, LookupError, AttributeError, TypeError, ArithmeticError, EOFError, SyntaxError, MemoryError,
+    RuntimeError, struct.error, zlib.error, zipfile.BadZipFile, Image.DecompressionBombError,
+)  # fmt: skip
+LARGEST_BYTES: Final = 1_000_000_000  # taste: twenty times a clone with the largest texture
+LARGEST_STATURE_M: Final = 3.0
+LARGEST_PICTURE_PX: Final = 8192 * 8192
 _AGAIN: Final = "Clone the person again with this version of Cloner"
 
 
@@ -71,16 +83,35 @@ def load_clone(path: Path) -> Clone:
         If the file is missing, is no clone, or was written by a newer version.
     """
     try:
+        _check_sizes(path)
         with np.load(path, allow_pickle=False) as archive:
             arrays = {"triangle_regions": np.zeros(0, np.uint8), **{name: archive[name] for name in archive.files}}
         facts = json.loads(arrays["facts_json"].tobytes())
-        if facts.get("format") != FORMAT or facts["version"] > VERSION:
+        if facts.get("format") != FORMAT:
+            raise ValueError("another program's")
+        if facts["version"] > VERSION:
             raise ClonerError("The clone was written by a newer version", _AGAIN, path.name)
-        return _clone(arrays, facts)
+        clone = _clone(arrays, facts)
+        _check_fits(clone)
+        return clone
     except FileNotFoundError as error:
         raise ClonerError("The clone is not there", "Run: cloner clone", path.name) from error
-    except (OSError, ValueError, KeyError, AttributeError, zipfile.BadZipFile) as error:
+    except _BROKEN as error:
         raise ClonerError("The file is not a readable clone", _AGAIN, path.name) from error
+
+
+def _check_sizes(path: Path) -> None:
+    """Refuse archives that would fill the memory: every array inside is as large as it says, and not larger."""
+    with zipfile.ZipFile(path) as archive:
+        if sum(part.file_size for part in archive.infolist()) > LARGEST_BYTES:
+            raise ValueError("larger than any clone")
+        for part in archive.infolist():
+            with archive.open(part) as stream:
+                version = np.lib.format.read_magic(stream)
+                read = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
+                shape, _, dtype = read(stream)
+            if math.prod(shape) * dtype.itemsize > part.file_size:
+                raise ValueError(f"{part.filename} is cut short")
 
 
 def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
@@ -105,6 +136,29 @@ def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
     )
 
 
+def _check_fits(clone: Clone) -> None:
+    """Refuse clones whose numbers do not fit together or do not fit this generic human."""
+    generic = load_generic()
+    sound = (
+        len(clone.vertices_m) == len(generic.vertices_m)
+        and 0.0 < clone.stature_m < LARGEST_STATURE_M
+        and 0.0 <= clone.sole_m < LARGEST_STATURE_M
+        and _within(clone.morph_index, len(clone.vertices_m))
+        and len(clone.morph_index) == len(clone.morph_delta_m) == clone.morph_start[-1]
+        and bool((np.diff(clone.morph_start, prepend=0) >= 0).all())
+        and all(
+            _within(shell.triangles, len(shell.vertices_m)) and _within(shell.skin_joints, len(clone.joints_m))
+            for shell in clone.shells
+        )
+    )
+    if not sound:
+        raise ValueError("its numbers do not fit together")
+
+
+def _within(index: NDArray[np.integer], count: int) -> bool:
+    return not index.size or (int(index.min()) >= 0 and int(index.max()) < count)
+
+
 def _shell(parts: dict[str, NDArray[Any]], kind: str) -> Shell:
     """Return the shell of its arrays."""
     plain: dict[str, Any] = {name: parts[name] for name in _SHELL}
@@ -126,4 +180,7 @@ def _packed(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 
 def _unpacked(data: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    return np.asarray(Image.open(io.BytesIO(data.tobytes())))
+    with Image.open(io.BytesIO(data.tobytes()), formats=["PNG"]) as image:
+        if image.width * image.height > LARGEST_PICTURE_PX:
+            raise ValueError("a picture larger than any texture")
+        return np.asarray(image)

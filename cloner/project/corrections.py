@@ -9,6 +9,7 @@ from typing import Any, Final
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.project.texts import check_format
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Correction, Corrections
 
@@ -79,10 +80,11 @@ def from_json(text: str) -> Corrections:
     """
     try:
         data = json.loads(text)
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ClonerError("this is not valid JSON", _HINT, WHERE) from error
-    if not isinstance(data, dict) or data.get("format") != FORMAT:
+    if not isinstance(data, dict) or "format" not in data:
         raise ClonerError(f'it must be an object with "format": {FORMAT}', _HINT, WHERE)
+    check_format(data["format"], FORMAT, WHERE)
     unknown = sorted(set(data) - {"format", "views"})
     if unknown:
         raise ClonerError(f"the key {unknown[0]!r} is not known", _HINT, WHERE)
@@ -163,6 +165,10 @@ def _point(where: str, entry: Any) -> Correction:
 
 
 def _number(value: Any) -> float | None:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
+    if isinstance(value, bool) or not isinstance(value, int | float):
         return None
-    return float(value)
+    try:
+        number = float(value)
+    except OverflowError:  # JSON's whole numbers have no end
+        return None
+    return number if math.isfinite(number) else None

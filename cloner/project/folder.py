@@ -15,6 +15,7 @@ from cloner.frames import ViewId, cm_from_m, m_from_cm
 from cloner.project import corrections as corrections_json
 from cloner.project.atomic import write_text
 from cloner.project.tape import read_tape
+from cloner.project.texts import check_format, check_own, read_text
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import Corrections
 from cloner.vision.pictures import read_picture
@@ -22,12 +23,15 @@ from cloner.vision.pictures import read_picture
 log = logging.getLogger(__name__)
 
 SUFFIXES: Final = (".jpg", ".jpeg", ".png", ".webp", ".tif", ".tiff", ".heic", ".heif")
+LARGEST_TOLD: Final = 1e9  # whole numbers in TOML may have more digits than a float holds
 DEFAULT_HEIGHT_CM: Final = 170.0  # taste: near the mean adult; lengths are then marked as unscaled
 SMALLEST_HEIGHT_CM: Final = 60.0  # below the smallest adult ever measured (55 cm), above any typing slip in metres
 LARGEST_HEIGHT_CM: Final = 250.0  # living people stay below; catches millimetres and inches
 LONGEST_IDENTIFIER: Final = 60  # file systems allow 255 bytes; leaves room for our own suffixes
+FEW: Final = 5  # names in a sentence; taste
 PERSON_FILE: Final = "person.toml"
-_PERSON_KEYS: Final = {"name", "height_cm", "notes", "measures", "consent"}
+PERSON_FORMAT: Final = 1  # files without a number are of format 1
+_PERSON_KEYS: Final = {"format", "name", "height_cm", "notes", "measures", "consent"}
 
 
 def find_photos(folder: Path) -> dict[ViewId, Path]:
@@ -42,7 +46,7 @@ def find_photos(folder: Path) -> dict[ViewId, Path]:
     Raises
     ------
     ClonerError
-        If the folder is missing, one view has two files, or neither
+        If the folder is missing, one view has two files, a photo is a link out of the folder, or neither
         body_front nor face_front is there.
     """
     found = view_files(folder)
@@ -61,7 +65,7 @@ def view_files(folder: Path) -> dict[ViewId, Path]:
     ClonerError
         If the folder is missing, one view has two files, or a photo is a link out of the folder.
     """
-    if not folder.is_dir():
+    if not _is_folder(folder):
         raise ClonerError("there is no such folder of photos", "Give the folder that holds the photos", folder.name)
     found: dict[ViewId, Path] = {}
     for path in sorted(_entries(folder)):
@@ -71,6 +75,7 @@ def view_files(folder: Path) -> dict[ViewId, Path]:
         if view in found:
             message = f"there are two photos for {view}: {found[view].name} and {path.name}"
             raise ClonerError(message, "Keep one of them", folder.name)
+        check_own(path)
         found[view] = path
     return {view: found[view] for view in ViewId if view in found}
 
@@ -79,7 +84,9 @@ def _naming_hint(folder: Path) -> str:
     """Return what to do about a folder without photos: take the one inside it that has them, or rename."""
     inner = [path.name for path in sorted(folder.iterdir()) if holds_photos(path)]
     if inner:
-        return f"Give the folder inside it that holds the photos ({', '.join(inner)}), or use cloner batch for all"
+        more = ", ..." if len(inner) > FEW else ""
+        named = f"{', '.join(inner[:FEW])}{more}"
+        return f"Give the folder inside it that holds the photos ({named}), or use cloner batch for all"
     expected = ", ".join(f"{view}.jpg" for view in ViewId)
     return f"Name the photos {expected} (png, webp, tiff and heic work too)"
 
@@ -207,13 +214,7 @@ def read_corrections(folder: Path) -> Corrections:
         If the file cannot be read or is malformed.
     """
     path = folder / corrections_json.WHERE
-    if not path.exists():
-        return corrections_json.no_corrections()
-    try:
-        text = path.read_text(encoding="utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise ClonerError("the file cannot be read as text", "Check it or move it away", path.name) from error
-    return corrections_json.from_json(text)
+    return corrections_json.from_json(read_text(path)) if path.exists() else corrections_json.no_corrections()
 
 
 def write_corrections(folder: Path, corrections: Corrections) -> None:
@@ -242,6 +243,13 @@ def safe_identifier(name: str) -> str:
     return f"visitor-{kept}" if reserved else kept or "visitor"
 
 
+def _is_folder(path: Path) -> bool:
+    try:
+        return path.is_dir()
+    except (OSError, ValueError):  # a name that no file system takes
+        return False
+
+
 def _entries(folder: Path) -> list[Path]:
     try:
         return [path for path in folder.iterdir() if path.is_file()]
@@ -261,13 +269,12 @@ def _person_table(path: Path) -> Mapping[str, Any]:
     if not path.exists():
         return {}
     try:
-        data = tomllib.loads(path.read_text(encoding="utf-8-sig"))
-    except tomllib.TOMLDecodeError as error:
+        data = tomllib.loads(read_text(path))
+    except (ValueError, RecursionError) as error:  # endless numbers and brackets are no TOMLDecodeError
         raise ClonerError(
             f"this is not valid TOML ({error})", "Write lines like: height_cm = 172", path.name
         ) from error
-    except (OSError, UnicodeDecodeError) as error:
-        raise ClonerError("the file cannot be read as text", "Check it or move it away", path.name) from error
+    check_format(data.get("format", PERSON_FORMAT), PERSON_FORMAT, path.name)
     unknown = sorted(set(data) - _PERSON_KEYS)
     if unknown:
         known = ", ".join(sorted(_PERSON_KEYS))
@@ -295,6 +302,7 @@ def _checked_height(value: Any, where: str) -> float:
     if isinstance(value, bool) or not isinstance(value, int | float):
         raise ClonerError("the height must be a number of centimetres", "Write height_cm = 172", where)
     if not SMALLEST_HEIGHT_CM <= value <= LARGEST_HEIGHT_CM:  # also refuses nan
-        message = f"a height of {value:g} cm is outside {SMALLEST_HEIGHT_CM:.0f} to {LARGEST_HEIGHT_CM:.0f} cm"
+        told = f"{value:g}" if not abs(value) >= LARGEST_TOLD else "ever so many"
+        message = f"a height of {told} cm is outside {SMALLEST_HEIGHT_CM:.0f} to {LARGEST_HEIGHT_CM:.0f} cm"
         raise ClonerError(message, "Give the barefoot height in centimetres", where)
     return float(value)

@@ -13,11 +13,11 @@ from typing import Any, Final
 from cloner.errors import ClonerError
 from cloner.project.atomic import RESULT_MARK
 from cloner.project.folder import holds_photos, safe_identifier
+from cloner.project.texts import read_text
 
 log = logging.getLogger(__name__)
 
 DEEPEST: Final = 3  # levels below the root that are searched for visitors: day / stand / visitor
-LARGEST_BYTES: Final = 10_000_000
 MANIFESTS: Final = (".csv", ".toml")
 _KEYS: Final = {"photos", "id", "height_cm"}
 
@@ -46,8 +46,8 @@ def find_visitors(root: Path) -> tuple[Visitor, ...]:
     Parameters
     ----------
     root : Path
-        A folder is searched `DEEPEST` levels deep, hidden folders and results left out. A .csv has the columns
-        photos, id and height_cm, a .toml tables [[visitor]] with these keys; photos are folders beside the manifest.
+        A folder is searched `DEEPEST` levels deep; hidden folders, links and results are left out. A .csv has the
+        columns photos, id and height_cm, a .toml tables [[visitor]] with these keys; photos are folders beside it.
 
     Raises
     ------
@@ -102,16 +102,18 @@ def photo_folders(folder: Path, depth: int) -> list[Path]:
     except OSError:
         log.warning("a folder cannot be read and is left out")
         return []
+    linked = [path for path in inner if path.is_symlink()]  # they could lead to other people's photos, or in a circle
+    if linked:
+        log.warning("%d linked folder(s) are left out: only folders below the root are searched", len(linked))
+        inner = [path for path in inner if path not in linked]
     return [found for path in inner for found in photo_folders(path, depth - 1)]
 
 
 def _from_manifest(path: Path) -> list[Visitor]:
     try:
-        if path.stat().st_size > LARGEST_BYTES:
-            raise ClonerError("the manifest is too large", "Split it", path.name)
-        text = path.read_text(encoding="utf-8-sig")
+        text = read_text(path)
         rows = list(csv.DictReader(text.splitlines())) if path.suffix.lower() == ".csv" else _toml_rows(text)
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError, csv.Error, TypeError) as error:
+    except (ValueError, RecursionError, csv.Error, TypeError) as error:
         raise ClonerError(f"the manifest cannot be read: {error}", "Save it as UTF-8 text", path.name) from error
     return [_visitor(row, number, path) for number, row in enumerate(rows, start=1)]
 
@@ -125,6 +127,8 @@ def _toml_rows(text: str) -> list[Mapping[str, Any]]:
 
 def _visitor(row: Mapping[Any, Any], number: int, path: Path) -> Visitor:
     where = f"{path.name}, row {number}"
+    if None in row:  # so csv names the cells beyond the last column
+        raise ClonerError("this row has more cells than columns", "Put texts with commas into quotes", where)
     unknown = {key for key in row if key not in _KEYS}
     if unknown:
         named = ", ".join(sorted(map(str, unknown)))
@@ -140,6 +144,6 @@ def _visitor(row: Mapping[Any, Any], number: int, path: Path) -> Visitor:
     height = row.get("height_cm")
     try:
         height_cm = None if height in (None, "") else float(height)
-    except (TypeError, ValueError) as error:
+    except (TypeError, ValueError, OverflowError) as error:
         raise ClonerError(f"{height!r} is no height", "Write centimetres, for example 172", where) from error
     return Visitor(safe_identifier(str(row.get("id") or folder.name)), folder, height_cm)

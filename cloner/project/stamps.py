@@ -54,8 +54,8 @@ def why_not_current(result: Path, stamp: Mapping[str, Any]) -> str:
     """Return why a result has to be made again, "" if it is complete, undamaged and of this very input."""
     try:
         report = json.loads((result / RESULT_MARK).read_text(encoding="utf-8"))
-        stored, outputs = report["stamp"], report["outputs"]
-    except (OSError, ValueError, KeyError, TypeError):
+        stored, outputs = dict(report["stamp"]), dict(report["outputs"])
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return "there is no complete result"
     if stored != json.loads(json.dumps(stamp)):
         changed = [name for name in stamp if stored.get(name) != stamp[name]]

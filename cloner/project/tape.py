@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import difflib
-import math
 from collections.abc import Mapping
 from typing import Any, Final
 
@@ -18,6 +17,7 @@ MILLIMETRES_PER_CENTIMETRE: Final = 10.0
 ALIASES: Final = {"chest": "bust_girth", "chest_girth": "bust_girth", "inside_leg": "inside_leg_height"}
 #: Real people lie within these shares of the average person of their height, by far.
 LEAST, MOST = 0.55, 2.2
+LARGEST_CM: Final = 1e6  # also ends the whole numbers of TOML that no float holds
 #: What a number would be in centimetres if it were written in another unit.
 OTHER_UNITS: Final = {"millimetres": 0.1, "metres": 100.0, "inches": 2.54}
 
@@ -58,7 +58,7 @@ def _key(name: str, where: str) -> str:
 
 
 def _checked_cm(name: str, key: str, value: Any, stature_m: float, where: str) -> float:
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value) or value <= 0:
+    if isinstance(value, bool) or not isinstance(value, int | float) or not 0 < value < LARGEST_CM:  # neither nan
         hint = f"Write a number of centimetres: {name} = {_usual_cm(key, stature_m):.0f}"
         raise ClonerError(f"{name} must be a length", hint, where)
     usual = _usual_cm(key, stature_m)

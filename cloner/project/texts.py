@@ -1,0 +1,64 @@
+"""Small text files that somebody else wrote: read with care."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Final
+
+from cloner.errors import ClonerError
+
+LARGEST_BYTES: Final = 10_000_000  # taste: a thousand times what a person types
+
+
+def check_own(path: Path) -> None:
+    """Refuse a link that leads out of its folder: it would pass somebody else's file for the visitor's own.
+
+    Raises
+    ------
+    ClonerError
+        If it is such a link, or one that leads nowhere.
+    """
+    if not path.is_symlink():
+        return
+    try:
+        inside = path.resolve(strict=True).is_relative_to(path.parent.resolve())
+    except (OSError, RuntimeError):  # nowhere, or in a circle
+        inside = False
+    if not inside:
+        raise ClonerError("this is a link that leads out of its folder", "Put the file itself there", path.name)
+
+
+def check_format(value: Any, newest: int, where: str) -> int:
+    """Return the number of a file's format, 1 to ``newest``.
+
+    Raises
+    ------
+    ClonerError
+        If it is none, or that of a newer version.
+    """
+    if isinstance(value, bool) or not isinstance(value, int) or value < 1:
+        raise ClonerError('"format" must be a whole number', f"Write format = {newest}, as this version does", where)
+    if value > newest:
+        told = f"it was written by a newer version of Cloner (format {value}, this one knows {newest})"
+        raise ClonerError(told, "Update Cloner, or move the file away", where)
+    return value
+
+
+def read_text(path: Path) -> str:
+    """Return the text of a small UTF-8 file; a byte order mark is left out.
+
+    Raises
+    ------
+    ClonerError
+        If it is no ordinary file of its folder, larger than `LARGEST_BYTES`, or no text.
+    """
+    hint = "Check it or move it away"
+    check_own(path)
+    if not path.is_file():  # reading a pipe or a device would wait for ever
+        raise ClonerError("this is no ordinary file", hint, path.name)
+    try:
+        if path.stat().st_size > LARGEST_BYTES:
+            raise ClonerError(f"the file is larger than {LARGEST_BYTES / 1e6:.0f} MB", hint, path.name)
+        return path.read_text(encoding="utf-8-sig")
+    except (OSError, UnicodeDecodeError) as error:
+        raise ClonerError("the file cannot be read as text", hint, path.name) from error

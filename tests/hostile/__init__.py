@@ -1,0 +1,1 @@
+"""Bad input, and what must be said about it."""
