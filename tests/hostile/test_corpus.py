@@ -7,7 +7,6 @@ import re
 import signal
 import sys
 import time
-import warnings
 from pathlib import Path
 
 import pytest
@@ -45,8 +44,7 @@ def test_one_sentence_says_what_where_and_what_to_do(case: Case, tmp_path: Path)
     if not case.words:
         READERS[case.kind](path)
         return
-    with warnings.catch_warnings(), pytest.raises(ClonerError) as caught:
-        warnings.simplefilter("ignore")
+    with pytest.raises(ClonerError) as caught:
         READERS[case.kind](path)
     error = caught.value
     assert re.search(case.words, error.message), str(error)
