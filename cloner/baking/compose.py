@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,6 +43,25 @@ KIND_EDGE = 0.15  # kinds mix where their shares differ by less
 FILL_SHARE = 1e-6  # the smooth fill shows only where no photo does
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Baked:
+    """An atlas, or a tile of it, while it is made: its arrays may still be written to.
+
+    Attributes
+    ----------
+    rgb : (H, W, 3) uint8
+        `PLAIN_RGB` far from the charts.
+    covered : (H, W) bool
+        Texels in charts.
+    seen : (H, W) bool
+        Texels that a photo (not a mirrored one) painted.
+    """
+
+    rgb: NDArray[np.uint8]
+    covered: NDArray[np.bool_]
+    seen: NDArray[np.bool_]
+
+
 def share_surface(
     generic: GenericHuman, sources: list[Source], graph: SurfaceGraph, *, band_m: float, head_band_m: float
 ) -> Array:
@@ -66,8 +86,10 @@ def bake(
     *,
     levels: int,
     tick: Callable[[float], None],
-) -> tuple[NDArray[np.uint8], NDArray[np.bool_]]:
-    """Return the atlas' colours and which texels a photo saw; tile by tile, so large atlases need no more memory.
+) -> Baked:
+    """Return the atlas painted with the photos.
+
+    Tile by tile: large atlases need hardly more memory than small ones.
 
     Parameters
     ----------
@@ -77,29 +99,34 @@ def bake(
     levels : int
         Pyramid levels of the blend.
     tick : callable, called with fractions 0..1
-
-    Returns
-    -------
-    rgb : (size, size, 3) uint8; `PLAIN_RGB` far from the charts
-    seen : (size, size) bool, texels that a photo (not a mirrored one) painted
     """
     tables = [paint_table(generic, source, shares[k], light[k], kinds) for k, source in enumerate(sources)]
+    whole, tiles = blank(size), cut_tiles(size)
 
-    def paint_tile(tile: Tile) -> tuple[NDArray[np.uint8], NDArray[np.bool_]] | None:
+    def paint_tile(tile: Tile) -> Baked | None:
         atlas = generic_atlas(generic, size, window=tile.outer)
         if not atlas.texel.size:
             return None
         rgb, seen = bake_tile(generic, atlas, sources, tables, base, kinds, limits, levels)
-        return np.clip(np.rint(rgb[tile.inner]), 0, 255).astype(np.uint8), seen[tile.inner]
+        levels_rgb = np.clip(np.rint(rgb[tile.inner]), 0, 255).astype(np.uint8)
+        return Baked(levels_rgb, atlas.covered()[tile.inner], seen[tile.inner])
 
-    rgb = np.tile(np.array(PLAIN_RGB, np.uint8), (size, size, 1))
-    seen = np.zeros((size, size), bool)
-    tiles = cut_tiles(size)
-    for number, (tile, painted) in enumerate(zip(tiles, abreast(paint_tile, tiles), strict=True)):
-        if painted is not None:
-            rgb[tile.place], seen[tile.place] = painted
+    for number, (tile, part) in enumerate(zip(tiles, abreast(paint_tile, tiles), strict=True)):
+        if part is not None:
+            whole.rgb[tile.place], whole.covered[tile.place], whole.seen[tile.place] = part.rgb, part.covered, part.seen
         tick((number + 1) / len(tiles))
-    return rgb, seen
+    return whole
+
+
+def blank(size: int) -> Baked:
+    """Return an atlas without charts."""
+    covered, seen = np.zeros((2, size, size), bool)
+    return Baked(np.tile(np.array(PLAIN_RGB, np.uint8), (size, size, 1)), covered, seen)
+
+
+def unpainted(generic: GenericHuman, size: int) -> Baked:
+    """Return the atlas of a person whom no photo shows."""
+    return replace(blank(size), covered=generic_atlas(generic, size).covered())
 
 
 def bake_tile(
@@ -171,22 +198,23 @@ def _paint_rows(
     limits: Limits,
 ) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
     """Return texels, colours and weights of some texels; ``table`` as made by :func:`paint_table`."""
-    values = atlas.interpolate(table, rows)
-    # Cheap tests first: what they leave is sampled in the photo.
+    # Cheap tests first: what they leave is sampled in the photo, what that leaves is coloured.
+    values = atlas.interpolate(table[:, :7], rows)
     first = np.flatnonzero((values[:, 6] > 0.0) & (values[:, 5] > limits.steepest_cosine))
     values, rows = values[first], rows[first]
-    seen = np.flatnonzero(visible_points(source, limits, values[:, :2], values[:, 2:4], values[:, 4], values[:, 5]))
+    seen = visible_points(source, limits, values[:, :2], values[:, 2:4], values[:, 4], values[:, 5])
     values, rows = values[seen], rows[seen]
     pixel, lookup, depth, cosine, weight = values[:, :2], values[:, 2:4], values[:, 4], values[:, 5], values[:, 6]
-    good = ~covered_by_hair(source, pixel, lookup, depth, values[:, 7] > 0.5, values[:, 8] > 0.5)
-    unsafe = source.sight.before_edge(pixel, depth, cosine)
-    weight = np.where(unsafe, LAST_CHOICE * weight, weight)
+    scalp, face, bare, own, *_ = kinds = atlas.interpolate(table[:, 7:], rows).T
+    good = ~covered_by_hair(source, pixel, lookup, depth, scalp > 0.5, face > 0.5)
     # Only who owns a border draws it: another's collar a little off would lie beside it.
     skin = sample(source.plate.skin, lookup)[:, 0] / 255.0
-    clash = np.abs(np.maximum(skin, values[:, 10]) - values[:, 9])
-    unsure = (values[:, 6] > OWNER_SHARE) & (np.abs(values[:, 9] - 0.5) < BORDER_KIND)
+    clash = np.abs(np.maximum(skin, own) - bare)
+    unsure = (weight > OWNER_SHARE) & (np.abs(bare - 0.5) < BORDER_KIND)
     good &= (clash < CLASH) | unsure
-    colour = apply_light(shown_colours(source, lookup[good], skin[good]), values[good, 11:14])
+    unsafe = source.sight.before_edge(pixel, depth, cosine)
+    weight = np.where(unsafe, LAST_CHOICE * weight, weight)
+    colour = apply_light(shown_colours(source, lookup[good], skin[good]), kinds[4:7, good].T)
     return atlas.texel[rows[good]], colour.astype(np.float32), weight[good]
 
 

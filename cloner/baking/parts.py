@@ -21,14 +21,10 @@ def paint_parts(
     iris_rgb: NDArray[np.float64],
     iris_radius_m: float,
     rng: np.random.Generator,
-) -> NDArray[np.uint8]:
-    """Return the atlas (size, size, 3) with every part but the skin painted.
-
-    ``atlas`` needs to know the texels of the parts and of the face, whose colour the lids' shade takes.
-    """
-    flat = rgb.reshape(-1, 3).copy()
-    face = atlas.rows_of(np.all(generic.region("face")[atlas.triangles], axis=1))
-    skin_rgb = np.asarray(np.median(flat[atlas.texel[face]], axis=0) if face.size else USUAL_SKIN_RGB, np.float64)
+) -> None:
+    """Paint every part but the skin into the texels (size, size, 3); ``atlas`` is that of the parts."""
+    flat = rgb.reshape(-1, 3)
+    skin_rgb = face_rgb(generic, rgb)
     part_of = generic.vertex_part[atlas.triangles[:, 0]]
     for number, name in enumerate(generic.part_names):
         if name == "body":
@@ -52,7 +48,16 @@ def paint_parts(
         else:
             colour = paint_plain(rows.size, TONGUE_RGB if name == "tongue" else LASH_RGB)
         flat[atlas.texel[rows]] = np.clip(np.rint(colour), 0, 255)
-    return flat.reshape(rgb.shape)
+
+
+def face_rgb(generic: GenericHuman, rgb: NDArray[np.uint8]) -> NDArray[np.float64]:
+    """Return (3,) the median colour of the face in the atlas, read in the middle of every triangle."""
+    triangles, uv_triangles = generic.triangles()
+    face = uv_triangles[np.all(generic.region("face")[triangles], axis=1)]
+    if not len(face):
+        return np.array(USUAL_SKIN_RGB)
+    column, row = np.floor(generic.uv[face].mean(axis=1) * len(rgb)).astype(int).clip(0, len(rgb) - 1).T
+    return np.asarray(np.median(rgb[row, column], axis=0), np.float64)
 
 
 def fit_ball(points_m: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:

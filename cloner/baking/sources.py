@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.abreast import abreast
 from cloner.baking.ear_match import shift_ear
 from cloner.baking.labelled import PERSON_LEVEL
 from cloner.baking.posed import body_triangles, pose, pose_shell
@@ -112,13 +113,18 @@ def gather_sources(
     residuals: list[Residual] = []
     faces = frozenset(view for view in joined.views if view.is_face and view in photos.photos)
     skins = person_skin(photos, proposals, silhouettes)
-    for view, posed_view in joined.views.items():
-        if view not in photos.photos or view not in proposals.views:
-            continue
+
+    def prepared(view: ViewId) -> tuple[Source, float] | None:
         plate = make_plate(view, photos, proposals.views[view], silhouettes, limits, skins.get(view))
         if not (plate.inside_px > 0.0).any():
+            return None
+        return make_source(generic, joined, shells, joined.views[view], plate, limits, faces)
+
+    views = [view for view in joined.views if view in photos.photos and view in proposals.views]
+    for view, found in zip(views, abreast(prepared, views), strict=True):
+        if found is None:
             continue
-        source, gap = make_source(generic, joined, shells, posed_view, plate, limits, faces)
+        source, gap = found
         sources.append(source)
         residuals.append(Residual("outline_shift", gap, "px", str(view)))
         if view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
-from cloner.baking.compose import PLAIN_RGB, bake, share_surface
+from cloner.baking.compose import Baked, bake, share_surface, unpainted
 from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
 from cloner.baking.labelled import vet_labels
 from cloner.baking.materials import doubt_grazing, find_materials
@@ -80,74 +80,74 @@ def run(
     """
     params = params or Params()
     generic = load_generic()
-    proposals = vet_labels(photos, proposals)
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, shells))
+    baked, residuals = lay_photos(generic, photos, proposals, silhouettes, joined, shells, params, tick)
+    warnings = () if baked else ("No photo could be laid on the body: it keeps one plain colour",)
+    baked = baked or unpainted(generic, params.size)
+    seen, charts = int(baked.seen.sum()), int(baked.covered.sum())
+    residuals.append(Residual("texels_seen", 100.0 * seen / max(charts, 1), "percent"))
+    parts = parts_atlas(generic, params.size)
+    paint_parts(generic, parts, baked.rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, rng)
+    atlas = TextureAtlas(pad_charts(baked.rgb, baked.covered), np.where(baked.seen, 255, 0).astype(np.uint8))
+    tick(1.0)
+    return StageResult({"painted": assemble(joined, shells, atlas)}, tuple(residuals), warnings)
+
+
+def lay_photos(
+    generic: GenericHuman,
+    photos: PhotoSet,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    joined: Joined,
+    shells: tuple[Shell, ...],
+    params: Params,
+    tick: Callable[[float], None],
+) -> tuple[Baked | None, list[Residual]]:
+    """Return the atlas painted with the photos, None where no photo shows the body, and the residuals of doing so."""
+    proposals = vet_labels(photos, proposals)
     tick(0.15)
     sources, residuals = gather_sources(generic, photos, proposals, silhouettes, joined, shells, params.limits)
     tick(0.4)
-    if sources:
-        graph = person_graph(generic, joined.vertices_m)
-        normals = vertex_normals(joined.vertices_m, body_triangles(generic))
-        colours = vertex_colours(sources)
-        kinds = find_materials(generic, sources, graph)
-        sources = doubt_grazing(generic, sources, colours, kinds, graph)
-        light = even_photos(generic, sources, colours, normals, kinds, graph)
-        residuals += compare_photos(sources, colours, light)
-        base = fill_surface(generic, sources, evened_colours(colours, light), kinds, graph)
-        shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
-        rgb, seen = bake(
-            generic,
-            params.size,
-            sources,
-            shares,
-            light,
-            base,
-            kinds,
-            params.limits,
-            levels=params.levels,
-            tick=lambda part: tick(0.4 + 0.5 * part),
-        )
-    else:
-        rgb = np.tile(np.array(PLAIN_RGB, np.uint8), (params.size, params.size, 1))
-        seen = np.zeros((params.size, params.size), dtype=bool)
-    rgb = paint_parts(
-        generic, parts_atlas(generic, params.size), rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, rng
-    )
-    rgb, covered = pad_charts(generic, rgb)
-    residuals.append(Residual("texels_seen", 100.0 * float(seen.sum()) / max(covered, 1), "percent"))
-    clone = assemble(joined, shells, TextureAtlas(rgb, np.where(seen, 255, 0).astype(np.uint8)))
-    tick(1.0)
-    warnings = () if sources else ("No photo could be laid on the body: it keeps one plain colour",)
-    return StageResult({"painted": clone}, tuple(residuals), warnings)
+    if not sources:
+        return None, residuals
+    graph = person_graph(generic, joined.vertices_m)
+    normals = vertex_normals(joined.vertices_m, body_triangles(generic))
+    colours = vertex_colours(sources)
+    kinds = find_materials(generic, sources, graph)
+    sources = doubt_grazing(generic, sources, colours, kinds, graph)
+    light = even_photos(generic, sources, colours, normals, kinds, graph)
+    residuals += compare_photos(sources, colours, light)
+    base = fill_surface(generic, sources, evened_colours(colours, light), kinds, graph)
+    shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
+    baked = bake(
+        generic, params.size, sources, shares, light, base, kinds, params.limits,
+        levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
+    )  # fmt: skip
+    return baked, residuals
 
 
 def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:
-    """Return the atlas of what is painted and not photographed, and of the face, whose colour it takes."""
-    triangles = generic.triangles()[0]
-    body = generic.vertex_part[triangles[:, 0]] == generic.part_names.index("body")
-    return generic_atlas(generic, size, wanted=~body | generic.region("face")[triangles].all(axis=1))
+    """Return the atlas of what is painted and not photographed: eyes, mouth and lashes."""
+    body = generic.vertex_part[generic.triangles()[0][:, 0]] == generic.part_names.index("body")
+    return generic_atlas(generic, size, wanted=~body)
 
 
-def pad_charts(generic: GenericHuman, rgb: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], int]:
-    """Return the atlas with every texel near the charts showing its nearest chart's colour, and the charts' texels.
+def pad_charts(rgb: NDArray[np.uint8], covered: NDArray[np.bool_]) -> NDArray[np.uint8]:
+    """Return the atlas with every texel near the charts showing its nearest chart's colour.
 
     A renderer's smaller mip levels average over chart borders; without the padding they would draw seams.
     """
-    size = len(rgb)
-    tiles = cut_tiles(size)
+    tiles = cut_tiles(len(rgb))
 
-    def pad(tile: Tile) -> tuple[NDArray[np.uint8], int]:
+    def pad(tile: Tile) -> NDArray[np.uint8]:
         window = tile.outer
-        part = rgb[window.top : window.top + window.height, window.left : window.left + window.width]
-        covered = generic_atlas(generic, size, window=window).covered()
-        padded = spread_nearest(part, covered) if covered.any() else part
-        return padded[tile.inner], int(covered[tile.inner].sum())
+        part = np.s_[window.top : window.top + window.height, window.left : window.left + window.width]
+        return (spread_nearest(rgb[part], covered[part]) if covered[part].any() else rgb[part])[tile.inner]
 
-    padded, count = np.empty_like(rgb), 0
-    for tile, (part, found) in zip(tiles, abreast(pad, tiles), strict=True):
+    padded = np.empty_like(rgb)
+    for tile, part in zip(tiles, abreast(pad, tiles), strict=True):
         padded[tile.place] = part
-        count += found
-    return padded, count
+    return padded
 
 
 def spread_nearest(rgb: NDArray[np.uint8], known: NDArray[np.bool_]) -> NDArray[np.uint8]:
