@@ -17,16 +17,21 @@ from cloner.motion.cycle import walk_cycle
 from cloner.motion.faps import fap_text, read_fap, rotations_of, stream_of, weights_of
 from cloner.motion.retarget import retarget
 from cloner.motion.rig import centred
-from cloner.motion.talk import FRAMES_PER_S, talk
+from cloner.motion.score import SILENT, Score, emotion_score, read_score
+from cloner.motion.speech import STEP_S
+from cloner.motion.talk import FRAMES_PER_S, scored, spoken_visemes, talk
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
 SPEECH = (".wav", ".txt")
+SCORE = ".toml"
 CAPTURES = {".bvh": read_bvh, ".amc": read_acclaim}
 
 
-def animate_file(clone_path: Path, sources: Sequence[Path], out: Path, *, cycles: bool = False) -> tuple[Path, ...]:
+def animate_file(
+    clone_path: Path, sources: Sequence[Path], out: Path, *, cycles: bool = False, emotion: str = ""
+) -> tuple[Path, ...]:
     """Write a clone with further animations as a binary glTF file, and the speech's face as FAP files beside it.
 
     Parameters
@@ -35,11 +40,14 @@ def animate_file(clone_path: Path, sources: Sequence[Path], out: Path, *, cycles
         ``clone.npz`` or the folder that holds it.
     sources : sequence of Path
         Each becomes an animation with the file's name: .bvh and .amc (its .asf beside it) are laid on the body, .wav
-        and .txt (phonemes) are spoken, .fap moves the face.
+        and .txt (phonemes) are spoken, .fap moves the face, .toml is a score of expressions on tracks. A .toml of a
+        speech's name beside it is played with the speech.
     out : Path
         Ends with .glb.
     cycles : bool
         Cut every capture down to two steps of walking on the spot, closed into a circle.
+    emotion : str
+        One of the six expressions; the mood of a speech that has no score.
 
     Returns
     -------
@@ -55,7 +63,7 @@ def animate_file(clone_path: Path, sources: Sequence[Path], out: Path, *, cycles
         raise ClonerError("animations are written as glTF", "Give --out a name that ends with .glb", out.name)
     clone = clone_of(clone_path)
     body = body_of(centred(clone))
-    motions = [_motion(clone, body, path, cycles=cycles) for path in sources]
+    motions = [_motion(clone, body, path, cycles=cycles, emotion=emotion) for path in sources]
     written = list(export(clone, out.parent, name=out.stem, motions=motions))
     for path, motion in zip(sources, motions, strict=True):
         if path.suffix.lower() in SPEECH:
@@ -64,18 +72,29 @@ def animate_file(clone_path: Path, sources: Sequence[Path], out: Path, *, cycles
     return tuple(written)
 
 
-def _motion(clone: Clone, body: Body, path: Path, *, cycles: bool) -> Motion:
+def _motion(clone: Clone, body: Body, path: Path, *, cycles: bool, emotion: str) -> Motion:
     """Return the motion that a file holds."""
     suffix = path.suffix.lower()
     if suffix in CAPTURES:
         motion = retarget(CAPTURES[suffix](path), body, name=path.stem)
         return walk_cycle(body, motion) if cycles else motion
     if suffix in SPEECH:
-        return talk(body, path)
+        shares = spoken_visemes(path)
+        return talk(body, path.stem, shares, _score_of(clone, path, emotion, len(shares) * STEP_S))
+    if suffix == SCORE:
+        return scored(body, path.stem, read_score(path, clone.morph_names))
     if suffix == ".fap":
         stream = read_fap(path)
         times = np.arange(len(stream.values)) / stream.frames_per_s
         rotations = rotations_of(stream, body.names)
         return Motion(path.stem, times, np.zeros((len(times), 3)), rotations, weights_of(clone, stream))
-    hint = "Give .bvh, .amc, .wav, .txt or .fap files"
+    hint = "Give .bvh, .amc, .wav, .txt, .fap or .toml files"
     raise ClonerError(f"{suffix or 'this'} is no kind of animation", hint, path.name)
+
+
+def _score_of(clone: Clone, speech: Path, emotion: str, duration_s: float) -> Score:
+    """Return what the face does beside a speech: the score of its name, else its mood."""
+    beside = speech.with_suffix(SCORE)
+    if beside.is_file():
+        return read_score(beside, clone.morph_names)
+    return emotion_score(emotion, duration_s) if emotion else SILENT

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import logging
 import os
@@ -15,16 +16,14 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 import cloner
-from cloner.errors import Cancelled, ClonerError
-from cloner.terminal import ProgressLine
+from cloner.errors import ClonerError
+from cloner.terminal import EXIT_CANCELLED, EXIT_INPUT, EXIT_SOME_FAILED, ProgressLine, ended
 
 # The commands import their part when they run: `doctor` must work where a library is missing.
 if TYPE_CHECKING:
     from cloner.records.batches import BatchRow
 
-EXIT_INPUT: Final = 2
-EXIT_CANCELLED: Final = 130  # 128 + SIGINT, as shells have it
-EXIT_SOME_FAILED: Final = 1
+__all__ = ["EXIT_CANCELLED", "EXIT_INPUT", "app", "main"]
 DEFAULT_FORMATS: Final = "glb,wrl"
 DEFAULT_TEXTURE_SIZE: Final = 2048
 
@@ -99,6 +98,7 @@ def _batch(
     out: OutOption,
     formats: FormatOption = DEFAULT_FORMATS,
     seed: SeedOption = 0,
+    size: SizeOption = DEFAULT_TEXTURE_SIZE,
     again: Annotated[bool, typer.Option("--again", help="Clone those with a current result once more.")] = False,
     workers: Annotated[int, typer.Option("--workers", min=1, help="Processes on this machine.")] = 1,
     scheduler: Annotated[str, typer.Option("--scheduler", help="Address of a Dask cluster that clones instead.")] = "",
@@ -109,7 +109,7 @@ def _batch(
     """Clone every visitor below a folder; one failure does not stop the rest."""
     from cloner.batch import BatchOptions, batch_folder, summary_table
 
-    options = BatchOptions(split_formats(formats), seed, again, workers, scheduler, shard, retries, timeout)
+    options = BatchOptions(split_formats(formats), seed, size, again, workers, scheduler, shard, retries, timeout)
     start = time.monotonic()
 
     def tell(row: BatchRow, done: int, total: int) -> None:
@@ -149,15 +149,18 @@ def _animate(
     clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
     sources: Annotated[
         list[Path],
-        typer.Argument(metavar="SOURCE...", help="Captures (.bvh, .amc), speech (.wav, phonemes .txt), faces (.fap)."),
+        typer.Argument(
+            metavar="SOURCE...", help="Captures (.bvh, .amc), speech (.wav, phonemes .txt), face (.fap, .toml)."
+        ),
     ],
     out: Annotated[Path, typer.Option("--out", help="The .glb file to write.")],
     cycles: Annotated[bool, typer.Option("--cycle", help="Make an endless walk on the spot of each capture.")] = False,
+    emotion: Annotated[str, typer.Option(help="Mood of a speech: joy, sadness, anger, fear, disgust, surprise.")] = "",
 ) -> None:
     """Lay motion captures, speech and facial animation on a finished clone."""
     from cloner.animating import animate_file
 
-    for path in animate_file(clone_path, sources, out, cycles=cycles):
+    for path in animate_file(clone_path, sources, out, cycles=cycles, emotion=emotion):
         typer.echo(str(path))
 
 
@@ -265,29 +268,14 @@ def split_formats(text: str) -> tuple[str, ...]:
 
 
 def main() -> None:
-    """Run the command line and exit with its code; the only place that catches errors for it."""
+    """Run the command line and exit with its code."""
     signal.signal(signal.SIGTERM, _stop)
     os.umask(0o077)  # results hold a person's likeness: nobody else's business on a shared machine
-    try:
-        code = app(standalone_mode=False)
-        if code == EXIT_CANCELLED:  # typer turns Ctrl-C into this code before we see it
-            raise KeyboardInterrupt
-    except ClonerError as error:
-        _say(f"cloner: {error}")
-        code = EXIT_INPUT
-    except (Cancelled, KeyboardInterrupt, typer.Abort):
-        _say("cloner: stopped; nothing half-written was left")
-        code = EXIT_CANCELLED
-    except typer.TyperException as error:  # a wrong option or argument
-        _say(f"cloner: {error.format_message()}")
-        code = error.exit_code
-    sys.exit(code if isinstance(code, int) else 0)
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # names of folders need not be text
+    sys.exit(ended(lambda: app(standalone_mode=False)))
 
 
 def _stop(number: int, frame: FrameType | None) -> None:
     """Treat a request to end like Ctrl-C, so that temporary folders are removed."""
     raise KeyboardInterrupt
-
-
-def _say(text: str) -> None:
-    sys.stderr.write(text + "\n")

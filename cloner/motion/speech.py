@@ -55,6 +55,8 @@ MERGED_FIRST_HZ: Final = 300.0
 HUM: Final = 0.45
 HUM_HZ: Final = 450.0
 WEAK: Final = 0.17
+FAINT: Final = 0.09
+BURST_HZ: Final = 2600.0
 _QUIET: Final = 0.02  # of the loudest frames: silence
 _CLOSURE_S: Final = 0.16  # shorter silences between sounds are closed lips or a stopped tongue
 _COARTICULATION_S: Final = 0.035  # mouths move ahead of sounds and lag behind them
@@ -184,7 +186,7 @@ def sound_visemes(frames: SpeechFrames) -> Array:
     """Return (F, 15) shares of the mouth shapes; rows sum to one."""
     shares = np.zeros((len(frames.energy), len(VISEMES)))
     loud = frames.energy / np.percentile(frames.energy, 98)
-    silent, voiced = loud < _QUIET, frames.pitch_hz > 0.0
+    silent = loud < _QUIET
     vowels = list(_VOWELS)
     places = _bark(np.array([_VOWELS[name] for name in vowels]))
     for row in range(len(shares)):
@@ -211,7 +213,7 @@ def _consonant(frames: SpeechFrames, row: int, loud: float) -> tuple[str, ...]:
     """
     bright, voiced = float(frames.brightness_hz[row]), frames.pitch_hz[row] > 0.0
     if frames.crossings[row] > 0.22 and (not voiced or bright > 3000.0):
-        return (_hiss(bright, loud),)
+        return _hiss(bright, loud)
     if not voiced and loud < WEAK:
         return ("DD", "kk", "PP")
     if voiced and loud < WEAK:
@@ -219,10 +221,27 @@ def _consonant(frames: SpeechFrames, row: int, loud: float) -> tuple[str, ...]:
     return ("PP", "nn") if bright < HUM_HZ and loud < HUM else ()
 
 
-def _hiss(brightness_hz: float, loud: float) -> str:
-    if loud < 0.08:
-        return "FF" if brightness_hz > 3000.0 else "TH"
-    return "SS" if brightness_hz > 4800.0 else "CH"
+def _hiss(brightness_hz: float, loud: float) -> tuple[str, ...]:
+    """Return the shapes a hiss may come from: faint ones from the teeth on lip or tongue, dull ones from a burst."""
+    if loud < FAINT:
+        return ("FF", "TH")
+    if brightness_hz < BURST_HZ:
+        return ("kk", "CH")
+    return ("SS", "DD") if brightness_hz > 4800.0 and loud < WEAK else ("SS",) if brightness_hz > 4800.0 else ("CH",)
+
+
+def viseme_of(phoneme: str) -> str:
+    """Return the mouth shape of an ARPAbet phoneme.
+
+    Raises
+    ------
+    ClonerError
+        If the phoneme is not known.
+    """
+    viseme = _VISEME_OF.get(phoneme.rstrip("012").upper())
+    if viseme is None:
+        raise ClonerError(f"the phoneme {phoneme!r} is not known", f"Use ARPAbet: {' '.join(_VISEME_OF)}", "phonemes")
+    return viseme
 
 
 def phoneme_visemes(phonemes: Sequence[tuple[str, float]]) -> Array:
@@ -235,11 +254,7 @@ def phoneme_visemes(phonemes: Sequence[tuple[str, float]]) -> Array:
     """
     rows = []
     for phoneme, seconds in phonemes:
-        viseme = _VISEME_OF.get(phoneme.rstrip("012").upper())
-        if viseme is None:
-            raise ClonerError(
-                f"the phoneme {phoneme!r} is not known", f"Use ARPAbet: {' '.join(_VISEME_OF)}", "phonemes"
-            )
+        viseme = viseme_of(phoneme)
         if not 0.0 < seconds <= 10.0:
             raise ClonerError(f"{phoneme} lasts {seconds} s", "Give lengths between 0 and 10 seconds", "phonemes")
         rows += [VISEMES.index(viseme)] * max(round(seconds / STEP_S), 1)

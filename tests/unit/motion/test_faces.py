@@ -14,9 +14,11 @@ from cloner.generic.load import load_generic
 from cloner.motion import faps, speech
 from cloner.motion.body import body_of
 from cloner.motion.expressions import EXPRESSIONS, Beat, Envelope, mixed, play
-from cloner.motion.talk import talk
+from cloner.motion.score import SILENT, emotion_score, read_score
+from cloner.motion.talk import scored, spoken_visemes, talk
 from kit.clones import toy_clone
 
+SPEECH = Path(__file__).resolve().parents[2] / "kit" / "speech"
 RATE = speech.RATE_HZ
 
 
@@ -84,7 +86,7 @@ def test_a_spoken_file_moves_mouth_and_lids_but_not_the_feet(clone, tmp_path: Pa
     sound = np.concatenate([voiced((750.0, 1230.0, 2500.0, 3500.0), 1.0), np.zeros(4000)])
     wavfile.write(path, RATE, (20000 * sound).astype(np.int16))
     body = body_of(clone)
-    motion = talk(body, path)
+    motion = talk(body, "hello", spoken_visemes(path))
     assert motion.name == "hello"
     assert motion.weights["viseme_aa"].max() > 0.6
     assert motion.weights["eyeBlinkLeft"].max() > 0.8
@@ -177,3 +179,89 @@ def test_tracks_mix_without_sums_above_one_and_speech_keeps_its_mouth(clone) -> 
     assert all(values.max() <= 1.0 for values in twice.values())
     assert twice["mouthSmileLeft"].max() == pytest.approx(1 - 0.2**2)
     assert set(name for row in EXPRESSIONS.values() for name in row) <= set(clone.morph_names)
+
+
+def score_of(tmp_path: Path, text: str, targets=("jawOpen",)):
+    path = tmp_path / "face.toml"
+    path.write_text(text)
+    return read_score(path, targets)
+
+
+JOY_AND_NOD = """
+[[emotion]]
+expression = "joy"
+start = 0.5
+attack = 0.4
+sustain = 1.0
+decay = 0.6
+
+[[head]]
+expression = "turn_left"
+start = 1.0
+
+[[eyes]]
+expression = "blink"
+start = 2.0
+"""
+
+
+def test_a_score_plays_its_tracks_each_in_its_own_time(clone, tmp_path: Path) -> None:
+    body = body_of(clone)
+    motion = scored(body, "face", score_of(tmp_path, JOY_AND_NOD))
+    at = {second: int(np.abs(motion.times_s - second).argmin()) for second in (0.4, 1.2, 2.1, 2.5)}
+    smile, lids = motion.weights["mouthSmileLeft"], motion.weights["eyeBlinkLeft"]
+    assert smile[at[0.4]] == 0.0
+    assert smile[at[1.2]] == pytest.approx(EXPRESSIONS["joy"]["mouthSmileLeft"])
+    assert smile[at[2.5]] == pytest.approx(0.0, abs=1e-6)
+    assert lids[at[2.1]] > 0.9
+    assert lids[at[1.2]] == 0.0, "eyes with a track of their own blink when it says so"
+    ahead = body.world(motion)[:, body.joint("skullbase"), :, 2]
+    assert ahead[at[1.2], 0] - ahead[at[0.4], 0] > 0.15, "the head turns to the person's left"
+
+
+def test_a_speech_in_a_mood_smiles_between_the_words_and_speaks_clearly(clone, tmp_path: Path) -> None:
+    body = body_of(clone)
+    shares = speech.phoneme_visemes([("SIL", 1.0), ("M", 0.15), ("AA1", 0.3), ("SIL", 1.5)])
+    plain, glad = (talk(body, "x", shares, score) for score in (SILENT, emotion_score("joy", 2.95)))
+    assert np.abs(glad.weights["viseme_PP"] - plain.weights["viseme_PP"]).max() < 1e-9
+    smile = glad.weights["mouthSmileLeft"]
+    assert smile[int(0.9 * 30)] > 0.7
+    assert smile[int(1.15 * 30)] < 0.45, "speech has the mouth first"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("[[emotion]\nexpression=", "no TOML"),
+        ("[[ears]]\nexpression = 'joy'", "ears"),
+        ("[[emotion]]\nexpression = 'glee'", "glee"),
+        ("[[head]]\nexpression = 'joy'", "joy"),
+        ("[[emotion]]\nexpression = 'joy'\nstart = nan", "0 and 600 s"),
+        ("[[emotion]]\nexpression = 'joy'\nstart = 'soon'", "soon"),
+        ("[[emotion]]\nexpression = 'joy'\nspeed = 2", "speed"),
+        ("emotion = 3", "emotion"),
+        ("emotion = [3]", "emotion"),
+    ],
+)
+def test_broken_scores_are_refused_in_words(text: str, words: str, tmp_path: Path) -> None:
+    with pytest.raises(ClonerError) as caught:
+        score_of(tmp_path, text)
+    assert words in caught.value.message
+    assert caught.value.where == "face.toml"
+
+
+@pytest.mark.parametrize("path", sorted(SPEECH.glob("*.wav")), ids=lambda path: path.stem)
+def test_mouths_keep_the_time_of_known_phonemes(path: Path) -> None:
+    """Shapes lead, or are half as strong as the leading one, within 60 ms of their phoneme's middle."""
+    phonemes = speech.read_phonemes(path.with_suffix(".txt"))
+    for source, least in ((path.with_suffix(".txt"), 0.85), (path, 0.6)):
+        times, weights = speech.mouth_weights(spoken_visemes(source), 30.0)
+        mouth = np.column_stack([weights.get(f"viseme_{name}", np.zeros(len(times))) for name in speech.VISEMES])
+        mouth[:, 0] = np.clip(1.0 - mouth.sum(axis=1), 0.0, 1.0)
+        middles = np.cumsum([length for _, length in phonemes]) - [length / 2.0 for _, length in phonemes]
+        good = 0
+        for middle, (phoneme, _) in zip(middles, phonemes, strict=True):
+            near = mouth[np.abs(times - middle) <= 0.06]
+            own = near[:, speech.VISEMES.index(speech.viseme_of(phoneme))]
+            good += bool((own >= 0.5 * near.max(axis=1)).any())
+        assert good / len(phonemes) >= least, source.name

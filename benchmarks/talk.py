@@ -1,0 +1,100 @@
+"""How well a talking mouth keeps the time of known phonemes, and a film strip of it.
+
+    python benchmarks/talk.py [--speech FOLDER] [--clone RESULT --out docs/pictures/talk.jpg]
+
+FOLDER holds pairs NAME.wav and NAME.txt (phonemes with their lengths); by default the project's own test speech. A
+phoneme is met if within 60 ms of its middle its mouth shape is the leading one, or at least half as strong as that.
+"Phonemes" moves the mouth by the list, "sound" by the sound alone.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.framing import standard_camera
+from cloner.motion.body import body_of
+from cloner.motion.rig import centred
+from cloner.motion.speech import VISEMES, mouth_weights, read_phonemes, viseme_of
+from cloner.motion.talk import FRAMES_PER_S, spoken_visemes, talk
+from cloner.picture import clone_of
+from cloner.records.clones import Clone
+from cloner.render import render
+
+Array = NDArray[np.float64]
+
+SPEECH: Final = Path(__file__).resolve().parents[1] / "tests" / "kit" / "speech"
+NEAR_S: Final = 0.06
+HALF: Final = 0.5
+STRIP: Final = 16  # pictures
+
+
+def met(shares: Array, phonemes: list[tuple[str, float]]) -> list[tuple[str, bool]]:
+    """Return every phoneme and whether the mouth made its shape in time."""
+    times, weights = mouth_weights(shares, FRAMES_PER_S)
+    mouth = np.column_stack([weights.get(f"viseme_{name}", np.zeros(len(times))) for name in VISEMES])
+    mouth[:, 0] = np.clip(1.0 - mouth.sum(axis=1), 0.0, 1.0)
+    found, start = [], 0.0
+    for phoneme, length in phonemes:
+        middle, start = start + length / 2.0, start + length
+        near = mouth[np.abs(times - middle) <= NEAR_S]
+        own = near[:, VISEMES.index(viseme_of(phoneme))]
+        found.append((phoneme, bool((own >= HALF * near.max(axis=1)).any())))
+    return found
+
+
+def strip(clone: Clone, speech: Path) -> NDArray[np.uint8]:
+    """Return pictures of a speaking face, evenly through the first half of a speech, with the leading mouth shape."""
+    motion = talk(body_of(centred(clone)), speech.stem, spoken_visemes(speech))
+    rows = np.linspace(0, len(motion.times_s) // 2, STRIP).astype(int)
+    camera = standard_camera(clone, "face", 220, 280)
+    pictures = []
+    for row in rows:
+        weights = {name: float(values[row]) for name, values in motion.weights.items()}
+        picture = np.ascontiguousarray(render(shaped(clone, weights), camera, shading="soft"))
+        said = max((name for name in weights if name.startswith("viseme_")), key=lambda name: weights[name])
+        label = f"{motion.times_s[row]:.2f} s {said.removeprefix('viseme_') if weights[said] > 0.2 else '-'}"
+        pictures.append(cv2.putText(picture, label, (6, 272), cv2.FONT_HERSHEY_SIMPLEX, 0.5, (20, 20, 20), 1))
+    half = STRIP // 2
+    return np.vstack([np.hstack(pictures[:half]), np.hstack(pictures[half:])])
+
+
+def shaped(clone: Clone, weights: dict[str, float]) -> Clone:
+    """Return the clone with its morph targets at some weights."""
+    vertices = clone.vertices_m.copy()
+    for number, name in enumerate(clone.morph_names):
+        rows = slice(int(clone.morph_start[number]), int(clone.morph_start[number + 1]))
+        vertices[clone.morph_index[rows]] += weights.get(name, 0.0) * clone.morph_delta_m[rows]
+    return replace(clone, vertices_m=vertices)
+
+
+def main() -> None:
+    """Print the table and write the strip."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--speech", type=Path, default=SPEECH)
+    parser.add_argument("--clone", type=Path)
+    parser.add_argument("--out", type=Path, default=Path("docs/pictures/talk.jpg"))
+    asked = parser.parse_args()
+    sounds = sorted(asked.speech.glob("*.wav"))
+    sys.stdout.write("| speech | by | phonemes | in time, % | missed |\n" + "| --- " * 5 + "|\n")
+    for sound in sounds:
+        phonemes = read_phonemes(sound.with_suffix(".txt"))
+        for by, path in (("phonemes", sound.with_suffix(".txt")), ("sound", sound)):
+            rows = met(spoken_visemes(path), phonemes)
+            missed = " ".join(phoneme for phoneme, good in rows if not good)
+            share = 100.0 * np.mean([good for _, good in rows])
+            sys.stdout.write(f"| {sound.stem} | {by} | {len(rows)} | {share:.0f} | {missed} |\n")
+    if asked.clone:
+        picture = strip(clone_of(asked.clone), sounds[0].with_suffix(".txt"))
+        cv2.imwrite(str(asked.out), picture[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])
+
+
+if __name__ == "__main__":
+    main()
