@@ -3,20 +3,30 @@
 from __future__ import annotations
 
 import logging
+import os
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
-from cloner.cloning import DEFAULT_FORMATS, check_formats, clone_folder, stamp_options
+from cloner.cloning import (
+    DEFAULT_FORMATS,
+    DEFAULT_TEXTURE_SIZE,
+    check_formats,
+    check_texture_size,
+    clone_folder,
+    stamp_options,
+)
 from cloner.errors import Cancelled, ClonerError
 from cloner.farm import Task, farm, run_tasks, watchdog
+from cloner.project.atomic import check_writable
 from cloner.project.claims import claimed
 from cloner.project.manifest import Visitor, find_visitors, shard
 from cloner.project.stamps import input_stamp, why_not_current
 from cloner.records.batches import CLONED, FAILED, SKIPPED, BatchRow
 from cloner.report.batch import write_summary
+from cloner.terminal import defect
 
 log = logging.getLogger(__name__)
 
@@ -32,6 +42,7 @@ class BatchOptions:
     ----------
     formats : tuple of str
     seed : int
+    texture_size : int
     again : bool
         Whether visitors with a current result are cloned once more.
     workers : int
@@ -48,6 +59,7 @@ class BatchOptions:
 
     formats: tuple[str, ...] = DEFAULT_FORMATS
     seed: int = 0
+    texture_size: int = DEFAULT_TEXTURE_SIZE
     again: bool = False
     workers: int = 1
     scheduler: str = ""
@@ -76,7 +88,9 @@ def batch_folder(
     """
     options = options or BatchOptions()
     check_formats(options.formats)
+    check_texture_size(options.texture_size)
     visitors = shard(find_visitors(root), options.shard)
+    check_writable(out)
     rows: list[BatchRow] = []
     try:
         for row in _rows(visitors, out.resolve(), options):
@@ -103,6 +117,7 @@ def _rows(visitors: Sequence[Visitor], out: Path, options: BatchOptions) -> Iter
 
 def clone_in_worker(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
     """Clone one visitor in a worker process, which is ended if that takes too long."""
+    os.umask(0o077)  # as the command line: results are the owner's alone
     with watchdog(options.timeout_s):
         return clone_visitor(visitor, out, options)
 
@@ -121,14 +136,13 @@ def clone_visitor(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRo
     except Cancelled:
         raise
     except Exception as error:  # one visitor's defect must not end a night's batch
-        log.exception("%s failed", identifier)
-        message = f"a defect of Cloner ({type(error).__name__}); run it alone with --verbose and report it"
-        return BatchRow(identifier, FAILED, time.perf_counter() - start, 0, message)
+        log.info("%s failed", identifier, exc_info=True)  # a trace is for --verbose
+        return BatchRow(identifier, FAILED, time.perf_counter() - start, 0, defect(error))
 
 
 def _clone(visitor: Visitor, out: Path, options: BatchOptions, start: float) -> BatchRow:
     identifier = visitor.identifier
-    told = stamp_options(visitor.height_cm, options.formats, options.seed)
+    told = stamp_options(visitor.height_cm, options.formats, options.seed, options.texture_size)
     if not options.again:
         reason = why_not_current(out / identifier, input_stamp(visitor.photos, told))
         if not reason:
@@ -140,6 +154,7 @@ def _clone(visitor: Visitor, out: Path, options: BatchOptions, start: float) -> 
         height_cm=visitor.height_cm,
         formats=options.formats,
         seed=options.seed,
+        texture_size=options.texture_size,
         identifier=identifier,
     )
     count = len(outcome.warnings)

@@ -6,25 +6,28 @@ summary. Nothing else is ever written: no cache, no log file, no copy of a photo
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import shutil
 import time
 import zipfile
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.errors import ClonerError
-from cloner.project.atomic import RESULT_MARK
-from cloner.project.folder import read_consent, read_person, safe_identifier, view_files
+from cloner.errors import ClonerError, plain
+from cloner.project.atomic import RESULT_MARK, interrupted
+from cloner.project.claims import claimed
+from cloner.project.folder import SUFFIXES, read_consent, read_person, safe_identifier
 from cloner.project.manifest import DEEPEST, photo_folders
 from cloner.project.stamps import file_digest
 from cloner.records.batches import BatchRow
 from cloner.report.batch import write_summary
 
+SHORTEST_NAME: Final = 2  # letters; shorter ones stand in every file
 _DAY_S: Final = 86_400.0
 _FORGOTTEN: Final = ".forgotten-"
 _SCANNED_SUFFIXES: Final = (".json", ".csv", ".html", ".toml", ".txt", ".log", ".wrl", ".x3d", ".gltf", ".md")
@@ -93,8 +96,15 @@ def holding_of(name: str, photos: Path | None, result: Path | None) -> Holding:
     files = [path for folder in (photos, result) if folder is not None for path in _files(folder)]
     newest = max((path.stat().st_mtime for path in files), default=0.0)
     size = sum(path.stat().st_size for path in files)
-    consent = read_consent(photos) if photos is not None else ""
+    consent = _consent(photos) if photos is not None else ""
     return Holding(name, photos, result, len(files), size, datetime.fromtimestamp(newest, UTC), consent)
+
+
+def _consent(photos: Path) -> str:
+    try:
+        return plain(read_consent(photos))
+    except ClonerError as error:  # who is held must be told even where a file is broken
+        return f"unreadable: {error.message}"
 
 
 def _files(folder: Path) -> Iterator[Path]:
@@ -144,49 +154,87 @@ def forget(holding: Holding, photos_root: Path | None, out: Path | None) -> tupl
 
     Folders are renamed before they are deleted, so a kill half-way leaves nothing that would still be cloned or listed;
     the next call deletes such rests too. Every text below both folders is then searched for the visitor's identifier,
-    name and photo digests.
+    name and photo digests, and every picture compared with the visitor's own.
 
     Raises
     ------
     ClonerError
-        If something cannot be deleted.
+        If something cannot be deleted, or a run is at work on the visitor.
     """
-    traces = _traces(holding)
-    try:
-        for folder in holding.folders:
-            _remove(folder)
-        for root in (photos_root, out):
-            for rest in root.glob(f"**/{_FORGOTTEN}*") if root is not None else ():
-                shutil.rmtree(rest)
-        if out is not None:
-            _forget_rows(out, holding.identifier)
-            for rest in out.glob(f".{holding.identifier}.*"):  # locks and rests of killed runs
-                shutil.rmtree(rest) if rest.is_dir() else rest.unlink()
-    except OSError as error:
-        raise ClonerError(
-            "not everything could be deleted", "Check permissions and repeat", holding.identifier
-        ) from error
-    return tuple(still_told(traces, [root for root in (photos_root, out) if root is not None]))
+    traces, sizes = _traces(holding), {path.stat().st_size for path in _pictures(holding)}
+    roots = [root for root in (photos_root, out) if root is not None]
+    with contextlib.ExitStack() as stack:
+        if out is not None and not stack.enter_context(claimed(out, holding.identifier)):
+            raise _busy(holding)
+        try:
+            _delete(holding, roots, out)
+        except OSError as error:
+            raise ClonerError(
+                "not everything could be deleted", "Check permissions and repeat", holding.identifier
+            ) from error
+    return tuple(still_told(traces, sizes, roots))
+
+
+def _delete(holding: Holding, roots: Sequence[Path], out: Path | None) -> None:
+    """Delete folders, rows, and what killed runs left of a visitor."""
+    rests = interrupted(out, holding.identifier) if out is not None else []
+    if rests is None:
+        raise _busy(holding)
+    for folder in (*holding.folders, *rests):
+        _remove(folder)
+    for root in roots:
+        for rest in root.glob(f"**/{_FORGOTTEN}*"):
+            shutil.rmtree(rest)
+    if out is not None:
+        _forget_rows(out, holding.identifier)
+
+
+def _busy(holding: Holding) -> ClonerError:
+    return ClonerError("somebody is cloning this visitor just now", "Wait or stop that, and repeat", holding.identifier)
 
 
 def _traces(holding: Holding) -> tuple[str, ...]:
     """Return the texts that would tell of a visitor."""
     found = {f'"{holding.identifier}"', f"/{holding.identifier}/"}
     if holding.photos is not None:
-        found |= {file_digest(path) for path in view_files(holding.photos).values()}
-        name = read_person(holding.photos).name.strip()
-        if len(name) > 2:
-            found.add(name)
+        found |= {file_digest(path) for path in _pictures(holding)}
+        with contextlib.suppress(ClonerError):  # a broken file tells no name
+            name = read_person(holding.photos).name.strip()
+            found |= {name} if len(name) > SHORTEST_NAME else set()
+    if holding.result is not None:
+        found |= set(_photo_digests(holding.result))
     return tuple(found)
 
 
-def still_told(traces: Sequence[str], roots: Sequence[Path]) -> Iterator[str]:
-    """Yield the files below the roots that hold one of the texts or are called by one."""
+def _photo_digests(result: Path) -> Iterator[str]:
+    """Yield the digests of the photos a result was made from, as far as its report can be read."""
+    try:
+        photos = json.loads((result / RESULT_MARK).read_text(encoding="utf-8"))["photos"]
+        yield from (str(photo["sha256"]) for photo in photos.values())
+    except (OSError, ValueError, LookupError, TypeError, AttributeError):
+        return
+
+
+def _pictures(holding: Holding) -> list[Path]:
+    """Return the visitor's photos and the previews made of them."""
+    folders = (holding.photos, holding.result / "previews" if holding.result is not None else None)
+    return [path for folder in folders if folder is not None for path in _files(folder) if _is_picture(path)]
+
+
+def _is_picture(path: Path) -> bool:
+    return path.suffix.lower() in SUFFIXES
+
+
+def still_told(traces: Sequence[str], sizes: Collection[int], roots: Sequence[Path]) -> Iterator[str]:
+    """Yield the files below the roots that hold one of the texts, and pictures with one of them as their digest."""
     for root in roots:
         for path in _files(root):
-            if path.suffix.lower() not in _SCANNED_SUFFIXES:
+            if _is_picture(path):
+                text = file_digest(path) if path.stat().st_size in sizes else ""
+            elif path.suffix.lower() in _SCANNED_SUFFIXES:
+                text = path.read_text(encoding="utf-8", errors="replace")
+            else:
                 continue
-            text = path.read_text(encoding="utf-8", errors="replace")
             if any(trace in text for trace in traces):
                 yield path.relative_to(root).as_posix()
 
@@ -200,8 +248,11 @@ def _remove(folder: Path) -> None:
 def _forget_rows(out: Path, identifier: str) -> None:
     """Write the batch summaries anew without one visitor."""
     for path in out.glob(_SUMMARIES):
-        told: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
-        rows = [BatchRow(**row) for row in told["rows"]]
+        try:
+            told: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+            rows = [BatchRow(**row) for row in told["rows"]]
+        except (ValueError, LookupError, TypeError):
+            continue  # no summary of ours; the scan afterwards tells whether it speaks of the visitor
         kept = [row for row in rows if row.identifier != identifier]
         if len(kept) != len(rows):
             write_summary(kept, int(told["visitors"]) - 1, out, path.stem)

@@ -142,9 +142,25 @@ def partial_prefix(identifier: str) -> str:
     return f".{identifier}.partial-"
 
 
+def interrupted(out: Path, identifier: str) -> list[Path] | None:
+    """Return the temporary folders that killed runs left of a result; None where a run is at work in one."""
+    found = []
+    for partial in _partials(out, identifier):
+        held = lock(partial / _LOCK)
+        if held is None:
+            return None
+        os.close(held)
+        found.append(partial)
+    return found
+
+
+def _partials(out: Path, identifier: str) -> list[Path]:
+    return sorted(path for path in out.iterdir() if path.name.startswith(partial_prefix(identifier)))
+
+
 def _restore_and_sweep(out: Path, identifier: str) -> None:
     """Undo what a killed run left: put back a result it had moved aside, drop its rest."""
-    for partial in sorted(path for path in out.iterdir() if path.name.startswith(partial_prefix(identifier))):
+    for partial in _partials(out, identifier):
         try:
             held = lock(partial / _LOCK)
         except OSError:

@@ -44,7 +44,7 @@ def cloned(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     done: list[str] = []
 
     def clone_folder(
-        photos: Path, out: Path, *, identifier: str, formats: Any, seed: int, height_cm: Any
+        photos: Path, out: Path, *, identifier: str, formats: Any, seed: int, texture_size: int, height_cm: Any
     ) -> CloneOutcome:
         if identifier == "carl":
             raise ClonerError("no person found", "Retake it", "body_front.jpg")
@@ -52,7 +52,7 @@ def cloned(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         folder = out / identifier
         folder.mkdir(parents=True, exist_ok=True)
         (folder / "clone.npz").write_text(identifier)
-        stamp = input_stamp(photos, stamp_options(height_cm, formats, seed))
+        stamp = input_stamp(photos, stamp_options(height_cm, formats, seed, texture_size))
         report = {"warnings": ["w"] if identifier == "anna" else [], "silhouette_iou": {"body_front": 0.97}}
         told = {**report, "stamp": stamp, "outputs": output_digests(folder, ["clone.npz"])}
         (folder / "report.json").write_text(json.dumps(told))
@@ -102,6 +102,7 @@ def test_current_results_are_skipped_and_stale_or_damaged_ones_made_again(
     assert statuses(batch_folder(visitors, out))[0::2] == [("anna", "skipped"), ("day-2-boris", "cloned")]
     assert statuses(batch_folder(visitors, out, BatchOptions(seed=1)))[0] == ("anna", "cloned")
     assert statuses(batch_folder(visitors, out, BatchOptions(seed=1, again=True)))[0] == ("anna", "cloned")
+    assert statuses(batch_folder(visitors, out, BatchOptions(seed=1, texture_size=512)))[0] == ("anna", "cloned")
 
 
 def test_a_defect_is_a_row_too(visitors: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
 import stat
 import subprocess
 import sys
@@ -16,6 +17,8 @@ from PIL import Image
 
 from cloner.errors import ClonerError
 from cloner.privacy import export_data, find_holding, forget, holdings, older_than, table
+from cloner.project.atomic import result_folder
+from cloner.project.claims import claimed
 from cloner.project.stamps import file_digest
 from cloner.records.batches import BatchRow
 from cloner.report.batch import write_summary
@@ -37,7 +40,7 @@ def held(tmp_path: Path) -> tuple[Path, Path]:
         digest = file_digest(root / name / "body_front.jpg")
         (out / name / "report.json").write_text(json.dumps({"person": person, "photos": {"body_front": digest}}))
         (out / name / "report.html").write_text(f"<h1>Clone of {person}</h1>")
-        (result / "face.jpg").write_bytes(b"picture")
+        (result / "face.jpg").write_bytes(f"picture {number}".encode())
         (out / f".{name}.claim").touch()
         rows.append(BatchRow(name, "cloned", 1.0, 0, "fine", 0.98))
     write_summary(rows, 2, out)
@@ -83,6 +86,54 @@ def test_what_somebody_copied_elsewhere_is_told(held: tuple[Path, Path]) -> None
     root, out = held
     (out / "notes.txt").write_text("Anna Muster liked it")
     assert forget(find_holding("anna", holdings(root, out)), root, out) == ("notes.txt",)
+
+
+def test_a_photo_or_thumbnail_that_somebody_copied_is_told(held: tuple[Path, Path]) -> None:
+    root, out = held
+    (out / "best").mkdir()
+    shutil.copy(root / "anna" / "body_front.jpg", out / "best" / "1.jpg")
+    shutil.copy(out / "anna" / "previews" / "face.jpg", root / "winner.jpg")
+    shutil.copy(root / "boris" / "body_front.jpg", out / "best" / "2.jpg")
+    told = forget(find_holding("anna", holdings(root, out)), root, out)
+    assert sorted(told) == ["best/1.jpg", "winner.jpg"]
+
+
+def test_broken_files_do_not_keep_anybody(held: tuple[Path, Path]) -> None:
+    root, out = held
+    (root / "anna" / "person.toml").write_text("name = [[[")
+    (root / "anna" / "body_front.png").write_bytes(b"a second one")
+    (out / "anna" / "report.json").write_text("{")
+    (out / "batch-other.json").write_text("[]")
+    assert "unreadable" in table(holdings(root, out))
+    assert forget(find_holding("anna", holdings(root, out)), root, out) == ()
+    assert not (root / "anna").exists()
+
+
+def test_nobody_is_forgotten_under_a_running_clones_feet(held: tuple[Path, Path]) -> None:
+    root, out = held
+    anna = find_holding("anna", holdings(root, out))
+    with claimed(out, "anna"), pytest.raises(ClonerError, match="just now"):
+        forget(anna, root, out)
+    with result_folder(out, "anna"), pytest.raises(ClonerError, match="just now"):
+        forget(anna, root, out)
+    assert (root / "anna" / "body_front.jpg").is_file()
+
+
+def test_a_longer_name_is_somebody_else(held: tuple[Path, Path]) -> None:
+    root, out = held
+    with claimed(out, "anna.b"), result_folder(out, "anna.b") as folder:
+        forget(find_holding("anna", holdings(root, out)), root, out)
+        assert folder.is_dir()
+        assert (out / ".anna.b.claim").exists()
+
+
+def test_files_of_the_future_are_kept_until_somebody_looks(held: tuple[Path, Path]) -> None:
+    """A clock that jumped back must not make yesterday's visitors look a month old, nor the other way round."""
+    root, out = held
+    later = (datetime.now(UTC) + timedelta(days=400)).timestamp()
+    os.utime(out / "anna" / "report.json", (later, later))
+    assert older_than(holdings(root, out), 0.5) == ()
+    assert f"{datetime.now(UTC).year + 1}" in table(holdings(root, out))
 
 
 def test_a_kill_half_way_is_finished_by_the_next_call(held: tuple[Path, Path]) -> None:
