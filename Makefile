@@ -8,7 +8,7 @@ export OMP_NUM_THREADS ?= 2
 export QT_QPA_PLATFORM ?= offscreen
 export CLONER_NODE_MODULES ?= $(CURDIR)/.cache/npm
 
-.PHONY: demo test quick lint types contracts bench clean environment
+.PHONY: demo test quick lint types contracts bench fuzz clean environment
 
 environment: $(STAMP)
 
@@ -43,6 +43,12 @@ types: $(STAMP)
 
 bench: $(STAMP)
 	$(BIN)/python benchmarks/bench_clone.py
+
+# Parsers against input nobody thought of, ten minutes; what is found is kept in tests/fuzz/findings.
+FUZZ_SECONDS ?= 600
+fuzz: $(STAMP)
+	-$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[fuzz]"
+	$(BIN)/python -m tests.fuzz --seconds $(FUZZ_SECONDS)
 
 clean:
 	rm -rf $(VENV) demo_out build *.egg-info .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache

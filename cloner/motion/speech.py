@@ -38,6 +38,10 @@ STEP_S: Final = 0.01
 LPC_ORDER: Final = 14
 PITCH_HZ: Final = (70.0, 400.0)
 LONGEST_S: Final = 600.0
+#: What scipy raises over headers that are damaged; a NameError where it finds no samples (1.17).
+_BROKEN: Final = (
+    OSError, ValueError, EOFError, ArithmeticError, MemoryError, TypeError, LookupError, NameError, struct.error,
+)  # fmt: skip
 RATES_HZ: Final = (1_000, 400_000)  # of any microphone
 LARGEST_BYTES: Final = 10_000_000  # of a list of phonemes
 VISEMES: Final = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "I", "O", "U")
@@ -114,7 +118,7 @@ def read_wav(path: Path) -> Array:
             rate, data = wavfile.read(path)
         if not RATES_HZ[0] <= rate <= RATES_HZ[1] or data.dtype.kind not in "uif" or data.dtype.itemsize > 8:
             raise ValueError(f"{rate} samples a second of {data.dtype}")
-    except (OSError, ValueError, EOFError, ArithmeticError, MemoryError, TypeError, struct.error) as error:
+    except _BROKEN as error:
         raise ClonerError("the sound cannot be read", "Give a .wav file with 16-bit samples", path.name) from error
     if len(data) / rate > LONGEST_S:
         raise ClonerError(f"the sound is longer than {LONGEST_S / 60:.0f} minutes", "Cut it into pieces", path.name)

@@ -238,7 +238,7 @@ def safe_identifier(name: str) -> str:
     kept = re.sub(r"[^\w.-]+", "-", composed, flags=re.UNICODE)
     kept = re.sub(r"\.{2,}", ".", kept).strip("-._ ")
     while len(kept.encode()) > LONGEST_IDENTIFIER:
-        kept = kept[:-1]
+        kept = kept[:-1].rstrip("-._ ")
     reserved = re.fullmatch(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\..*)?", kept)
     return f"visitor-{kept}" if reserved else kept or "visitor"
 

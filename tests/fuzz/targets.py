@@ -1,0 +1,105 @@
+"""What is fuzzed: every parser of files that somebody else may have written, with good files to start from."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from cloner.errors import ClonerError, plain
+from cloner.motion.bvh import read_bvh
+from cloner.motion.faps import read_fap
+from cloner.motion.speech import frame_features, phoneme_visemes, read_phonemes, read_wav
+from cloner.project.clone_file import load_clone, save_clone
+from cloner.project.folder import read_corrections, read_person
+from cloner.project.manifest import find_visitors
+from cloner.project.stamps import why_not_current
+from cloner.vision.pictures import read_picture
+from hostile import cases_motion, cases_photos
+from kit.clones import toy_clone
+
+PERSON = b"""format = 1
+name = "Anna \\u00e9"
+height_cm = 158.5
+notes = '''two
+lines'''
+consent = "cloning, 2026-11-21"
+[measures]
+waist = 70.2
+inside_leg_height = 78
+"""
+CORRECTIONS = b"""{"format": 1, "views": {"body_front": {"crotch": {"x": 10.5, "y": 20, "photo_sha256": "ab"}},
+"face_side": {"nose_tip": {"x": 1e2, "y": -0.4}}}}"""
+CSV = b'photos,id,height_cm\nanna,A 1,158\n"anna","b, c",\n'
+TOML = b'[[visitor]]\nphotos = "anna"\nid = "A 1"\nheight_cm = 158\n[[visitor]]\nphotos = "./anna"\n'
+REPORT = b'{"stamp": {"cloner": "0.1.0", "photos": {"body_front": "ab"}}, "outputs": {"clone.npz": "cd"}}'
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """One parser.
+
+    Attributes
+    ----------
+    file : str
+        Name of the file it reads.
+    seeds : callable
+        Returns good files.
+    read : callable
+        Reads the file; may raise ClonerError only.
+    """
+
+    file: str
+    seeds: Callable[[], tuple[bytes, ...]]
+    read: Callable[[Path], Any]
+
+
+@cache
+def clone_bytes() -> bytes:
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "clone.npz"
+        save_clone(toy_clone(), path)
+        return path.read_bytes()
+
+
+def pictures() -> tuple[bytes, ...]:
+    small = [cases_photos.encoded(kind, (70, 80)) for kind in ("JPEG", "PNG", "TIFF", "WEBP")]
+    return (*small, cases_photos.heic(), cases_photos.animated())
+
+
+def _visitors(path: Path) -> None:
+    (path.parent / "anna").mkdir(exist_ok=True)
+    find_visitors(path)
+
+
+TARGETS: Mapping[str, Target] = {
+    "person": Target("person.toml", lambda: (PERSON,), lambda path: read_person(path.parent)),
+    "corrections": Target("corrections.json", lambda: (CORRECTIONS,), lambda path: read_corrections(path.parent)),
+    "csv": Target("list.csv", lambda: (CSV,), _visitors),
+    "toml": Target("list.toml", lambda: (TOML,), _visitors),
+    "bvh": Target("walk.bvh", lambda: ((cases_motion.HEAD + cases_motion.MOTION).encode(),), read_bvh),
+    "fap": Target("face.fap", lambda: (cases_motion.FAP.encode(),), read_fap),
+    "phonemes": Target("talk.txt", lambda: (b"AA1 0.1\nSIL 0.2\n",), lambda path: phoneme_visemes(read_phonemes(path))),
+    "wav": Target("talk.wav", lambda: (cases_motion.wav(data=cases_motion.SOUND[:4000]),),
+                  lambda path: frame_features(read_wav(path))),
+    "report": Target("report.json", lambda: (REPORT,), lambda path: why_not_current(path.parent, {})),
+    "photo": Target("body_front.jpg", pictures, read_picture),
+    "clone": Target("clone.npz", lambda: (clone_bytes(),), load_clone),
+}  # fmt: skip
+
+
+def check(name: str, data: bytes, folder: Path) -> None:
+    """Give a parser some bytes; whatever it raises but a proper ClonerError comes through."""
+    target = TARGETS[name]
+    path = folder / target.file
+    path.write_bytes(data)
+    try:
+        target.read(path)
+    except ClonerError as error:
+        if not (error.message and error.hint and error.where) or str(folder) in str(error):
+            raise AssertionError(f"no proper sentence: {error}") from error
+        if plain(error.message) != error.message:
+            raise AssertionError("a sentence that a terminal would obey") from error
