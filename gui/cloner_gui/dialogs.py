@@ -1,40 +1,70 @@
-"""The one way an error reaches the operator."""
+"""Questions that need an answer, and errors that escape from everywhere else."""
 
 from __future__ import annotations
 
 import logging
 import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
 from types import TracebackType
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QApplication, QMessageBox, QWidget
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from cloner.errors import ClonerError
+from cloner.privacy import export_data, holding_of
+from cloner_gui.booth import Booth
+from cloner_gui.words import translate
 
 log = logging.getLogger(__name__)
 
 
-def show_error(error: ClonerError, parent: QWidget | None = None) -> QMessageBox:
-    """Open a dialog that says what is wrong, where, and what to do; the window stays usable behind it."""
-    box = QMessageBox(QMessageBox.Icon.Warning, "Cloner", f"{error.where}: {error.message}.", parent=parent)
-    box.setInformativeText(f"{error.hint}.")
+def ask_to_forget(booth: Booth, folders: Sequence[Path], parent: QWidget) -> QMessageBox:
+    """Ask whether visitors are deleted with everything derived, and do it."""
+    names = ", ".join(folder.name for folder in folders[:8]) + (", …" if len(folders) > 8 else "")
+    text = translate("privacy", "Delete {names} with all photos, points and clones?").format(names=names)
+    box = QMessageBox(QMessageBox.Icon.Warning, translate("privacy", "Delete"), text, parent=parent)
+    box.setInformativeText(translate("privacy", "Nothing of it can be brought back. Files on sticks stay."))
+    delete = box.addButton(translate("privacy", "Delete for good"), QMessageBox.ButtonRole.DestructiveRole)
+    box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
     box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+
+    def answered() -> None:
+        if box.clickedButton() is delete:
+            for folder in folders:
+                booth.forget(folder)
+
+    box.finished.connect(answered)
     box.open()
     return box
 
 
-def catch_everything() -> None:
-    """Show a dialog for errors that escape from a slot; without it Qt only prints them."""
+def ask_to_save_data(booth: Booth, folder: Path, parent: QWidget) -> None:
+    """Ask for a zip file and write everything that is held of a visitor into it."""
+    text = translate("privacy", "Save everything held of {name}").format(name=folder.name)
+    target, _ = QFileDialog.getSaveFileName(parent, text, f"{folder.name}-data.zip", "Zip (*.zip)")
+    if not target:
+        return
+    path = Path(target).with_suffix(".zip")
+    try:
+        path.unlink(missing_ok=True)  # the dialog asked already
+        export_data(holding_of(folder.name, folder, None), path)
+    except (ClonerError, OSError) as error:
+        told = error if isinstance(error, ClonerError) else unexpected(error)
+        booth.failed.emit(told)
+
+
+def catch_everything(tell: Callable[[ClonerError], None]) -> None:
+    """Tell errors that escape from a slot; without it Qt only prints them."""
 
     def hook(kind: type[BaseException], value: BaseException, trace: TracebackType | None) -> None:
         log.error("unexpected error", exc_info=(kind, value, trace))
-        if QApplication.instance() is not None:
-            error = value if isinstance(value, ClonerError) else _unexpected(value)
-            show_error(error, QApplication.activeWindow())
+        tell(value if isinstance(value, ClonerError) else unexpected(value))
 
     sys.excepthook = hook
 
 
-def _unexpected(value: BaseException) -> ClonerError:
+def unexpected(value: BaseException) -> ClonerError:
+    """Return what is told of a defect of the program."""
     message = f"something went wrong that the program did not expect ({type(value).__name__})"
-    return ClonerError(message, "Start it from a terminal with -v and send what it prints", "Cloner")
+    return ClonerError(message, "Go on; if it happens again, send the log file", "Cloner")

@@ -1,19 +1,31 @@
-"""The window: page order, menus and the bar with Back and Next; no logic."""
+"""The window: five steps, the bar that says what goes on, and the menus; no logic."""
 
 from __future__ import annotations
 
-from PySide6.QtGui import QAction, QCloseEvent, QKeySequence
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QMainWindow, QPushButton, QStackedWidget, QVBoxLayout, QWidget
+from pathlib import Path
 
-from cloner_gui.dialogs import show_error
+from PySide6.QtCore import QEvent
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+
+from cloner_gui.booth import Booth
+from cloner_gui.dialogs import ask_to_forget
+from cloner_gui.menus import Menus
+from cloner_gui.notice import Notice
 from cloner_gui.pages.clone import ClonePage
 from cloner_gui.pages.photos import PhotosPage
 from cloner_gui.pages.points import PointsPage
 from cloner_gui.pages.takeaway import TakeawayPage
 from cloner_gui.pages.visitor import VisitorPage
+from cloner_gui.pieces import GAP, button, label
+from cloner_gui.queue_bar import QueueBar
 from cloner_gui.session import Session
+from cloner_gui.step_bar import StepBar
+from cloner_gui.words import translate
 
 Page = VisitorPage | PhotosPage | PointsPage | ClonePage | TakeawayPage
+#: Names under which a visit's file remembers the page.
+PAGES = ("visitor", "photos", "points", "clone", "takeaway")
 
 
 class MainWindow(QMainWindow):
@@ -21,85 +33,126 @@ class MainWindow(QMainWindow):
 
     def __init__(self, session: Session) -> None:
         super().__init__()
-        self.session = session
-        self.setWindowTitle("Cloner")
-        self.resize(1180, 860)
-        self.visitor, self.photos, self.points = VisitorPage(session), PhotosPage(session), PointsPage(session)
-        self.clone, self.takeaway = ClonePage(session), TakeawayPage(session)
+        self.session, self.booth = session, Booth(session)
+        self.resize(1280, 800)
+        self.setMinimumSize(760, 480)
+        self.setAcceptDrops(True)
+        self.visitor, self.photos = VisitorPage(self.booth), PhotosPage(self.booth)
+        self.points, self.clone = PointsPage(session), ClonePage(session)
+        self.takeaway = TakeawayPage(self.booth)
         self.pages: tuple[Page, ...] = (self.visitor, self.photos, self.points, self.clone, self.takeaway)
-        self.stack = QStackedWidget()
-        self.steps = [_step_button(page.title) for page in self.pages]
-        self.back, self.next, self.reason = QPushButton("Back"), QPushButton("Next"), QLabel()
+        self.stack, self.steps = QStackedWidget(), StepBar(len(self.pages))
+        self.notice, self.queue_bar = Notice(), QueueBar(session)
+        self.back, self.next, self.reason = button(), button("main"), label("dim")
+        self.who = QLabel()
         self._lay_out()
-        self._make_menus()
-        session.failed.connect(lambda error: show_error(error, self))
-        session.opened.connect(lambda: self.show_page(self.photos))
-        self.back.clicked.connect(lambda: self.go(self.stack.currentIndex() - 1))
-        self.next.clicked.connect(lambda: self.go(self.stack.currentIndex() + 1))
+        self.menus = Menus(self)
+        self.undo_action, self.redo_action = self.menus.undo, self.menus.redo
+        self._connect()
+        self._speak()
         self.go(0)
 
     def go(self, number: int) -> None:
         """Show a page."""
         self.stack.setCurrentIndex(number)
+        self.booth.note_page(PAGES[number])
         self._refresh()
 
     def show_page(self, page: Page) -> None:
         """Show a page."""
         self.go(self.pages.index(page))
 
+    def choose_folder(self) -> None:
+        """Ask for an event's folder, or a visitor's, and open it."""
+        folder = QFileDialog.getExistingDirectory(self, translate("window", "Folder of the event, or of one visitor"))
+        if folder:
+            self.booth.open(Path(folder))
+
+    def sweep(self) -> None:
+        """Ask about visitors whose time is over."""
+        overdue = self.booth.overdue()
+        if overdue:
+            ask_to_forget(self.booth, [one.folders[0] for one in overdue], self)
+
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Stop the work before the window goes."""
-        self.session.close()
+        """Save, and stop the work before the window goes."""
+        self.visitor.form.save()
+        self.takeaway.handing.close()
+        self.booth.close()
         super().closeEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Speak another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._speak()
+        super().changeEvent(event)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        """Take a folder to open."""
+        if any(Path(url.toLocalFile()).is_dir() for url in event.mimeData().urls()):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        """Open the dropped folder."""
+        self.booth.open(Path(event.mimeData().urls()[0].toLocalFile()))
 
     def _lay_out(self) -> None:
         top, bottom = QHBoxLayout(), QHBoxLayout()
-        for number, (page, step) in enumerate(zip(self.pages, self.steps, strict=True)):
-            self.stack.addWidget(page)
-            page.changed.connect(self._refresh)
-            step.clicked.connect(lambda _, number=number: self.go(number))
-            top.addWidget(step)
+        top.addWidget(self.steps)
         top.addStretch(1)
-        bottom.addWidget(self.back)
-        bottom.addWidget(self.reason, 1)
-        bottom.addWidget(self.next)
+        top.addWidget(self.who)
+        for page in self.pages:
+            self.stack.addWidget(page)
+        for widget, stretch in ((self.back, 0), (self.reason, 1), (self.queue_bar, 0), (self.next, 0)):
+            bottom.addWidget(widget, stretch)
+        bottom.setSpacing(GAP)
         whole = QWidget()
+        whole.setObjectName("page")
         column = QVBoxLayout(whole)
+        column.setContentsMargins(GAP, GAP // 2, GAP, GAP)
+        column.setSpacing(GAP)
         column.addLayout(top)
+        column.addWidget(self.notice)
         column.addWidget(self.stack, 1)
         column.addLayout(bottom)
         self.setCentralWidget(whole)
 
-    def _make_menus(self) -> None:
-        files, edit = self.menuBar().addMenu("&File"), self.menuBar().addMenu("&Edit")
-        opening, leaving = QAction("&Open folder…", self), QAction("&Quit", self)
-        opening.setShortcut(QKeySequence.StandardKey.Open)
-        leaving.setShortcut(QKeySequence.StandardKey.Quit)
-        opening.triggered.connect(self.photos.choose_folder)
-        leaving.triggered.connect(self.close)
-        files.addActions([opening, leaving])
-        self.undo_action = self.session.undo_stack.createUndoAction(self)
-        self.undo_action.setShortcut(QKeySequence.StandardKey.Undo)
-        self.redo_action = self.session.undo_stack.createRedoAction(self)
-        self.redo_action.setShortcut(QKeySequence.StandardKey.Redo)
-        edit.addActions([self.undo_action, self.redo_action])
+    def _connect(self) -> None:
+        self.booth.failed.connect(self.notice.tell)
+        self.booth.page_wanted.connect(self._resume)
+        self.session.opened.connect(self._refresh)
+        for page in self.pages:
+            page.changed.connect(self._refresh)
+        self.steps.chosen.connect(self.go)
+        self.back.clicked.connect(lambda: self.go(self.stack.currentIndex() - 1))
+        self.next.clicked.connect(lambda: self.go(self.stack.currentIndex() + 1))
+
+    def _speak(self) -> None:
+        self.setWindowTitle("Cloner")
+        self.back.setText(translate("window", "&Back"))
+        self.next.setText(translate("window", "Ne&xt"))
+        self.menus.speak()
+        self._refresh()
+
+    def _resume(self, page: str) -> None:
+        """Go on at the page where the visitor was left, or the last that may be shown."""
+        wanted = PAGES.index(page) if page in PAGES else 0
+        self.go(min(wanted, self._reachable()))
+
+    def _reachable(self) -> int:
+        """Return the last page that may be shown: every page before it says that the next may come."""
+        blocked = [number for number, page in enumerate(self.pages[:-1]) if page.why_not()]
+        return blocked[0] if blocked else len(self.pages) - 1
 
     def _refresh(self) -> None:
         """Say which page is shown and whether the next may come."""
-        number = self.stack.currentIndex()
-        blocked = self.photos.why_not()
-        for place, step in enumerate(self.steps):
-            step.setChecked(place == number)
-            step.setEnabled(place < 2 or not blocked)
+        number, reachable = self.stack.currentIndex(), self._reachable()
+        self.steps.show_steps([page.title for page in self.pages], number, reachable)
         reason = self.pages[number].why_not()
+        last = number == len(self.pages) - 1
         self.back.setEnabled(number > 0)
-        self.next.setVisible(number < len(self.pages) - 1)
+        self.next.setVisible(not last)
         self.next.setEnabled(not reason)
-        self.reason.setText(reason if number < len(self.pages) - 1 else "")
-
-
-def _step_button(title: str) -> QPushButton:
-    button = QPushButton(title)
-    button.setCheckable(True)
-    button.setFlat(True)
-    return button
+        self.reason.setText("" if last else reason)
+        folder = self.session.folder
+        self.who.setText("" if folder is None else folder.name)

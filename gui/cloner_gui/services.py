@@ -1,63 +1,106 @@
-"""What the window asks of the rest: proposing points and cloning. Tests hand in their own."""
+"""What the window asks of the rest, as plain functions; tests hand in their own."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+import functools
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import cast
 
 import numpy as np
 
-from cloner import pipeline
-from cloner.cloning import CloneOutcome, Progress, clone_folder
+from cloner.booth.kept import proposed_points
+from cloner.booth.looking_table import Look
+from cloner.booth.opened import Cloned, Opened, open_visitor, read_cloned
+from cloner.booth.worker import Worker
+from cloner.cloning import Progress
+from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.project.corrections import no_corrections
+from cloner.project.folder import load_photo, view_files
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Corrections, PointSet, ViewPoints
+from cloner.records.points import Corrections, ViewPoints
 from cloner.refitting import Refitted, refit
 
 ProposedPoints = dict[ViewId, ViewPoints]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Proposed:
-    """What proposing found.
+def nothing(*_: object) -> None:
+    """Do nothing."""
+
+
+@dataclass(frozen=True, slots=True)
+class Services:
+    """The long jobs of the window, and the short one after a drag.
 
     Attributes
     ----------
-    points : dict of ViewId to ViewPoints
-        Body and face points together.
-    known : mapping
-        Values of the pipeline that cloning need not find again.
+    open : callable
+        Reads a visitor's folder.
+    look : callable
+        Takes a photo's path and the view it is meant for, or None, and says what it shows.
+    propose : callable
+        Takes a visitor's folder and its photos and gives the points of every photo.
+    clone : callable
+        Takes a visitor's folder and the formats and gives the finished clone and its seconds.
+    hand_over : callable
+        Takes a result, a target and the formats and gives what was written.
+    refit : callable
+    start, stop : callable
+        Called when the window opens and closes.
     """
 
-    points: ProposedPoints
-    known: Mapping[str, object] = field(default_factory=dict)
+    look: Callable[[Path, ViewId | None, Progress], Look]
+    propose: Callable[[Path, PhotoSet, Progress], ProposedPoints]
+    clone: Callable[[Path, Sequence[str], Progress], tuple[Cloned, float]]
+    hand_over: Callable[[Path, Path, Sequence[str], Progress], Path]
+    open: Callable[[Path], Opened] = open_visitor
+    refit: Callable[[Mapping[str, object], Corrections], Refitted] = refit
+    start: Callable[[], None] = nothing
+    stop: Callable[[], None] = nothing
 
 
-def propose_points(photos: PhotoSet, progress: Progress) -> Proposed:
-    """Return the proposed points of every photo.
+def process_services() -> Services:
+    """Return the services in two processes: one for the visitor at hand, one that clones the others meanwhile."""
+    desk, oven = Worker(), Worker()
+    return Services(
+        look=functools.partial(_look, desk),
+        propose=functools.partial(_propose, desk),
+        clone=functools.partial(_clone, oven),
+        hand_over=functools.partial(_hand_over, desk),
+        start=desk.start,
+        stop=functools.partial(_stop, desk, oven),
+    )
 
-    Parameters
-    ----------
-    photos : PhotoSet
-    progress : callable
-        Called with a step's name and a fraction 0..1; may raise Cancelled.
 
-    Raises
-    ------
-    ClonerError
-        If a photo does not show one person as its name says.
-    """
-    stages = tuple(stage for stage in pipeline.STAGES if stage.name in ("proposals", "points"))
-    values, _ = pipeline.run({"photos": photos, "corrections": no_corrections()}, stages=stages, progress=progress)
-    body, face = cast(PointSet, values["body_points"]), cast(PointSet, values["face_points"])
-    points = {
-        view: together([points.views[view] for points in (face, body) if view in points.views])
-        for view in photos.photos
-    }
-    return Proposed(points, {"photos": photos, "proposals": values["proposals"]})
+def _look(worker: Worker, path: Path, wanted: ViewId | None, progress: Progress) -> Look:
+    told: Look = worker.call("look", path, wanted, progress=progress)
+    return told
+
+
+def _propose(worker: Worker, folder: Path, photos: PhotoSet, progress: Progress) -> ProposedPoints:
+    worker.call("propose", folder, progress=progress)
+    return points_by_view(proposed_points(folder, photos), photos)
+
+
+def _clone(worker: Worker, folder: Path, formats: Sequence[str], progress: Progress) -> tuple[Cloned, float]:
+    seconds = float(worker.call("clone", folder, tuple(formats), progress=progress))
+    photos = PhotoSet({view: load_photo(path, view) for view, path in view_files(folder).items()})
+    cloned = read_cloned(folder, photos)
+    if cloned is None:
+        raise ClonerError("the photos changed while they were cloned", "Clone again", folder.name)
+    return cloned, seconds
+
+
+def _hand_over(worker: Worker, result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
+    written: Path = worker.call("hand_over", result, target, tuple(formats), progress=progress)
+    return written
+
+
+def points_by_view(values: Mapping[str, object], photos: PhotoSet) -> ProposedPoints:
+    """Return face and body points together, by view; nothing where they are not known."""
+    sets = [values[name] for name in ("face_points", "body_points") if name in values]
+    found = {view: [one.views[view] for one in sets if view in one.views] for view in photos.photos}  # type: ignore[attr-defined]
+    return {view: together(parts) for view, parts in found.items() if parts}
 
 
 def together(parts: list[ViewPoints]) -> ViewPoints:
@@ -72,17 +115,6 @@ def together(parts: list[ViewPoints]) -> ViewPoints:
     )
 
 
-def clone_person(
-    photos_dir: Path, out_dir: Path, height_cm: float | None, known: Mapping[str, object], progress: Progress
-) -> CloneOutcome:
-    """Clone the folder as the command line does, without finding again what is known."""
-    return clone_folder(photos_dir, out_dir, height_cm=height_cm, known=known, progress=progress)
-
-
-@dataclass(frozen=True, slots=True)
-class Services:
-    """The two long jobs of the window, and the short one after a drag."""
-
-    propose: Callable[[PhotoSet, Progress], Proposed] = propose_points
-    clone: Callable[[Path, Path, float | None, Mapping[str, object], Progress], CloneOutcome] = clone_person
-    refit: Callable[[Mapping[str, object], Corrections], Refitted] = refit
+def _stop(*workers: Worker) -> None:
+    for worker in workers:
+        worker.stop()

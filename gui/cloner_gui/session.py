@@ -1,9 +1,8 @@
-"""What the window knows: the open folder, its points and corrections, and the work under way."""
+"""The open visitor: photos, points and corrections, the clone, and the work under way."""
 
 from __future__ import annotations
 
 import logging
-import time
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -12,35 +11,36 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtGui import QUndoStack
 
-from cloner.cloning import CloneOutcome
+from cloner.booth.looking_table import Look
+from cloner.booth.opened import Cloned, Opened, TrayPhoto
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.project.corrections import check_against, move_point, no_corrections, remove_point
-from cloner.project.folder import load_photos, read_corrections, read_person, write_corrections
+from cloner.project.corrections import move_point, no_corrections, remove_point
+from cloner.project.folder import write_corrections
 from cloner.records.clones import Clone
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, ViewPoints
 from cloner.refitting import Refitted, clone_after, outline_px
 from cloner.stages.points import corrected
+from cloner_gui.clone_queue import CloneQueue
 from cloner_gui.commands import Swap
-from cloner_gui.services import Proposed, ProposedPoints, Services
+from cloner_gui.services import ProposedPoints, Services, points_by_view
 from cloner_gui.words import spoken
 from cloner_gui.worker import Task
 
 log = logging.getLogger(__name__)
 
-RESULTS = "clones"
-#: A drag that rests so long is shown on the clone, milliseconds (taste: no work while the hand moves).
-REFIT_AFTER_MS = 60
+#: A move is shown on the clone so long after it, with those that followed meanwhile, milliseconds (taste).
+REFIT_AFTER_MS = 15
 
 
 class Session(QObject):
-    """The open folder; pages listen to its signals and call its methods.
+    """The open visitor; pages listen to its signals and call its methods.
 
     Parameters
     ----------
     services : Services
-        Proposing and cloning.
+        Reading, proposing, cloning.
     """
 
     opened = Signal()
@@ -54,42 +54,67 @@ class Session(QObject):
     def __init__(self, services: Services, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.services = services
+        self.queue = CloneQueue(services, self)
         self.folder: Path | None = None
         self.photos = PhotoSet({})
         self.person: Person | None = None
         self.height_cm: float | None = None
+        self.consent = ""
+        self.tray: tuple[TrayPhoto, ...] = ()
+        self.looks: dict[str, Look] = {}
+        self.thumbnails: Mapping[ViewId, NDArray[np.uint8]] = {}
         self.corrections = no_corrections()
         self.proposed: ProposedPoints = {}
-        self.known: Mapping[str, object] = {}
-        self.outcome: CloneOutcome | None = None
+        self.outcome: Cloned | None = None
         self.moved: Refitted | None = None
         self.warnings: tuple[str, ...] = ()
         self.undo_stack = QUndoStack(self)
         self.drags = 0
-        self._since = time.monotonic()
         self._task: Task | None = None
+        self._left: list[Task] = []
         self._refit = QTimer(self, singleShot=True, interval=REFIT_AFTER_MS)
         self._refit.timeout.connect(self.refit)
+        self.queue.finished.connect(self._take_finished)
+        self.queue.failed.connect(self._tell_failed)
+        self.queue.progressed.connect(self._tell_progress)
+        self.queue.changed.connect(self.busy_changed)
 
     # --- the folder -------------------------------------------------------
 
     def open(self, folder: Path) -> None:
-        """Read the photos of a folder; a folder that cannot be used leaves the old one open."""
-        if self.busy:
-            return
+        """Read a visitor's folder and show it; one that cannot be used leaves the old one open."""
         try:
-            photos, person, corrections = load_photos(folder), read_person(folder), read_corrections(folder)
-            warnings = check_against(corrections, photos)
+            opened = self.services.open(folder)
         except ClonerError as error:
             self.failed.emit(error)
             return
-        self.folder, self.photos, self.person = folder, photos, person
-        self.corrections, self.warnings = corrections, warnings
-        self.height_cm = 100.0 * person.stature_m if person.stature_is_known else None
-        self.proposed, self.known, self.outcome, self.drags = {}, {}, None, 0
-        self.moved = None
+        self.take(opened)
+
+    def take(self, opened: Opened) -> None:
+        """Show a visitor who was read already; what was found of the one before is forgotten."""
+        self._stop()
+        same = opened.folder == self.folder
+        self.folder, self.photos, self.person = opened.folder, opened.photos, opened.person
+        self.corrections, self.warnings = opened.corrections, opened.warnings
+        self.height_cm, self.consent = opened.height_cm, opened.consent
+        self.tray, self.looks, self.thumbnails = opened.tray, dict(opened.looks), opened.thumbnails
+        self.proposed = points_by_view(opened.proposed, opened.photos)
+        self.outcome, self.moved = opened.cloned, None
+        self.drags = self.drags if same else 0
         self._refit.stop()
-        self._since = time.monotonic()
+        self.undo_stack.clear()
+        self.opened.emit()
+        if self.outcome is not None and any(self.corrections.points.values()):
+            self._refit.start()
+
+    def leave(self) -> None:
+        """Close the visitor: nobody is open."""
+        self._stop()
+        self.folder, self.photos, self.person, self.consent = None, PhotoSet({}), None, ""
+        self.tray, self.looks, self.thumbnails = (), {}, {}
+        self.height_cm, self.corrections, self.warnings = None, no_corrections(), ()
+        self.proposed, self.outcome, self.moved, self.drags = {}, None, None, 0
+        self._refit.stop()
         self.undo_stack.clear()
         self.opened.emit()
 
@@ -128,8 +153,8 @@ class Session(QObject):
             except ClonerError as error:
                 self.failed.emit(error)
         self.points_changed.emit()
-        if self.outcome is not None:
-            self._refit.start()
+        if self.outcome is not None and not self._refit.isActive():
+            self._refit.start()  # not put off by further moves: the person follows while the hand moves
 
     def refit(self) -> None:
         """Move the body of the last clone to the corrections; a body that cannot follow leaves the last one."""
@@ -158,58 +183,84 @@ class Session(QObject):
 
     @property
     def busy(self) -> bool:
-        """Whether work is under way."""
-        return self._task is not None
+        """Whether work for this visitor is under way or waits."""
+        return self._task is not None or self.queue.holds(self.folder)
 
     def propose(self) -> None:
         """Find the points of all photos in the background."""
-        photos = self.photos
-        if self.busy or self.proposed or not photos.photos:
+        folder, photos = self.folder, self.photos
+        if self.busy or self.proposed or folder is None or not photos.photos:
             return
-        self._start(Task(lambda progress: self.services.propose(photos, progress), self), self._take_proposed)
-
-    def clone(self, out_dir: Path | None = None) -> None:
-        """Clone the person in the background."""
-        folder, height_cm, known = self.folder, self.height_cm, self.known
-        if self.busy or folder is None:
-            return
-        out = out_dir if out_dir is not None else folder / RESULTS
-        log.info("cloning after %d drags and %.0f s", self.drags, time.monotonic() - self._since)
-        self._start(
-            Task(lambda progress: self.services.clone(folder, out, height_cm, known, progress), self), self._take_clone
-        )
-
-    def cancel(self) -> None:
-        """Ask the work under way to stop."""
-        if self._task is not None:
-            self._task.cancel()
-
-    def close(self) -> None:
-        """Stop the work and wait for it; call before the window goes."""
-        task = self._task
-        if task is not None:
-            task.cancel()
-            task.wait()
-
-    def _start(self, task: Task, take: object) -> None:
+        task = Task(lambda progress: self.services.propose(folder, photos, progress), self)
         self._task = task
-        task.progressed.connect(self.progressed)
-        task.succeeded.connect(take)
-        task.failed.connect(self.failed)
+        task.progressed.connect(self._tell_step)
+        task.succeeded.connect(self._take_proposed)
+        task.failed.connect(self._tell_failed_task)
         task.finished.connect(self._done)
         self.busy_changed.emit()
         task.start()
 
-    def _take_proposed(self, proposed: Proposed) -> None:
-        self.proposed, self.known = proposed.points, {**self.known, **proposed.known}
-        self.points_changed.emit()
+    def clone(self) -> None:
+        """Clone the person in the background, after those who wait already."""
+        if not self.busy and self.folder is not None:
+            log.info("%s: cloning after %d drags", self.folder.name, self.drags)
+            self.queue.ask(self.folder)
 
-    def _take_clone(self, outcome: CloneOutcome) -> None:
-        self.outcome, self.known, self.moved = outcome, outcome.values, None
+    def cancel(self) -> None:
+        """Stop the work for this visitor at once."""
+        if self._task is not None:
+            self._task.cancel()
+        elif self.folder is not None and self.queue.holds(self.folder):
+            self.queue.withdraw(self.folder)
+
+    def close(self) -> None:
+        """Stop all work and wait for it; call before the window goes."""
+        self._stop()
+        for task in self._left:
+            task.cancel()
+            task.wait()
+        self.queue.close()
+        self.services.stop()
+
+    def _stop(self) -> None:
+        """Wait no more for the work for this visitor: what it finds lies in the visitor's folder."""
+        if self._task is not None:
+            self._left.append(self._task)
+            self._task = None
+
+    def _take_proposed(self, proposed: ProposedPoints) -> None:
+        if self.sender() is self._task:
+            self.proposed = proposed
+            self.points_changed.emit()
+
+    def _tell_failed_task(self, error: ClonerError) -> None:
+        if self.sender() is self._task:
+            self.failed.emit(error)
+
+    def _tell_step(self, step: str, fraction: float) -> None:
+        if self.sender() is self._task:
+            self.progressed.emit(step, fraction)
+
+    def _take_finished(self, folder: Path, outcome: Cloned) -> None:
+        if folder == self.folder:
+            self._take_clone(outcome)
+
+    def _take_clone(self, outcome: Cloned) -> None:
+        self.outcome, self.moved = outcome, None
         self.cloned.emit()
 
+    def _tell_failed(self, folder: Path, error: ClonerError) -> None:
+        if folder == self.folder:
+            self.failed.emit(error)
+
+    def _tell_progress(self, folder: Path, step: str, fraction: float) -> None:
+        if folder == self.folder:
+            self.progressed.emit(step, fraction)
+
     def _done(self) -> None:
-        if self._task is not None:
-            self._task.deleteLater()
-        self._task = None
+        task = self.sender()
+        if isinstance(task, Task):
+            self._left = [one for one in self._left if one is not task]
+            self._task = None if task is self._task else self._task
+            task.deleteLater()
         self.busy_changed.emit()

@@ -1,45 +1,109 @@
-"""Names and states in plain words."""
+"""Names and states in plain words, in the window's language."""
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Iterator, Mapping
 from typing import Final
 
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+
+from cloner.booth.looking_table import Trouble
+from cloner.booth.visits import State
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId
 from cloner.refitting import Refitted
 
+#: ``translate("page", "Text")``: Qt's own tools find these calls and write them into the translators' files.
+translate = QCoreApplication.translate
+
+
+class Spoken(Mapping[str, str]):
+    """Words by key, translated when they are asked for."""
+
+    def __init__(self, context: str, words: Mapping[str, object]) -> None:
+        self._context, self._words = context, words
+
+    def __getitem__(self, key: str) -> str:
+        """Return the words in the window's language."""
+        return translate(self._context, str(self._words[key]))
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._words)
+
+    def __len__(self) -> int:
+        return len(self._words)
+
+
 _SIDES: Final = {"L": "left", "R": "right", "left": "left", "right": "right"}
 _FIRST: Final = {"l": "left", "r": "right"}
-VIEW_TITLES: Final = {
-    ViewId.BODY_FRONT: "Body, front",
-    ViewId.BODY_SIDE: "Body, side",
-    ViewId.BODY_BACK: "Body, back",
-    ViewId.FACE_FRONT: "Face, front",
-    ViewId.FACE_SIDE: "Face, side",
-}
+VIEW_TITLES: Final = Spoken(
+    "views",
+    {
+        ViewId.BODY_FRONT: QT_TRANSLATE_NOOP("views", "Body, front"),
+        ViewId.BODY_SIDE: QT_TRANSLATE_NOOP("views", "Body, side"),
+        ViewId.BODY_BACK: QT_TRANSLATE_NOOP("views", "Body, back"),
+        ViewId.FACE_FRONT: QT_TRANSLATE_NOOP("views", "Face, front"),
+        ViewId.FACE_SIDE: QT_TRANSLATE_NOOP("views", "Face, side"),
+    },
+)
 #: What the progress bar says for a step's name.
-STEPS: Final = {
-    "photos": "Reading the photos",
-    "proposals": "Finding the person in the photos",
-    "points": "Placing feature points",
-    "views": "Placing the cameras",
-    "silhouettes": "Drawing outlines",
-    "phenotype": "Choosing the nearest build and pose",
-    "skeleton": "Fitting the skeleton",
-    "rough": "Fitting the body",
-    "fine": "Fitting the outlines",
-    "head": "Fitting the head",
-    "join": "Joining head and body",
-    "obeyed": "Following corrected points",
-    "measures": "Measuring the body",
-    "hair": "Growing the hair",
-    "textures": "Painting skin and clothes",
-    "regions": "Telling skin from clothes",
-    "export": "Writing the files",
-    "previews": "Drawing previews",
-    "report": "Writing the report",
-    "done": "Done",
-}
+STEPS: Final = Spoken(
+    "steps",
+    {
+        "look": QT_TRANSLATE_NOOP("steps", "Looking at the photo"),
+        "photos": QT_TRANSLATE_NOOP("steps", "Reading the photos"),
+        "proposals": QT_TRANSLATE_NOOP("steps", "Finding the person in the photos"),
+        "points": QT_TRANSLATE_NOOP("steps", "Placing feature points"),
+        "views": QT_TRANSLATE_NOOP("steps", "Placing the cameras"),
+        "silhouettes": QT_TRANSLATE_NOOP("steps", "Drawing outlines"),
+        "phenotype": QT_TRANSLATE_NOOP("steps", "Choosing the nearest build and pose"),
+        "skeleton": QT_TRANSLATE_NOOP("steps", "Fitting the skeleton"),
+        "rough": QT_TRANSLATE_NOOP("steps", "Fitting the body"),
+        "fine": QT_TRANSLATE_NOOP("steps", "Fitting the outlines"),
+        "head": QT_TRANSLATE_NOOP("steps", "Fitting the head"),
+        "join": QT_TRANSLATE_NOOP("steps", "Joining head and body"),
+        "obeyed": QT_TRANSLATE_NOOP("steps", "Following corrected points"),
+        "measures": QT_TRANSLATE_NOOP("steps", "Measuring the body"),
+        "hair": QT_TRANSLATE_NOOP("steps", "Growing the hair"),
+        "textures": QT_TRANSLATE_NOOP("steps", "Painting skin and clothes"),
+        "regions": QT_TRANSLATE_NOOP("steps", "Telling skin from clothes"),
+        "export": QT_TRANSLATE_NOOP("steps", "Writing the files"),
+        "previews": QT_TRANSLATE_NOOP("steps", "Drawing previews"),
+        "report": QT_TRANSLATE_NOOP("steps", "Writing the report"),
+        "done": QT_TRANSLATE_NOOP("steps", "Done"),
+    },
+)
+#: One sentence each: what is wrong with a photo and what to do, for an operator with the visitor still there.
+TROUBLES: Final = Spoken(
+    "troubles",
+    {
+        Trouble.NOBODY: QT_TRANSLATE_NOOP("troubles", "Nobody was found: take it again with the person in full view."),
+        Trouble.SEVERAL: QT_TRANSLATE_NOOP("troubles", "More than one person: take it again with one person alone."),
+        Trouble.NO_VIEW: QT_TRANSLATE_NOOP("troubles", "It shows none of the five views: turn the person or retake."),
+        Trouble.OTHER_VIEW: QT_TRANSLATE_NOOP("troubles", "It does not show this view: exchange or retake it."),
+        Trouble.CUT: QT_TRANSLATE_NOOP("troubles", "The person is cut off: step back and retake."),
+        Trouble.SMALL: QT_TRANSLATE_NOOP("troubles", "The person is small: step nearer or zoom in."),
+        Trouble.BLURRED: QT_TRANSLATE_NOOP("troubles", "It is blurred: hold still, focus and retake."),
+        Trouble.DARK: QT_TRANSLATE_NOOP("troubles", "It is dark: add light or expose longer."),
+        Trouble.BRIGHT: QT_TRANSLATE_NOOP("troubles", "It is burnt out: less light or a shorter exposure."),
+    },
+)
+STATES: Final = Spoken(
+    "states",
+    {
+        State.NONE: QT_TRANSLATE_NOOP("states", "in progress"),
+        State.WAITING: QT_TRANSLATE_NOOP("states", "waiting for the clone"),
+        State.CLONED: QT_TRANSLATE_NOOP("states", "cloned"),
+        State.FAILED: QT_TRANSLATE_NOOP("states", "not cloned: look at the photos"),
+    },
+)
+#: What visitors agree to, unless the event has a text of its own.
+CONSENT: Final = str(
+    QT_TRANSLATE_NOOP(
+        "consent",
+        "I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, "
+        "and that both are kept for the time named at the booth. I can have everything deleted at any time.",
+    )
+)
 
 
 def spoken(name: str) -> str:
@@ -57,23 +121,37 @@ def spoken_step(step: str) -> str:
     return STEPS.get(step, step.capitalize())
 
 
+def spoken_time(seconds: float) -> str:
+    """Return how long something still takes, no more exactly than it is known."""
+    if seconds < 8:
+        return translate("time", "a few seconds")
+    if seconds < 90:
+        return translate("time", "about {n} s").format(n=5 * round(seconds / 5))
+    return translate("time", "about {n} min").format(n=round(seconds / 60))
+
+
 def spoken_refit(refitted: Refitted) -> str:
     """Return what became of the corrected points on the last clone's body."""
     failed = [f"{VIEW_TITLES[one.view]}, {spoken(one.name)}: {one.note}." for one in refitted.obeyed if one.is_missed]
-    told = " ".join(failed) or "The body follows; hair and textures will when you clone again."
-    return told if refitted.is_whole else f"{told} Clone again: this changes more than is shown."
+    told = " ".join(failed) or translate("points", "The body follows; hair and textures will when you clone again.")
+    more = translate("points", "Clone again: this changes more than is shown.")
+    return told if refitted.is_whole else f"{told} {more}"
 
 
 def what_is_missing(views: Collection[ViewId]) -> str:
     """Return what the photos of a folder allow, and what is missing for more."""
     missing = [view for view in ViewId if view not in views]
     if not missing:
-        return "All five photos are here."
+        return translate("photos", "All five photos are here.")
+    names = "; ".join(VIEW_TITLES[view] for view in missing)
     if not views:
-        return "No photos yet. Choose or drop the folder that holds them."
-    names = ", ".join(f"{view}.jpg" for view in missing)
+        return translate("photos", "No photos yet.")
+    if ViewId.BODY_FRONT not in views and ViewId.FACE_FRONT not in views:
+        return translate("photos", "A front photo is needed. Missing: {names}.").format(names=names)
     if not any(view in views for view in BODY_VIEWS):
-        return f"Only the head can be cloned, on a body of matching build. Missing: {names}."
-    if not any(view in views for view in FACE_VIEWS):
-        return f"The face will come from the body photos and be coarse. Missing: {names}."
-    return f"The clone will be less exact. Missing: {names}."
+        told = translate("photos", "Only the head can be cloned, on a body of matching build. Missing: {names}.")
+    elif not any(view in views for view in FACE_VIEWS):
+        told = translate("photos", "The face will come from the body photos and be coarse. Missing: {names}.")
+    else:
+        told = translate("photos", "The clone will be less exact. Missing: {names}.")
+    return told.format(names=names)

@@ -3,16 +3,19 @@
 import shutil
 import threading
 import time
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from cloner.booth.looking_table import Look
+from cloner.booth.opened import Cloned
 from cloner.evaluate.baselines import generic_clone
+from cloner.frames import ViewId
 from cloner.generic.load import load_generic
+from cloner.project.folder import load_photo
 from cloner.records.points import ViewPoints
 from cloner_gui.main_window import MainWindow
-from cloner_gui.services import Proposed, Services
+from cloner_gui.services import Services
 from cloner_gui.session import Session
 
 NAMES = ("nose_tip", "eye_inner_L", "shoulder_end_left")
@@ -20,27 +23,34 @@ PLACES = np.array([[600.0, 300.0], [650.0, 400.0], [700.0, 700.0]])
 
 
 class Jobs:
-    """Stand-ins for proposing and cloning that a test can steer."""
+    """Stand-ins for the long jobs that a test can steer."""
 
     def __init__(self):
         self.error = None
         self.wait_for_cancel = False
         self.started = threading.Event()
         self.seen = []
+        self.looks = {}
 
-    def propose(self, photos, progress):
+    def services(self):
+        return Services(look=self.look, propose=self.propose, clone=self.clone, hand_over=self.hand_over)
+
+    def look(self, path, wanted, progress):
+        photo = load_photo(path, wanted or ViewId.BODY_FRONT)
+        view, troubles = self.looks.get(photo.digest, (wanted, ()))
+        return Look(photo.digest, view, troubles)
+
+    def propose(self, folder, photos, progress):
         progress("proposals", 0.5)
         if self.error:
             raise self.error
-        points = {
+        return {
             view: ViewPoints(view, NAMES, PLACES, np.array([0.9, 0.5, 0.1]), np.zeros(3, bool))
             for view in photos.photos
         }
-        return Proposed(points, {"photos": photos, "proposals": "found"})
 
-    def clone(self, folder, out, height_cm, known, progress):
-        self.seen.append((folder, out, height_cm))
-        self.known = known
+    def clone(self, folder, formats, progress):
+        self.seen.append((folder, tuple(formats)))
         self.started.set()
         if self.error:
             raise self.error
@@ -50,7 +60,13 @@ class Jobs:
             time.sleep(0.005)
         progress("textures", 0.9)
         clone = generic_clone(load_generic(), 1.7)
-        return SimpleNamespace(folder=out / "anna", values={"clone": clone}, warnings=("the hair is a guess",))
+        return Cloned(folder / "clones" / folder.name, {"clone": clone}, ("the hair is a guess",)), 12.5
+
+    def hand_over(self, result, target, formats, progress):
+        target.mkdir()
+        for name in formats:
+            (target / f"clone.{name}").write_text("x")
+        return target
 
 
 @pytest.fixture
@@ -67,10 +83,13 @@ def folder(samples, tmp_path):
 
 @pytest.fixture
 def window(qtbot, jobs, folder):
-    session = Session(Services(propose=jobs.propose, clone=jobs.clone))
+    """The window on the photos page, the sample visitor open."""
+    session = Session(jobs.services())
     window = MainWindow(session)
     qtbot.addWidget(window)
     window.show()
-    session.open(folder)
+    with qtbot.waitSignal(window.booth.page_wanted, timeout=10000):
+        window.booth.open(folder)
+    qtbot.waitUntil(lambda: window.booth.intake.pending() == 0)
     yield window
-    session.close()
+    window.booth.close()

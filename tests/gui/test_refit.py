@@ -10,7 +10,6 @@ from cloner.frames import BODY_VIEWS, ViewId
 from cloner.generic.load import load_generic
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import PointSet
-from cloner_gui.services import Proposed
 from kit import fitted
 
 from .test_points_page import drag
@@ -30,7 +29,7 @@ def cloned(window, jobs, qtbot):
     session = window.session
     session.photos = photos
     session.opened.emit()
-    session.proposed = dict(Proposed(dict(points.views)).points)
+    session.proposed = dict(points.views)
     values = {
         "photos": photos, "body_points": points, "face_points": PointSet({}), "silhouettes": outlines,
         "joined": person, "obeyed": person, "clone": generic_clone(load_generic(), 1.72),
@@ -80,7 +79,3 @@ def test_nothing_is_refitted_before_there_is_a_clone(window, qtbot):
     window.session.place_point(VIEW, "nose_tip", 610.0, 300.0)
     assert not window.session._refit.isActive()
     assert window.session.clone_outline(VIEW) == ()
-
-
-def test_the_window_keeps_the_last_values_for_the_next_clone(cloned):
-    assert cloned.session.known is cloned.session.outcome.values

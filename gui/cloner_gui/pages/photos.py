@@ -1,98 +1,232 @@
-"""Second page: which photos."""
+"""Second page: photos come in, find their places, and are judged while the visitor is still there."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
-from typing import Final
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import (
-    QFileDialog,
-    QGridLayout,
-    QHBoxLayout,
-    QLabel,
-    QPushButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtCore import QBuffer, QByteArray, QEvent, QIODevice, QMimeData, Signal
+from PySide6.QtGui import QDragEnterEvent, QDropEvent, QGuiApplication, QImage
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
+from cloner.booth import photo_files
 from cloner.frames import ViewId
-from cloner_gui.canvas.painting import pixmap_of
-from cloner_gui.session import Session
-from cloner_gui.words import VIEW_TITLES, what_is_missing
-
-_THUMBNAIL_PX: Final = 300
+from cloner.project.folder import SUFFIXES
+from cloner_gui.booth import Booth
+from cloner_gui.photo_card import PhotoCard, TrayCard
+from cloner_gui.pieces import GAP, button, label, name
+from cloner_gui.webcam import WebcamDialog
+from cloner_gui.words import TROUBLES, translate, what_is_missing
 
 
 class PhotosPage(QWidget):
-    """Choose or drop a folder; see its photos."""
+    """Five places for photos, and a tray for those without one."""
 
     changed = Signal()
-    title = "2  Photos"
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._session = session
+        self._booth = booth
         self.setAcceptDrops(True)
-        self.folder_label = QLabel()
-        self.missing_label = QLabel()
-        self.missing_label.setWordWrap(True)
-        choose = QPushButton("Choose folder…")
-        choose.clicked.connect(self.choose_folder)
-        self.thumbnails = {view: QLabel() for view in ViewId}
-        self._lay_out(choose)
-        session.opened.connect(self._show)
-        self._show()
+        self.add_button, self.paste_button, self.watch_button = button("main"), button(), button()
+        self.webcam_button = button()
+        self.cards = {view: PhotoCard(view) for view in ViewId}
+        self.missing_label, self.busy_label, self.tray_label = label(), label("dim"), label("heading")
+        self.tray = QScrollArea()
+        self.tray.setWidgetResizable(True)
+        self.tray.setFixedHeight(150)
+        self._lay_out()
+        self._connect()
+        self._speak()
+
+    @property
+    def title(self) -> str:
+        """What the step is called."""
+        return translate("photos", "Photos")
 
     def why_not(self) -> str:
         """Return why the next page cannot come yet, or an empty string."""
-        return "" if self._session.photos.photos else "Choose a folder with photos first."
+        views = self._booth.session.photos.photos
+        if not views:
+            return translate("photos", "Add the photos first.")
+        if ViewId.BODY_FRONT not in views and ViewId.FACE_FRONT not in views:
+            return what_is_missing(views)
+        return ""
 
-    def _lay_out(self, choose: QPushButton) -> None:
-        top = QHBoxLayout()
-        top.addWidget(choose)
-        top.addWidget(self.folder_label, 1)
-        grid = QGridLayout()
-        for column, (view, label) in enumerate(self.thumbnails.items()):
-            label.setAlignment(Qt.AlignmentFlag.AlignCenter)
-            label.setMinimumSize(140, _THUMBNAIL_PX)
-            label.setStyleSheet("border: 1px dashed palette(mid); color: palette(mid);")
-            grid.addWidget(label, 0, column)
-            grid.addWidget(QLabel(VIEW_TITLES[view], alignment=Qt.AlignmentFlag.AlignCenter), 1, column)
-        column_of_all = QVBoxLayout(self)
-        column_of_all.addLayout(top)
-        column_of_all.addLayout(grid)
-        column_of_all.addWidget(self.missing_label)
-        column_of_all.addStretch(1)
+    def _lay_out(self) -> None:
+        top, cards = QHBoxLayout(), QHBoxLayout()
+        for one in (self.add_button, self.paste_button, self.watch_button, self.webcam_button):
+            top.addWidget(one)
+        top.addWidget(self.busy_label, 1)
+        cards.setSpacing(GAP)
+        for card in self.cards.values():
+            cards.addWidget(card, 1)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(GAP)
+        column.addLayout(top)
+        column.addLayout(cards, 1)
+        column.addWidget(self.missing_label)
+        column.addWidget(self.tray_label)
+        column.addWidget(self.tray)
 
-    def choose_folder(self) -> None:
-        """Ask for a folder and open it."""
-        folder = QFileDialog.getExistingDirectory(self, "Folder with photos")
-        if folder:
-            self._session.open(Path(folder))
+    def _connect(self) -> None:
+        booth, intake = self._booth, self._booth.intake
+        self.add_button.clicked.connect(lambda: self.choose(None))
+        self.paste_button.clicked.connect(self.paste)
+        self.watch_button.clicked.connect(self._choose_camera_folder)
+        self.webcam_button.clicked.connect(self._open_webcam)
+        for card in self.cards.values():
+            card.add_wanted.connect(self.choose)
+            card.exchange_wanted.connect(self._exchange)
+            card.turn_wanted.connect(self._on_file(photo_files.turn_right))
+            card.remove_wanted.connect(self._on_file(photo_files.remove))
+            card.tray_wanted.connect(self._to_tray)
+            card.files_dropped.connect(lambda view, data: self.take(data, view))
+        booth.session.opened.connect(self._show)
+        booth.event_changed.connect(self._speak)
+        intake.busy_changed.connect(self._show_busy)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Speak another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._speak()
+        super().changeEvent(event)
+
+    def _speak(self) -> None:
+        camera = self._booth.settings.camera_folder
+        self.add_button.setText(translate("photos", "&Add photos…"))
+        self.paste_button.setText(translate("photos", "&Paste"))
+        watched = translate("photos", "Camera folder: {name}").format(name=Path(camera).name)
+        self.watch_button.setText(watched if camera else translate("photos", "&Camera folder…"))
+        self.webcam_button.setText(translate("photos", "&Webcam…"))
+        told = translate("photos", "Photos that appear in this folder are taken at once")
+        name(self.watch_button, self.watch_button.text(), told)
+        self.tray_label.setText(translate("photos", "Photos without a place"))
+        self._show()
 
     def _show(self) -> None:
-        """Show the open folder."""
-        session = self._session
-        self.folder_label.setText("" if session.folder is None else session.folder.name)
-        for view, label in self.thumbnails.items():
+        """Show the open visitor's photos."""
+        session = self._booth.session
+        for view, card in self.cards.items():
             photo = session.photos.photos.get(view)
-            if photo is None:
-                label.clear()
-                label.setText("missing")
-            else:
-                mode = Qt.TransformationMode.SmoothTransformation
-                label.setPixmap(pixmap_of(photo.rgb).scaledToHeight(_THUMBNAIL_PX, mode))
-        self.missing_label.setText("\n".join([what_is_missing(session.photos.photos), *session.warnings]))
+            look = None if photo is None else session.looks.get(photo.digest)
+            verdict = "" if photo is None else translate("photos", "Being looked at…")
+            if look is not None:
+                good = translate("photos", "✓ Good")
+                verdict = " ".join(TROUBLES[one] for one in look.troubles) or good
+            fine = look is not None and not look.troubles
+            card.show_photo(session.thumbnails.get(view), verdict, fine=fine)
+        told = [what_is_missing(session.photos.photos), *session.warnings]
+        if session.photos.photos and not session.consent:
+            told.append(translate("photos", "No consent is recorded: new photos are not stored."))
+        self.missing_label.setText("\n".join(told))
+        self._show_tray()
+        self._show_busy()
         self.changed.emit()
 
+    def _show_tray(self) -> None:
+        session = self._booth.session
+        inside = QWidget()
+        row = QHBoxLayout(inside)
+        row.setContentsMargins(0, 0, 0, 0)
+        for number, photo in enumerate(session.tray, start=1):
+            look = session.looks.get(photo.digest)
+            verdict = "" if look is None else " ".join(TROUBLES[one] for one in look.troubles)
+            card = TrayCard(photo.thumbnail, number, verdict)
+            card.use_wanted.connect(partial(self._use, photo.path))
+            card.remove_wanted.connect(partial(self._booth.intake.edit, partial(photo_files.remove, photo.path)))
+            row.addWidget(card)
+        row.addStretch(1)
+        self.tray.setWidget(inside)
+        self.tray.setVisible(bool(session.tray))
+        self.tray_label.setVisible(bool(session.tray))
+
+    def _show_busy(self) -> None:
+        count = self._booth.intake.pending()
+        text = translate("photos", "Looking at photos: {n} to go").format(n=count)
+        self.busy_label.setText(text if count else "")
+        self.setEnabled(self._booth.session.folder is not None)
+
+    # --- what the operator does -------------------------------------------------
+
+    def choose(self, view: ViewId | None) -> None:
+        """Ask for photo files, for one view or for whichever they show."""
+        kinds = " ".join(f"*{suffix}" for suffix in SUFFIXES)
+        text = translate("photos", "Photos of the visitor")
+        files, _ = QFileDialog.getOpenFileNames(self, text, "", f"{translate('photos', 'Photos')} ({kinds})")
+        self._booth.intake.add_files([Path(one) for one in files], view)
+
+    def paste(self) -> None:
+        """Take the clipboard's photo or files."""
+        self.take(QGuiApplication.clipboard().mimeData(), None)
+
+    def take(self, data: QMimeData, view: ViewId | None) -> None:
+        """Take files, all photos of folders, or a picture."""
+        intake = self._booth.intake
+        if data.hasUrls():
+            paths = [Path(url.toLocalFile()) for url in data.urls() if url.isLocalFile()]
+            intake.add_files([photo for path in paths for photo in photo_files.photos_in(path)], view)
+        elif data.hasImage():
+            intake.add_bytes(_png_bytes(data.imageData()), ".png", view)
+
+    def _exchange(self, one: ViewId, other: ViewId) -> None:
+        folder = self._booth.session.folder
+        if folder is not None:
+            self._booth.intake.edit(lambda: photo_files.exchange(folder, one, other))
+
+    def _use(self, path: Path, view: ViewId) -> None:
+        folder = self._booth.session.folder
+        if folder is not None:
+            self._booth.intake.edit(lambda: photo_files.use_as(folder, path, view))
+
+    def _to_tray(self, view: ViewId) -> None:
+        folder, path = self._booth.session.folder, self._path(view)
+        if folder is not None and path is not None:
+            self._booth.intake.edit(lambda: photo_files.to_tray(folder, path))
+
+    def _on_file(self, edit: Callable[[Path], None]) -> Callable[[ViewId], None]:
+        def act(view: ViewId) -> None:
+            path = self._path(view)
+            if path is not None:
+                self._booth.intake.edit(partial(edit, path))
+
+        return act
+
+    def _path(self, view: ViewId) -> Path | None:
+        folder = self._booth.session.folder
+        return None if folder is None else photo_files.photo_of(folder, view)
+
+    def _choose_camera_folder(self) -> None:
+        """Ask for the folder of a tethered camera; cancelling stops watching."""
+        text = translate("photos", "Folder where the camera drops its photos")
+        self._booth.change(camera_folder=QFileDialog.getExistingDirectory(self, text))
+
+    def _open_webcam(self) -> None:
+        dialog = WebcamDialog(self._next_view(), self)
+        dialog.taken.connect(lambda data, view: self._booth.intake.add_bytes(data, ".jpg", view))
+        dialog.failed.connect(self._booth.failed)
+        dialog.open()
+
+    def _next_view(self) -> ViewId:
+        """Return the first view that has no photo."""
+        present = self._booth.session.photos.photos
+        return next((view for view in ViewId if view not in present), ViewId.BODY_FRONT)
+
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        """Take folders, or photos inside one."""
-        if event.mimeData().hasUrls():
+        """Take files and pictures."""
+        if event.mimeData().hasUrls() or event.mimeData().hasImage():
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:
-        """Open the dropped folder, or the folder of a dropped photo."""
-        path = Path(event.mimeData().urls()[0].toLocalFile())
-        self._session.open(path if path.is_dir() else path.parent)
+        """Take what was dropped beside the cards: each photo finds its own place."""
+        self.take(event.mimeData(), None)
+
+
+def _png_bytes(image: QImage) -> bytes:
+    data = QByteArray()
+    buffer = QBuffer(data)
+    buffer.open(QIODevice.OpenModeFlag.WriteOnly)
+    image.save(buffer, "PNG")  # type: ignore[call-overload]
+    return bytes(data.data())

@@ -1,50 +1,218 @@
-"""Last page: what the visitor takes home."""
+"""Last page: what the visitor takes home, and how everything of the visitor goes."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QUrl, Signal
-from PySide6.QtGui import QDesktopServices
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QPushButton, QVBoxLayout, QWidget
+from pathlib import Path
 
-from cloner_gui.session import Session
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QEvent, Qt, QUrl, Signal
+from PySide6.QtGui import QDesktopServices, QPixmap
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFileDialog,
+    QGridLayout,
+    QHBoxLayout,
+    QLabel,
+    QLineEdit,
+    QScrollArea,
+    QVBoxLayout,
+    QWidget,
+)
+
+from cloner.booth.takeaway import code_modules, free_name, link_text
+from cloner.errors import ClonerError
+from cloner_gui.booth import Booth
+from cloner_gui.canvas.painting import pixmap_of
+from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
+from cloner_gui.formats import FORMATS
+from cloner_gui.handing import Handing
+from cloner_gui.pieces import GAP, Card, button, label, name
+from cloner_gui.words import translate
+
+_CODE_PX = 200
 
 
 class TakeawayPage(QWidget):
-    """Report and files of the finished clone."""
+    """Files, report, code and goodbye."""
 
     changed = Signal()
-    title = "5  Take away"
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._session = session
-        self.status = QLabel()
-        self.report_button, self.folder_button = QPushButton("Open report"), QPushButton("Open folder")
-        row = QHBoxLayout()
-        for button in (self.report_button, self.folder_button):
-            row.addWidget(button)
-        row.addStretch(1)
-        column = QVBoxLayout(self)
-        column.addWidget(self.status)
-        column.addLayout(row)
-        column.addStretch(1)
-        self.report_button.clicked.connect(lambda: self._open("report.html"))
-        self.folder_button.clicked.connect(lambda: self._open(""))
-        session.opened.connect(self._show)
-        session.cloned.connect(self._show)
-        self._show()
+        self._booth = booth
+        self.handing = Handing(booth.session, self)
+        self.status, self.files_heading, self.code_heading, self.data_heading = (
+            label("dim"), label("heading"), label("heading"), label("heading"),
+        )  # fmt: skip
+        self.formats = {kind: QCheckBox() for kind in FORMATS}
+        self.folder_button, self.zip_button, self.report_button, self.show_button = (
+            button("main"), button(), button(), button(),
+        )  # fmt: skip
+        self.link, self.code, self.code_note = QLineEdit(), QLabel(), label("dim")
+        self.export_button, self.forget_button, self.held_label = button(), button("danger"), label("dim")
+        self._lay_out()
+        self._connect()
+        self._speak()
+
+    @property
+    def title(self) -> str:
+        """What the step is called."""
+        return translate("takeaway", "Take away")
 
     def why_not(self) -> str:
         """Return why no page comes after this one."""
-        return "This is the last page."
+        return ""
+
+    def _lay_out(self) -> None:
+        files, code, data = Card(), Card(), Card()
+        files.column.addWidget(self.files_heading)
+        files.column.addWidget(self.status)
+        grid = QGridLayout()
+        for number, box in enumerate(self.formats.values()):
+            grid.addWidget(box, number // 2, number % 2)
+        files.column.addLayout(grid)
+        for one in (self.folder_button, self.zip_button, self.report_button, self.show_button):
+            files.column.addWidget(one)
+        files.column.addStretch(1)
+        code.column.addWidget(self.code_heading)
+        self.code.setFixedSize(_CODE_PX, _CODE_PX)
+        self.code.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        code.column.addWidget(self.code, 0, Qt.AlignmentFlag.AlignHCenter)
+        code.column.addWidget(self.link)
+        code.column.addWidget(self.code_note)
+        code.column.addStretch(1)
+        data.column.addWidget(self.data_heading)
+        data.column.addWidget(self.held_label)
+        data.column.addWidget(self.export_button)
+        data.column.addWidget(self.forget_button)
+        data.column.addStretch(1)
+        room, inside = QScrollArea(), QWidget()
+        row = QHBoxLayout(inside)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(GAP)
+        for card in (files, code, data):
+            row.addWidget(card, 1)
+        room.setWidget(inside)
+        room.setWidgetResizable(True)
+        column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(room)
+
+    def _connect(self) -> None:
+        session = self._booth.session
+        self.folder_button.clicked.connect(self._to_folder)
+        self.zip_button.clicked.connect(self._to_zip)
+        self.report_button.clicked.connect(lambda: self._open("report.html"))
+        self.show_button.clicked.connect(lambda: self._open(""))
+        self.export_button.clicked.connect(self._export)
+        self.forget_button.clicked.connect(self._forget)
+        self.link.editingFinished.connect(lambda: self._booth.change(link=self.link.text().strip()))
+        self.link.textChanged.connect(self._show_code)
+        for box in self.formats.values():
+            box.clicked.connect(self._take_formats)
+        self.handing.changed.connect(self._show)
+        self.handing.failed.connect(self._booth.failed)
+        session.opened.connect(self.handing.forget)
+        session.opened.connect(self._show)
+        session.cloned.connect(self._show)
+        self._booth.event_changed.connect(self._show)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Speak another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._speak()
+        super().changeEvent(event)
+
+    def _speak(self) -> None:
+        self.files_heading.setText(translate("takeaway", "Files"))
+        self.code_heading.setText(translate("takeaway", "Code to scan"))
+        self.data_heading.setText(translate("takeaway", "What is held"))
+        self.folder_button.setText(translate("takeaway", "Copy to &stick or folder…"))
+        self.zip_button.setText(translate("takeaway", "Save as one &zip file…"))
+        self.report_button.setText(translate("takeaway", "Show &report"))
+        self.show_button.setText(translate("takeaway", "Show f&older"))
+        self.export_button.setText(translate("takeaway", "Save &everything held…"))
+        self.forget_button.setText(translate("takeaway", "&Delete this visitor…"))
+        told = translate("takeaway", "Text or address in the code; {id} stands for the visitor")
+        name(self.link, translate("takeaway", "Text of the code"), told)
+        self.link.setPlaceholderText(translate("takeaway", "Where the files were put"))
+        name(self.code, translate("takeaway", "Code to scan"))
+        for kind, box in self.formats.items():
+            box.setText(FORMATS[kind])
+        self._show()
 
     def _show(self) -> None:
-        outcome = self._session.outcome
-        for button in (self.report_button, self.folder_button):
-            button.setEnabled(outcome is not None)
-        self.status.setText("" if outcome is None else f"Written to {outcome.folder.parent.name}/{outcome.folder.name}")
+        """Show what can be taken."""
+        session, settings = self._booth.session, self._booth.settings
+        ready = session.outcome is not None and not self.handing.busy
+        for one in (self.folder_button, self.zip_button, self.report_button, self.show_button):
+            one.setEnabled(ready)
+        for one in (self.export_button, self.forget_button):
+            one.setEnabled(session.folder is not None)
+        for kind, box in self.formats.items():
+            box.setChecked(kind in settings.formats)
+        if not self.link.hasFocus():
+            self.link.setText(settings.link)
+        none = translate("takeaway", "There is no clone yet.")
+        self.status.setText(none if session.outcome is None else self.handing.told())
+        consent = session.consent or translate("takeaway", "no consent is recorded")
+        days = settings.retention_days
+        kept = translate("takeaway", "Kept for {n} days.").format(n=days) if days else translate("takeaway", "Kept.")
+        self.held_label.setText(f"{consent}\n{kept}" if session.folder is not None else "")
+        self._show_code()
+        self.changed.emit()
 
-    def _open(self, name: str) -> None:
+    def _show_code(self) -> None:
+        folder = self._booth.session.folder
+        text = link_text(self.link.text().strip(), "" if folder is None else folder.name, self.handing.target)
+        try:
+            modules = code_modules(text) if text else None
+        except ClonerError as error:
+            modules, text = None, str(error)
+        self.code.setPixmap(QPixmap() if modules is None else _code_pixmap(modules))
+        self.code_note.setText(text or translate("takeaway", "Copy the files first, or type an address."))
+
+    # --- what the operator does ----------------------------------------------------
+
+    def _chosen(self) -> tuple[str, ...]:
+        return tuple(kind for kind, box in self.formats.items() if box.isChecked())
+
+    def _take_formats(self) -> None:
+        self._booth.change(formats=self._chosen())
+
+    def _to_folder(self) -> None:
+        place = QFileDialog.getExistingDirectory(self, translate("takeaway", "Stick or folder for the visitor's files"))
+        folder = self._booth.session.folder
+        if place and folder is not None:
+            self.handing.start(free_name(Path(place), folder.name), self._chosen())
+
+    def _to_zip(self) -> None:
+        folder = self._booth.session.folder
+        start = "" if folder is None else f"{folder.name}.zip"
+        text = translate("takeaway", "Save as")
+        target, _ = QFileDialog.getSaveFileName(self, text, start, "Zip (*.zip)")
+        if target:
+            path = Path(target).with_suffix(".zip")
+            self.handing.start(free_name(path.parent, path.stem, ".zip"), self._chosen())
+
+    def _open(self, which: str) -> None:
         """Show a file of the result with the desktop's own program."""
-        if self._session.outcome is not None:
-            QDesktopServices.openUrl(QUrl.fromLocalFile(str((self._session.outcome.folder / name).resolve())))
+        outcome = self._booth.session.outcome
+        if outcome is not None:
+            QDesktopServices.openUrl(QUrl.fromLocalFile(str((outcome.folder / which).resolve())))
+
+    def _export(self) -> None:
+        if self._booth.session.folder is not None:
+            ask_to_save_data(self._booth, self._booth.session.folder, self)
+
+    def _forget(self) -> None:
+        if self._booth.session.folder is not None:
+            ask_to_forget(self._booth, (self._booth.session.folder,), self)
+
+
+def _code_pixmap(modules: NDArray[np.bool_]) -> QPixmap:
+    """Return the code with whole pixels a module, black on white whatever the window's colours: scanners want that."""
+    each = max(1, _CODE_PX // len(modules))
+    grey = np.where(modules, 0, 255).astype(np.uint8).repeat(each, axis=0).repeat(each, axis=1)
+    return pixmap_of(np.repeat(grey[:, :, None], 3, axis=2))

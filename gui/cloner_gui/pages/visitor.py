@@ -1,56 +1,116 @@
-"""First page: who stands there, and how tall."""
+"""First page: who is here, who stands there, how tall, and whether they agree."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtWidgets import QHBoxLayout, QListWidget, QListWidgetItem, QScrollArea, QVBoxLayout, QWidget
 
-from cloner.project.folder import DEFAULT_HEIGHT_CM, LARGEST_HEIGHT_CM, SMALLEST_HEIGHT_CM
-from cloner_gui.session import Session
+from cloner.booth.visits import State
+from cloner_gui.booth import Booth
+from cloner_gui.pages.person_form import PersonForm
+from cloner_gui.pieces import GAP, Card, button, label, name
+from cloner_gui.words import STATES, translate
+
+_MARKS = {State.NONE: "○", State.WAITING: "◔", State.CLONED: "●", State.FAILED: "!"}
 
 
 class VisitorPage(QWidget):
-    """The height of the visitor."""
+    """The event's visitors, and what is known of the open one."""
 
     changed = Signal()
-    title = "1  Visitor"
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._session = session
-        self.height_known = QCheckBox("Height without shoes")
-        self.height_field = QDoubleSpinBox()
-        self.height_field.setRange(SMALLEST_HEIGHT_CM, LARGEST_HEIGHT_CM)
-        self.height_field.setSuffix(" cm")
-        self.height_field.setDecimals(1)
-        self.height_hint = QLabel()
-        row = QHBoxLayout()
-        for widget in (self.height_known, self.height_field):
-            row.addWidget(widget)
-        row.addWidget(self.height_hint, 1)
-        column = QVBoxLayout(self)
-        column.addLayout(row)
-        column.addStretch(1)
-        self.height_known.toggled.connect(self._take_height)
-        self.height_field.valueChanged.connect(self._take_height)
-        session.opened.connect(self._show)
-        self._show()
+        self._booth = booth
+        self.event_label, self.hint = label("dim"), label("dim")
+        self.heading = label("heading")
+        self.list = QListWidget()
+        self.new_button, self.open_button = button("main"), button()
+        self.form = PersonForm(booth)
+        self._lay_out()
+        self.new_button.clicked.connect(booth.new_visitor)
+        self.open_button.clicked.connect(lambda: self.window().choose_folder())  # type: ignore[attr-defined]
+        self.list.itemActivated.connect(self._open)
+        self.list.itemClicked.connect(self._open)
+        self.form.changed.connect(self.changed)
+        booth.visits_changed.connect(self._show)
+        booth.event_changed.connect(self._show)
+        booth.session.opened.connect(self._show)
+        self._speak()
+
+    @property
+    def title(self) -> str:
+        """What the step is called."""
+        return translate("visitor", "Visitor")
 
     def why_not(self) -> str:
         """Return why the next page cannot come yet."""
-        return ""
+        if self._booth.session.folder is None:
+            return translate("visitor", "Begin with a visitor first.")
+        return self.form.why_not()
+
+    def _lay_out(self) -> None:
+        left = Card()
+        left.column.addWidget(self.heading)
+        left.column.addWidget(self.event_label)
+        left.column.addWidget(self.new_button)
+        left.column.addWidget(self.list, 1)
+        left.column.addWidget(self.open_button)
+        left.setMaximumWidth(340)
+        right = QScrollArea()
+        right.setWidgetResizable(True)
+        inside = QWidget()
+        column = QVBoxLayout(inside)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.form)
+        column.addWidget(self.hint)
+        column.addStretch(1)
+        right.setWidget(inside)
+        row = QHBoxLayout(self)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.setSpacing(GAP)
+        row.addWidget(left, 1)
+        row.addWidget(right, 2)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Speak another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._speak()
+        super().changeEvent(event)
+
+    def _speak(self) -> None:
+        self.heading.setText(translate("visitor", "Visitors"))
+        self.new_button.setText(translate("visitor", "&New visitor"))
+        self.open_button.setText(translate("visitor", "&Open event…"))
+        name(self.list, translate("visitor", "Visitors of this event"))
+        self._show()
 
     def _show(self) -> None:
-        height = self._session.height_cm
-        self.height_field.setValue(DEFAULT_HEIGHT_CM if height is None else height)
-        self.height_known.setChecked(height is not None)
-        self._take_height()
-
-    def _take_height(self) -> None:
-        """Hand the height to the session; say what an unknown height means."""
-        known = self.height_known.isChecked()
-        self.height_field.setEnabled(known)
-        self._session.height_cm = self.height_field.value() if known else None
-        hint = "" if known else f"Unknown: {DEFAULT_HEIGHT_CM:.0f} cm is assumed and every length is unscaled."
-        self.height_hint.setText(hint)
+        """Show who is here."""
+        root, folder = self._booth.root, self._booth.session.folder
+        self.event_label.setText(translate("visitor", "No event is open.") if root is None else root.name)
+        self.new_button.setEnabled(root is not None)
+        self.form.setVisible(folder is not None)
+        self.hint.setVisible(folder is None)
+        begin = translate("visitor", "Open the event's folder; an empty one begins a new event.")
+        self.hint.setText(begin if root is None else translate("visitor", "Press New visitor when somebody steps up."))
+        self._fill()
         self.changed.emit()
+
+    def _fill(self) -> None:
+        folder = self._booth.session.folder
+        self.list.blockSignals(True)
+        self.list.clear()
+        for place, visit in self._booth.visits().items():
+            item = QListWidgetItem(f"{_MARKS[visit.state]}  {place.name}\n     {STATES[visit.state]}")
+            item.setData(Qt.ItemDataRole.UserRole, place)
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{place.name}, {STATES[visit.state]}")
+            self.list.addItem(item)
+            if place == folder:
+                self.list.setCurrentItem(item)
+        self.list.blockSignals(False)
+
+    def _open(self, item: QListWidgetItem) -> None:
+        place = item.data(Qt.ItemDataRole.UserRole)
+        if place != self._booth.session.folder:
+            self._booth.open_visitor(place)

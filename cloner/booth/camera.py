@@ -1,0 +1,65 @@
+"""A camera at this computer, where there is one: pictures one after the other."""
+
+from __future__ import annotations
+
+from typing import Final, Protocol
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.errors import ClonerError
+
+#: What is asked of the camera; it gives the nearest it has.
+WANTED_PX: Final = (1920, 1080)
+JPEG_QUALITY: Final = 95
+
+
+class Camera(Protocol):
+    """Something that gives pictures; tests bring their own."""
+
+    def read(self) -> NDArray[np.uint8] | None:
+        """Return the next (H, W, 3) uint8 sRGB picture; None when there is none any more."""
+
+    def close(self) -> None:
+        """Let the camera go."""
+
+
+class Webcam:
+    """A camera by its number.
+
+    Raises
+    ------
+    ClonerError
+        If there is no such camera.
+    """
+
+    def __init__(self, number: int = 0) -> None:
+        self._capture = cv2.VideoCapture(number)
+        if not self._capture.isOpened():
+            self._capture.release()
+            raise ClonerError("there is no camera", "Plug it in and allow its use, then try again", f"Camera {number}")
+        self._capture.set(cv2.CAP_PROP_FRAME_WIDTH, WANTED_PX[0])
+        self._capture.set(cv2.CAP_PROP_FRAME_HEIGHT, WANTED_PX[1])
+
+    def read(self) -> NDArray[np.uint8] | None:
+        """Return the next picture."""
+        fine, bgr = self._capture.read()
+        return np.asarray(cv2.cvtColor(bgr, cv2.COLOR_BGR2RGB)) if fine else None
+
+    def close(self) -> None:
+        """Let the camera go."""
+        self._capture.release()
+
+
+def jpeg_bytes(rgb: NDArray[np.uint8]) -> bytes:
+    """Return a picture as the bytes of a JPEG file."""
+    fine, data = cv2.imencode(".jpg", cv2.cvtColor(rgb, cv2.COLOR_RGB2BGR), [cv2.IMWRITE_JPEG_QUALITY, JPEG_QUALITY])
+    if not fine:
+        raise ValueError("the picture cannot be encoded")
+    return bytes(data)
+
+
+def turned(rgb: NDArray[np.uint8], quarters: int) -> NDArray[np.uint8]:
+    """Return a picture turned clockwise by quarters: webcams stand on their side to see a whole body."""
+    return np.ascontiguousarray(np.rot90(rgb, -quarters))

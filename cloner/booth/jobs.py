@@ -1,0 +1,110 @@
+"""The long jobs of the window, as one object that lives in a worker's process and remembers what the nets said."""
+
+from __future__ import annotations
+
+import time
+from collections import OrderedDict
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Final, cast
+
+from cloner import pipeline
+from cloner.booth.kept import PROPOSED_FILE, RESULTS, VALUES_FILE, WORK, digests, known_values
+from cloner.booth.looking import look
+from cloner.booth.looking_table import Look
+from cloner.booth.takeaway import hand_over
+from cloner.cloning import Progress, clone_folder
+from cloner.errors import ClonerError
+from cloner.frames import ViewId
+from cloner.project.corrections import no_corrections
+from cloner.project.folder import load_photo, view_files
+from cloner.project.values_file import save_values
+from cloner.records.photos import PhotoSet
+from cloner.records.points import Proposal, Proposals
+from cloner.stages.photo_checks import check_photos
+from cloner.stages.proposals import propose
+
+#: Proposals of so many photos are remembered: two visitors and some retakes, 4 MB each.
+REMEMBERED: Final = 16
+#: Values of a clone that lie elsewhere: photos and corrections as files, the clone as ``clone.npz``.
+_ELSEWHERE: Final = {"photos", "person", "corrections", "painted", "clone"}
+
+
+class Jobs:
+    """What a worker's process can be asked for; every method gets a progress callable that may raise Cancelled."""
+
+    def __init__(self) -> None:
+        self._proposals: OrderedDict[tuple[str, ViewId], Proposal] = OrderedDict()
+
+    def look(self, path: Path, wanted: ViewId | None, progress: Progress) -> Look:
+        """Return which view a photo shows and what is wrong with it; what the nets said is remembered."""
+        progress("look", 0.0)
+        photo = load_photo(path, wanted or ViewId.BODY_FRONT)
+        told, proposal = look(photo, wanted)
+        if proposal is not None:
+            self._remember(photo.digest, proposal)
+        return told
+
+    def propose(self, folder: Path, progress: Progress) -> Path:
+        """Find the points of all photos of a visitor, keep them in the work folder, and return the file.
+
+        Raises
+        ------
+        ClonerError
+            If a photo does not show one person as its name says.
+        """
+        progress("photos", 0.0)
+        photos = _photos(folder)
+        views: dict[ViewId, Proposal] = {}
+        for view, photo in photos.photos.items():
+            progress("proposals", len(views) / (1 + len(photos.photos)))
+            known = self._proposals.get((photo.digest, view))
+            views[view] = known if known is not None else propose(photo)
+            self._remember(photo.digest, views[view])
+        check_photos(Proposals(views), photos)
+        stages = tuple(stage for stage in pipeline.STAGES if stage.name == "points")
+        values: Mapping[str, object] = {
+            "photos": photos,
+            "proposals": Proposals(views),
+            "corrections": no_corrections(),
+        }
+        found, _ = pipeline.run(values, stages=stages)
+        kept = {name: found[name] for name in ("proposals", "body_points", "face_points")}
+        save_values(kept | {"digests": digests(photos)}, folder / WORK / PROPOSED_FILE)
+        return folder / WORK / PROPOSED_FILE
+
+    def clone(self, folder: Path, formats: Sequence[str], progress: Progress) -> float:
+        """Clone a visitor, keep what the next clone and refits need in the work folder, and return the seconds.
+
+        Raises
+        ------
+        ClonerError
+            If the visitor cannot be cloned.
+        """
+        start = time.monotonic()
+        photos = _photos(folder)
+        known = known_values(folder, photos)
+        outcome = clone_folder(folder, folder / RESULTS, formats=formats, known=known, progress=progress)
+        values = outcome.values
+        kept = {name: value for name, value in values.items() if name not in _ELSEWHERE}
+        stamp = {"digests": digests(cast(PhotoSet, values["photos"])), "person": values["person"]}
+        save_values(kept | stamp, folder / WORK / VALUES_FILE)
+        return time.monotonic() - start
+
+    def hand_over(self, result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
+        """Write what a visitor takes home into a folder or a zip file; see `cloner.booth.takeaway.hand_over`."""
+        return hand_over(result, target, formats, progress)
+
+    def _remember(self, digest: str, proposal: Proposal) -> None:
+        self._proposals[digest, proposal.view] = proposal
+        self._proposals.move_to_end((digest, proposal.view))
+        while len(self._proposals) > REMEMBERED:
+            self._proposals.popitem(last=False)
+
+
+def _photos(folder: Path) -> PhotoSet:
+    """Return the photos of a visitor, whichever there are."""
+    photos = PhotoSet({view: load_photo(path, view) for view, path in view_files(folder).items()})
+    if not photos.photos:
+        raise ClonerError("there is no photo yet", "Take the photos first", folder.name)
+    return photos

@@ -1,0 +1,38 @@
+"""What earlier work on a visitor left in the work folder: found again where the photos are still the same."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any, Final
+
+from cloner.project.values_file import load_values
+from cloner.records.photos import PhotoSet
+
+WORK: Final = "work"
+PROPOSED_FILE: Final = "proposed.npz"
+VALUES_FILE: Final = "values.npz"
+RESULTS: Final = "clones"
+
+
+def known_values(folder: Path, photos: PhotoSet) -> dict[str, Any]:
+    """Return what is known of a visitor from earlier work on these very photos.
+
+    Either all values of the last clone, the photos with them, or the proposals alone; nothing where photos changed.
+    """
+    for name in (VALUES_FILE, PROPOSED_FILE):
+        values = load_values(folder / WORK / name)
+        if values and values.pop("digests", None) == digests(photos):
+            told = values if name == VALUES_FILE else {"proposals": values["proposals"]}
+            return {**told, "photos": photos}
+    return {}
+
+
+def proposed_points(folder: Path, photos: PhotoSet) -> dict[str, Any]:
+    """Return "body_points" and "face_points" as they were proposed for these very photos; nothing otherwise."""
+    values = load_values(folder / WORK / PROPOSED_FILE)
+    return values if values and values.pop("digests", None) == digests(photos) else {}
+
+
+def digests(photos: PhotoSet) -> dict[str, str]:
+    """Return the digests of photos by view."""
+    return {str(view): photo.digest for view, photo in photos.photos.items()}

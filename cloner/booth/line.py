@@ -1,0 +1,73 @@
+"""The queue of visitors who wait for their clone: who is next, and how long it takes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from pathlib import Path
+from statistics import median
+from typing import Final
+
+from cloner.booth.visits import State, Visit
+
+#: A clone's seconds as long as none is known (samples on two idle cores).
+USUAL_S: Final = 40.0
+#: Below this share the pace of the clone under way says nothing yet.
+_TELLING: Final = 0.1
+
+
+def waiting(visits: Mapping[Path, Visit]) -> tuple[Path, ...]:
+    """Return who waits, the first asked first."""
+    those = [(visit.queued, folder.name, folder) for folder, visit in visits.items() if visit.state is State.WAITING]
+    return tuple(folder for _, _, folder in sorted(those))
+
+
+def usual_seconds(visits: Mapping[Path, Visit]) -> float:
+    """Return how long a clone takes here."""
+    known = [visit.clone_seconds for visit in visits.values() if visit.clone_seconds > 0.0]
+    return median(known) if known else USUAL_S
+
+
+def seconds_left(fraction: float, spent_s: float, usual_s: float, before: int = 0) -> float:
+    """Return how long a visitor still waits.
+
+    Parameters
+    ----------
+    fraction : float
+        How much of the clone under way is done, 0..1.
+    spent_s : float
+        For how long it has been under way.
+    usual_s : float
+        How long a whole clone takes here.
+    before : int
+        How many whole clones come before this visitor's is finished, besides the one under way.
+    """
+    paced = spent_s / fraction if fraction > _TELLING else usual_s
+    share = min(max(fraction, 0.0), 1.0)
+    whole = share * paced + (1.0 - share) * usual_s  # the pace counts more the more of it was seen
+    return max(whole - spent_s, 0.02 * whole) * (share < 1.0) + before * usual_s
+
+
+def asked(visit: Visit, now: str) -> Visit:
+    """Return the visit with a clone asked for."""
+    return replace(visit, state=State.WAITING, queued=now, problem="")
+
+
+def cloned(visit: Visit, seconds: float) -> Visit:
+    """Return the visit with a finished clone."""
+    return replace(visit, state=State.CLONED, clone_seconds=seconds, problem="")
+
+
+def failed(visit: Visit, problem: str) -> Visit:
+    """Return the visit with a clone that failed."""
+    return replace(visit, state=State.FAILED, problem=problem)
+
+
+def withdrawn(visit: Visit, has_clone: bool) -> Visit:
+    """Return the visit without its place in the queue."""
+    return replace(visit, state=State.CLONED if has_clone else State.NONE, queued="")
+
+
+def with_effort(visit: Visit, seconds: float, clicks: int, drags: int) -> Visit:
+    """Return the visit with what it cost the operator since the last time."""
+    return replace(visit, seconds=visit.seconds + seconds, clicks=visit.clicks + clicks, drags=visit.drags + drags)

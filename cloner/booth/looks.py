@@ -1,0 +1,45 @@
+"""What was found of a visitor's photos, kept by their digests so that nothing is looked at twice."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Final
+
+from cloner.booth.kept import WORK
+from cloner.booth.looking_table import Look, Trouble
+from cloner.frames import ViewId
+from cloner.project.atomic import write_text
+
+LOOKS_FILE: Final = "looks.json"
+
+
+def read_looks(folder: Path) -> dict[str, Look]:
+    """Return what was found, by digest; nothing where the file is missing or broken: it is found again."""
+    try:
+        told = json.loads((folder / WORK / LOOKS_FILE).read_text(encoding="utf-8"))
+        return {digest: _look(digest, one) for digest, one in told.items()}
+    except (OSError, ValueError, TypeError, KeyError, AttributeError):
+        return {}
+
+
+def _look(digest: str, told: Mapping[str, object]) -> Look:
+    view, troubles = told["view"], told["troubles"]
+    if not isinstance(troubles, list):
+        raise TypeError("troubles must be a list")
+    return Look(digest, ViewId(str(view)) if view else None, tuple(Trouble(one) for one in troubles))
+
+
+def keep_look(folder: Path, look: Look) -> None:
+    """Add what was found of one photo.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written.
+    """
+    looks = {**read_looks(folder), look.digest: look}
+    told = {one.digest: {"view": one.view, "troubles": list(one.troubles)} for one in looks.values()}
+    (folder / WORK).mkdir(exist_ok=True)
+    write_text(folder / WORK / LOOKS_FILE, json.dumps(told, indent=1) + "\n")

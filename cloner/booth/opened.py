@@ -1,0 +1,182 @@
+"""A visitor read from its folder: everything the window shows, and nothing the window has to work out."""
+
+from __future__ import annotations
+
+import json
+import logging
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.booth.kept import RESULTS, digests, known_values, proposed_points
+from cloner.booth.looking_table import Look
+from cloner.booth.looks import read_looks
+from cloner.booth.person_file import person_facts
+from cloner.booth.photo_files import tray_photos
+from cloner.booth.takeaway import has_result
+from cloner.cloning import CLONE_FILE
+from cloner.errors import ClonerError
+from cloner.frames import ViewId
+from cloner.project.atomic import RESULT_MARK
+from cloner.project.clone_file import load_clone
+from cloner.project.corrections import check_against, no_corrections
+from cloner.project.folder import load_photo, read_corrections, read_person, safe_identifier, view_files
+from cloner.records.photos import Person, PhotoSet
+from cloner.records.points import Corrections
+from cloner.vision.pictures import read_picture
+
+log = logging.getLogger(__name__)
+
+_STAMP: Final = "stamp"
+#: Height of the small pictures, px: enough for a card on a screen of double density.
+THUMBNAIL_PX: Final = 640
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cloned:
+    """A finished clone as it lies in its folder.
+
+    Attributes
+    ----------
+    folder : Path
+        The result.
+    values : mapping
+        "clone" always; where they are kept, "photos", "joined", "obeyed", "silhouettes" and the other values of the
+        run by which points can be moved.
+    warnings : tuple of str
+    """
+
+    folder: Path
+    values: Mapping[str, Any]
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class TrayPhoto:
+    """A photo that shows no view yet.
+
+    Attributes
+    ----------
+    path : Path
+    digest : str
+    thumbnail : (h, w, 3) uint8
+    """
+
+    path: Path
+    digest: str
+    thumbnail: NDArray[np.uint8]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Opened:
+    """A visitor's folder, read.
+
+    Attributes
+    ----------
+    folder : Path
+    photos : PhotoSet
+        Whichever there are, none included.
+    person : Person
+    height_cm : float or None
+    consent : str
+        As it is recorded; "" where it is not.
+    corrections : Corrections
+    warnings : tuple of str
+    tray : tuple of TrayPhoto
+        Photos that show no view yet.
+    looks : mapping of str to Look
+        What was found of photos, by digest.
+    thumbnails : mapping of ViewId to (h, w, 3) uint8
+    proposed : mapping
+        "body_points" and "face_points", where they are known for these photos.
+    cloned : Cloned or None
+        The clone of these very photos.
+    """
+
+    folder: Path
+    photos: PhotoSet
+    person: Person
+    height_cm: float | None
+    consent: str
+    corrections: Corrections
+    warnings: tuple[str, ...] = ()
+    tray: tuple[TrayPhoto, ...] = ()
+    looks: Mapping[str, Look] = field(default_factory=dict)
+    thumbnails: Mapping[ViewId, NDArray[np.uint8]] = field(default_factory=dict)
+    proposed: Mapping[str, Any] = field(default_factory=dict)
+    cloned: Cloned | None = None
+
+
+def open_visitor(folder: Path) -> Opened:
+    """Return a visitor's folder, read.
+
+    Raises
+    ------
+    ClonerError
+        If the folder is missing, or something in it cannot be read.
+    """
+    photos = PhotoSet({view: load_photo(path, view) for view, path in view_files(folder).items()})
+    corrections, warnings = _corrections(folder, photos)
+    _, height_cm, consent = person_facts(folder)
+    return Opened(
+        folder,
+        photos,
+        read_person(folder),
+        height_cm,
+        consent,
+        corrections,
+        warnings,
+        tuple(_tray(folder)),
+        read_looks(folder),
+        {view: thumbnail(photo.rgb) for view, photo in photos.photos.items()},
+        proposed_points(folder, photos),
+        read_cloned(folder, photos),
+    )
+
+
+def _tray(folder: Path) -> Iterator[TrayPhoto]:
+    """Yield the photos of the tray; one that cannot be read shows as an empty picture, to be removed."""
+    for path in tray_photos(folder):
+        try:
+            picture = read_picture(path)
+        except ClonerError:
+            yield TrayPhoto(path, "", np.full((4, 3, 3), 127, np.uint8))
+        else:
+            yield TrayPhoto(path, picture.digest, thumbnail(picture.rgb))
+
+
+def thumbnail(rgb: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """Return a small (`THUMBNAIL_PX`, w, 3) uint8 copy of a photo."""
+    share = THUMBNAIL_PX / rgb.shape[0]
+    size = (max(1, round(rgb.shape[1] * share)), THUMBNAIL_PX)
+    return np.ascontiguousarray(cv2.resize(np.asarray(rgb), size, interpolation=cv2.INTER_AREA))
+
+
+def _corrections(folder: Path, photos: PhotoSet) -> tuple[Corrections, tuple[str, ...]]:
+    """Return the corrections; those that a retaken, smaller photo left outside are not shown, but their file stays."""
+    corrections = read_corrections(folder)
+    try:
+        return corrections, check_against(corrections, photos)
+    except ClonerError as error:
+        return no_corrections(), (str(error),)
+
+
+def read_cloned(folder: Path, photos: PhotoSet) -> Cloned | None:
+    """Return the finished clone of these very photos; None where there is none, or it is another's."""
+    result = folder / RESULTS / safe_identifier(folder.resolve().name)
+    if not has_result(result):
+        return None
+    try:
+        report = json.loads((result / RESULT_MARK).read_text(encoding="utf-8"))
+        if report[_STAMP]["photos"] != digests(photos):
+            return None
+        values = {**known_values(folder, photos), "clone": load_clone(result / CLONE_FILE)}
+        return Cloned(result, values, tuple(report["warnings"]))
+    except (ClonerError, OSError, ValueError, KeyError, TypeError):
+        log.warning("%s: its clone cannot be read and has to be made again", folder.name)
+        return None

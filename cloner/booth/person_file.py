@@ -1,0 +1,79 @@
+"""Writing ``person.toml``: name, height and consent as the window took them; what else stands there stays."""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from collections.abc import Mapping
+from datetime import datetime
+from pathlib import Path
+from typing import Any, Final
+
+from cloner.errors import ClonerError
+from cloner.frames import cm_from_m
+from cloner.project.atomic import write_text
+from cloner.project.folder import PERSON_FILE, read_consent, read_person
+
+CENTIMETRES_PER_INCH: Final = 2.54
+INCHES_PER_FOOT: Final = 12
+
+
+def cm_from_feet(feet: int, inches: float) -> float:
+    """Return centimetres."""
+    return (feet * INCHES_PER_FOOT + inches) * CENTIMETRES_PER_INCH
+
+
+def feet_from_cm(height_cm: float) -> tuple[int, float]:
+    """Return whole feet and inches, to half an inch: nobody's height is known better."""
+    inches = round(2.0 * height_cm / CENTIMETRES_PER_INCH) / 2.0
+    return int(inches // INCHES_PER_FOOT), inches % INCHES_PER_FOOT
+
+
+def write_person(folder: Path, *, name: str, height_cm: float | None, consent: str) -> None:
+    """Write what is known of a visitor, in one step; notes and tape measures stay, comments do not.
+
+    Raises
+    ------
+    ClonerError
+        If the height is absurd, the old file is malformed or the folder cannot be written.
+    """
+    read_person(folder, height_cm)  # refuses absurd heights and malformed files
+    path = folder / PERSON_FILE
+    told: dict[str, Any] = tomllib.loads(path.read_text(encoding="utf-8-sig")) if path.exists() else {}
+    told |= {"name": name, "height_cm": height_cm, "consent": consent}
+    tables = {key: value for key, value in told.items() if isinstance(value, Mapping)}
+    lines = [_line(key, value) for key, value in told.items() if key not in tables and value not in ("", None)]
+    for title, table in tables.items():
+        lines += ["", f"[{title}]", *(_line(key, value) for key, value in table.items())]
+    write_text(path, "\n".join(lines) + "\n")
+
+
+def person_facts(folder: Path) -> tuple[str, float | None, str]:
+    """Return name, height in centimetres if it is known, and consent."""
+    person = read_person(folder)
+    height = round(cm_from_m(person.stature_m), 1) if person.stature_is_known else None
+    return person.name, height, read_consent(folder)
+
+
+def consent_given(text: str, now: datetime, language: str) -> str:
+    """Return what is recorded of a consent: to what, when, and in which language it was read."""
+    return f"{' '.join(text.split())} ({now:%Y-%m-%d %H:%M} UTC, {language})"
+
+
+def check_consent(folder: Path) -> None:
+    """Refuse to store anything of a visitor who has not agreed.
+
+    Raises
+    ------
+    ClonerError
+        If no consent is recorded.
+    """
+    if not read_consent(folder):
+        hint = "Ask the visitor and tick the consent on the first page"
+        raise ClonerError("no photo is stored before the visitor agreed", hint, "Consent")
+
+
+def _line(key: str, value: object) -> str:
+    """Return one line of TOML; JSON's strings are TOML's, but for the one control sign that JSON leaves bare."""
+    text = json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
+    return f"{key} = {text}"

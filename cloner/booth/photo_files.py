@@ -1,0 +1,164 @@
+"""The photos of a visitor as files: five named places and a tray for the rest. Nothing is overwritten, ever."""
+
+from __future__ import annotations
+
+import io
+import os
+from pathlib import Path
+from typing import Final
+
+from PIL import ExifTags, Image, ImageOps
+
+from cloner.booth.person_file import check_consent
+from cloner.errors import ClonerError
+from cloner.frames import ViewId
+from cloner.project.folder import SUFFIXES, view_files
+
+TRAY: Final = "unsorted"
+#: EXIF orientation after a quarter turn to the right, of the upright ones; mirrored ones are made upright first.
+_TURNED_RIGHT: Final = {1: 6, 6: 3, 3: 8, 8: 1}
+_WRITE_HINT: Final = "Check the folder's permissions and space"
+
+
+def store_photo(folder: Path, data: bytes, suffix: str) -> Path:
+    """Put a new photo into a visitor's tray and return where it lies.
+
+    Parameters
+    ----------
+    folder : Path
+        The visitor's.
+    data : bytes
+        The file as the camera wrote it.
+    suffix : str
+        With the dot.
+
+    Raises
+    ------
+    ClonerError
+        If the visitor has not agreed, the kind of file is unknown, or the folder cannot be written.
+    """
+    check_consent(folder)
+    if suffix.lower() not in SUFFIXES:
+        raise ClonerError("this is no photo", f"Use one of {', '.join(SUFFIXES)}", suffix or "file")
+    tray = folder / TRAY
+    try:
+        tray.mkdir(exist_ok=True)
+        path = _free_place(tray, suffix.lower())
+        temporary = path.with_name(f".{path.name}.partial-{os.getpid()}")
+        temporary.write_bytes(data)
+        temporary.replace(path)
+    except OSError as error:
+        raise ClonerError("the photo cannot be stored", _WRITE_HINT, folder.name) from error
+    return path
+
+
+def _free_place(tray: Path, suffix: str) -> Path:
+    taken = {path.stem for path in tray.iterdir()}
+    number = next(number for number in range(1, len(taken) + 2) if f"photo_{number:03d}" not in taken)
+    return tray / f"photo_{number:03d}{suffix}"
+
+
+def tray_photos(folder: Path) -> tuple[Path, ...]:
+    """Return the photos that show no view yet, the oldest first."""
+    tray = folder / TRAY
+    found = sorted(tray.iterdir()) if tray.is_dir() else []
+    return tuple(path for path in found if path.suffix.lower() in SUFFIXES and not path.name.startswith("."))
+
+
+def photo_of(folder: Path, view: ViewId) -> Path | None:
+    """Return a view's photo."""
+    return view_files(folder).get(view)
+
+
+def use_as(folder: Path, path: Path, view: ViewId) -> Path:
+    """Make a visitor's photo the one of a view and return its new place; the one before goes into the tray.
+
+    Raises
+    ------
+    ClonerError
+        If files cannot be moved; each lies in its old or new place then.
+    """
+    before = photo_of(folder, view)
+    if before == path:
+        return path
+    if before is not None:
+        to_tray(folder, before)
+    return _moved(path, folder / f"{view}{path.suffix.lower()}")
+
+
+def place_new(folder: Path, path: Path, view: ViewId | None) -> Path:
+    """Give a new photo from the tray its place and return it: the newest photo of a view counts, for who retakes one
+    means to replace it; a photo of no view stays in the tray.
+    """
+    return path if view is None else use_as(folder, path, view)
+
+
+def meant_view(name: str) -> ViewId | None:
+    """Return the view that a file's name says."""
+    stem = Path(name).stem.lower()
+    return ViewId(stem) if stem in set(ViewId) else None
+
+
+def exchange(folder: Path, one: ViewId, other: ViewId) -> None:
+    """Exchange the photos of two views; either may be missing."""
+    first, second = photo_of(folder, one), photo_of(folder, other)
+    aside = None if first is None else to_tray(folder, first)
+    if second is not None:
+        use_as(folder, second, one)
+    if aside is not None:
+        use_as(folder, aside, other)
+
+
+def to_tray(folder: Path, path: Path) -> Path:
+    """Take a photo out of its view."""
+    tray = folder / TRAY
+    tray.mkdir(exist_ok=True)
+    return _moved(path, _free_place(tray, path.suffix.lower()))
+
+
+def _moved(path: Path, to: Path) -> Path:
+    try:
+        return path.rename(to)
+    except OSError as error:
+        raise ClonerError("the photo cannot be moved", _WRITE_HINT, path.name) from error
+
+
+def remove(path: Path) -> None:
+    """Delete a photo."""
+    try:
+        path.unlink(missing_ok=True)
+    except OSError as error:
+        raise ClonerError("the photo cannot be deleted", _WRITE_HINT, path.name) from error
+
+
+def turn_right(path: Path) -> None:
+    """Turn a photo a quarter to the right: JPEG files only by their EXIF mark and with their own tables.
+
+    Raises
+    ------
+    ClonerError
+        If the file cannot be read or written.
+    """
+    stream = io.BytesIO()
+    try:
+        with Image.open(path) as image:
+            kind, exif = image.format or "PNG", image.getexif()
+            before = exif.get(ExifTags.Base.Orientation, 1)
+            if kind == "JPEG" and before in _TURNED_RIGHT:
+                exif[ExifTags.Base.Orientation] = _TURNED_RIGHT[before]
+                image.save(stream, kind, quality="keep", exif=exif, icc_profile=image.info.get("icc_profile"))
+            else:
+                upright = ImageOps.exif_transpose(image)
+                upright.transpose(Image.Transpose.ROTATE_270).save(stream, "PNG" if kind == "MPO" else kind)
+        temporary = path.with_name(f".{path.name}.partial-{os.getpid()}")
+        temporary.write_bytes(stream.getvalue())
+        temporary.replace(path)
+    except (OSError, ValueError, SyntaxError) as error:
+        raise ClonerError("the photo cannot be turned", "Turn it with another program", path.name) from error
+
+
+def photos_in(path: Path) -> tuple[Path, ...]:
+    """Return a file itself, or the photos of a folder."""
+    if not path.is_dir():
+        return (path,)
+    return tuple(one for one in sorted(path.iterdir()) if one.suffix.lower() in SUFFIXES and one.is_file())

@@ -1,0 +1,87 @@
+"""How far a visitor has come: where the window stood, the queue, and what it cost the operator."""
+
+from __future__ import annotations
+
+import json
+import logging
+from dataclasses import asdict, dataclass
+from enum import StrEnum
+from pathlib import Path
+from typing import Final
+
+from cloner.project.atomic import write_text
+
+log = logging.getLogger(__name__)
+
+VISIT_FILE: Final = "visit.json"
+
+
+class State(StrEnum):
+    """What becomes of a visitor's clone."""
+
+    NONE = "none"
+    WAITING = "waiting"  # also while it is cloned: after a crash it is simply cloned again
+    CLONED = "cloned"
+    FAILED = "failed"
+
+
+@dataclass(frozen=True, slots=True)
+class Visit:
+    """How far a visitor has come.
+
+    Attributes
+    ----------
+    page, view : str
+        The page and the photo that were seen last.
+    state : State
+    queued : str
+        When the clone was asked for, ISO 8601; orders the queue.
+    problem : str
+        Why the last clone failed.
+    started : str
+        When the visitor came.
+    language : str
+    seconds : float
+        For how long the visitor was open in the window.
+    clone_seconds : float
+    clicks, drags : int
+    """
+
+    page: str = "visitor"
+    view: str = ""
+    state: State = State.NONE
+    queued: str = ""
+    problem: str = ""
+    started: str = ""
+    language: str = ""
+    seconds: float = 0.0
+    clone_seconds: float = 0.0
+    clicks: int = 0
+    drags: int = 0
+
+
+def read_visit(folder: Path) -> Visit:
+    """Return how far a visitor has come; from the start where the file is missing or broken.
+
+    The file is the window's own memory: losing it costs a click, so it never stands in the way of the photos.
+    """
+    try:
+        told = json.loads((folder / VISIT_FILE).read_text(encoding="utf-8"))
+        usual = asdict(Visit())
+        return Visit(**{key: type(usual[key])(value) for key, value in told.items() if key in usual})
+    except FileNotFoundError:
+        return Visit()
+    except (OSError, ValueError, TypeError, AttributeError):
+        log.warning("%s: the visit's file cannot be read; it starts anew", folder.name)
+        return Visit()
+
+
+def write_visit(folder: Path, visit: Visit) -> None:
+    """Write how far a visitor has come, in one step.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written.
+    """
+    write_text(folder / VISIT_FILE, json.dumps(asdict(visit), indent=1, ensure_ascii=False) + "\n")

@@ -1,0 +1,169 @@
+"""A process of its own for long jobs: the window's thread never waits for Python's lock, and a job ends at once.
+
+The caller's side blocks in `Worker.call`, on a thread of its own. Both sides speak tuples over a pipe: the caller sends
+(method, arguments), the worker answers ("progress", step, fraction), ("log", level, logger, text) and at last
+("done", value) or ("failed", error).
+"""
+
+from __future__ import annotations
+
+import importlib
+import logging
+import multiprocessing as mp
+import os
+import threading
+from collections.abc import Callable
+from multiprocessing.connection import Connection
+from typing import Any, Final
+
+from cloner.errors import ClonerError
+
+log = logging.getLogger(__name__)
+
+Progress = Callable[[str, float], None]
+#: How often a caller looks whether its job is still wanted, seconds: "cancel at once" for a hand on a button.
+LISTEN_S: Final = 0.05
+_AGAIN: Final = "Try again; if it happens again, send the log file"
+
+
+class Worker:
+    """One process that does one job at a time; it starts with the first job and again after a cancelled one.
+
+    Parameters
+    ----------
+    make : str
+        "module:class" of the object whose methods are the jobs; only the process loads it.
+    """
+
+    def __init__(self, make: str = "cloner.booth.jobs:Jobs") -> None:
+        self._make = make
+        self._turn = threading.Lock()
+        self._process: mp.process.BaseProcess | None = None
+        self._pipe: Connection | None = None
+
+    def call(self, method: str, *arguments: object, progress: Progress) -> Any:
+        """Do a job in the process and return its value.
+
+        Parameters
+        ----------
+        method : str
+        arguments : object
+            Can be pickled.
+        progress : callable
+            Called with every step, and with the last one again and again meanwhile; what it raises ends the process.
+
+        Raises
+        ------
+        ClonerError
+            Of the job, or if the process dies.
+        """
+        with self._turn:
+            pipe = self._connected()
+            try:
+                pipe.send((method, arguments))
+                return self._listen(pipe, progress)
+            except (EOFError, OSError) as error:
+                self.stop()
+                raise ClonerError("the worker's process ended", _AGAIN, "Cloner") from error
+            except ClonerError:
+                raise
+            except BaseException:
+                self.stop()
+                raise
+
+    def start(self) -> None:
+        """Start the process before it is needed: its first job then does not wait for imports."""
+        with self._turn:
+            self._connected()
+
+    def stop(self) -> None:
+        """End the process, whatever it does."""
+        process, self._process = self._process, None
+        if process is not None:
+            process.kill()
+            process.join()
+        if self._pipe is not None:
+            self._pipe.close()
+            self._pipe = None
+
+    def _connected(self) -> Connection:
+        if self._pipe is None or self._process is None or not self._process.is_alive():
+            self.stop()
+            context = mp.get_context("spawn")
+            self._pipe, theirs = context.Pipe()
+            self._process = context.Process(target=_serve, args=(theirs, self._make), daemon=True)
+            self._process.start()
+            theirs.close()
+        return self._pipe
+
+    def _listen(self, pipe: Connection, progress: Progress) -> Any:
+        step, fraction = "", 0.0
+        while True:
+            if not pipe.poll(LISTEN_S):
+                progress(step, fraction)
+                continue
+            kind, *told = pipe.recv()
+            if kind == "progress":
+                step, fraction = told
+                progress(step, fraction)
+            elif kind == "log":
+                logging.getLogger(told[1]).log(told[0], "%s", told[2])
+            elif kind == "done":
+                return told[0]
+            else:
+                raise told[0]
+
+
+class _Teller(logging.Handler):
+    """Hands log records to the caller's process: one process writes the log file."""
+
+    def __init__(self, pipe: Connection) -> None:
+        super().__init__()
+        self._pipe = pipe
+
+    def emit(self, record: logging.LogRecord) -> None:
+        self._pipe.send(("log", record.levelno, record.name, self.format(record)))
+
+
+def _serve(pipe: Connection, make: str) -> None:
+    """Do jobs until the caller is gone; runs in the process."""
+    threading.Thread(target=_end_with_caller, daemon=True).start()
+    os.nice(5)  # the window comes first on a machine with two cores
+    logging.basicConfig(level=logging.INFO, handlers=[_Teller(pipe)], format="%(message)s")
+    module, _, name = make.partition(":")
+    jobs = getattr(importlib.import_module(module), name)()
+    while True:
+        try:
+            method, arguments = pipe.recv()
+            pipe.send(_answer(getattr(jobs, method), arguments, pipe))
+        except (EOFError, OSError):
+            return
+
+
+def _answer(job: Callable[..., object], arguments: tuple[object, ...], pipe: Connection) -> tuple[str, object]:
+    try:
+        value = job(*arguments, progress=lambda step, fraction: pipe.send(("progress", step, fraction)))
+    except ClonerError as error:
+        return "failed", error
+    except OSError as error:
+        if isinstance(error, BrokenPipeError):
+            raise
+        log.exception("a job failed")
+        return "failed", _unexpected(error)
+    except Exception as error:  # a worker must outlive the defect of one job
+        log.exception("a job failed")
+        return "failed", _unexpected(error)
+    return "done", value
+
+
+def _unexpected(error: Exception) -> ClonerError:
+    message = f"something went wrong that the program did not expect ({type(error).__name__})"
+    return ClonerError(message, _AGAIN, "Cloner")
+
+
+def _end_with_caller() -> None:
+    """End this process when the caller's does, even in the middle of a stage."""
+    parent = mp.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)

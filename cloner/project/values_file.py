@@ -1,0 +1,118 @@
+"""Values of the pipeline kept between runs: frozen records in one .npz, read back without running foreign code.
+
+A record is written as its fields, by the name of its class; reading makes only dataclasses and enumerations of this
+package, so a file from elsewhere can be wrong but can do nothing (a pickle could).
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import os
+import zipfile
+from collections.abc import Mapping
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.errors import ClonerError
+
+FORMAT: Final = 1
+_HOMES: Final = ("cloner.records.", "cloner.frames", "cloner.pipeline")
+_SKELETON: Final = "skeleton_json"
+
+
+def save_values(values: Mapping[str, object], path: Path) -> None:
+    """Write named values in one step: numbers, texts, arrays, tuples, mappings, enumerations and frozen records.
+
+    Raises
+    ------
+    ClonerError
+        If the file cannot be written.
+    TypeError
+        If a value is of another kind.
+    """
+    arrays: dict[int, NDArray[Any]] = {}
+    told = {"format": FORMAT, "values": _told(dict(values), arrays)}
+    text = np.frombuffer(json.dumps(told).encode(), dtype=np.uint8)
+    temporary = path.with_name(f".{path.name}.partial-{os.getpid()}")
+    try:
+        path.parent.mkdir(exist_ok=True)
+        with temporary.open("wb") as stream:
+            packed: dict[str, NDArray[Any]] = {f"a{number}": array for number, array in enumerate(arrays.values())}
+            np.savez_compressed(stream, allow_pickle=False, **{_SKELETON: text}, **packed)
+        temporary.replace(path)
+    except OSError as error:
+        temporary.unlink(missing_ok=True)
+        raise ClonerError("the work folder cannot be written", "Check permissions and space", path.name) from error
+
+
+def load_values(path: Path) -> dict[str, Any]:
+    """Return what :func:`save_values` wrote; nothing where the file is missing, broken or of another version.
+
+    What is kept here can always be found again, so an unreadable file is no error.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as archive:
+            arrays = [archive[f"a{number}"] for number in range(len(archive.files) - 1)]
+            told = json.loads(archive[_SKELETON].tobytes())
+        return dict(_made(told["values"], arrays)) if told["format"] == FORMAT else {}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, ImportError, IndexError, zipfile.BadZipFile):
+        return {}
+
+
+def _told(value: Any, arrays: dict[int, NDArray[Any]]) -> Any:
+    """Return a value as JSON; arrays are put aside, each once."""
+    if isinstance(value, Enum):
+        return {"enum": _name(type(value)), "value": value.value}
+    if isinstance(value, np.generic):
+        value = value.item()
+    if value is None or isinstance(value, bool | int | float | str):
+        return value
+    if isinstance(value, np.ndarray):
+        arrays.setdefault(id(value), value)
+        return {"array": list(arrays).index(id(value))}
+    if isinstance(value, tuple | list):
+        return {"tuple": [_told(one, arrays) for one in value]}
+    if isinstance(value, Mapping):
+        return {"map": [[_told(key, arrays), _told(one, arrays)] for key, one in value.items()]}
+    if is_dataclass(value) and not isinstance(value, type):
+        inner = {one.name: _told(getattr(value, one.name), arrays) for one in fields(value)}
+        return {"record": _name(type(value)), "fields": inner}
+    raise TypeError(f"a {type(value).__name__} cannot be kept")
+
+
+def _made(told: Any, arrays: list[NDArray[Any]]) -> Any:
+    """Return the value of its JSON."""
+    if not isinstance(told, dict):
+        return told
+    if "array" in told:
+        return arrays[told["array"]]
+    if "tuple" in told:
+        return tuple(_made(one, arrays) for one in told["tuple"])
+    if "map" in told:
+        return {_made(key, arrays): _made(one, arrays) for key, one in told["map"]}
+    if "enum" in told:
+        return _class(told["enum"], Enum)(told["value"])
+    kind = _class(told["record"], None)
+    return kind(**{name: _made(one, arrays) for name, one in told["fields"].items()})
+
+
+def _name(kind: type) -> str:
+    return f"{kind.__module__}:{kind.__qualname__}"
+
+
+def _class(name: str, base: type | None) -> Any:
+    """Return a class of this package by name, and nothing else."""
+    module, _, attribute = name.partition(":")
+    if not module.startswith(_HOMES) or not attribute.isidentifier():
+        raise ValueError(f"{name} is no record")
+    kind = getattr(importlib.import_module(module), attribute)
+    fits = isinstance(kind, type) and (issubclass(kind, base) if base else is_dataclass(kind))
+    if not fits:
+        raise ValueError(f"{name} is no record")
+    return kind

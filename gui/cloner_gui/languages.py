@@ -1,0 +1,36 @@
+"""The window's languages: Qt's translators for the files beside this one."""
+
+from __future__ import annotations
+
+import functools
+from pathlib import Path
+from typing import Final
+
+from PySide6.QtCore import QCoreApplication, QTranslator
+
+from cloner_gui.words import CONSENT
+
+LANGUAGE_NAMES: Final = {"en": "English", "de": "Deutsch", "fr": "Français", "tr": "Türkçe"}
+FOLDER: Final = Path(__file__).parent / "translations"
+
+
+@functools.cache
+def translator_of(code: str) -> QTranslator:
+    """Return the translator of a language; an empty one for English, which the program's own words are."""
+    made = QTranslator()
+    if code != "en":
+        made.load(str(FOLDER / f"cloner_{code}.qm"))
+    return made
+
+
+def speak(code: str) -> None:
+    """Make the whole program speak a language; every widget hears of it (LanguageChange)."""
+    for other in LANGUAGE_NAMES:
+        QCoreApplication.removeTranslator(translator_of(other))
+    if code != "en":
+        QCoreApplication.installTranslator(translator_of(code))
+
+
+def consent_text(code: str) -> str:
+    """Return what visitors agree to in the visitor's language, whatever the window speaks."""
+    return translator_of(code).translate("consent", CONSENT) or CONSENT

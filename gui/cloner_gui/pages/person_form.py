@@ -1,0 +1,151 @@
+"""What is known of the open visitor: name or number, height, language and consent; saved as it is typed."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QWidget
+
+from cloner.booth.event import LANGUAGES
+from cloner.project.folder import DEFAULT_HEIGHT_CM
+from cloner_gui.booth import Booth
+from cloner_gui.height_field import HeightField
+from cloner_gui.languages import LANGUAGE_NAMES, consent_text
+from cloner_gui.pieces import GAP, Card, label, name
+from cloner_gui.words import translate
+
+#: Typing that rests so long is saved, milliseconds.
+_SAVE_AFTER_MS = 400
+
+
+class PersonForm(Card):
+    """The open visitor's data."""
+
+    changed = Signal()
+
+    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._booth = booth
+        self._showing = False
+        self.heading = label("title")
+        self.name_field, self.height_field = QLineEdit(), HeightField()
+        self.language = QComboBox()
+        self.consent_text, self.consent_box, self.consent_note = label(), QCheckBox(), label("dim")
+        self.name_label, self.height_label, self.language_label = label(), label(), label()
+        self.height_hint = label("dim")
+        for code in LANGUAGES:
+            self.language.addItem(LANGUAGE_NAMES[code], code)
+        self._save_soon = QTimer(self, singleShot=True, interval=_SAVE_AFTER_MS)
+        self._save_soon.timeout.connect(self.save)
+        self._lay_out()
+        self.name_field.textEdited.connect(self._save_soon.start)
+        self.height_field.changed.connect(self._take_height)
+        self.language.currentIndexChanged.connect(self._show_consent)
+        self.consent_box.clicked.connect(self._take_consent)
+        booth.session.opened.connect(self._show)
+        booth.event_changed.connect(self._show_consent)
+        self._speak()
+
+    def why_not(self) -> str:
+        """Return why the next page cannot come yet."""
+        session = self._booth.session
+        if session.consent or session.photos.photos:
+            return ""
+        return translate("visitor", "The visitor has to agree before photos are taken.")
+
+    def save(self) -> None:
+        """Save what is typed, now."""
+        self._save_soon.stop()
+        if self._booth.session.folder is not None:
+            self._booth.save_person(self.name_field.text().strip(), self.height_field.height_cm())
+        self.changed.emit()
+
+    def _lay_out(self) -> None:
+        form = QFormLayout()
+        form.setHorizontalSpacing(GAP)
+        form.setVerticalSpacing(GAP)
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
+        height = QHBoxLayout()
+        height.addWidget(self.height_field)
+        height.addStretch(1)
+        for text, field in ((self.name_label, self.name_field), (self.language_label, self.language)):
+            text.setBuddy(field)
+            text.setWordWrap(False)
+        self.height_label.setWordWrap(False)
+        self.height_label.setBuddy(self.height_field.first_field())
+        form.addRow(self.name_label, self.name_field)
+        form.addRow(self.height_label, height)
+        form.addRow("", self.height_hint)
+        form.addRow(self.language_label, self.language)
+        self.column.addWidget(self.heading)
+        self.column.addLayout(form)
+        self.column.addWidget(self.consent_text)
+        self.column.addWidget(self.consent_box)
+        self.column.addWidget(self.consent_note)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Speak another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._speak()
+        super().changeEvent(event)
+
+    def _speak(self) -> None:
+        self.name_label.setText(translate("visitor", "N&ame or number"))
+        self.height_label.setText(translate("visitor", "&Height without shoes"))
+        self.language_label.setText(translate("visitor", "&Language of the consent"))
+        self.consent_box.setText(translate("visitor", "The visitor has read this and &agrees"))
+        for field, text in (
+            (self.name_field, translate("visitor", "Name or number of the visitor")),
+            (self.language, translate("visitor", "Language of the consent")),
+            (self.consent_box, translate("visitor", "The visitor agrees")),
+        ):
+            name(field, text)
+        self.height_field.speak()
+        self._show()
+
+    def _show(self) -> None:
+        """Show the open visitor."""
+        folder = self._booth.session.folder
+        person, height_cm, _ = self._booth.person()
+        self._showing = True
+        self.heading.setText("" if folder is None else folder.name)
+        if not self.name_field.hasFocus() or not self._save_soon.isActive():
+            self.name_field.setText(person)
+            self.height_field.set_height(height_cm)
+        at = self.language.findData(self._booth.settings.language)
+        self.language.setCurrentIndex(max(at, 0))
+        self._showing = False
+        self._show_hint()
+        self._show_consent()
+
+    def _show_hint(self) -> None:
+        unknown = translate("visitor", "Unknown: {n} cm is assumed, and every length is unscaled.")
+        self.height_hint.setText(
+            "" if self.height_field.height_cm() is not None else unknown.format(n=round(DEFAULT_HEIGHT_CM))
+        )
+        self.height_hint.setVisible(bool(self.height_hint.text()))
+
+    def _show_consent(self) -> None:
+        consent = self._booth.session.consent
+        code = self.language.currentData()
+        self.consent_text.setText(self._booth.settings.consent or consent_text(code))
+        right = Qt.LayoutDirection.RightToLeft if code in ("ar", "he") else self.layoutDirection()
+        self.consent_text.setLayoutDirection(right)
+        self.consent_box.setChecked(bool(consent))
+        recorded = translate("visitor", "Recorded: {text}")
+        self.consent_note.setText(recorded.format(text=consent) if consent else "")
+        self.consent_note.setVisible(bool(consent))
+        self.changed.emit()
+
+    def _take_height(self) -> None:
+        self._show_hint()
+        if not self._showing:
+            self._save_soon.start()
+
+    def _take_consent(self, agrees: bool) -> None:
+        """Record the consent with its text and time, or that it was withdrawn."""
+        self.save()
+        if agrees:
+            self._booth.agree(self.consent_text.text(), str(self.language.currentData()))
+        else:
+            self._booth.withdraw_consent()
+        self._show_consent()

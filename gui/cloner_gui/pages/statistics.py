@@ -1,0 +1,84 @@
+"""The operator's own window: what each visitor cost. Never on the visitor's screen unless it is asked for."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QHeaderView,
+    QTableWidget,
+    QTableWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from cloner.booth.effort import effort_csv, effort_rows, middle_effort
+from cloner.booth.visits import State
+from cloner.errors import ClonerError
+from cloner.project.atomic import write_text
+from cloner_gui.booth import Booth
+from cloner_gui.pieces import label, name
+from cloner_gui.words import STATES, translate
+
+
+class StatisticsWindow(QDialog):
+    """Seconds, clicks and drags, a row for every visitor."""
+
+    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._booth = booth
+        self.setWindowTitle(translate("statistics", "Operator's effort"))
+        self.resize(760, 480)
+        self.summary = label("heading")
+        self.table = QTableWidget(0, 7)
+        self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
+        self.table.verticalHeader().hide()
+        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        name(self.table, translate("statistics", "Effort by visitor"))
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        save = buttons.addButton(translate("statistics", "&Save as table…"), QDialogButtonBox.ButtonRole.ActionRole)
+        save.clicked.connect(self._save)
+        buttons.rejected.connect(self.close)
+        column = QVBoxLayout(self)
+        for one in (self.summary, self.table, buttons):
+            column.addWidget(one)
+        booth.visits_changed.connect(self.show_all)
+        self.show_all()
+
+    def show_all(self) -> None:
+        """Fill the table."""
+        self._booth.note_effort()
+        visits = self._booth.visits()
+        seconds, clicks, drags = middle_effort(visits)
+        told = translate("statistics", "{n} visitors; in the middle {s} s, {c} clicks, {d} drags each")
+        self.summary.setText(told.format(n=len(visits), s=round(seconds), c=round(clicks), d=round(drags)))
+        self.table.setHorizontalHeaderLabels(_titles())
+        rows = effort_rows(visits)
+        self.table.setRowCount(len(rows))
+        for number, row in enumerate(rows):
+            shown = (*row[:2], STATES[State(row[2])], *row[3:])
+            for column, text in enumerate(shown):
+                self.table.setItem(number, column, QTableWidgetItem(text))
+
+    def _save(self) -> None:
+        target, _ = QFileDialog.getSaveFileName(self, translate("statistics", "Save as"), "effort.csv", "CSV (*.csv)")
+        if target:
+            try:
+                write_text(Path(target), effort_csv(self._booth.visits()))
+            except ClonerError as error:
+                self._booth.failed.emit(error)
+
+
+def _titles() -> list[str]:
+    return [
+        translate("statistics", "Visitor"),
+        translate("statistics", "Came"),
+        translate("statistics", "State"),
+        translate("statistics", "Seconds"),
+        translate("statistics", "Clicks"),
+        translate("statistics", "Drags"),
+        translate("statistics", "Clone, s"),
+    ]

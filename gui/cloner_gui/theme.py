@@ -1,0 +1,128 @@
+"""Colours, sizes and shapes of the window: light, dark, high contrast, or as the desktop has it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QApplication
+
+#: Height of buttons and fields, px: for a mouse, and for fingers (taste; 44 is what telephones use).
+CONTROL_PX: Final = 30
+TOUCH_PX: Final = 48
+BIG_TEXT: Final = 1.25
+BASE_POINTS: Final = 10.5  # taste: read at arm's length
+
+
+@dataclass(frozen=True, slots=True)
+class Colours:
+    """The colours of one appearance, "#rrggbb"."""
+
+    window: str
+    card: str
+    text: str
+    dim: str
+    line: str
+    accent: str
+    on_accent: str
+    warn: str
+    warn_back: str
+    good: str
+
+
+LIGHT: Final = Colours(
+    "#eef0f3", "#ffffff", "#1c2430", "#5a6472", "#cfd5dd", "#1f6feb", "#ffffff", "#8a4b00", "#fff1d6", "#1a7f4b"
+)
+DARK: Final = Colours(
+    "#1b1f26", "#262c35", "#e8ecf2", "#a3adba", "#3d4653", "#5b9dff", "#0c1420", "#ffc66b", "#3a2f19", "#5fd39b"
+)
+CONTRAST: Final = Colours(
+    "#000000", "#000000", "#ffffff", "#ffffff", "#ffffff", "#ffe600", "#000000", "#ffe600", "#000000", "#7dff7d"
+)
+
+
+def colours_of(appearance: str) -> Colours:
+    """Return the colours of an appearance; "system" follows the desktop."""
+    if appearance == "contrast":
+        return CONTRAST
+    if appearance == "system":
+        dark = QApplication.styleHints().colorScheme() is Qt.ColorScheme.Dark
+        return DARK if dark else LIGHT
+    return DARK if appearance == "dark" else LIGHT
+
+
+def palette_of(colours: Colours) -> QPalette:
+    """Return Qt's own palette in these colours, so that every widget follows, also those without a style rule."""
+    role = QPalette.ColorRole
+    palette = QPalette(QColor(colours.card), QColor(colours.window))
+    table = {
+        role.Window: colours.window, role.Base: colours.card, role.AlternateBase: colours.window,
+        role.Text: colours.text, role.WindowText: colours.text, role.ButtonText: colours.text,
+        role.Button: colours.card, role.Highlight: colours.accent, role.HighlightedText: colours.on_accent,
+        role.ToolTipBase: colours.card, role.ToolTipText: colours.text, role.PlaceholderText: colours.dim,
+        role.Mid: colours.line, role.Link: colours.accent,
+    }  # fmt: skip
+    for which, colour in table.items():
+        palette.setColor(which, QColor(colour))
+    for which in (role.Text, role.WindowText, role.ButtonText):
+        palette.setColor(QPalette.ColorGroup.Disabled, which, QColor(colours.dim))
+    return palette
+
+
+def style_of(colours: Colours, *, control_px: int, points: float) -> str:
+    """Return the style sheet: cards, one filled main button, steps, quiet bars; a ring shows where the keyboard is."""
+    c, radius = colours, 6
+    return f"""
+    QWidget {{ color: {c.text}; }}
+    QMainWindow, QDialog, #page {{ background: {c.window}; }}
+    #card {{ background: {c.card}; border: 1px solid {c.line}; border-radius: 10px; }}
+    #title {{ font-size: {1.45 * points:.1f}pt; font-weight: 600; }}
+    #heading {{ font-size: {1.15 * points:.1f}pt; font-weight: 600; }}
+    #dim {{ color: {c.dim}; }}
+    #warn {{ color: {c.warn}; }}
+    #good {{ color: {c.good}; }}
+    #notice {{ background: {c.warn_back}; border: 1px solid {c.warn}; border-radius: {radius}px; }}
+    #notice QLabel {{ color: {c.warn}; }}
+    QPushButton, QToolButton {{ background: {c.card}; border: 1px solid {c.line}; border-radius: {radius}px;
+        padding: 2px 14px; min-height: {control_px}px; }}
+    QToolButton {{ padding: 2px 8px; }}
+    QPushButton:hover, QToolButton:hover {{ border-color: {c.accent}; }}
+    QPushButton:disabled, QToolButton:disabled {{ color: {c.dim}; background: transparent; border-style: dashed; }}
+    QPushButton#main {{ background: {c.accent}; color: {c.on_accent}; border-color: {c.accent}; font-weight: 600; }}
+    QPushButton#main:disabled {{ background: transparent; color: {c.dim}; border-color: {c.line}; }}
+    QPushButton#danger {{ color: {c.warn}; border-color: {c.warn}; }}
+    QPushButton:focus, QToolButton:focus {{ border: 2px solid {c.accent}; }}
+    QPushButton#main:focus {{ border: 2px solid {c.text}; }}
+    QPushButton#step {{ background: transparent; border: none; border-bottom: 3px solid transparent;
+        border-radius: 0; padding: 4px 16px; color: {c.dim}; }}
+    QPushButton#step:checked {{ color: {c.text}; border-bottom-color: {c.accent}; font-weight: 600; }}
+    QPushButton#step:focus {{ border: 2px solid {c.accent}; }}
+    QLineEdit, QDoubleSpinBox, QSpinBox, QComboBox, QPlainTextEdit {{ background: {c.card};
+        border: 1px solid {c.line}; border-radius: {radius}px; padding: 2px 8px; min-height: {control_px}px;
+        selection-background-color: {c.accent}; selection-color: {c.on_accent}; }}
+    QLineEdit:focus, QDoubleSpinBox:focus, QSpinBox:focus, QComboBox:focus, QPlainTextEdit:focus,
+    QListWidget:focus, QTableWidget:focus {{ border: 2px solid {c.accent}; }}
+    QListWidget, QTableWidget {{ background: {c.card}; border: 1px solid {c.line}; border-radius: {radius}px; }}
+    QListWidget::item {{ padding: 6px 8px; }}
+    QListWidget::item:selected {{ background: {c.accent}; color: {c.on_accent}; }}
+    QCheckBox, QRadioButton {{ spacing: 8px; min-height: {control_px}px; }}
+    QProgressBar {{ background: {c.card}; border: 1px solid {c.line}; border-radius: {radius}px; text-align: center;
+        min-height: 18px; }}
+    QProgressBar::chunk {{ background: {c.accent}; border-radius: {radius - 1}px; }}
+    QScrollArea {{ border: none; background: transparent; }}
+    QScrollArea > QWidget > QWidget {{ background: transparent; }}
+    """
+
+
+def dress(app: QApplication, appearance: str, *, big: bool, text_percent: int) -> None:
+    """Give the whole program an appearance; text grows with the operator's wish and in the mode for fingers."""
+    colours = colours_of(appearance)
+    app.setStyle("Fusion")
+    app.setPalette(palette_of(colours))
+    points = BASE_POINTS * text_percent / 100.0 * (BIG_TEXT if big else 1.0)
+    font = app.font()
+    font.setPointSizeF(points)
+    app.setFont(font)
+    app.setStyleSheet(style_of(colours, control_px=TOUCH_PX if big else CONTROL_PX, points=points))

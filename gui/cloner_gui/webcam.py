@@ -1,0 +1,244 @@
+"""Photos from a camera at this computer: its live picture under an outline of how to stand."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QThread, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QColor, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtWidgets import QComboBox, QDialog, QHBoxLayout, QVBoxLayout, QWidget
+
+from cloner.booth.camera import Camera, Webcam, jpeg_bytes, turned
+from cloner.errors import ClonerError
+from cloner.frames import ViewId
+from cloner_gui.canvas.painting import pixmap_of
+from cloner_gui.pieces import button, label, name
+from cloner_gui.words import VIEW_TITLES, translate
+
+#: Time between button and photo, seconds, so that the operator can look at the visitor again (taste).
+COUNTDOWN_S: Final = 3
+_PAUSE_S: Final = 0.04  # 25 pictures a second are smooth, more only warm the machine
+
+
+class Grabber(QThread):
+    """Reads a camera off the window's thread; only the newest picture counts."""
+
+    seen = Signal()
+    failed = Signal(object)
+
+    def __init__(self, make: Callable[[], Camera], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._make = make
+        self._stopped = threading.Event()
+        self._shown = threading.Event()
+        self._shown.set()
+        self.newest: NDArray[np.uint8] | None = None
+
+    def run(self) -> None:
+        """Read until it is enough; Qt calls this on the new thread."""
+        try:
+            camera = self._make()
+        except ClonerError as error:
+            self.failed.emit(error)
+            return
+        try:
+            while not self._stopped.is_set():
+                picture = camera.read()
+                if picture is None:
+                    self.failed.emit(ClonerError("the camera gives no pictures any more", "Plug it in again", "Camera"))
+                    return
+                self.newest = picture
+                if self._shown.is_set():  # a slow window skips pictures instead of piling them up
+                    self._shown.clear()
+                    self.seen.emit()
+                time.sleep(_PAUSE_S)
+        finally:
+            camera.close()
+
+    def shown(self) -> None:
+        """Say that the newest picture is on the screen."""
+        self._shown.set()
+
+    def stop(self) -> None:
+        """End, and wait for it."""
+        self._stopped.set()
+        self.wait()
+
+
+class Guided(QWidget):
+    """The live picture, with the outline of the wanted pose over it."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setMinimumSize(300, 340)
+        self.picture: NDArray[np.uint8] | None = None
+        self.view = ViewId.BODY_FRONT
+        self.count = ""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        """Draw picture, outline and countdown."""
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.fillRect(self.rect(), QColor(20, 22, 26))
+        room = QRectF(self.rect())
+        if self.picture is not None:
+            high, wide = self.picture.shape[:2]
+            scale = min(self.width() / wide, self.height() / high)
+            room = QRectF(0, 0, wide * scale, high * scale)
+            room.moveCenter(QRectF(self.rect()).center())
+            painter.drawPixmap(room, pixmap_of(self.picture), QRectF(0, 0, wide, high))
+        outline = pose_outline(self.view, room)
+        for colour, width in ((QColor(0, 0, 0, 150), 6), (QColor(255, 255, 255, 230), 2.5)):
+            painter.setPen(QPen(colour, width, Qt.PenStyle.DashLine if width < 4 else Qt.PenStyle.SolidLine))
+            painter.drawPath(outline)
+        if self.count:
+            font = painter.font()
+            font.setPointSizeF(90)
+            painter.setFont(font)
+            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.count)
+
+
+def pose_outline(view: ViewId, room: QRectF) -> QPainterPath:
+    """Return where the person should stand in a picture, in its pixels."""
+    if view.is_face:
+        high = 0.62 * room.height()
+        head = QRectF(0, 0, 0.74 * high, high)
+        head.moveCenter(QPointF(room.center().x(), room.top() + 0.46 * room.height()))
+        path = QPainterPath()
+        path.addEllipse(head)
+        shoulders = 0.5 * min(room.width(), 2.6 * head.width())
+        path.moveTo(room.center().x() - shoulders, room.bottom())
+        path.quadTo(head.left(), head.bottom(), head.left() + 0.28 * head.width(), head.bottom() - 0.06 * high)
+        path.moveTo(room.center().x() + shoulders, room.bottom())
+        path.quadTo(head.right(), head.bottom(), head.right() - 0.28 * head.width(), head.bottom() - 0.06 * high)
+        return path
+    high = 0.88 * room.height()
+    rows = _SIDE if view is ViewId.BODY_SIDE else _FRONT
+    points = [QPointF(room.center().x() + x * high, room.top() + 0.06 * room.height() + y * high) for x, y in rows]
+    path = QPainterPath(points[0])
+    for point in points[1:]:
+        path.lineTo(point)
+    if view is not ViewId.BODY_SIDE:
+        mirrored = [QPointF(2 * room.center().x() - point.x(), point.y()) for point in reversed(points)]
+        for point in mirrored:
+            path.lineTo(point)
+    path.closeSubpath()
+    return path
+
+
+#: Half of a person with the arms a hand's breadth away from the body: shares of the height (taste).
+_FRONT: Final = (
+    (0.0, 0.0), (0.05, 0.02), (0.06, 0.07), (0.045, 0.12), (0.03, 0.15), (0.1, 0.175), (0.13, 0.2), (0.19, 0.33),
+    (0.25, 0.45), (0.27, 0.52), (0.25, 0.53), (0.2, 0.45), (0.13, 0.31), (0.1, 0.28), (0.085, 0.4), (0.1, 0.5),
+    (0.09, 0.7), (0.075, 0.95), (0.09, 1.0), (0.02, 1.0), (0.02, 0.75), (0.005, 0.53),
+)  # fmt: skip
+_SIDE: Final = (
+    (0.0, 0.0), (0.05, 0.02), (0.065, 0.07), (0.05, 0.13), (0.02, 0.15), (0.06, 0.24), (0.065, 0.4), (0.055, 0.52),
+    (0.05, 0.72), (0.04, 0.94), (0.1, 0.985), (0.1, 1.0), (-0.05, 1.0), (-0.045, 0.94), (-0.06, 0.73), (-0.075, 0.5),
+    (-0.05, 0.4), (-0.07, 0.25), (-0.04, 0.16), (-0.06, 0.1), (-0.05, 0.03),
+)  # fmt: skip
+
+
+class WebcamDialog(QDialog):
+    """Takes photos until it is closed.
+
+    Parameters
+    ----------
+    view : ViewId
+        Whose outline is shown first.
+    make : callable
+        Opens the camera; called off the window's thread.
+    """
+
+    taken = Signal(bytes, object)
+    failed = Signal(object)
+
+    def __init__(self, view: ViewId, parent: QWidget | None = None, make: Callable[[], Camera] = Webcam) -> None:
+        super().__init__(parent)
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self.setWindowTitle(translate("webcam", "Webcam"))
+        self.live, self.views = Guided(), QComboBox()
+        self.take_button, self.turn_button, self.hint = button("main"), button(), label("dim")
+        self._quarters, self._left = 0, 0
+        self._timer = QTimer(self, interval=1000)
+        self._timer.timeout.connect(self._count)
+        for one in ViewId:
+            self.views.addItem(VIEW_TITLES[one], one)
+        self.views.setCurrentIndex(list(ViewId).index(view))
+        self._lay_out()
+        self._grabber = Grabber(make, self)
+        self._grabber.seen.connect(self._show)
+        self._grabber.failed.connect(self._fail)
+        self.views.currentIndexChanged.connect(self._choose)
+        self.take_button.clicked.connect(self.take)
+        self.turn_button.clicked.connect(self._turn)
+        self._choose()
+        self._grabber.start()
+
+    def take(self) -> None:
+        """Take a photo after the countdown."""
+        self._left = COUNTDOWN_S
+        self.live.count = str(self._left)
+        self.live.update()
+        self._timer.start()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Let the camera go."""
+        self._grabber.stop()
+        super().closeEvent(event)
+
+    def done(self, code: int) -> None:
+        """Let the camera go, also when Escape closes the dialog."""
+        self._timer.stop()
+        self._grabber.stop()
+        super().done(code)
+
+    def _lay_out(self) -> None:
+        self.take_button.setText(translate("webcam", "&Take the photo"))
+        self.turn_button.setText(translate("webcam", "T&urn the picture"))
+        self.hint.setText(translate("webcam", "Fill the outline, and keep all of it in the picture."))
+        name(self.views, translate("webcam", "Which photo is taken"))
+        name(self.live, translate("webcam", "Live picture"))
+        row, column = QHBoxLayout(), QVBoxLayout(self)
+        for one in (self.views, self.turn_button, self.take_button):
+            row.addWidget(one)
+        column.addWidget(self.live, 1)
+        column.addWidget(self.hint)
+        column.addLayout(row)
+
+    def _choose(self) -> None:
+        self.live.view = self.views.currentData()
+        self.live.update()
+
+    def _turn(self) -> None:
+        self._quarters = (self._quarters + 1) % 4
+
+    def _show(self) -> None:
+        if self._grabber.newest is not None:
+            self.live.picture = turned(self._grabber.newest, self._quarters)
+            self.live.update()
+        self._grabber.shown()
+
+    def _count(self) -> None:
+        self._left -= 1
+        self.live.count = str(self._left) if self._left > 0 else ""
+        self.live.update()
+        if self._left <= 0:
+            self._timer.stop()
+            if self.live.picture is not None:
+                self.taken.emit(jpeg_bytes(self.live.picture), ViewId(self.views.currentData()))
+                self._next()
+
+    def _next(self) -> None:
+        """Show the outline of the next view."""
+        self.views.setCurrentIndex(min(self.views.currentIndex() + 1, self.views.count() - 1))
+
+    def _fail(self, error: ClonerError) -> None:
+        self.failed.emit(error)
+        self.close()
