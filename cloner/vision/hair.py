@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.vision.hair_edge import draw_edge
 from cloner.vision.head_frame import HeadFrame, face_area, find_head
 
 Floats = NDArray[np.float64]
@@ -74,19 +75,18 @@ def head_hair_labels(
     small = np.asarray(cv2.resize(rgb[y0:y1, x0:x1], size, interpolation=cv2.INTER_AREA), np.uint8)
     inside = cv2.resize(person[y0:y1, x0:x1].astype(np.float32), size, interpolation=cv2.INTER_AREA)
     shift = np.array([x0, y0], np.float64)
-    small_head = HeadFrame(
-        (head.top_px - y0) * scale,
-        (head.chin_px - y0) * scale,
-        (head.x_px - x0) * scale,
-        (head.ear_px - y0) * scale,
-        head.facing,
-    )
+    top, chin, x, ear = head.top_px - y0, head.chin_px - y0, head.x_px - x0, head.ear_px - y0
+    small_head = HeadFrame(top * scale, chin * scale, x * scale, ear * scale, head.facing)
     small_face = None if face_points is None else (face_points[:, :2] - shift) * scale
     small_pose = None if pose_points is None else (pose_points[:, :2] - shift) * scale
     hints = _skin_hint(rgb, person, pose_points)
     scores = _classify(small, inside > 0.5, small_head, small_face, small_pose, hints, str(view))
     whole = np.stack([cv2.resize(s, (x1 - x0, y1 - y0)) for s in scores])
-    part = (whole.argmax(axis=0) + 1).astype(np.uint8)
+    part = (whole[[0, 2]].argmax(axis=0) * 2 + 1).astype(np.uint8)
+    hair = whole[1] / np.maximum(whole[1] + np.maximum(whole[0], whole[2]), 1e-6)
+    face = None if small_face is None else small_face / scale
+    fine = draw_edge(rgb[y0:y1, x0:x1], hair, person[y0:y1, x0:x1], face, head.head_px, head.ear_px - y0)
+    part[fine] = HAIR
     labels[y0:y1, x0:x1] = np.where(person[y0:y1, x0:x1], part, BACKGROUND)
     return labels
 
@@ -292,7 +292,7 @@ def _connected(shares: Floats, inside: Flags, sure_skin: Flags, head: HeadFrame)
     count, pieces, stats, _ = cv2.connectedComponentsWithStats(hair, connectivity=8)
     if count > 1:
         areas = stats[1:, cv2.CC_STAT_AREA]
-        near = stats[1:, cv2.CC_STAT_TOP] < head.ear_px + 0.1 * head.head_px
+        near = stats[1:, cv2.CC_STAT_TOP] < head.ear_px + 0.3 * head.head_px  # locks hang from behind the ears
         good = 1 + np.flatnonzero(near & (areas > 0.04 * areas.max()))
         shares[1] = np.where((hair > 0) & ~np.isin(pieces, good), 0.0, shares[1])
     return shares.astype(np.float32)

@@ -85,3 +85,11 @@ def face_area(face: Floats, shape: tuple[int, int]) -> tuple[Flags, Flags]:
         cv2.fillPoly(bare, [cv2.convexHull(np.round(face[list(ring)]).astype(np.int32))], 0)
     bare[: int(max(face[[105, 334], 1].min(), 0))] = 0  # a fringe may cover the forehead
     return oval > 0, bare > 0
+
+
+def face_organs(face: Floats, shape: tuple[int, int]) -> Flags:
+    """Return eyes with brows, and lips: whatever their colour, no hair of the head."""
+    organs = np.zeros(shape, np.uint8)
+    for ring in (*_EYES, _LIPS):
+        cv2.fillPoly(organs, [cv2.convexHull(np.round(face[list(ring)]).astype(np.int32))], 1)
+    return organs > 0
