@@ -22,7 +22,8 @@ from cloner.project.atomic import RESULT_MARK, result_folder
 from cloner.project.clone_file import save_clone
 from cloner.project.corrections import check_against
 from cloner.project.folder import load_photos, person_warnings, photo_warnings, read_corrections, read_person
-from cloner.project.stamps import input_stamp, output_digests
+from cloner.project.stamps import input_stamp, output_digests, stamp_text
+from cloner.records.clones import Clone
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
 from cloner.refitting import still_true
@@ -109,6 +110,7 @@ def clone_photos(
     check_texture_size(texture_size)
     values, fresh = pipeline.run(values, seed=seed, progress=progress, stages=_stages(texture_size))
     reports = with_earlier(fresh, (known or {}).get("stage_reports", ()))
+    values["clone"] = replace(cast(Clone, values["clone"]), stamp=stamp_text(seed, texture_size))
     return {**values, "stage_reports": reports}, list(reports)
 
 
@@ -189,6 +191,7 @@ def clone_folder(
         )
         progress("report", 0.97)
         report = build_report(values, run, _relative_files(folder)) | {
+            "made_by": values["clone"].stamp,
             "stamp": input_stamp(photos_dir, stamp_options(height_cm, formats, seed, texture_size)),
             "outputs": output_digests(folder, _files(folder)),
         }

@@ -22,7 +22,7 @@ def export_obj(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path
     ClonerError
         If the folder cannot be written to.
     """
-    lines, looks = [f"mtllib {name}.mtl\n"], {"atlas": f"textures/{name}_atlas.jpg"}
+    lines, looks = [f"# {clone.stamp}\nmtllib {name}.mtl\n"], {"atlas": f"textures/{name}_atlas.jpg"}
     files = {looks["atlas"]: jpeg_bytes(clone.atlas.rgb)}
     start = 1  # OBJ counts from one
     for look, points, normals, uv, triangles, rgba in _meshes(clone):
@@ -56,7 +56,8 @@ def export_ply(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path
         colours = _sample(texture, uv)
         parts.append(trimesh.Trimesh(points, triangles, vertex_normals=normals, vertex_colors=colours, process=False))
     path = folder / f"{name}.ply"
-    write_bytes(path, trimesh.util.concatenate(parts).export(file_type="ply"))
+    told, _, rest = trimesh.util.concatenate(parts).export(file_type="ply").partition(b"\nelement")
+    write_bytes(path, b"%b\ncomment %b\nelement%b" % (told, clone.stamp.encode(), rest))
     return (path,)
 
 

@@ -40,7 +40,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     image.save(stream, "PNG")
     picture, legend = (folder / "textures" / f"{name}_regions.{suffix}" for suffix in ("png", "json"))
     write_bytes(picture, stream.getvalue())
-    write_bytes(legend, json.dumps({"regions": list(REGIONS), "outside": NOTHING}).encode())
+    write_bytes(legend, json.dumps({"regions": list(REGIONS), "outside": NOTHING, "stamp": clone.stamp}).encode())
     return picture, legend
 
 

@@ -55,7 +55,9 @@ def _scene(clone: Clone, name: str) -> Iterator[str]:
     """Yield the file's text."""
     generic = load_generic()
     yield f"#VRML V2.0 utf8\n# Written by Cloner {__version__}. {GENERIC_CREDITS}.\n\n{PROTOS}\n"
-    yield f'WorldInfo {{ title "clone" info [ "{GENERIC_CREDITS}" "units=metre up=+Y front=+Z" ] }}\n'
+    info = (GENERIC_CREDITS, "units=metre up=+Y front=+Z", f"stamp={clone.stamp}")
+    quoted = " ".join(f'"{text}"' for text in info)
+    yield f'WorldInfo {{ title "clone" info [ {quoted} ] }}\n'
     yield 'NavigationInfo { type [ "EXAMINE" "ANY" ] }\nBackground { skyColor 0.88 0.89 0.9 }\n\n'
     yield 'DEF hanim_humanoid Humanoid {\nname "clone"\nversion "1.1"\n'
     yield f'info [ "humanoidVersion=1.1" "authorName=Cloner {__version__}" "height={clone.stature_m:.4f}" ]\n'

@@ -57,6 +57,7 @@ def _document(clone: Clone, name: str) -> Iterator[str]:
     yield '<X3D profile="Immersive" version="4.0">\n<head>\n<component name="HAnim" level="1"/>\n'
     yield f'<meta name="generator" content="Cloner {__version__}"/>\n'
     yield f'<meta name="license" content="{GENERIC_CREDITS}"/>\n'
+    yield f'<meta name="stamp" content="{clone.stamp}"/>\n'
     yield '</head>\n<Scene>\n<Background skyColor="0.88 0.89 0.9"/>\n'
     yield '<NavigationInfo type="&quot;EXAMINE&quot; &quot;ANY&quot;"/>\n'
     yield _viewpoint(clone)

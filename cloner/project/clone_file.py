@@ -67,6 +67,7 @@ def save_clone(clone: Clone, path: Path) -> None:
         "views": {str(view): _camera_facts(posed.camera) for view, posed in clone.views.items()},
         "stature_m": clone.stature_m,
         "sole_m": clone.sole_m,
+        "stamp": clone.stamp,
     }
     arrays["facts_json"] = np.frombuffer(json.dumps(facts).encode(), dtype=np.uint8)
     stream = io.BytesIO()
@@ -133,6 +134,7 @@ def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
         views=views,
         stature_m=facts["stature_m"],
         sole_m=facts["sole_m"],
+        stamp="".join(one for one in str(facts.get("stamp", "")) if one.isalnum() or one in " .,=:-")[:400],
     )
 
 

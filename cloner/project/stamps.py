@@ -87,6 +87,15 @@ def digest_of_models() -> str:
     return hashlib.sha256(json.dumps(dict(model_digests()), sort_keys=True).encode()).hexdigest()
 
 
+def stamp_text(seed: int, texture_size: int) -> str:
+    """Return what every output says of how it was made: version, models, generic human, and options of its looks."""
+    generic = "".join(model_digests()[name] for name in ("body.npz", "head.npz"))
+    return (
+        f"Cloner {cloner.__version__}, models {digest_of_models()[:16]}, "
+        f"generic {hashlib.sha256(generic.encode()).hexdigest()[:16]}, seed {seed}, texture {texture_size}"
+    )
+
+
 def model_files() -> list[tuple[str, Traversable]]:
     """Return the shipped model files, by path inside ``cloner_models``."""
     root = importlib.resources.files("cloner_models")

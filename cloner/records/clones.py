@@ -107,6 +107,8 @@ class Clone:
     sole_m : float
     triangle_regions : (T,) uint8
         Place in ``cloner.records.regions.REGIONS`` of every triangle of the generic human; empty where nobody said.
+    stamp : str
+        Version, models and options it was made with; every exporter writes it. Letters, digits and " .,=:-" only.
     """
 
     vertices_m: NDArray[np.float64]
@@ -122,6 +124,7 @@ class Clone:
     stature_m: float
     sole_m: float
     triangle_regions: NDArray[np.uint8] = field(default_factory=lambda: np.zeros(0, np.uint8))
+    stamp: str = ""
 
     def __post_init__(self) -> None:
         _freeze_person(self)
