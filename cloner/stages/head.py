@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.head_controls import load_head_controls
+from cloner.geometry.eyeballs import IRIS_M
 from cloner.geometry.iris import sample_iris
 from cloner.records.bodies import Phenotype
 from cloner.records.heads import HeadFit
@@ -25,19 +26,17 @@ from cloner.stages.head_fit import (
     fit_basis,
     net_errors,
     scaled,
-    seat_parts,
     start_front,
     start_side,
 )
 from cloner.stages.head_flank import find_flank
+from cloner.stages.head_parts import seat_parts
 from cloner.stages.head_report import report_front, report_side, warn_missing
 from cloner.stages.head_size import body_camera, head_scale
 from cloner.stages.head_skull import fit_skull
 
 Array = NDArray[np.float64]
 
-#: Radius of the human iris, metres; varies by under 5 % among adults (Gharaee et al. 2014: 11.8 mm diameter).
-IRIS_RADIUS_M = 0.0059
 #: Colour used when no photo shows the irises, sRGB levels.
 BROWN = np.array([92.0, 64.0, 45.0])
 #: Iterations after each look into the side photo.
@@ -88,7 +87,8 @@ def run(
     scale = head_scale(model, fitted, front, proposals, phenotype, params)
     pivot = model.joints_m[model.generic.joint("skullbase")]
     fitted = scaled(fitted, scale, pivot)
-    head = seat_parts(model, fitted.head_m, scale)
+    whole = seat_parts(model.vertices_m, model.whole(fitted.head_m), _sight(fitted, front, proposals))
+    head = whole[model.generic.head_vertices]
     fitted = Fitted(head, fitted.front, fitted.side)
     log.residuals.append(Residual("head size against the phenotype", 100.0 * (scale - 1.0), "percent"))
     log.residuals.append(Residual("relief", mm_from_m(float(np.linalg.norm(moved, axis=1).mean())), "mm"))
@@ -100,7 +100,7 @@ def run(
         controls.names,
         pivot + scale * (_controls_before(model, controls.controls_m, phenotype) + moved - pivot),
         _iris(photos, model, fitted, front),
-        IRIS_RADIUS_M,
+        IRIS_M,
         "" if side is None else ("right" if side.facing > 0 else "left"),
     )
     return StageResult({"head": value}, tuple(log.residuals), tuple(log.warnings))
@@ -208,6 +208,14 @@ def _cameras(model: Model, fitted: Fitted, front: Front | None, side: Side | Non
     return out
 
 
+def _sight(fitted: Fitted, front: Front | None, proposals: Proposals) -> tuple[Camera, Array] | None:
+    """Return the front photo's camera and the irises seen in it, (2, 2) px, the left one first."""
+    if front is None or fitted.front is None or front.view is not ViewId.FACE_FRONT:
+        return None
+    irises = proposals.views[front.view].irises_px
+    return (fitted.front, irises) if irises.any() else None
+
+
 def _iris(photos: PhotoSet, model: Model, fitted: Fitted, front: Front | None) -> Array:
     """Return the iris colour of the front photo, or brown."""
     if front is None or fitted.front is None:
@@ -216,5 +224,5 @@ def _iris(photos: PhotoSet, model: Model, fitted: Fitted, front: Front | None) -
     pupils = [model.generic.feature(f"pupil_{side}") for side in "LR"]
     metres = fitted.front.metres_per_pixel(whole[pupils[0]])
     rules = [model.net.rules[model.net.names.index(f"pupil_{side}")] for side in "LR"]
-    colour = sample_iris(photos.photos[front.view].rgb, np.stack(rules) @ front.net_px, IRIS_RADIUS_M / metres)
+    colour = sample_iris(photos.photos[front.view].rgb, np.stack(rules) @ front.net_px, IRIS_M / metres)
     return BROWN if colour is None else colour

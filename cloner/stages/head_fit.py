@@ -1,4 +1,4 @@
-"""Steps of the head fit: cameras, shape coefficients, relief, size and the rigid parts."""
+"""Steps of the head fit: cameras, shape coefficients, relief and size."""
 
 from __future__ import annotations
 
@@ -15,7 +15,6 @@ from cloner.geometry.dffd import deform
 from cloner.geometry.relief import Leftover, solve_relief
 from cloner.geometry.resection import facing_camera, resect
 from cloner.geometry.shape_fit import Evidence, ShapeFit, fit_shape, misfit
-from cloner.geometry.sockets import seat_eyeball, similarity
 from cloner.geometry.surface import SurfacePoints
 from cloner.records.views import Camera
 from cloner.stages.head_evidence import Front, Model, Params, Side
@@ -255,27 +254,3 @@ def scaled(fitted: Fitted, scale: float, pivot: Array) -> Fitted:
         return replace(camera, camera_from_model=pose)
 
     return Fitted(pivot + scale * (fitted.head_m - pivot), farther(fitted.front), farther(fitted.side))
-
-
-def seat_parts(model: Model, head: Array, scale: float) -> Array:
-    """Return head vertices with eyeballs, teeth and tongue moved rigidly to where sockets and jaw went."""
-    generic, before, after = model.generic, model.vertices_m, model.whole(head)
-    out = after.copy()
-    body = np.flatnonzero((generic.vertex_part == generic.part_names.index("body")) & (model.row >= 0))
-    for side in ("left", "right"):
-        ball = generic.part(f"eye_{side}")
-        centre = (before[ball].min(axis=0) + before[ball].max(axis=0)) / 2.0
-        radius = float(np.ptp(before[ball, 0])) / 2.0
-        near = np.linalg.norm(before[body] - centre, axis=1) < radius + 0.002
-        lids = body[near & (before[body, 2] > centre[2])]
-        size = scale**0.5  # eyes hardly grow with the head: half of the head's log size (taste)
-        place = seat_eyeball(centre, centre + size * (before[lids] - centre), after[lids])
-        out[ball] = place + size * (before[ball] - centre)
-    mouth = np.flatnonzero(generic.region("mouth_interior") & (model.row >= 0))
-    stomion = before[generic.feature("stomion"), 1]
-    for parts, rows in ((("teeth_upper",), mouth[before[mouth, 1] > stomion - 0.004]),
-                        (("teeth_lower", "tongue"), mouth[before[mouth, 1] < stomion + 0.004])):  # fmt: skip
-        factor, rotation, shift = similarity(before[rows], after[rows])
-        for part in parts:
-            out[generic.part(part)] = factor * before[generic.part(part)] @ rotation.T + shift
-    return np.asarray(out[generic.head_vertices])

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
+from cloner.generic.face_grids import eyeball
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, PosedView
 from cloner.records.clones import Joined
@@ -22,6 +23,7 @@ from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 from cloner.stages.carriage import carried
+from cloner.stages.face_targets import face_targets
 from cloner.stages.fine import Params as FineParams
 from cloner.stages.fine import neck_trust, settled
 from cloner.stages.outlined import Outlined, outlined_photos
@@ -85,18 +87,12 @@ def on_floor(camera: Camera, sole_m: float) -> Camera:
     return Camera(camera.width_px, camera.height_px, camera.focal_px, matrix, camera.pixels_per_m)
 
 
-def morphs(generic: GenericHuman, vertices_m: Array) -> tuple[tuple[str, ...], Array, Array, Array]:
-    """Return names, vertex indices, displacements and starts of the face targets, scaled to this face.
-
-    The scale is this face's over the generic's distance between the outer eye corners.
-    """
-    left, right = generic.feature("eye_outer_L"), generic.feature("eye_outer_R")
-    size = np.linalg.norm(vertices_m[left] - vertices_m[right])
-    size /= np.linalg.norm(generic.vertices_m[left] - generic.vertices_m[right])
-    index = np.concatenate([generic.arkit_index, generic.viseme_index])
-    delta = np.concatenate([generic.arkit_delta_m, generic.viseme_delta_m]) * size
-    start = np.concatenate([generic.arkit_start, generic.arkit_start[-1] + generic.viseme_start[1:]])
-    return (*generic.arkit_names, *generic.viseme_names), index, delta, start
+def eye_joints(generic: GenericHuman, joints_m: Array, vertices_m: Array) -> Array:
+    """Return the joints with those of the eyes in the eyeballs' centres, about which they turn."""
+    out = joints_m.copy()
+    for side in ("left", "right"):
+        out[generic.joint(f"{side[0]}_eyeball_joint")] = eyeball(vertices_m, side).centre
+    return out
 
 
 def named_features(generic: GenericHuman, vertices_m: Array) -> dict[str, Array]:
@@ -145,9 +141,9 @@ def run(
     for view, camera in head.cameras.items():
         if view.is_face:
             views[view] = PosedView(view, on_floor(camera, phenotype.sole_m), np.zeros((94, 3)))
-    names, index, delta, start = morphs(generic, vertices)
+    names, index, delta, start = face_targets(vertices)
     value = Joined(
-        vertices, joints, views, names, index.astype(np.int32), delta.astype(np.float32), start.astype(np.int32),
+        vertices, eye_joints(generic, joints, vertices), views, names, index, delta, start,
         named_features(generic, vertices), phenotype.stature_m, phenotype.sole_m,
     )  # fmt: skip
     residuals = [

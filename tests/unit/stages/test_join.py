@@ -72,20 +72,3 @@ def test_raising_the_model_and_its_camera_keeps_the_picture(body):
     before = camera.project(body.vertices_m)
     np.testing.assert_allclose(raised.project(body.vertices_m + [0.0, 0.025, 0.0]), before, atol=1e-6)
     assert raised.position_m - camera.position_m == pytest.approx([0.0, 0.025, 0.0])
-
-
-def test_morphs_grow_with_the_face(generic, body):
-    names, index, delta, start = join.morphs(generic, generic.vertices_m)
-    bigger = join.morphs(generic, 1.1 * generic.vertices_m)
-    assert names == (*generic.arkit_names, *generic.viseme_names)
-    np.testing.assert_allclose(bigger[2], 1.1 * delta, rtol=1e-5)
-    assert np.array_equal(bigger[1], index)
-    assert len(start) == len(names) + 1
-    assert start[-1] == len(index) == len(delta)
-    first_viseme = len(generic.arkit_names)
-    rows = slice(start[first_viseme], start[first_viseme + 1])
-    own = slice(generic.viseme_start[0], generic.viseme_start[1])
-    assert np.array_equal(index[rows], generic.viseme_index[own])
-    jaw = names.index("jawOpen")
-    opened = delta[start[jaw] : start[jaw + 1]]
-    assert opened[:, 1].min() < -0.01, "opening the jaw lowers something by more than a centimetre"

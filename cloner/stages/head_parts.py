@@ -1,0 +1,131 @@
+"""What moves in a fitted head: eyeballs of real size behind their lids, lips that meet, teeth and tongue in place."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.eyeballs import Ball, ball_points
+from cloner.geometry.sockets import similarity
+from cloner.records.views import Camera
+from cloner.stages import lids, lips
+
+Array = NDArray[np.float64]
+
+#: The pupil's middle lies so much above the middle between the lids' edges, metres (anatomy: 4 mm below the upper edge,
+#: 5.5 mm above the lower one).
+PUPIL_UP_M = 0.0008
+#: A photo's iris moves the ball by no more than this from the middle of the lids, metres: people look aside.
+IRIS_REACH_M = 0.002
+#: Angle of the generic ball's iris rim from its gaze, radians (cage.py's ring).
+RIM_ANGLE = float(np.radians(23.0))
+#: Lashes are hm08's, shortened: upper and lower, share of their length (taste; hm08's are those of a doll).
+LASH_LENGTH = (0.75, 0.5)
+#: The upper teeth end so far below the line where the lips meet, the lower ones above their edge, metres (anatomy: a
+#: relaxed open mouth shows 2 to 3 mm of the upper teeth, and the upper overlap the lower by 2 mm).
+TEETH_SHOW_M, OVERBITE_M = 0.0028, 0.0015
+#: Teeth stand so far behind the lips' inner side, and the lower ones behind the upper, metres.
+BEHIND_LIPS_M, BEHIND_UPPER_M = 0.002, 0.002
+
+
+def seat_parts(before_m: Array, fitted_m: Array, sight: tuple[Camera, Array] | None) -> Array:
+    """Return the vertices (V, 3) with lids laid on eyeballs of real size, lips closed, teeth and tongue in the mouth.
+
+    Parameters
+    ----------
+    before_m, fitted_m : (V, 3) metres
+        Any person of the generic family, and the fitted skin, whose eyeballs, teeth and lashes may lie anywhere.
+    sight : camera and (2, 2) px, optional
+        The front photo's camera, and the centres of the left and right iris in it.
+    """
+    generic, out = load_generic(), fitted_m.copy()
+    for number, side in enumerate(("left", "right")):
+        iris = None if sight is None else (sight[0], sight[1][number])
+        _seat_eye(generic, out, side, iris)
+    grid = mouth_grid()
+    out[grid.rings] = lips.uncrossed(grid, lips.closed(grid, out[grid.rings]))
+    _seat_mouth(generic, before_m, out)
+    return out
+
+
+def _seat_eye(generic: GenericHuman, out: Array, side: str, iris: tuple[Camera, Array] | None) -> None:
+    """Lay one eye's lids on a ball of real size, and move its lashes with them, in place."""
+    grid = eye_grid(side)
+    before = out[grid.rings]
+    middle = _between_lids(grid, before[grid.margin])
+    ball = Ball(np.append(middle, lids.depth_of_ball(grid, before, middle)))
+    if iris is not None:
+        middle = middle + np.clip(_way_to(ball, *iris), -IRIS_REACH_M, IRIS_REACH_M)
+        ball = Ball(np.append(middle, lids.depth_of_ball(grid, before, middle)))
+    rows = generic.part(f"eye_{side}")
+    rest = generic.vertices_m.astype(np.float64)
+    out[rows] = ball.centre + ball_points(rest[rows] - eyeball(rest, side).centre, RIM_ANGLE)
+    out[grid.rings] = lids.laid_on(grid, before, ball)
+    _seat_lashes(generic, out, side)
+
+
+def _between_lids(grid: Grid, margin: Array) -> Array:
+    """Return where (2,) the pupil is from the front, by the lids alone."""
+    aside = margin[grid.corners, 0].mean()
+    edges = [margin[lid][np.abs(margin[lid, 0] - aside).argsort()[:3], 1].mean() for lid in (grid.upper, grid.lower)]
+    return np.array([aside, np.mean(edges) + PUPIL_UP_M])
+
+
+def _way_to(ball: Ball, camera: Camera, iris_px: Array) -> Array:
+    """Return how far (2,) to the left and up, metres, a ball has to move until its pupil is seen at a pixel."""
+    pupil = ball.centre + np.array([0.0, 0.0, 0.012])
+    seen = camera.project(pupil + np.vstack([np.zeros(3), 1e-4 * np.eye(3)[:2]]))
+    slope = (seen[1:] - seen[0]).T / 1e-4
+    return np.asarray(np.linalg.solve(slope, iris_px - seen[0]))
+
+
+def _seat_lashes(generic: GenericHuman, out: Array, side: str) -> None:
+    """Put one eye's lashes on the lids' margins, shortened, in place."""
+    grid, own = eye_grid(side), lashes(side)
+    rest = generic.vertices_m.astype(np.float64)
+    for upper, length in zip((True, False), LASH_LENGTH, strict=True):
+        rows, columns = own.vertices[own.upper == upper], own.column[own.upper == upper]
+        before, after = (grid.ring(1)[columns], grid.ring(2)[columns])
+        place = rest[before]
+        turn = _turn(rest[after] - place, out[after] - out[before])
+        out[rows] = out[before] + length * np.einsum("lab,lb->la", turn, rest[rows] - place)
+
+
+def _turn(source: Array, target: Array) -> Array:
+    """Return (N, 3, 3) least rotations from directions to directions."""
+    a = source / np.maximum(np.linalg.norm(source, axis=1, keepdims=True), 1e-12)
+    b = target / np.maximum(np.linalg.norm(target, axis=1, keepdims=True), 1e-12)
+    axis, cosine = np.cross(a, b), np.einsum("na,na->n", a, b)
+    cross = np.zeros((len(a), 3, 3))
+    cross[:, [2, 0, 1], [1, 2, 0]] = axis
+    cross[:, [1, 2, 0], [2, 0, 1]] = -axis
+    return np.asarray(np.eye(3) + cross + cross @ cross / np.maximum(1.0 + cosine, 1e-3)[:, None, None])
+
+
+def _seat_mouth(generic: GenericHuman, before: Array, out: Array) -> None:
+    """Put teeth and tongue behind the lips, in place: sized as the mouth became, the edges where teeth show."""
+    grid = mouth_grid()
+    mouth = np.flatnonzero(generic.region("mouth_interior"))
+    stomion = before[generic.feature("stomion"), 1]
+    meeting = float(out[grid.ring(-1)[grid.upper], 1].mean())
+    inside = out[grid.ring(-3)]
+    front = float(inside[np.abs(inside[:, 0]).argsort()[:6], 2].min()) - BEHIND_LIPS_M
+    upper_edge = meeting - TEETH_SHOW_M
+    for parts, near, edge, depth in (
+        (("teeth_upper",), before[mouth, 1] > stomion - 0.004, upper_edge, front),
+        (
+            ("teeth_lower", "tongue"),
+            before[mouth, 1] < stomion + 0.004,
+            upper_edge + OVERBITE_M,
+            front - BEHIND_UPPER_M,
+        ),
+    ):
+        factor, rotation, _ = similarity(before[mouth[near]], out[mouth[near]])
+        own = factor * before[generic.part(parts[0])] @ rotation.T
+        biting = own[:, 1].min() if parts[0] == "teeth_upper" else own[:, 1].max()
+        middle = out[mouth[near], 0].mean()
+        shift = np.array([middle - own[:, 0].mean(), edge - biting, depth - own[:, 2].max()])
+        for part in parts:
+            out[generic.part(part)] = factor * before[generic.part(part)] @ rotation.T + shift

@@ -1,0 +1,193 @@
+"""Lids of one eye: laid on an eyeball of real size, and turned about it so that a blink closes them by construction.
+
+Photos show where the lids' edges are, seen from the front; how deep they lie follows from the ball. All functions take
+and give the grid's points (K, N, 3), metres, rings by columns as :class:`cloner.generic.face_grids.Grid` has them.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.face_grids import Grid
+from cloner.geometry.eyeballs import BALL_M, CORNEA, Ball, cornea
+
+Array = NDArray[np.float64]
+
+#: How far rings outside the margin lie over the ball at least, metres: lids are 1 to 2 mm thick, and
+#: their inner edge, the ring behind the margin, touches it.
+OVER_M = np.array([0.8, 1.4, 1.6, 1.7, 1.8, 1.8, 1.8, 1.8, 1.8, 1.8]) / 1000.0
+#: Share of the margin's motion that the rings outside it take; the skin unrolls from the fold (taste).
+SHARE = np.array([1.0, 1.0, 0.92, 0.82, 0.70, 0.56, 0.40, 0.25, 0.11, 0.0])
+#: How deep the rings behind the margin dive under the ball's surface, metres, from the farthest.
+UNDER_M = np.array([0.6, 0.6, 0.15]) / 1000.0
+#: The same of a step in depth at rest.
+DEPTH_SHARE = np.array([1.0, 1.0, 0.85, 0.65, 0.45, 0.3, 0.15, 0.05, 0.0, 0.0])
+#: Where between the edges they meet: 0 at the upper edge, 1 at the lower, which hardly moves.
+MEETING = 0.82
+#: Share of a gaze's turn up or down that the upper and the lower lid take (in life the upper lid nearly keeps its place
+#: beside the iris), and the share of its way to the meeting line that a gaze takes it at most.
+FOLLOWS, FARTHEST = (0.8, 0.25), 0.75
+#: A lid that turns by this much lies on the ball as closely as a shut one, radians.
+DRAPED_RAD = 0.3
+#: Farther ways are not kept off the ball, radians.
+STEEPEST_RAD = 0.8
+#: Rounds in which the margins of a shut eye become one line.
+LINE_TURNS = 3
+#: Clearance of a lid on its way, metres.
+CLEAR_M = 0.0001
+#: Margins that reach as far aside as this, share of the ball, do not lie on it: there the corner's skin bridges.
+REACH = (0.6, 0.9)
+
+
+def _ramp(values: Array, low: float, high: float) -> Array:
+    t = np.clip((values - low) / (high - low), 0.0, 1.0)
+    return np.asarray(t * t * (3.0 - 2.0 * t))
+
+
+def reach_of(grid: Grid, points: Array, ball: Ball) -> Array:
+    """Return (N,) how surely a column's margin lies on the ball: 1 in the middle, 0 at the corners."""
+    away = points[grid.margin] - ball.centre
+    return np.asarray(1.0 - _ramp(np.hypot(away[:, 0], away[:, 1]) / (BALL_M + OVER_M[0]), *REACH))
+
+
+def depth_of_ball(grid: Grid, points: Array, centre_xy: Array) -> float:
+    """Return the depth (z, metres) of the ball on which the lids' margins lie best, seen where they are from the front.
+
+    Parameters
+    ----------
+    centre_xy : (2,)
+        Where the ball's centre is from the front.
+    """
+    margin = points[grid.margin]
+    across = np.hypot(*(margin[:, :2] - centre_xy).T)
+    over = BALL_M + OVER_M[0]
+    weight = 1.0 - _ramp(across / over, 0.6, 0.9)
+    weight[grid.corners] = 0.0
+    depth = margin[:, 2] - np.sqrt(np.maximum(over**2 - across**2, 1e-8))
+    return float((weight * depth).sum() / max(float(weight.sum()), 1e-9))
+
+
+def laid_on(grid: Grid, points: Array, ball: Ball) -> Array:
+    """Return the lids at rest with their margins on the ball, each where it was seen from the front."""
+    reach = reach_of(grid, points, ball)
+    away = points[grid.margin] - ball.centre
+    across = np.hypot(away[:, 0], away[:, 1])
+    over = BALL_M * (1.0 + cornea(np.arcsin(np.clip(across / BALL_M, 0.0, 1.0)))) + OVER_M[0]
+    step = reach * (np.sqrt(np.maximum(over**2 - across**2, 0.0)) - away[:, 2])
+    out = points.copy()
+    outer = out[grid.margin :]  # a view
+    outer[:, :, 2] += DEPTH_SHARE[: len(outer), None] * step
+    outer[:] = _at_distance(outer, ball, BALL_M + OVER_M[: len(outer), None], np.inf)
+    inner = out[: grid.margin]
+    under = BALL_M - UNDER_M[:, None]
+    # The ring behind the margin dives under the ball where the margin lies on it; at the corners it and the next one
+    # bridge to the ball, which the last one reaches.
+    share = np.stack([np.ones_like(reach), reach, reach])[..., None]
+    nearest = np.array([0.0, 0.0, under[2, 0]])[:, None]
+    inner += share * (_at_distance(inner, ball, nearest, under) - inner)
+    return out
+
+
+def _at_distance(points: Array, ball: Ball, least: Array, most: Array | float) -> Array:
+    """Return points moved straight to or from the ball's centre until their distance lies between two."""
+    spokes = points - ball.centre
+    distance = np.linalg.norm(spokes, axis=-1)
+    return np.asarray(ball.centre + spokes * (np.clip(distance, least, most) / np.maximum(distance, 1e-9))[..., None])
+
+
+def _along(grid: Grid, lid: Array, aside: Array, values: Array) -> Array:
+    """Return the (N,) values of one lid's margin, from corner to corner, as far aside as every column."""
+    own = np.asarray(lid, dtype=np.bool_).copy()
+    own[grid.corners] = True
+    columns = np.flatnonzero(own)[np.argsort(aside[own])]
+    return np.asarray(np.interp(aside, aside[columns], values[columns]))
+
+
+def closing_turn(grid: Grid, points: Array, ball: Ball) -> Array:
+    """Return (N,) by how much the margins turn until they meet, radians, positive upwards; corners stay."""
+    aside, elevation, _ = ball.unrolled(points[grid.margin])
+    upper, lower = (_along(grid, lid, aside, elevation) for lid in (grid.upper, grid.lower))
+    meeting = upper + MEETING * (lower - upper)
+    meeting[grid.corners] = elevation[grid.corners]
+    # the lower lid's columns lie on the line that the upper lid's draw when they have come down
+    return np.asarray(np.where(grid.upper, meeting, _along(grid, grid.upper, aside, meeting)) - elevation)
+
+
+def blinked(grid: Grid, points: Array, ball: Ball) -> Array:
+    """Return the lids shut: both margins on one line, the skin outside them smooth."""
+    out = turned(grid, points, ball, closing_turn(grid, points, ball))
+    aside, elevation, distance = ball.unrolled(out[grid.margin :])
+    line = np.stack([elevation[0], distance[0]])
+    for _ in range(LINE_TURNS):
+        # columns of the two lids lie beside each other: each line bends to the other's until one covers the other
+        lower = np.stack([_along(grid, grid.upper, aside[0], values) for values in line])
+        line = np.where(grid.lower, lower, line)
+        upper = np.stack([_along(grid, grid.lower, aside[0], values) for values in line])
+        line = np.where(grid.upper, (line + upper) / 2.0, line)
+    share = SHARE[: len(distance), None]
+    elevation += share * (line[0] - elevation[0])
+    distance += share * (line[1] - distance[0])
+    out[grid.margin :] = ball.rolled(aside, elevation, distance)
+    return np.asarray(out)
+
+
+def turned(grid: Grid, points: Array, ball: Ball, turn: Array) -> Array:
+    """Return the grid with its margins turned about the ball, on straight ways that never cross it.
+
+    Parameters
+    ----------
+    points : (K, N, 3)
+        At rest, as `laid_on` gives them.
+    turn : (N,)
+        Radians, positive upwards.
+    """
+    aside, elevation, distance = ball.unrolled(points)
+    outwards = np.arange(len(points)) - grid.margin
+    share = np.where(outwards < 0, 1.0, SHARE[np.maximum(outwards, 0)])[:, None]
+    over = OVER_M[np.maximum(outwards, 0)][:, None]
+    on_cornea = BALL_M * (1.0 + CORNEA)
+    # A straight way that must not cut the ball ends no nearer than its tangent through the start.
+    clear = np.sqrt(np.maximum((on_cornea + CLEAR_M) ** 2 - aside**2, 1e-10))
+    at_rest = np.sqrt(np.maximum(distance**2 - aside**2, 1e-10))
+    beyond = np.abs(share * turn) - np.arccos(np.minimum(clear / at_rest, 1.0))
+    needed = clear / np.cos(np.clip(beyond, 0.0, STEEPEST_RAD)) + over - OVER_M[0]
+    # Skin that unrolls from the fold comes to lie on the ball: the more of the margin's motion it takes, the closer.
+    draped = np.sqrt(np.maximum((on_cornea + over) ** 2 - aside**2, 1e-10))
+    close = share * np.clip(np.abs(turn) / DRAPED_RAD, 0.0, 1.0) * reach_of(grid, points, ball)
+    close[outwards < 0] = 0.0
+    away = close * np.maximum(needed, draped) + (1.0 - close) * at_rest
+    out = ball.rolled(aside, elevation + share * turn, np.hypot(away, aside))
+    return np.asarray(np.where((np.abs(share * turn) > 1e-9)[..., None], out, points))
+
+
+def kept_on(grid: Grid, points: Array, moved: Array, ball: Ball) -> Array:
+    """Return moved lids, wherever a face drew them, with margins on the ball as at rest, nothing in it, none crossed.
+
+    Parameters
+    ----------
+    points, moved : (K, N, 3)
+        At rest, as `laid_on` gives them, and after the motion.
+    """
+    out = moved.copy()
+    at_rest = ball.unrolled(points[grid.margin])[2]
+    aside, elevation, distance = ball.unrolled(moved[grid.margin])
+    reach = reach_of(grid, points, ball)
+    upper, lower = (_along(grid, lid, aside, elevation) for lid in (grid.upper, grid.lower))
+    crossed = np.minimum(upper - lower, 0.0) / 2.0
+    step = np.where(grid.upper, -crossed, np.where(grid.lower, crossed, 0.0))
+    wanted = ball.rolled(aside, elevation + step, distance + reach * (at_rest - distance))
+    outer = out[grid.margin :]  # a view
+    outer += SHARE[: len(outer), None, None] * (wanted - moved[grid.margin])
+    outer[:] = _at_distance(outer, ball, BALL_M + OVER_M[: len(outer), None], np.inf)
+    out[: grid.margin] += wanted - moved[grid.margin]
+    return np.asarray(out)
+
+
+def followed(grid: Grid, points: Array, ball: Ball, up_rad: float) -> Array:
+    """Return the lids as they follow a gaze turned up, radians: the upper one most of the way, the lower a little."""
+    closing = closing_turn(grid, points, ball)
+    profile = np.abs(closing) / np.maximum(np.where(grid.upper, np.abs(closing[grid.upper]).max(),
+                                                    np.abs(closing[grid.lower]).max()), 1e-9)  # fmt: skip
+    way = np.where(grid.upper, FOLLOWS[0], FOLLOWS[1]) * up_rad * profile
+    return turned(grid, points, ball, np.where(grid.upper, np.maximum(way, FARTHEST * closing), way))
