@@ -40,7 +40,8 @@ HeightOption = Annotated[
     float | None, typer.Option("--height-cm", help="Barefoot height in cm; wins over person.toml.")
 ]
 FormatOption = Annotated[
-    str, typer.Option("--format", help="Formats to write, with commas: glb,wrl,x3d,vrm,obj,ply,regions.")
+    str,
+    typer.Option("--format", help="Formats, with commas: glb,small,mixamo,wrl,flat,x3d,vrm,usdz,obj,ply,regions."),
 ]
 SeedOption = Annotated[int, typer.Option("--seed", help="The same photos and seed give the same clone.")]
 SizeOption = Annotated[int, typer.Option("--size", help="Side of the texture in texels: 512, 1024, 2048 or 4096.")]

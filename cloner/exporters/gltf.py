@@ -12,7 +12,7 @@ Khronos Group 2021, glTF 2.0 specification, sections 3.6 (accessors), 3.7
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, Final
 
@@ -21,11 +21,12 @@ import pygltflib
 from numpy.typing import NDArray
 
 from cloner import __version__
+from cloner.exporters.bones import Bones, hanim_bones
 from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
-from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import Surface, load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
@@ -34,6 +35,8 @@ from cloner.motion.rig import centred
 from cloner.records.clones import Clone
 from cloner.records.heads import SHELL_KINDS, Shell
 from cloner.records.motions import Motion
+
+Array = NDArray[np.float64]
 
 #: Smaller offsets of a morph target cannot be seen, metres; taste.
 SMALLEST_OFFSET_M: Final = 2e-5
@@ -55,70 +58,96 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", motions: Sequence
     return (path,)
 
 
-def build(clone: Clone, motions: Sequence[Motion] = ()) -> Any:
-    """Return the clone as a ``pygltflib.GLTF2`` with its binary blob set; ``motions`` come after its own."""
-    generic = load_generic()
+def build(
+    clone: Clone,
+    motions: Sequence[Motion] = (),
+    *,
+    bones: Bones | None = None,
+    buffer_type: Callable[[Any, Array], GltfBuffer] = GltfBuffer,
+) -> Any:
+    """Return the clone as a ``pygltflib.GLTF2`` with its binary blob set.
+
+    Parameters
+    ----------
+    clone : Clone
+        With the joints it is to leave with.
+    motions : sequence of Motion
+        Come after the clone's own walk and idle.
+    bones : Bones or None
+        The file's skeleton; None takes all H-Anim joints.
+    buffer_type : callable
+        Makes the buffer of a file and its box (2, 3): how numbers are stored.
+    """
+    bones = bones or hanim_bones()
     gltf = pygltflib.GLTF2(
         asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}", copyright=CREDITS),
         scene=0,
     )
     gltf.extensionsUsed = []
-    buffer = GltfBuffer(gltf)
-    skin = _skeleton(gltf, buffer, clone, generic)
+    buffer = buffer_type(gltf, _box(clone))
+    skin = _skeleton(gltf, buffer, clone, bones)
     roots = [0]
     gltf.samplers.append(pygltflib.Sampler(magFilter=_LINEAR, minFilter=_TRILINEAR, wrapS=_REPEAT, wrapT=_REPEAT))
-    for mesh in (_body(gltf, buffer, clone, generic), *(_loose(gltf, buffer, clone, kind) for kind in SHELL_KINDS)):
+    for mesh in (
+        _body(gltf, buffer, clone, bones),
+        *(_loose(gltf, buffer, clone, bones, kind) for kind in SHELL_KINDS),
+    ):
         if mesh is not None:
             gltf.meshes.append(mesh)
             gltf.nodes.append(pygltflib.Node(name=mesh.name, mesh=len(gltf.meshes) - 1, skin=skin))
             roots.append(len(gltf.nodes) - 1)
     body = next(number for number, node in enumerate(gltf.nodes) if node.mesh == 0)
-    joints, root = range(1, 1 + len(generic.joint_names)), int(np.flatnonzero(generic.joint_parents < 0)[0])
     for motion in (*own_motions(clone), *motions):
-        gltf.animations.append(animation(gltf, buffer, clone, motion, joints, root, body))
-    gltf.scenes.append(pygltflib.Scene(name="clone", nodes=roots, extras=_facts(clone)))
+        gltf.animations.append(animation(gltf, buffer, clone, motion, bones, body))
+    gltf.scenes.append(pygltflib.Scene(name="clone", nodes=roots, extras=_facts(clone, bones)))
     data = buffer.data()
     gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
     gltf.set_binary_blob(data)
     return gltf
 
 
-def _facts(clone: Clone) -> dict[str, Any]:
+def _facts(clone: Clone, bones: Bones) -> dict[str, Any]:
     """Return what a reader should know and glTF has no field for."""
     return {
         "generator": f"Cloner {__version__}",
+        "stamp": clone.stamp,
         "units": "metre",
         "up": "+Y",
         "front": "+Z",
         "stature_m": round(clone.stature_m, 5),
         "sole_m": round(clone.sole_m, 5),
-        "skeleton": "H-Anim 1.1, 94 joints",
+        "skeleton": f"{bones.title}, {len(bones.names)} joints",
         "features_m": {key: [round(float(x), 5) for x in point] for key, point in clone.features_m.items()},
         "credits": CREDITS,
     }
 
 
-def _skeleton(gltf: Any, buffer: GltfBuffer, clone: Clone, generic: GenericHuman) -> int:
-    """Add "Armature" as node 0 with the joints below it, and return the skin."""
-    parents = generic.joint_parents
+def _box(clone: Clone) -> Array:
+    """Return (2, 3) the lowest and the highest corner of all vertices, metres."""
+    points = np.vstack([clone.vertices_m, *(shell.vertices_m for shell in clone.shells)])
+    return np.array([points.min(axis=0), points.max(axis=0)])
+
+
+def _skeleton(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> int:
+    """Add "Armature" as node 0 with the bones below it, and return the skin."""
+    parents, places = bones.parents, clone.joints_m[bones.joints]
     gltf.nodes.append(pygltflib.Node(name="Armature", children=[1 + int(np.flatnonzero(parents < 0)[0])]))
-    for joint, name in enumerate(generic.joint_names):
-        parent = int(parents[joint])
-        origin = clone.joints_m[parent] if parent >= 0 else np.zeros(3)
-        children = [1 + int(child) for child in np.flatnonzero(parents == joint)]
-        offset = (clone.joints_m[joint] - origin).tolist()
-        gltf.nodes.append(pygltflib.Node(name=name, translation=offset, children=children))
+    for bone, (name, parent) in enumerate(zip(bones.names, parents, strict=True)):
+        origin = places[parent] if parent >= 0 else np.zeros(3)
+        children = [1 + int(child) for child in np.flatnonzero(parents == bone)]
+        gltf.nodes.append(pygltflib.Node(name=name, translation=(places[bone] - origin).tolist(), children=children))
     inverse = np.tile(np.eye(4), (len(parents), 1, 1))
-    inverse[:, :3, 3] = -clone.joints_m
+    inverse[:, :3, 3] = -places
     joints = list(range(1, 1 + len(parents)))
     gltf.skins.append(
-        pygltflib.Skin(name="H-Anim", skeleton=0, joints=joints, inverseBindMatrices=buffer.matrices(inverse))
+        pygltflib.Skin(name=bones.title, skeleton=0, joints=joints, inverseBindMatrices=buffer.bind(inverse))
     )
     return len(gltf.skins) - 1
 
 
-def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, generic: GenericHuman) -> Any:
+def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> Any:
     """Return the body's mesh: one primitive a surface, the same morph targets on all."""
+    generic = load_generic()
     atlas = _texture(gltf, buffer, jpeg_bytes(clone.atlas.rgb), "image/jpeg", "atlas")
     normals = surface_normals(clone.vertices_m)
     primitives = []
@@ -131,8 +160,7 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, generic: GenericHuman) ->
             clone.vertices_m[surface.vertex],
             normals[surface.vertex],
             surface.uv,
-            generic.skin_joints[surface.vertex],
-            generic.skin_weights[surface.vertex],
+            bones.carried(generic.skin_joints[surface.vertex], generic.skin_weights[surface.vertex]),
         )
         primitives.append(
             pygltflib.Primitive(
@@ -158,26 +186,27 @@ def _targets(buffer: GltfBuffer, clone: Clone, surface: Surface) -> list[int]:
         if len(moved) == 0 and still >= 0:
             accessors.append(still)  # all targets that leave this surface alone share one accessor of zeros
             continue
-        accessors.append(buffer.sparse(len(surface.vertex), moved, own[moved]))
+        accessors.append(buffer.offsets(len(surface.vertex), moved, own[moved]))
         still = accessors[-1] if len(moved) == 0 else still
     return accessors
 
 
-def _loose(gltf: Any, buffer: GltfBuffer, clone: Clone, kind: str) -> Any:
+def _loose(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, kind: str) -> Any:
     """Return the mesh of all shells of a kind, or None for a person without any."""
     shells = [shell for shell in clone.shells if shell.kind == kind]
     if not shells:
         return None
     return pygltflib.Mesh(
-        name=kind.capitalize(), primitives=[_shell(gltf, buffer, shell, k) for k, shell in enumerate(shells)]
+        name=kind.capitalize(), primitives=[_shell(gltf, buffer, bones, shell, k) for k, shell in enumerate(shells)]
     )
 
 
-def _shell(gltf: Any, buffer: GltfBuffer, shell: Shell, number: int) -> Any:
+def _shell(gltf: Any, buffer: GltfBuffer, bones: Bones, shell: Shell, number: int) -> Any:
     name = shell.kind if number == 0 else f"{shell.kind}_{number}"
     texture = _texture(gltf, buffer, png_bytes(shell.rgba), "image/png", name)
     normals = welded_normals(shell.vertices_m, shell.triangles)
-    attributes = _attributes(buffer, shell.vertices_m, normals, shell.uv, shell.skin_joints, shell.skin_weights)
+    carried = bones.carried(shell.skin_joints, shell.skin_weights)
+    attributes = _attributes(buffer, shell.vertices_m, normals, shell.uv, carried)
     return pygltflib.Primitive(
         attributes=attributes,
         indices=buffer.indices(shell.triangles),
@@ -187,24 +216,19 @@ def _shell(gltf: Any, buffer: GltfBuffer, shell: Shell, number: int) -> Any:
 
 def _attributes(
     buffer: GltfBuffer,
-    vertices_m: NDArray[np.float64],
-    normals: NDArray[np.float64],
-    uv: NDArray[np.float64],
-    joints: NDArray[np.integer],
-    weights: NDArray[np.floating],
+    vertices_m: Array,
+    normals: Array,
+    uv: Array,
+    carried: tuple[NDArray[np.int64], Array],
 ) -> Any:
     """Return the vertex attributes of one primitive; at most four influences a vertex."""
-    share = np.maximum(weights.astype(np.float64), 0.0)
-    share = (share / share.sum(axis=1, keepdims=True)).astype(np.float32)
-    share /= share.sum(axis=1, keepdims=True)  # once more, in the precision that readers see
-    unit = normals.astype(np.float32)
-    unit /= np.linalg.norm(unit, axis=1, keepdims=True)
+    joints, weights = buffer.skin(*carried)
     return pygltflib.Attributes(
-        POSITION=buffer.attribute(vertices_m.astype(np.float32), bounds=True),
-        NORMAL=buffer.attribute(unit),
-        TEXCOORD_0=buffer.attribute(uv.astype(np.float32)),
-        JOINTS_0=buffer.attribute(np.where(share > 0.0, joints, 0).astype(np.uint8)),
-        WEIGHTS_0=buffer.attribute(share),
+        POSITION=buffer.positions(vertices_m),
+        NORMAL=buffer.normals(normals / np.linalg.norm(normals, axis=1, keepdims=True)),
+        TEXCOORD_0=buffer.uv(uv),
+        JOINTS_0=joints,
+        WEIGHTS_0=weights,
     )
 
 

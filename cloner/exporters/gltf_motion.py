@@ -7,7 +7,6 @@ Khronos Group 2021, glTF 2.0 specification, section 3.11 (animations).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any, Final
 
 import numpy as np
@@ -15,6 +14,7 @@ import pygltflib
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from cloner.exporters.bones import Bones
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -23,9 +23,7 @@ from cloner.records.motions import Motion
 STILL: Final = 1e-4
 
 
-def animation(
-    gltf: Any, buffer: GltfBuffer, clone: Clone, motion: Motion, joints: Sequence[int], root: int, mesh: int
-) -> Any:
+def animation(gltf: Any, buffer: GltfBuffer, clone: Clone, motion: Motion, bones: Bones, mesh: int) -> Any:
     """Return a motion as a ``pygltflib.Animation``.
 
     Parameters
@@ -34,10 +32,8 @@ def animation(
         The file being built.
     clone : Clone
     motion : Motion
-    joints : sequence of int
-        Nodes of the 94 joints.
-    root : int
-        Number of the joint that moves in space.
+    bones : Bones
+        The file's skeleton; its bones are the nodes from 1 on.
     mesh : int
         Node of the mesh with the morph targets.
     """
@@ -46,22 +42,21 @@ def animation(
         name=motion.name, extras={"cyclic": motion.cyclic, "speed_m_s": round(motion.speed_m_s, 4)}
     )
 
-    def channel(node: int, path: str, values: NDArray[np.float64]) -> None:
-        made.samplers.append(
-            pygltflib.AnimationSampler(input=times, output=buffer.values(values), interpolation="LINEAR")
-        )
+    def channel(node: int, path: str, output: int) -> None:
+        made.samplers.append(pygltflib.AnimationSampler(input=times, output=output, interpolation="LINEAR"))
         target = pygltflib.AnimationChannelTarget(node=node, path=path)
         made.channels.append(pygltflib.AnimationChannel(sampler=len(made.samplers) - 1, target=target))
 
-    for joint, node in enumerate(joints):
-        if np.abs(motion.rotations[:, joint]).max() > STILL:
-            channel(node, "rotation", quaternions(motion.rotations[:, joint]))
+    for bone, rotations in enumerate(bones.rotations(motion).transpose(1, 0, 2)):
+        if np.abs(rotations).max() > STILL:
+            channel(1 + bone, "rotation", buffer.turns(quaternions(rotations)))
+    root = int(np.flatnonzero(bones.parents < 0)[0])
     if np.abs(motion.root_m).max() > 0.0:
-        channel(joints[root], "translation", clone.joints_m[root] + motion.root_m)
+        channel(1 + root, "translation", buffer.values(clone.joints_m[bones.joints[root]] + motion.root_m))
     if set(motion.weights) & set(clone.morph_names):
         still = np.zeros(len(motion.times_s))
         rows = [motion.weights.get(name, still) for name in clone.morph_names]
-        channel(mesh, "weights", np.column_stack(rows).reshape(-1))
+        channel(mesh, "weights", buffer.values(np.column_stack(rows).reshape(-1)))
     return made
 
 

@@ -1,7 +1,8 @@
 """The formats a clone can leave in; each row's ``export`` loads on first use.
 
 ``export(clone, folder, *, name="clone") -> tuple[Path, ...]`` writes the
-files and returns their paths.
+files and returns their paths. ``small`` is a quantised glTF, ``mixamo`` one
+with Mixamo's bones, ``flat`` a VRML without prototypes.
 """
 
 from __future__ import annotations
@@ -10,9 +11,13 @@ from cloner.registry import Registry
 
 EXPORTERS = Registry("format")
 EXPORTERS.add("glb", "cloner.exporters.gltf:export")
+EXPORTERS.add("small", "cloner.exporters.gltf_small:export")
+EXPORTERS.add("mixamo", "cloner.exporters.mixamo:export")
 EXPORTERS.add("wrl", "cloner.exporters.vrml97:export")
+EXPORTERS.add("flat", "cloner.exporters.vrml_flat:export")
 EXPORTERS.add("x3d", "cloner.exporters.x3d:export")
 EXPORTERS.add("vrm", "cloner.exporters.vrm:export")
+EXPORTERS.add("usdz", "cloner.exporters.usd:export")
 EXPORTERS.add("obj", "cloner.exporters.meshes:export_obj")
 EXPORTERS.add("regions", "cloner.exporters.regions:export")
 EXPORTERS.add("ply", "cloner.exporters.meshes:export_ply")

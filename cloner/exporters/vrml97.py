@@ -25,7 +25,7 @@ from cloner.exporters.hanim_names import segment_name, site_name
 from cloner.exporters.hanim_protos import PROTOS
 from cloner.exporters.pictures import write_pictures
 from cloner.exporters.vrml_motion import motion_text
-from cloner.exporters.vrml_segments import row_text, segment_texts
+from cloner.exporters.vrml_segments import quoted, row_text, segment_texts
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.viewpoints import AZIMUTH_DEG
 from cloner.motion.body import body_of
@@ -56,8 +56,7 @@ def _scene(clone: Clone, name: str) -> Iterator[str]:
     generic = load_generic()
     yield f"#VRML V2.0 utf8\n# Written by Cloner {__version__}. {GENERIC_CREDITS}.\n\n{PROTOS}\n"
     info = (GENERIC_CREDITS, "units=metre up=+Y front=+Z", f"stamp={clone.stamp}")
-    quoted = " ".join(f'"{text}"' for text in info)
-    yield f'WorldInfo {{ title "clone" info [ {quoted} ] }}\n'
+    yield f'WorldInfo {{ title "clone" info [ {" ".join(map(quoted, info))} ] }}\n'
     yield 'NavigationInfo { type [ "EXAMINE" "ANY" ] }\nBackground { skyColor 0.88 0.89 0.9 }\n\n'
     yield 'DEF hanim_humanoid Humanoid {\nname "clone"\nversion "1.1"\n'
     yield f'info [ "humanoidVersion=1.1" "authorName=Cloner {__version__}" "height={clone.stature_m:.4f}" ]\n'

@@ -110,6 +110,11 @@ def segment_texts(clone: Clone, generic: GenericHuman, name: str) -> list[str]:
     ]
 
 
+def quoted(text: str) -> str:
+    """Return a string as VRML writes it; the texts here hold no quotes."""
+    return f'"{text}"'
+
+
 def row_text(values: Array) -> str:
     """Return lengths to a hundredth of a millimetre."""
     return " ".join(f"{value:.5f}" for value in values)
@@ -122,15 +127,15 @@ def _segment(
     yield f'DEF hanim_{name} Segment {{ name "{name}"\n'
     if pieces:
         points = np.concatenate([mesh.vertices_m[piece.vertex] for mesh, piece in pieces])
-        yield f"coord DEF {name}_coord Coordinate {{ point [\n{_rows(points)}] }}\n"
+        yield f"coord DEF {name}_coord Coordinate {{ point [\n{number_rows(points)}] }}\n"
     if pieces or sites:
         yield "children [\n"
         start = 0
         for number, (mesh, piece) in enumerate(pieces):
-            yield f"Shape {{ {_appearance(mesh, seen)}\ngeometry IndexedFaceSet {{ coord USE {name}_coord\n"
+            yield f"Shape {{ {appearance_text(mesh, seen)}\ngeometry IndexedFaceSet {{ coord USE {name}_coord\n"
             yield _shared(name, pieces) if number == 0 else f"normal USE {name}_normal texCoord USE {name}_uv\n"
             solid = "FALSE" if mesh.two_sided else "TRUE"
-            yield f"solid {solid} coordIndex [\n{_faces(piece.triangles + start)}] }} }}\n"
+            yield f"solid {solid} coordIndex [\n{face_rows(piece.triangles + start)}] }} }}\n"
             start += len(piece.vertex)
         yield from sites
         yield "]\n"
@@ -146,12 +151,12 @@ def _shared(name: str, pieces: list[tuple[SkinMesh, Piece]]) -> str:
     normals = np.concatenate([mesh.normals[piece.vertex] for mesh, piece in pieces])
     uv = np.concatenate([mesh.uv[piece.vertex] for mesh, piece in pieces]) * [1.0, -1.0] + [0.0, 1.0]
     return (
-        f"normal DEF {name}_normal Normal {{ vector [\n{_rows(normals)}] }}\n"
-        f"texCoord DEF {name}_uv TextureCoordinate {{ point [\n{_rows(uv)}] }}\n"
+        f"normal DEF {name}_normal Normal {{ vector [\n{number_rows(normals)}] }}\n"
+        f"texCoord DEF {name}_uv TextureCoordinate {{ point [\n{number_rows(uv)}] }}\n"
     )
 
 
-def _appearance(mesh: SkinMesh, seen: set[str]) -> str:
+def appearance_text(mesh: SkinMesh, seen: set[str]) -> str:
     """Return the appearance of a mesh, defined the first time and used afterwards."""
     if mesh.name in seen:
         return f"appearance USE look_{mesh.name}"
@@ -172,7 +177,7 @@ def _displacers(clone: Clone, name: str, vertex: NDArray[np.int32]) -> Iterator[
             index = " ".join(map(str, moved.tolist()))
             yield (
                 f'DEF hanim_{name}_{identifier(target)} Displacer {{ name "{target}" coordIndex [ {index} ]\n'
-                f"displacements [\n{_rows(own[moved])}] }}\n"
+                f"displacements [\n{number_rows(own[moved])}] }}\n"
             )
 
 
@@ -189,11 +194,12 @@ def _sites(clone: Clone, generic: GenericHuman) -> list[list[str]]:
     return texts
 
 
-def _rows(values: Array) -> str:
+def number_rows(values: Array) -> str:
     """Return one line a row, to a hundredth of a millimetre."""
     line = " ".join(["%.5f"] * values.shape[1]) + "\n"
     return (line * len(values)) % tuple(values.ravel().tolist())  # a tenth of the time of a loop over rows
 
 
-def _faces(triangles: NDArray[np.int32]) -> str:
+def face_rows(triangles: NDArray[np.int32]) -> str:
+    """Return one line a triangle, as VRML ends them."""
     return ("%d %d %d -1\n" * len(triangles)) % tuple(triangles.ravel().tolist())
