@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -13,6 +14,7 @@ from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.geometry.wedges import welded_normals
 from cloner.records.clones import Clone
+from cloner.records.heads import Shell
 
 Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
@@ -47,10 +49,12 @@ class Layer:
 def clone_layers(clone: Clone, rotations: Array | None = None) -> list[Layer]:
     """Return a clone's posed meshes, opaque ones first."""
     generic = load_generic()
-    pose = np.zeros((len(clone.joints_m), 3)) if rotations is None else np.asarray(rotations, dtype=np.float64)
-    transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), pose)
-    weights = generic.skin_weights.astype(np.float64)
-    posed = skin(clone.vertices_m, transforms, generic.skin_joints.astype(np.int32), weights)
+    posed, transforms = clone.vertices_m, None
+    if rotations is not None:
+        pose = np.asarray(rotations, dtype=np.float64)
+        transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), pose)
+        weights = generic.skin_weights.astype(np.float64)
+        posed = skin(clone.vertices_m, transforms, generic.skin_joints.astype(np.int32), weights)
     normals = surface_normals(posed)
     layers = [
         Layer(
@@ -64,11 +68,22 @@ def clone_layers(clone: Clone, rotations: Array | None = None) -> list[Layer]:
         for surface in load_surfaces()
     ]
     for shell in clone.shells:
-        loose = skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
-        layers.append(
-            Layer(loose, welded_normals(loose, shell.triangles), shell.triangles, shell.uv, shell.rgba, two_sided=True)
-        )
+        if transforms is None:
+            layers.append(_rest_layer(shell))
+        else:
+            layers.append(_layer(shell, skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)))
     return layers
+
+
+@functools.lru_cache(maxsize=8)
+def _rest_layer(shell: Shell) -> Layer:
+    """Return a shell as it is at rest; it is the same object, picture after picture."""
+    return _layer(shell, shell.vertices_m)
+
+
+def _layer(shell: Shell, posed_m: Array) -> Layer:
+    normals = welded_normals(posed_m, shell.triangles)
+    return Layer(posed_m, normals, shell.triangles, shell.uv, shell.rgba, two_sided=True)
 
 
 def whitened(layers: Sequence[Layer]) -> list[Layer]:

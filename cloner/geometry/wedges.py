@@ -88,16 +88,19 @@ def vertex_normals(vertices_m: Array, triangles: Index) -> Array:
     ----------
     Thuermer & Wuethrich 1998, Computing vertex normals from polygonal facets.
     """
-    corner = vertices_m[triangles]
-    total = np.zeros_like(vertices_m, dtype=np.float64)
-    face = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
-    face /= np.maximum(np.linalg.norm(face, axis=1, keepdims=True), 1e-20)
-    for k in range(3):
-        ahead = corner[:, (k + 1) % 3] - corner[:, k]
-        behind = corner[:, (k + 2) % 3] - corner[:, k]
-        sine = np.linalg.norm(np.cross(ahead, behind), axis=1)
-        angle = np.arctan2(sine, np.einsum("ij,ij->i", ahead, behind))
-        for axis in range(3):
-            total[:, axis] += np.bincount(triangles[:, k], angle * face[:, axis], minlength=len(vertices_m))
+    a, b, c = (vertices_m[triangles[:, k]] for k in range(3))
+    ab, bc, ca = b - a, c - b, a - c
+    (x, y, z), (u, v, w) = ab.T, ca.T
+    face = np.stack([w * y - v * z, u * z - w * x, v * x - u * y], axis=1)
+    face *= -1.0
+    twice_area = np.sqrt(np.einsum("ij,ij->i", face, face))
+    face /= np.maximum(twice_area, 1e-20)[:, None]
+    between = [-np.einsum("ij,ij->i", ahead, behind) for ahead, behind in ((ab, ca), (bc, ab), (ca, bc))]
+    # the cross product of two sides is as long at all three corners
+    angle = np.arctan2(twice_area[:, None], np.stack(between, axis=1))
+    corners, count = triangles.ravel(), len(vertices_m)
+    total = np.stack(
+        [np.bincount(corners, (angle * face[:, axis, None]).ravel(), minlength=count) for axis in range(3)], axis=1
+    )
     length = np.linalg.norm(total, axis=1, keepdims=True)
     return np.where(length > 1e-9, total / np.maximum(length, 1e-9), [0.0, 1.0, 0.0])
