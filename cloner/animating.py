@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,7 @@ from cloner.motion.body import Body, body_of
 from cloner.motion.bvh import read_bvh
 from cloner.motion.cycle import walk_cycle
 from cloner.motion.faps import fap_text, read_fap, rotations_of, stream_of, weights_of
+from cloner.motion.limits import limited
 from cloner.motion.retarget import retarget
 from cloner.motion.rig import centred
 from cloner.motion.score import SILENT, Score, emotion_score, read_score
@@ -64,6 +66,7 @@ def animate_file(
     clone = clone_of(clone_path)
     body = body_of(centred(clone))
     motions = [_motion(clone, body, path, cycles=cycles, emotion=emotion) for path in sources]
+    motions = [replace(motion, weights=limited(clone, motion.weights)) for motion in motions]
     written = list(export(clone, out.parent, name=out.stem, motions=motions))
     for path, motion in zip(sources, motions, strict=True):
         if path.suffix.lower() in SPEECH:

@@ -31,7 +31,9 @@ SMALLEST_M = 2e-5
 CLOSED = ("viseme_sil", "viseme_PP", "mouthPressLeft", "mouthPressRight", "mouthRollLower", "mouthRollUpper")
 #: A mouth wide open: the lower teeth sink by this much, metres; then the tongue lies on the mouth's floor, its back as
 #: much lower as this share of its height (taste).
-WIDE_M, FLAT = 0.025, 0.6
+WIDE_M, FLAT = 0.025, 0.5
+#: A tongue that comes out this far, metres, is narrower by this share (taste).
+OUT_M, NARROW = 0.02, 0.35
 #: Share of a target that ears and scalp take, and how far outside them skin takes all of it, metres: they hardly move.
 STILL, FADE_M = 0.3, 0.015
 SIDES = ("left", "right")
@@ -86,11 +88,12 @@ class _Face:
             rigid = generic_place @ jaw_turn.T + jaw_shift - generic_place
             out[rows] = size * rigid @ turn.T
         own = raw[tongue] - (self.mean_m[tongue] @ jaw_turn.T + jaw_shift - self.mean_m[tongue])
-        if not raw[tongue].any():
-            return
-        out[tongue] += size * own @ turn.T if sinks < 1e-4 else 0.0
-        high = np.maximum(self.rest_m[tongue, 1] - self.rest_m[teeth, 1].min(), 0.0)
-        out[tongue, 1] -= FLAT * min(sinks / WIDE_M, 1.0) * high
+        own = size * own @ turn.T
+        place = self.rest_m[tongue]
+        # what comes out between the lips is narrower than what lies between the teeth
+        own[:, 0] -= NARROW * np.clip(own[:, 2] / OUT_M, 0.0, 1.0) * (place[:, 0] - place[:, 0].mean())
+        own[:, 1] -= FLAT * min(sinks / WIDE_M, 1.0) * np.maximum(place[:, 1] - place[:, 1].min(), 0.0)
+        out[tongue] += own
 
     def _move_eye(self, name: str, out: Array, raw: Array, side: str) -> None:
         """Turn the eyeball and fit the lids to it, in place."""

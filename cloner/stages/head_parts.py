@@ -27,7 +27,9 @@ LASH_LENGTH = (0.75, 0.5)
 #: relaxed open mouth shows 2 to 3 mm of the upper teeth, and the upper overlap the lower by 2 mm).
 TEETH_SHOW_M, OVERBITE_M = 0.0028, 0.0015
 #: Teeth stand so far behind the lips' inner side, and the lower ones behind the upper, metres.
-BEHIND_LIPS_M, BEHIND_UPPER_M = 0.002, 0.002
+BEHIND_LIPS_M, BEHIND_UPPER_M = 0.003, 0.002
+#: hm08's teeth are wider than people's: 67 mm across the molars instead of 55 to 60 mm.
+NARROWER = np.array([0.88, 1.0, 1.0])
 
 
 def seat_parts(before_m: Array, fitted_m: Array, sight: tuple[Camera, Array] | None) -> Array:
@@ -123,9 +125,9 @@ def _seat_mouth(generic: GenericHuman, before: Array, out: Array) -> None:
         ),
     ):
         factor, rotation, _ = similarity(before[mouth[near]], out[mouth[near]])
-        own = factor * before[generic.part(parts[0])] @ rotation.T
+        own = factor * NARROWER * before[generic.part(parts[0])] @ rotation.T
         biting = own[:, 1].min() if parts[0] == "teeth_upper" else own[:, 1].max()
         middle = out[mouth[near], 0].mean()
         shift = np.array([middle - own[:, 0].mean(), edge - biting, depth - own[:, 2].max()])
         for part in parts:
-            out[generic.part(part)] = factor * before[generic.part(part)] @ rotation.T + shift
+            out[generic.part(part)] = factor * NARROWER * before[generic.part(part)] @ rotation.T + shift

@@ -1,0 +1,123 @@
+"""Weights of face targets that make no ugly sum: lids never pass each other, lips never cross, nothing overshoots.
+
+Targets are added; each alone is a sound face, their sum need not be. Everything here is measured on the clone itself.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.face_grids import Grid, eye_grid, lips_apart, mouth_grid
+from cloner.generic.load import load_generic
+from cloner.generic.morphs import target_offsets
+from cloner.records.clones import Clone
+
+Array = NDArray[np.float64]
+
+#: Points that no sum takes farther than the target that takes them farthest.
+POINTS: Final = ("chin_front", "mouth_corner_L", "mouth_corner_R", "lip_top", "lip_bottom", "nose_tip")
+#: A target moves a point when it does so by more than this, metres.
+MOVES_M: Final = 0.001
+#: Lips may press on each other by this much, metres, before what closes them is held back.
+PRESS_M: Final = 0.0005
+TURNS: Final = 4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Reach:
+    """What every target (T) does alone: points (T, P, 3) m, lids shut (T, 2) as a share, lips apart (T, N) m."""
+
+    points: Array
+    shut: Array
+    lips: Array
+
+
+def limited(clone: Clone, weights: Mapping[str, Array]) -> dict[str, Array]:
+    """Return weights (F,) of the clone's targets, held back wherever their sum would be no face.
+
+    A blink takes what other targets leave of the way to shut lids, and what opens lids gives way to it. No sum takes a
+    feature point farther than any one target does. What closes the lips is held back where they would cross. Weights
+    that do no such thing come back as they are; names that the clone has not are dropped.
+    """
+    names = tuple(name for name in clone.morph_names if name in weights)
+    if not names:
+        return {}
+    reach, farthest = _reach(clone, names)
+    rows = np.clip(np.column_stack([np.asarray(weights[name], dtype=np.float64) for name in names]), 0.0, 1.0)
+    rows = _held_points(rows, reach.points, farthest)
+    rows = _held_lids(rows, reach.shut, names)
+    rows = _held_lips(rows, reach.lips)
+    return {name: rows[:, column] for column, name in enumerate(names)}
+
+
+def _reach(clone: Clone, names: tuple[str, ...]) -> tuple[_Reach, Array]:
+    """Return what the named targets do, and how far (P,) any target takes the points, metres."""
+    generic = load_generic()
+    vertices = [generic.feature(name) for name in POINTS]
+    eyes, mouth = (eye_grid("left"), eye_grid("right")), mouth_grid()
+    rest = clone.vertices_m
+    opened = [_lid_height(grid, rest) for grid in eyes]
+    lips = lips_apart(mouth, rest[mouth.rings])
+    points, shut, apart, farthest = [], [], [], np.zeros(len(vertices))
+    for name, offsets in target_offsets(clone):
+        own = offsets[vertices].astype(np.float64)
+        farthest = np.maximum(farthest, np.linalg.norm(own, axis=1))
+        if name not in names:
+            continue
+        shape = rest + offsets[:-1]
+        points.append(own)
+        shut.append([1.0 - _lid_height(g, shape) / max(o, 1e-6) for g, o in zip(eyes, opened, strict=True)])
+        apart.append(lips_apart(mouth, shape[mouth.rings]) - lips)
+    return _Reach(np.array(points), np.array(shut), np.array(apart)), farthest
+
+
+def _lid_height(grid: Grid, shape_m: Array) -> float:
+    """Return how far the lids stand apart upright, metres, on average over the opening."""
+    margin = shape_m[grid.ring(0)]
+    return float(margin[grid.upper, 1].mean() - margin[grid.lower, 1].mean())
+
+
+def _held_points(rows: Array, points: Array, farthest: Array) -> Array:
+    """Return weights (F, T) under which no point goes farther than any one target takes it."""
+    moved = np.linalg.norm(np.einsum("ft,tpc->fpc", rows, points), axis=2)
+    allowed = np.minimum(1.0, farthest / np.maximum(moved, 1e-9))
+    moves = np.linalg.norm(points, axis=2) > MOVES_M
+    factor = np.where(moves[None], allowed[:, None, :], 1.0).min(axis=2)
+    return np.asarray(rows * factor)
+
+
+def _held_lids(rows: Array, shut: Array, names: tuple[str, ...]) -> Array:
+    """Return weights (F, T) under which lids shut at most: blinks take what the others leave."""
+    out = rows.copy()
+    for column, side in enumerate(("Left", "Right")):
+        blink = f"eyeBlink{side}"
+        own = shut[:, column]
+        is_blink = np.array([name == blink for name in names])
+        is_gaze = np.array([name.startswith("eyeLook") for name in names])
+        wink = rows[:, is_blink].sum(axis=1)
+        out[:, (own < -0.01) & ~is_blink] *= (1.0 - wink)[:, None]
+        closes = (own > 0.01) & ~is_blink & ~is_gaze
+        gazed = out[:, is_gaze] @ np.maximum(own[is_gaze], 0.0)
+        closing = out[:, closes] @ own[closes]
+        out[:, closes] *= np.minimum(1.0, np.maximum(1.0 - gazed, 0.0) / np.maximum(closing, 1e-9))[:, None]
+        left = 1.0 - gazed - out[:, closes] @ own[closes]
+        out[:, is_blink] = rows[:, is_blink] * np.clip(left, 0.0, 1.0)[:, None]
+    return out
+
+
+def _held_lips(rows: Array, lips: Array) -> Array:
+    """Return weights (F, T) under which lips cross nowhere: what closes them most there is held back."""
+    out = rows.copy()
+    for _ in range(TURNS):
+        apart = out @ lips
+        worst = apart.argmin(axis=1)
+        crossed = np.minimum(apart[np.arange(len(out)), worst] + PRESS_M, 0.0)
+        closing = np.minimum(lips[:, worst].T, 0.0)
+        factor = 1.0 + crossed / np.maximum(-(out * closing).sum(axis=1), 1e-9)
+        out = np.where(closing < -1e-6, out * np.clip(factor, 0.0, 1.0)[:, None], out)
+    return out
