@@ -30,7 +30,7 @@ TURNS: Final = 4
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Reach:
-    """What every target (T) does alone: points (T, P, 3) m, lids shut (T, 2) as a share, lips apart (T, N) m."""
+    """What every target (T) does alone: points (T, P, 3) m, lids shut (T, 2) as a share, lips (T, K, N, 3) m."""
 
     points: Array
     shut: Array
@@ -51,7 +51,7 @@ def limited(clone: Clone, weights: Mapping[str, Array]) -> dict[str, Array]:
     rows = np.clip(np.column_stack([np.asarray(weights[name], dtype=np.float64) for name in names]), 0.0, 1.0)
     rows = _held_points(rows, reach.points, farthest)
     rows = _held_lids(rows, reach.shut, names)
-    rows = _held_lips(rows, reach.lips)
+    rows = _held_lips(rows, clone.vertices_m[mouth_grid().rings], reach.lips)
     return {name: rows[:, column] for column, name in enumerate(names)}
 
 
@@ -62,8 +62,7 @@ def _reach(clone: Clone, names: tuple[str, ...]) -> tuple[_Reach, Array]:
     eyes, mouth = (eye_grid("left"), eye_grid("right")), mouth_grid()
     rest = clone.vertices_m
     opened = [_lid_height(grid, rest) for grid in eyes]
-    lips = lips_apart(mouth, rest[mouth.rings])
-    points, shut, apart, farthest = [], [], [], np.zeros(len(vertices))
+    points, shut, lips, farthest = [], [], [], np.zeros(len(vertices))
     for name, offsets in target_offsets(clone):
         own = offsets[vertices].astype(np.float64)
         farthest = np.maximum(farthest, np.linalg.norm(own, axis=1))
@@ -72,8 +71,8 @@ def _reach(clone: Clone, names: tuple[str, ...]) -> tuple[_Reach, Array]:
         shape = rest + offsets[:-1]
         points.append(own)
         shut.append([1.0 - _lid_height(g, shape) / max(o, 1e-6) for g, o in zip(eyes, opened, strict=True)])
-        apart.append(lips_apart(mouth, shape[mouth.rings]) - lips)
-    return _Reach(np.array(points), np.array(shut), np.array(apart)), farthest
+        lips.append(offsets[mouth.rings].astype(np.float64))
+    return _Reach(np.array(points), np.array(shut), np.array(lips)), farthest
 
 
 def _lid_height(grid: Grid, shape_m: Array) -> float:
@@ -110,14 +109,21 @@ def _held_lids(rows: Array, shut: Array, names: tuple[str, ...]) -> Array:
     return out
 
 
-def _held_lips(rows: Array, lips: Array) -> Array:
+def _held_lips(rows: Array, rest: Array, lips: Array) -> Array:
     """Return weights (F, T) under which lips cross nowhere: what closes them most there is held back."""
-    out = rows.copy()
-    for _ in range(TURNS):
-        apart = out @ lips
-        worst = apart.argmin(axis=1)
-        crossed = np.minimum(apart[np.arange(len(out)), worst] + PRESS_M, 0.0)
-        closing = np.minimum(lips[:, worst].T, 0.0)
-        factor = 1.0 + crossed / np.maximum(-(out * closing).sum(axis=1), 1e-9)
-        out = np.where(closing < -1e-6, out * np.clip(factor, 0.0, 1.0)[:, None], out)
+    grid, out = mouth_grid(), rows.copy()
+    for frame, weights in enumerate(out):
+        for _ in range(TURNS):
+            shape = rest + np.tensordot(weights, lips, axes=1)
+            apart = lips_apart(grid, shape)
+            worst = int(apart.argmin())
+            if apart[worst] > -PRESS_M:
+                break
+            # where they cross most: how far every target alone moves the two lips' lines there to each other
+            own = np.array([lips_apart(grid, shape - w * step)[worst] - apart[worst] if w > 0.0 else 0.0
+                            for w, step in zip(weights, lips, strict=True)])  # fmt: skip
+            closes = own > 1e-6
+            excess = (-PRESS_M / 2.0 - apart[worst]) / max(float(own[closes].sum()), 1e-9)
+            weights = np.where(closes, weights * max(0.0, 1.0 - excess), weights)
+        out[frame] = weights
     return out
