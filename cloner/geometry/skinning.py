@@ -9,36 +9,37 @@ Array = NDArray[np.float64]
 
 
 def rotation_matrices(rotations: Array) -> Array:
-    """Return (N, 3, 3) matrices of (N, 3) rotation vectors (Rodrigues), radians."""
-    angle = np.linalg.norm(rotations, axis=1)
-    axis = rotations / np.maximum(angle, 1e-12)[:, None]
-    x, y, z = axis.T
+    """Return (..., 3, 3) matrices of (..., 3) rotation vectors (Rodrigues), radians."""
+    angle = np.linalg.norm(rotations, axis=-1)
+    axis = rotations / np.maximum(angle, 1e-12)[..., None]
+    x, y, z = np.moveaxis(axis, -1, 0)
     zero = np.zeros_like(x)
-    cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
-    sine, cosine = np.sin(angle)[:, None, None], np.cos(angle)[:, None, None]
+    cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=-1).reshape(*angle.shape, 3, 3)
+    sine, cosine = np.sin(angle)[..., None, None], np.cos(angle)[..., None, None]
     return np.asarray(np.eye(3) + sine * cross + (1.0 - cosine) * (cross @ cross))
 
 
 def joint_transforms(joints_m: Array, parents: NDArray[np.integer], rotations: Array) -> Array:
-    """Return (J, 4, 4) posed-from-rest transforms of all joints.
+    """Return (..., J, 4, 4) posed-from-rest transforms of all joints; leading axes hold poses that are tried at once.
 
     Parameters
     ----------
-    joints_m : (J, 3) rest positions, model frame, metres
+    joints_m : (..., J, 3) rest positions, model frame, metres
     parents : (J,) parent index, -1 for the root; parents come before children
-    rotations : (J, 3) rotation vectors in model axes, radians
+    rotations : (..., J, 3) rotation vectors in model axes, radians
     """
-    local = np.zeros((len(joints_m), 4, 4))
-    local[:, 3, 3] = 1.0
-    local[:, :3, :3] = rotation_matrices(rotations)
-    local[:, :3, 3] = joints_m - np.einsum("jab,jb->ja", local[:, :3, :3], joints_m)
-    moved = np.any(rotations != 0.0, axis=1)
+    local = np.zeros((*rotations.shape[:-1], 4, 4))
+    local[..., 3, 3] = 1.0
+    local[..., :3, :3] = rotation_matrices(rotations)
+    local[..., :3, 3] = joints_m - np.einsum("...jab,...jb->...ja", local[..., :3, :3], joints_m)
+    moved = np.any(rotations != 0.0, axis=(*range(rotations.ndim - 2), -1))
     posed = np.empty_like(local)
     for joint, parent in enumerate(parents):
         if parent < 0:
-            posed[joint] = local[joint]
+            posed[..., joint, :, :] = local[..., joint, :, :]
         else:
-            posed[joint] = posed[parent] @ local[joint] if moved[joint] else posed[parent]
+            above = posed[..., parent, :, :]
+            posed[..., joint, :, :] = above @ local[..., joint, :, :] if moved[joint] else above
     return posed
 
 

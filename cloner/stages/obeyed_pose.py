@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.poses import FREEDOMS, SIGMAS, pose_matrix
-from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.skinning import joint_transforms
 from cloner.records.bodies import PosedView
 from cloner.records.points import ObeyedPoint
 
@@ -85,8 +85,8 @@ class _Held:
     kept_px: Array
 
     def rotations(self, turned: Array) -> Array:
-        """Return the (94, 3) rotations after the angles turned by (F,) radians."""
-        return np.asarray(self.posed.rotations + (self.angles @ turned).reshape(-1, 3))
+        """Return the (..., 94, 3) rotations after the angles turned by (..., F) radians."""
+        return np.asarray(self.posed.rotations + (turned @ self.angles.T).reshape(*turned.shape[:-1], -1, 3))
 
 
 def obey_pose(
@@ -147,19 +147,25 @@ def _seen(
     rotations: Array,
     others: tuple[str, ...],
 ) -> Array:
-    """Return where the wishes' joints and features, and other joints, are seen, (N, 2) px."""
+    """Return where the wishes' joints and features, and other joints, are seen, (..., N, 2) px.
+
+    Joints (..., 94, 3) and rotations (..., 94, 3) may have leading axes: many poses at once.
+    """
     generic = load_generic()
     transforms = joint_transforms(joints_m, generic.joint_parents, rotations)
     points = []
     for name in (*(wish.name for wish in wishes), *others):
         if name in generic.joint_names:
             row = generic.joint(name)
-            points.append(transforms[row, :3, :3] @ joints_m[row] + transforms[row, :3, 3])
+            turn, place = transforms[..., row, :3, :], joints_m[..., row, :]
         else:
             row = generic.feature(name)
-            weights = generic.skin_weights[row : row + 1].astype(np.float64)
-            points.append(skin(vertices_m[row : row + 1], transforms, generic.skin_joints[row : row + 1], weights)[0])
-    return posed.camera.project(np.array(points))
+            weights, carriers = generic.skin_weights[row].astype(np.float64), generic.skin_joints[row]
+            turn = np.einsum("k,...kab->...ab", weights, transforms[..., carriers, :3, :])
+            place = vertices_m[row]
+        points.append(np.einsum("...ab,...b->...a", turn[..., :3], place) + turn[..., 3])
+    every = np.stack(points, axis=-2)
+    return posed.camera.project(every.reshape(-1, 3)).reshape(*every.shape[:-1], 2)
 
 
 def _solved(
@@ -173,25 +179,27 @@ def _solved(
         [np.full(places, m_from_mm(params.most_mm)), np.full(int(ends[-1]) - places, params.most_angle)]
     )
 
-    def residual(number: int, x: Array) -> Array:
-        one, joints = held[number], joints_m.copy()
-        joints[rows] += x[:places].reshape(-1, 3)
-        turned = one.rotations(x[ends[number] : ends[number + 1]])
+    def residuals(number: int, tried: Array) -> Array:
+        """Return (B, R) residuals of one photo for (B, X) trials."""
+        one = held[number]
+        joints = np.repeat(joints_m[None], len(tried), axis=0)
+        joints[:, rows] += tried[:, :places].reshape(len(tried), -1, 3)
+        turned = one.rotations(tried[:, ends[number] : ends[number + 1]])
         seen = _seen(one.posed, one.wishes, vertices_m, joints, turned, KEPT)
-        exact = (seen[: len(one.wishes)] - [wish.target_px for wish in one.wishes]) / params.exact_px
-        kept = (seen[len(one.wishes) :] - one.kept_px) / params.kept_px
-        return np.concatenate([exact.ravel(), kept.ravel()])
+        exact = (seen[:, : len(one.wishes)] - [wish.target_px for wish in one.wishes]) / params.exact_px
+        kept = (seen[:, len(one.wishes) :] - one.kept_px) / params.kept_px
+        return np.concatenate([exact, kept], axis=1).reshape(len(tried), -1)
 
     x = np.zeros(int(ends[-1]))
     for _ in range(params.turns):
         parts, right = [np.diag(1.0 / spread)], [-x / spread]
         for number in range(len(held)):
-            value = residual(number, x)
+            columns = np.array([*range(places), *range(int(ends[number]), int(ends[number + 1]))])
+            tried = np.repeat(x[None], len(columns) + 1, axis=0)
+            tried[np.arange(len(columns)) + 1, columns] += 1e-4
+            value, *ahead = residuals(number, tried)
             jacobian = np.zeros((len(value), len(x)))
-            for column in (*range(places), *range(int(ends[number]), int(ends[number + 1]))):
-                ahead = x.copy()
-                ahead[column] += 1e-4
-                jacobian[:, column] = (residual(number, ahead) - value) / 1e-4
+            jacobian[:, columns] = (np.array(ahead) - value).T / 1e-4
             parts.append(jacobian)
             right.append(-value)
         step = np.linalg.lstsq(np.vstack(parts), np.concatenate(right), rcond=None)[0]
