@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import tomllib
 from collections.abc import Mapping
 from datetime import datetime
@@ -58,6 +59,12 @@ def person_facts(folder: Path) -> tuple[str, float | None, str]:
 def consent_given(text: str, now: datetime, language: str) -> str:
     """Return what is recorded of a consent: to what, when, and in which language it was read."""
     return f"{' '.join(text.split())} ({now:%Y-%m-%d %H:%M} UTC, {language})"
+
+
+def consent_when(consent: str) -> str:
+    """Return when and in which language a consent was given, as far as it says so; else all of it."""
+    found = re.search(r"\((\d{4}-\d\d-\d\d[^()]*)\)$", consent)
+    return found.group(1) if found else consent
 
 
 def check_consent(folder: Path) -> None:

@@ -125,14 +125,21 @@ class MainWindow(QMainWindow):
             page.changed.connect(self._refresh)
         self.steps.chosen.connect(self.go)
         self.back.clicked.connect(lambda: self.go(self.stack.currentIndex() - 1))
-        self.next.clicked.connect(lambda: self.go(self.stack.currentIndex() + 1))
+        self.next.clicked.connect(self._go_on)
 
     def _speak(self) -> None:
         self.setWindowTitle("Cloner")
         self.back.setText(translate("window", "&Back"))
-        self.next.setText(translate("window", "Ne&xt"))
         self.menus.speak()
         self._refresh()
+
+    def _go_on(self) -> None:
+        """Show the next page; after the last one, begin with the next visitor."""
+        number = self.stack.currentIndex() + 1
+        if number < len(self.pages):
+            self.go(number)
+        else:
+            self.booth.new_visitor()
 
     def _resume(self, page: str) -> None:
         """Go on at the page where the visitor was left, or the last that may be shown."""
@@ -151,7 +158,8 @@ class MainWindow(QMainWindow):
         reason = self.pages[number].why_not()
         last = number == len(self.pages) - 1
         self.back.setEnabled(number > 0)
-        self.next.setVisible(not last)
+        self.next.setText(translate("window", "Ne&xt visitor") if last else translate("window", "Ne&xt"))
+        self.next.setVisible(not last or self.booth.root is not None)
         self.next.setEnabled(not reason)
         self.reason.setText("" if last else reason)
         folder = self.session.folder

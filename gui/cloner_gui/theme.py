@@ -97,7 +97,7 @@ def style_of(colours: Colours, *, control_px: int, points: float) -> str:
     QPushButton#main:focus {{ border: 2px solid {c.text}; }}
     QPushButton#step {{ background: transparent; border: none; border-bottom: 3px solid transparent;
         border-radius: 0; padding: 4px 16px; color: {c.dim}; }}
-    QPushButton#step:checked {{ color: {c.text}; border-bottom-color: {c.accent}; font-weight: 600; }}
+    QPushButton#step:checked {{ color: {c.text}; border-bottom-color: {c.accent}; }}
     QPushButton#step:focus {{ border: 2px solid {c.accent}; }}
     QLineEdit, QDoubleSpinBox, QSpinBox, QComboBox, QPlainTextEdit {{ background: {c.card};
         border: 1px solid {c.line}; border-radius: {radius}px; padding: 2px 8px; min-height: {control_px}px;
@@ -107,6 +107,7 @@ def style_of(colours: Colours, *, control_px: int, points: float) -> str:
     QListWidget, QTableWidget {{ background: {c.card}; border: 1px solid {c.line}; border-radius: {radius}px; }}
     QListWidget::item {{ padding: 6px 8px; }}
     QListWidget::item:selected {{ background: {c.accent}; color: {c.on_accent}; }}
+    QComboBox::drop-down {{ border: none; width: 26px; }}
     QCheckBox, QRadioButton {{ spacing: 8px; min-height: {control_px}px; }}
     QProgressBar {{ background: {c.card}; border: 1px solid {c.line}; border-radius: {radius}px; text-align: center;
         min-height: 18px; }}

@@ -49,7 +49,9 @@ def begin(window, qtbot):
     """Take a new visitor who agrees."""
     with qtbot.waitSignal(window.booth.page_wanted, timeout=10000):
         qtbot.mouseClick(window.visitor.new_button, Qt.MouseButton.LeftButton)
-    qtbot.mouseClick(window.visitor.form.consent_box, Qt.MouseButton.LeftButton, pos=QPointF(10, 10).toPoint())
+    box = window.visitor.form.consent_box
+    left = box.width() - 10 if box.layoutDirection() is Qt.LayoutDirection.RightToLeft else 10
+    qtbot.mouseClick(box, Qt.MouseButton.LeftButton, pos=QPointF(left, 10).toPoint())
     assert window.session.consent
     return window.session.folder
 

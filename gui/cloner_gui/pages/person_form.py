@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QTimer, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QWidget
 
 from cloner.booth.event import LANGUAGES
+from cloner.booth.person_file import consent_when
 from cloner.project.folder import DEFAULT_HEIGHT_CM
 from cloner_gui.booth import Booth
 from cloner_gui.height_field import HeightField
@@ -51,6 +52,10 @@ class PersonForm(Card):
         if session.consent or session.photos.photos:
             return ""
         return translate("visitor", "The visitor has to agree before photos are taken.")
+
+    def asked(self) -> str:
+        """Return what the visitor is asked to agree to."""
+        return self._booth.settings.consent or consent_text(str(self.language.currentData()))
 
     def save(self) -> None:
         """Save what is typed, now."""
@@ -126,13 +131,10 @@ class PersonForm(Card):
 
     def _show_consent(self) -> None:
         consent = self._booth.session.consent
-        code = self.language.currentData()
-        self.consent_text.setText(self._booth.settings.consent or consent_text(code))
-        right = Qt.LayoutDirection.RightToLeft if code in ("ar", "he") else self.layoutDirection()
-        self.consent_text.setLayoutDirection(right)
+        self.consent_text.setText(self.asked())
         self.consent_box.setChecked(bool(consent))
         recorded = translate("visitor", "Recorded: {text}")
-        self.consent_note.setText(recorded.format(text=consent) if consent else "")
+        self.consent_note.setText(recorded.format(text=consent_when(consent)) if consent else "")
         self.consent_note.setVisible(bool(consent))
         self.changed.emit()
 
@@ -145,7 +147,7 @@ class PersonForm(Card):
         """Record the consent with its text and time, or that it was withdrawn."""
         self.save()
         if agrees:
-            self._booth.agree(self.consent_text.text(), str(self.language.currentData()))
+            self._booth.agree(self.asked(), str(self.language.currentData()))
         else:
             self._booth.withdraw_consent()
         self._show_consent()

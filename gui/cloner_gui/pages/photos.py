@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QBuffer, QByteArray, QEvent, QIODevice, QMimeData, Signal
+from PySide6.QtCore import QBuffer, QByteArray, QEvent, QIODevice, QMimeData, Qt, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QGuiApplication, QImage
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
 
@@ -35,6 +35,7 @@ class PhotosPage(QWidget):
         self.missing_label, self.busy_label, self.tray_label = label(), label("dim"), label("heading")
         self.tray = QScrollArea()
         self.tray.setWidgetResizable(True)
+        self.tray.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.tray.setFixedHeight(150)
         self._lay_out()
         self._connect()

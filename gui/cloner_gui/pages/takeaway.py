@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from cloner.booth.person_file import consent_when
 from cloner.booth.takeaway import code_modules, free_name, link_text
 from cloner.errors import ClonerError
 from cloner_gui.booth import Booth
@@ -95,6 +96,7 @@ class TakeawayPage(QWidget):
             row.addWidget(card, 1)
         room.setWidget(inside)
         room.setWidgetResizable(True)
+        room.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(room)
@@ -156,7 +158,9 @@ class TakeawayPage(QWidget):
             self.link.setText(settings.link)
         none = translate("takeaway", "There is no clone yet.")
         self.status.setText(none if session.outcome is None else self.handing.told())
-        consent = session.consent or translate("takeaway", "no consent is recorded")
+        consent = translate("takeaway", "No consent is recorded.")
+        if session.consent:
+            consent = translate("takeaway", "Consent: {when}.").format(when=consent_when(session.consent))
         days = settings.retention_days
         kept = translate("takeaway", "Kept for {n} days.").format(n=days) if days else translate("takeaway", "Kept.")
         self.held_label.setText(f"{consent}\n{kept}" if session.folder is not None else "")
@@ -170,6 +174,7 @@ class TakeawayPage(QWidget):
             modules = code_modules(text) if text else None
         except ClonerError as error:
             modules, text = None, str(error)
+        self.code.setVisible(modules is not None)
         self.code.setPixmap(QPixmap() if modules is None else _code_pixmap(modules))
         self.code_note.setText(text or translate("takeaway", "Copy the files first, or type an address."))
 

@@ -59,6 +59,7 @@ class VisitorPage(QWidget):
         left.setMaximumWidth(340)
         right = QScrollArea()
         right.setWidgetResizable(True)
+        right.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it scrolls to whatever inside has the keyboard
         inside = QWidget()
         column = QVBoxLayout(inside)
         column.setContentsMargins(0, 0, 0, 0)

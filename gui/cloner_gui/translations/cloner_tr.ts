@@ -1,0 +1,1297 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="tr" sourcelanguage="en">
+<context>
+    <name>PhotoView</name>
+    <message>
+        <source>Remove this outline point</source>
+        <translation>Bu kontur noktasını kaldır</translation>
+    </message>
+    <message>
+        <source>Use the proposal for %1 again</source>
+        <translation>%1 için öneriyi yeniden kullan</translation>
+    </message>
+    <message>
+        <source>Add an outline point here</source>
+        <translation>Buraya kontur noktası ekle</translation>
+    </message>
+</context>
+<context>
+    <name>Preview</name>
+    <message>
+        <source>The clone in three dimensions</source>
+        <translation>Üç boyutlu klon</translation>
+    </message>
+    <message>
+        <source>Press Clone: after about a minute the person stands here.</source>
+        <translation>Klonla düğmesine basın: yaklaşık bir dakika sonra kişi burada durur.</translation>
+    </message>
+    <message>
+        <source>This machine cannot draw in 3-D</source>
+        <translation>Bu bilgisayar 3B çizemiyor</translation>
+    </message>
+</context>
+<context>
+    <name>SmallPhoto</name>
+    <message numerus="yes">
+        <source>%n doubtful point(s)</source>
+        <translation>
+            <numerusform>%n kuşkulu nokta</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>no points yet</source>
+        <translation>henüz nokta yok</translation>
+    </message>
+</context>
+<context>
+    <name>clone</name>
+    <message>
+        <source>Clone</source>
+        <extracomment>Stages that the five parts of the work end with, in order; between them the operator sees which part is under way.</extracomment>
+        <translation>Klonla</translation>
+    </message>
+    <message>
+        <source>Clone first.</source>
+        <translation>Önce klonlayın.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>İptal</translation>
+    </message>
+    <message>
+        <source>Points</source>
+        <translation>Noktalar</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Beden</translation>
+    </message>
+    <message>
+        <source>Head</source>
+        <translation>Baş</translation>
+    </message>
+    <message>
+        <source>Hair</source>
+        <translation>Saç</translation>
+    </message>
+    <message>
+        <source>Texture and files</source>
+        <translation>Doku ve dosyalar</translation>
+    </message>
+    <message>
+        <source>Press Clone: after about a minute the person stands here.</source>
+        <translation>Klonla düğmesine basın: yaklaşık bir dakika sonra kişi burada durur.</translation>
+    </message>
+</context>
+<context>
+    <name>consent</name>
+    <message>
+        <source>I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, and that both are kept for the time named at the booth. I can have everything deleted at any time.</source>
+        <extracomment>What visitors agree to, unless the event has a text of its own.</extracomment>
+        <translation>Burada fotoğraflarımın çekilmesini, bunlardan bu bilgisayarda üç boyutlu bir benzerimin yapılmasını ve her ikisinin stantta belirtilen süre boyunca saklanmasını kabul ediyorum. Her şeyi istediğim zaman sildirebilirim.</translation>
+    </message>
+</context>
+<context>
+    <name>formats</name>
+    <message>
+        <source>GLB: games, web, telephone</source>
+        <translation>GLB: oyun, web, telefon</translation>
+    </message>
+    <message>
+        <source>VRML97: H-Anim players</source>
+        <translation>VRML97: H-Anim oynatıcılar</translation>
+    </message>
+    <message>
+        <source>X3D: H-Anim with one skin</source>
+        <translation>X3D: tek derili H-Anim</translation>
+    </message>
+    <message>
+        <source>VRM: virtual meeting places</source>
+        <translation>VRM: sanal buluşma yerleri</translation>
+    </message>
+    <message>
+        <source>OBJ: any 3-D program</source>
+        <translation>OBJ: her 3B program</translation>
+    </message>
+    <message>
+        <source>PLY: 3-D printing</source>
+        <translation>PLY: 3B baskı</translation>
+    </message>
+</context>
+<context>
+    <name>hints</name>
+    <message>
+        <source>Your own point on the outline: drag it on to the border of the person.</source>
+        <translation>Kendi kontur noktanız: kişinin kenarına sürükleyin.</translation>
+    </message>
+    <message>
+        <source>Highest point of the skull: under the hair, not on top of it.</source>
+        <translation>Kafatasının en yüksek noktası: saçın altı, üstü değil.</translation>
+    </message>
+    <message>
+        <source>Lowest edge of the shoe or foot: it sets the height of the person.</source>
+        <translation>Ayakkabının veya ayağın en alt kenarı: kişinin boyunu belirler.</translation>
+    </message>
+    <message>
+        <source>Foremost point of the shoe or foot.</source>
+        <translation>Ayakkabının veya ayağın en ön noktası.</translation>
+    </message>
+    <message>
+        <source>Hindmost point of the shoe or foot.</source>
+        <translation>Ayakkabının veya ayağın en arka noktası.</translation>
+    </message>
+    <message>
+        <source>Outline at the narrowest place of the trunk.</source>
+        <translation>Gövdenin en dar yerindeki kontur.</translation>
+    </message>
+    <message>
+        <source>Outline at the widest place of the hips.</source>
+        <translation>Kalçanın en geniş yerindeki kontur.</translation>
+    </message>
+    <message>
+        <source>Outline of the leg at the middle of the kneecap.</source>
+        <translation>Diz kapağı ortasında bacağın konturu.</translation>
+    </message>
+    <message>
+        <source>Outline of the leg at its narrowest place above the foot.</source>
+        <translation>Ayağın üstünde bacağın en dar yerindeki kontur.</translation>
+    </message>
+    <message>
+        <source>Outline of the lower leg where the calf is thickest.</source>
+        <translation>Baldırın en kalın yerinde alt bacağın konturu.</translation>
+    </message>
+    <message>
+        <source>Outline of the arm at the bend of the elbow.</source>
+        <translation>Dirsek bükümünde kolun konturu.</translation>
+    </message>
+    <message>
+        <source>Outline of the arm at its narrowest place before the hand.</source>
+        <translation>Elden önce kolun en dar yerindeki kontur.</translation>
+    </message>
+    <message>
+        <source>Outline where the shoulder turns down into the arm.</source>
+        <translation>Omzun kola indiği yerdeki kontur.</translation>
+    </message>
+    <message>
+        <source>Outline where the neck turns into the shoulder.</source>
+        <translation>Boynun omza geçtiği yerdeki kontur.</translation>
+    </message>
+    <message>
+        <source>Outline of the neck at half its height.</source>
+        <translation>Boynun yarı yüksekliğindeki kontur.</translation>
+    </message>
+    <message>
+        <source>Where the arm meets the trunk: the end of the gap between them.</source>
+        <translation>Kolun gövdeyle birleştiği yer: aralarındaki boşluğun sonu.</translation>
+    </message>
+    <message>
+        <source>Where the legs meet: the top of the gap between them.</source>
+        <translation>Bacakların birleştiği yer: aralarındaki boşluğun tepesi.</translation>
+    </message>
+    <message>
+        <source>Foremost outline of the chest.</source>
+        <translation>Göğsün en ön konturu.</translation>
+    </message>
+    <message>
+        <source>Foremost outline of the belly.</source>
+        <translation>Karnın en ön konturu.</translation>
+    </message>
+    <message>
+        <source>Hindmost outline of the upper back.</source>
+        <translation>Üst sırtın en arka konturu.</translation>
+    </message>
+    <message>
+        <source>Hindmost outline of the seat.</source>
+        <translation>Kalçanın en arka konturu.</translation>
+    </message>
+    <message>
+        <source>Outline of the thigh at half its length.</source>
+        <translation>Uyluğun yarı uzunluğundaki kontur.</translation>
+    </message>
+    <message>
+        <source>Middle of the joint inside the limb: where it bends, not on the outline.</source>
+        <translation>Eklemin iç ortası: büküldüğü yer, kontur değil.</translation>
+    </message>
+    <message>
+        <source>Middle of the pupil.</source>
+        <translation>Göz bebeğinin ortası.</translation>
+    </message>
+    <message>
+        <source>Corner of the eye towards the nose.</source>
+        <translation>Gözün burun tarafındaki köşesi.</translation>
+    </message>
+    <message>
+        <source>Corner of the eye towards the ear.</source>
+        <translation>Gözün kulak tarafındaki köşesi.</translation>
+    </message>
+    <message>
+        <source>Edge of the upper lid, above the pupil.</source>
+        <translation>Üst göz kapağının kenarı, göz bebeğinin üstünde.</translation>
+    </message>
+    <message>
+        <source>Edge of the lower lid, below the pupil.</source>
+        <translation>Alt göz kapağının kenarı, göz bebeğinin altında.</translation>
+    </message>
+    <message>
+        <source>Corner of the closed mouth.</source>
+        <translation>Kapalı ağzın köşesi.</translation>
+    </message>
+    <message>
+        <source>Upper edge of the upper lip, in the middle.</source>
+        <translation>Üst dudağın üst kenarı, ortada.</translation>
+    </message>
+    <message>
+        <source>Lower edge of the lower lip, in the middle.</source>
+        <translation>Alt dudağın alt kenarı, ortada.</translation>
+    </message>
+    <message>
+        <source>Middle of the line between the closed lips.</source>
+        <translation>Kapalı dudaklar arasındaki çizginin ortası.</translation>
+    </message>
+    <message>
+        <source>Outermost point of the wing of the nose.</source>
+        <translation>Burun kanadının en dış noktası.</translation>
+    </message>
+    <message>
+        <source>Tip of the nose; in the side photo its foremost point.</source>
+        <translation>Burun ucu; yan fotoğrafta en ön noktası.</translation>
+    </message>
+    <message>
+        <source>Deepest place of the root of the nose, between the eyes.</source>
+        <translation>Gözlerin arasında burun kökünün en çukur yeri.</translation>
+    </message>
+    <message>
+        <source>Foremost place of the forehead between the brows.</source>
+        <translation>Kaşların arasında alnın en ön yeri.</translation>
+    </message>
+    <message>
+        <source>Where the nose meets the upper lip, in the middle.</source>
+        <translation>Burnun üst dudakla birleştiği yer, ortada.</translation>
+    </message>
+    <message>
+        <source>Foremost point of the chin.</source>
+        <translation>Çenenin en ön noktası.</translation>
+    </message>
+    <message>
+        <source>Lowest point of the chin.</source>
+        <translation>Çenenin en alt noktası.</translation>
+    </message>
+    <message>
+        <source>Where the hair begins above the forehead.</source>
+        <translation>Alnın üstünde saçın başladığı yer.</translation>
+    </message>
+    <message>
+        <source>Highest point of the ear.</source>
+        <translation>Kulağın en yüksek noktası.</translation>
+    </message>
+    <message>
+        <source>Lowest point of the earlobe.</source>
+        <translation>Kulak memesinin en alt noktası.</translation>
+    </message>
+    <message>
+        <source>Hindmost point of the ear.</source>
+        <translation>Kulağın en arka noktası.</translation>
+    </message>
+    <message>
+        <source>Point of the ear farthest from the head.</source>
+        <translation>Kulağın baştan en uzak noktası.</translation>
+    </message>
+    <message>
+        <source>Drag a point to its place, or press Tab: the least sure point comes first.</source>
+        <translation>Bir noktayı yerine sürükleyin veya Tab’a basın: en belirsiz nokta önce gelir.</translation>
+    </message>
+    <message>
+        <source>%1 % sure</source>
+        <translation>%%1 emin</translation>
+    </message>
+    <message>
+        <source>placed by you</source>
+        <translation>sizin yerleştirdiğiniz</translation>
+    </message>
+    <message>
+        <source>outline point</source>
+        <translation>kontur noktası</translation>
+    </message>
+    <message>
+        <source>sure</source>
+        <translation>emin</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>kuşkulu</translation>
+    </message>
+    <message>
+        <source>outline in the photo</source>
+        <translation>fotoğraftaki kontur</translation>
+    </message>
+    <message>
+        <source>outline of the clone</source>
+        <translation>klonun konturu</translation>
+    </message>
+</context>
+<context>
+    <name>menu</name>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Aç…</translation>
+    </message>
+    <message>
+        <source>&amp;New visitor</source>
+        <translation>&amp;Yeni ziyaretçi</translation>
+    </message>
+    <message>
+        <source>&amp;Settings…</source>
+        <translation>A&amp;yarlar…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Çık</translation>
+    </message>
+    <message>
+        <source>&amp;Effort…</source>
+        <translation>&amp;Emek…</translation>
+    </message>
+    <message>
+        <source>&amp;What is held…</source>
+        <translation>&amp;Neler saklanıyor…</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Dil</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>&amp;Masaüstü gibi</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Açık</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>&amp;Koyu</translation>
+    </message>
+    <message>
+        <source>High &amp;contrast</source>
+        <translation>&amp;Yüksek karşıtlık</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Renkler</translation>
+    </message>
+    <message>
+        <source>&amp;Text size</source>
+        <translation>&amp;Yazı boyutu</translation>
+    </message>
+    <message>
+        <source>&amp;Big buttons</source>
+        <translation>&amp;Büyük düğmeler</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Tam ekran</translation>
+    </message>
+    <message>
+        <source>&amp;Event</source>
+        <translation>&amp;Etkinlik</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Düzen</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Görünüm</translation>
+    </message>
+    <message>
+        <source>O&amp;perator</source>
+        <translation>&amp;Operatör</translation>
+    </message>
+</context>
+<context>
+    <name>photos</name>
+    <message>
+        <source>Photos</source>
+        <translation>Fotoğraflar</translation>
+    </message>
+    <message>
+        <source>Add the photos first.</source>
+        <translation>Önce fotoğrafları ekleyin.</translation>
+    </message>
+    <message>
+        <source>&amp;Add photos…</source>
+        <translation>Fotoğraf &amp;ekle…</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Yapıştır</translation>
+    </message>
+    <message>
+        <source>Camera folder: {name}</source>
+        <translation>Kamera klasörü: {name}</translation>
+    </message>
+    <message>
+        <source>&amp;Camera folder…</source>
+        <translation>&amp;Kamera klasörü…</translation>
+    </message>
+    <message>
+        <source>&amp;Webcam…</source>
+        <translation>&amp;Web kamerası…</translation>
+    </message>
+    <message>
+        <source>Photos that appear in this folder are taken at once</source>
+        <translation>Bu klasörde beliren fotoğraflar hemen alınır</translation>
+    </message>
+    <message>
+        <source>Photos without a place</source>
+        <translation>Yeri olmayan fotoğraflar</translation>
+    </message>
+    <message>
+        <source>Being looked at…</source>
+        <translation>İnceleniyor…</translation>
+    </message>
+    <message>
+        <source>✓ Good</source>
+        <translation>✓ İyi</translation>
+    </message>
+    <message>
+        <source>No consent is recorded: new photos are not stored.</source>
+        <translation>Kayıtlı onay yok: yeni fotoğraflar saklanmaz.</translation>
+    </message>
+    <message>
+        <source>Looking at photos: {n} to go</source>
+        <translation>Fotoğraflar inceleniyor: {n} kaldı</translation>
+    </message>
+    <message>
+        <source>Photos of the visitor</source>
+        <translation>Ziyaretçinin fotoğrafları</translation>
+    </message>
+    <message>
+        <source>Folder where the camera drops its photos</source>
+        <translation>Kameranın fotoğrafları bıraktığı klasör</translation>
+    </message>
+    <message>
+        <source>Drop a photo here</source>
+        <translation>Fotoğrafı buraya bırakın</translation>
+    </message>
+    <message>
+        <source>What to do with {photo}</source>
+        <translation>{photo} ile yapılacaklar</translation>
+    </message>
+    <message>
+        <source>Replace…</source>
+        <translation>Değiştir…</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Seç…</translation>
+    </message>
+    <message>
+        <source>Exchange with</source>
+        <translation>Şununla değiş tokuş et</translation>
+    </message>
+    <message>
+        <source>Turn right</source>
+        <translation>Sağa döndür</translation>
+    </message>
+    <message>
+        <source>Take out</source>
+        <translation>Çıkar</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Sil</translation>
+    </message>
+    <message>
+        <source>Use as…</source>
+        <translation>Şu olarak kullan…</translation>
+    </message>
+    <message>
+        <source>Photo {n} without a place</source>
+        <translation>Yeri olmayan fotoğraf {n}</translation>
+    </message>
+    <message>
+        <source>All five photos are here.</source>
+        <translation>Beş fotoğraf da burada.</translation>
+    </message>
+    <message>
+        <source>No photos yet.</source>
+        <translation>Henüz fotoğraf yok.</translation>
+    </message>
+    <message>
+        <source>A front photo is needed. Missing: {names}.</source>
+        <translation>Önden bir fotoğraf gerekli. Eksik: {names}.</translation>
+    </message>
+    <message>
+        <source>Only the head can be cloned, on a body of matching build. Missing: {names}.</source>
+        <translation>Yalnız baş klonlanabilir, uygun bir beden üzerinde. Eksik: {names}.</translation>
+    </message>
+    <message>
+        <source>The face will come from the body photos and be coarse. Missing: {names}.</source>
+        <translation>Yüz, beden fotoğraflarından gelecek ve kaba olacak. Eksik: {names}.</translation>
+    </message>
+    <message>
+        <source>The clone will be less exact. Missing: {names}.</source>
+        <translation>Klon daha az kesin olacak. Eksik: {names}.</translation>
+    </message>
+</context>
+<context>
+    <name>points</name>
+    <message>
+        <source>Points</source>
+        <translation>Noktalar</translation>
+    </message>
+    <message>
+        <source>Add photos first.</source>
+        <translation>Önce fotoğraf ekleyin.</translation>
+    </message>
+    <message>
+        <source>Find points</source>
+        <translation>Noktaları bul</translation>
+    </message>
+    <message>
+        <source>◀</source>
+        <translation>◀</translation>
+    </message>
+    <message>
+        <source>Point before (Shift+Tab)</source>
+        <translation>Önceki nokta (Shift+Tab)</translation>
+    </message>
+    <message>
+        <source>Next doubtful point</source>
+        <translation>Sonraki kuşkulu nokta</translation>
+    </message>
+    <message>
+        <source>Least sure first (Tab)</source>
+        <translation>Önce en belirsiz (Tab)</translation>
+    </message>
+    <message>
+        <source>Back to proposal</source>
+        <translation>Öneriye dön</translation>
+    </message>
+    <message>
+        <source>Undo this point (Delete)</source>
+        <translation>Bu noktayı geri al (Delete)</translation>
+    </message>
+    <message>
+        <source>Add outline point</source>
+        <translation>Kontur noktası ekle</translation>
+    </message>
+    <message>
+        <source>Or pull at it (Insert)</source>
+        <translation>Ya da onu çekin (Insert)</translation>
+    </message>
+    <message>
+        <source>Whole photo</source>
+        <translation>Tüm fotoğraf</translation>
+    </message>
+    <message>
+        <source>Show all of the photo (Home)</source>
+        <translation>Fotoğrafın tümünü göster (Home)</translation>
+    </message>
+    <message>
+        <source>Tab: next point. Arrows: 1 pixel, with Shift 10. Wheel or + and −: zoom. Home: all.</source>
+        <translation>Tab: sonraki nokta. Oklar: 1 piksel, Shift ile 10. Tekerlek veya + ve −: yakınlaştırma. Home: tümü.</translation>
+    </message>
+    <message>
+        <source>After the first clone, the person here follows your hand.</source>
+        <translation>İlk klondan sonra buradaki kişi elinizi izler.</translation>
+    </message>
+    <message>
+        <source>The body follows; hair and textures will when you clone again.</source>
+        <translation>Beden izliyor; saç ve dokular yeniden klonlayınca izler.</translation>
+    </message>
+    <message>
+        <source>Clone again: this changes more than is shown.</source>
+        <translation>Yeniden klonlayın: bu, gösterilenden fazlasını değiştirir.</translation>
+    </message>
+</context>
+<context>
+    <name>preview</name>
+    <message>
+        <source>Photo texture</source>
+        <translation>Fotoğraf dokusu</translation>
+    </message>
+    <message>
+        <source>Shape alone</source>
+        <translation>Yalnız biçim</translation>
+    </message>
+    <message>
+        <source>Wire mesh</source>
+        <translation>Tel kafes</translation>
+    </message>
+    <message>
+        <source>Distance from the outlines</source>
+        <translation>Konturlara uzaklık</translation>
+    </message>
+    <message>
+        <source>Stand</source>
+        <translation>Dur</translation>
+    </message>
+    <message>
+        <source>Walk</source>
+        <translation>Yürü</translation>
+    </message>
+    <message>
+        <source>Breathe</source>
+        <translation>Nefes al</translation>
+    </message>
+    <message>
+        <source>Blink</source>
+        <translation>Göz kırp</translation>
+    </message>
+    <message>
+        <source>Smile</source>
+        <translation>Gülümse</translation>
+    </message>
+    <message>
+        <source>Talk</source>
+        <translation>Konuş</translation>
+    </message>
+    <message>
+        <source>&amp;Show</source>
+        <translation>&amp;Göster</translation>
+    </message>
+    <message>
+        <source>&amp;Over</source>
+        <translation>Ü&amp;zerinde</translation>
+    </message>
+    <message>
+        <source>Co&amp;ver</source>
+        <translation>&amp;Örtme</translation>
+    </message>
+    <message>
+        <source>&amp;Move</source>
+        <translation>&amp;Hareket</translation>
+    </message>
+    <message>
+        <source>Whole person</source>
+        <translation>Tüm kişi</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Yüz</translation>
+    </message>
+    <message>
+        <source>no photo</source>
+        <translation>fotoğraf yok</translation>
+    </message>
+    <message>
+        <source>between the clone&apos;s and the photos&apos; outlines</source>
+        <translation>klonun ve fotoğrafların konturları arasında</translation>
+    </message>
+</context>
+<context>
+    <name>privacy</name>
+    <message>
+        <source>Delete {names} with all photos, points and clones?</source>
+        <translation>{names} tüm fotoğraf, nokta ve klonlarıyla silinsin mi?</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Sil</translation>
+    </message>
+    <message>
+        <source>Nothing of it can be brought back. Files on sticks stay.</source>
+        <translation>Hiçbiri geri getirilemez. Belleklerdeki dosyalar kalır.</translation>
+    </message>
+    <message>
+        <source>Delete for good</source>
+        <translation>Kalıcı olarak sil</translation>
+    </message>
+    <message>
+        <source>Save everything held of {name}</source>
+        <translation>{name} hakkında saklanan her şeyi kaydet</translation>
+    </message>
+    <message>
+        <source>What is held</source>
+        <translation>Neler saklanıyor</translation>
+    </message>
+    <message>
+        <source>What is held, by visitor</source>
+        <translation>Ziyaretçiye göre saklananlar</translation>
+    </message>
+    <message>
+        <source>&amp;Save everything held…</source>
+        <translation>Saklanan her şeyi &amp;kaydet…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete the marked visitors…</source>
+        <translation>İşaretli ziyaretçileri &amp;sil…</translation>
+    </message>
+    <message>
+        <source>{n} visitors, {size} MB; nothing leaves this computer</source>
+        <translation>{n} ziyaretçi, {size} MB; hiçbir şey bu bilgisayardan çıkmaz</translation>
+    </message>
+    <message>
+        <source>Visitor</source>
+        <translation>Ziyaretçi</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dosyalar</translation>
+    </message>
+    <message>
+        <source>MB</source>
+        <translation>MB</translation>
+    </message>
+    <message>
+        <source>Last change</source>
+        <translation>Son değişiklik</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Onay</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>kayıtlı değil</translation>
+    </message>
+</context>
+<context>
+    <name>queue</name>
+    <message>
+        <source>Stop cloning {name}</source>
+        <translation>{name} klonlamasını durdur</translation>
+    </message>
+    <message>
+        <source>Progress of {name}</source>
+        <translation>{name} ilerlemesi</translation>
+    </message>
+    <message>
+        <source>, {n} more wait</source>
+        <translation>, {n} kişi daha bekliyor</translation>
+    </message>
+    <message>
+        <source>{name}: {step}, {left}</source>
+        <translation>{name}: {step}, {left}</translation>
+    </message>
+</context>
+<context>
+    <name>settings</name>
+    <message>
+        <source>This event</source>
+        <translation>Bu etkinlik</translation>
+    </message>
+    <message>
+        <source>kept until deleted</source>
+        <translation>silinene kadar saklanır</translation>
+    </message>
+    <message>
+        <source> days</source>
+        <translation> gün</translation>
+    </message>
+    <message>
+        <source>Days that visitors are kept</source>
+        <translation>Ziyaretçilerin saklandığı gün sayısı</translation>
+    </message>
+    <message>
+        <source>What visitors agree to</source>
+        <translation>Ziyaretçilerin kabul ettiği</translation>
+    </message>
+    <message>
+        <source>&amp;Keep visitors for</source>
+        <translation>Ziyaretçileri &amp;sakla</translation>
+    </message>
+    <message>
+        <source>&amp;Consent</source>
+        <translation>&amp;Onay</translation>
+    </message>
+</context>
+<context>
+    <name>states</name>
+    <message>
+        <source>in progress</source>
+        <translation>sürüyor</translation>
+    </message>
+    <message>
+        <source>waiting for the clone</source>
+        <translation>klonu bekliyor</translation>
+    </message>
+    <message>
+        <source>cloned</source>
+        <translation>klonlandı</translation>
+    </message>
+    <message>
+        <source>not cloned: look at the photos</source>
+        <translation>klonlanmadı: fotoğraflara bakın</translation>
+    </message>
+</context>
+<context>
+    <name>statistics</name>
+    <message>
+        <source>Operator&apos;s effort</source>
+        <translation>Operatörün emeği</translation>
+    </message>
+    <message>
+        <source>Effort by visitor</source>
+        <translation>Ziyaretçi başına emek</translation>
+    </message>
+    <message>
+        <source>&amp;Save as table…</source>
+        <translation>Tablo olarak &amp;kaydet…</translation>
+    </message>
+    <message>
+        <source>{n} visitors; in the middle {s} s, {c} clicks, {d} drags each</source>
+        <translation>{n} ziyaretçi; ortanca {s} sn, {c} tıklama, {d} sürükleme</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Farklı kaydet</translation>
+    </message>
+    <message>
+        <source>Visitor</source>
+        <translation>Ziyaretçi</translation>
+    </message>
+    <message>
+        <source>Came</source>
+        <translation>Geldi</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>Durum</translation>
+    </message>
+    <message>
+        <source>Seconds</source>
+        <translation>Saniye</translation>
+    </message>
+    <message>
+        <source>Clicks</source>
+        <translation>Tıklama</translation>
+    </message>
+    <message>
+        <source>Drags</source>
+        <translation>Sürükleme</translation>
+    </message>
+    <message>
+        <source>Clone, s</source>
+        <translation>Klon, sn</translation>
+    </message>
+</context>
+<context>
+    <name>steps</name>
+    <message>
+        <source>Looking at the photo</source>
+        <extracomment>What the progress bar says for a step&apos;s name.</extracomment>
+        <translation>Fotoğraf inceleniyor</translation>
+    </message>
+    <message>
+        <source>Reading the photos</source>
+        <translation>Fotoğraflar okunuyor</translation>
+    </message>
+    <message>
+        <source>Finding the person in the photos</source>
+        <translation>Fotoğraflarda kişi aranıyor</translation>
+    </message>
+    <message>
+        <source>Placing feature points</source>
+        <translation>Noktalar yerleştiriliyor</translation>
+    </message>
+    <message>
+        <source>Placing the cameras</source>
+        <translation>Kameralar yerleştiriliyor</translation>
+    </message>
+    <message>
+        <source>Drawing outlines</source>
+        <translation>Konturlar çiziliyor</translation>
+    </message>
+    <message>
+        <source>Choosing the nearest build and pose</source>
+        <translation>En yakın yapı ve duruş seçiliyor</translation>
+    </message>
+    <message>
+        <source>Fitting the skeleton</source>
+        <translation>İskelet uyduruluyor</translation>
+    </message>
+    <message>
+        <source>Fitting the body</source>
+        <translation>Beden uyduruluyor</translation>
+    </message>
+    <message>
+        <source>Fitting the outlines</source>
+        <translation>Konturlar uyduruluyor</translation>
+    </message>
+    <message>
+        <source>Fitting the head</source>
+        <translation>Baş uyduruluyor</translation>
+    </message>
+    <message>
+        <source>Joining head and body</source>
+        <translation>Baş ve beden birleştiriliyor</translation>
+    </message>
+    <message>
+        <source>Following corrected points</source>
+        <translation>Düzeltilen noktalar izleniyor</translation>
+    </message>
+    <message>
+        <source>Measuring the body</source>
+        <translation>Beden ölçülüyor</translation>
+    </message>
+    <message>
+        <source>Growing the hair</source>
+        <translation>Saç uzatılıyor</translation>
+    </message>
+    <message>
+        <source>Painting skin and clothes</source>
+        <translation>Deri ve giysiler boyanıyor</translation>
+    </message>
+    <message>
+        <source>Telling skin from clothes</source>
+        <translation>Deri ve giysiler ayırt ediliyor</translation>
+    </message>
+    <message>
+        <source>Writing the files</source>
+        <translation>Dosyalar yazılıyor</translation>
+    </message>
+    <message>
+        <source>Drawing previews</source>
+        <translation>Önizlemeler çiziliyor</translation>
+    </message>
+    <message>
+        <source>Writing the report</source>
+        <translation>Rapor yazılıyor</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Bitti</translation>
+    </message>
+</context>
+<context>
+    <name>takeaway</name>
+    <message>
+        <source>Writing the files…</source>
+        <translation>Dosyalar yazılıyor…</translation>
+    </message>
+    <message>
+        <source>Written: {place}</source>
+        <translation>Yazıldı: {place}</translation>
+    </message>
+    <message>
+        <source>Choose what the visitor takes home.</source>
+        <translation>Ziyaretçinin ne götüreceğini seçin.</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Götür</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dosyalar</translation>
+    </message>
+    <message>
+        <source>Code to scan</source>
+        <translation>Taranacak kod</translation>
+    </message>
+    <message>
+        <source>What is held</source>
+        <translation>Neler saklanıyor</translation>
+    </message>
+    <message>
+        <source>Copy to &amp;stick or folder…</source>
+        <translation>&amp;Belleğe veya klasöre kopyala…</translation>
+    </message>
+    <message>
+        <source>Save as one &amp;zip file…</source>
+        <translation>Tek &amp;zip dosyası olarak kaydet…</translation>
+    </message>
+    <message>
+        <source>Show &amp;report</source>
+        <translation>&amp;Raporu göster</translation>
+    </message>
+    <message>
+        <source>Show f&amp;older</source>
+        <translation>&amp;Klasörü göster</translation>
+    </message>
+    <message>
+        <source>Save &amp;everything held…</source>
+        <translation>Saklanan &amp;her şeyi kaydet…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete this visitor…</source>
+        <translation>Bu ziyaretçiyi &amp;sil…</translation>
+    </message>
+    <message>
+        <source>Text or address in the code; {id} stands for the visitor</source>
+        <translation>Koddaki metin veya adres; {id} ziyaretçinin yerine geçer</translation>
+    </message>
+    <message>
+        <source>Text of the code</source>
+        <translation>Kodun metni</translation>
+    </message>
+    <message>
+        <source>Where the files were put</source>
+        <translation>Dosyaların konduğu yer</translation>
+    </message>
+    <message>
+        <source>There is no clone yet.</source>
+        <translation>Henüz klon yok.</translation>
+    </message>
+    <message>
+        <source>No consent is recorded.</source>
+        <translation>Kayıtlı onay yok.</translation>
+    </message>
+    <message>
+        <source>Consent: {when}.</source>
+        <translation>Onay: {when}.</translation>
+    </message>
+    <message>
+        <source>Kept for {n} days.</source>
+        <translation>{n} gün saklanır.</translation>
+    </message>
+    <message>
+        <source>Kept.</source>
+        <translation>Saklanır.</translation>
+    </message>
+    <message>
+        <source>Copy the files first, or type an address.</source>
+        <translation>Önce dosyaları kopyalayın veya bir adres yazın.</translation>
+    </message>
+    <message>
+        <source>Stick or folder for the visitor&apos;s files</source>
+        <translation>Ziyaretçinin dosyaları için bellek veya klasör</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Farklı kaydet</translation>
+    </message>
+</context>
+<context>
+    <name>time</name>
+    <message>
+        <source>a few seconds</source>
+        <translation>birkaç saniye</translation>
+    </message>
+    <message>
+        <source>about {n} s</source>
+        <translation>yaklaşık {n} sn</translation>
+    </message>
+    <message>
+        <source>about {n} min</source>
+        <translation>yaklaşık {n} dk</translation>
+    </message>
+</context>
+<context>
+    <name>troubles</name>
+    <message>
+        <source>Nobody was found: take it again with the person in full view.</source>
+        <extracomment>One sentence each: what is wrong with a photo and what to do, for an operator with the visitor still there.</extracomment>
+        <translation>Kimse bulunamadı: kişi tam görünecek şekilde yeniden çekin.</translation>
+    </message>
+    <message>
+        <source>More than one person: take it again with one person alone.</source>
+        <translation>Birden fazla kişi: yalnız bir kişiyle yeniden çekin.</translation>
+    </message>
+    <message>
+        <source>It shows none of the five views: turn the person or retake.</source>
+        <translation>Beş görünümden hiçbirini göstermiyor: kişiyi döndürün veya yeniden çekin.</translation>
+    </message>
+    <message>
+        <source>It does not show this view: exchange or retake it.</source>
+        <translation>Bu görünümü göstermiyor: değiş tokuş edin veya yeniden çekin.</translation>
+    </message>
+    <message>
+        <source>The person is cut off: step back and retake.</source>
+        <translation>Kişi kesilmiş: geri çekilip yeniden çekin.</translation>
+    </message>
+    <message>
+        <source>The person is small: step nearer or zoom in.</source>
+        <translation>Kişi küçük: yaklaşın veya yakınlaştırın.</translation>
+    </message>
+    <message>
+        <source>It is blurred: hold still, focus and retake.</source>
+        <translation>Bulanık: sabit tutun, odaklayın, yeniden çekin.</translation>
+    </message>
+    <message>
+        <source>It is dark: add light or expose longer.</source>
+        <translation>Karanlık: ışık ekleyin veya daha uzun pozlayın.</translation>
+    </message>
+    <message>
+        <source>It is burnt out: less light or a shorter exposure.</source>
+        <translation>Aşırı parlak: ışığı azaltın veya daha kısa pozlayın.</translation>
+    </message>
+</context>
+<context>
+    <name>views</name>
+    <message>
+        <source>Body, front</source>
+        <extracomment>``translate(&quot;page&quot;, &quot;Text&quot;)``: Qt&apos;s own tools find these calls and write them into the translators&apos; files.</extracomment>
+        <translation>Beden, ön</translation>
+    </message>
+    <message>
+        <source>Body, side</source>
+        <translation>Beden, yan</translation>
+    </message>
+    <message>
+        <source>Body, back</source>
+        <translation>Beden, arka</translation>
+    </message>
+    <message>
+        <source>Face, front</source>
+        <translation>Yüz, ön</translation>
+    </message>
+    <message>
+        <source>Face, side</source>
+        <translation>Yüz, yan</translation>
+    </message>
+</context>
+<context>
+    <name>visitor</name>
+    <message>
+        <source>known</source>
+        <translation>biliniyor</translation>
+    </message>
+    <message>
+        <source>Height is known</source>
+        <translation>Boy biliniyor</translation>
+    </message>
+    <message>
+        <source>Height in centimetres</source>
+        <translation>Santimetre olarak boy</translation>
+    </message>
+    <message>
+        <source>Height, feet</source>
+        <translation>Boy, fit</translation>
+    </message>
+    <message>
+        <source>Height, inches</source>
+        <translation>Boy, inç</translation>
+    </message>
+    <message>
+        <source>Unit of the height</source>
+        <translation>Boy birimi</translation>
+    </message>
+    <message>
+        <source>The visitor has to agree before photos are taken.</source>
+        <translation>Fotoğraflardan önce ziyaretçi onay vermelidir.</translation>
+    </message>
+    <message>
+        <source>N&amp;ame or number</source>
+        <translation>&amp;Ad veya numara</translation>
+    </message>
+    <message>
+        <source>&amp;Height without shoes</source>
+        <translation>Ayakkabısız &amp;boy</translation>
+    </message>
+    <message>
+        <source>&amp;Language of the consent</source>
+        <translation>Onayın &amp;dili</translation>
+    </message>
+    <message>
+        <source>The visitor has read this and &amp;agrees</source>
+        <translation>Ziyaretçi bunu okudu ve &amp;kabul ediyor</translation>
+    </message>
+    <message>
+        <source>Name or number of the visitor</source>
+        <translation>Ziyaretçinin adı veya numarası</translation>
+    </message>
+    <message>
+        <source>Language of the consent</source>
+        <translation>Onayın dili</translation>
+    </message>
+    <message>
+        <source>The visitor agrees</source>
+        <translation>Ziyaretçi kabul ediyor</translation>
+    </message>
+    <message>
+        <source>Unknown: {n} cm is assumed, and every length is unscaled.</source>
+        <translation>Bilinmiyor: {n} cm varsayılır, tüm uzunluklar ölçeksizdir.</translation>
+    </message>
+    <message>
+        <source>Recorded: {text}</source>
+        <translation>Kaydedildi: {text}</translation>
+    </message>
+    <message>
+        <source>Visitor</source>
+        <translation>Ziyaretçi</translation>
+    </message>
+    <message>
+        <source>Begin with a visitor first.</source>
+        <translation>Önce bir ziyaretçiyle başlayın.</translation>
+    </message>
+    <message>
+        <source>Visitors</source>
+        <translation>Ziyaretçiler</translation>
+    </message>
+    <message>
+        <source>&amp;New visitor</source>
+        <translation>&amp;Yeni ziyaretçi</translation>
+    </message>
+    <message>
+        <source>&amp;Open event…</source>
+        <translation>&amp;Etkinlik aç…</translation>
+    </message>
+    <message>
+        <source>Visitors of this event</source>
+        <translation>Bu etkinliğin ziyaretçileri</translation>
+    </message>
+    <message>
+        <source>No event is open.</source>
+        <translation>Açık etkinlik yok.</translation>
+    </message>
+    <message>
+        <source>Open the event&apos;s folder; an empty one begins a new event.</source>
+        <translation>Etkinliğin klasörünü açın; boş klasör yeni etkinlik başlatır.</translation>
+    </message>
+    <message>
+        <source>Press New visitor when somebody steps up.</source>
+        <translation>Biri gelince Yeni ziyaretçi’ye basın.</translation>
+    </message>
+</context>
+<context>
+    <name>webcam</name>
+    <message>
+        <source>Webcam</source>
+        <extracomment>Half of a person with the arms a hand&apos;s breadth away from the body: shares of the height (taste).</extracomment>
+        <translation>Web kamerası</translation>
+    </message>
+    <message>
+        <source>&amp;Take the photo</source>
+        <translation>Fotoğrafı &amp;çek</translation>
+    </message>
+    <message>
+        <source>T&amp;urn the picture</source>
+        <translation>Resmi &amp;döndür</translation>
+    </message>
+    <message>
+        <source>Fill the outline, and keep all of it in the picture.</source>
+        <translation>Konturu doldurun ve tümünü resimde tutun.</translation>
+    </message>
+    <message>
+        <source>Which photo is taken</source>
+        <translation>Hangi fotoğraf çekiliyor</translation>
+    </message>
+    <message>
+        <source>Live picture</source>
+        <translation>Canlı görüntü</translation>
+    </message>
+</context>
+<context>
+    <name>window</name>
+    <message>
+        <source>Folder of the event, or of one visitor</source>
+        <extracomment>Names under which a visit&apos;s file remembers the page.</extracomment>
+        <translation>Etkinliğin veya bir ziyaretçinin klasörü</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Geri</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt visitor</source>
+        <translation>S&amp;onraki ziyaretçi</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt</source>
+        <translation>&amp;İleri</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>İletiyi kapat</translation>
+    </message>
+    <message>
+        <source>Step {n}: {title}</source>
+        <translation>Adım {n}: {title}</translation>
+    </message>
+</context>
+</TS>

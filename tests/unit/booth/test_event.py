@@ -1,0 +1,166 @@
+"""Event folders, visits, persons and consent, the queue, effort and retention: rules without a window."""
+
+import json
+import os
+from datetime import UTC, datetime
+from pathlib import Path
+
+import pytest
+
+from cloner.booth import effort, keeping, line
+from cloner.booth.event import Event, check_event_folder, is_visitor, new_visitor, read_event, visits, write_event
+from cloner.booth.person_file import (
+    cm_from_feet,
+    consent_given,
+    consent_when,
+    feet_from_cm,
+    person_facts,
+    write_person,
+)
+from cloner.booth.visits import State, Visit, read_visit, write_visit
+from cloner.errors import ClonerError
+
+NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
+
+
+def test_settings_come_back_as_they_were_written(tmp_path):
+    event = Event("tr", 7, "Evet", ("glb", "obj"), "/media/camera", "http://x/{id}", "dark", 150, True, "visitor-003")
+    write_event(tmp_path, event)
+    assert read_event(tmp_path) == event
+    assert read_event(tmp_path / "nothing") == Event()
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["[]", "{", '{"format": 2}', '{"format": 1, "colour": "red"}', '{"format": 1, "big": 1}',
+     '{"format": 1, "language": "xx"}', '{"format": 1, "retention_days": -1}', '{"format": 1, "formats": "glb"}'],
+)  # fmt: skip
+def test_broken_settings_are_told_by_the_name_of_their_file(tmp_path, text):
+    (tmp_path / "event.json").write_text(text)
+    with pytest.raises(ClonerError) as told:
+        read_event(tmp_path)
+    assert told.value.where == "event.json"
+
+
+def test_visitors_are_numbered_and_numbers_are_not_given_twice(tmp_path):
+    first, second = new_visitor(tmp_path, "a"), new_visitor(tmp_path, "b")
+    assert (first.name, second.name) == ("visitor-001", "visitor-002")
+    keeping.forget_visitor(first, tmp_path)
+    assert new_visitor(tmp_path, "c").name == "visitor-003"
+    assert list(visits(tmp_path)) == [second, tmp_path / "visitor-003"]
+    assert visits(tmp_path)[second].started == "b"
+
+
+def test_an_event_is_never_opened_among_strangers_files(tmp_path):
+    check_event_folder(tmp_path)
+    (tmp_path / "thesis.doc").write_text("x")
+    with pytest.raises(ClonerError, match="other things"):
+        check_event_folder(tmp_path)
+    new_visitor(tmp_path, "")
+    check_event_folder(tmp_path)
+    with pytest.raises(ClonerError, match="no such folder"):
+        check_event_folder(tmp_path / "gone")
+
+
+def test_a_folder_with_photos_is_a_visitor_also_without_our_file(samples):
+    assert is_visitor(samples / "anna" / "plain")
+    assert not is_visitor(samples / "anna")
+
+
+@pytest.mark.parametrize("text", ["", "[]", "nonsense", '{"state": "eaten"}', '{"clicks": "many"}'])
+def test_a_broken_visit_starts_anew_and_stops_nobody(tmp_path, text):
+    (tmp_path / "visit.json").write_text(text)
+    assert read_visit(tmp_path) == Visit()
+
+
+def test_a_visit_comes_back(tmp_path):
+    visit = Visit("points", "face_front", State.WAITING, "q", "", "s", "de", 12.5, 30.0, 4, 5)
+    write_visit(tmp_path, visit)
+    assert read_visit(tmp_path) == visit
+
+
+def test_name_height_and_consent_are_written_and_the_rest_stays(tmp_path):
+    (tmp_path / "person.toml").write_text('name = "A"\nnotes = "tall"\n[measures]\nwaist_girth = 70.5\n')
+    write_person(tmp_path, name='Ayşe "7"\n\\ \x7f', height_cm=171.5, consent="yes (2026)")
+    assert person_facts(tmp_path) == ('Ayşe "7"\n\\ \x7f', 171.5, "yes (2026)")
+    text = (tmp_path / "person.toml").read_text()
+    assert 'notes = "tall"' in text
+    assert "waist_girth = 70.5" in text
+    write_person(tmp_path, name="", height_cm=None, consent="")
+    assert person_facts(tmp_path) == ("", None, "")
+
+
+def test_absurd_heights_are_refused_and_the_old_ones_stay(tmp_path):
+    write_person(tmp_path, name="A", height_cm=180.0, consent="")
+    with pytest.raises(ClonerError, match="outside"):
+        write_person(tmp_path, name="A", height_cm=18.0, consent="")
+    assert person_facts(tmp_path)[1] == 180.0
+
+
+@pytest.mark.parametrize(("feet", "inches", "cm"), [(5, 7.0, 170.18), (6, 0.0, 182.88), (4, 11.5, 151.13)])
+def test_feet_and_inches(feet, inches, cm):
+    assert cm_from_feet(feet, inches) == pytest.approx(cm)
+    assert feet_from_cm(cm) == (feet, inches)
+
+
+def test_a_consent_says_what_when_and_in_which_language():
+    told = consent_given("I  agree\n(to all).", NOW, "de")
+    assert told == "I agree (to all). (2026-11-21 12:00 UTC, de)"
+    assert consent_when(told) == "2026-11-21 12:00 UTC, de"
+    assert consent_when("on paper") == "on paper"
+
+
+def test_who_asked_first_is_cloned_first():
+    asked = {Path("a"): line.asked(Visit(), "2"), Path("b"): line.asked(Visit(), "1"), Path("c"): Visit()}
+    assert line.waiting(asked) == (Path("b"), Path("a"))
+    assert line.waiting({Path("a"): line.cloned(asked[Path("a")], 30.0)}) == ()
+    assert line.failed(asked[Path("a")], "dark").problem == "dark"
+    assert line.withdrawn(asked[Path("a")], True).state is State.CLONED
+    assert line.withdrawn(asked[Path("a")], False).state is State.NONE
+
+
+def test_the_time_left_follows_the_pace_of_the_clone_under_way():
+    usual = line.usual_seconds({Path("a"): Visit(clone_seconds=40.0), Path("b"): Visit(clone_seconds=60.0)})
+    assert usual == 50.0
+    assert line.usual_seconds({}) == line.USUAL_S
+    assert line.seconds_left(0.0, 0.0, 50.0) == 50.0
+    assert line.seconds_left(0.9, 90.0, 50.0) == pytest.approx(5.0, abs=6.0), "a slow machine: nearly done all the same"
+    assert line.seconds_left(0.5, 25.0, 50.0, before=2) == pytest.approx(125.0)
+    assert line.seconds_left(1.0, 70.0, 50.0) == 0.0
+    late = [line.seconds_left(0.5, spent, 50.0) for spent in (20.0, 40.0, 80.0)]
+    assert all(left > 0.0 for left in late), "never nothing before the end"
+
+
+def test_effort_is_told_without_names(tmp_path):
+    folder = new_visitor(tmp_path, "2026-11-21T10:00:00")
+    write_person(folder, name="Anna", height_cm=None, consent="")
+    write_visit(folder, line.with_effort(read_visit(folder), 40.0, 12, 3))
+    told = effort.effort_csv(visits(tmp_path))
+    assert told.splitlines()[1] == "visitor-001,2026-11-21 10:00,none,40,12,3,0"
+    assert "Anna" not in told
+    assert effort.middle_effort(visits(tmp_path)) == (40.0, 12, 3)
+    assert effort.middle_effort({}) == (0.0, 0.0, 0.0)
+
+
+def test_whose_time_is_over_is_found_also_without_a_photo(tmp_path):
+    old, new = new_visitor(tmp_path, ""), new_visitor(tmp_path, "")
+    write_person(old, name="Anna Long", height_cm=None, consent="yes")
+    for path in old.iterdir():
+        os.utime(path, (NOW.timestamp() - 31 * 86400,) * 2)
+    for path in new.iterdir():
+        os.utime(path, (NOW.timestamp() - 29 * 86400,) * 2)
+    assert [one.identifier for one in keeping.overdue(tmp_path, 30, NOW)] == ["visitor-001"]
+    assert keeping.overdue(tmp_path, 0, NOW) == ()
+    (tmp_path / "notes.txt").write_text("Anna Long was here")
+    assert keeping.forget_visitor(old, tmp_path) == ("notes.txt",)
+    assert not old.exists()
+    assert json.loads((new / "visit.json").read_text())["state"] == "none"
+
+
+def test_a_lone_visitor_is_forgotten_without_looking_at_the_neighbours(tmp_path):
+    folder = tmp_path / "anna"
+    folder.mkdir()
+    write_person(folder, name="Anna Long", height_cm=None, consent="")
+    (tmp_path / "diary.txt").write_text("Anna Long")
+    assert keeping.forget_visitor(folder, None) == ()
+    assert [path.name for path in tmp_path.iterdir()] == ["diary.txt"]
