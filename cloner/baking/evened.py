@@ -16,6 +16,7 @@ from cloner.vision.evening import (
     FLATTENED_CLOTH,
     REFERENCE_HOLD,
     apply_light,
+    beyond_light,
     even_light,
     light_basis,
     log_levels,
@@ -27,9 +28,8 @@ from cloner.vision.painting import MOUTH_RGB
 Array = NDArray[np.float64]
 
 TRUSTED_COSINE = 0.45  # photos are compared where both see the surface at less than 63 degrees
-LIKE_LOG = 0.25  # photos that differ by more than a quarter after evening show different things
 SKIN_PRIOR = 1.0  # taste: how much one colour of skin counts against another photo of the same place
-FADE = 0.02  # against data of weight 1: a correction dies away over sqrt(LEVEL_STIFFNESS / FADE) = 10 edges
+FADE = 0.08  # against data of weight 1: a correction dies away over sqrt(LEVEL_STIFFNESS / FADE) = 5 edges
 LEVEL_STIFFNESS = 2.0  # taste: a correction follows no detail finer than some edges
 FILL_STIFFNESS = 0.02  # taste: seen colours hold, unseen ones are harmonic
 FILL_TRUST = 0.1  # a colour seen worse than this spreads nowhere
@@ -146,7 +146,7 @@ def level_borders(colours: Array, claim: Array, graph: SurfaceGraph) -> Array:
             if j == k:
                 continue
             gap = logs[j] - logs[k]
-            alike = 1.0 / (1.0 + (np.abs(gap).mean(axis=1) / LIKE_LOG) ** 4)
+            alike = 1.0 / (1.0 + beyond_light(gap) ** 4)
             part = share[j] * alike * (claim[k] > 0.0)
             pull += part[:, None] * gap
             mass += part

@@ -11,18 +11,19 @@ from cloner.baking.sources import Source, hair_allowed
 from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.vision.aligning import sample
-from cloner.vision.evening import log_levels
+from cloner.vision.evening import beyond_light, log_levels
 
 Array = NDArray[np.float64]
 
 SQUARE = 0.5  # cosine from which a sight is believed by itself
-STRANGE_LOG = 0.45  # light differs by less between neighbours, skin and cloth by more
 STRANGE_KIND = 0.5
 KIND_STIFFNESS = 0.4  # an island of one or two edges is outvoted by what surrounds it
 KIND_STEP = (0.25, 0.75)
 MAJORITY = 0.3  # weight of what most of a body part is, against one square sight
 SPREAD_STIFFNESS = 0.02  # votes hold, unseen vertices follow their neighbours
 SURE = 4.0  # a claim of a half decides alone; a grazing one says little beside the neighbours
+CUFF_SHARE = 0.35  # of the hand: how far cuffs reach from the wrist
+BARE_HAND = 0.7  # of what is seen of a hand: more skin than that and it wears no glove
 HAIR_ROUNDS = 2  # rings over which the scalp's own kind fades
 
 
@@ -74,7 +75,7 @@ def doubt_grazing(
     around = graph.fill(mean, np.clip(2.0 * total, 0.0, 1.0), SPREAD_STIFFNESS)
     found = []
     for source, log, shown in zip(sources, logs, shown_bare(generic, sources), strict=True):
-        alike = (np.abs(log - around).mean(axis=1) < STRANGE_LOG) & (np.abs(shown - kinds.bare) < STRANGE_KIND)
+        alike = (beyond_light(log - around) < 1.0) & (np.abs(shown - kinds.bare) < STRANGE_KIND)
         found.append(replace(source, score=source.score * ((source.sight.cosine > SQUARE) | alike)))
     return found
 
@@ -82,6 +83,16 @@ def doubt_grazing(
 def always_bare(generic: GenericHuman) -> NDArray[np.bool_]:
     """Return (V,) face and ears: the person's own whatever labels and colours say, under paint and glasses too."""
     return generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
+
+
+def hands_beyond_cuffs(generic: GenericHuman) -> list[NDArray[np.intp]]:
+    """Return the vertices of both hands that no cuff reaches."""
+    found = []
+    for side in ("left", "right"):
+        rows = np.flatnonzero(generic.vertex_segment == generic.segment_names.index(f"{side}_hand"))
+        reach = np.linalg.norm(generic.vertices_m[rows] - generic.joints_m[generic.joint(f"{side[0]}_wrist")], axis=1)
+        found.append(rows[reach > CUFF_SHARE * reach.max()])
+    return found
 
 
 def shown_bare(generic: GenericHuman, sources: list[Source]) -> Array:
@@ -105,6 +116,10 @@ def find_materials(generic: GenericHuman, sources: list[Source], graph: SurfaceG
     weight = np.where(always_bare(generic), 1.0, weight)
     vote = np.where(always_bare(generic), 1.0, vote)
     vote, weight = _with_majority(generic, vote, weight)
+    for hand in hands_beyond_cuffs(generic):
+        seen = float(weight[hand].sum())
+        if seen > 0.0 and float(weight[hand] @ vote[hand]) > BARE_HAND * seen:
+            vote[hand], weight[hand] = 1.0, 1.0  # what shows between thumb and fingers is the coat behind them
     bare = graph.fill(vote[:, None], weight, KIND_STIFFNESS)[:, 0]
     # Islands are misplaced sights: borders stay, what is smaller than some edges goes.
     bare = np.clip((bare - KIND_STEP[0]) / (KIND_STEP[1] - KIND_STEP[0]), 0.0, 1.0)

@@ -21,6 +21,8 @@ FLATTENED = 0.35  # taste: share of one-sided light on skin that is taken out; a
 FLATTENED_CLOTH = 0.2  # taste: folds turn into light and dark sides too
 SLOPE_HUBER = 0.05  # beyond 5 % the two halves of a person differ by more than light
 LEAST_PAIRS = 60  # fewer vertices on both halves tell nothing
+LIGHT_LOG = 0.8  # taste: a hard lamp makes the same dark cloth twice as bright in one photo as in another
+HUE_LOG = 0.15  # light of one place changes the channels alike to some 15 %
 
 
 def log_levels(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
@@ -87,6 +89,16 @@ def even_light(
             right[second] -= drive
         result = np.asarray(np.linalg.solve(system, right), np.float64).reshape(count, 4, 3)
     return _without_harm(result, logs, weights, basis)
+
+
+def beyond_light(gap: NDArray[np.floating]) -> NDArray[np.floating]:
+    """Return (...,) how far differences of log levels (..., 3) go beyond what light does to one thing; 1 is the limit.
+
+    Lamps and shade change all channels nearly alike, another thing has another hue or is far darker.
+    """
+    grey = gap.mean(axis=-1)
+    hue = np.abs(gap - grey[..., None]).mean(axis=-1)
+    return np.asarray(np.hypot(grey / LIGHT_LOG, hue / HUE_LOG))
 
 
 def unsaturated(rgb: NDArray[np.floating]) -> NDArray[np.floating]:

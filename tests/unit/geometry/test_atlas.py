@@ -66,6 +66,19 @@ def test_shares_are_half_at_the_border_and_whole_beyond_the_band():
     assert np.all(np.abs(shares[0, at_border] - 0.5) < 0.15)
 
 
+def test_a_crumb_goes_to_the_photo_around_it_that_shows_it_or_to_none():
+    vertices, triangles = _strip(121)
+    graph = surface_graph(vertices, triangles)
+    x = vertices[:, 0]
+    crumb, end = np.abs(x - 0.2) < 0.02, x > 0.45
+    scores = np.stack([np.where(end, 0.3, 0.6), np.where(crumb | end, 0.8, 0.0)])
+    owner = partition_surface(scores, graph, smoothing=0)
+    assert (owner[~end] == 0).all()  # the crumb too
+    assert (owner[end] == 1).all()  # as large as a sleeve
+    scores[0, crumb] = 0.0
+    assert (partition_surface(scores, graph, smoothing=0)[crumb] == -1).all()
+
+
 def test_fill_is_harmonic_between_known_ends():
     vertices, triangles = _strip()
     graph = surface_graph(vertices, triangles)

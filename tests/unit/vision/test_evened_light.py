@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cloner.vision.evening import log_levels, one_sided_light, unclipped
+from cloner.vision.evening import beyond_light, log_levels, one_sided_light, unclipped
 from cloner.vision.skin_colour import skin_colour
 from cloner.vision.vetting import before_wall, hair_colours, shown_bare, vet_hair
 
@@ -31,6 +31,17 @@ def test_one_half_alone_tells_no_light():
     normals, twin = _ball()
     weight = np.where(np.arange(len(normals)) < len(normals) // 2, 1.0, 0.0)
     assert not one_sided_light(np.asarray(log_levels(normals + 2.0)), weight, normals, twin).any()
+
+
+def test_shade_is_light_and_another_hue_or_white_on_black_is_another_thing():
+    suit, shaded, shirt, blue = (
+        log_levels(np.array(c, float)) for c in ((60, 60, 58), (30, 30, 28), (235,) * 3, (40, 60, 110))
+    )
+    assert beyond_light(suit - shaded) < 1.0
+    assert beyond_light(suit - shirt) > 1.5
+    assert beyond_light(suit - blue) > 1.0
+    assert beyond_light(log_levels(SKIN) - log_levels(0.6 * SKIN)) < 1.0
+    assert beyond_light(log_levels(SKIN) - shirt) > 1.0
 
 
 def test_burnt_out_skin_gets_its_hue_back_and_cloth_does_not():
