@@ -9,6 +9,7 @@ from __future__ import annotations
 import contextlib
 import json
 import os
+import re
 import shutil
 import time
 import zipfile
@@ -185,8 +186,22 @@ def _delete(holding: Holding, roots: Sequence[Path], out: Path | None) -> None:
     for root in roots:
         for rest in root.glob(f"**/{_FORGOTTEN}*"):
             shutil.rmtree(rest)
+        for path in root.glob("*.log*"):
+            _forget_lines(path, holding.identifier)
     if out is not None:
         _forget_rows(out, holding.identifier)
+
+
+def _forget_lines(path: Path, identifier: str) -> None:
+    """Take the lines about a visitor out of a log; in place, because a running window goes on writing into it."""
+    told = re.compile(rf"(?<![\w.-]){re.escape(identifier)}(?![\w-])")
+    with path.open("r+", encoding="utf-8", errors="replace") as stream:
+        lines = stream.readlines()
+        kept = [line for line in lines if not told.search(line)]
+        if len(kept) < len(lines):
+            stream.seek(0)
+            stream.writelines(kept)
+            stream.truncate()
 
 
 def _busy(holding: Holding) -> ClonerError:

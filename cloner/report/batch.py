@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any, Final
 from urllib.parse import quote
 
+from cloner.errors import plain
 from cloner.project.atomic import write_text
 from cloner.records.batches import FAILED, BatchRow
 
@@ -60,8 +61,11 @@ def _table(rows: Sequence[BatchRow]) -> str:
 
 
 def _cell(value: object) -> object:
-    """Return a value that no spreadsheet takes for a formula."""
-    return f"'{value}" if isinstance(value, str) and value[:1] in ("=", "+", "-", "@") else value
+    """Return a value that no spreadsheet takes for a formula or a new row."""
+    if not isinstance(value, str):
+        return value
+    text = plain(value)
+    return f"'{text}" if text.lstrip()[:1] in tuple("=+-@") else text
 
 
 def _sheet(rows: Sequence[BatchRow], wanted: int, out: Path) -> str:

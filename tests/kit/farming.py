@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import json
 import os
+import threading
 import time
 from pathlib import Path
+from typing import Any
 
 from cloner.batch import BatchOptions
+from cloner.cloning import CloneOutcome, stamp_options
 from cloner.farm import watchdog
 from cloner.project.atomic import result_folder
 from cloner.project.manifest import Visitor
+from cloner.project.stamps import input_stamp, output_digests
 from cloner.records.batches import CLONED, BatchRow
+from cloner.report.batch import write_summary
 
 
 def pretend(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
@@ -28,3 +34,37 @@ def pretend(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
         with result_folder(out, name) as folder:
             (folder / "report.json").write_text("{}")
         return BatchRow(name, CLONED, 0.0, 0, f"by {os.getpid()}")
+
+
+def write_result(photos: Path, out: Path, *, identifier: str, **options: Any) -> CloneOutcome:
+    """Stand in for ``clone_folder``: a current result, after a moment in which a neighbour could interfere."""
+    with result_folder(out, identifier) as folder:
+        time.sleep(0.03)
+        (folder / "clone.npz").write_text(identifier)
+        told = stamp_options(options["height_cm"], options["formats"], options["seed"], options["texture_size"])
+        report = {"stamp": input_stamp(photos, told), "outputs": output_digests(folder, ["clone.npz"]), "warnings": []}
+        (folder / "report.json").write_text(json.dumps(report))
+    return CloneOutcome(identifier, out / identifier, report, {})
+
+
+def watch_summaries(folder: Path) -> None:
+    """Write a batch's summary many times while another thread reads it; it must always be readable."""
+    rows = [BatchRow(f"v{number}", CLONED, 1.0, 0, "fine") for number in range(50)]
+    write_summary(rows[:1], 50, folder)
+    stop = threading.Event()
+    broken: list[str] = []
+
+    def read() -> None:
+        while not stop.is_set():
+            try:
+                json.loads((folder / "batch.json").read_text())
+            except ValueError as error:
+                broken.append(str(error))
+
+    reader = threading.Thread(target=read)
+    reader.start()
+    for number in range(1, 50):
+        write_summary(rows[:number], 50, folder)
+    stop.set()
+    reader.join()
+    assert not broken

@@ -119,6 +119,17 @@ def test_nobody_is_forgotten_under_a_running_clones_feet(held: tuple[Path, Path]
     assert (root / "anna" / "body_front.jpg").is_file()
 
 
+def test_lines_of_the_log_go_and_a_running_window_writes_on(held: tuple[Path, Path]) -> None:
+    root, out = held
+    log = root / "cloner.log"
+    with log.open("a") as window:
+        window.write("INFO cloner.cloning: anna: 12.0 s\nINFO cloner.cloning: anna-2: 13.0 s\nINFO anna.\n")
+        window.flush()
+        forget(find_holding("anna", holdings(root, out)), root, out)
+        window.write("INFO later\n")
+    assert log.read_text() == "INFO cloner.cloning: anna-2: 13.0 s\nINFO later\n"
+
+
 def test_a_longer_name_is_somebody_else(held: tuple[Path, Path]) -> None:
     root, out = held
     with claimed(out, "anna.b"), result_folder(out, "anna.b") as folder:
