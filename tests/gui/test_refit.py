@@ -43,26 +43,27 @@ def cloned(window, jobs, qtbot):
 
 def outline_x(canvas, row_px):
     """Return the rightmost column of the drawn outline at a row of the photo."""
-    polygon = np.array([(p.x(), p.y()) for path in canvas._outline.toSubpathPolygons() for p in path])
+    polygon = np.array([(p.x(), p.y()) for path in canvas._clone.toSubpathPolygons() for p in path])
     return polygon[np.abs(polygon[:, 1] - row_px) < 2.0, 0]
 
 
 def test_a_drag_after_cloning_moves_the_shown_body_and_says_so(cloned, qtbot):
     canvas = cloned.points.views[VIEW]
     start = cloned.session.points(VIEW).get("waist_left")
+    qtbot.waitUntil(lambda: not canvas._clone.isEmpty(), timeout=5000)
     before = outline_x(canvas, start[1])
     assert np.abs(before - start[0]).min() < 6.0, "the clone's outline is drawn as soon as there is a clone"
     with qtbot.waitSignal(cloned.session.refitted, timeout=5000):
         drag(qtbot, canvas, tuple(start), (start[0] + 10, start[1]), (start[0] + 25, start[1]))
     place = cloned.session.points(VIEW).get("waist_left")
     assert place[0] > start[0] + 20
-    assert np.abs(outline_x(canvas, place[1]) - place[0]).min() < 2.5
+    qtbot.waitUntil(lambda: np.abs(outline_x(canvas, place[1]) - place[0]).min() < 2.5, timeout=5000)
     assert "follows" in cloned.points.status.text()
     moved = cloned.session.clone_now().vertices_m - cloned.session.outcome.values["clone"].vertices_m
     assert 0.02 < np.linalg.norm(moved, axis=1).max() < 0.05, "the turntable shows the bend"
     with qtbot.waitSignal(cloned.session.refitted, timeout=5000):
         cloned.undo_action.trigger()
-    assert np.allclose(outline_x(canvas, start[1]), before), "undo brings the body back"
+    qtbot.waitUntil(lambda: np.array_equal(outline_x(canvas, start[1]), before), timeout=5000)
 
 
 def test_a_point_that_the_body_cannot_follow_is_told(cloned, qtbot):

@@ -2,19 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPen, QPixmap
+from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPen, QPixmap, QPolygonF
+
+from cloner_gui.canvas.lens import HALF_PX, Lens
 
 RADIUS: Final = 5.0  # taste: visible on a photo of 1,800 px shown at half size
 CORRECTED: Final = QColor(64, 156, 255)
 SURE: Final = QColor(60, 200, 90)
 UNSURE: Final = QColor(240, 70, 50)
 CLONE: Final = QColor(255, 40, 220)  # as in the previews
-_UNSURE_BELOW: Final = 0.25  # confidence at which a point is fully red; taste
+LINKED: Final = QColor(255, 190, 20)  # the photo's own outline
+#: Outlines have a corner a pixel; every so many are drawn: strokes cost by the corner.
+_CORNER_STEP: Final = 2
+MAGNIFIED: Final = 4.0  # at least so many widget pixels a photo pixel inside the magnifier; taste
+MAGNIFIER: Final = 150.0  # its diameter, widget pixels: a thumb's breadth on a touch screen
+UNSURE_BELOW: Final = 0.25  # confidence at which a point is fully red; taste
 _SURE_ABOVE: Final = 0.75  # confidence at which a point is fully green; taste
 
 
@@ -26,41 +34,127 @@ def pixmap_of(rgb: NDArray[np.uint8]) -> QPixmap:
     return QPixmap.fromImage(image.copy())  # the pixels belong to numpy and may go
 
 
+def path_of(borders_px: Iterable[NDArray[np.float64]]) -> QPainterPath:
+    """Return closed borders (M, 2), photo pixels, as a path in Qt's photo coordinates."""
+    path = QPainterPath()
+    for border in borders_px:
+        corners = (np.asarray(border)[::_CORNER_STEP] + HALF_PX).tolist()
+        path.addPolygon(QPolygonF([QPointF(x, y) for x, y in corners]))
+        path.closeSubpath()
+    return path
+
+
 def point_colour(confidence: float, corrected: bool) -> QColor:
     """Return blue for a corrected point, else red through yellow to green by confidence."""
     if corrected:
         return QColor(CORRECTED)
-    share = min(max((confidence - _UNSURE_BELOW) / (_SURE_ABOVE - _UNSURE_BELOW), 0.0), 1.0)
+    share = min(max((confidence - UNSURE_BELOW) / (_SURE_ABOVE - UNSURE_BELOW), 0.0), 1.0)
     hue = UNSURE.hueF() + share * (SURE.hueF() - UNSURE.hueF())
     return QColor.fromHsvF(hue, 0.8, 0.95)
 
 
-def draw_point(painter: QPainter, at: QPointF, colour: QColor, *, strong: bool) -> None:
+def radius_of(scale: float, *, strong: bool) -> float:
+    """Return the radius of a point, widget pixels: small on a small photo, where a face is all points else."""
+    return RADIUS * min(max(0.4 + scale, 0.6), 1.2) * (1.6 if strong else 1.0)
+
+
+def draw_point(painter: QPainter, at: QPointF, colour: QColor, radius: float) -> None:
     """Draw one point as a ring with a dark rim, so that it shows on any photo; its middle stays free."""
-    radius = RADIUS * (1.6 if strong else 1.0)
     painter.setBrush(Qt.BrushStyle.NoBrush)
-    for pen in (QPen(QColor(0, 0, 0, 170), 4.0), QPen(colour, 2.0)):
+    for pen in (QPen(QColor(0, 0, 0, 170), min(0.8 * radius, 4.0)), QPen(colour, min(0.4 * radius, 2.0))):
         painter.setPen(pen)
         painter.drawEllipse(at, radius, radius)
     painter.setPen(QPen(colour, 1.0))
     painter.drawPoint(at)
 
 
-def draw_outline(painter: QPainter, outline: QPainterPath) -> None:
-    """Draw the clone's outline over its photo, as thin as the screen allows at any zoom."""
-    pen = QPen(CLONE, 1.5)
-    pen.setCosmetic(True)
+def draw_outline(painter: QPainter, outline: QPainterPath, colour: QColor = CLONE) -> None:
+    """Draw an outline over its photo, as thin as the screen allows at any zoom."""
     painter.setBrush(Qt.BrushStyle.NoBrush)
+    pen = QPen(colour, 1.5)
+    pen.setCosmetic(True)
     painter.setPen(pen)
     painter.drawPath(outline)
+
+
+def draw_anchor(painter: QPainter, at: QPointF, radius: float) -> None:
+    """Draw an operator's own outline point as a diamond."""
+    corners = [at + QPointF(x * radius, y * radius) for x, y in ((0, -1), (1, 0), (0, 1), (-1, 0))]
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for pen in (QPen(QColor(0, 0, 0, 170), 4.0), QPen(CORRECTED, 2.0)):
+        painter.setPen(pen)
+        painter.drawPolygon(corners)
+
+
+def draw_partner(painter: QPainter, at: QPointF) -> None:
+    """Draw a dashed ring where the mirrored partner of the chosen point is expected."""
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for pen in (QPen(QColor(0, 0, 0, 150), 3.5), QPen(QColor(255, 255, 255), 1.5, Qt.PenStyle.DashLine)):
+        painter.setPen(pen)
+        painter.drawEllipse(at, 2.0 * RADIUS, 2.0 * RADIUS)
+
+
+def draw_magnifier(
+    painter: QPainter, photo: QPixmap, outlines: Sequence[tuple[QPainterPath, QColor]], at: QPointF, place: QPointF
+) -> None:
+    """Draw a round close-up of the photo around ``place`` (Qt's photo coordinates) with cross hairs, around ``at``."""
+    half, scale = MAGNIFIER / 2.0, max(MAGNIFIED, 2.0 * painter.device().devicePixelRatio())
+    circle = QPainterPath()
+    circle.addEllipse(at, half, half)
+    painter.save()
+    painter.setClipPath(circle)
+    painter.fillPath(circle, QColor(40, 40, 40))
+    painter.translate(at)
+    painter.scale(scale, scale)
+    painter.translate(-place)
+    painter.drawPixmap(0, 0, photo)
+    for outline, colour in outlines:
+        draw_outline(painter, outline, colour)
+    painter.restore()
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for pen in (QPen(QColor(0, 0, 0, 180), 4.0), QPen(QColor(255, 255, 255), 2.0)):
+        painter.setPen(pen)
+        painter.drawEllipse(at, half, half)
+    painter.setPen(QPen(QColor(255, 255, 255, 200), 1.0))
+    for x, y in ((1.0, 0.0), (0.0, 1.0)):
+        for sign in (-1.0, 1.0):  # the middle stays free: there lies what is aimed at
+            way = QPointF(sign * x, sign * y)
+            painter.drawLine(at + way * 6.0, at + way * half)
 
 
 def draw_name(painter: QPainter, at: QPointF, text: str) -> None:
     """Draw a name beside a point, on a dark plate."""
     box = painter.fontMetrics().boundingRect(text)
     plate = QRectF(at.x() + 12, at.y() - box.height() - 6, box.width() + 12, box.height() + 6)
+    inside = QRectF(painter.viewport())
+    plate.translate(min(0.0, inside.right() - plate.right()), max(0.0, inside.top() - plate.top()))
     painter.setPen(Qt.PenStyle.NoPen)
     painter.setBrush(QColor(20, 20, 20, 210))
     painter.drawRoundedRect(plate, 3, 3)
     painter.setPen(QColor(255, 255, 255))
     painter.drawText(plate, Qt.AlignmentFlag.AlignCenter, text)
+
+
+class ScaledPhoto:
+    """A photo at the size it is shown, kept until the view moves: scaling it anew for every move of a point is slow."""
+
+    def __init__(self) -> None:
+        self._key: tuple[object, ...] = ()
+        self._shown = QPixmap()
+
+    def draw(self, painter: QPainter, photo: QPixmap, lens: Lens, density: float) -> None:
+        """Draw a photo through a lens, ``density`` screen pixels a widget pixel."""
+        size = lens.widget * density
+        key = (photo.cacheKey(), lens.scale, lens.offset.toTuple(), size.toTuple())
+        if key != self._key:
+            self._key = key
+            self._shown = QPixmap(size.toSize())
+            self._shown.setDevicePixelRatio(density)
+            self._shown.fill(Qt.GlobalColor.transparent)
+            inside = QPainter(self._shown)
+            inside.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform, lens.scale < 2.0)
+            inside.translate(lens.offset)
+            inside.scale(lens.scale, lens.scale)
+            inside.drawPixmap(0, 0, photo)
+            inside.end()
+        painter.drawPixmap(0, 0, self._shown)

@@ -2,75 +2,107 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
-from cloner_gui.canvas.turntable import Turntable
+from cloner.errors import ClonerError
+from cloner.outline_gaps import outline_gaps_mm
+from cloner_gui.canvas.preview_panel import PreviewPanel
+from cloner_gui.pieces import button, label
 from cloner_gui.session import Session
-from cloner_gui.words import spoken_step
+from cloner_gui.words import spoken_step, translate
+from cloner_gui.worker import Task
+
+#: Stages that the five parts of the work end with, in order; between them the operator sees which part is under way.
+PARTS = ("points", "fine", "join", "hair", "report")
 
 
 class ClonePage(QWidget):
     """Start the clone, watch it grow, turn it."""
 
     changed = Signal()
-    title = "4  Clone"
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
-        self.clone_button = QPushButton("Clone")
-        self.cancel_button = QPushButton("Cancel")
+        self.clone_button, self.cancel_button = button("main"), button()
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
-        self.status = QLabel()
-        self.turntable = Turntable()
-        self.turntable.failed.connect(session.failed)
-        self.warnings = QLabel()
-        self.warnings.setWordWrap(True)
-        self.body_button, self.face_button = QPushButton("Whole person"), QPushButton("Face")
+        self.status, self.warnings = label(), label("dim")
+        self.parts = [QLabel() for _ in PARTS]
+        self.panel = PreviewPanel()
+        self.preview = self.panel.preview
+        self._done_parts = 0
+        self._measuring: Task | None = None
         self._lay_out()
-        self.clone_button.clicked.connect(lambda: session.clone())
-        self.cancel_button.clicked.connect(session.cancel)
-        self.body_button.clicked.connect(lambda: self.turntable.frame("front"))
-        self.face_button.clicked.connect(lambda: self.turntable.frame("face"))
-        session.opened.connect(self._show)
-        session.cloned.connect(self._show)
-        session.refitted.connect(lambda: self.turntable.update_clone(session.clone_now()))
-        session.busy_changed.connect(self._show_busy)
-        session.progressed.connect(self._show_progress)
+        self._speak()
+        self._connect()
         self._show()
+
+    @property
+    def title(self) -> str:
+        """What the step is called."""
+        return translate("clone", "Clone")
 
     def why_not(self) -> str:
         """Return why the next page cannot come yet."""
-        return "" if self._session.outcome is not None else "Clone first."
+        return "" if self._session.outcome is not None else translate("clone", "Clone first.")
 
     def _lay_out(self) -> None:
-        top = QHBoxLayout()
+        top, parts = QHBoxLayout(), QHBoxLayout()
         for widget in (self.clone_button, self.cancel_button, self.progress):
             top.addWidget(widget)
         top.addWidget(self.status, 1)
-        bottom = QHBoxLayout()
-        for button in (self.body_button, self.face_button):
-            bottom.addWidget(button)
-        bottom.addStretch(1)
+        for part in self.parts:
+            parts.addWidget(part)
+        parts.addStretch(1)
         column = QVBoxLayout(self)
+        column.setContentsMargins(0, 0, 0, 0)
         column.addLayout(top)
-        column.addWidget(self.turntable, 1)
+        column.addLayout(parts)
+        column.addWidget(self.panel, 1)
         column.addWidget(self.warnings)
-        column.addLayout(bottom)
+
+    def _connect(self) -> None:
+        session = self._session
+        self.clone_button.clicked.connect(lambda: session.clone())
+        self.cancel_button.clicked.connect(session.cancel)
+        self.preview.failed.connect(session.failed)
+        self.panel.gaps_wanted.connect(self._measure_gaps)
+        session.opened.connect(self._show)
+        session.cloned.connect(self._show)
+        session.refitted.connect(self._show_refit)
+        session.busy_changed.connect(self._show_busy)
+        session.progressed.connect(self._show_progress)
+
+    def _speak(self) -> None:
+        """Put all words into the window's language."""
+        self.clone_button.setText(translate("clone", "Clone"))
+        self.cancel_button.setText(translate("clone", "Cancel"))
+        self._names = (
+            translate("clone", "Points"),
+            translate("clone", "Body"),
+            translate("clone", "Head"),
+            translate("clone", "Hair"),
+            translate("clone", "Texture and files"),
+        )
+        self.preview.empty_text = translate("clone", "Press Clone: after about a minute the person stands here.")
+        self._show_parts()
 
     def _show(self) -> None:
         """Show the finished clone, or an empty place for it."""
-        outcome = self._session.outcome
-        self.turntable.set_clone(None if outcome is None else outcome.values["clone"])
-        for button in (self.body_button, self.face_button):
-            button.setEnabled(outcome is not None)
-        self.status.setText("" if outcome is None else f"Written to {outcome.folder.parent.name}/{outcome.folder.name}")
+        outcome, session = self._session.outcome, self._session
+        self.panel.set_clone(session.clone_now(), session.photos.photos)
+        self.status.setText("")
         self.warnings.setText("" if outcome is None else "\n".join(f"• {text}" for text in outcome.warnings))
         self.warnings.setVisible(bool(self.warnings.text()))
         self._show_busy()
         self.changed.emit()
+
+    def _show_refit(self) -> None:
+        self.preview.update_clone(self._session.clone_now())
+        if self.preview.mode == "gaps" and self.isVisible():
+            self._measure_gaps()
 
     def _show_busy(self) -> None:
         busy = self._session.busy
@@ -81,7 +113,47 @@ class ClonePage(QWidget):
             self.progress.setValue(0)  # the bar still shows the work before this one
         elif self._session.outcome is None:
             self.status.setText("")
+        self._done_parts = 0 if busy or self._session.outcome is None else len(PARTS)
+        self._show_parts()
 
     def _show_progress(self, step: str, fraction: float) -> None:
         self.progress.setValue(round(1000 * fraction))
         self.status.setText(spoken_step(step))
+        if step in PARTS:
+            self._done_parts = max(self._done_parts, PARTS.index(step))
+        self._show_parts()
+
+    def _show_parts(self) -> None:
+        """Show which parts of the work are done and which is under way."""
+        busy = self._session.busy
+        for number, (part, text) in enumerate(zip(self.parts, self._names, strict=True)):
+            mark = "✓" if number < self._done_parts else "▸" if busy and number == self._done_parts else "·"
+            part.setText(f"{mark} {text}")
+
+    def _measure_gaps(self) -> None:
+        """Find how far the clone keeps from the photos' outlines, beside the window's own work."""
+        outcome, moved = self._session.outcome, self._session.moved
+        if outcome is None or "obeyed_silhouettes" not in outcome.values or self._measuring is not None:
+            return
+        person = outcome.values["obeyed"] if moved is None else moved.person
+        outlines = outcome.values["obeyed_silhouettes"].views
+        task = Task(lambda _: outline_gaps_mm(person.vertices_m, person.joints_m, person.views, outlines), self)
+        self._measuring = task
+        task.succeeded.connect(self.preview.set_gaps)
+        task.failed.connect(self._tell_failed)
+        task.finished.connect(self._measured)
+        task.start()
+
+    def _measured(self) -> None:
+        if self._measuring is not None:
+            self._measuring.deleteLater()
+        self._measuring = None
+
+    def _tell_failed(self, error: ClonerError) -> None:
+        self._session.failed.emit(error)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Speak another language."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._speak()

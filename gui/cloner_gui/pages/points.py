@@ -1,114 +1,296 @@
-"""Third page: see the proposed points and drag them right."""
+"""Third page: see the proposed points on all photos, worst first, and drag them right."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QPushButton, QTabWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import (
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QSplitter,
+    QStackedWidget,
+    QVBoxLayout,
+    QWidget,
+)
 
 from cloner.frames import ViewId
-from cloner_gui.canvas.painting import CORRECTED, SURE, UNSURE
+from cloner.records.points import ViewPoints, next_anchor
+from cloner_gui.canvas.filmstrip import Filmstrip
+from cloner_gui.canvas.hints import legend, told_point
+from cloner_gui.canvas.live import LiveOutlines
+from cloner_gui.canvas.picking import next_of, worst_first
+from cloner_gui.canvas.preview import Preview
 from cloner_gui.canvas.view import PhotoView
+from cloner_gui.pieces import button, name
 from cloner_gui.session import Session
-from cloner_gui.words import VIEW_TITLES, spoken, spoken_refit, spoken_step
+from cloner_gui.words import VIEW_TITLES, spoken_refit, spoken_step, translate
 
-_HELP = (
-    "Drag a point to correct it. Wheel: zoom. Drag beside points: pan. Double click: whole photo. Right click: reset."
-)
+#: The clone's outline is drawn anew when the hand has rested so long: it costs as much as the preview.
+_OUTLINE_AFTER_MS = 250
 
 
 class PointsPage(QWidget):
-    """One tab a photo, each with its points."""
+    """All photos small, one of them large with its points, and the clone beside it."""
 
     changed = Signal()
-    title = "3  Points"
 
     def __init__(self, session: Session, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._session = session
         self.views: dict[ViewId, PhotoView] = {}
-        self.tabs = QTabWidget()
-        self.again = QPushButton("Find points")
-        self.again.clicked.connect(session.propose)
+        self._points: dict[ViewId, ViewPoints] = {}
+        self._shown: dict[ViewId, tuple[object, ...]] = {}
+        self.live = LiveOutlines(self)
+        self.strip, self.stack = Filmstrip(), QStackedWidget()
+        self.preview = Preview()
+        self.hint, self.status, self.legend, self.keys = QLabel(), QLabel(), QLabel(), QLabel()
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
-        self.status = QLabel(_HELP)
-        legend = " ".join(
-            f'<span style="color:{colour.name()}">●</span> {text} '
-            for colour, text in ((SURE, "sure"), (UNSURE, "unsure"), (CORRECTED, "corrected by you"))
-        )
+        self.again, self.previous, self.following = button("main"), button(), button("main")
+        self.reset, self.whole, self.anchor = button(), button(), button()
+        self._clone_later = QTimer(self, singleShot=True, interval=_OUTLINE_AFTER_MS)
+        self._clone_later.timeout.connect(self._show_clone_outline)
+        self._link_soon = QTimer(self, singleShot=True, interval=0)
+        self._link_soon.timeout.connect(self._show_outline)
+        self._lay_out()
+        self._connect()
+        self._speak()
+        self._open()
+
+    @property
+    def title(self) -> str:
+        """What the step is called."""
+        return translate("points", "Points")
+
+    def why_not(self) -> str:
+        """Return why the next page cannot come yet: points may always stay as they are."""
+        return "" if self._session.photos.photos else translate("points", "Add photos first.")
+
+    @property
+    def view(self) -> ViewId | None:
+        """The photo that is seen large."""
+        return next((view for view, canvas in self.views.items() if canvas is self.stack.currentWidget()), None)
+
+    def show_view(self, view: ViewId) -> None:
+        """Show a photo large, and the clone from its side."""
+        self.stack.setCurrentWidget(self.views[view])
+        self.strip.mark(view)
+        self._frame_preview(view)
+        self._tell_point(self.views[view].chosen)
+        self._link_soon.start()
+        self._clone_later.start()
+
+    def next_point(self, step: int) -> None:
+        """Go to the next point, the least sure first, whichever photo it is on; -1 goes back."""
+        view = self.view
+        now = None if view is None or not self.views[view].chosen else (view, self.views[view].chosen)
+        found = next_of(self._order, now, step)
+        if found is not None:
+            self.show_view(found[0])
+            self.views[found[0]].setFocus()
+            self.views[found[0]].choose(found[1], close=True)
+
+    # --- making -------------------------------------------------------------------
+
+    def _lay_out(self) -> None:
+        right = QWidget()
+        beside = QVBoxLayout(right)
+        beside.setContentsMargins(0, 0, 0, 0)
+        for text in (self.hint, self.status, self.keys):
+            text.setWordWrap(True)
+        self.hint.setMinimumHeight(3 * self.fontMetrics().height())
+        self.hint.setAlignment(Qt.AlignmentFlag.AlignTop)
+        beside.addWidget(self.hint)
+        beside.addWidget(self.preview, 1)
+        beside.addWidget(self.keys)
+        parts = QSplitter(Qt.Orientation.Horizontal)
+        for part, share in ((self.strip, 0), (self.stack, 5), (right, 3)):
+            parts.addWidget(part)
+            parts.setStretchFactor(parts.count() - 1, share)
+            parts.setCollapsible(parts.count() - 1, False)
+        parts.setSizes([96, 560, 320])
         bottom = QHBoxLayout()
-        bottom.addWidget(self.status, 1)
+        for widget in (self.previous, self.following, self.reset, self.anchor, self.whole, self.again):
+            bottom.addWidget(widget)
+            widget.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click must not take the keys from the photo
         bottom.addWidget(self.progress)
-        bottom.addWidget(self.again)
-        bottom.addWidget(QLabel(legend))
+        bottom.addWidget(self.status, 1)
         column = QVBoxLayout(self)
-        column.addWidget(self.tabs, 1)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(parts, 1)
         column.addLayout(bottom)
+        column.addWidget(self.legend)
+
+    def _connect(self) -> None:
+        session = self._session
+        self.again.clicked.connect(session.propose)
+        self.previous.clicked.connect(lambda: self.next_point(-1))
+        self.following.clicked.connect(lambda: self.next_point(1))
+        self.reset.clicked.connect(lambda: self._on_view(lambda canvas: canvas.point_reset.emit(canvas.chosen)))
+        self.whole.clicked.connect(lambda: self._on_view(PhotoView.show_all))
+        self.anchor.clicked.connect(lambda: self._on_view(lambda canvas: canvas.add_anchor(canvas.attention())))
+        self.strip.chosen.connect(self.show_view)
+        self.live.changed.connect(self._link_soon.start)
+        self.preview.failed.connect(session.failed)
         session.opened.connect(self._open)
         session.points_changed.connect(self._show_points)
         session.busy_changed.connect(self._show_busy)
         session.progressed.connect(self._show_progress)
-        session.cloned.connect(self._show_body)
+        session.cloned.connect(self._show_clone)
         session.refitted.connect(self._show_refit)
-        self.tabs.currentChanged.connect(self._show_body)
-        self._open()
-        self._show_busy()
 
-    def why_not(self) -> str:
-        """Return why the next page cannot come yet: points may always stay as they are."""
-        return "" if self._session.photos.photos else "Choose a folder with photos first."
+    def _speak(self) -> None:
+        """Put all words into the window's language."""
+        says = (
+            (self.again, translate("points", "Find points"), ""),
+            (self.previous, translate("points", "◀"), translate("points", "Point before (Shift+Tab)")),
+            (self.following, translate("points", "Next doubtful point"), translate("points", "Least sure first (Tab)")),
+            (self.reset, translate("points", "Back to proposal"), translate("points", "Undo this point (Delete)")),
+            (
+                self.anchor,
+                translate("points", "Add outline point"),
+                translate("points", "Or pull at it (Insert)"),
+            ),
+            (self.whole, translate("points", "Whole photo"), translate("points", "Show all of the photo (Home)")),
+        )
+        for widget, text, told in says:
+            widget.setText(text)
+            name(widget, told.split(" (")[0] if widget is self.previous else text, told)
+        self.legend.setText(legend())
+        self.keys.setText(
+            translate("points", "Tab: next point. Arrows: 1 pixel, with Shift 10. Wheel or + and −: zoom. Home: all.")
+        )
+        self.preview.empty_text = translate("points", "After the first clone, the person here follows your hand.")
+        self._tell_point("")
+
+    def _open(self) -> None:
+        """Show the open visitor's photos."""
+        self.live.forget()
+        for old in self.views.values():
+            self.stack.removeWidget(old)
+            old.deleteLater()
+        self.views, self._points, self._shown = {}, {}, {}
+        photos = self._session.photos.photos
+        self.strip.set_photos({view: (VIEW_TITLES[view], photo.rgb) for view, photo in photos.items()})
+        for view, photo in photos.items():
+            self.views[view] = self._canvas(view)
+            self.views[view].set_photo(photo.rgb)
+            self.stack.addWidget(self.views[view])
+        self._order: list[tuple[ViewId, str]] = []
+        self._show_clone()
+        self._show_points()
+        self._show_busy()
+        if self.views:
+            self.show_view(next(iter(self.views)))
+        if self.isVisible():
+            self._session.propose()
+        self.changed.emit()
+
+    def _canvas(self, view: ViewId) -> PhotoView:
+        canvas = PhotoView()
+        canvas.setAccessibleName(VIEW_TITLES[view])
+        canvas.point_moved.connect(lambda name, x, y, gesture: self._session.place_point(view, name, x, y, gesture))
+        canvas.point_reset.connect(lambda name: self._session.reset_point(view, name))
+        canvas.hovered.connect(lambda name: self._tell_point(name or canvas.chosen))
+        canvas.chosen_changed.connect(self._tell_point)
+        canvas.next_wanted.connect(self.next_point)
+        return canvas
+
+    def _on_view(self, act: Callable[[PhotoView], None]) -> None:
+        """Do something with the photo that is seen large, and give it the keys again."""
+        view = self.view
+        if view is not None:
+            act(self.views[view])
+            self.views[view].setFocus()
+
+    # --- events ------------------------------------------------------------------
 
     def showEvent(self, event: QShowEvent) -> None:
         """Propose points when the page is first seen."""
         super().showEvent(event)
         self._session.propose()
 
-    def _open(self) -> None:
-        """Make one tab a photo."""
-        self.tabs.clear()
-        for old in self.views.values():
-            old.deleteLater()
-        self.views = {}
-        for view, photo in self._session.photos.photos.items():
-            canvas = PhotoView()
-            canvas.set_photo(photo.rgb)
-            canvas.point_moved.connect(
-                lambda name, x, y, gesture, view=view: self._session.place_point(view, name, x, y, gesture)
-            )
-            canvas.point_reset.connect(lambda name, view=view: self._session.reset_point(view, name))
-            canvas.hovered.connect(lambda name: self.status.setText(spoken(name) if name else _HELP))
-            self.views[view] = canvas
-            self.tabs.addTab(canvas, VIEW_TITLES[view])
-        self._show_points()
-        self.changed.emit()
+    def changeEvent(self, event: QEvent) -> None:
+        """Speak another language."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            self._speak()
 
     def _show_points(self) -> None:
+        """Show what changed since the last time."""
+        session, corrections = self._session, self._session.corrections
         for view, canvas in self.views.items():
-            canvas.set_points(self._session.points(view))
-        self.again.setVisible(not self._session.proposed and not self._session.busy)
+            state = (session.proposed.get(view), corrections.points.get(view, {}))
+            if state == self._shown.get(view, ()):
+                continue
+            self._shown[view] = state
+            points = session.points(view)
+            canvas.anchor_name = next_anchor(corrections, view) if view.is_body and points is not None else ""
+            canvas.set_points(points)
+            self.strip.photos[view].set_points(points)
+            if points is not None:
+                self._points[view] = points
+            if canvas is self.stack.currentWidget():
+                self._tell_point(canvas.chosen)
+        if self._points and not self._order:
+            self._order = worst_first(self._points)
+            if session.folder is not None:
+                self.live.prepare(session.folder, session.photos, session.proposed)
+        self._link_soon.start()
+        self._show_busy()
         self.changed.emit()
 
+    def _show_outline(self) -> None:
+        """Link the photo's outline through the points as they are."""
+        view = self.view
+        if view is not None:
+            self.views[view].set_outline(self.live.borders(view, self._session.corrections))
+
+    def _show_clone_outline(self) -> None:
+        """Draw the clone's outline on the photo that is seen."""
+        view = self.view
+        if view is not None:
+            self.views[view].set_clone_outline(self._session.clone_outline(view))
+
+    def _show_clone(self) -> None:
+        self.preview.set_clone(self._session.clone_now())
+        if self.view is not None:
+            self._frame_preview(self.view)
+        self._clone_later.start()
+
+    def _frame_preview(self, view: ViewId) -> None:
+        """See the clone from where the photo saw the person."""
+        clone = self._session.clone_now()
+        side = "front"
+        if clone is not None and view in clone.views:
+            x, _, z = clone.views[view].camera.position_m
+            side = ("left" if x > 0 else "right") if abs(x) > abs(z) else "front" if z > 0 else "back"
+        self.preview.frame(side if view.is_body else f"face_{side}")
+
+    def _show_refit(self) -> None:
+        """Show where the body went, and say what it could not follow."""
+        self.preview.update_clone(self._session.clone_now())
+        self._clone_later.start()
+        if self._session.moved is not None:
+            self.status.setText(spoken_refit(self._session.moved))
+
     def _show_busy(self) -> None:
-        self.progress.setVisible(self._session.busy)
-        self.again.setVisible(not self._session.proposed and not self._session.busy)
-        if self._session.busy:
-            self.progress.setValue(0)
-        else:
-            self.status.setText(_HELP)
+        session = self._session
+        found = bool(session.proposed)
+        self.progress.setVisible(session.busy)
+        self.again.setVisible(not found and not session.busy and bool(self.views))
+        for widget in (self.previous, self.following, self.reset, self.whole, self.anchor):
+            widget.setEnabled(found)
+        if not session.busy:
+            self.status.setText("")
 
     def _show_progress(self, step: str, fraction: float) -> None:
         self.progress.setValue(round(1000 * fraction))
         self.status.setText(spoken_step(step))
 
-    def _show_body(self) -> None:
-        """Draw the clone's outline on the photo that is seen."""
-        for view, canvas in self.views.items():
-            if canvas is self.tabs.currentWidget():
-                canvas.set_outline(self._session.clone_outline(view))
-
-    def _show_refit(self) -> None:
-        """Show where the body went, and say what it could not follow."""
-        self._show_body()
-        if self._session.moved is not None:
-            self.status.setText(spoken_refit(self._session.moved))
+    def _tell_point(self, chosen: str) -> None:
+        """Say which point this is, how sure it is, and how to place it."""
+        self.hint.setText(told_point(None if self.view is None else self._points.get(self.view), chosen))
