@@ -21,7 +21,7 @@ from cloner.privacy import Holding
 from cloner_gui.clone_queue import now_text, update_visit
 from cloner_gui.intake import Intake
 from cloner_gui.session import Session
-from cloner_gui.worker import Task
+from cloner_gui.worker import Task, stop_all_tasks
 
 #: How often the operator's effort is written down, milliseconds.
 EFFORT_MS: Final = 5000
@@ -220,6 +220,7 @@ class Booth(QObject):
             self._opening.wait()
         self.intake.close()
         self.session.close()
+        stop_all_tasks()
 
     def _tell_failed(self, folder: Path, error: ClonerError) -> None:
         """Tell of a clone that failed while another visitor is open."""

@@ -95,10 +95,10 @@ def style_of(colours: Colours, *, control_px: int, points: float) -> str:
     QPushButton#danger {{ color: {c.warn}; border-color: {c.warn}; }}
     QPushButton:focus, QToolButton:focus {{ border: 2px solid {c.accent}; }}
     QPushButton#main:focus {{ border: 2px solid {c.text}; }}
-    QPushButton#step {{ background: transparent; border: none; border-bottom: 3px solid transparent;
+    QPushButton#step {{ background: transparent; border: 2px solid transparent; border-bottom-width: 3px;
         border-radius: 0; padding: 4px 16px; color: {c.dim}; }}
     QPushButton#step:checked {{ color: {c.text}; border-bottom-color: {c.accent}; }}
-    QPushButton#step:focus {{ border: 2px solid {c.accent}; }}
+    QPushButton#step:focus {{ border-color: {c.accent}; }}
     QLineEdit, QDoubleSpinBox, QSpinBox, QComboBox, QPlainTextEdit {{ background: {c.card};
         border: 1px solid {c.line}; border-radius: {radius}px; padding: 2px 8px; min-height: {control_px}px;
         selection-background-color: {c.accent}; selection-color: {c.on_accent}; }}

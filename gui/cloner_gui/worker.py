@@ -15,6 +15,18 @@ log = logging.getLogger(__name__)
 Work = Callable[[Callable[[str, float], None]], object]
 
 
+_running: set[Task] = set()
+
+
+def stop_all_tasks() -> None:
+    """Ask all work of all pages to stop and wait for it: a thread that outlives its program ends it with a crash."""
+    tasks = tuple(_running)
+    for task in tasks:
+        task.cancel()
+    for task in tasks:
+        task.wait()
+
+
 class Task(QThread):
     """Runs one function; exactly one of ``succeeded``, ``failed`` and ``stopped`` follows.
 
@@ -33,6 +45,12 @@ class Task(QThread):
         super().__init__(parent)
         self._work = work
         self._cancelled = threading.Event()
+        self.finished.connect(lambda: _running.discard(self))
+
+    def start(self, priority: QThread.Priority = QThread.Priority.InheritPriority) -> None:
+        """Begin the work on a new thread."""
+        _running.add(self)
+        super().start(priority)
 
     def cancel(self) -> None:
         """Ask the work to stop at its next progress call."""
