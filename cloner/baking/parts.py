@@ -10,6 +10,7 @@ from cloner.geometry.atlas import AtlasMap
 from cloner.vision.painting import LASH_RGB, TONGUE_RGB, paint_eye, paint_plain, paint_teeth
 
 USUAL_SKIN_RGB = (190.0, 160.0, 145.0)  # taste: for a mesh whose face has no texels
+EDGE_STEP_M = 0.004  # half a tooth: the biting edge is found as finely
 USUAL_IRIS_M = 0.00585  # anatomy: 11.7 mm across
 
 
@@ -42,9 +43,8 @@ def paint_parts(
             angle = float(np.arcsin(np.clip(iris / radius, 0.2, 0.7)))
             colour = paint_eye(spokes, iris_rgb, angle, skin_rgb, rng)
         elif name.startswith("teeth_"):
-            height = points[:, 1] - points[:, 1].min()
-            share = height / max(float(np.ptp(points[:, 1])), 1e-6)
-            colour = paint_teeth(share if name == "teeth_upper" else 1.0 - share)
+            along, height = _along_arch(points), points[:, 1] if name == "teeth_upper" else -points[:, 1]
+            colour = paint_teeth(height - _edge(along, height), along)
         else:
             colour = paint_plain(rows.size, TONGUE_RGB if name == "tongue" else LASH_RGB)
         flat[atlas.texel[rows]] = np.clip(np.rint(colour), 0, 255)
@@ -67,3 +67,19 @@ def fit_ball(points_m: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]
     system = np.column_stack([2.0 * local, np.ones(len(local))])
     solution = np.linalg.lstsq(system, (local**2).sum(axis=1), rcond=None)[0]
     return middle + solution[:3], float(np.sqrt(max(solution[3] + (solution[:3] ** 2).sum(), 1e-12)))
+
+
+def _along_arch(points_m: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (N,) metres along the arch of teeth, from its middle: the angle about the arch's own middle."""
+    aside = points_m[:, 0] - (points_m[:, 0].min() + points_m[:, 0].max()) / 2.0
+    width = max(float(np.abs(aside).max()), 1e-6)
+    behind = points_m[:, 2].max() - points_m[:, 2]
+    return np.asarray(np.arctan2(aside, width - behind) * width, np.float32)
+
+
+def _edge(along_m: NDArray[np.float32], height_m: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (N,) the height of the biting edge at every place along the arch."""
+    places = np.round(along_m / EDGE_STEP_M).astype(int)
+    steps = np.unique(places)
+    lowest = np.array([height_m[places == step].min() for step in steps])
+    return np.asarray(np.interp(along_m, steps * EDGE_STEP_M, lowest), np.float32)

@@ -22,7 +22,7 @@ _PARTS: Final = {
     "lashes": ("lashes_left", "lashes_right"),
 }
 _LASH_RGB: Final = (38, 28, 24)  # taste: dark brown, right for nearly everybody
-_LASH_COUNT: Final = 40  # hairs along one lid; anatomy says 90-150 above, fewer but thicker read the same
+_LASH_COUNT: Final = 60  # hairs along one lid; anatomy says 90-150 above, fewer but thicker read the same
 _LASH_TEXTURE_PX: Final = (64, 512)
 
 
@@ -144,7 +144,7 @@ def lash_texture() -> NDArray[np.uint8]:
     for hair in range(2 * _LASH_COUNT):
         middle = (hair + rng.uniform(0.2, 0.8)) * width / (2 * _LASH_COUNT)
         length, lean = rng.uniform(0.6, 1.0), rng.uniform(-4.0, 4.0)
-        thick = 2.2 * np.clip(1.0 - along / length, 0.0, 1.0) ** 0.6
+        thick = 1.5 * np.clip(1.0 - along / length, 0.0, 1.0) ** 0.6
         gap = np.abs(column - middle - lean * along)
         gap = np.minimum(gap, width - gap)
         alpha = np.maximum(alpha, np.clip(thick - gap, 0.0, 1.0))

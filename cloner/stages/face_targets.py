@@ -140,7 +140,7 @@ class _Face:
             rows = self.generic.part(part)
             moved = lips.before_teeth(grid, moved, self.rest_m[rows] + out[rows])
         if name == "mouthClose" or name in CLOSED:
-            moved = lips.closed(grid, moved)
+            moved = lips.sealed(grid, lips.uncrossed(grid, lips.closed(grid, moved)))
         out[grid.rings] = lips.uncrossed(grid, moved) - rest
 
 

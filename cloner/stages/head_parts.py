@@ -22,7 +22,7 @@ IRIS_REACH_M = 0.002
 #: Angle of the generic ball's iris rim from its gaze, radians (cage.py's ring).
 RIM_ANGLE = float(np.radians(23.0))
 #: Lashes are hm08's, shortened: upper and lower, share of their length (taste; hm08's are those of a doll).
-LASH_LENGTH = (0.75, 0.5)
+LASH_LENGTH = (0.65, 0.4)
 #: The upper teeth end so far below the line where the lips meet, the lower ones above their edge, metres (anatomy: a
 #: relaxed open mouth shows 2 to 3 mm of the upper teeth, and the upper overlap the lower by 2 mm).
 TEETH_SHOW_M, OVERBITE_M = 0.0028, 0.0015
@@ -47,7 +47,7 @@ def seat_parts(before_m: Array, fitted_m: Array, sight: tuple[Camera, Array] | N
         iris = None if sight is None else (sight[0], sight[1][number])
         _seat_eye(generic, out, side, iris)
     grid = mouth_grid()
-    out[grid.rings] = lips.uncrossed(grid, lips.closed(grid, out[grid.rings]))
+    out[grid.rings] = lips.sealed(grid, lips.uncrossed(grid, lips.closed(grid, out[grid.rings])))
     _seat_mouth(generic, before_m, out)
     return out
 
@@ -88,22 +88,9 @@ def _seat_lashes(generic: GenericHuman, out: Array, side: str) -> None:
     grid, own = eye_grid(side), lashes(side)
     rest = generic.vertices_m.astype(np.float64)
     for upper, length in zip((True, False), LASH_LENGTH, strict=True):
-        rows, columns = own.vertices[own.upper == upper], own.column[own.upper == upper]
-        before, after = (grid.ring(1)[columns], grid.ring(2)[columns])
-        place = rest[before]
-        turn = _turn(rest[after] - place, out[after] - out[before])
-        out[rows] = out[before] + length * np.einsum("lab,lb->la", turn, rest[rows] - place)
-
-
-def _turn(source: Array, target: Array) -> Array:
-    """Return (N, 3, 3) least rotations from directions to directions."""
-    a = source / np.maximum(np.linalg.norm(source, axis=1, keepdims=True), 1e-12)
-    b = target / np.maximum(np.linalg.norm(target, axis=1, keepdims=True), 1e-12)
-    axis, cosine = np.cross(a, b), np.einsum("na,na->n", a, b)
-    cross = np.zeros((len(a), 3, 3))
-    cross[:, [2, 0, 1], [1, 2, 0]] = axis
-    cross[:, [1, 2, 0], [2, 0, 1]] = -axis
-    return np.asarray(np.eye(3) + cross + cross @ cross / np.maximum(1.0 + cosine, 1e-3)[:, None, None])
+        rows = own.vertices[own.upper == upper]
+        root = grid.ring(1)[own.column[own.upper == upper]]
+        out[rows] = out[root] + length * (rest[rows] - rest[root])
 
 
 def _seat_mouth(generic: GenericHuman, before: Array, out: Array) -> None:

@@ -15,6 +15,8 @@ Array = NDArray[np.float64]
 
 #: Share of the closing step that every ring takes, from the one farthest inside; the lips' outer border hardly moves.
 SHARE = np.array([0.6, 0.85, 1.0, 1.0, 0.95, 0.75, 0.5, 0.3, 0.15, 0.05, 0.0])
+#: Share of the step that makes one line of the inner edges which the rings behind the margin take.
+SEAL_SHARE = np.array([0.0, 0.5, 1.0])
 #: Closed lips press on each other by this much, metres: not a slit in sight.
 PRESS_M = 0.0001
 #: A step moves lips whose columns lie beside each other a little apart again: so many suffice for 0.05 mm.
@@ -31,6 +33,21 @@ def closed(grid: Grid, points: Array) -> Array:
 def uncrossed(grid: Grid, points: Array) -> Array:
     """Return the lips moved upright, half of the way each, until they nowhere cross by more than a press."""
     return _moved(grid, points, -np.inf, 0.0)
+
+
+def sealed(grid: Grid, points: Array) -> Array:
+    """Return closed lips whose inner edges are one line, so that no slit is seen from above or below."""
+    out, edge = points.copy(), points[grid.margin - 1]
+    lines = []
+    for lip in (grid.upper, grid.lower):
+        own = lip.copy()
+        own[grid.corners] = True
+        columns = np.flatnonzero(own)[np.argsort(edge[own, 0])]
+        lines.append(np.stack([np.interp(edge[:, 0], edge[columns, 0], edge[columns, k]) for k in (1, 2)], axis=1))
+    step = (lines[0] + lines[1]) / 2.0 - edge[:, 1:]
+    step[grid.corners] = 0.0
+    out[: grid.margin, :, 1:] += SEAL_SHARE[:, None, None] * step
+    return out
 
 
 def before_teeth(grid: Grid, points: Array, teeth: Array) -> Array:

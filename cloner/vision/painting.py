@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 Image = NDArray[np.float32]
 
 SCLERA_RGB = (214.0, 204.0, 197.0)  # taste: never white, else the clone stares
-SCLERA_TO_SKIN = 1.12  # taste: the white of the eye is this much lighter than the face around it, in levels
+SCLERA_TO_SKIN = 1.02  # taste: the white of the eye is this much lighter than the face around it, in levels
 VESSEL_RGB = (196.0, 130.0, 118.0)
 PUPIL_RGB = (14.0, 11.0, 10.0)
 TOOTH_RGB = (222.0, 209.0, 188.0)
+TOOTH_WIDTH_M, CROWN_M = 0.0078, 0.012  # anatomy: 7 to 9 mm wide, 9 to 10 mm high; a raised lip must not show only gum
 GUM_RGB = (172.0, 96.0, 92.0)
 TONGUE_RGB = (168.0, 88.0, 86.0)
 LASH_RGB = (38.0, 28.0, 24.0)
@@ -57,7 +58,7 @@ def paint_eye(
     # The limbus is soft: about a tenth of the iris radius in life.
     colour = _mix(iris, colour, _ramp(share, 0.95, 1.10))
     # The upper lid throws a shadow on the ball; without it eyes look pasted on.
-    shade = 1.0 - 0.30 * _ramp(directions[:, 1], 0.02, 0.42) - 0.10 * _ramp(-directions[:, 1], 0.15, 0.5)
+    shade = 1.0 - 0.40 * _ramp(directions[:, 1], 0.05, 0.45) - 0.10 * _ramp(-directions[:, 1], 0.15, 0.5)
     return np.clip(colour * shade[:, None], 0.0, 255.0).astype(np.float32)
 
 
@@ -75,7 +76,7 @@ def _paint_iris(share: Image, around: Image, rgb: Image, rng: np.random.Generato
 
 def _paint_sclera(share: Image, around: Image, rng: np.random.Generator) -> Image:
     colour = np.tile(np.array(SCLERA_RGB, np.float32), (len(share), 1))
-    reddening = 0.30 * _ramp(share, 1.6, 4.0)
+    reddening = 0.45 * _ramp(share, 1.35, 2.8)
     vessels = np.zeros_like(share)
     for _ in range(14):
         middle, wave, phase = rng.uniform(-np.pi, np.pi), rng.uniform(0.03, 0.09), rng.uniform(0, 6.28)
@@ -86,10 +87,22 @@ def _paint_sclera(share: Image, around: Image, rng: np.random.Generator) -> Imag
     return _mix(colour, VESSEL_RGB, np.clip(reddening + vessels, 0.0, 0.6).astype(np.float32))
 
 
-def paint_teeth(depth: Image) -> Image:
-    """Return (N, 3) colours of tooth strips; ``depth`` (N,) is 0 at the biting edge and 1 at the gum."""
-    colour = np.tile(np.array(TOOTH_RGB, np.float32), (len(depth), 1))
-    return _mix(colour, GUM_RGB, _ramp(depth.astype(np.float32), 0.72, 0.92))
+def paint_teeth(height_m: Image, along_m: Image) -> Image:
+    """Return (N, 3) colours of one jaw's teeth.
+
+    Parameters
+    ----------
+    height_m : (N,) metres
+        From the biting edge towards the gum.
+    along_m : (N,) metres
+        Along the arch from its middle.
+    """
+    colour = np.tile(np.array(TOOTH_RGB, np.float32), (len(height_m), 1))
+    # the gum's edge dips between the teeth, and so does the light
+    between = np.abs(np.asarray(along_m, np.float32) / np.float32(TOOTH_WIDTH_M) % 1.0 - 0.5) * 2.0
+    colour *= (1.0 - 0.30 * _ramp(between, 0.86, 0.99))[:, None]
+    gum = np.asarray(height_m, np.float32) / np.float32(CROWN_M) + 0.18 * between**2
+    return _mix(colour, GUM_RGB, _ramp(gum, 0.92, 1.08))
 
 
 def paint_plain(count: int, rgb: tuple[float, float, float]) -> Image:
