@@ -8,13 +8,13 @@ export OMP_NUM_THREADS ?= 2
 export QT_QPA_PLATFORM ?= offscreen
 export CLONER_NODE_MODULES ?= $(CURDIR)/.cache/npm
 
-.PHONY: demo test quick lint types contracts bench fuzz clean environment
+.PHONY: demo test quick lint types contracts bench fuzz wheel constraints sbom audit clean environment
 
 environment: $(STAMP)
 
 # PYTHONWARNINGS: setuptools lectures at length on what an editable install is.
 $(STAMP): pyproject.toml
-	$(PYTHON) -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] < (3, 13) and "Cloner wants Python 3.11 or 3.12: run make PYTHON=python3.11")'
+	$(PYTHON) -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] < (3, 14) and "Cloner wants Python 3.11 to 3.13: run make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --upgrade "pip>=25"
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[dev]"
@@ -50,5 +50,22 @@ fuzz: $(STAMP)
 	-$(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[fuzz]"
 	$(BIN)/python -m tests.fuzz --seconds $(FUZZ_SECONDS)
 
+# What leaves the house: a wheel that was installed and tried, exact versions, a bill of materials, known weaknesses.
+wheel: $(STAMP)
+	rm -rf dist
+	$(BIN)/python -m build
+	$(BIN)/python release/check_wheel.py dist/*.whl
+
+constraints: $(STAMP)
+	$(BIN)/python release/constraints.py > constraints.txt.new && mv constraints.txt.new constraints.txt
+
+sbom: $(STAMP)
+	$(BIN)/python release/sbom.py > sbom.json
+
+# Asks the vulnerability service of the package index: needs a network, so CI does not run it.
+audit: $(STAMP)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check "pip-audit>=2.7,<3"
+	$(BIN)/pip-audit --requirement constraints.txt --no-deps --disable-pip
+
 clean:
-	rm -rf $(VENV) demo_out build *.egg-info .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) demo_out build dist sbom.json *.egg-info .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache

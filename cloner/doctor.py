@@ -86,7 +86,7 @@ def examine_libraries() -> tuple[Finding, ...]:
 
 def _python() -> Finding:
     version = ".".join(str(part) for part in sys.version_info[:3])
-    fine = (3, 11) <= sys.version_info[:2] < (3, 13)
+    fine = (3, 11) <= sys.version_info[:2] < (3, 14)
     return Finding("python", fine, version, "" if fine else "make clean demo PYTHON=python3.11")
 
 

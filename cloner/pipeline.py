@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import logging
-import resource
 import sys
 import time
 from collections.abc import Callable, Mapping
@@ -30,6 +29,11 @@ from cloner.stages import (
     textures,
     views,
 )
+
+if sys.platform == "win32":
+    import psutil
+else:
+    import resource
 
 log = logging.getLogger(__name__)
 
@@ -126,6 +130,8 @@ def stage_rng(seed: int, name: str) -> np.random.Generator:
 
 def peak_mib() -> float:
     """Return the process's peak resident memory in MiB."""
+    if sys.platform == "win32":
+        return float(psutil.Process().memory_info().peak_wset) / (1024.0 * 1024.0)
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return peak / (1024.0 * 1024.0 if sys.platform == "darwin" else 1024.0)
 
