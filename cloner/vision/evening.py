@@ -22,7 +22,7 @@ FLATTENED_CLOTH = 0.2  # taste: folds turn into light and dark sides too
 SLOPE_HUBER = 0.05  # beyond 5 % the two halves of a person differ by more than light
 LEAST_PAIRS = 60  # fewer vertices on both halves tell nothing
 LIGHT_LOG = 0.8  # taste: a hard lamp makes the same dark cloth twice as bright in one photo as in another
-HUE_LOG = 0.15  # light of one place changes the channels alike to some 15 %
+HUE_LOG = 0.1  # light of one place changes the channels alike to some 10 %
 
 
 def log_levels(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
