@@ -74,7 +74,7 @@ def read_event(folder: Path) -> Event:
         return Event()
     try:
         told = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise ClonerError("the event's settings cannot be read", _HINT, EVENT_FILE) from error
     if not isinstance(told, dict) or told.pop("format", None) != FORMAT:
         raise ClonerError(f'it must be an object with "format": {FORMAT}', _HINT, EVENT_FILE)

@@ -20,7 +20,7 @@ def read_looks(folder: Path) -> dict[str, Look]:
     try:
         told = json.loads((folder / WORK / LOOKS_FILE).read_text(encoding="utf-8"))
         return {digest: _look(digest, one) for digest, one in told.items()}
-    except (OSError, ValueError, TypeError, KeyError, AttributeError):
+    except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return {}
 
 

@@ -71,7 +71,7 @@ def read_visit(folder: Path) -> Visit:
         return Visit(**{key: type(usual[key])(value) for key, value in told.items() if key in usual})
     except FileNotFoundError:
         return Visit()
-    except (OSError, ValueError, TypeError, AttributeError):
+    except (OSError, ValueError, TypeError, AttributeError, ArithmeticError, RecursionError):
         log.warning("%s: the visit's file cannot be read; it starts anew", folder.name)
         return Visit()
 

@@ -149,7 +149,7 @@ def read_score(path: Path, targets: Sequence[str]) -> Score:
         tracks = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError) as error:
         raise ClonerError("the score cannot be read", "Give a .toml file", path.name) from error
-    except tomllib.TOMLDecodeError as error:
+    except (ValueError, RecursionError) as error:  # endless numbers and brackets are no TOMLDecodeError
         raise ClonerError(f"the score is no TOML: {error}", "Write tables like [[emotion]]", path.name) from error
     found: dict[str, list[Beat]] = {}
     head: list[HeadBeat] = []
@@ -160,7 +160,7 @@ def read_score(path: Path, targets: Sequence[str]) -> Score:
         for row in rows:
             try:
                 beat = _beat(track, row, targets)
-            except (TypeError, AttributeError, ValueError) as error:
+            except (TypeError, AttributeError, ValueError, OverflowError) as error:
                 hint = "Write expression, start, attack, sustain, decay (seconds) and strength (0 to 1)"
                 raise ClonerError(f"a beat of the track {track!r} is broken: {error}", hint, path.name) from error
             head.append(beat) if isinstance(beat, HeadBeat) else found.setdefault(track, []).append(beat)

@@ -4,10 +4,6 @@ from __future__ import annotations
 
 import io
 import json
-import math
-import struct
-import zipfile
-import zlib
 from pathlib import Path
 from typing import Any, Final
 
@@ -19,6 +15,7 @@ from cloner.errors import ClonerError
 from cloner.exporters.files import png_bytes, write_bytes
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
+from cloner.project.archives import BROKEN, check_sizes
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.heads import Shell
@@ -28,12 +25,6 @@ FORMAT: Final = "cloner-clone"
 VERSION: Final = 1
 _PLAIN: Final = ("vertices_m", "joints_m", "morph_index", "morph_delta_m", "morph_start", "triangle_regions")
 _SHELL: Final = ("vertices_m", "triangles", "uv", "skin_joints", "skin_weights")
-#: What numpy, zipfile, zlib and pillow raise over files that are none of ours, damaged, or made to hurt.
-_BROKEN: Final = (
-    OSError, ValueError, LookupError, AttributeError, TypeError, ArithmeticError, EOFError, SyntaxError, MemoryError,
-    RuntimeError, struct.error, zlib.error, zipfile.BadZipFile, Image.DecompressionBombError,
-)  # fmt: skip
-LARGEST_BYTES: Final = 1_000_000_000  # taste: twenty times a clone with the largest texture
 LARGEST_STATURE_M: Final = 3.0
 LARGEST_PICTURE_PX: Final = 8192 * 8192
 _AGAIN: Final = "Clone the person again with this version of Cloner"
@@ -84,7 +75,7 @@ def load_clone(path: Path) -> Clone:
         If the file is missing, is no clone, or was written by a newer version.
     """
     try:
-        _check_sizes(path)
+        check_sizes(path)
         with np.load(path, allow_pickle=False) as archive:
             arrays = {"triangle_regions": np.zeros(0, np.uint8), **{name: archive[name] for name in archive.files}}
         facts = json.loads(arrays["facts_json"].tobytes())
@@ -97,22 +88,8 @@ def load_clone(path: Path) -> Clone:
         return clone
     except FileNotFoundError as error:
         raise ClonerError("The clone is not there", "Run: cloner clone", path.name) from error
-    except _BROKEN as error:
+    except BROKEN as error:
         raise ClonerError("The file is not a readable clone", _AGAIN, path.name) from error
-
-
-def _check_sizes(path: Path) -> None:
-    """Refuse archives that would fill the memory: every array inside is as large as it says, and not larger."""
-    with zipfile.ZipFile(path) as archive:
-        if sum(part.file_size for part in archive.infolist()) > LARGEST_BYTES:
-            raise ValueError("larger than any clone")
-        for part in archive.infolist():
-            with archive.open(part) as stream:
-                version = np.lib.format.read_magic(stream)
-                read = np.lib.format.read_array_header_1_0 if version == (1, 0) else np.lib.format.read_array_header_2_0
-                shape, _, dtype = read(stream)
-            if math.prod(shape) * dtype.itemsize > part.file_size:
-                raise ValueError(f"{part.filename} is cut short")
 
 
 def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:

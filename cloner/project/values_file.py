@@ -9,7 +9,6 @@ from __future__ import annotations
 import importlib
 import json
 import os
-import zipfile
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from enum import Enum
@@ -20,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
+from cloner.project.archives import BROKEN, check_sizes
 
 FORMAT: Final = 1
 _HOMES: Final = ("cloner.records.", "cloner.frames", "cloner.pipeline")
@@ -57,11 +57,12 @@ def load_values(path: Path) -> dict[str, Any]:
     What is kept here can always be found again, so an unreadable file is no error.
     """
     try:
+        check_sizes(path)
         with np.load(path, allow_pickle=False) as archive:
             arrays = [archive[f"a{number}"] for number in range(len(archive.files) - 1)]
             told = json.loads(archive[_SKELETON].tobytes())
         return dict(_made(told["values"], arrays)) if told["format"] == FORMAT else {}
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, ImportError, IndexError, zipfile.BadZipFile):
+    except (*BROKEN, ImportError):
         return {}
 
 

@@ -102,7 +102,7 @@ def blind(names: list[str], seconds: float, seed: int) -> tuple[int, int]:
     signal.signal(signal.SIGALRM, too_slow)
     seeds = {name: TARGETS[name].seeds() for name in names}
     count = {name: 0 for name in names}
-    found = 0
+    kinds: set[str] = set()
     with tempfile.TemporaryDirectory(prefix="cloner-fuzz-") as folder:
         start = time.monotonic()
         while (spent := time.monotonic() - start) < seconds:
@@ -111,14 +111,17 @@ def blind(names: list[str], seconds: float, seed: int) -> tuple[int, int]:
             count[name] += 1
             try:
                 tried(name, data, Path(folder))
-            except Exception:  # that is what is looked for
-                found += 1
+            except Exception as error:  # that is what is looked for
+                kind = f"{name} {type(error).__name__} {traceback.extract_tb(error.__traceback__)[-1].line}"
+                if kind in kinds:
+                    continue
+                kinds.add(kind)
                 FINDINGS.mkdir(exist_ok=True)
                 path = FINDINGS / f"{name}-{hashlib.sha256(data).hexdigest()[:12]}"
                 path.write_bytes(data)
                 print(f"{path}:\n{traceback.format_exc(limit=-4)}", flush=True)
     print(", ".join(f"{name} {tries}" for name, tries in count.items()))
-    return sum(count.values()), found
+    return sum(count.values()), len(kinds)
 
 
 def tried(name: str, data: bytes, folder: Path) -> None:

@@ -9,14 +9,22 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from cloner.booth.event import Event, read_event, write_event
+from cloner.booth.looks import read_looks
+from cloner.booth.visits import read_visit
 from cloner.errors import ClonerError, plain
+from cloner.frames import ViewId
+from cloner.motion.acclaim import read_acclaim
 from cloner.motion.bvh import read_bvh
 from cloner.motion.faps import read_fap
+from cloner.motion.score import read_score
 from cloner.motion.speech import frame_features, phoneme_visemes, read_phonemes, read_wav
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.project.folder import read_corrections, read_person
 from cloner.project.manifest import find_visitors
 from cloner.project.stamps import why_not_current
+from cloner.project.values_file import load_values, save_values
+from cloner.records.points import Correction, Corrections
 from cloner.vision.pictures import read_picture
 from hostile import cases_motion, cases_photos
 from kit.clones import toy_clone
@@ -35,6 +43,34 @@ CORRECTIONS = b"""{"format": 1, "views": {"body_front": {"crotch": {"x": 10.5, "
 "face_side": {"nose_tip": {"x": 1e2, "y": -0.4}}}}"""
 CSV = b'photos,id,height_cm\nanna,A 1,158\n"anna","b, c",\n'
 TOML = b'[[visitor]]\nphotos = "anna"\nid = "A 1"\nheight_cm = 158\n[[visitor]]\nphotos = "./anna"\n'
+ASF = b""":version 1.10
+:units
+  mass 1.0
+  length 0.45
+  angle deg
+:root
+  order TX TY TZ RX RY RZ
+  axis XYZ
+  position 0 0 0
+  orientation 0 0 0
+:bonedata
+  begin
+    id 1
+    name lowerback
+    direction 0 1 0
+    length 2.0
+    axis 0 0 0 XYZ
+    dof rx ry rz
+  end
+:hierarchy
+  begin
+    root lowerback
+  end
+"""
+AMC = b":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 1 0 0 0 0\nlowerback 1 2 3\n2\nroot 0 1 0 0 5 0\nlowerback 1 2 4\n"
+SCORE = b'[[emotion]]\nexpression = "joy"\nstart = 0.5\nattack = 0.2\nstrength = 0.7\n[[head]]\nexpression = "nod"\n'
+VISIT = b'{"name": "Anna", "state": "cloned"}'
+LOOKS = b'{"ab": {"view": "body_front", "troubles": []}}'
 REPORT = b'{"stamp": {"cloner": "0.1.0", "photos": {"body_front": "ab"}}, "outputs": {"clone.npz": "cd"}}'
 
 
@@ -65,9 +101,36 @@ def clone_bytes() -> bytes:
         return path.read_bytes()
 
 
+@cache
+def kept_bytes() -> tuple[bytes, bytes]:
+    """Return good files of values and of an event's settings."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder)
+        points = Corrections({ViewId.BODY_FRONT: {"crotch": Correction(1.0, 2.0, "ab")}})
+        save_values({"corrections": points, "digests": {"body_front": "ab"}}, path / "values.npz")
+        write_event(path, Event())
+        return (path / "values.npz").read_bytes(), (path / "event.json").read_bytes()
+
+
 def pictures() -> tuple[bytes, ...]:
     small = [cases_photos.encoded(kind, (70, 80)) for kind in ("JPEG", "PNG", "TIFF", "WEBP")]
     return (*small, cases_photos.heic(), cases_photos.animated())
+
+
+def _beside(name: str, content: bytes) -> Callable[[Path], Any]:
+    """Return a reader of a capture whose other half lies beside it."""
+
+    def read(path: Path) -> Any:
+        (path.parent / name).write_bytes(content)
+        return read_acclaim(path.parent / "01_01.amc")
+
+    return read
+
+
+def _looks(path: Path) -> Any:
+    (path.parent / "work").mkdir(exist_ok=True)
+    path.replace(path.parent / "work" / "looks.json")
+    return read_looks(path.parent)
 
 
 def _visitors(path: Path) -> None:
@@ -86,6 +149,13 @@ TARGETS: Mapping[str, Target] = {
     "wav": Target("talk.wav", lambda: (cases_motion.wav(data=cases_motion.SOUND[:4000]),),
                   lambda path: frame_features(read_wav(path))),
     "report": Target("report.json", lambda: (REPORT,), lambda path: why_not_current(path.parent, {})),
+    "asf": Target("01.asf", lambda: (ASF,), _beside("01_01.amc", AMC)),
+    "amc": Target("01_01.amc", lambda: (AMC,), _beside("01.asf", ASF)),
+    "score": Target("score.toml", lambda: (SCORE,), lambda path: read_score(path, ("jawOpen",))),
+    "event": Target("event.json", lambda: (kept_bytes()[1],), lambda path: read_event(path.parent)),
+    "visit": Target("visit.json", lambda: (VISIT,), lambda path: read_visit(path.parent)),
+    "looks": Target("looks.json", lambda: (LOOKS,), _looks),
+    "values": Target("values.npz", lambda: (kept_bytes()[0],), load_values),
     "photo": Target("body_front.jpg", pictures, read_picture),
     "clone": Target("clone.npz", lambda: (clone_bytes(),), load_clone),
 }  # fmt: skip
