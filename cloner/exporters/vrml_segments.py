@@ -19,6 +19,7 @@ from cloner.geometry.wedges import welded_normals
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
+Targets = list[tuple[str, NDArray[np.int32], Array]]
 
 #: Smaller offsets of a displacer are left out, metres; taste: keeps the text readable by old programs.
 SMALLEST_OFFSET_M: Final = 1e-4
@@ -104,8 +105,9 @@ def segment_texts(clone: Clone, generic: GenericHuman, name: str) -> list[str]:
             held[piece.joint].append((mesh, piece))
     sites = _sites(clone, generic)
     seen: set[str] = set()
+    targets = _moving(clone)
     return [
-        "".join(_segment(clone, segment_name(joint), held[row], sites[row], seen))
+        "".join(_segment(targets, segment_name(joint), held[row], sites[row], seen))
         for row, joint in enumerate(generic.joint_names)
     ]
 
@@ -121,7 +123,7 @@ def row_text(values: Array) -> str:
 
 
 def _segment(
-    clone: Clone, name: str, pieces: list[tuple[SkinMesh, Piece]], sites: list[str], seen: set[str]
+    targets: Targets, name: str, pieces: list[tuple[SkinMesh, Piece]], sites: list[str], seen: set[str]
 ) -> Iterator[str]:
     """Yield one Segment node; ``seen`` holds the appearances that earlier segments defined."""
     yield f'DEF hanim_{name} Segment {{ name "{name}"\n'
@@ -141,7 +143,7 @@ def _segment(
         yield "]\n"
     if pieces:
         vertex = np.concatenate([mesh.vertex[piece.vertex] for mesh, piece in pieces])
-        displacers = "".join(_displacers(clone, name, vertex))
+        displacers = "".join(_displacers(targets, name, vertex))
         yield f"displacers [\n{displacers}]\n" if displacers else ""
     yield "}\n"
 
@@ -168,16 +170,27 @@ def appearance_text(mesh: SkinMesh, seen: set[str]) -> str:
     )
 
 
-def _displacers(clone: Clone, name: str, vertex: NDArray[np.int32]) -> Iterator[str]:
-    """Yield one Displacer for every morph target that moves this segment."""
+def _moving(clone: Clone) -> Targets:
+    """Return every target's name, (V + 1,) row of each vertex among those it moves, -1 elsewhere, and its offsets."""
+    found = []
     for target, offsets in target_offsets(clone):
-        own = offsets[vertex].astype(np.float64)
-        moved = np.flatnonzero(np.abs(own).max(axis=1) > SMALLEST_OFFSET_M)
+        moved = np.flatnonzero(np.abs(offsets).max(axis=1) > SMALLEST_OFFSET_M)
+        row = np.full(len(offsets), -1, dtype=np.int32)
+        row[moved] = np.arange(len(moved))
+        found.append((target, row, offsets[moved].astype(np.float64)))
+    return found
+
+
+def _displacers(targets: Targets, name: str, vertex: NDArray[np.int32]) -> Iterator[str]:
+    """Yield one Displacer for every morph target that moves this segment."""
+    for target, row, offsets in targets:
+        own = row[vertex]
+        moved = np.flatnonzero(own >= 0)
         if len(moved):
             index = " ".join(map(str, moved.tolist()))
             yield (
                 f'DEF hanim_{name}_{identifier(target)} Displacer {{ name "{target}" coordIndex [ {index} ]\n'
-                f"displacements [\n{number_rows(own[moved])}] }}\n"
+                f"displacements [\n{number_rows(offsets[own[moved]])}] }}\n"
             )
 
 
