@@ -29,7 +29,7 @@ PATIENCE_S: Final = 20
 #: Of every worker, before its libraries load: one thread each, as there is one process a core.
 _ENVIRONMENT: Final = {
     "OMP_NUM_THREADS": 1, "OPENBLAS_NUM_THREADS": 1, "MKL_NUM_THREADS": 1,
-    "LP_NUM_THREADS": 1,
+    "LP_NUM_THREADS": 1, "OPENCV_FOR_THREADS_NUM": 1,
 }  # fmt: skip
 LOST: Final = "its worker died: a crash, no memory left, or longer than --timeout allows"
 
@@ -59,6 +59,7 @@ def farm(workers: int, scheduler: str = "", retries: int = 1) -> Iterator[Client
         "distributed.scheduler.allowed-failures": retries,
         "distributed.worker.daemon": False,
         "distributed.nanny.pre-spawn-environ": _ENVIRONMENT,
+        "distributed.worker.profile.enabled": False,  # it wakes every worker a hundred times a second
         "distributed.comm.timeouts.connect": f"{PATIENCE_S}s",
         "distributed.logging": {"distributed": "error"},
     }
