@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Final, cast
 
 from cloner import pipeline
+from cloner.booth.handing import hand_over
 from cloner.booth.kept import PROPOSED_FILE, RESULTS, VALUES_FILE, WORK, digests, known_values
 from cloner.booth.looking import look
 from cloner.booth.looking_table import Look
-from cloner.booth.takeaway import hand_over
 from cloner.cloning import Progress, clone_folder
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -92,7 +92,7 @@ class Jobs:
         return time.monotonic() - start
 
     def hand_over(self, result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
-        """Write what a visitor takes home into a folder or a zip file; see `cloner.booth.takeaway.hand_over`."""
+        """Write what a visitor takes home into a folder or a zip file; see `cloner.booth.handing.hand_over`."""
         return hand_over(result, target, formats, progress)
 
     def _remember(self, digest: str, proposal: Proposal) -> None:

@@ -12,6 +12,7 @@ WORK: Final = "work"
 PROPOSED_FILE: Final = "proposed.npz"
 VALUES_FILE: Final = "values.npz"
 RESULTS: Final = "clones"
+CLONE_FILE: Final = "clone.npz"  # as `cloner.cloning` calls it, whose libraries the window does without
 
 
 def known_values(folder: Path, photos: PhotoSet) -> dict[str, Any]:

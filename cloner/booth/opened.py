@@ -13,13 +13,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.booth.kept import RESULTS, digests, known_values, proposed_points
+from cloner.booth.kept import CLONE_FILE, RESULTS, digests, known_values, proposed_points
 from cloner.booth.looking_table import Look
 from cloner.booth.looks import read_looks
 from cloner.booth.person_file import person_facts
 from cloner.booth.photo_files import tray_photos
 from cloner.booth.takeaway import has_result
-from cloner.cloning import CLONE_FILE
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.atomic import RESULT_MARK

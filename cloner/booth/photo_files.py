@@ -17,6 +17,7 @@ from cloner.project.folder import SUFFIXES, view_files
 TRAY: Final = "unsorted"
 #: EXIF orientation after a quarter turn to the right, of the upright ones; mirrored ones are made upright first.
 _TURNED_RIGHT: Final = {1: 6, 6: 3, 3: 8, 8: 1}
+_HEADER_MARKERS: Final = (*range(0xE0, 0xF0), 0xFE)  # application segments and comments of a JPEG file
 _WRITE_HINT: Final = "Check the folder's permissions and space"
 
 
@@ -132,7 +133,7 @@ def remove(path: Path) -> None:
 
 
 def turn_right(path: Path) -> None:
-    """Turn a photo a quarter to the right: JPEG files only by their EXIF mark and with their own tables.
+    """Turn a photo a quarter to the right; of JPEG files only the EXIF mark changes, not a pixel.
 
     Raises
     ------
@@ -146,7 +147,7 @@ def turn_right(path: Path) -> None:
             before = exif.get(ExifTags.Base.Orientation, 1)
             if kind == "JPEG" and before in _TURNED_RIGHT:
                 exif[ExifTags.Base.Orientation] = _TURNED_RIGHT[before]
-                image.save(stream, kind, quality="keep", exif=exif, icc_profile=image.info.get("icc_profile"))
+                stream.write(_with_exif(path.read_bytes(), exif.tobytes()))
             else:
                 upright = ImageOps.exif_transpose(image)
                 upright.transpose(Image.Transpose.ROTATE_270).save(stream, "PNG" if kind == "MPO" else kind)
@@ -162,3 +163,14 @@ def photos_in(path: Path) -> tuple[Path, ...]:
     if not path.is_dir():
         return (path,)
     return tuple(one for one in sorted(path.iterdir()) if one.suffix.lower() in SUFFIXES and one.is_file())
+
+
+def _with_exif(jpeg: bytes, exif: bytes) -> bytes:
+    """Return a JPEG file with another EXIF segment (ISO/IEC 10918-1, annex B: marker, length, content)."""
+    at, others = 2, b""
+    while jpeg[at : at + 1] == b"\xff" and jpeg[at + 1] in _HEADER_MARKERS:
+        end = at + 2 + int.from_bytes(jpeg[at + 2 : at + 4], "big")
+        if not jpeg[at + 4 : end].startswith(b"Exif\x00"):
+            others += jpeg[at:end]
+        at = end
+    return jpeg[:2] + b"\xff\xe1" + (len(exif) + 2).to_bytes(2, "big") + exif + others + jpeg[at:]

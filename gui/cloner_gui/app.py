@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import importlib
 import signal
 import sys
+import threading
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
@@ -15,6 +17,7 @@ from cloner_gui.logs import log_to
 from cloner_gui.main_window import MainWindow
 from cloner_gui.services import Services, process_services
 from cloner_gui.session import Session
+from cloner_gui.tidying import Tidier
 
 
 def run_app(folder: Path | None = None, services: Services | None = None) -> int:
@@ -33,6 +36,7 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     waker = QTimer()  # Python sees signals only while its own code runs
     waker.timeout.connect(lambda: None)
     waker.start(200)
+    tidier = Tidier()
     session = Session(services or process_services())
     window = MainWindow(session)
     window.menus.follow()
@@ -41,14 +45,22 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     app.installEventFilter(counter)
     window.show()
     QTimer.singleShot(0, session.services.start)
+    QTimer.singleShot(0, threading.Thread(target=_load_the_rest, daemon=True).start)
     if folder is not None:
         QTimer.singleShot(0, lambda: begin(window, folder))
     code = app.exec()
     window.booth.close()
     waker.stop()
+    tidier.stop()
     app.removeEventFilter(counter)
-    _delete(window, session, counter)
+    _delete(window, session, counter, tidier)
     return int(code)
+
+
+def _load_the_rest() -> None:
+    """Load what the later pages need, while the operator looks at the first one."""
+    for module in ("cloner_gui.pages.points", "cloner_gui.pages.clone", "cloner.refitting"):
+        importlib.import_module(module)
 
 
 def begin(window: MainWindow, folder: Path) -> None:

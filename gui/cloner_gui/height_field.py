@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QAbstractSpinBox, QCheckBox, QComboBox, QDoubleSpinBox, QHBoxLayout, QSpinBox, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QHBoxLayout, QSpinBox, QWidget
 
 from cloner.booth.person_file import cm_from_feet, feet_from_cm
 from cloner.project.folder import DEFAULT_HEIGHT_CM, LARGEST_HEIGHT_CM, SMALLEST_HEIGHT_CM
@@ -30,8 +30,6 @@ class HeightField(QWidget):
         self.inches.setSingleStep(0.5)
         self.inches.setDecimals(1)
         self.inches.setSuffix(" in")
-        for field in (self.cm, self.feet, self.inches):
-            field.setButtonSymbols(QAbstractSpinBox.ButtonSymbols.NoButtons)  # typed, or stepped with the arrow keys
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         for one in (self.known, self.cm, self.feet, self.inches, self.unit):

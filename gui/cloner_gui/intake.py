@@ -16,7 +16,7 @@ from cloner.booth import arrivals
 from cloner.booth.looks import keep_look
 from cloner.booth.opened import Opened
 from cloner.booth.photo_files import meant_view, place_new, remove, store_photo
-from cloner.cloning import Progress
+from cloner.booth.worker import Progress
 from cloner.errors import Cancelled, ClonerError
 from cloner.frames import ViewId
 from cloner_gui.services import Services

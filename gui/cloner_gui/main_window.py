@@ -3,29 +3,33 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING, Final, cast
 
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMainWindow, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget
 from cloner_gui.menus import Menus
 from cloner_gui.notice import Notice
-from cloner_gui.pages.clone import ClonePage
 from cloner_gui.pages.photos import PhotosPage
-from cloner_gui.pages.points import PointsPage
 from cloner_gui.pages.takeaway import TakeawayPage
 from cloner_gui.pages.visitor import VisitorPage
 from cloner_gui.pieces import GAP, button, label
 from cloner_gui.queue_bar import QueueBar
 from cloner_gui.session import Session
+from cloner_gui.shelf import Page, Shelf
 from cloner_gui.step_bar import StepBar
 from cloner_gui.words import translate
 
-Page = VisitorPage | PhotosPage | PointsPage | ClonePage | TakeawayPage
+if TYPE_CHECKING:
+    from cloner_gui.pages.clone import ClonePage
+    from cloner_gui.pages.points import PointsPage
+
 #: Names under which a visit's file remembers the page.
-PAGES = ("visitor", "photos", "points", "clone", "takeaway")
+PAGES: Final = ("visitor", "photos", "points", "clone", "takeaway")
+VISITOR, PHOTOS, POINTS, CLONE, TAKEAWAY = range(len(PAGES))
 
 
 class MainWindow(QMainWindow):
@@ -38,10 +42,17 @@ class MainWindow(QMainWindow):
         self.setMinimumSize(760, 480)
         self.setAcceptDrops(True)
         self.visitor, self.photos = VisitorPage(self.booth), PhotosPage(self.booth)
-        self.points, self.clone = PointsPage(session), ClonePage(session)
         self.takeaway = TakeawayPage(self.booth)
-        self.pages: tuple[Page, ...] = (self.visitor, self.photos, self.points, self.clone, self.takeaway)
-        self.stack, self.steps = QStackedWidget(), StepBar(len(self.pages))
+        self.stack = Shelf(
+            (
+                lambda: self.visitor,
+                lambda: self.photos,
+                lambda: _points_page(session),
+                lambda: _clone_page(session),
+                lambda: self.takeaway,
+            )
+        )
+        self.steps = StepBar(len(PAGES))
         self.notice, self.queue_bar = Notice(), QueueBar(session)
         self.back, self.next, self.reason = button(), button("main"), label("dim")
         self.who = QLabel()
@@ -52,13 +63,28 @@ class MainWindow(QMainWindow):
         self._speak()
         self.go(0)
 
+    @property
+    def points(self) -> PointsPage:
+        """The page where points are corrected."""
+        return cast("PointsPage", self.stack.page(POINTS))
+
+    @property
+    def clone(self) -> ClonePage:
+        """The page where the clone is seen."""
+        return cast("ClonePage", self.stack.page(CLONE))
+
+    @property
+    def pages(self) -> tuple[QWidget, ...]:
+        """All pages, in their order."""
+        return tuple(self.stack.page(number) for number in range(len(PAGES)))
+
     def go(self, number: int) -> None:
         """Show a page."""
-        self.stack.setCurrentIndex(number)
+        self.stack.show_page(number)
         self.booth.note_page(PAGES[number])
         self._refresh()
 
-    def show_page(self, page: Page) -> None:
+    def show_page(self, page: QWidget) -> None:
         """Show a page."""
         self.go(self.pages.index(page))
 
@@ -101,8 +127,6 @@ class MainWindow(QMainWindow):
         top.addWidget(self.steps)
         top.addStretch(1)
         top.addWidget(self.who)
-        for page in self.pages:
-            self.stack.addWidget(page)
         for widget, stretch in ((self.back, 0), (self.reason, 1), (self.queue_bar, 0), (self.next, 0)):
             bottom.addWidget(widget, stretch)
         bottom.setSpacing(GAP)
@@ -121,8 +145,9 @@ class MainWindow(QMainWindow):
         self.booth.failed.connect(self.notice.tell)
         self.booth.page_wanted.connect(self._resume)
         self.session.opened.connect(self._refresh)
-        for page in self.pages:
-            page.changed.connect(self._refresh)
+        for number in (VISITOR, PHOTOS, TAKEAWAY):
+            self._page(number).changed.connect(self._refresh)
+        self.stack.made.connect(lambda page: page.changed.connect(self._refresh))
         self.steps.chosen.connect(self.go)
         self.back.clicked.connect(lambda: self.go(self.stack.currentIndex() - 1))
         self.next.clicked.connect(self._go_on)
@@ -136,7 +161,7 @@ class MainWindow(QMainWindow):
     def _go_on(self) -> None:
         """Show the next page; after the last one, begin with the next visitor."""
         number = self.stack.currentIndex() + 1
-        if number < len(self.pages):
+        if number < len(PAGES):
             self.go(number)
         else:
             self.booth.new_visitor()
@@ -148,15 +173,18 @@ class MainWindow(QMainWindow):
 
     def _reachable(self) -> int:
         """Return the last page that may be shown: every page before it says that the next may come."""
-        blocked = [number for number, page in enumerate(self.pages[:-1]) if page.why_not()]
-        return blocked[0] if blocked else len(self.pages) - 1
+        blocked = (number for number in range(TAKEAWAY) if self._page(number).why_not())
+        return next(blocked, TAKEAWAY)
+
+    def _page(self, number: int) -> Page:
+        return cast(Page, self.stack.page(number))
 
     def _refresh(self) -> None:
         """Say which page is shown and whether the next may come."""
         number, reachable = self.stack.currentIndex(), self._reachable()
-        self.steps.show_steps([page.title for page in self.pages], number, reachable)
-        reason = self.pages[number].why_not()
-        last = number == len(self.pages) - 1
+        self.steps.show_steps(step_titles(), number, reachable)
+        reason = self._page(number).why_not()
+        last = number == TAKEAWAY
         self.back.setEnabled(number > 0)
         self.next.setText(translate("window", "Ne&xt visitor") if last else translate("window", "Ne&xt"))
         self.next.setVisible(not last or self.booth.root is not None)
@@ -164,3 +192,27 @@ class MainWindow(QMainWindow):
         self.reason.setText("" if last else reason)
         folder = self.session.folder
         self.who.setText("" if folder is None else folder.name)
+
+
+def step_titles() -> tuple[str, ...]:
+    """Return what the steps are called."""
+    return (
+        translate("visitor", "Visitor"),
+        translate("photos", "Photos"),
+        translate("points", "Points"),
+        translate("clone", "Clone"),
+        translate("takeaway", "Take away"),
+    )
+
+
+# Both pages draw in three dimensions and know the fit; loading that takes longer than all the rest of the window.
+def _points_page(session: Session) -> QWidget:
+    from cloner_gui.pages.points import PointsPage
+
+    return PointsPage(session)
+
+
+def _clone_page(session: Session) -> QWidget:
+    from cloner_gui.pages.clone import ClonePage
+
+    return ClonePage(session)

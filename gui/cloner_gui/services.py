@@ -6,22 +6,31 @@ import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from cloner.booth.kept import proposed_points
 from cloner.booth.looking_table import Look
 from cloner.booth.opened import Cloned, Opened, open_visitor, read_cloned
-from cloner.booth.worker import Worker
-from cloner.cloning import Progress
+from cloner.booth.worker import Progress, Worker
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.folder import load_photo, view_files
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Corrections, ViewPoints
-from cloner.refitting import Refitted, refit
+
+if TYPE_CHECKING:
+    from cloner.refitting import Refitted
 
 ProposedPoints = dict[ViewId, ViewPoints]
+
+
+def refit_person(values: Mapping[str, object], corrections: Corrections) -> Refitted:
+    """Return the last clone's body with corrections obeyed; see `cloner.refitting.refit`."""
+    from cloner.refitting import refit  # the whole fit: not paid for before there is something to refit
+
+    return refit(values, corrections)
 
 
 def nothing(*_: object) -> None:
@@ -54,7 +63,7 @@ class Services:
     clone: Callable[[Path, Sequence[str], Progress], tuple[Cloned, float]]
     hand_over: Callable[[Path, Path, Sequence[str], Progress], Path]
     open: Callable[[Path], Opened] = open_visitor
-    refit: Callable[[Mapping[str, object], Corrections], Refitted] = refit
+    refit: Callable[[Mapping[str, object], Corrections], Refitted] = refit_person
     start: Callable[[], None] = nothing
     stop: Callable[[], None] = nothing
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,13 +21,14 @@ from cloner.project.folder import write_corrections
 from cloner.records.clones import Clone
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, ViewPoints
-from cloner.refitting import Refitted, clone_after, outline_px
-from cloner.stages.points import corrected
 from cloner_gui.clone_queue import CloneQueue
 from cloner_gui.commands import Swap
 from cloner_gui.services import ProposedPoints, Services, points_by_view
 from cloner_gui.words import spoken
 from cloner_gui.worker import Task
+
+if TYPE_CHECKING:
+    from cloner.refitting import Refitted
 
 log = logging.getLogger(__name__)
 
@@ -125,6 +127,8 @@ class Session(QObject):
         proposed = self.proposed.get(view)
         if proposed is None:
             return None
+        from cloner.stages.points import corrected  # with the fit's own libraries: not paid for at the start
+
         return corrected(proposed, self.corrections.points.get(view, {}), self.photos.photos[view])
 
     def place_point(self, view: ViewId, name: str, x_px: float, y_px: float, gesture: str = "") -> None:
@@ -169,6 +173,8 @@ class Session(QObject):
 
     def clone_outline(self, view: ViewId) -> tuple[NDArray[np.float64], ...]:
         """Return the borders of the clone's body in a photo, moved points included; none before there is a clone."""
+        from cloner.refitting import outline_px
+
         person = None if self.outcome is None else self.outcome.values.get("obeyed")
         person = person if self.moved is None else self.moved.person
         return () if person is None else outline_px(person, view)
@@ -177,6 +183,8 @@ class Session(QObject):
         """Return the clone with moved points included, None before there is one."""
         if self.outcome is None or self.moved is None:
             return None if self.outcome is None else self.outcome.values["clone"]
+        from cloner.refitting import clone_after
+
         return clone_after(self.outcome.values, self.moved.person)
 
     # --- long work -----------------------------------------------------------------

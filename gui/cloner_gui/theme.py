@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import Qt
@@ -13,6 +14,7 @@ from PySide6.QtWidgets import QApplication
 CONTROL_PX: Final = 30
 TOUCH_PX: Final = 48
 BIG_TEXT: Final = 1.25
+PICTURES: Final = Path(__file__).parent / "pictures"
 BASE_POINTS: Final = 10.5  # taste: read at arm's length
 
 
@@ -74,6 +76,7 @@ def palette_of(colours: Colours) -> QPalette:
 def style_of(colours: Colours, *, control_px: int, points: float) -> str:
     """Return the style sheet: cards, one filled main button, steps, quiet bars; a ring shows where the keyboard is."""
     c, radius = colours, 6
+    tick, arrow = _picture("tick", c.on_accent), _picture("arrow", c.text)
     return f"""
     QWidget {{ color: {c.text}; }}
     QMainWindow, QDialog, #page {{ background: {c.window}; }}
@@ -107,7 +110,24 @@ def style_of(colours: Colours, *, control_px: int, points: float) -> str:
     QListWidget, QTableWidget {{ background: {c.card}; border: 1px solid {c.line}; border-radius: {radius}px; }}
     QListWidget::item {{ padding: 6px 8px; }}
     QListWidget::item:selected {{ background: {c.accent}; color: {c.on_accent}; }}
+    QComboBox {{ padding-right: 26px; }}
     QComboBox::drop-down {{ border: none; width: 26px; }}
+    QComboBox::down-arrow {{ image: url({arrow}); width: 12px; height: 12px; }}
+    QAbstractSpinBox QLineEdit, QAbstractSpinBox QLineEdit:focus {{ border: none; padding: 0 6px;
+        min-height: 0; background: transparent; }}
+    QAbstractSpinBox::up-button, QAbstractSpinBox::down-button {{ width: 0; border: none; }}
+    QDoubleSpinBox, QSpinBox {{ min-width: {5.5 * points:.0f}pt; }}
+    QCheckBox::indicator, QTableWidget::indicator {{ width: {1.5 * points:.0f}px; height: {1.5 * points:.0f}px;
+        background: {c.card}; border: 2px solid {c.dim}; border-radius: 4px; }}
+    QCheckBox::indicator:checked {{ background: {c.accent}; border-color: {c.accent}; image: url({tick}); }}
+    QCheckBox::indicator:disabled {{ border-style: dotted; }}
+    QCheckBox:focus {{ color: {c.text}; }}
+    QCheckBox::indicator:focus {{ border-color: {c.text}; }}
+    QScrollBar:vertical {{ background: transparent; width: 12px; }}
+    QScrollBar:horizontal {{ background: transparent; height: 12px; }}
+    QScrollBar::handle {{ background: {c.dim}; border-radius: 4px; margin: 2px; min-height: 28px; min-width: 28px; }}
+    QScrollBar::add-line, QScrollBar::sub-line {{ width: 0; height: 0; }}
+    QScrollBar::add-page, QScrollBar::sub-page {{ background: transparent; }}
     QCheckBox, QRadioButton {{ spacing: 8px; min-height: {control_px}px; }}
     QProgressBar {{ background: {c.card}; border: 1px solid {c.line}; border-radius: {radius}px; text-align: center;
         min-height: 18px; }}
@@ -115,6 +135,12 @@ def style_of(colours: Colours, *, control_px: int, points: float) -> str:
     QScrollArea {{ border: none; background: transparent; }}
     QScrollArea > QWidget > QWidget {{ background: transparent; }}
     """
+
+
+def _picture(name: str, colour: str) -> str:
+    """Return the file of a small sign that is seen beside things of a colour's own lightness."""
+    kind = "light" if QColor(colour).lightnessF() > 0.5 else "dark"
+    return (PICTURES / f"{name}_{kind}.svg").as_posix()
 
 
 def dress(app: QApplication, appearance: str, *, big: bool, text_percent: int) -> None:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from cloner.booth.looking_table import Trouble
 from cloner.booth.visits import State
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId
-from cloner.refitting import Refitted
+
+if TYPE_CHECKING:
+    from cloner.refitting import Refitted
 
 #: ``translate("page", "Text")``: Qt's own tools find these calls and write them into the translators' files.
 translate = QCoreApplication.translate

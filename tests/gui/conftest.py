@@ -1,5 +1,6 @@
 """One window on a copy of a sample visitor, with stand-ins for the long jobs."""
 
+import gc
 import shutil
 import threading
 import time
@@ -67,6 +68,15 @@ class Jobs:
         for name in formats:
             (target / f"clone.{name}").write_text("x")
         return target
+
+
+@pytest.fixture(autouse=True)
+def _garbage_on_the_main_thread():
+    """Widgets of earlier tests must not die on a worker's thread: see `cloner_gui.tidying`."""
+    gc.disable()
+    yield
+    gc.collect()
+    gc.enable()
 
 
 @pytest.fixture

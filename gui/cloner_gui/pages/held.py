@@ -94,7 +94,6 @@ class SettingsWindow(QDialog):
         self.resize(560, 380)
         self.days, self.consent = QSpinBox(), QPlainTextEdit()
         self.days.setRange(0, 3650)
-        self.days.setButtonSymbols(QSpinBox.ButtonSymbols.NoButtons)
         self.days.setSpecialValueText(translate("settings", "kept until deleted"))
         self.days.setSuffix(translate("settings", " days"))
         self.days.setValue(booth.settings.retention_days)

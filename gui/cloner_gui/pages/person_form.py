@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QTimer, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QWidget
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QSizePolicy, QWidget
 
 from cloner.booth.event import LANGUAGES
 from cloner.booth.person_file import consent_when
@@ -31,7 +31,7 @@ class PersonForm(Card):
         self.name_field, self.height_field = QLineEdit(), HeightField()
         self.language = QComboBox()
         self.consent_text, self.consent_box, self.consent_note = label(), QCheckBox(), label("dim")
-        self.name_label, self.height_label, self.language_label = label(), label(), label()
+        self.name_label, self.height_label, self.language_label = (label(wraps=False) for _ in range(3))
         self.height_hint = label("dim")
         for code in LANGUAGES:
             self.language.addItem(LANGUAGE_NAMES[code], code)
@@ -68,15 +68,18 @@ class PersonForm(Card):
         form = QFormLayout()
         form.setHorizontalSpacing(GAP)
         form.setVerticalSpacing(GAP)
+        form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
         form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
         height = QHBoxLayout()
         height.addWidget(self.height_field)
         height.addStretch(1)
-        for text, field in ((self.name_label, self.name_field), (self.language_label, self.language)):
+        for text, field in (
+            (self.name_label, self.name_field),
+            (self.height_label, self.height_field.first_field()),
+            (self.language_label, self.language),
+        ):
             text.setBuddy(field)
-            text.setWordWrap(False)
-        self.height_label.setWordWrap(False)
-        self.height_label.setBuddy(self.height_field.first_field())
+            text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         form.addRow(self.name_label, self.name_field)
         form.addRow(self.height_label, height)
         form.addRow("", self.height_hint)

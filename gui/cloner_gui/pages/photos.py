@@ -41,11 +41,6 @@ class PhotosPage(QWidget):
         self._connect()
         self._speak()
 
-    @property
-    def title(self) -> str:
-        """What the step is called."""
-        return translate("photos", "Photos")
-
     def why_not(self) -> str:
         """Return why the next page cannot come yet, or an empty string."""
         views = self._booth.session.photos.photos

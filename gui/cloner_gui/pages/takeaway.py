@@ -56,11 +56,6 @@ class TakeawayPage(QWidget):
         self._connect()
         self._speak()
 
-    @property
-    def title(self) -> str:
-        """What the step is called."""
-        return translate("takeaway", "Take away")
-
     def why_not(self) -> str:
         """Return why no page comes after this one."""
         return ""

@@ -38,11 +38,6 @@ class VisitorPage(QWidget):
         booth.session.opened.connect(self._show)
         self._speak()
 
-    @property
-    def title(self) -> str:
-        """What the step is called."""
-        return translate("visitor", "Visitor")
-
     def why_not(self) -> str:
         """Return why the next page cannot come yet."""
         if self._booth.session.folder is None:

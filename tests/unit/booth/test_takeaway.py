@@ -7,7 +7,8 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.booth import takeaway
+from cloner import cloning
+from cloner.booth import handing, kept, takeaway
 from cloner.errors import Cancelled, ClonerError
 from cloner.evaluate.baselines import generic_clone
 from cloner.generic.load import load_generic
@@ -30,13 +31,17 @@ def result(tmp_path_factory):
 
 
 def test_a_folder_with_the_chosen_formats(result, tmp_path):
-    assert takeaway.hand_over(result, tmp_path / "anna", ("ply",), quiet) == tmp_path / "anna"
+    assert handing.hand_over(result, tmp_path / "anna", ("ply",), quiet) == tmp_path / "anna"
     names = sorted(path.relative_to(tmp_path / "anna").as_posix() for path in (tmp_path / "anna").rglob("*"))
     assert names == ["clone.ply", "previews", "previews/front.png", "report.html"]
 
 
+def test_the_window_looks_for_the_clone_where_cloning_puts_it():
+    assert kept.CLONE_FILE == cloning.CLONE_FILE
+
+
 def test_one_zip_file(result, tmp_path):
-    path = takeaway.hand_over(result, tmp_path / "anna.zip", ("ply",), quiet)
+    path = handing.hand_over(result, tmp_path / "anna.zip", ("ply",), quiet)
     with zipfile.ZipFile(path) as archive:
         assert sorted(archive.namelist()) == ["anna/clone.ply", "anna/previews/front.png", "anna/report.html"]
         assert archive.testzip() is None
@@ -46,20 +51,20 @@ def test_one_zip_file(result, tmp_path):
 def test_nothing_is_overwritten_and_nothing_is_left_of_a_stopped_one(result, tmp_path):
     (tmp_path / "anna").mkdir()
     with pytest.raises(ClonerError, match="there already"):
-        takeaway.hand_over(result, tmp_path / "anna", ("ply",), quiet)
+        handing.hand_over(result, tmp_path / "anna", ("ply",), quiet)
     assert takeaway.free_name(tmp_path, "anna") == tmp_path / "anna-2"
 
     def stop(step, fraction):
         raise Cancelled
 
     with pytest.raises(Cancelled):
-        takeaway.hand_over(result, tmp_path / "boris", ("ply",), stop)
+        handing.hand_over(result, tmp_path / "boris", ("ply",), stop)
     assert [path.name for path in tmp_path.iterdir()] == ["anna"]
 
 
 def test_without_a_clone_there_is_nothing(tmp_path):
     with pytest.raises(ClonerError, match="not there"):
-        takeaway.hand_over(tmp_path, tmp_path / "x", ("ply",), quiet)
+        handing.hand_over(tmp_path, tmp_path / "x", ("ply",), quiet)
 
 
 def test_a_telephone_reads_the_code():
