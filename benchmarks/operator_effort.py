@@ -2,8 +2,8 @@
 
 The truth is the operator's eye and nothing else: a point that lies near enough (``SEEN_FACE``, ``SEEN_BODY``,
 ``SEEN_JOINT``) is left, for Tab costs no drag; any other one is put on its true place. Face features and joints have
-known places; a point on the outline belongs on the true outline, at the place nearest to it; head top and soles are left
-as they are.
+known places; a point on the outline belongs on the true outline, at the place nearest to it; head top and soles are
+left as they are.
 
 After 0, 3, 6, 9 and 12 drags, and with all true features, the person is fitted again (no hair, no textures) and
 measured against the truth. Printed, a line a set: face landmarks and face surface in 3-D (mm), body surface (mm), mean
