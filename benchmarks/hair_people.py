@@ -7,7 +7,7 @@ import hashlib
 import itertools
 import sys
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -23,6 +23,7 @@ from cloner.generic.layers import Layer
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.project.folder import load_photos
+from cloner.records.bodies import PosedView
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.views import Camera
 from cloner.render import draw
@@ -53,6 +54,10 @@ class HairCase:
         All that the product gets.
     hair, mask : mapping of ViewId to (H, W) bool
         Pixels whose nearest surface is hair or cap, and those of the whole person.
+    skin_m, joints_m : (V, 3) and (94, 3) float64 or None
+        The naked person at rest in the generic's topology, where the truth has that.
+    views : mapping of ViewId to PosedView
+        True poses and cameras of the same.
     """
 
     name: str
@@ -60,6 +65,9 @@ class HairCase:
     person: Person
     hair: Mapping[ViewId, Bools]
     mask: Mapping[ViewId, Bools]
+    skin_m: Array | None = None
+    joints_m: Array | None = None
+    views: Mapping[ViewId, PosedView] = field(default_factory=dict)
 
 
 def random_case(seed: int) -> HairCase:
@@ -81,23 +89,27 @@ def random_case(seed: int) -> HairCase:
     dressed = _shaved(dressed) if kind == "bald" else dressed
     hairy = _hairy(dressed)
     side, exif = float(rng.choice([90.0, -90.0])), bool(rng.random() < 0.5)
-    photos, hair, mask = {}, {}, {}
+    photos, hair, mask, views = {}, {}, {}, {}
     for view, azimuth in zip(BODY_VIEWS, (0.0, side, 180.0), strict=True):
         rotations = random_rotations(generic, body.joints_m, rng)
         heading = azimuth + rng.uniform(-HEADING_DEG, HEADING_DEG)
         shot = take(view.value, body, dressed, rotations, heading, background, BODY_PX, rng, seed)  # type: ignore[arg-type]
         photos[view], mask[view] = as_photo(shot, view, exif=exif), shot.mask
+        views[view] = PosedView(view, shot.camera, rotations)
         hair[view] = shown_hair(hairy, dressed, shot.dressed_m, shot.camera)
-    joints, naked, worn = posed(dressed, body, 0.4 * random_rotations(generic, body.joints_m, rng))
+    rotations = 0.4 * random_rotations(generic, body.joints_m, rng)
+    joints, naked, worn = posed(dressed, body, rotations)
     sitter = Sitter(seed, body, dressed, joints, naked, worn, ())
     for view in FACE_VIEWS:
         chosen: Any = {"background": background, "facing": -1 if side > 0 else 1, "light": "soft"}
         face = photograph_face(sitter, view, distance_m=FACE_M, size_px=FACE_PX, **chosen)
         digest = hashlib.sha256(face.rgb.tobytes()).hexdigest()
+        views[view] = PosedView(view, face.camera, rotations)
         photos[view] = Photo(view, face.rgb, None, digest, f"{view.value}.jpg")
         hair[view], mask[view] = shown_hair(hairy, dressed, worn, face.camera), face.mask
     name = f"{seed:03d}_{kind}"
-    return HairCase(name, PhotoSet(photos), Person(name, "", body.stature_m), hair, mask)
+    told = Person(name, "", body.stature_m)
+    return HairCase(name, PhotoSet(photos), told, hair, mask, body.vertices_m, body.joints_m, views)
 
 
 def shown_hair(hairy: Bools, dressed: Any, worn_m: Array, camera: Camera) -> Bools:

@@ -23,7 +23,10 @@ VOTE_COSINE = 0.05  # surfaces turned farther away have no vote
 DEPTH_SLACK_M = 0.01
 TAIL_STEPS_M = (0.02, 0.035, 0.05, 0.07, 0.09, 0.12, 0.15)  # where a tail before the skin is looked for
 FACE_PHOTO = 0.35  # weight of a face photo's outline: its camera is worse known than a body photo's
-SOFT_MM = 8.0  # a vertex this far inside the hairline is wholly hairy, half as far outside not at all
+SOFT_MM = 2.0 * VOTE_MM  # hairiness goes from 0 to 1 over what a photo can tell
+ROOT_MM, STEEP_MM = 1.0, 0.5  # hair rises from this far outside the hairline: 4 mm thick 3 mm inside, 30 at 9
+BARE_MM = 6.0  # beyond the scalp (ears, cheeks, neck) labels must be this sure of hair, and none as sure of skin
+SURE_VOTE = 0.2  # of photos that see it
 GROWTH_RINGS = 3  # hair may grow this many rings of edges beyond the scalp
 RIM_POWER = 6  # an outline says nothing about surfaces that face the camera: trust is (1 - |cos|)**6
 RIM_MM = 12.0  # nor about points farther than this inside the own outline
@@ -68,6 +71,7 @@ def measure_scalp(
     triangles: NDArray[np.int32],
     graph: SurfaceGraph,
     scalp: NDArray[np.bool_],
+    ears: NDArray[np.bool_],
     tail: Tail | None,
 ) -> Scalp:
     """Return where hair grows and how far it stands off the skin.
@@ -83,23 +87,32 @@ def measure_scalp(
     points_m, normals : (N, 3) skin vertices of head and neck
     triangles : (T, 3) of those vertices
     graph : SurfaceGraph of those vertices
-    scalp : (N,) bool
+    scalp, ears : (N,) bool
     tail : Tail or None
         Free hair; behind it no photo sees the skin.
     """
-    growth = graph.smooth(_grown(scalp, triangles).astype(float), 1)
     votes = np.stack([_votes(view, points_m, normals, tail) for view in views])
     votes = graph.smooth(votes.T.copy(), 1).T * (votes > 0.0)
     line = np.stack([hairline_mm(view, points_m) for view in views])
     total = votes.sum(axis=0)
     mean = (votes * line).sum(axis=0) / np.maximum(total, 1e-9)
     mean = graph.fill(mean[:, None], np.clip(total, 0.0, 1.0), 0.02)[:, 0]
+    denied = ((line < -BARE_MM) & (votes > SURE_VOTE)).any(axis=0)
+    hidden = (mean > BARE_MM) & (total > SURE_VOTE)
+    beyond = (_grown(scalp, triangles) | _grown(hidden, triangles)) & ~denied & (~ears | hidden)
+    growth = graph.smooth((scalp | beyond).astype(float), 1)
     hairy = graph.smooth(np.clip(0.5 + mean / SOFT_MM, 0.0, 1.0) * growth, 1)
     thickness = settle_cap(views, points_m, triangles, hairy, graph)
     # A skull may stand out of the photos' hair: no photo shows it, so it gives way.
     tucked = points_m + normals * m_from_mm(1.0) * np.minimum(thickness - THINNEST_MM * hairy, 0.0)[:, None]
-    taper = np.clip(2.0 * hairy - 0.5, 0.0, 1.0)
-    return Scalp(tucked, normals, triangles, votes, hairy, growth, np.maximum(thickness, THINNEST_MM * taper))
+    return Scalp(tucked, normals, triangles, votes, hairy, growth, held(np.maximum(thickness, THINNEST_MM), hairy))
+
+
+def held(thickness_mm: Array, hairy: Array) -> Array:
+    """Return thickness (N,) that rises from the hairline in a round edge; without hair there is none."""
+    inside_mm = np.clip((hairy - 0.5) * SOFT_MM + ROOT_MM, 0.0, VOTE_MM)
+    most_mm = VOTE_MM * inside_mm / (VOTE_MM + STEEP_MM - inside_mm)
+    return np.asarray(np.clip(thickness_mm, -DEEPEST_MM * (hairy > 0.5), most_mm))
 
 
 def _grown(flags: NDArray[np.bool_], triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
@@ -146,8 +159,7 @@ def settle_cap(
     outlines the thickness is smooth. Where photos disagree it is their mean.
     """
     normals = vertex_normals(points_m, triangles)
-    taper = np.clip(2.0 * hairy - 0.5, 0.0, 1.0)
-    thickness = FIRST_MM * taper
+    thickness = held(np.full(len(points_m), FIRST_MM), hairy)
     judges = [view for view in views if view.flip_m is None]
     for _ in range(ROUNDS):
         surface = points_m + normals * m_from_mm(1.0) * thickness[:, None]
@@ -166,7 +178,7 @@ def settle_cap(
         thickest = THICKEST_SHARE * max(median, 0.0) + THICKEST_EXTRA_MM
         trust = np.where(wanted > thickest, 0.0, trust)  # a tail's root says nothing about the cap
         thickness = graph.fill(wanted[:, None], np.clip(trust, 0.0, 1.0), STIFFNESS)[:, 0]
-        thickness = np.clip(graph.smooth(thickness, 1), -DEEPEST_MM, thickest) * taper
+        thickness = held(np.minimum(graph.smooth(thickness, 1), thickest), hairy)
     return thickness
 
 

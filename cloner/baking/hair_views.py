@@ -12,6 +12,7 @@ from cloner.baking.posed import body_triangles, parents_of, pose
 from cloner.baking.sources import person_mask
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
+from cloner.geometry.rasters import nearest_depth
 from cloner.geometry.seeing import depth_at, nearest_of
 from cloner.geometry.skinning import joint_transforms
 from cloner.records.bodies import PosedView
@@ -27,6 +28,7 @@ Array = NDArray[np.float64]
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
 FAR_MM = 1000.0
 MASK_SCALE = 0.5  # surfaces are drawn at this share of the photo's size
+NEAR_SHARE = 0.6  # distances are told within this share of the hair's size around it
 INVERSE_ROUNDS = 3  # rests to a micrometre: neck and skull differ by few degrees
 
 
@@ -79,9 +81,9 @@ class HairView:
         Which joints carry hair at which height.
     nearest_m : (h, w) float32
         Depth picture of the posed body without hair.
-    hair_px : (H, W) float32
-        Signed distance to the hair's outline in the photo, positive inside.
     hair : (H, W) bool
+    hair_px : (H, W) float32
+        Signed distance to the hair's outline in the photo, positive inside; far from all hair -FAR_MM.
     line_px : (H, W) float32
         Signed distance to the hairline, positive on the hair's side; the background counts as
         what lies nearest to it, so that a head a little off its photo still finds its hair.
@@ -95,8 +97,8 @@ class HairView:
     transforms: Array
     hanger: Hanger
     nearest_m: NDArray[np.float32]
-    hair_px: NDArray[np.float32]
     hair: NDArray[np.bool_]
+    hair_px: NDArray[np.float32]
     line_px: NDArray[np.float32]
     outline_px: NDArray[np.float32]
     flip_m: float | None = None
@@ -171,15 +173,30 @@ def hair_views(
             transforms,
             Hanger.of(generic, joined),
             nearest_of(pose(generic, joined, posed), triangles, posed.camera),
-            signed_distance(hair),
-            hair,
-            hairline(hair, person),
-            signed_distance(person),
+            *distances_px(hair, person),
         )
         found.append(one)
         if view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
             found.append(replace(one, flip_m=middle))
     return found
+
+
+def distances_px(
+    hair: NDArray[np.bool_], person: NDArray[np.bool_]
+) -> tuple[NDArray[np.bool_], NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
+    """Return hair, and the signed distances (H, W) to its outline, to the hairline and to the person's outline, px.
+
+    They are counted around the hair only: most of a body photo is far from it.
+    """
+    rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
+    found = tuple(np.full(hair.shape, -FAR_MM, np.float32) for _ in range(3))
+    if rows.size:
+        air = int(NEAR_SHARE * max(np.ptp(rows), np.ptp(columns))) + 2
+        box = np.s_[max(rows[0] - air, 0) : rows[-1] + air + 1, max(columns[0] - air, 0) : columns[-1] + air + 1]
+        parts = signed_distance(hair[box]), hairline(hair[box], person[box]), signed_distance(person[box])
+        for whole, part in zip(found, parts, strict=True):
+            whole[box] = part
+    return hair, *found
 
 
 def hairline(hair: NDArray[np.bool_], person: NDArray[np.bool_]) -> NDArray[np.float32]:
@@ -222,9 +239,6 @@ def cover(view: HairView, surface_m: Array, triangles: NDArray[np.int32]) -> NDA
     """Return (h, w) the pixels that a surface covers, at MASK_SCALE of the photo."""
     camera = view.posed.camera
     size = int(camera.height_px * MASK_SCALE), int(camera.width_px * MASK_SCALE)
-    picture = np.zeros(size, np.uint8)
     pixel = (camera.project(view.to_view(surface_m)) + 0.5) * MASK_SCALE - 0.5
-    fixed = np.rint(np.clip(pixel, -1e4, 1e4) * 16).astype(np.int32)
-    for corners in fixed[triangles]:
-        cv2.fillConvexPoly(picture, corners, 255, shift=4)
-    return picture > 0
+    depth = np.ones(len(pixel))  # which is nearer does not matter
+    return np.isfinite(nearest_depth(np.clip(pixel, -1e4, 1e4), depth, triangles, size[1], size[0]))

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, gaussian_filter, label
 from scipy.spatial import cKDTree
 
-from cloner.baking.hair_cap import Scalp, hairline_mm
+from cloner.baking.hair_cap import SOFT_MM, Scalp, hairline_mm
 from cloner.baking.hair_tail import Tail, find_tail
 from cloner.baking.hair_views import FAR_MM, HairView, hull_mm
 from cloner.frames import m_from_mm, mm_from_m
@@ -18,13 +18,15 @@ Array = NDArray[np.float64]
 
 INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
 DRAPE_MM = 25.0  # taste: hair on shoulders and cheeks lies this thick at most
-FREE_MM = 6.0  # hair that stands off the cap by more has no hairline beside it
 VOXEL_M = 0.004
 SMOOTH_VOXELS = 0.8
 COARSE = 4  # voxels a side of a trial cell
 PLANE_REACH_M = 0.03
-THINNEST_CAP_MM = 0.5
+FILM_MM = 2.0  # clear of the skin's mesh
+BEYOND_MM = 8.0  # how far the film reaches: past what labels and mesh may err
 DRAPE_DOUBT_MM = 4.0
+FULL_SHARE = 0.8  # hairiness where hair has its whole thickness
+OVERHANG_DOUBT_MM = 2.0  # heads stand a little off their photos
 SMALLEST_DRAPE_M3 = 4e-5  # taste: 40 ml, a thin lock
 LIFT_MM = 2.5  # labels are read this far above the skin: clear of the mesh, below the hair's surface
 GROWTH_MM = 40.0  # the growth share falls from 1 to 0 over about two rings of this mesh
@@ -77,16 +79,30 @@ def near_skin(scalp: Scalp, points_m: Array) -> Near:
 def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:
     """Return (N,) the field of the hair that follows the head, mm.
 
-    Thickness bounds it outwards. Along the skin the labels' votes cut it: they
-    are read a little above the skin, also for points below it, so that the
-    hairline is one wall through the skin and never a film on it.
+    Thickness bounds it outwards. It runs on as a film beyond the hairline, where the texture fades it out:
+    labels are as fine as photos, voxels are not.
     """
-    thickness = np.where(near.thickness_mm > THINNEST_CAP_MM, near.thickness_mm, -INNER_MM)
-    field = np.minimum(thickness - near.skin_mm, near.skin_mm + INNER_MM)
+    field = np.minimum(np.maximum(near.thickness_mm, FILM_MM) - near.skin_mm, near.skin_mm + INNER_MM)
     rows = np.flatnonzero(field > -CLIP_MM)
-    line = voted_line_mm(views, near, rows)
+    line = voted_line_mm(views, near, rows) + BEYOND_MM
     field[rows] = np.minimum(field[rows], np.minimum(line, (near.growth[rows] - 0.5) * GROWTH_MM))
     return np.asarray(field, np.float32)
+
+
+def overhang_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray[np.float32]:
+    """Return (N,) the field of hair that stands out over the hairline, mm: as thick as inside it, where photos agree."""
+    full = scalp.hairy > FULL_SHARE
+    if not full.any():
+        return np.full(len(points_m), -CLIP_MM, np.float32)
+    thickness = scalp.thickness_mm[full]
+    reach = m_from_mm(float(thickness.max()) + CLIP_MM)
+    gap, row = cKDTree(scalp.points_m[full]).query(points_m, distance_upper_bound=reach)
+    rows = np.flatnonzero(np.isfinite(gap))
+    field = np.full(len(points_m), -CLIP_MM, np.float32)
+    round_mm = thickness[row[rows]] - mm_from_m(1.0) * gap[rows]
+    near = rows[round_mm > -CLIP_MM]
+    field[near] = np.minimum(round_mm[round_mm > -CLIP_MM], hull_mm(views, points_m[near]) + OVERHANG_DOUBT_MM)
+    return field
 
 
 def voted_line_mm(views: list[HairView], near: Near, rows: NDArray[np.int64]) -> NDArray[np.float32]:
@@ -100,16 +116,8 @@ def voted_line_mm(views: list[HairView], near: Near, rows: NDArray[np.int64]) ->
     line = np.zeros(rows.size, np.float32)
     for view, vote in zip(views, votes, strict=True):
         line += vote * hairline_mm(view, read)
-    unseen = (near.hairy[rows] - 0.5) * 2.0 * CLIP_MM
+    unseen = (near.hairy[rows] - 0.5) * SOFT_MM
     return np.asarray((line + UNSEEN_VOTE * unseen) / (votes.sum(axis=0) + UNSEEN_VOTE), np.float32)
-
-
-def inside_hairline_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray[np.float32]:
-    """Return (N,) how far points of the cap lie inside the hairline, mm; FAR_MM where hair hangs free of the skin."""
-    near = near_skin(scalp, points_m)
-    free = near.skin_mm > near.thickness_mm + FREE_MM
-    line = voted_line_mm(views, near, np.arange(len(points_m)))
-    return np.where(free, np.float32(FAR_MM), line).astype(np.float32)
 
 
 def draped_mm(views: list[HairView], near: Near, below_m: float) -> NDArray[np.float32]:
@@ -152,7 +160,7 @@ def hair_field(
     field = np.full(int(np.prod(shape)), -CLIP_MM, np.float32)
     skin = np.full(field.shape, np.float32(FAR_MM))
     near = near_skin(scalp, points)
-    found = cap_mm(views, near)
+    found = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
     if tail is not None:
         found = np.maximum(found, tail.inside_mm(points))
     draped = np.full(field.shape, -CLIP_MM, np.float32)
@@ -186,7 +194,7 @@ def _worthwhile(
     wanted = hull_mm(views, coarse) > -radius_mm
     if tail is not None:
         wanted |= tail.inside_mm(coarse) > -radius_mm
-    hairy = scalp.thickness_mm > 0.0
+    hairy = scalp.hairy > 0.0
     if hairy.any():
         reach = m_from_mm(float(scalp.thickness_mm.max()) + INNER_MM + radius_mm)
         wanted |= cKDTree(scalp.points_m[hairy]).query(coarse, distance_upper_bound=reach)[0] < reach

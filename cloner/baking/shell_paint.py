@@ -84,6 +84,7 @@ def paint_shell(
     normals = vertex_normals(vertices_m, atlas.triangles)
     usable = [view for view in views if view.posed.view in photos and view.mask.any()]
     sights, claims, trusts, pictures = [], [], [], []
+    repaired: dict[ViewId, NDArray[np.uint8]] = {}
     for view in usable:
         sight = _look(generic, joined, view, vertices_m, skin_joints, skin_weights, atlas.triangles)
         seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
@@ -93,7 +94,9 @@ def paint_shell(
         claims.append(np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0))
         # Hair and cloth shine at grazing angles: only what both photos see nearly head-on tells their exposures.
         trusts.append(np.where(claims[-1] > 0.0, np.clip((sight.cosine - 0.5) / 0.5, 0.0, 1.0), 0.0))
-        pictures.append(_repaired(photos[view.posed.view].rgb, view))
+        if view.posed.view not in repaired:  # a mirrored view shows the same photo
+            repaired[view.posed.view] = _repaired(photos[view.posed.view].rgb, view)
+        pictures.append(repaired[view.posed.view])
     graph = surface_graph(vertices_m, atlas.triangles)
     claims = [graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in claims]
     claim_table = np.stack(claims)

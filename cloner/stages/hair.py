@@ -18,10 +18,10 @@ from scipy.ndimage import label, map_coordinates
 from skimage.measure import marching_cubes
 
 from cloner.baking.hair_cap import Scalp, measure_scalp
-from cloner.baking.hair_edge import soften_edge
+from cloner.baking.hair_edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge
 from cloner.baking.hair_tail import find_tail
 from cloner.baking.hair_views import HairView, Hanger, hair_views
-from cloner.baking.hair_volume import VOXEL_M, hair_field, inside_hairline_mm
+from cloner.baking.hair_volume import VOXEL_M, hair_field
 from cloner.baking.labelled import vet_labels
 from cloner.baking.posed import body_triangles
 from cloner.baking.shell_paint import ShellView, paint_shell
@@ -128,7 +128,7 @@ def grow_hair(
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
-    shell = dress_shell(generic, joined, photos, views, scalp, *mesh, params)
+    shell = dress_shell(generic, joined, photos, views, *mesh, params)
     residuals = (
         Residual("hair_thickness_median", float(np.median(thick)), "mm"),
         Residual("hair_thickness_largest", float(thick.max()), "mm"),
@@ -161,8 +161,9 @@ def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> 
     own = place[triangles]
     own = np.ascontiguousarray(own[(own >= 0).all(axis=1)])
     points, scalp = joined.vertices_m[rows], generic.region("scalp")[rows]
+    ears = generic.region("ear_left")[rows] | generic.region("ear_right")[rows]
     tail = find_tail(views, points, own, middle_of(generic, joined))
-    return measure_scalp(views, points, normals[rows], own, type(graph)(lengths), scalp, tail)
+    return measure_scalp(views, points, normals[rows], own, type(graph)(lengths), scalp, ears, tail)
 
 
 def hair_mesh(
@@ -199,18 +200,22 @@ def dress_shell(
     joined: Joined,
     photos: PhotoSet,
     views: list[HairView],
-    scalp: Scalp,
     vertices_m: Array,
     triangles: NDArray[np.int32],
     params: Params,
 ) -> Shell:
     """Return the shell with weights, charts and texture."""
+    inside_mm = inside_hairline_mm(views, [CLAIM[v.posed.view] for v in views], vertices_m, triangles)
+    shown = (inside_mm[triangles] > FADE_MM[0] - STRAND_MM).any(axis=1)
+    used, places = np.unique(triangles[shown], return_inverse=True)
+    triangles = places.reshape(-1, 3).astype(np.int32)
+    vertices_m, inside_mm = vertices_m[used], inside_mm[used]
     joints, weights = Hanger.of(generic, joined).weights(vertices_m)
     charts = unwrap(vertices_m, triangles, params.size)
     atlas = map_atlas(charts.uv, charts.triangles, triangles, params.size)
-    shown = [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
-    rgba = paint_shell(generic, joined, photos.photos, shown, atlas, vertices_m, joints, weights)
-    rgba = soften_edge(rgba, atlas, inside_hairline_mm(views, scalp, vertices_m))
+    sights = [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
+    rgba = paint_shell(generic, joined, photos.photos, sights, atlas, vertices_m, joints, weights)
+    rgba = soften_edge(rgba, atlas, inside_mm)
     return Shell(
         vertices_m[charts.vertex], charts.triangles, charts.uv, joints[charts.vertex], weights[charts.vertex], rgba
     )
