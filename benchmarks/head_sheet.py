@@ -2,7 +2,7 @@
 
     python benchmarks/head_sheet.py RESULT [RESULT …] --out docs/pictures/head_sheet_NAME.png
 
-RESULT is a folder that `cloner clone` made, or its clone.npz. Several give one row of cells each way they were made.
+RESULT is a folder that `cloner clone` made, or its clone.npz. Several stand one below the other.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ SMILE = {f"{name}{side}": weight for side in ("Left", "Right") for name, weight 
          (("mouthSmile", 0.8), ("cheekSquint", 0.5), ("mouthUpperUp", 0.25), ("mouthLowerDown", 0.2))}  # fmt: skip
 BLINK = {"eyeBlinkLeft": 1.0, "eyeBlinkRight": 1.0}
 CELLS: tuple[tuple[str, float, float, dict[str, float]], ...] = (
-    ("front", 0.0, 0.0, {}), ("30", 30.0, 0.0, {}), ("60", 60.0, 0.0, {}), ("90", 90.0, 0.0, {}), ("back", 180.0, 0.0, {}),
-    ("above", 0.0, 40.0, {}), ("below", 0.0, -35.0, {}), ("smiling", 0.0, 0.0, SMILE), ("blinking", 20.0, 0.0, BLINK),
-    ("mouth open", 15.0, 0.0, {"jawOpen": 0.7}),
+    ("front", 0.0, 0.0, {}), ("30", 30.0, 0.0, {}), ("60", 60.0, 0.0, {}), ("90", 90.0, 0.0, {}),
+    ("back", 180.0, 0.0, {}), ("above", 0.0, 40.0, {}), ("below", 0.0, -35.0, {}), ("smiling", 0.0, 0.0, SMILE),
+    ("blinking", 20.0, 0.0, BLINK), ("mouth open", 15.0, 0.0, {"jawOpen": 0.7}),
 )  # fmt: skip
 COLUMNS = 5
 CELL_PX = (480, 600)

@@ -30,7 +30,7 @@ from cloner.stages.head_fit import (
     start_side,
 )
 from cloner.stages.head_flank import find_flank
-from cloner.stages.head_parts import seat_parts
+from cloner.stages.head_parts import Sight, seat_parts
 from cloner.stages.head_report import report_front, report_side, warn_missing
 from cloner.stages.head_size import body_camera, head_scale
 from cloner.stages.head_skull import fit_skull
@@ -208,12 +208,12 @@ def _cameras(model: Model, fitted: Fitted, front: Front | None, side: Side | Non
     return out
 
 
-def _sight(fitted: Fitted, front: Front | None, proposals: Proposals) -> tuple[Camera, Array] | None:
-    """Return the front photo's camera and the irises seen in it, (2, 2) px, the left one first."""
+def _sight(fitted: Fitted, front: Front | None, proposals: Proposals) -> Sight | None:
+    """Return what the front photo of the face shows of eyes and mouth."""
     if front is None or fitted.front is None or front.view is not ViewId.FACE_FRONT:
         return None
-    irises = proposals.views[front.view].irises_px
-    return (fitted.front, irises) if irises.any() else None
+    proposal = proposals.views[front.view]
+    return Sight(fitted.front, proposal.irises_px, proposal.face_px)
 
 
 def _iris(photos: PhotoSet, model: Model, fitted: Fitted, front: Front | None) -> Array:

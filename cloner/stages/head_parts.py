@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,34 +23,76 @@ PUPIL_UP_M = 0.0008
 IRIS_REACH_M = 0.002
 #: Angle of the generic ball's iris rim from its gaze, radians (cage.py's ring).
 RIM_ANGLE = float(np.radians(23.0))
+#: Inner borders of the upper and the lower lip in the face net, from the person's right corner to the left; and how far
+#: apart they are when a mouth is open, metres (closed mouths: up to 1.5 mm).
+INNER_LIPS = ((78, 191, 80, 81, 82, 13, 312, 311, 310, 415, 308), (78, 95, 88, 178, 87, 14, 317, 402, 318, 324, 308))
+OPEN_M = 0.003
 #: Lashes are hm08's, shortened: upper and lower, share of their length (taste; hm08's are those of a doll).
 LASH_LENGTH = (0.65, 0.4)
 #: The upper teeth end so far below the line where the lips meet, the lower ones above their edge, metres (anatomy: a
 #: relaxed open mouth shows 2 to 3 mm of the upper teeth, and the upper overlap the lower by 2 mm).
 TEETH_SHOW_M, OVERBITE_M = 0.0028, 0.0015
 #: Teeth stand so far behind the lips' inner side, and the lower ones behind the upper, metres.
-BEHIND_LIPS_M, BEHIND_UPPER_M = 0.003, 0.002
-#: hm08's teeth are wider than people's: 67 mm across the molars instead of 55 to 60 mm.
-NARROWER = np.array([0.88, 1.0, 1.0])
+BEHIND_LIPS_M, BEHIND_UPPER_M = 0.003, 0.003
+#: hm08's teeth are wider than people's: 67 mm across the molars instead of 55 to 60 mm; the lower ones stand inside.
+NARROWER = {"teeth_upper": 0.88, "teeth_lower": 0.80}
 
 
-def seat_parts(before_m: Array, fitted_m: Array, sight: tuple[Camera, Array] | None) -> Array:
-    """Return the vertices (V, 3) with lids laid on eyeballs of real size, lips closed, teeth and tongue in the mouth.
+@dataclass(frozen=True, slots=True, eq=False)
+class Sight:
+    """What the front photo shows of eyes and mouth.
+
+    Attributes
+    ----------
+    camera : Camera
+    irises_px : (2, 2)
+        Centres of the left and the right iris; zeros where nobody looked.
+    face_px : (468, 2)
+        Points of the face net.
+    """
+
+    camera: Camera
+    irises_px: Array
+    face_px: Array
+
+
+def seat_parts(before_m: Array, fitted_m: Array, sight: Sight | None) -> Array:
+    """Return the vertices (V, 3) with lids laid on eyeballs of real size, lips met, teeth and tongue in the mouth.
+
+    Lips meet, unless the photo shows a mouth so far open that its teeth would be painted on them.
 
     Parameters
     ----------
     before_m, fitted_m : (V, 3) metres
         Any person of the generic family, and the fitted skin, whose eyeballs, teeth and lashes may lie anywhere.
-    sight : camera and (2, 2) px, optional
-        The front photo's camera, and the centres of the left and right iris in it.
+    sight : Sight, optional
     """
     generic, out = load_generic(), fitted_m.copy()
     for number, side in enumerate(("left", "right")):
-        iris = None if sight is None else (sight[0], sight[1][number])
+        iris = None if sight is None or not sight.irises_px.any() else (sight.camera, sight.irises_px[number])
         _seat_eye(generic, out, side, iris)
     grid = mouth_grid()
     out[grid.rings] = lips.sealed(grid, lips.uncrossed(grid, lips.closed(grid, out[grid.rings])))
     _seat_mouth(generic, before_m, out)
+    if sight is not None:
+        out[grid.rings] = _parted(grid, out[grid.rings], sight)
+    return out
+
+
+def _parted(grid: Grid, points: Array, sight: Sight) -> Array:
+    """Return the lips' points (K, N, 3) with their inner borders where a photo of an open mouth shows them."""
+    metres = sight.camera.metres_per_pixel(points[grid.margin].mean(axis=0))
+    borders = sight.face_px[np.array(INNER_LIPS)]
+    if metres * float((borders[1] - borders[0])[:, 1].max()) < OPEN_M:
+        return points
+    touching = points[grid.margin - 1 : grid.margin + 2]
+    foremost = np.where(grid.upper, touching[..., 1].argmin(axis=0), touching[..., 1].argmax(axis=0))
+    seen = sight.camera.project(touching[foremost, np.arange(len(foremost))])
+    way = np.zeros(len(seen))
+    for lip, border in zip((grid.upper, grid.lower), borders, strict=True):
+        way[lip] = seen[lip, 1] - np.interp(seen[lip, 0], border[:, 0], border[:, 1])
+    out = points.copy()
+    out[:, :, 1] += lips.SHARE[:, None] * metres * way
     return out
 
 
@@ -112,9 +156,10 @@ def _seat_mouth(generic: GenericHuman, before: Array, out: Array) -> None:
         ),
     ):
         factor, rotation, _ = similarity(before[mouth[near]], out[mouth[near]])
-        own = factor * NARROWER * before[generic.part(parts[0])] @ rotation.T
+        size = factor * np.array([NARROWER[parts[0]], 1.0, 1.0])
+        own = size * before[generic.part(parts[0])] @ rotation.T
         biting = own[:, 1].min() if parts[0] == "teeth_upper" else own[:, 1].max()
         middle = out[mouth[near], 0].mean()
         shift = np.array([middle - own[:, 0].mean(), edge - biting, depth - own[:, 2].max()])
         for part in parts:
-            out[generic.part(part)] = factor * NARROWER * before[generic.part(part)] @ rotation.T + shift
+            out[generic.part(part)] = size * before[generic.part(part)] @ rotation.T + shift
