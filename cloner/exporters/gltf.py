@@ -26,6 +26,7 @@ from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
+from cloner.exporters.roughness import roughness_map
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import Surface, load_surfaces, surface_normals
@@ -170,6 +171,11 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> Any:
                 targets=[{"POSITION": accessor} for accessor in _targets(buffer, clone, surface)],
             )
         )
+    if len(clone.triangle_regions):
+        # The skin's own material, the first: skin, cloth and shoes shine each in their way.
+        rough = _texture(gltf, buffer, png_bytes(roughness_map(clone)), "image/png", "roughness")
+        look = gltf.materials[primitives[0].material].pbrMetallicRoughness
+        look.metallicRoughnessTexture, look.roughnessFactor = pygltflib.TextureInfo(index=rough), 1.0
     mesh = pygltflib.Mesh(name="Body", primitives=primitives)
     if clone.morph_names:
         mesh.extras = {"targetNames": list(clone.morph_names)}

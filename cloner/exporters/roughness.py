@@ -1,0 +1,43 @@
+"""How rough each part of the skin and clothes is, as glTF wants it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.exporters.regions import NOTHING, region_texels
+from cloner.generic.charts import generic_atlas
+from cloner.generic.load import load_generic
+from cloner.records.clones import Clone
+from cloner.records.regions import REGIONS
+
+#: Taste, within what renderers' tables give: skin is oily, cloth is dull, leather between.
+ROUGHNESS: Final[Mapping[str, float]] = MappingProxyType({
+    "skin": 0.58, "hair": 0.65, "eyes": 0.25, "mouth": 0.45, "upper_clothes": 0.9, "lower_clothes": 0.9, "shoes": 0.6,
+})  # fmt: skip
+LIPS: Final = 0.42
+ELSEWHERE: Final = 0.85
+SIZE: Final = 512  # regions are as coarse as the triangles
+
+
+def roughness_map(clone: Clone) -> NDArray[np.uint8]:
+    """Return (SIZE, SIZE, 3) glTF metallic-roughness texels of a clone's atlas: green is roughness, nothing is metal.
+
+    References
+    ----------
+    Khronos Group 2021, glTF 2.0 specification, section 3.9.2.
+    """
+    generic = load_generic()
+    table = np.full(256, ELSEWHERE)
+    table[: len(REGIONS)] = [ROUGHNESS[name] for name in REGIONS]
+    table[NOTHING] = ELSEWHERE
+    rough = table[region_texels(clone, SIZE)]
+    lips = np.asarray(generic.region("lips")[generic.triangles()[0]].all(axis=1), bool)
+    rough.reshape(-1)[generic_atlas(generic, SIZE, wanted=lips).texel] = LIPS
+    texels = np.zeros((SIZE, SIZE, 3), np.uint8)
+    texels[..., 1] = np.rint(255.0 * rough)
+    return texels
