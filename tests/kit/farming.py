@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 from typing import Any
 
+from cloner import batch
 from cloner.batch import BatchOptions
 from cloner.cloning import CloneOutcome, stamp_options
 from cloner.farm import watchdog
@@ -68,3 +69,21 @@ def watch_summaries(folder: Path) -> None:
     stop.set()
     reader.join()
     assert not broken
+
+
+def clone_pretended(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
+    """Stand in for ``clone_in_worker``: everything as it is but the cloning, which takes a moment."""
+    batch.clone_folder = write_result
+    time.sleep(0.5)
+    return batch.clone_visitor(visitor, out, options)
+
+
+#: A cluster of two workers that says where it is and stays until it is killed.
+CLUSTER = """
+import sys, time
+from cloner.farm import farm
+if __name__ == "__main__":
+    with farm(2) as client:
+        print(client.scheduler.address, flush=True)
+        time.sleep(600)
+"""
