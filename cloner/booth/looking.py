@@ -155,7 +155,7 @@ def edge_width(grey: NDArray[np.uint8], person: NDArray[np.bool_]) -> float:
     slope = np.hypot(cv2.Sobel(small, cv2.CV_32F, 1, 0, scale=0.125), cv2.Sobel(small, cv2.CV_32F, 0, 1, scale=0.125))
     around = np.ones((9, 9), np.uint8)
     step = cv2.dilate(small, around) - cv2.erode(small, around)
-    strong = near & (step > max(30.0, float(np.percentile(step[near], 90))))
+    strong = near & (step >= max(30.0, float(np.percentile(step[near], 90))))
     if not strong.any():
         return 1.0
     ratio = slope[strong] / step[strong]

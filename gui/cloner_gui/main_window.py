@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final, cast
 
 from PySide6.QtCore import QEvent
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QLabel, QMainWindow, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget
@@ -102,6 +102,8 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Save, and stop the work before the window goes."""
+        for dialog in self.findChildren(QDialog):
+            dialog.close()  # a camera's thread must end before its dialog goes
         self.visitor.form.save()
         self.takeaway.handing.close()
         self.booth.close()

@@ -213,7 +213,7 @@ class WebcamDialog(QDialog):
         column.addLayout(row)
 
     def _choose(self) -> None:
-        self.live.view = self.views.currentData()
+        self.live.view = ViewId(self.views.currentData())  # Qt hands a text back
         self.live.update()
 
     def _turn(self) -> None:
