@@ -25,6 +25,7 @@ LIBRARIES: Final = {
     "pygltflib": "pygltflib",
     "scipy": "scipy",
     "skimage": "scikit-image",
+    "segno": "segno",
     "trimesh": "trimesh",
     "typer": "typer",
     "PySide6.QtWidgets": "PySide6-Essentials",
