@@ -37,7 +37,7 @@ def partition(
     skin_weights: NDArray[np.floating],
     parents: NDArray[np.integer],
     *,
-    overlap: int = 0,
+    overlap: int | NDArray[np.integer] = 0,
 ) -> tuple[Piece, ...]:
     """Return the pieces of a mesh.
 
@@ -48,9 +48,9 @@ def partition(
     ----------
     parents : (J,) int
         Parent joint of every joint, -1 for the root.
-    overlap : int
-        Rings of triangles of the joints above that every piece repeats: a bent joint then opens no gap between rigid
-        pieces, and what is repeated turns inwards. With 0 every triangle lies in exactly one piece.
+    overlap : int or (J,) int
+        Rings of triangles of the joints above that every piece, or every joint's piece, repeats: a bent joint then
+        opens no gap between rigid pieces, and what is repeated turns inwards. With 0 every triangle lies in just one.
     """
     if len(triangles) == 0:
         return ()
@@ -59,9 +59,11 @@ def partition(
     for corner in range(3):
         np.add.at(total, (row, skin_joints[triangles[:, corner]]), skin_weights[triangles[:, corner]])
     owner = total.argmax(axis=1)
+    rings = np.broadcast_to(overlap, len(parents))
     pieces = []
     for joint in np.unique(owner):
-        rows = np.flatnonzero(_grown(owner == joint, np.isin(owner, _above(int(joint), parents)), triangles, overlap))
+        above = np.isin(owner, _above(int(joint), parents))
+        rows = np.flatnonzero(_grown(owner == joint, above, triangles, int(rings[joint])))
         vertex, local = np.unique(triangles[rows], return_inverse=True)
         pieces.append(Piece(int(joint), rows, vertex.astype(np.int32), local.reshape(-1, 3).astype(np.int32)))
     return tuple(pieces)

@@ -2,8 +2,8 @@
 
 H-Anim 1.1 knows no skin: the body is cut into rigid pieces by the joint that
 moves each triangle most, and the pieces hang on the joints' segments. Borders
-repeat the same vertices and normals, so the resting body shows no seam. The
-face's morph targets become Displacers. It walks on the spot as soon as the world is loaded. Metres, +Y up, facing +Z.
+repeat the same vertices and normals, so the resting body - arms hanging, as H-Anim
+has it - shows no seam. The face's morph targets become Displacers. It walks on the spot as soon as the world is loaded. Metres, +Y up, facing +Z.
 
 References
 ----------
@@ -30,6 +30,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.viewpoints import AZIMUTH_DEG
 from cloner.motion.body import body_of
 from cloner.motion.gait import walk
+from cloner.motion.rest import in_hanging_pose
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
 
@@ -44,7 +45,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     ClonerError
         If the folder cannot be written to.
     """
-    clone = centred(clone)
+    clone = in_hanging_pose(centred(clone))
     pictures = write_pictures(clone, folder, name)
     scene = folder / f"{name}.wrl"
     write_bytes(scene, "".join(_scene(clone, name)).encode())

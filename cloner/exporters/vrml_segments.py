@@ -23,8 +23,11 @@ Targets = list[tuple[str, NDArray[np.int32], Array]]
 
 #: Smaller offsets of a displacer are left out, metres; taste: keeps the text readable by old programs.
 SMALLEST_OFFSET_M: Final = 1e-4
-#: Rings of triangles that a piece repeats of the ones above; with two, shoulders grow flaps when the arms are lowered.
+#: Rings of triangles that a piece repeats of the ones above. With two, shoulders grow flaps when the arms are lowered;
+#: knees, elbows and ankles bend so far that they gape with fewer than three.
 OVERLAP_RINGS: Final = 1
+HINGE_RINGS: Final = 3
+HINGES: Final = ("l_knee", "r_knee", "l_elbow", "r_elbow", "l_ankle", "r_ankle")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -99,9 +102,10 @@ def segment_texts(clone: Clone, generic: GenericHuman, name: str) -> list[str]:
     shapes, so that displacers can move body, lashes and teeth together.
     """
     held: list[list[tuple[SkinMesh, Piece]]] = [[] for _ in generic.joint_names]
+    rings = np.array([HINGE_RINGS if joint in HINGES else OVERLAP_RINGS for joint in generic.joint_names])
     for mesh in skin_meshes(clone, generic, name):
         parents = generic.joint_parents
-        for piece in partition(mesh.triangles, mesh.skin_joints, mesh.skin_weights, parents, overlap=OVERLAP_RINGS):
+        for piece in partition(mesh.triangles, mesh.skin_joints, mesh.skin_weights, parents, overlap=rings):
             held[piece.joint].append((mesh, piece))
     sites = _sites(clone, generic)
     seen: set[str] = set()

@@ -1,4 +1,4 @@
-"""Another rest pose for a clone: the T-pose that avatar programs ask for."""
+"""Another rest pose for a clone: the T-pose that avatar programs ask for, H-Anim's hanging arms."""
 
 from __future__ import annotations
 
@@ -6,12 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.geometry.skinning import blend_transforms, joint_transforms, skin
 from cloner.motion import turns
 from cloner.motion.body import FOOT, SIDES, Body, below, body_of
-from cloner.motion.gait import aim_limb, palm_normal
+from cloner.motion.gait import ARM_OUT_DEG, aim_limb, follow, palm_normal
 from cloner.motion.twist import shared_twist
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
@@ -20,40 +21,83 @@ Array = NDArray[np.float64]
 
 
 def in_t_pose(clone: Clone) -> Clone:
-    """Return the clone whose rest pose is the T-pose: arms level to the sides, palms down, legs straight down.
+    """Return the clone whose rest pose is the T-pose: arms level to the sides, palms down, legs straight down."""
+    return in_pose(clone, t_pose(body_of(clone)))
 
-    Skin, shells, joints and morph targets are bound anew in that pose; the photos' poses are left out, they belong to
-    the old rest pose. Feet stay on the floor.
+
+def in_hanging_pose(clone: Clone) -> Clone:
+    """Return the clone whose rest pose is H-Anim's own: arms hanging at the sides, palms inwards."""
+    return in_pose(clone, hanging_pose(body_of(clone)))
+
+
+def in_pose(clone: Clone, rotations: Array) -> Clone:
+    """Return the clone whose rest pose is another one.
+
+    Skin, shells, joints, morph targets and feature points are bound anew in that pose; the photos' poses are left out,
+    they belong to the old rest pose. Feet stay on the floor.
+
+    Parameters
+    ----------
+    clone : Clone
+    rotations : (94, 3)
+        Rotation vectors of the joints against the old rest pose, radians.
     """
-    body = body_of(clone)
-    rotations = t_pose(body)
-    transforms = joint_transforms(clone.joints_m, body.parents, rotations)
     generic = load_generic()
+    transforms = joint_transforms(clone.joints_m, generic.joint_parents, rotations)
     joints, weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(np.float64)
     vertices = skin(clone.vertices_m, transforms, joints, weights)
     drop = np.array([0.0, -vertices[:, 1].min() + clone.vertices_m[:, 1].min(), 0.0])
-    turned = blend_transforms(transforms, joints, weights)[:, :, :3]
-    moved = np.einsum("mab,mb->ma", turned[clone.morph_index], clone.morph_delta_m)
+    blended = blend_transforms(transforms, joints, weights)
+    moved = np.einsum("mab,mb->ma", blended[clone.morph_index, :, :3], clone.morph_delta_m)
     return replace(
         clone,
         vertices_m=vertices + drop,
         joints_m=np.einsum("jab,jb->ja", transforms[:, :3, :3], clone.joints_m) + transforms[:, :3, 3] + drop,
         morph_delta_m=moved.astype(np.float32),
         shells=tuple(_reposed(shell, transforms, drop) for shell in clone.shells),
-        features_m={},
+        features_m=_carried(clone, blended, drop),
         views={},
     )
+
+
+def _carried(clone: Clone, blended: Array, drop: Array) -> dict[str, Array]:
+    """Return the feature points as the nearest vertex of the skin carries them."""
+    if not clone.features_m:
+        return {}
+    points = np.array(list(clone.features_m.values()))
+    _, nearest = cKDTree(clone.vertices_m).query(points)
+    moved = np.einsum("nab,nb->na", blended[nearest, :, :3], points) + blended[nearest, :, 3] + drop
+    return dict(zip(clone.features_m, moved, strict=True))
 
 
 def _reposed(shell: Shell, transforms: Array, drop: Array) -> Shell:
     return replace(shell, vertices_m=skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights) + drop)
 
 
+def hanging_pose(body: Body) -> Array:
+    """Return (94, 3) rotation vectors of arms hanging at the sides and straight legs, radians."""
+    world = np.tile(np.eye(3), (1, len(body.names), 1, 1))
+    for side in SIDES:
+        out = turns.about(2, np.array([np.radians(ARM_OUT_DEG if side == "l" else -ARM_OUT_DEG)]))
+        aim_limb(body, world, side, "shoulder", out)
+        aim_limb(body, world, side, "elbow", out)
+        follow(body, world, side)
+        _stand(body, world, side)
+    return np.asarray(shared_twist(body, turns.local_from_world(world, body.parents))[0])
+
+
+def _stand(body: Body, world: Array, side: str) -> None:
+    """Let a leg stand straight down, its foot flat."""
+    for name in ("hip", "knee"):
+        aim_limb(body, world, side, name, np.eye(3)[None])
+    for name in (*FOOT, "metatarsal"):
+        world[:, body.joint(f"{side}_{name}")] = np.eye(3)
+
+
 def t_pose(body: Body) -> Array:
     """Return (94, 3) rotation vectors of the T-pose, radians."""
     world = np.tile(np.eye(3), (1, len(body.names), 1, 1))
     down_to_side = {"l": turns.about(2, np.array([np.pi / 2])), "r": turns.about(2, np.array([-np.pi / 2]))}
-    still = np.eye(3)[None]
     for side in SIDES:
         aim_limb(body, world, side, "shoulder", down_to_side[side])
         aim_limb(body, world, side, "elbow", down_to_side[side])
@@ -62,8 +106,5 @@ def t_pose(body: Body) -> Array:
         level = np.array([0.0, 1.0, 1.0])  # only about the arm's own axis
         twist = turns.between(palm * level, np.array([0.0, -1.0, 0.0]))
         world[:, below(body, wrist)] = twist @ world[0, elbow]
-        for name in ("hip", "knee"):
-            aim_limb(body, world, side, name, still)
-        for name in (*FOOT, "metatarsal"):
-            world[:, body.joint(f"{side}_{name}")] = still
+        _stand(body, world, side)
     return np.asarray(shared_twist(body, turns.local_from_world(world, body.parents))[0])

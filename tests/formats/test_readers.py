@@ -1,0 +1,71 @@
+"""Other people's programs show the person: upright, not blank, and moving where the format has a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cloner.exporters.table import EXPORTERS
+from kit import readers
+from kit.clones import toy_clone
+from kit.readers import Picture, person
+
+pytestmark = pytest.mark.slow
+STATURE_M = 1.64
+
+THREE = pytest.mark.skipif(
+    not readers.HAS_THREE, reason="three, three-vrm, esbuild or Chromium is not here; run: npm install three esbuild"
+)
+BLENDER = pytest.mark.skipif(
+    not readers.HAS_BLENDER,
+    reason="Blender is not here (CI leaves out its 500 MB); run: apt-get install blender",
+)
+VIEW3DSCENE = pytest.mark.skipif(
+    not readers.HAS_VIEW3DSCENE, reason="view3dscene is not here; run: sudo apt-get install -y view3dscene xvfb"
+)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory) -> Path:
+    made = tmp_path_factory.mktemp("readers")
+    for name in ("glb", "small", "mixamo", "flat", "x3d"):
+        EXPORTERS.get(name)(toy_clone(STATURE_M), made)
+    return made
+
+
+def upright(picture: np.ndarray) -> None:
+    seen = np.argwhere(person(picture))
+    assert len(seen) > 0.02 * picture.shape[0] * picture.shape[1], "the picture is blank"
+    assert np.ptp(seen[:, 0]) > 1.3 * np.ptp(seen[:, 1]), "not upright"
+
+
+@pytest.mark.parametrize(
+    ("reader", "file", "moves"),
+    [
+        pytest.param(readers.three, "clone_small.glb", True, marks=THREE),
+        pytest.param(readers.three, "clone_mixamo.glb", True, marks=THREE),
+        pytest.param(readers.three, "clone_flat.wrl", False, marks=THREE),
+        pytest.param(readers.blender, "clone.glb", True, marks=BLENDER),
+    ],
+)
+def test_the_person_stands_in_metres_and_walks(
+    reader: Callable[[Path], Picture], file: str, moves: bool, folder: Path
+) -> None:
+    picture, told = reader(folder / file)
+    assert told.get("error") is None
+    assert told["height_m"] == pytest.approx(STATURE_M + 0.01, abs=0.05)
+    assert (told["moved_m"] > 0.05) == moves
+    assert told.get("bones", 94) == 94
+    assert told.get("shapes", 68) == 68, "67 targets and the rest"
+    upright(picture)
+
+
+@VIEW3DSCENE
+def test_view3dscene_draws_the_skin_without_a_warning(folder: Path) -> None:
+    picture, told = readers.view3dscene(folder / "clone.x3d")
+    assert told.get("error") is None
+    assert told["warnings"] == []
+    upright(picture)

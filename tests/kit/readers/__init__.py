@@ -1,0 +1,128 @@
+"""Other people's programs: each opens a file of ours and gives a picture of what it shows."""
+
+from __future__ import annotations
+
+import base64
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from PIL import Image
+
+from kit.browser import CHROMIUM, browser
+
+HERE = Path(__file__).parent
+MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node"))
+NODE = MODULES / "node_modules"
+X_ITE = NODE / "x_ite" / "dist"
+SIZE = (420, 640)
+#: How far into its second the walk is, seconds.
+AT_S = 0.1
+
+HAS_THREE = CHROMIUM is not None and all((NODE / name).is_dir() for name in ("three", "@pixiv/three-vrm", "esbuild"))
+HAS_X_ITE = CHROMIUM is not None and X_ITE.is_dir()
+HAS_BLENDER = shutil.which("blender") is not None
+HAS_VIEW3DSCENE = shutil.which("view3dscene") is not None and shutil.which("xvfb-run") is not None
+
+#: The background of our own worlds, sRGB: there it is the file's, before it the program's.
+SKY = np.array([224, 227, 230])
+#: A screen in memory, and an end for programs that hang there.
+SCREEN = ("timeout", "120", "xvfb-run", "-a", "-s", "-screen 0 1024x1024x24")
+
+Picture = tuple[np.ndarray, dict[str, Any]]
+
+
+def three(path: Path) -> Picture:
+    """Show a .glb, .vrm or flat .wrl with three.js in Chromium."""
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as scratch:
+        entry, script = MODULES / f"show_three_{os.getpid()}.mjs", Path(scratch) / "show.js"
+        shutil.copy(HERE / "show_three.mjs", entry)
+        try:
+            subprocess.run(
+                [NODE / ".bin" / "esbuild", entry, "--bundle", "--format=esm", f"--outfile={script}",
+                 "--log-level=error"], check=True,
+            )  # fmt: skip
+        finally:
+            entry.unlink()
+        page_file = path.with_name(f"{path.stem}_three.html")
+        asked = f'{{kind: "{path.suffix[1:]}", at: {AT_S}, pictures: "{path.parent.as_uri()}/"}}'
+        page_file.write_text(
+            '<!doctype html><meta charset="utf-8"><style>body{margin:0}canvas{display:block}</style><body>'
+            f'<script type="text/plain" id="file">{base64.b64encode(path.read_bytes()).decode()}</script>'
+            f'<script>window.asked = {asked}</script><script type="module">{script.read_text()}</script></body>'
+        )
+        with browser(Path(scratch) / "profile", "--allow-file-access-from-files") as page:
+            page.open(page_file, *SIZE)
+            page.wait_for("window.result")
+            told = page.value("window.result")
+            picture = page.picture()
+        page_file.unlink()
+    return picture, told
+
+
+def x_ite(path: Path) -> Picture:
+    """Show a .wrl or .x3d with X_ITE in Chromium; tells how many pixels its walk changes."""
+    for name in ("x_ite.min.js", "x_ite.css"):
+        shutil.copy(X_ITE / name, path.parent)
+    shutil.copytree(X_ITE / "assets", path.parent / "assets", dirs_exist_ok=True)
+    page_file = path.with_name(f"{path.stem}_x_ite.html")
+    width, height = SIZE
+    page_file.write_text(
+        '<!doctype html><meta charset="utf-8"><link rel="stylesheet" href="x_ite.css"><style>body{margin:0}'
+        f'x3d-canvas{{width:{width}px;height:{height}px}}</style><script defer src="x_ite.min.js"></script>'
+        f'<body><x3d-canvas src="{path.name}"></x3d-canvas></body>'
+    )
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as scratch:
+        with browser(Path(scratch) / "profile", "--allow-file-access-from-files") as page:
+            page.open(page_file, *SIZE)
+            end, first = time.monotonic() + 60, np.zeros((height, width, 3), int)
+            while time.monotonic() < end and np.abs(first[2, 2] - SKY).max() > 3:
+                time.sleep(0.5)
+                first = page.picture().astype(int)
+            time.sleep(2.0)  # pictures come after the shapes
+            first = page.picture().astype(int)
+            time.sleep(0.4)
+            second = page.picture()
+            changed = int((np.abs(first - second).max(axis=2) > 24).sum())
+            told = {"changed_px": changed, "complaints": page.complaints()}
+    return second, told
+
+
+def blender(path: Path) -> Picture:
+    """Import a file into Blender and draw it with Cycles."""
+    with tempfile.TemporaryDirectory() as scratch:
+        out = Path(scratch) / "out.png"
+        done = subprocess.run(
+            ["blender", "-b", "--factory-startup", "-noaudio", "-P", HERE / "show_blender.py", "--", path, out,
+             *map(str, SIZE), str(AT_S)], capture_output=True, text=True, timeout=300, check=False,
+        )  # fmt: skip
+        seen = re.search(r"SEEN (.*)", done.stdout)
+        if seen is None or not out.is_file():
+            return np.zeros((*SIZE[::-1], 3), np.uint8), {"error": (done.stderr + done.stdout)[-1500:]}
+        told = {key: float(value) for key, value in (part.split("=") for part in seen[1].split())}
+        return np.asarray(Image.open(out).convert("RGB")), told
+
+
+def view3dscene(path: Path) -> Picture:
+    """Draw a file with view3dscene on a screen in memory; tells its warnings."""
+    with tempfile.TemporaryDirectory() as scratch:
+        out = Path(scratch) / "out.png"
+        done = subprocess.run(
+            [*SCREEN, "view3dscene", "--geometry", f"{SIZE[0]}x{SIZE[1]}", "--screenshot", str(AT_S), out, path],
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        told = {"warnings": [line for line in (done.stderr + done.stdout).splitlines() if "arning" in line]}
+        if not out.is_file():
+            return np.zeros((*SIZE[::-1], 3), np.uint8), told | {"error": done.stderr[-1500:]}
+        return np.asarray(Image.open(out).convert("RGB")), told
+
+
+def person(picture: np.ndarray) -> np.ndarray:
+    """Return the (H, W) pixels that differ from the picture's corner."""
+    return np.asarray(np.abs(picture.astype(int) - picture[2, 2].astype(int)).max(axis=2) > 24)
