@@ -60,7 +60,7 @@ def test_from_an_empty_event_to_nothing(qtbot, samples, tmp_path, name, monkeypa
     qtbot.waitUntil(lambda: bool(window.session.proposed) and not window.session.busy, timeout=MINUTES)
     canvas = window.points.views[VIEW]
     qtbot.waitUntil(canvas.isVisible)
-    for point in ("waist_left", "hip_right", "neck_left"):
+    for point in ("waist_left", "waist_right", "armpit_left"):
         place = window.session.points(VIEW).get(point)
         drag(qtbot, canvas, place, place + np.array([9.0, 0.0]))
     assert window.session.drags == 3

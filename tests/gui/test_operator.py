@@ -1,0 +1,149 @@
+"""What is the operator's alone: settings, what is held, retention, effort, and the log without personal data."""
+
+import logging
+import os
+import time
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QDialog, QFileDialog
+
+from cloner.booth.event import new_visitor, read_event
+from cloner.booth.person_file import write_person
+from cloner.errors import ClonerError
+from cloner_gui.app import begin as open_event
+from cloner_gui.effort import ClickCounter
+from cloner_gui.logs import log_to
+from cloner_gui.main_window import MainWindow
+from cloner_gui.pages.held import HeldWindow, SettingsWindow
+from cloner_gui.pages.statistics import StatisticsWindow
+from cloner_gui.session import Session
+
+from .test_flow import _box
+
+pytestmark = pytest.mark.gui
+
+
+@pytest.fixture
+def root(tmp_path):
+    """An event of two visitors, one of them long gone."""
+    root = tmp_path / "fair"
+    root.mkdir()
+    old, new = new_visitor(root, "2026-10-01T10:00:00"), new_visitor(root, "2026-11-21T10:00:00")
+    write_person(old, name="Anna Long", height_cm=None, consent="yes (2026-10-01 10:00 UTC, en)")
+    for path in old.iterdir():
+        os.utime(path, (time.time() - 40 * 86400,) * 2)
+    assert new.is_dir()
+    return root
+
+
+@pytest.fixture
+def window(qtbot, jobs, root):
+    window = MainWindow(Session(jobs.services()))
+    qtbot.addWidget(window)
+    window.show()
+    yield window
+    window.booth.close()
+    for handler in list(logging.getLogger().handlers):
+        if getattr(handler, "baseFilename", "").endswith("cloner.log"):
+            logging.getLogger().removeHandler(handler)
+            handler.close()
+
+
+def test_whose_time_is_over_is_asked_about_at_the_start(window, root):
+    open_event(window, root)
+    box = _box(window)
+    assert "visitor-001" in box.text()
+    assert "visitor-002" not in box.text()
+    box.reject()
+    assert (root / "visitor-001").is_dir(), "nothing goes unasked"
+    window.booth.change(retention_days=0)
+    window.sweep()
+    assert window.booth.overdue() == ()
+    window.booth.change(retention_days=30)
+    window.sweep()
+    next(one for one in _box(window).buttons() if "Delete" in one.text()).click()
+    assert [path.name for path in sorted(root.glob("visitor-*"))] == ["visitor-002"]
+
+
+def test_the_list_says_what_is_held_and_deletes_who_is_marked(window, root, qtbot, monkeypatch, tmp_path):
+    window.booth.open(root)
+    held = HeldWindow(window.booth, window)
+    held.show()
+    assert held.table.rowCount() == 2
+    assert held.table.item(0, 4).text().startswith("yes")
+    assert held.table.item(1, 4).text() == "not recorded"
+    held.table.selectRow(0)
+    target = tmp_path / "out.zip"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(target), ""))
+    qtbot.mouseClick(held.save_button, Qt.MouseButton.LeftButton)
+    assert target.stat().st_size > 100
+    qtbot.mouseClick(held.forget_button, Qt.MouseButton.LeftButton)
+    next(one for one in _box(held).buttons() if "Delete" in one.text()).click()
+    assert held.table.rowCount() == 1
+    assert not (root / "visitor-001").exists()
+
+
+def test_settings_are_saved_in_the_events_folder(window, root):
+    window.booth.open(root)
+    dialog = SettingsWindow(window.booth, window)
+    assert dialog.days.value() == 30
+    dialog.days.setValue(7)
+    dialog.consent.setPlainText("Our own words.")
+    dialog.accept()
+    assert (read_event(root).retention_days, read_event(root).consent) == (7, "Our own words.")
+    assert window.visitor.form.consent_text.text() == "Our own words."
+
+
+def test_the_table_of_effort_is_a_window_of_its_own(window, root, qtbot, monkeypatch, tmp_path):
+    window.booth.open(root)
+    effort = StatisticsWindow(window.booth, window)
+    assert effort.isWindow()
+    assert effort.table.rowCount() == 2
+    target = tmp_path / "effort.csv"
+    monkeypatch.setattr("cloner_gui.pages.statistics.QFileDialog.getSaveFileName", lambda *_: (str(target), ""))
+    effort._save()
+    assert len(target.read_text().splitlines()) == 3
+    assert not [one for one in window.findChildren(QDialog) if one.isVisible()]
+
+
+def test_a_click_is_counted_once(window, root, qtbot):
+    from PySide6.QtWidgets import QApplication
+
+    window.booth.open(root)
+    counter = ClickCounter(window.booth)
+    QApplication.instance().installEventFilter(counter)
+    try:
+        before = window.booth.clicks
+        qtbot.mouseClick(window.steps.buttons[0], Qt.MouseButton.LeftButton)
+        assert window.booth.clicks == before + 1
+        qtbot.keyClick(window.steps.buttons[0], Qt.Key.Key_Space)
+        assert window.booth.clicks == before + 2
+    finally:
+        QApplication.instance().removeEventFilter(counter)
+
+
+def test_the_log_holds_no_home_and_no_event_path(tmp_path, monkeypatch):
+    handler = log_to(tmp_path)
+    try:
+        log = logging.getLogger("cloner.test")
+        try:
+            raise ClonerError("broken", "mend", "x")
+        except ClonerError:
+            log.exception("reading %s and %s", tmp_path / "visitor-001" / "a.jpg", os.path.expanduser("~/b"))
+        text = (tmp_path / "cloner.log").read_text()
+    finally:
+        logging.getLogger().removeHandler(handler)
+        handler.close()
+    assert "visitor-001" in text
+    assert str(tmp_path) not in text
+    assert os.path.expanduser("~") + "/" not in text
+
+
+def test_a_camera_folder_is_kept_and_a_broken_setting_stops_nobody(window, root, tmp_path):
+    window.booth.open(root)
+    window.booth.change(camera_folder=str(tmp_path / "pulled"))
+    assert read_event(root).camera_folder.endswith("pulled")
+    (root / "event.json").write_text("{")
+    window.booth.open(root)
+    assert "settings cannot be read" in window.notice.text.text()
