@@ -34,7 +34,7 @@ CELLS: tuple[tuple[str, float, float, dict[str, float]], ...] = (
     ("blinking", 20.0, 0.0, BLINK), ("mouth open", 15.0, 0.0, {"jawOpen": 0.7}),
 )  # fmt: skip
 COLUMNS = 5
-CELL_PX = (480, 600)
+CELL_PX = (360, 450)
 BACKDROP = (226, 228, 230)
 
 
