@@ -3,7 +3,8 @@
 H-Anim 1.1 knows no skin: the body is cut into rigid pieces by the joint that
 moves each triangle most, and the pieces hang on the joints' segments. Borders
 repeat the same vertices and normals, so the resting body - arms hanging, as H-Anim
-has it - shows no seam. The face's morph targets become Displacers. It walks on the spot as soon as the world is loaded. Metres, +Y up, facing +Z.
+has it - shows no seam. The face's morph targets become Displacers. It walks on the
+spot as soon as the world is loaded. Metres, +Y up, facing +Z.
 
 References
 ----------
