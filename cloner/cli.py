@@ -237,7 +237,7 @@ def _forget(
 
 @app.command("gui")
 def _gui(
-    folder: Annotated[Path | None, typer.Argument(help="Folder of photos to open.")] = None,
+    folder: Annotated[Path | None, typer.Argument(help="The event's folder, or one visitor's.")] = None,
 ) -> None:
     """Open the window."""
     from cloner_gui.app import run_app
