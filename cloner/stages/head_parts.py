@@ -27,6 +27,8 @@ RIM_ANGLE = float(np.radians(23.0))
 #: apart they are when a mouth is open, metres (closed mouths: up to 1.5 mm).
 INNER_LIPS = ((78, 191, 80, 81, 82, 13, 312, 311, 310, 415, 308), (78, 95, 88, 178, 87, 14, 317, 402, 318, 324, 308))
 OPEN_M = 0.003
+#: Lips that smile lie closer to the teeth than lips at rest, metres (taste).
+SMILE_M = 0.0025
 #: Lashes are hm08's, shortened: upper and lower, share of their length (taste; hm08's are those of a doll).
 LASH_LENGTH = (0.65, 0.4)
 #: The upper teeth end so far below the line where the lips meet, the lower ones above their edge, metres (anatomy: a
@@ -74,17 +76,24 @@ def seat_parts(before_m: Array, fitted_m: Array, sight: Sight | None) -> Array:
     grid = mouth_grid()
     out[grid.rings] = lips.sealed(grid, lips.uncrossed(grid, lips.closed(grid, out[grid.rings])))
     _seat_mouth(generic, before_m, out)
-    if sight is not None:
+    if sight is not None and _is_open(grid, out[grid.rings], sight):
         out[grid.rings] = _parted(grid, out[grid.rings], sight)
+        for part in ("teeth_upper", "teeth_lower", "tongue"):
+            out[generic.part(part), 2] += SMILE_M
     return out
+
+
+def _is_open(grid: Grid, points: Array, sight: Sight) -> bool:
+    """Return whether a photo shows a mouth so far open that its teeth are seen."""
+    upper, lower = sight.face_px[np.array(INNER_LIPS)]
+    metres = sight.camera.metres_per_pixel(points[grid.margin].mean(axis=0))
+    return metres * float((lower - upper)[:, 1].max()) >= OPEN_M
 
 
 def _parted(grid: Grid, points: Array, sight: Sight) -> Array:
     """Return the lips' points (K, N, 3) with their inner borders where a photo of an open mouth shows them."""
     metres = sight.camera.metres_per_pixel(points[grid.margin].mean(axis=0))
     borders = sight.face_px[np.array(INNER_LIPS)]
-    if metres * float((borders[1] - borders[0])[:, 1].max()) < OPEN_M:
-        return points
     touching = points[grid.margin - 1 : grid.margin + 2]
     foremost = np.where(grid.upper, touching[..., 1].argmin(axis=0), touching[..., 1].argmax(axis=0))
     seen = sight.camera.project(touching[foremost, np.arange(len(foremost))])
