@@ -35,10 +35,6 @@ def ready_outlines(
     return found
 
 
-#: Threads whose visitor has gone; a thread must outlive its work.
-_left: set[Task] = set()
-
-
 class LiveOutlines(QObject):
     """The outlines of one visitor's photos."""
 
@@ -60,9 +56,8 @@ class LiveOutlines(QObject):
         self.forget()
         task = Task(lambda progress: ready_outlines(folder, photos, proposed, progress))
         self._task = task
-        _left.add(task)
         task.succeeded.connect(self.take)
-        task.finished.connect(lambda: _left.discard(task))
+        task.finished.connect(task.deleteLater)
         task.start()
 
     def take(self, ready: Outlines) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
@@ -137,19 +139,19 @@ class ClonePage(QWidget):
             return
         person = outcome.values["obeyed"] if moved is None else moved.person
         outlines = outcome.values["obeyed_silhouettes"].views
-        task = Task(lambda _: outline_gaps_mm(person.vertices_m, person.joints_m, person.views, outlines), self)
+        task = Task(lambda _: outline_gaps_mm(person.vertices_m, person.joints_m, person.views, outlines))
         self._measuring = task
-        task.succeeded.connect(self.preview.set_gaps)
+        task.succeeded.connect(self._take_gaps)
         task.failed.connect(self._tell_failed)
-        task.finished.connect(self._measured)
+        task.finished.connect(task.deleteLater)
         task.start()
 
-    def _measured(self) -> None:
-        if self._measuring is not None:
-            self._measuring.deleteLater()
+    def _take_gaps(self, gaps_mm: NDArray[np.float64]) -> None:
         self._measuring = None
+        self.preview.set_gaps(gaps_mm)
 
     def _tell_failed(self, error: ClonerError) -> None:
+        self._measuring = None
         self._session.failed.emit(error)
 
     def changeEvent(self, event: QEvent) -> None:
