@@ -115,6 +115,10 @@ def seam_ratios(clone: Clone, generic: GenericHuman) -> dict[str, float | None]:
     dict
         ``front_back`` (where the rest pose's normals turn from front to back),
         ``head_body`` (neck) and ``face_front_side`` (normals 45° from the front).
+
+    Notes
+    -----
+    Edges beside another region are left out on both sides of the ratio: a white collar on a neck is no seam.
     """
     triangles, corners = generic.triangles()
     colours = _vertex_colours(clone, generic, triangles, corners)
@@ -122,6 +126,9 @@ def seam_ratios(clone: Clone, generic: GenericHuman) -> dict[str, float | None]:
     skin = generic.vertex_part == generic.part_names.index("body")
     skin &= ~generic.region("mouth_interior")
     edges = edges[skin[edges].all(axis=1)]
+    if len(clone.triangle_regions):
+        region = _vertex_region(clone, triangles)
+        edges = edges[(region[edges[:, 0]] == region[edges[:, 1]]) & (region[edges[:, 0]] >= 0)]
     normals = surface_normals(clone.vertices_m)
     head = generic.head_blend > 0.5 if len(generic.head_blend) else np.zeros(len(normals), dtype=bool)
     face = generic.region("face") if "face" in generic.region_names else head
@@ -134,6 +141,16 @@ def seam_ratios(clone: Clone, generic: GenericHuman) -> dict[str, float | None]:
         "face_front_side": (on_face & _differ(aside, edges), on_face & ~_differ(aside, edges)),
     }
     return {where: seam_ratio(colours, edges, crossing, inside) for where, (crossing, inside) in masks.items()}
+
+
+def _vertex_region(clone: Clone, triangles: NDArray[np.integer]) -> NDArray[np.int64]:
+    """Return (V,) the region of all triangles around each vertex, -1 where they differ."""
+    least, most = np.full(len(clone.vertices_m), 255), np.full(len(clone.vertices_m), -1)
+    labels = clone.triangle_regions.astype(np.int64)
+    for corner in triangles.T:
+        np.minimum.at(least, corner, labels)
+        np.maximum.at(most, corner, labels)
+    return np.where(least == most, most, -1)
 
 
 def _differ(label: Mask, edges: NDArray[np.int64]) -> Mask:
