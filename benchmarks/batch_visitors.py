@@ -1,6 +1,6 @@
 """A night of visitors: rate, memory, and what is left when workers are killed.
 
-    python benchmarks/batch_visitors.py FOLDER --visitors 200 --workers 2 --kill-every 30
+    python benchmarks/batch_visitors.py FOLDER --visitors 200 --workers 2
 
 Paints random dressed people (one small photo each, kept in FOLDER/photos), then
 
@@ -146,7 +146,7 @@ def main() -> None:
     parser.add_argument("--visitors", type=int, default=200)
     parser.add_argument("--workers", type=int, default=2)
     parser.add_argument("--singles", type=int, default=4, help="how many are cloned one by one")
-    parser.add_argument("--kill-every", type=float, default=30.0, help="seconds; 0: no killing")
+    parser.add_argument("--kill-every", type=float, help="seconds; by default a visitor's time; 0: no killing")
     chosen = parser.parse_args()
     photos, told = chosen.folder / "photos", {"visitors": chosen.visitors, "workers": chosen.workers}
     paint(photos, chosen.visitors)
@@ -180,6 +180,8 @@ def main() -> None:
     same = all(wanted.get(name) == digest for name, digest in digests(chosen.folder / "single").items())
     told["alone_is_the_same"] = same
     print("cloned alone: " + ("the same bytes" if same else "OTHER BYTES"))
+    if chosen.kill_every is None:
+        chosen.kill_every = chosen.workers * calm.seconds / chosen.visitors
     if chosen.kill_every:
         told |= killed(chosen, batch, calm.seconds, wanted)
     (chosen.folder / "night.json").write_text(json.dumps(told, indent=1) + "\n")
@@ -198,9 +200,9 @@ def killed(
     lost = sorted(set(wanted) - set(found))
     differ = sorted(name for name in found if found[name] != wanted.get(name))
     rests = sorted(path.name for path in out.iterdir() if path.name.startswith("."))
-    print(f"under fire: all killed after {shot.seconds:.0f} s and {done} visitors, then {again.seconds:.0f} s more; "
-          f"{statuses(out)}; {len(lost)} files lost, {len(differ)} differ, {len(rests)} rests: {rests[:5]}")  # fmt: skip
-    return {"killed_code": again.code, "lost": lost, "differ": differ, "rests": rests}
+    print(f"under fire: all killed after {shot.seconds:.0f} s and {done} visitors, then {again.seconds:.0f} s more")
+    print(f"{statuses(out)}; {len(lost)} files lost, {len(differ)} differ, {len(rests)} rests {rests[:5]}")
+    return {"kill_every": chosen.kill_every, "killed_code": again.code, "lost": lost, "differ": differ, "rests": rests}
 
 
 if __name__ == "__main__":
