@@ -182,6 +182,8 @@ def test_real_captures_of_three_dialects_stand_upright_and_do_not_slide(body: Bo
     assert np.median(places[:, body.joint("l_knee"), 0] - places[:, body.joint("r_knee"), 0]) > 0.0, "left is left"
     left, right = body.sole_points(body.world(motion), motion.root_m)
     assert min(left[..., 1].min(), right[..., 1].min()) > -0.02
+    lower = np.minimum(left[..., 1].min(axis=1), right[..., 1].min(axis=1))
+    assert np.percentile(lower, 90) < 0.02, "walkers do not float: one sole is on the floor"
     assert contact.sliding_m(body, motion)[0] < 0.006
 
 
