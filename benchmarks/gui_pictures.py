@@ -1,7 +1,7 @@
 """Pictures of every page of the window, in a real X server: python benchmarks/gui_pictures.py OUT [--event FOLDER].
 
 Takes a sample visitor through the whole path once, with the real nets and the real clone, then reopens the event at
-several sizes and looks at every page. Needs Xvfb. ``--docs`` writes small pictures into docs/pictures instead of OUT.
+several sizes and looks at every page. Needs Xvfb. ``--docs`` also puts small ones into docs/pictures.
 """
 
 from __future__ import annotations
@@ -34,6 +34,7 @@ def main() -> None:
     parser.add_argument("out", type=Path)
     parser.add_argument("--event", type=Path)
     parser.add_argument("--only", default="")
+    parser.add_argument("--docs", action="store_true")
     parser.add_argument("--inside", default="")
     options = parser.parse_args()
     if options.inside:
@@ -45,8 +46,19 @@ def main() -> None:
     for number, look in enumerate(LOOKS):
         if not options.only or look[0] in options.only.split(","):
             in_x_server(options.out, event, look, 90 + number)
+    if options.docs:
+        for number in range(1, 6):
+            small_copy(options.out / f"gui_720_{number}.png", ROOT / "docs" / "pictures" / f"gui_{number}.png")
     if options.event is None:
         shutil.rmtree(event.parent)
+
+
+def small_copy(source: Path, target: Path) -> None:
+    from PIL import Image
+
+    target.parent.mkdir(exist_ok=True)
+    small = Image.open(source).convert("RGB").resize((960, 540), Image.Resampling.LANCZOS)
+    small.quantize(128, dither=Image.Dither.NONE).save(target, optimize=True)
 
 
 def in_x_server(out: Path, event: Path, look: tuple, display: int) -> None:
@@ -67,7 +79,6 @@ def inside(out: Path, event: Path, tag: str, screen: str, scale: str, looks: str
     from PySide6.QtCore import Qt
     from PySide6.QtWidgets import QApplication
 
-    from cloner_gui.app import begin
     from cloner_gui.main_window import MainWindow
     from cloner_gui.services import process_services
     from cloner_gui.session import Session
@@ -80,7 +91,7 @@ def inside(out: Path, event: Path, tag: str, screen: str, scale: str, looks: str
     window.resize(width, height)
     window.move(0, 0)
     window.show()
-    begin(window, event)
+    window.open_folder(event)
     window.booth.change(appearance=looks, big=big, language=language)
     window.menus.follow()
     wait(app, lambda: window.booth._opening is None)
@@ -100,6 +111,7 @@ def take_visitor(app: object, window: object) -> None:
 
     window.booth.new_visitor()
     wait(app, lambda: window.session.folder is not None)
+    window.booth.change(link="https://booth.example/{id}")
     window.visitor.form.name_field.setText("Anna")
     window.visitor.form.height_field.known.setChecked(True)
     window.visitor.form.height_field.cm.setValue(158)

@@ -13,7 +13,6 @@ from PySide6.QtWidgets import QApplication
 
 from cloner_gui.dialogs import catch_everything
 from cloner_gui.effort import ClickCounter
-from cloner_gui.logs import log_to
 from cloner_gui.main_window import MainWindow
 from cloner_gui.services import Services, process_services
 from cloner_gui.session import Session
@@ -47,7 +46,7 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     QTimer.singleShot(0, session.services.start)
     QTimer.singleShot(0, threading.Thread(target=_load_the_rest, daemon=True).start)
     if folder is not None:
-        QTimer.singleShot(0, lambda: begin(window, folder))
+        QTimer.singleShot(0, lambda: window.open_folder(folder))
     code = app.exec()
     window.booth.close()
     waker.stop()
@@ -61,14 +60,6 @@ def _load_the_rest() -> None:
     """Load what the later pages need, while the operator looks at the first one."""
     for module in ("cloner_gui.pages.points", "cloner_gui.pages.clone", "cloner.refitting"):
         importlib.import_module(module)
-
-
-def begin(window: MainWindow, folder: Path) -> None:
-    """Open a folder, with its log, and ask about visitors whose time is over."""
-    if folder.is_dir():
-        log_to(folder)
-    window.booth.open(folder)
-    window.sweep()
 
 
 def _delete(*objects: QObject) -> None:

@@ -17,6 +17,7 @@ from cloner.booth.opened import Opened
 from cloner.booth.person_file import consent_given, person_facts, write_person
 from cloner.booth.visits import Visit, read_visit
 from cloner.errors import ClonerError
+from cloner.frames import ViewId
 from cloner.privacy import Holding
 from cloner_gui.clone_queue import now_text, update_visit
 from cloner_gui.intake import Intake
@@ -39,6 +40,7 @@ class Booth(QObject):
     event_changed = Signal()
     visits_changed = Signal()
     page_wanted = Signal(str)
+    leaving = Signal()
     failed = Signal(object)
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
@@ -121,9 +123,10 @@ class Booth(QObject):
 
     def open_visitor(self, folder: Path) -> None:
         """Read a visitor in the background and go on where the work was left."""
-        self.note_effort()
         if self._opening is not None:
             return
+        self.leaving.emit()
+        self.note_effort()
         services = self.session.services
         self._opening = Task(lambda progress: services.open(folder), self)
         self._opening.succeeded.connect(self._take)
@@ -179,6 +182,18 @@ class Booth(QObject):
             started = now_text()
             self._guard(lambda: update_visit(folder, lambda v: replace(v, page=page, started=v.started or started)))
 
+    def note_view(self, view: ViewId | None) -> None:
+        """Remember the photo whose points are seen."""
+        folder = self.session.folder
+        if folder is not None and view is not None and read_visit(folder).view != view:
+            self._guard(lambda: update_visit(folder, lambda visit: replace(visit, view=str(view))))
+
+    def last_view(self) -> ViewId | None:
+        """Return the photo whose points were seen last, if it is still there."""
+        folder = self.session.folder
+        seen = "" if folder is None else read_visit(folder).view
+        return next((view for view in self.session.photos.photos if view == seen), None)
+
     def note_effort(self) -> None:
         """Add seconds, clicks and drags since the last time to the open visitor's."""
         folder, drags = self.session.folder, self.session.drags
@@ -204,6 +219,8 @@ class Booth(QObject):
     def forget(self, folder: Path) -> tuple[str, ...]:
         """Delete a visitor with everything derived; return the files that still speak of it."""
         self.session.queue.withdraw(folder)
+        self.session.queue.wait_for(folder)
+        self.intake.drop(folder)
         if folder == self.session.folder:
             self.session.leave()
             self.change(open="")

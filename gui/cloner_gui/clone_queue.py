@@ -96,6 +96,11 @@ class CloneQueue(QObject):
         update_visit(folder, lambda visit: line.withdrawn(visit, done))
         self.changed.emit()
 
+    def wait_for(self, folder: Path) -> None:
+        """Wait until a visitor's clone, withdrawn before, writes no more: its process ends at once."""
+        if folder == self._at_work and self._task is not None:
+            self._task.wait()
+
     def close(self) -> None:
         """Stop the work and wait for it; who waits is cloned when the event is opened again."""
         self._waiting.clear()

@@ -145,6 +145,13 @@ class Intake(QObject):
         self._known |= {path: now[path] for path in fresh}
         self.add_files(fresh)
 
+    def drop(self, folder: Path) -> None:
+        """Bring no more photos to a visitor who goes, and wait for the one under way."""
+        self._waiting = deque(one for one in self._waiting if one[0] != folder)
+        if self._task is not None and self._folder == folder:
+            self._task.cancel()
+            self._task.wait()
+
     def close(self) -> None:
         """Stop, and wait for the photo under way."""
         self._timer.stop()

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QMainWi
 
 from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget
+from cloner_gui.logs import log_to
 from cloner_gui.menus import Menus
 from cloner_gui.notice import Notice
 from cloner_gui.pages.photos import PhotosPage
@@ -47,7 +48,7 @@ class MainWindow(QMainWindow):
             (
                 lambda: self.visitor,
                 lambda: self.photos,
-                lambda: _points_page(session),
+                lambda: _points_page(self.booth),
                 lambda: _clone_page(session),
                 lambda: self.takeaway,
             )
@@ -92,7 +93,14 @@ class MainWindow(QMainWindow):
         """Ask for an event's folder, or a visitor's, and open it."""
         folder = QFileDialog.getExistingDirectory(self, translate("window", "Folder of the event, or of one visitor"))
         if folder:
-            self.booth.open(Path(folder))
+            self.open_folder(Path(folder))
+
+    def open_folder(self, folder: Path) -> None:
+        """Open an event, its log beside it, and ask about visitors whose time is over; or open one visitor."""
+        self.booth.open(folder)
+        if self.booth.root == folder:
+            log_to(folder)
+            self.sweep()
 
     def sweep(self) -> None:
         """Ask about visitors whose time is over."""
@@ -122,7 +130,7 @@ class MainWindow(QMainWindow):
 
     def dropEvent(self, event: QDropEvent) -> None:
         """Open the dropped folder."""
-        self.booth.open(Path(event.mimeData().urls()[0].toLocalFile()))
+        self.open_folder(Path(event.mimeData().urls()[0].toLocalFile()))
 
     def _lay_out(self) -> None:
         top, bottom = QHBoxLayout(), QHBoxLayout()
@@ -170,8 +178,11 @@ class MainWindow(QMainWindow):
 
     def _resume(self, page: str) -> None:
         """Go on at the page where the visitor was left, or the last that may be shown."""
-        wanted = PAGES.index(page) if page in PAGES else 0
-        self.go(min(wanted, self._reachable()))
+        wanted = min(PAGES.index(page) if page in PAGES else 0, self._reachable())
+        view = self.booth.last_view()
+        if wanted >= POINTS and view is not None:
+            self.points.show_view(view)
+        self.go(wanted)
 
     def _reachable(self) -> int:
         """Return the last page that may be shown: every page before it says that the next may come."""
@@ -208,10 +219,12 @@ def step_titles() -> tuple[str, ...]:
 
 
 # Both pages draw in three dimensions and know the fit; loading that takes longer than all the rest of the window.
-def _points_page(session: Session) -> QWidget:
+def _points_page(booth: Booth) -> QWidget:
     from cloner_gui.pages.points import PointsPage
 
-    return PointsPage(session)
+    page = PointsPage(booth.session)
+    page.stack.currentChanged.connect(lambda _: booth.note_view(page.view) if page.isVisible() else None)
+    return page
 
 
 def _clone_page(session: Session) -> QWidget:

@@ -30,7 +30,7 @@ class Menus:
     def __init__(self, window: MainWindow) -> None:
         self._window, self._booth = window, window.booth
         self._menus: list[QMenu] = []
-        self._dressed: tuple[object, ...] = ()
+        self._followed: tuple[object, ...] = ()
         stack = window.session.undo_stack
         self.undo = stack.createUndoAction(window)
         self.redo = stack.createRedoAction(window)
@@ -59,12 +59,13 @@ class Menus:
     def follow(self) -> None:
         """Look and speak as the event's settings say."""
         settings, app = self._booth.settings, QApplication.instance()
-        wanted = (settings.appearance, settings.big, settings.text_percent)
-        if isinstance(app, QApplication) and wanted != self._dressed:
-            self._dressed = wanted
-            dress(app, settings.appearance, big=settings.big, text_percent=settings.text_percent)
-        speak(settings.language)
-        self.speak()
+        wanted = (settings.appearance, settings.big, settings.text_percent, settings.language)
+        if isinstance(app, QApplication) and wanted != self._followed:
+            if wanted[:3] != self._followed[:3]:
+                dress(app, settings.appearance, big=settings.big, text_percent=settings.text_percent)
+            self._followed = wanted
+            speak(settings.language)
+            self.speak()
 
     def _fill_view(self, menu: QMenu) -> None:
         settings = self._booth.settings

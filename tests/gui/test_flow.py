@@ -100,6 +100,19 @@ def test_typing_is_saved_without_a_button(event, qtbot):
     assert read_person(folder).stature_m == pytest.approx(2.045, abs=0.001)
 
 
+def test_what_is_typed_never_goes_to_the_next_visitor(event, qtbot):
+    first = begin(event, qtbot)
+    event.visitor.form.name_field.setFocus()
+    qtbot.keyClicks(event.visitor.form.name_field, "Guest 12")
+    with qtbot.waitSignal(event.booth.page_wanted, timeout=10000):
+        event.booth.new_visitor()
+    assert read_person(first).name == "Guest 12"
+    assert event.session.folder != first
+    assert event.visitor.form.name_field.text() == ""
+    qtbot.wait(600)
+    assert read_person(event.session.folder).name == ""
+
+
 def test_dropped_photos_find_their_places_and_troubles_are_told(event, jobs, qtbot, samples):
     folder = begin(event, qtbot)
     source = samples / "anna" / "plain"
@@ -317,11 +330,13 @@ def test_reopening_goes_on_where_the_work_was_left(window, jobs, qtbot, folder):
     qtbot.waitUntil(lambda: window.session.points(ViewId.BODY_FRONT) is not None and not window.session.busy)
     window.show_page(window.points)
     window.session.place_point(ViewId.BODY_FRONT, "nose_tip", 620.0, 310.0)
+    window.points.show_view(ViewId.FACE_SIDE)
     again = MainWindow(Session(jobs.services()))
     qtbot.addWidget(again)
     with qtbot.waitSignal(again.booth.page_wanted, timeout=10000):
         again.booth.open(folder)
     assert again.stack.currentWidget() is again.points
+    assert again.points.view is ViewId.FACE_SIDE
     point = again.session.corrections.points[ViewId.BODY_FRONT]["nose_tip"]
     assert (point.x_px, point.y_px) == (620.0, 310.0)
     assert np.isfinite(again.session.drags)

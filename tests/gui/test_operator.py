@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QDialog, QFileDialog
 from cloner.booth.event import new_visitor, read_event
 from cloner.booth.person_file import write_person
 from cloner.errors import ClonerError
-from cloner_gui.app import begin as open_event
 from cloner_gui.effort import ClickCounter
 from cloner_gui.logs import log_to
 from cloner_gui.main_window import MainWindow
@@ -51,7 +50,7 @@ def window(qtbot, jobs, root):
 
 
 def test_whose_time_is_over_is_asked_about_at_the_start(window, root):
-    open_event(window, root)
+    window.open_folder(root)
     box = _box(window)
     assert "visitor-001" in box.text()
     assert "visitor-002" not in box.text()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QSizePolicy, QWidget
 
@@ -27,6 +29,7 @@ class PersonForm(Card):
         super().__init__(parent)
         self._booth = booth
         self._showing = False
+        self._folder: Path | None = None
         self.heading = label("title")
         self.name_field, self.height_field = QLineEdit(), HeightField()
         self.language = QComboBox()
@@ -42,6 +45,7 @@ class PersonForm(Card):
         self.height_field.changed.connect(self._take_height)
         self.language.currentIndexChanged.connect(self._show_consent)
         self.consent_box.clicked.connect(self._take_consent)
+        booth.leaving.connect(self.save)
         booth.session.opened.connect(self._show)
         booth.event_changed.connect(self._show_consent)
         self._speak()
@@ -116,9 +120,11 @@ class PersonForm(Card):
         person, height_cm, _ = self._booth.person()
         self._showing = True
         self.heading.setText("" if folder is None else folder.name)
-        if not self.name_field.hasFocus() or not self._save_soon.isActive():
+        if folder != self._folder or not self._save_soon.isActive():  # never over what is being typed
+            self._save_soon.stop()
             self.name_field.setText(person)
             self.height_field.set_height(height_cm)
+        self._folder = folder
         at = self.language.findData(self._booth.settings.language)
         self.language.setCurrentIndex(max(at, 0))
         self._showing = False
