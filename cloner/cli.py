@@ -44,7 +44,9 @@ FormatOption = Annotated[
     typer.Option("--format", help="Formats, with commas: glb,small,mixamo,wrl,flat,x3d,vrm,usdz,obj,ply,regions."),
 ]
 SeedOption = Annotated[int, typer.Option("--seed", help="The same photos and seed give the same clone.")]
-SizeOption = Annotated[int, typer.Option("--size", help="Side of the texture in texels: 512, 1024, 2048 or 4096.")]
+SizeOption = Annotated[
+    int, typer.Option("--size", "--texture-size", help="Side of the texture in texels: 512, 1024, 2048 or 4096.")
+]
 OutOption = Annotated[Path, typer.Option("--out", help="Folder that receives the results.")]
 
 
