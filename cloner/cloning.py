@@ -21,9 +21,17 @@ from cloner.previews import write_previews
 from cloner.project.atomic import RESULT_MARK, result_folder
 from cloner.project.clone_file import save_clone
 from cloner.project.corrections import check_against
-from cloner.project.folder import load_photos, person_warnings, photo_warnings, read_corrections, read_person
+from cloner.project.folder import (
+    load_photos,
+    person_warnings,
+    photo_warnings,
+    read_consent,
+    read_corrections,
+    read_person,
+)
 from cloner.project.stamps import input_stamp, output_digests, stamp_text
 from cloner.records.clones import Clone
+from cloner.records.measures import MeasureSet
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
 from cloner.refitting import still_true
@@ -110,7 +118,12 @@ def clone_photos(
     check_texture_size(texture_size)
     values, fresh = pipeline.run(values, seed=seed, progress=progress, stages=_stages(texture_size))
     reports = with_earlier(fresh, (known or {}).get("stage_reports", ()))
-    values["clone"] = replace(cast(Clone, values["clone"]), stamp=stamp_text(seed, texture_size))
+    measures = cast(MeasureSet, values["measures"]).measures
+    values["clone"] = replace(
+        cast(Clone, values["clone"]),
+        stamp=stamp_text(seed, texture_size),
+        measures_mm={name: round(measure.value_mm, 1) for name, measure in measures.items()},
+    )
     return {**values, "stage_reports": reports}, list(reports)
 
 
@@ -177,6 +190,7 @@ def clone_folder(
             known=still_true(known or {}, photos, person, corrections),
             progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
+        values["clone"] = replace(values["clone"], consent=bool(read_consent(photos_dir)))
         _write_clone(values, formats, folder, progress)
         if (folder / GLB_FILE).is_file():
             write_viewer(f"Clone of {person.name or person.identifier}", folder / GLB_FILE)

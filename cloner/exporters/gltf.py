@@ -119,6 +119,8 @@ def _facts(clone: Clone, bones: Bones) -> dict[str, Any]:
         "sole_m": round(clone.sole_m, 5),
         "skeleton": f"{bones.title}, {len(bones.names)} joints",
         "features_m": {key: [round(float(x), 5) for x in point] for key, point in clone.features_m.items()},
+        "measures_mm": dict(clone.measures_mm),
+        "consent": "recorded" if clone.consent else "not recorded",
         "credits": CREDITS,
     }
 

@@ -59,6 +59,8 @@ def save_clone(clone: Clone, path: Path) -> None:
         "stature_m": clone.stature_m,
         "sole_m": clone.sole_m,
         "stamp": clone.stamp,
+        "measures_mm": dict(clone.measures_mm),
+        "consent": clone.consent,
     }
     arrays["facts_json"] = np.frombuffer(json.dumps(facts).encode(), dtype=np.uint8)
     stream = io.BytesIO()
@@ -111,6 +113,8 @@ def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
         views=views,
         stature_m=facts["stature_m"],
         sole_m=facts["sole_m"],
+        measures_mm={str(name): float(value) for name, value in facts.get("measures_mm", {}).items()},
+        consent=facts.get("consent") is True,
         stamp="".join(one for one in str(facts.get("stamp", "")) if one.isalnum() or one in " .,=:-")[:400],
     )
 

@@ -109,6 +109,10 @@ class Clone:
         Place in ``cloner.records.regions.REGIONS`` of every triangle of the generic human; empty where nobody said.
     stamp : str
         Version, models and options it was made with; every exporter writes it. Letters, digits and " .,=:-" only.
+    measures_mm : mapping of str to float
+        Measures of the body under its clothes by their names in ISO 8559-1; empty where nobody measured.
+    consent : bool
+        Whether the person's consent was recorded with the photos.
     """
 
     vertices_m: NDArray[np.float64]
@@ -125,7 +129,10 @@ class Clone:
     sole_m: float
     triangle_regions: NDArray[np.uint8] = field(default_factory=lambda: np.zeros(0, np.uint8))
     stamp: str = ""
+    measures_mm: Mapping[str, float] = field(default_factory=dict)
+    consent: bool = False
 
     def __post_init__(self) -> None:
         _freeze_person(self)
         freeze(self, triangle_regions=(np.uint8, (None,)))
+        object.__setattr__(self, "measures_mm", MappingProxyType(dict(self.measures_mm)))

@@ -20,11 +20,13 @@ def test_a_clone_comes_back_bit_for_bit(tmp_path):
     clone = toy_clone(1.6180339887)
     flat = Camera(300, 401, 0.0, np.eye(4), pixels_per_m=1.0 / 3.0)
     views = dict(clone.views) | {ViewId.FACE_SIDE: PosedView(ViewId.FACE_SIDE, flat, np.full((94, 3), 0.1))}
-    clone = replace(clone, views=views, sole_m=0.1 + 0.2)
+    clone = replace(clone, views=views, sole_m=0.1 + 0.2, measures_mm={"chest_girth": 0.1 + 0.2}, consent=True)
     before = snapshot(clone)
     save_clone(clone, tmp_path / "clone.npz")
     assert snapshot(clone) == before
-    assert snapshot(load_clone(tmp_path / "clone.npz")) == before
+    back = load_clone(tmp_path / "clone.npz")
+    assert snapshot(back) == before
+    assert (back.measures_mm, back.consent) == (clone.measures_mm, True)
     assert [path.name for path in tmp_path.iterdir()] == ["clone.npz"]
 
 

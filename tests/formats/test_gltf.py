@@ -239,3 +239,15 @@ def test_the_idle_blinks_through_the_morph_targets(gltf, clone):
     weights = _read(gltf, idle.samplers[channel.sampler].output).reshape(-1, len(clone.morph_names))
     assert weights[:, clone.morph_names.index("eyeBlinkLeft")].max() > 0.8
     assert weights[:, clone.morph_names.index("jawOpen")].max() == 0.0
+
+
+def test_the_scene_tells_measures_consent_credits_and_stamp(clone, tmp_path):
+    told = replace(clone, measures_mm={"chest_girth": 941.5}, consent=True, stamp="Cloner 0.1, seed 0")
+    (path,) = export(told, tmp_path)
+    extras = pygltflib.GLTF2().load_binary(str(path)).scenes[0].extras
+    assert extras["measures_mm"] == {"chest_girth": 941.5}
+    assert extras["consent"] == "recorded"
+    assert "MakeHuman" in extras["credits"]
+    assert extras["stamp"] == "Cloner 0.1, seed 0"
+    (path,) = export(clone, tmp_path)
+    assert pygltflib.GLTF2().load_binary(str(path)).scenes[0].extras["consent"] == "not recorded"
