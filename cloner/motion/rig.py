@@ -34,8 +34,8 @@ RINGED: Final = {
 #: A joint at the end of a limb, the limb's ends, and shares of its length at which two rings give its axis: below the
 #: armpit, above the heel.
 BY_AXIS: Final = {"shoulder": ("shoulder", "elbow", 0.4, 0.65), "ankle": ("knee", "ankle", 0.7, 0.9)}
-#: Along its limb only the knee goes with its ring: bones of the two samples' six sets are then 8 mm off instead of 11,
-#: in wide trousers 5 instead of 20. Sleeves slide: with their rings forearms become 5 mm worse.
+#: Along its limb only the knee goes with its ring: thighs and calves of the two samples' six sets are then 4 mm off
+#: instead of 11, in wide trousers 5 instead of 20. Sleeves slide: with their rings forearms become 5 mm worse.
 FOLLOWS_ALONG: Final = ("knee",)
 #: A ring lies within this reach of its joint, metres: an arm's or leg's half breadth, not the other limb.
 REACH_M: Final = 0.13
