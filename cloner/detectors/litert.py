@@ -7,6 +7,7 @@ points come back in photo px, (0, 0) being the centre of the top-left pixel.
 from __future__ import annotations
 
 import math
+import os
 import threading
 from collections.abc import Sequence
 from functools import lru_cache
@@ -46,7 +47,8 @@ __all__ = [
 Photo = NDArray[np.uint8]
 Floats = NDArray[np.float64]
 
-THREADS: Final = 2  # taste: a booth computer has two cores to spare
+#: Taste: a booth computer has two cores to spare; a worker of a batch has one, and waiting threads would spin on it.
+THREADS: Final = 1 if os.environ.get("OMP_NUM_THREADS") == "1" else 2
 POSE_SIDE: Final = 256
 FACE_SIDE: Final = 192
 _LOCK: Final = threading.Lock()
