@@ -96,9 +96,9 @@ def _at_distance(points: Array, ball: Ball, least: Array, most: Array | float) -
     return np.asarray(ball.centre + spokes * (np.clip(distance, least, most) / np.maximum(distance, 1e-9))[..., None])
 
 
-def _along(grid: Grid, lid: Array, aside: Array, values: Array) -> Array:
+def _along(grid: Grid, lid: NDArray[np.bool_], aside: Array, values: Array) -> Array:
     """Return the (N,) values of one lid's margin, from corner to corner, as far aside as every column."""
-    own = np.asarray(lid, dtype=np.bool_).copy()
+    own = lid.copy()
     own[grid.corners] = True
     columns = np.flatnonzero(own)[np.argsort(aside[own])]
     return np.asarray(np.interp(aside, aside[columns], values[columns]))
