@@ -67,6 +67,7 @@ def cloning(event: Path) -> dict[str, float]:
     from PySide6.QtCore import Qt, QTimer
     from PySide6.QtWidgets import QApplication
 
+    from cloner_gui.app import load_the_rest
     from cloner_gui.main_window import MainWindow
     from cloner_gui.services import process_services
     from cloner_gui.session import Session
@@ -74,6 +75,7 @@ def cloning(event: Path) -> dict[str, float]:
     app = QApplication.instance() or QApplication([])
     window = MainWindow(Session(process_services()))
     window.show()
+    load_the_rest()  # as the program does behind its first page
     window.booth.open(event)
     beats: list[tuple[float, float]] = []
     heart = QTimer(interval=BEAT_MS, timerType=Qt.TimerType.PreciseTimer)

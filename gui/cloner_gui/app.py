@@ -44,7 +44,7 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     app.installEventFilter(counter)
     window.show()
     QTimer.singleShot(0, session.services.start)
-    QTimer.singleShot(0, threading.Thread(target=_load_the_rest, daemon=True).start)
+    QTimer.singleShot(0, threading.Thread(target=load_the_rest, daemon=True).start)
     if folder is not None:
         QTimer.singleShot(0, lambda: window.open_folder(folder))
     code = app.exec()
@@ -56,7 +56,7 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     return int(code)
 
 
-def _load_the_rest() -> None:
+def load_the_rest() -> None:
     """Load what the later pages need, while the operator looks at the first one."""
     for module in ("cloner_gui.pages.points", "cloner_gui.pages.clone", "cloner.refitting"):
         importlib.import_module(module)
