@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 import trimesh
 from numpy.typing import NDArray
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from cloner.errors import ClonerError
 from cloner.evaluate.surfaces import sample_surface
@@ -33,13 +35,17 @@ def told_of(folder: Path, what: str) -> dict[str, Any]:
 
 
 def foreign_surface(folder: Path, told: Mapping[str, Any], marks: Mapping[str, Array], points: int) -> TruthSurface:
-    """Return so many points spread over a foreign subject's mesh, all bare, with its named marks."""
+    """Return so many points spread over a foreign subject's mesh with its named marks.
+
+    The largest connected piece is bare skin, the others (eyeballs) are organs: they hide, and are no face.
+    """
     mesh = trimesh.load_mesh(folder / told["truth_mesh"], process=False)
     vertices, triangles = np.asarray(mesh.vertices, dtype=np.float64), np.asarray(mesh.faces, dtype=np.int32)
-    places, normals, _ = sample_surface(vertices, triangles, points, rng=np.random.default_rng(0))
-    return TruthSurface(
-        places, normals, np.full(len(places), "bare"), {}, marks, np.zeros((0, 3)), np.zeros((0, 3), np.int32)
-    )
+    places, normals, which = sample_surface(vertices, triangles, points, rng=np.random.default_rng(0))
+    edges = (np.ones(2 * len(triangles)), (triangles[:, [0, 1]].ravel("F"), triangles[:, [1, 2]].ravel("F")))
+    _, piece = connected_components(coo_matrix(edges, shape=(len(vertices),) * 2), directed=False)
+    kind = np.where(piece[triangles[which, 0]] == np.bincount(piece).argmax(), "bare", "organ")
+    return TruthSurface(places, normals, kind, {}, marks, np.zeros((0, 3)), np.zeros((0, 3), np.int32))
 
 
 def foreign_camera(told: Mapping[str, Any]) -> Camera:

@@ -81,7 +81,11 @@ def score(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, f
     true = np.array([measure.marks[n] for n in names])
     placed = apply(fit_similarity(own, true, scale=False), vertices)
     marks = np.linalg.norm(placed[[generic.feature(n) for n in names]] - true, axis=1)
-    out = {"landmarks_mean_mm": 1e3 * float(marks.mean()), "landmarks_worst_mm": 1e3 * float(marks.max())}
+    out = {
+        "landmarks_mean_mm": 1e3 * float(marks.mean()),
+        "landmarks_worst_mm": 1e3 * float(marks.max()),
+        "landmarks_free_mm": 1e3 * _free_of_size(own, true),
+    }
     skin = shown_skin()
     surface = TriangleSurface(placed, skin)
     samples, directions, _ = sample_surface(placed, skin, DISCS, rng=np.random.default_rng(0))
@@ -99,6 +103,11 @@ def score(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, f
         1.0 / float(np.cbrt(np.linalg.det(fit_similarity(own, true, scale=True)[:3, :3]))) - 1
     )
     return out
+
+
+def _free_of_size(own: Array, true: Array) -> float:
+    """Return the mean distance of landmarks after an alignment that scales, metres."""
+    return float(np.linalg.norm(apply(fit_similarity(own, true, scale=True), own) - true, axis=1).mean())
 
 
 def worst_landmark(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict[str, float]:
@@ -146,7 +155,11 @@ def other_person(vertices: Array, measure: Ruler, generic: GenericHuman) -> dict
     true = np.array([measure.marks[n] for n in names])
     placed = apply(fit_similarity(own, true, scale=False), vertices)
     marks = np.linalg.norm(placed[[generic.feature(n) for n in names]] - true, axis=1)
-    out = {"landmarks_mean_mm": 1e3 * float(marks.mean()), "landmarks_worst_mm": 1e3 * float(marks.max())}
+    out = {
+        "landmarks_mean_mm": 1e3 * float(marks.mean()),
+        "landmarks_worst_mm": 1e3 * float(marks.max()),
+        "landmarks_free_mm": 1e3 * _free_of_size(own, true),
+    }
     surface = TriangleSurface(placed, shown_skin())
     samples, directions, _ = sample_surface(placed, shown_skin(), DISCS, rng=np.random.default_rng(0))
     discs = PointSurface(samples, directions, radius=0.003)

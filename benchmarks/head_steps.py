@@ -65,16 +65,16 @@ def with_true_net(values: Values, known: KnownHead) -> Values:
 
     Its known bias and pull towards the mean stay, for the fit takes them out again; only for the generic's topology.
     """
-    from calibrate_head_net import coefficients_of
+    from calibrate_head_net import coefficients_of, fitted_shapes, rest_camera
 
     from cloner.detectors.face_net import load_face_net
 
-    net, camera = load_face_net(), known.views[ViewId.FACE_FRONT]
+    net, camera, generic = load_face_net(), known.views[ViewId.FACE_FRONT], load_generic()
     proposals = dict(values["proposals"].views)
     vertices = np.asarray(known.vertices_m)
-    metres = camera.metres_per_pixel(vertices[load_generic().feature("nasion")])
-    coefficients, scale = coefficients_of(load_generic(), vertices)
-    drawn = load_head_modes().family_errors_m(coefficients) / (scale * metres)
+    metres = camera.metres_per_pixel(vertices[generic.feature("nasion")])
+    coefficients, scale, rotation = coefficients_of(fitted_shapes(), vertices[generic.head_vertices])
+    drawn = load_head_modes().errors_m(coefficients, rest_camera(camera, rotation)) / (scale * metres)
     true_px = camera.project(net.places.at(vertices)) + drawn
     proposals[ViewId.FACE_FRONT] = replace(proposals[ViewId.FACE_FRONT], face_px=true_px)
     return {**values, "proposals": Proposals(proposals)}

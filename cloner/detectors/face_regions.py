@@ -20,7 +20,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.placing import mesh_crop, mirror_order
+from cloner.detectors.placing import mesh_crop, mirror_order, nearby
 from cloner.vision.crops import cut, move_points, photo_px_from_crop
 
 Floats = NDArray[np.float64]
@@ -141,9 +141,12 @@ def closer_look(photo: NDArray[np.uint8], mesh_px: Floats, run: RunNet) -> tuple
     -------
     (468, 2) float64 photo px, and (2, 2) float64 centres of the person's left and right iris
     """
-    crop = mesh_crop(mesh_px)
-    photo_from_crop = photo_px_from_crop(crop, width=SIDE, height=SIDE)
-    refined = move_points(mean_refined_mesh(cut(photo, crop, width=SIDE, height=SIDE), run) - 0.5, photo_from_crop)
+    looks = []
+    for crop in nearby(mesh_crop(mesh_px)):
+        photo_from_crop = photo_px_from_crop(crop, width=SIDE, height=SIDE)
+        seen = mean_refined_mesh(cut(photo, crop, width=SIDE, height=SIDE), run)
+        looks.append(move_points(seen - 0.5, photo_from_crop))
+    refined = np.mean(looks, axis=0)
     out = mesh_px[:, :2].astype(np.float64)
     for rows in region_rows().values():
         out[rows] = refined[rows]

@@ -31,6 +31,7 @@ from cloner.detectors.placing import (
     mirror_crop,
     mirror_order,
     near_head,
+    nearby,
     owns,
     same_place,
     turned,
@@ -282,10 +283,11 @@ def detect_face(rgb: Photo, box: Box | None = None) -> FaceResult | None:
     points, presence = _mesh(rgb, face_crop(box))
     if presence < 0.5:
         return None
-    for _ in range(2):  # the second crop comes from the first points, as in MediaPipe
-        points, presence = _mean_mesh(rgb, mesh_crop(points))
+    points, presence = _mean_mesh(rgb, mesh_crop(points))
     if presence < 0.5:
         return None
+    # The second crop comes from the first points, as in MediaPipe.
+    points = np.mean([_mean_mesh(rgb, near)[0] for near in nearby(mesh_crop(points))], axis=0)
     across = float(np.hypot(*(points[263, :2] - points[33, :2])))
     turn = math.degrees(math.atan2(points[263, 2] - points[33, 2], across))
     closer, irises = closer_look(rgb, points, _invoke)

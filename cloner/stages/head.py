@@ -24,7 +24,6 @@ from cloner.stages.head_fit import (
     Fitted,
     add_relief,
     fit_basis,
-    net_errors,
     scaled,
     start_front,
     start_side,
@@ -116,8 +115,7 @@ def shape_head(model: Model, photos: PhotoSet, phenotype: Phenotype, evidence: t
     if front is not None and side is not None and front.view is ViewId.FACE_FRONT:
         coefficients, fitted, side = _look_aside(model, photos, front, side, coefficients, fitted, zoom_sigma, params)
     tick(0.6)
-    net_error_m = net_errors(model, coefficients, params)
-    relief, moved = add_relief(model, fitted, front, side, net_error_m, load_head_controls(), params)
+    relief, moved = add_relief(model, fitted, front, side, coefficients, load_head_controls(), params)
     return Shaped(fitted, relief, moved, side)
 
 

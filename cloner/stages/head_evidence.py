@@ -18,6 +18,7 @@ from cloner.records.photos import Photo
 from cloner.records.points import HAIR, FacePoints, Proposals, ViewPoints
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.head_ears import Ears, read_ears
 from cloner.stages.head_flank import Flank
 from cloner.stages.head_modes import HeadModes, load_head_modes
 
@@ -83,8 +84,8 @@ class Params:
     flank_m: float = 0.0012
     looks: int = 3
     reach_m: float = 0.010
-    yaw: float = 0.10
-    tip: float = 0.03
+    yaw: float = 0.07
+    tip: float = 0.05
     relief_m: float = 0.004
     bend_m: float = 0.0012
     limit_m: float = 0.010
@@ -131,12 +132,13 @@ class Model:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Front:
-    """The front photo's evidence: net points moved by corrections, and the corrected named points."""
+    """The front photo's evidence: net points moved by corrections, the corrected named points, and the ears."""
 
     view: ViewId
     net_px: Array
     vertices: NDArray[np.int64]
     points_px: Array
+    ears: Ears
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -144,6 +146,7 @@ class Side:
     """The side photo's evidence: named points, their sigmas (m), contour and its normals; +1 looks to image right.
 
     ``flank`` holds vertices and places inside the outline that were found by what the front photo shows of them.
+    Of the named points those of the ear find the first camera; in the fit ``ears`` stand for them.
     """
 
     facing: int
@@ -153,6 +156,7 @@ class Side:
     sigma_m: Array
     contour_px: Array
     normals_px: Array
+    ears: Ears
     flank: Flank | None = None
 
 
@@ -187,7 +191,7 @@ def read_front(model: Model, proposals: Proposals, points: FacePoints, params: P
         if named is not None and named.corrected.any():
             vertices, fixed = _corrected(model, named)
             net_px = _pulled(model, net_px, vertices, fixed, params)
-        return Front(view, net_px, vertices, fixed)
+        return Front(view, net_px, vertices, fixed, read_ears(model.generic, named, params.corrected_m))
     return None
 
 
@@ -242,7 +246,7 @@ def read_side(
     front = _without_hair(front, proposals.views[ViewId.FACE_SIDE].labels, float(tip[1]))
     return Side(
         facing, tuple(named.names[k] for k in known), vertices, np.array(named.points_px[known]), sigma,
-        front[:, :2], front[:, 2:],
+        front[:, :2], front[:, 2:], read_ears(model.generic, named, params.corrected_m),
     )  # fmt: skip
 
 

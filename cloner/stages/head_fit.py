@@ -17,6 +17,7 @@ from cloner.geometry.resection import facing_camera, resect
 from cloner.geometry.shape_fit import Evidence, ShapeFit, fit_shape, misfit
 from cloner.geometry.surface import SurfacePoints
 from cloner.records.views import Camera
+from cloner.stages.head_ears import Ears
 from cloner.stages.head_evidence import Front, Model, Params, Side
 
 Array = NDArray[np.float64]
@@ -105,21 +106,32 @@ def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) 
     base, basis = model.places(model.net.places)
     sigma = params.together * np.hypot(model.modes.alone_m, params.net_floor_m) / metres
     drift, skew = params.drift * model.modes.drift_m / metres, model.modes.skew_m / metres
-    out = [Evidence(0, base, basis, front.net_px - model.modes.bias_m / metres, sigma, drift_px=drift, skew_px=skew)]
+    target = front.net_px - model.modes.seen_errors_m(camera) / metres
+    out = [Evidence(0, base, basis, target, sigma, drift_px=drift, skew_px=skew)]
     if len(front.vertices):
         base, basis = model.vertex_places(front.vertices)
         sigma = np.full(len(front.vertices), params.corrected_m / metres)
         out.append(Evidence(0, base, basis, front.points_px, sigma, outlier=8.0))
-    return out
+    return out + _ear_evidence(model, front.ears, 0, metres)
+
+
+def _ear_evidence(model: Model, ears: Ears, index: int, metres: float) -> list[Evidence]:
+    if not len(ears.vertices):
+        return []
+    base, basis = model.vertex_places(ears.vertices)
+    return [Evidence(index, base, basis, ears.points_px, ears.sigma_m / metres, outlier=2.0)]
 
 
 def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, index: int, params: Params,
                    candidates: NDArray[np.int64], *, curve: bool) -> list[Evidence]:  # fmt: skip
     camera = fit.cameras[index]
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
-    base, basis = model.vertex_places(side.vertices)
-    loose = np.where(side.sigma_m > params.corrected_m, params.loose_named if curve else 1.0, 1.0)
-    out = [Evidence(index, base, basis, side.points_px, loose * side.sigma_m / metres, outlier=1.5)]
+    named = np.array([not name.startswith("ear") for name in side.names])
+    base, basis = model.vertex_places(side.vertices[named])
+    sigma = side.sigma_m[named] / metres
+    loose = np.where(side.sigma_m[named] > params.corrected_m, params.loose_named if curve else 1.0, 1.0)
+    out = [Evidence(index, base, basis, side.points_px[named], loose * sigma, outlier=1.5)]
+    out += _ear_evidence(model, side.ears, index, metres)
     if curve:
         whole = model.whole(model.head(fit.coefficients[: len(model.basis_m)]))
         vertices = outline_vertices(whole, candidates, camera, side.facing)
@@ -135,10 +147,10 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
     return out
 
 
-def net_errors(model: Model, coefficients: Array, params: Params) -> Array:
-    """Return the errors (468, 2), metres, that the net's points make for a face: by its shape, and in this photo."""
+def net_errors(model: Model, coefficients: Array, camera: Camera, params: Params) -> Array:
+    """Return the errors (468, 2), metres, that the net's points make: by a face's shape and turn, and in this photo."""
     modes, shapes = model.modes, len(model.basis_m)
-    by_shape = modes.bias_m + np.tensordot(coefficients[:shapes], modes.skew_m, axes=1)
+    by_shape = modes.errors_m(coefficients[:shapes], camera)
     return np.asarray(by_shape + params.drift * np.tensordot(coefficients[shapes:], modes.drift_m, axes=1))
 
 
@@ -186,15 +198,16 @@ def _rows(weights: csr_matrix, model: Model, surface: SurfacePoints, movable: ND
     return csr_matrix((place @ weights)[:, np.flatnonzero(movable)])
 
 
-def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | None, net_error_m: Array,
+def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | None, coefficients: Array,
                controls: HeadControls, params: Params) -> tuple[Fitted, Array]:  # fmt: skip
     """Return the head after DFFD of what the basis left over, and all controls' displacements (K, 3).
 
-    What the fit took for errors of the net (``net_error_m``, (468, 2)) is no shape: it is not followed.
+    What the fit (its ``coefficients``) took for errors of the net is no shape: it is not followed.
     """
     whole = model.whole(fitted.head_m)
     left: list[Leftover] = []
     if front is not None and fitted.front is not None:
+        net_error_m = net_errors(model, coefficients, fitted.front, params)
         left += _front_leftovers(model, whole, fitted.front, front, net_error_m, controls, params)
     if side is not None and fitted.side is not None:
         left += _side_leftovers(model, whole, fitted.side, side, controls, params)

@@ -13,12 +13,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
 
 from cloner.detectors.face_net import load_face_net
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.dffd import deform
 from cloner.geometry.sockets import similarity
+from cloner.records.views import Camera
+from cloner.stages.head_ears import ear_fields
 
 Array = NDArray[np.float64]
 
@@ -34,8 +37,6 @@ CANONICAL_M = 0.0015
 RIM_M = 0.055
 #: How far on the way to the canonical face a face is expected, and the spread; 0 and 1 are the two mean faces.
 TOWARDS, TOWARDS_SPREAD = 0.5, 0.5
-#: Weight of a coefficient when a bend is laid on the family's basis, to tell how the net sees it.
-LAID_M = 0.0003
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,6 +51,9 @@ class HeadModes:
         Further directions, metres per standard deviation.
     bias_m : (468, 2) float64
         Mean errors of the net's points, right and down in the picture, metres.
+    turn_m : (2, 468, 2) float64
+        What a head that nods and turns adds to the errors, metres a radian: the net draws every face as if it looked
+        more straight at the camera than it does.
     skew_m : (F + E, 468, 2) float64
         What each coefficient, the family's first, adds to the errors.
     drift_m : (M, 468, 2), alone_m : (468,) float64
@@ -59,15 +63,24 @@ class HeadModes:
     mean_m: Array
     basis_m: Array
     bias_m: Array
+    turn_m: Array
     skew_m: Array
     drift_m: Array
     alone_m: Array
 
-    def family_errors_m(self, coefficients: Array) -> Array:
-        """Return the errors (468, 2), metres, that the net makes of a face of the generic's own family."""
-        own = self.skew_m[: len(coefficients)]
-        at_mean = self.bias_m - TOWARDS / TOWARDS_SPREAD * self.skew_m[len(coefficients)]
-        return np.asarray(at_mean + np.tensordot(coefficients, own, axes=1))
+    def errors_m(self, coefficients: Array, camera: Camera) -> Array:
+        """Return the errors (468, 2), metres, that the net makes of a face on the average, as the camera sees it."""
+        return self.seen_errors_m(camera) + np.tensordot(coefficients, self.skew_m[: len(coefficients)], axes=1)
+
+    def seen_errors_m(self, camera: Camera) -> Array:
+        """Return the part of the errors (468, 2), metres, that does not depend on the face's shape."""
+        return np.asarray(self.bias_m + np.tensordot(turned_from(camera), self.turn_m, axes=1))
+
+
+def turned_from(camera: Camera) -> Array:
+    """Return how far (2,) the rest head nods and turns before a camera, radians; 0 looks straight at it."""
+    seen = camera.camera_from_model[:3, :3] @ np.diag([1.0, -1.0, -1.0])
+    return np.asarray(Rotation.from_matrix(seen).as_rotvec()[:2], dtype=np.float64)
 
 
 def _kernel(first: Array, second: Array) -> Array:
@@ -110,31 +123,27 @@ def smooth_bends(controls_m: Array) -> Array:
 
 
 @functools.cache
-def load_head_modes() -> HeadModes:
-    """Return the modes, made once per process (0.2 s)."""
+def head_shapes() -> tuple[Array, Array]:
+    """Return what is expected of everybody (H, 3) and further directions (E, H, 3), made once per process (0.2 s)."""
     generic, controls = load_generic(), load_head_controls()
     movable = np.flatnonzero(controls.movable)
     moves = np.concatenate([canonical_way(generic)[None], smooth_bends(controls.controls_m[movable])])
     carried = controls.weights[:, movable]
     fields = np.stack([deform(carried, move) for move in moves])
-    head_net = importlib.resources.files("cloner_models") / "head_net.npz"
-    with head_net.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
-        data = {name: archive[name].astype(np.float64) for name in archive.files}
     for eye in (
         np.flatnonzero(np.isin(generic.head_vertices, generic.part(f"eye_{side}"))) for side in ("left", "right")
     ):
         fields[:, eye] = fields[:, eye].mean(axis=1, keepdims=True)  # eyeballs move whole
-    way = fields[0].copy()
+    mean = TOWARDS * fields[0]
     fields[0] *= TOWARDS_SPREAD
-    on_family = _on_family(generic, np.concatenate([way[None], fields]))
-    skew = np.concatenate([data["skew_m"], np.tensordot(on_family[1:], data["skew_m"], axes=1)])
-    bias = data["bias_m"] + TOWARDS * np.tensordot(on_family[0], data["skew_m"], axes=1)
-    return HeadModes(TOWARDS * way, fields, bias, skew, data["drift_m"], data["alone_m"])
+    return mean, np.concatenate([fields, ear_fields(generic)])
 
 
-def _on_family(generic: GenericHuman, fields: Array) -> Array:
-    """Return the family's coefficients (E, F) nearest to displacements (E, H, 3) of the face."""
-    face = generic.region("face")[generic.head_vertices]
-    basis = generic.face_basis[:, face].astype(np.float64).reshape(len(generic.face_basis), -1)
-    normal = basis @ basis.T + face.sum() * LAID_M**2 * np.eye(len(basis))
-    return np.asarray(np.linalg.solve(normal, basis @ fields[:, face].reshape(len(fields), -1).T).T)
+@functools.cache
+def load_head_modes() -> HeadModes:
+    """Return the shapes beyond the family and the net's errors (made by ``calibrate_head_net.py``)."""
+    head_net = importlib.resources.files("cloner_models") / "head_net.npz"
+    with head_net.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
+        data = {name: archive[name].astype(np.float64) for name in archive.files}
+    names = ("bias_m", "turn_m", "skew_m", "drift_m", "alone_m")
+    return HeadModes(*head_shapes(), *(data[name] for name in names))

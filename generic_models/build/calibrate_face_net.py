@@ -57,11 +57,14 @@ class Shown:
     picture: NDArray[np.uint8]
 
 
-def show_sitter(seed: int) -> Shown | None:
-    """Return a random person's front face with the net's points, or None when it sees no face."""
+def show_sitter(seed: int, beyond_m: Array | None = None) -> Shown | None:
+    """Return a random person's front face with the net's points, or None when it sees no face.
+
+    ``beyond_m`` (H, 3) moves the head's vertices beyond the generic's family.
+    """
     extras = () if seed % EXTRA_EVERY else (EXTRAS[seed // EXTRA_EVERY % 3],)
     background = BACKGROUNDS[seed % len(BACKGROUNDS)]
-    known = photograph_face(make_sitter(seed, extras), ViewId.FACE_FRONT, background=background)
+    known = photograph_face(make_sitter(seed, extras, beyond_m=beyond_m), ViewId.FACE_FRONT, background=background)
     found = litert.detect_face(known.rgb)
     if found is None:
         return None

@@ -24,7 +24,7 @@ from painted_people_clothes import HAIR, Dressed, dress, random_wardrobe
 from painted_people_pictures import Background, developed, in_shadow, rendered, room
 
 from cloner.frames import ViewId, focal_px_from_35mm
-from cloner.generic.load import load_generic
+from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.records.photos import Photo
 from cloner.records.views import Camera
@@ -110,10 +110,24 @@ class Sitter:
     extras: tuple[str, ...]
 
 
-def make_sitter(seed: int, extras: tuple[Extra, ...] = (), *, hair: str | None = None, splits: int = 2) -> Sitter:
-    """Return a random person; ``hair`` forces "short", "long" or "bald"."""
+def make_sitter(
+    seed: int,
+    extras: tuple[Extra, ...] = (),
+    *,
+    hair: str | None = None,
+    splits: int = 2,
+    beyond_m: Array | None = None,
+) -> Sitter:
+    """Return a random person.
+
+    ``hair`` forces "short", "long" or "bald"; ``beyond_m`` (H, 3) moves the head's vertices at the generic's stature.
+    """
     generic, rng = load_generic(), np.random.default_rng([seed, 20])
     body = random_body(generic, rng)
+    if beyond_m is not None:
+        moved = body.vertices_m.copy()
+        moved[generic.head_vertices] += body.stature_m / GENERIC_STATURE_M * beyond_m
+        body = replace(body, vertices_m=moved)
     normals = vertex_normals(body.vertices_m, generic.triangles()[0])
     rough = BUMPS_M * generic.head_blend * waves(body.vertices_m, BUMP_LENGTHS_M, 40, rng)
     skin = generic.vertex_part == generic.part_names.index("body")

@@ -23,6 +23,7 @@ from cloner.records.points import PointSet, Proposal, Proposals, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 from cloner.stages import head
+from cloner.stages.head_ears import ear_fields
 from cloner.stages.head_modes import load_head_modes
 from kit.scripts import script
 
@@ -65,22 +66,24 @@ def mask_of(vertices: np.ndarray, view: Camera) -> np.ndarray:
     return cv2.resize(mask, (WIDTH, HEIGHT), interpolation=cv2.INTER_AREA)
 
 
-def photographed(vertices: np.ndarray, *, noise_px: float = 0.0, side: bool = True, azimuth_deg: float = -90.0):
-    """Return the stage's inputs for exact (or noisy) points of known vertices."""
+def photographed(vertices: np.ndarray, *, noise_px: float = 0.0, side: bool = True, azimuth_deg: float = -90.0,
+                 ears: tuple[tuple[str, ...], tuple[str, ...]] = ((), ())):  # fmt: skip
+    """Return the stage's inputs for exact (or noisy) points of known vertices; ``ears`` names more, front and side."""
     generic, net, rng = load_generic(), load_face_net(), np.random.default_rng(0)
     target = vertices[generic.feature("nasion")] - [0.0, 0.03, 0.06]
     photos, proposals, points = {}, {}, {}
     for view, names, seen in (
-        (ViewId.FACE_FRONT, FRONT_NAMES, camera(0.0, target)),
-        (ViewId.FACE_SIDE, SIDE_NAMES, camera(azimuth_deg, target)),
+        (ViewId.FACE_FRONT, FRONT_NAMES + ears[0], camera(0.0, target)),
+        (ViewId.FACE_SIDE, SIDE_NAMES + ears[1], camera(azimuth_deg, target)),
     ):
         if view is ViewId.FACE_SIDE and not side:
             continue
         face = net.places.at(vertices) if view is ViewId.FACE_FRONT else np.zeros((468, 3))
         face_px = seen.project(face) if view is ViewId.FACE_FRONT else np.zeros((468, 2))
         if view is ViewId.FACE_FRONT:  # points as the net is known to draw them, not where they truly are
-            coefficients, _ = script("calibrate_head_net").coefficients_of(generic, vertices)
-            drawn = load_head_modes().family_errors_m(coefficients)
+            made = script("calibrate_head_net")
+            coefficients, _, turned = made.coefficients_of(made.fitted_shapes(), vertices[generic.head_vertices])
+            drawn = load_head_modes().errors_m(coefficients, made.rest_camera(seen, turned))
             face_px = face_px + drawn / seen.metres_per_pixel(face.mean(axis=0))
         face_px = face_px + noise_px * rng.normal(size=face_px.shape)
         mask = mask_of(vertices, seen)
@@ -125,6 +128,25 @@ def test_a_known_face_comes_back(seed, azimuth_deg, shown):
     assert error < 0.47 * face_error_mm(start, true)
     front = fitted.cameras[ViewId.FACE_FRONT]
     assert np.linalg.norm(front.position_m - camera(0.0, true[generic.feature("nasion")]).position_m) < 0.12
+
+
+def test_ears_go_where_both_photos_show_them():
+    """Ears some 10 mm off where this face usually has them come nearly half the way at least."""
+    generic = load_generic()
+    names = ("ear_top", "ear_lobe", "ear_outer")
+    both, near = tuple(f"{n}_{s}" for n in names for s in "LR"), tuple(f"{n}_R" for n in names)
+    true, fields = true_person(8), ear_fields(generic)
+    true[generic.head_vertices] += 2.0 * fields[1] - 2.0 * fields[2] + 1.0 * fields[4]
+    rows = [int(np.flatnonzero(generic.head_vertices == generic.feature(name))[0]) for name in both]
+    face = generic.region("face")[generic.head_vertices]
+    away = {}
+    for kind, ears in (("named", (both, near)), ("unnamed", ((), ()))):
+        found = fit(*photographed(true, ears=ears)).values["head"].vertices_m
+        scale, rotation, shift = similarity(found[face], true[generic.head_vertices][face])
+        error = scale * found[rows] @ rotation.T + shift - true[generic.head_vertices][rows]
+        away[kind] = np.linalg.norm(error, axis=1).mean()
+    assert away["unnamed"] > 0.004
+    assert away["named"] < 0.6 * away["unnamed"]
 
 
 def test_noise_stays_noise():

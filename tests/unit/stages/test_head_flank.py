@@ -7,7 +7,6 @@ import pytest
 from cloner.generic.load import load_generic
 from cloner.records.views import Camera
 from cloner.stages.head_flank import find_flank
-from cloner.stages.head_modes import TOWARDS, load_head_modes
 
 WIDTH, HEIGHT = 500, 600
 
@@ -59,12 +58,3 @@ def test_nothing_is_found_in_a_picture_without_detail():
     blank = np.full((HEIGHT, WIDTH, 3), 128, np.uint8)
     found = find_flank(generic, vertices, (camera(0.0, target), camera(90.0, target)), (blank, blank), side=0)
     assert len(found.vertices) == 0
-
-
-def test_a_face_of_the_family_needs_no_bias_of_the_canonical_one():
-    modes, generic = load_head_modes(), load_generic()
-    halfway = np.zeros(len(generic.face_basis))
-    gone = modes.family_errors_m(halfway) - modes.bias_m
-    assert 0.0 < np.abs(gone).max() < 0.003
-    assert np.abs(modes.mean_m[:, 0].sum()) < 0.05  # symmetric: no head is moved aside
-    assert TOWARDS > 0.0
