@@ -44,11 +44,14 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     app.installEventFilter(counter)
     window.show()
     QTimer.singleShot(0, session.services.start)
-    QTimer.singleShot(0, threading.Thread(target=load_the_rest, daemon=True).start)
+    loader = threading.Thread(target=load_the_rest)
+    QTimer.singleShot(0, loader.start)
     if folder is not None:
         QTimer.singleShot(0, lambda: window.open_folder(folder))
     code = app.exec()
     window.booth.close()
+    if loader.ident is not None:
+        loader.join()
     waker.stop()
     tidier.stop()
     app.removeEventFilter(counter)

@@ -316,7 +316,7 @@ def test_effort_is_counted_for_the_operator_alone(window, qtbot, folder):
 def test_the_window_opens_and_closes_as_a_program(folder):
     code = (
         "from PySide6.QtCore import QTimer; from PySide6.QtWidgets import QApplication; from pathlib import Path;"
-        "import sys; app = QApplication([]); QTimer.singleShot(1500, QApplication.closeAllWindows);"
+        "import sys; app = QApplication([]); QTimer.singleShot(2500, QApplication.closeAllWindows);"
         "from cloner_gui.app import run_app; sys.exit(run_app(Path(sys.argv[1])))"
     )
     done = subprocess.run([sys.executable, "-c", code, str(folder)], capture_output=True, text=True, timeout=60)
