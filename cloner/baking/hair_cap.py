@@ -6,11 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from cloner.baking.hair_tail import Tail
 from cloner.baking.hair_views import MASK_SCALE, HairView, cover
-from cloner.frames import m_from_mm
-from cloner.geometry.graphs import SurfaceGraph
+from cloner.frames import m_from_mm, mm_from_m
+from cloner.geometry.graphs import SurfaceGraph, surface_graph
 from cloner.geometry.seeing import depth_at
 from cloner.geometry.wedges import vertex_normals
 from cloner.vision.aligning import sample
@@ -30,6 +31,7 @@ SURE_VOTE = 0.2  # of photos that see it
 GROWTH_RINGS = 3  # hair may grow this many rings of edges beyond the scalp
 RIM_POWER = 6  # an outline says nothing about surfaces that face the camera: trust is (1 - |cos|)**6
 RIM_MM = 12.0  # nor about points farther than this inside the own outline
+SAME_EDGE_MM = 3.0  # hair's edge is the person's outline where both lie so
 FIRST_MM = 5.0  # taste: hair begins this thick, then it is fitted
 FURTHEST_MM = 40.0  # an outline farther off is another thing's, say a tail's
 ROUNDS = 4
@@ -37,6 +39,9 @@ STIFFNESS = 0.08  # of the surface between outlines, against one outline point
 THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this against its median; more is a tail
 DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
 THINNEST_MM = 2.0  # where hair grows it covers the skin
+SHELL_ROUNDS, SHELL_REACH_MM = 2, 8.0  # of the finished shell
+SHELL_STIFFNESS = 2.0  # its mesh is three times finer than the head's; softer, photos that disagree left ridges
+PLANE_REACH_M = 0.03  # tangent planes tell distances up to here
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -160,16 +165,10 @@ def settle_cap(
     """
     normals = vertex_normals(points_m, triangles)
     thickness = held(np.full(len(points_m), FIRST_MM), hairy)
-    judges = [view for view in views if view.flip_m is None]
     for _ in range(ROUNDS):
         surface = points_m + normals * m_from_mm(1.0) * thickness[:, None]
-        facing = vertex_normals(surface, triangles)
-        drive, trust = np.zeros(len(points_m)), np.zeros(len(points_m))
-        for view in judges:
-            gap, weight = _outline_gap(view, surface, facing, triangles)
-            weight = weight * (hairy > 0.5) * (FACE_PHOTO if view.posed.view.is_face else 1.0)
-            drive += weight * gap
-            trust += weight
+        drive, trust = _outline_drive(views, surface, triangles)
+        drive, trust = drive * (hairy > 0.5), trust * (hairy > 0.5)
         if not np.any(trust > 0.0):
             break
         wanted = thickness + drive / np.maximum(trust, 1e-9)
@@ -182,6 +181,62 @@ def settle_cap(
     return thickness
 
 
+def surface_mm(
+    vertices_m: Array, normals: Array, points_m: Array
+) -> tuple[NDArray[np.float32], NDArray[np.intp], NDArray[np.float64]]:
+    """Return the signed distance (N,) of points to a surface, mm, positive outside, its nearest rows and their weights.
+
+    It is the mean of the distances to four vertices' tangent planes, weighted by closeness: good near the surface.
+    """
+    gap, rows = cKDTree(vertices_m).query(points_m, k=4)
+    weight = 1.0 / (gap + 1e-4) ** 2
+    weight /= weight.sum(axis=1, keepdims=True)
+    along = np.einsum("nkc,nkc->nk", points_m[:, None] - vertices_m[rows], normals[rows])
+    away = mm_from_m(1.0) * (weight * along).sum(axis=1)
+    # Plane distances mean nothing far away, where the Euclidean one takes over.
+    away = np.where(gap[:, 0] > PLANE_REACH_M, np.sign(away) * mm_from_m(1.0) * gap[:, 0], away)
+    return away.astype(np.float32), rows, weight
+
+
+def settle_shell(
+    views: list[HairView], scalp: Scalp, vertices_m: Array, triangles: NDArray[np.int32], least_mm: float
+) -> Array:
+    """Return the finished shell's vertices (N, 3) with its outlines on those of the photos.
+
+    The cap met them with the coarse mesh of the head; voxels, tails and what stands out over the hairline did not yet.
+
+    Parameters
+    ----------
+    views, scalp
+    vertices_m, triangles : the shell
+    least_mm : float
+        No vertex is pushed nearer to the skin than this.
+    """
+    graph = surface_graph(vertices_m, triangles)
+    for _ in range(SHELL_ROUNDS):
+        drive, trust = _outline_drive(views, vertices_m, triangles)
+        gap = np.clip(drive / np.maximum(trust, 1e-9), -SHELL_REACH_MM, SHELL_REACH_MM)
+        move = graph.fill(gap[:, None], np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)[:, 0]
+        room = np.maximum(surface_mm(scalp.points_m, scalp.normals, vertices_m)[0] - least_mm, 0.0)
+        move = np.maximum(move, -room)
+        vertices_m = vertices_m + vertex_normals(vertices_m, triangles) * m_from_mm(1.0) * move[:, None]
+    return vertices_m
+
+
+def _outline_drive(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
+    """Return (N,) the sum of what the photos want a surface moved outwards, mm, and of their weights."""
+    facing = vertex_normals(surface_m, triangles)
+    drive, trust = np.zeros(len(surface_m)), np.zeros(len(surface_m))
+    for view in views:
+        if view.flip_m is not None:
+            continue
+        gap, weight = _outline_gap(view, surface_m, facing, triangles)
+        weight = weight * (FACE_PHOTO if view.posed.view.is_face else 1.0)
+        drive += weight * gap
+        trust += weight
+    return drive, trust
+
+
 def _outline_gap(view: HairView, surface_m: Array, normals: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
     """Return (N,) how far the photo's outline lies outside the surface's own, mm, and how much that counts."""
     posed = view.to_view(surface_m)
@@ -192,8 +247,10 @@ def _outline_gap(view: HairView, surface_m: Array, normals: Array, triangles: ND
     pixel, scale = camera.project(posed), view.pixel_mm(posed)
     own = signed_distance(cover(view, surface_m, triangles))
     inside = sample(own, (pixel + 0.5) * MASK_SCALE - 0.5)[:, 0] / MASK_SCALE * scale
-    gap = sample(view.outline_px, pixel)[:, 0] * scale - inside
+    outline, edge = (sample(distance, pixel)[:, 0] * scale for distance in (view.outline_px, view.hair_px))
+    gap = outline - inside
     # The photo's outline must be the hair's, and this vertex at the own outline.
     good = (sample(view.line_px, pixel)[:, 0] > 0.0) & (inside < RIM_MM) & (np.abs(gap) < FURTHEST_MM)
+    good &= np.abs(outline - edge) < SAME_EDGE_MM  # a tail before neck or back ends inside the person
     good &= (pixel > 2.0).all(axis=1) & (pixel < np.array([camera.width_px, camera.height_px]) - 3.0).all(axis=1)
     return gap, np.where(good, np.clip(across, 0.0, 1.0) ** RIM_POWER, 0.0)

@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, gaussian_filter, label
 from scipy.spatial import cKDTree
 
-from cloner.baking.hair_cap import SOFT_MM, Scalp, hairline_mm
+from cloner.baking.hair_cap import SOFT_MM, Scalp, hairline_mm, surface_mm
 from cloner.baking.hair_tail import Tail, find_tail
 from cloner.baking.hair_views import FAR_MM, HairView, hull_mm
 from cloner.frames import m_from_mm, mm_from_m
+from cloner.geometry.wedges import vertex_normals
 
 Array = NDArray[np.float64]
 
@@ -21,7 +22,6 @@ DRAPE_MM = 25.0  # taste: hair on shoulders and cheeks lies this thick at most
 VOXEL_M = 0.004
 SMOOTH_VOXELS = 0.8
 COARSE = 4  # voxels a side of a trial cell
-PLANE_REACH_M = 0.03
 FILM_MM = 2.0  # clear of the skin's mesh
 BEYOND_MM = 8.0  # how far the film reaches: past what labels and mesh may err
 DRAPE_DOUBT_MM = 4.0
@@ -41,16 +41,16 @@ class Near:
     Attributes
     ----------
     points_m : (N, 3)
-    skin_mm : (N,) float32, signed distance to the skin, positive outside
+    skin_mm, cap_mm : (N,) float32, signed distance to the skin and to the cap's outside, positive outside
     outward : (N, 3) float32, the skin's normal nearby
-    thickness_mm, hairy, growth : (N,) float32, of the skin nearby
+    hairy, growth : (N,) float32, of the skin nearby
     votes : (K, N) float32, of the skin nearby
     """
 
     points_m: Array
     skin_mm: NDArray[np.float32]
+    cap_mm: NDArray[np.float32]
     outward: NDArray[np.float32]
-    thickness_mm: NDArray[np.float32]
     hairy: NDArray[np.float32]
     growth: NDArray[np.float32]
     votes: NDArray[np.float32]
@@ -58,18 +58,14 @@ class Near:
 
 def near_skin(scalp: Scalp, points_m: Array) -> Near:
     """Return points with what the nearest four skin vertices say, weighted by closeness."""
-    gap, rows = cKDTree(scalp.points_m).query(points_m, k=4)
-    weight = 1.0 / (gap + 1e-4) ** 2
-    weight /= weight.sum(axis=1, keepdims=True)
-    along = np.einsum("nkc,nkc->nk", points_m[:, None] - scalp.points_m[rows], scalp.normals[rows])
-    skin = mm_from_m(1.0) * (weight * along).sum(axis=1)
-    # Plane distances mean nothing far away, where the Euclidean one takes over.
-    skin = np.where(gap[:, 0] > PLANE_REACH_M, np.sign(skin) * mm_from_m(1.0) * gap[:, 0], skin)
+    skin, rows, weight = surface_mm(scalp.points_m, scalp.normals, points_m)
+    # Planes of a skin far below lie askew: hair's outside is told by its own.
+    lifted = scalp.points_m + scalp.normals * m_from_mm(1.0) * np.maximum(scalp.thickness_mm, FILM_MM)[:, None]
     return Near(
         points_m,
-        skin.astype(np.float32),
+        skin,
+        surface_mm(lifted, vertex_normals(lifted, scalp.triangles), points_m)[0],
         np.einsum("nk,nkc->nc", weight, scalp.normals[rows]).astype(np.float32),
-        (weight * scalp.thickness_mm[rows]).sum(axis=1).astype(np.float32),
         (weight * scalp.hairy[rows]).sum(axis=1).astype(np.float32),
         (weight * scalp.growth[rows]).sum(axis=1).astype(np.float32),
         np.stack([(weight * vote[rows]).sum(axis=1) for vote in scalp.votes]).astype(np.float32),
@@ -82,7 +78,7 @@ def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:
     Thickness bounds it outwards. It runs on as a film beyond the hairline, where the texture fades it out:
     labels are as fine as photos, voxels are not.
     """
-    field = np.minimum(np.maximum(near.thickness_mm, FILM_MM) - near.skin_mm, near.skin_mm + INNER_MM)
+    field = np.minimum(-near.cap_mm, near.skin_mm + INNER_MM)
     rows = np.flatnonzero(field > -CLIP_MM)
     line = voted_line_mm(views, near, rows) + BEYOND_MM
     field[rows] = np.minimum(field[rows], np.minimum(line, (near.growth[rows] - 0.5) * GROWTH_MM))
@@ -90,7 +86,7 @@ def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:
 
 
 def overhang_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray[np.float32]:
-    """Return (N,) the field of hair that stands out over the hairline, mm: as thick as inside it, where photos agree."""
+    """Return (N,) the field of hair that stands out over the hairline, mm: thick as inside it, where photos agree."""
     full = scalp.hairy > FULL_SHARE
     if not full.any():
         return np.full(len(points_m), -CLIP_MM, np.float32)

@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from scipy.ndimage import label, map_coordinates
 from skimage.measure import marching_cubes
 
-from cloner.baking.hair_cap import Scalp, measure_scalp
+from cloner.baking.hair_cap import Scalp, measure_scalp, settle_shell
 from cloner.baking.hair_edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge
 from cloner.baking.hair_tail import find_tail
 from cloner.baking.hair_views import HairView, Hanger, hair_views
-from cloner.baking.hair_volume import VOXEL_M, hair_field
+from cloner.baking.hair_volume import FILM_MM, VOXEL_M, hair_field
 from cloner.baking.labelled import vet_labels
 from cloner.baking.posed import body_triangles
 from cloner.baking.shell_paint import ShellView, paint_shell
@@ -128,7 +128,11 @@ def grow_hair(
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
-    shell = dress_shell(generic, joined, photos, views, *mesh, params)
+    settled = settle_shell(views, scalp, *mesh, FILM_MM)
+    vertices, triangles, inside_mm = shown_part(views, settled, mesh[1])
+    if not len(triangles):
+        return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
+    shell = dress_shell(generic, joined, photos, views, vertices, triangles, inside_mm, params)
     residuals = (
         Residual("hair_thickness_median", float(np.median(thick)), "mm"),
         Residual("hair_thickness_largest", float(thick.max()), "mm"),
@@ -195,6 +199,16 @@ def hair_mesh(
     return vertices, outer.reshape(-1, 3).astype(np.int32)
 
 
+def shown_part(
+    views: list[HairView], vertices_m: Array, triangles: NDArray[np.int32]
+) -> tuple[Array, NDArray[np.int32], Array]:
+    """Return vertices and triangles of what photos show as hair, and how far inside its edge the vertices lie, mm."""
+    inside_mm = inside_hairline_mm(views, [CLAIM[v.posed.view] for v in views], vertices_m, triangles)
+    shown = (inside_mm[triangles] > FADE_MM[0] - STRAND_MM).any(axis=1)
+    used, places = np.unique(triangles[shown], return_inverse=True)
+    return vertices_m[used], places.reshape(-1, 3).astype(np.int32), inside_mm[used]
+
+
 def dress_shell(
     generic: GenericHuman,
     joined: Joined,
@@ -202,14 +216,10 @@ def dress_shell(
     views: list[HairView],
     vertices_m: Array,
     triangles: NDArray[np.int32],
+    inside_mm: Array,
     params: Params,
 ) -> Shell:
     """Return the shell with weights, charts and texture."""
-    inside_mm = inside_hairline_mm(views, [CLAIM[v.posed.view] for v in views], vertices_m, triangles)
-    shown = (inside_mm[triangles] > FADE_MM[0] - STRAND_MM).any(axis=1)
-    used, places = np.unique(triangles[shown], return_inverse=True)
-    triangles = places.reshape(-1, 3).astype(np.int32)
-    vertices_m, inside_mm = vertices_m[used], inside_mm[used]
     joints, weights = Hanger.of(generic, joined).weights(vertices_m)
     charts = unwrap(vertices_m, triangles, params.size)
     atlas = map_atlas(charts.uv, charts.triangles, triangles, params.size)
