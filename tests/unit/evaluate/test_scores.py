@@ -105,7 +105,7 @@ def test_the_truth_as_clone_is_perfect(perfect):
     assert perfect["stature_error_mm", ""] < 2.0  # the crown lies up to 2 mm above the named point
     assert perfect["girth_waist_error_mm", ""] == pytest.approx(7.0)
     for view in ("body_three_quarter", "face_three_quarter"):
-        # the studio's edges are hard, the program's have four samples a pixel (.967; sixteen would read .973)
+        # the studio's edges are hard, the program's have four samples a pixel (.967; with sixteen it reads over .97)
         assert perfect["ssim", view] > 0.96, view
         assert perfect["delta_e", view] < 1.0, view
 
