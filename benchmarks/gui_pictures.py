@@ -48,7 +48,7 @@ def main() -> None:
             in_x_server(options.out, event, look, 90 + number)
     if options.docs:
         for number in range(1, 6):
-            small_copy(options.out / f"gui_720_{number}.png", ROOT / "docs" / "pictures" / f"gui_{number}.png")
+            small_copy(options.out / f"gui_720_{number}.png", ROOT / "docs" / "pictures" / f"gui_{number}.jpg")
     if options.event is None:
         shutil.rmtree(event.parent)
 
@@ -58,7 +58,7 @@ def small_copy(source: Path, target: Path) -> None:
 
     target.parent.mkdir(exist_ok=True)
     small = Image.open(source).convert("RGB").resize((960, 540), Image.Resampling.LANCZOS)
-    small.quantize(128, dither=Image.Dither.NONE).save(target, optimize=True)
+    small.save(target, quality=85, optimize=True)
 
 
 def in_x_server(out: Path, event: Path, look: tuple, display: int) -> None:
