@@ -189,14 +189,14 @@ def distances_px(
     They are counted around the hair only: most of a body photo is far from it.
     """
     rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
-    found = tuple(np.full(hair.shape, -FAR_MM, np.float32) for _ in range(3))
+    to_hair, to_hairline, to_person = (np.full(hair.shape, -FAR_MM, np.float32) for _ in range(3))
     if rows.size:
         air = int(NEAR_SHARE * max(np.ptp(rows), np.ptp(columns))) + 2
         box = np.s_[max(rows[0] - air, 0) : rows[-1] + air + 1, max(columns[0] - air, 0) : columns[-1] + air + 1]
-        parts = signed_distance(hair[box]), hairline(hair[box], person[box]), signed_distance(person[box])
-        for whole, part in zip(found, parts, strict=True):
-            whole[box] = part
-    return hair, *found
+        to_hair[box] = signed_distance(hair[box])
+        to_hairline[box] = hairline(hair[box], person[box])
+        to_person[box] = signed_distance(person[box])
+    return hair, to_hair, to_hairline, to_person
 
 
 def hairline(hair: NDArray[np.bool_], person: NDArray[np.bool_]) -> NDArray[np.float32]:
