@@ -118,7 +118,7 @@ def test_absurd_heights(run: Command, tmp_path: Path, samples: Path, height: str
 def test_unknown_formats_are_refused_before_any_work(run: Command, tmp_path: Path, samples: Path) -> None:
     sentence = refused(run, samples / "anna" / "plain", tmp_path / "out", "--format", "glb,fbx")
     assert "'fbx'" in sentence
-    assert "glb, wrl" in sentence
+    assert "glb, small" in sentence
 
 
 def test_odd_texture_sizes_are_refused(run: Command, tmp_path: Path, samples: Path) -> None:
