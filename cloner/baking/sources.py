@@ -197,7 +197,7 @@ def make_source(
     seen = visible_points(source, limits, sight.pixel_px, lookup, sight.depth_m, sight.cosine)
     seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
     if posed_view.view is ViewId.BODY_SIDE:
-        seen &= ~(arms_beside_head(generic) & near_bare_head(generic, plate, lookup))
+        seen &= ~(arms_beside_head(generic) & near_bare_head(plate, lookup))
         seen &= in_arm_zone(generic, plate, lookup)
     share = photo_shares(generic, posed_view.view, faces=faces)
     share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
