@@ -39,6 +39,7 @@ UNSAFE_CLAIM = 0.3  # of the usual, beside an inner outline
 BURNT_CLAIM = 0.15  # of the usual, where a channel is at its end
 SQUARE_COSINE = (0.6, 0.8)  # surfaces that face a photo stay its own: features must not come from two photos
 SHELL_SHARE = 0.012  # of the figure, 2 cm: labels this far from any shell are doubted
+HAIR_RIM_SHARE = 0.0045  # a fringe's rim may lie this much farther out in the photo than in the shell
 HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
 
 
@@ -187,8 +188,8 @@ def make_source(
     for shell in shells:
         shape = pose_shell(generic, joined, posed_view, shell)
         hair_m = np.minimum(hair_m, nearest_of(shape, shell.triangles, posed_view.camera))
-    # A fringe's rim may lie a little farther out in the photo than in the shell.
-    hair_m = cv2.erode(hair_m, np.ones((9, 9), np.uint8), borderValue=np.inf)
+    rim = 2 * int(np.ceil(HAIR_RIM_SHARE * plate.figure_px * hair_m.shape[0] / plate.inside_px.shape[0])) + 1
+    hair_m = cv2.erode(hair_m, np.ones((rim, rim), np.uint8), borderValue=np.inf)
     growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1
     hair = cv2.dilate(plate.hair.astype(np.uint8) * 255, np.ones((growth, growth), np.uint8))
     if shells:
@@ -197,7 +198,7 @@ def make_source(
     seen = visible_points(source, limits, sight.pixel_px, lookup, sight.depth_m, sight.cosine)
     seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
     if posed_view.view is ViewId.BODY_SIDE:
-        seen &= ~(arms_beside_head(generic) & near_bare_head(plate, lookup))
+        seen &= ~(arms_beside_head(generic) & near_bare_head(generic, plate, lookup))
         seen &= in_arm_zone(generic, plate, lookup)
     share = photo_shares(generic, posed_view.view, faces=faces)
     share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)

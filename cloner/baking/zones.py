@@ -13,7 +13,7 @@ from cloner.vision.plates import Plate
 
 Array = NDArray[np.float64]
 
-COLLAR_SHARE = 0.025  # of the figure: how far a collar reaches from the neck's skin
+STRAY_SHARE = 0.006  # of the figure, 1 cm: how far lookups stray where a shoulder is misjudged
 
 
 def near_shell(hair_m: NDArray[np.float32], shape: tuple[int, ...], reach_px: float) -> NDArray[np.bool_]:
@@ -24,10 +24,12 @@ def near_shell(hair_m: NDArray[np.float32], shape: tuple[int, ...], reach_px: fl
     return np.asarray(cv2.resize(near, (width, height), interpolation=cv2.INTER_NEAREST) > 0, bool)
 
 
-def near_bare_head(plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
-    """Return which of (V,) lookups land on or beside the bare skin of head and neck."""
-    reach = 2 * int(np.ceil(COLLAR_SHARE * plate.figure_px)) + 1
-    grown = cv2.dilate(plate.bare.astype(np.uint8), np.ones((reach, reach), np.uint8))
+def near_bare_head(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
+    """Return which of (V,) lookups land on or beside the bare skin of head and neck; arms have skin of their own."""
+    reach = 2 * int(np.ceil(STRAY_SHARE * plate.figure_px)) + 1
+    head = plate.bare.astype(np.uint8)
+    head[max(int(np.ceil(lookup_px[generic.region("neck"), 1].max())), 0) :] = 0
+    grown = cv2.dilate(head, np.ones((reach, reach), np.uint8))
     return np.asarray(sample(grown, lookup_px)[:, 0] > 0.5)
 
 
