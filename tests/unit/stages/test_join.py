@@ -58,17 +58,32 @@ def test_treads_are_flat_nothing_lies_below_and_a_toes_spring_stays(generic, bod
 
 
 @pytest.mark.parametrize("stature_m", [1.68, 1.72])
-def test_the_skull_ends_at_the_stature_and_the_face_stays(generic, body, stature_m):
-    stretched = join.to_stature(generic, body.vertices_m, stature_m)
-    assert stretched[generic.feature("head_top"), 1] == pytest.approx(stature_m, abs=1e-9)
-    below = body.vertices_m[:, 1] < body.vertices_m[generic.feature("glabella"), 1]
-    assert np.array_equal(stretched[below], body.vertices_m[below])
-    assert np.array_equal(stretched[:, [0, 2]], body.vertices_m[:, [0, 2]])
+def test_the_skull_ends_at_the_stature_by_lifting_the_head_and_by_stretching_its_vault(generic, body, stature_m):
+    mesh, risen = join.to_stature(generic, body, stature_m)
+    moved, lacks = mesh.vertices_m - body.vertices_m, stature_m - body.vertices_m[generic.feature("head_top"), 1]
+    assert mesh.vertices_m[generic.feature("head_top"), 1] == pytest.approx(stature_m, abs=1e-9)
+    for name in ("chin_bottom", "nose_tip", "pupil_L", "glabella"):
+        assert moved[generic.feature(name), 1] == pytest.approx(risen, rel=1e-4), "the face keeps its shape"
+    assert risen == pytest.approx(join.LIFTED * lacks)
+    assert 0.0 < risen / lacks < 1.0
+    assert not moved[:, [0, 2]].any(), "it rises straight"
+    assert not moved[generic.feature("crotch")].any()
+
+
+def test_the_joints_of_head_and_neck_rise_with_their_skin_and_no_others(generic, body):
+    mesh, risen = join.to_stature(generic, body, 1.72)
+    up = (mesh.joints_m - body.joints_m)[:, 1] / risen
+    rows = {name: up[generic.joint(name)] for name in ("skullbase", "temporomandibular", "vc3", "vc5", "vc7", "vt1")}
+    assert [rows["skullbase"], rows["temporomandibular"]] == pytest.approx([1.0, 1.0])
+    assert 1.0 + 1e-9 >= rows["vc3"] >= rows["vc5"] > rows["vc7"] > 0.0
+    assert rows["vt1"] == 0.0
+    assert not up[generic.joint("l_shoulder")]
+    assert not up[0]
 
 
 def test_raising_the_model_and_its_camera_keeps_the_picture(body):
     camera = studio.camera(30.0)
-    raised = join.on_floor(camera, 0.025)
+    raised = join.lifted(camera, 0.025)
     before = camera.project(body.vertices_m)
     np.testing.assert_allclose(raised.project(body.vertices_m + [0.0, 0.025, 0.0]), before, atol=1e-6)
     assert raised.position_m - camera.position_m == pytest.approx([0.0, 0.025, 0.0])
