@@ -26,6 +26,7 @@ from kit import readers
 from kit.readers import Picture
 
 PANEL: Final = (270, 411)
+COLUMNS: Final = 7
 ROWS: Final[tuple[tuple[str, str, Callable[[Path], Picture], bool], ...]] = (
     ("three.js", "clone.glb", readers.three, readers.HAS_THREE),
     ("three.js", "clone_small.glb", readers.three, readers.HAS_THREE),
@@ -34,6 +35,7 @@ ROWS: Final[tuple[tuple[str, str, Callable[[Path], Picture], bool], ...]] = (
     ("three.js", "clone_flat.wrl", readers.three, readers.HAS_THREE),
     ("X_ITE", "clone.wrl", readers.x_ite, readers.HAS_X_ITE),
     ("X_ITE", "clone.x3d", readers.x_ite, readers.HAS_X_ITE),
+    ("view3dscene", "clone.wrl", readers.view3dscene_without_prototypes, readers.HAS_VIEW3DSCENE),
     ("view3dscene", "clone.x3d", readers.view3dscene, readers.HAS_VIEW3DSCENE),
     ("view3dscene", "clone.glb", readers.view3dscene, readers.HAS_VIEW3DSCENE),
     ("Blender", "clone.glb", readers.blender, readers.HAS_BLENDER),
@@ -64,9 +66,9 @@ def main() -> None:
             sys.stdout.write(f"| {program} | {file} | {time.monotonic() - start:.0f} | {said} |\n")
             sys.stdout.flush()
             panels.append(_panel(picture, f"{program}: {file}"))
-    while len(panels) % 6:
+    while len(panels) % COLUMNS:
         panels.append(np.full_like(panels[0], 255))
-    sheet = np.vstack([np.hstack(panels[row : row + 6]) for row in range(0, len(panels), 6)])
+    sheet = np.vstack([np.hstack(panels[row : row + COLUMNS]) for row in range(0, len(panels), COLUMNS)])
     cv2.imwrite(str(asked.out), sheet[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from functools import lru_cache
 from pathlib import Path
 from typing import Final
 
@@ -46,7 +47,17 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
 
 def region_texels(clone: Clone, size: int) -> NDArray[np.uint8]:
     """Return (size, size) places in `REGIONS` of the atlas' texels, `NOTHING` outside the charts."""
+    shown = texel_triangles(size)
+    if not len(clone.triangle_regions):
+        return np.full(shown.shape, NOTHING, dtype=np.uint8)
+    return np.append(clone.triangle_regions, NOTHING).astype(np.uint8)[shown]
+
+
+@lru_cache(maxsize=2)  # the same for everybody, and most formats ask
+def texel_triangles(size: int) -> NDArray[np.int32]:
+    """Return the (size, size) triangle that each texel of the atlas shows, -1 outside the charts; read only."""
     atlas = generic_atlas(load_generic(), size)
-    texels = np.full(size * size, NOTHING, dtype=np.uint8)
-    texels[atlas.texel] = clone.triangle_regions[atlas.triangle] if len(clone.triangle_regions) else NOTHING
-    return texels.reshape(size, size)
+    shown = np.full(size * size, -1, dtype=np.int32)
+    shown[atlas.texel] = atlas.triangle
+    shown.setflags(write=False)
+    return shown.reshape(size, size)

@@ -9,8 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.exporters.regions import NOTHING, region_texels
-from cloner.generic.charts import generic_atlas
+from cloner.exporters.regions import NOTHING, region_texels, texel_triangles
 from cloner.generic.load import load_generic
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
@@ -37,7 +36,7 @@ def roughness_map(clone: Clone) -> NDArray[np.uint8]:
     table[NOTHING] = ELSEWHERE
     rough = table[region_texels(clone, SIZE)]
     lips = np.asarray(generic.region("lips")[generic.triangles()[0]].all(axis=1), bool)
-    rough.reshape(-1)[generic_atlas(generic, SIZE, wanted=lips).texel] = LIPS
+    rough[np.append(lips, False)[texel_triangles(SIZE)]] = LIPS  # outside the charts is the last one
     texels = np.zeros((SIZE, SIZE, 3), np.uint8)
     texels[..., 1] = np.rint(255.0 * rough)
     return texels
