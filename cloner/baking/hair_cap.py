@@ -175,6 +175,8 @@ def settle_cap(
         sure = wanted[(trust > 0.3) & (hairy > 0.8)]
         median = float(np.median(sure if sure.size else wanted[trust > 0.0]))
         thickest = THICKEST_SHARE * max(median, 0.0) + THICKEST_EXTRA_MM
+        if len(views) == 1:  # a bob's sides against its top; a tail hangs behind the head
+            thickest = FURTHEST_MM
         trust = np.where(wanted > thickest, 0.0, trust)  # a tail's root says nothing about the cap
         thickness = graph.fill(wanted[:, None], np.clip(trust, 0.0, 1.0), STIFFNESS)[:, 0]
         thickness = held(np.minimum(graph.smooth(thickness, 1), thickest), hairy)

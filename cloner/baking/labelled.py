@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -14,6 +15,7 @@ from cloner.vision.plates import HAIR_LABEL, SKIN_LABEL
 from cloner.vision.vetting import before_wall, hair_colours, vet_hair
 
 STRIDE = 4  # colours of hair need no more
+UPPER_LIP = 13  # in the face net's mesh
 PERSON_LEVEL = 127  # a net's probability above one half
 
 
@@ -36,11 +38,23 @@ def vet_labels(photos: PhotoSet, proposals: Proposals) -> Proposals:
         others = [other for other in known if other is not view and other is not ViewId.BODY_BACK]
         colours = hair_colours([hair[other] for other in others], [skin[other] for other in others])
         named = proposal.labels == HAIR_LABEL
+        if view is ViewId.FACE_FRONT and proposal.face_presence > 0.0:
+            named = begun_above(named, proposal.face_px)
         kept = before_wall(photos.photos[view].rgb, named, proposal.mask > PERSON_LEVEL, colours)
         if view is ViewId.BODY_BACK:
             kept = vet_hair(photos.photos[view].rgb, kept, colours)
-        found[view] = replace(proposal, labels=np.where(named & ~kept, 0, proposal.labels).astype(np.uint8))
+        found[view] = replace(
+            proposal, labels=np.where((proposal.labels == HAIR_LABEL) & ~kept, 0, proposal.labels).astype(np.uint8)
+        )
     return Proposals(found)
+
+
+def begun_above(hair: NDArray[np.bool_], face_px: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Return the (H, W) pieces of hair that begin above the mouth: what begins lower is a dark collar or scarf."""
+    _, pieces, stats, _ = cv2.connectedComponentsWithStats(hair.astype(np.uint8), connectivity=8)
+    above = stats[:, cv2.CC_STAT_TOP] < face_px[UPPER_LIP, 1]
+    above[0] = False
+    return np.asarray(above[pieces], bool)
 
 
 def labelled_pixels(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], label: int) -> NDArray[np.uint8]:

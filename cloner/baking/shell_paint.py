@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.baking.hair_strands import grow_strands, roughness
 from cloner.baking.posed import parents_of
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
@@ -68,6 +69,8 @@ def paint_shell(
     vertices_m: Array,
     skin_joints: NDArray[np.int32],
     skin_weights: Array,
+    *,
+    strands: bool = False,
 ) -> NDArray[np.uint8]:
     """Return the (size, size, 4) texture of a shell.
 
@@ -79,6 +82,8 @@ def paint_shell(
         At least one with any pixel that shows the shell.
     atlas : AtlasMap of the shell, its triangles indexing ``vertices_m``
     vertices_m : (N, 3), skin_joints, skin_weights : (N, 4)
+    strands : bool
+        Whether it is hair, which goes on in strands where no photo shows it.
     """
     size = atlas.shape[0]
     normals = vertex_normals(vertices_m, atlas.triangles)
@@ -108,9 +113,16 @@ def paint_shell(
     total = (claim_table**2).sum(axis=0)
     mean = ((claim_table**2)[..., None] * evened).sum(axis=(0, 1)) / max(float(total.sum()), 1e-9)
     covered = atlas.covered()
+    ground = np.tile(mean.astype(np.float32), (size * size, 1)), np.full(size * size, FLOOR, np.float32)
+    if strands:
+        rough = roughness(pictures[first], usable[first].mask)
+        shown = ((claim_table**2)[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
+        made = grow_strands(atlas, vertices_m, graph, shown, claim_table.max(axis=0), rough)
+        ground[0][atlas.texel] = made.rgb
+        ground[1][atlas.texel] = np.maximum(atlas.interpolate(made.claim[:, None])[:, 0] ** SHARPNESS, FLOOR)
 
     def layers() -> Iterator[Layer]:
-        yield Layer(np.tile(mean.astype(np.float32), (size, size, 1)), np.full((size, size), FLOOR, np.float32))
+        yield Layer(ground[0].reshape(size, size, 3), ground[1].reshape(size, size))
         for picture, sight, claim, gain in zip(pictures, sights, claims, gains, strict=True):
             rows = atlas.rows_of(np.any((claim > 0.0)[atlas.triangles], axis=1))
             table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, claim, light_basis(normals) @ gain])

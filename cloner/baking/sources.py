@@ -39,7 +39,7 @@ UNSAFE_CLAIM = 0.3  # of the usual, beside an inner outline
 BURNT_CLAIM = 0.15  # of the usual, where a channel is at its end
 SQUARE_COSINE = (0.6, 0.8)  # surfaces that face a photo stay its own: features must not come from two photos
 SHELL_SHARE = 0.012  # of the figure, 2 cm: labels this far from any shell are doubted
-HAIR_RIM_SHARE = 0.0045  # a fringe's rim may lie this much farther out in the photo than in the shell
+HAIR_RIM_SHARE = 0.0044  # a fringe's rim may lie this much farther out in the photo than in the shell
 HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
 
 

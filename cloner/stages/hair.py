@@ -48,6 +48,7 @@ CLAIM = {  # taste: face photos have three times the pixels
     ViewId.BODY_FRONT: 0.6,
     ViewId.BODY_SIDE: 0.6,
 }
+FRONTS = (ViewId.FACE_FRONT, ViewId.BODY_FRONT)  # with no other photo the back of the hair is made up
 HIDDEN_MM = 3.0  # this deep in the head nothing is seen
 
 
@@ -224,7 +225,8 @@ def dress_shell(
     charts = unwrap(vertices_m, triangles, params.size)
     atlas = map_atlas(charts.uv, charts.triangles, triangles, params.size)
     sights = [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
-    rgba = paint_shell(generic, joined, photos.photos, sights, atlas, vertices_m, joints, weights)
+    unseen = all(view.posed.view in FRONTS for view in views)
+    rgba = paint_shell(generic, joined, photos.photos, sights, atlas, vertices_m, joints, weights, strands=unseen)
     rgba = soften_edge(rgba, atlas, inside_mm)
     return Shell(
         vertices_m[charts.vertex], charts.triangles, charts.uv, joints[charts.vertex], weights[charts.vertex], rgba

@@ -24,6 +24,7 @@ from cloner.baking.posed import body_triangles
 from cloner.baking.sources import Limits, gather_sources
 from cloner.baking.tiles import Tile, cut_tiles
 from cloner.baking.tucking import tuck_scalp
+from cloner.baking.undressed import dress_unseen, only_faces, plain_beyond
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.atlas import AtlasMap
@@ -114,10 +115,14 @@ def lay_photos(
     normals = vertex_normals(joined.vertices_m, body_triangles(generic))
     colours = vertex_colours(sources)
     kinds = find_materials(generic, sources, graph)
+    if only_faces(sources):
+        kinds = dress_unseen(generic, sources, kinds, joined.vertices_m)
     sources = doubt_grazing(generic, sources, colours, kinds, graph)
     light = even_photos(generic, sources, colours, normals, kinds, graph)
     residuals += compare_photos(sources, colours, light)
     base = fill_surface(generic, sources, evened_colours(colours, light), kinds, graph)
+    if only_faces(sources):
+        base = plain_beyond(sources, base, kinds, joined.vertices_m[:, 1], graph)
     shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
     baked = bake(
         generic, params.size, sources, shares, light, base, kinds, params.limits,
