@@ -13,6 +13,7 @@ VESSEL_RGB = (196.0, 130.0, 118.0)
 PUPIL_RGB = (14.0, 11.0, 10.0)
 TOOTH_RGB = (222.0, 209.0, 188.0)
 TOOTH_WIDTH_M, CROWN_M = 0.0078, 0.012  # anatomy: 7 to 9 mm wide, 9 to 10 mm high; a raised lip must not show only gum
+SHADED_TEETH, CHEEK_SHADE = (2.6, 4.2), 0.7  # teeth from the middle (canine to first molar); share of light; taste
 GUM_RGB = (172.0, 96.0, 92.0)
 TONGUE_RGB = (168.0, 88.0, 86.0)
 LASH_RGB = (38.0, 28.0, 24.0)
@@ -102,7 +103,10 @@ def paint_teeth(height_m: Image, along_m: Image) -> Image:
     between = np.abs(np.asarray(along_m, np.float32) / np.float32(TOOTH_WIDTH_M) % 1.0 - 0.5) * 2.0
     colour *= (1.0 - 0.30 * _ramp(between, 0.86, 0.99))[:, None]
     gum = np.asarray(height_m, np.float32) / np.float32(CROWN_M) + 0.18 * between**2
-    return _mix(colour, GUM_RGB, _ramp(gum, 0.92, 1.08))
+    colour = _mix(colour, GUM_RGB, _ramp(gum, 0.92, 1.08))
+    # behind the canines cheeks keep the light away: unshaded, side teeth stand like fangs in the mouth's corners
+    behind = _ramp(np.abs(np.asarray(along_m, np.float32)) / np.float32(TOOTH_WIDTH_M), *SHADED_TEETH)
+    return colour * (1.0 - CHEEK_SHADE * behind)[:, None]
 
 
 def paint_plain(count: int, rgb: tuple[float, float, float]) -> Image:
