@@ -104,8 +104,9 @@ def paint_teeth(height_m: Image, along_m: Image) -> Image:
     colour *= (1.0 - 0.30 * _ramp(between, 0.86, 0.99))[:, None]
     gum = np.asarray(height_m, np.float32) / np.float32(CROWN_M) + 0.18 * between**2
     colour = _mix(colour, GUM_RGB, _ramp(gum, 0.92, 1.08))
-    behind = _ramp(np.asarray(np.abs(along_m), np.float32) / np.float32(TOOTH_WIDTH_M), *SHADED_TEETH)
-    behind = _ramp(np.abs(np.asarray(along_m, np.float32)) / np.float32(TOOTH_WIDTH_M), *SHADED_TEETH)
+    # behind the canines cheeks keep the light away: unshaded, side teeth stand like fangs in the mouth's corners
+    from_middle = np.asarray(np.abs(along_m), np.float32) / np.float32(TOOTH_WIDTH_M)
+    behind = _ramp(np.asarray(from_middle, np.float32), *SHADED_TEETH)
     return colour * (1.0 - CHEEK_SHADE * behind)[:, None]
 
 
