@@ -19,7 +19,7 @@ from cloner.generic.load import load_generic
 from cloner.pipeline import Stage, StageReport, peak_mib
 from cloner.previews import write_previews
 from cloner.project.atomic import RESULT_MARK, result_folder
-from cloner.project.clone_file import save_clone
+from cloner.project.clone_file import CLONE_FILE, save_clone
 from cloner.project.corrections import check_against
 from cloner.project.folder import (
     load_photos,
@@ -47,7 +47,6 @@ Progress = Callable[[str, float], None]
 
 DEFAULT_FORMATS: Final = ("glb", "wrl")
 PIPELINE_SHARE: Final = 0.85  # measured on the samples: the stages' part of the whole time
-CLONE_FILE: Final = "clone.npz"
 GLB_FILE: Final = "clone.glb"
 TEXTURE_SIZES: Final = (512, 1024, 2048, 4096)  # powers of two, as graphics cards want them
 DEFAULT_TEXTURE_SIZE: Final = textures.Params().size

@@ -14,12 +14,11 @@ from PIL import Image
 
 from cloner.errors import ClonerError
 from cloner.geometry.viewpoints import framing_cameras
-from cloner.project.clone_file import load_clone
+from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.records.clones import Clone
 from cloner.render import clone_layers, draw, render, standard_camera
 from cloner.vision.films import FORMATS, write_film
 
-CLONE_FILE: Final = "clone.npz"
 LARGEST_PX: Final = 4096  # the renderer draws at twice this size
 TURNTABLE: Final = "turntable"
 TURN_FRAMES: Final = 72  # taste: 5 degrees a picture

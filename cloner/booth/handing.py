@@ -10,10 +10,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from cloner.cloning import CLONE_FILE, Progress, check_formats
+from cloner.cloning import Progress, check_formats
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
-from cloner.project.clone_file import load_clone
+from cloner.project.clone_file import CLONE_FILE, load_clone
 
 #: Files of a result that go along whatever formats are chosen.
 _BESIDE: Final = ("report.html", "viewer.html", "previews")

@@ -13,11 +13,12 @@ from cloner.booth.handing import hand_over
 from cloner.booth.kept import PROPOSED_FILE, RESULTS, VALUES_FILE, WORK, digests, known_values
 from cloner.booth.looking import look
 from cloner.booth.looking_table import Look
+from cloner.booth.photo_files import placed_photos
 from cloner.cloning import Progress, clone_folder
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.corrections import no_corrections
-from cloner.project.folder import load_photo, view_files
+from cloner.project.folder import load_photo
 from cloner.project.values_file import save_values
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposal, Proposals
@@ -104,7 +105,7 @@ class Jobs:
 
 def _photos(folder: Path) -> PhotoSet:
     """Return the photos of a visitor, whichever there are."""
-    photos = PhotoSet({view: load_photo(path, view) for view, path in view_files(folder).items()})
+    photos = placed_photos(folder)
     if not photos.photos:
         raise ClonerError("there is no photo yet", "Take the photos first", folder.name)
     return photos

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any, Final
 
+from cloner.project.clone_file import CLONE_FILE as CLONE_FILE
 from cloner.project.values_file import load_values
 from cloner.records.photos import PhotoSet
 
@@ -12,7 +13,6 @@ WORK: Final = "work"
 PROPOSED_FILE: Final = "proposed.npz"
 VALUES_FILE: Final = "values.npz"
 RESULTS: Final = "clones"
-CLONE_FILE: Final = "clone.npz"  # as `cloner.cloning` calls it, whose libraries the window does without
 
 
 def known_values(folder: Path, photos: PhotoSet) -> dict[str, Any]:

@@ -17,14 +17,14 @@ from cloner.booth.kept import CLONE_FILE, RESULTS, digests, known_values, propos
 from cloner.booth.looking_table import Look
 from cloner.booth.looks import read_looks
 from cloner.booth.person_file import person_facts
-from cloner.booth.photo_files import tray_photos
+from cloner.booth.photo_files import placed_photos, tray_photos
 from cloner.booth.takeaway import has_result
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.atomic import RESULT_MARK
 from cloner.project.clone_file import load_clone
 from cloner.project.corrections import check_against, no_corrections
-from cloner.project.folder import load_photo, read_corrections, read_person, safe_identifier, view_files
+from cloner.project.folder import read_corrections, read_person, safe_identifier
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
 from cloner.vision.pictures import read_picture
@@ -119,7 +119,7 @@ def open_visitor(folder: Path) -> Opened:
     ClonerError
         If the folder is missing, or something in it cannot be read.
     """
-    photos = PhotoSet({view: load_photo(path, view) for view, path in view_files(folder).items()})
+    photos = placed_photos(folder)
     corrections, warnings = _corrections(folder, photos)
     _, height_cm, consent = person_facts(folder)
     return Opened(

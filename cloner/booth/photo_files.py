@@ -12,7 +12,8 @@ from PIL import ExifTags, Image, ImageOps
 from cloner.booth.person_file import check_consent
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.project.folder import SUFFIXES, view_files
+from cloner.project.folder import SUFFIXES, load_photo, view_files
+from cloner.records.photos import PhotoSet
 
 TRAY: Final = "unsorted"
 #: EXIF orientation after a quarter turn to the right, of the upright ones; mirrored ones are made upright first.
@@ -64,6 +65,17 @@ def tray_photos(folder: Path) -> tuple[Path, ...]:
     tray = folder / TRAY
     found = sorted(tray.iterdir()) if tray.is_dir() else []
     return tuple(path for path in found if path.suffix.lower() in SUFFIXES and not path.name.startswith("."))
+
+
+def placed_photos(folder: Path) -> PhotoSet:
+    """Return the decoded photos of a visitor's views, whichever there are.
+
+    Raises
+    ------
+    ClonerError
+        If one cannot be read.
+    """
+    return PhotoSet({view: load_photo(path, view) for view, path in view_files(folder).items()})
 
 
 def photo_of(folder: Path, view: ViewId) -> Path | None:

@@ -21,6 +21,8 @@ from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.heads import Shell
 from cloner.records.views import Camera
 
+#: What a result's clone is called.
+CLONE_FILE: Final = "clone.npz"
 FORMAT: Final = "cloner-clone"
 VERSION: Final = 1
 _PLAIN: Final = ("vertices_m", "joints_m", "morph_index", "morph_delta_m", "morph_start", "triangle_regions")

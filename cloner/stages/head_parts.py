@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.eyeballs import Ball, ball_points
+from cloner.geometry.eyeballs import BALL_M, Ball, ball_points
 from cloner.geometry.sockets import similarity
 from cloner.records.views import Camera
 from cloner.stages import lids, lips
@@ -130,7 +130,7 @@ def _between_lids(grid: Grid, margin: Array) -> Array:
 
 def _way_to(ball: Ball, camera: Camera, iris_px: Array) -> Array:
     """Return how far (2,) to the left and up, metres, a ball has to move until its pupil is seen at a pixel."""
-    pupil = ball.centre + np.array([0.0, 0.0, 0.012])
+    pupil = ball.centre + np.array([0.0, 0.0, BALL_M])
     seen = camera.project(pupil + np.vstack([np.zeros(3), 1e-4 * np.eye(3)[:2]]))
     slope = (seen[1:] - seen[0]).T / 1e-4
     return np.asarray(np.linalg.solve(slope, iris_px - seen[0]))

@@ -13,10 +13,10 @@ import numpy as np
 from cloner.booth.kept import proposed_points
 from cloner.booth.looking_table import Look
 from cloner.booth.opened import Cloned, Opened, open_visitor, read_cloned
+from cloner.booth.photo_files import placed_photos
 from cloner.booth.worker import Progress, Worker
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.project.folder import load_photo, view_files
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Corrections, ViewPoints
 
@@ -93,7 +93,7 @@ def _propose(worker: Worker, folder: Path, photos: PhotoSet, progress: Progress)
 
 def _clone(worker: Worker, folder: Path, formats: Sequence[str], progress: Progress) -> tuple[Cloned, float]:
     seconds = float(worker.call("clone", folder, tuple(formats), progress=progress))
-    photos = PhotoSet({view: load_photo(path, view) for view, path in view_files(folder).items()})
+    photos = placed_photos(folder)
     cloned = read_cloned(folder, photos)
     if cloned is None:
         raise ClonerError("the photos changed while they were cloned", "Clone again", folder.name)
