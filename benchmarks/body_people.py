@@ -154,7 +154,7 @@ def painted_case(case: Case, folder: Path) -> dict[str, Any]:
         "phenotype": dict(known.body.phenotype), "commit": commit(), **found,
     }  # fmt: skip
     if values:
-        write_person(folder / f"{case.name}.png", row, known, values)
+        write_person(folder / f"{case.name}.png", row, known, finished_clone(values))
     row["wall_s"] = time.perf_counter() - start
     write_json(folder / f"{case.name}.json", row)
     return row

@@ -8,7 +8,6 @@ from typing import Any, Final
 
 import cv2
 import numpy as np
-from body_people import finished_clone
 from body_truth import KnownPerson
 from numpy.typing import NDArray
 
@@ -29,11 +28,11 @@ _CLONE_ONLY: Final = (50, 90, 255)
 _CLAY: Final = (0.72, 0.62, 0.56)
 
 
-def write_person(path: Path, row: Mapping[str, Any], known: KnownPerson, values: Mapping[str, Any]) -> None:
+def write_person(path: Path, row: Mapping[str, Any], known: KnownPerson, clone: Clone) -> None:
     """Write two rows of pictures: photos with the differences of the silhouettes; true and cloned surface."""
     from body_truth import true_view
 
-    clone, generic = finished_clone(values), load_generic()
+    generic = load_generic()
     held = true_view(known.shots["body_three_quarter"])
     rotations = rotations_towards(
         clone, generic, held.joints_m, held.points_m, clone.views[ViewId.BODY_FRONT].rotations
