@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import functools
 import logging
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
 from cloner.booth.looking_table import Look
@@ -18,11 +19,12 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.corrections import move_point, no_corrections, remove_point
 from cloner.project.folder import write_corrections
-from cloner.records.clones import Clone
+from cloner.records.clones import Clone, Joined
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, ViewPoints
 from cloner_gui.clone_queue import CloneQueue
 from cloner_gui.commands import Swap
+from cloner_gui.newest import newest
 from cloner_gui.services import ProposedPoints, Services, points_by_view
 from cloner_gui.words import spoken
 from cloner_gui.worker import Task
@@ -31,9 +33,6 @@ if TYPE_CHECKING:
     from cloner.refitting import Refitted
 
 log = logging.getLogger(__name__)
-
-#: A move is shown on the clone so long after it, with those that followed meanwhile, milliseconds (taste).
-REFIT_AFTER_MS = 15
 
 
 class Session(QObject):
@@ -69,13 +68,12 @@ class Session(QObject):
         self.proposed: ProposedPoints = {}
         self.outcome: Cloned | None = None
         self.moved: Refitted | None = None
+        self._moved_clone: Clone | None = None
         self.warnings: tuple[str, ...] = ()
         self.undo_stack = QUndoStack(self)
         self.drags = 0
         self._task: Task | None = None
         self._left: list[Task] = []
-        self._refit = QTimer(self, singleShot=True, interval=REFIT_AFTER_MS)
-        self._refit.timeout.connect(self.refit)
         self.queue.finished.connect(self._take_finished)
         self.queue.failed.connect(self._tell_failed)
         self.queue.progressed.connect(self._tell_progress)
@@ -103,11 +101,11 @@ class Session(QObject):
         self.proposed = points_by_view(opened.proposed, opened.photos)
         self.outcome, self.moved = opened.cloned, None
         self.drags = self.drags if same else 0
-        self._refit.stop()
+        newest().drop(self, "refit")
         self.undo_stack.clear()
         self.opened.emit()
         if self.outcome is not None and any(self.corrections.points.values()):
-            self._refit.start()
+            self.refit()
 
     def leave(self) -> None:
         """Close the visitor: nobody is open."""
@@ -116,7 +114,7 @@ class Session(QObject):
         self.tray, self.looks, self.thumbnails = (), {}, {}
         self.height_cm, self.corrections, self.warnings = None, no_corrections(), ()
         self.proposed, self.outcome, self.moved, self.drags = {}, None, None, 0
-        self._refit.stop()
+        newest().drop(self, "refit")
         self.undo_stack.clear()
         self.opened.emit()
 
@@ -157,35 +155,32 @@ class Session(QObject):
             except ClonerError as error:
                 self.failed.emit(error)
         self.points_changed.emit()
-        if self.outcome is not None and not self._refit.isActive():
-            self._refit.start()  # not put off by further moves: the person follows while the hand moves
+        self.refit()
 
     def refit(self) -> None:
         """Move the body of the last clone to the corrections; a body that cannot follow leaves the last one."""
-        if self.outcome is None or "joined" not in self.outcome.values:
+        outcome = self.outcome
+        if outcome is None or "joined" not in outcome.values:
             return
-        try:
-            self.moved = self.services.refit(self.outcome.values, self.corrections)
-        except ClonerError as error:
-            self.failed.emit(error)
-            return
-        self.refitted.emit()
+        work = functools.partial(_refitted, self.services.refit, outcome.values, self.corrections)
+        newest().ask(self, "refit", work, functools.partial(self._take_refit, outcome), self.failed.emit)
 
-    def clone_outline(self, view: ViewId) -> tuple[NDArray[np.float64], ...]:
-        """Return the borders of the clone's body in a photo, moved points included; none before there is a clone."""
-        from cloner.refitting import outline_px
+    def _take_refit(self, outcome: Cloned, found: tuple[Refitted, Clone]) -> None:
+        if outcome is self.outcome:
+            self.moved, self._moved_clone = found
+            self.refitted.emit()
 
-        person = None if self.outcome is None else self.outcome.values.get("obeyed")
-        person = person if self.moved is None else self.moved.person
-        return () if person is None else outline_px(person, view)
+    def person_now(self) -> Joined | None:
+        """Return the body of the last clone, moved points included; None before there is one."""
+        if self.moved is not None:
+            return self.moved.person
+        return None if self.outcome is None else self.outcome.values.get("obeyed")
 
     def clone_now(self) -> Clone | None:
         """Return the clone with moved points included, None before there is one."""
         if self.outcome is None or self.moved is None:
             return None if self.outcome is None else self.outcome.values["clone"]
-        from cloner.refitting import clone_after
-
-        return clone_after(self.outcome.values, self.moved.person)
+        return self._moved_clone
 
     # --- long work -----------------------------------------------------------------
 
@@ -272,3 +267,15 @@ class Session(QObject):
             self._task = None if task is self._task else self._task
             task.deleteLater()
         self.busy_changed.emit()
+
+
+def _refitted(
+    refit: Callable[[Mapping[str, object], Corrections], Refitted],
+    values: Mapping[str, object],
+    corrections: Corrections,
+) -> tuple[Refitted, Clone]:
+    """Return the last clone's body with corrections obeyed, and the clone with that body."""
+    from cloner.refitting import clone_after
+
+    moved = refit(values, corrections)
+    return moved, clone_after(values, moved.person)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPixmap
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QAbstractButton, QButtonGroup, QSizePolicy, QVBoxLayout, QWidget
 
 from cloner.frames import ViewId
@@ -17,13 +18,30 @@ from cloner_gui.canvas.painting import UNSURE_BELOW, ScaledPhoto, pixmap_of, poi
 
 _DOT: Final = 2.0  # radius of a point, widget pixels
 _MARGIN: Final = 4
-_LARGEST_PX: Final = 480  # height at which a small photo is kept: enough at 200 % scaling
 
 
 class SmallPhoto(QAbstractButton):
-    """One small photo; pressed, it is seen large."""
+    """One small photo; pressed, it is seen large.
 
-    def __init__(self, title: str, number: int, rgb: NDArray[np.uint8], parent: QWidget | None = None) -> None:
+    Parameters
+    ----------
+    title : str
+    number : int
+        With Alt it is the key that shows the photo.
+    rgb : (h, w, 3) uint8
+        The small picture.
+    height_px : int
+        Of the photo itself, whose pixels points are counted in.
+    """
+
+    def __init__(
+        self,
+        title: str,
+        number: int,
+        rgb: NDArray[np.uint8],
+        height_px: int,
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(parent)
         self.setCheckable(True)
         self.setText(title)
@@ -31,9 +49,8 @@ class SmallPhoto(QAbstractButton):
         self.setToolTip(f"{title} (Alt+{number})")
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self._size = QSizeF(rgb.shape[1], rgb.shape[0])
-        mode = Qt.TransformationMode.SmoothTransformation
-        self._pixmap: QPixmap = pixmap_of(rgb).scaledToHeight(_LARGEST_PX, mode)
+        self._height_px = height_px
+        self._pixmap = pixmap_of(rgb)
         self._scaled = ScaledPhoto()
         self._points: ViewPoints | None = None
         self.set_points(None)
@@ -67,7 +84,7 @@ class SmallPhoto(QAbstractButton):
         painter.save()
         painter.translate(inside.topLeft())
         self._scaled.draw(painter, self._pixmap, lens, self.devicePixelRatioF())
-        self._paint_points(painter, lens, self._pixmap.height() / self._size.height())
+        self._paint_points(painter, lens, self._pixmap.height() / self._height_px)
         painter.restore()
         painter.setPen(palette.highlightedText().color() if self.isChecked() else palette.buttonText().color())
         text = f"{self.text()} · {self.doubtful}" if self.doubtful else self.text()
@@ -99,15 +116,15 @@ class Filmstrip(QWidget):
         self._group = QButtonGroup(self)
         self.photos: dict[ViewId, SmallPhoto] = {}
 
-    def set_photos(self, photos: dict[ViewId, tuple[str, NDArray[np.uint8]]]) -> None:
-        """Show photos with their titles, in this order."""
+    def set_photos(self, photos: Mapping[ViewId, tuple[str, NDArray[np.uint8], int]]) -> None:
+        """Show photos with their titles, in this order: each a small picture, and the height of its photo, px."""
         for old in self.photos.values():
             self._group.removeButton(old)
             self._column.removeWidget(old)
             old.deleteLater()
         self.photos = {}
-        for number, (view, (title, rgb)) in enumerate(photos.items(), start=1):
-            small = SmallPhoto(title, number, rgb, self)
+        for number, (view, (title, rgb, height_px)) in enumerate(photos.items(), start=1):
+            small = SmallPhoto(title, number, rgb, height_px, self)
             small.clicked.connect(lambda _=False, view=view: self.chosen.emit(view))
             self._group.addButton(small)
             self._column.addWidget(small)

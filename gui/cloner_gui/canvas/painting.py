@@ -26,12 +26,17 @@ UNSURE_BELOW: Final = 0.25  # confidence at which a point is fully red; taste
 _SURE_ABOVE: Final = 0.75  # confidence at which a point is fully green; taste
 
 
-def pixmap_of(rgb: NDArray[np.uint8]) -> QPixmap:
-    """Return an (H, W, 3) uint8 picture as a pixmap."""
+def image_of(rgb: NDArray[np.uint8]) -> QImage:
+    """Return an (H, W, 3) uint8 picture as Qt draws it fastest; may be called on any thread."""
     pixels = np.ascontiguousarray(rgb)
     height, width = pixels.shape[:2]
     image = QImage(pixels.data, width, height, 3 * width, QImage.Format.Format_RGB888)
-    return QPixmap.fromImage(image.copy())  # the pixels belong to numpy and may go
+    return image.convertToFormat(QImage.Format.Format_RGB32)  # a copy: the pixels belong to numpy and may go
+
+
+def pixmap_of(rgb: NDArray[np.uint8]) -> QPixmap:
+    """Return an (H, W, 3) uint8 picture as a pixmap."""
+    return QPixmap.fromImage(image_of(rgb))
 
 
 def path_of(borders_px: Iterable[NDArray[np.float64]]) -> QPainterPath:

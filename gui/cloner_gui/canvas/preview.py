@@ -2,36 +2,34 @@
 
 from __future__ import annotations
 
+import functools
 import time
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QShowEvent, QTouchEvent, QWheelEvent
+from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QPixmap, QShowEvent, QTouchEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-from cloner.records.views import Camera
-from cloner.render import Shading, coverage, draw
-from cloner_gui.canvas.acting import MODES, acted, dressed, motion_of
-from cloner_gui.canvas.orbit import Orbit, photo_camera
-from cloner_gui.canvas.painting import pixmap_of
+from cloner_gui.canvas.acting import MODES, MOTIONS, motion_of
+from cloner_gui.canvas.orbit import Orbit
+from cloner_gui.canvas.scene import Scene
 from cloner_gui.canvas.touch import TouchHand
+from cloner_gui.newest import newest
 
 Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
-_BACKGROUND: Final = (226, 228, 232)
 _RADIANS_PER_PIXEL: Final = 0.01  # taste: half a turn for a drag over 300 px
 _KEY_PIXELS: Final = 20.0  # what an arrow key turns, as if dragged so far
 _ZOOM_STEP: Final = 1.15
 _FINE_AFTER_MS: Final = 200  # edges are smoothed when nothing moved for so long
 _FRAME_MS: Final = 40  # between two pictures of a motion
-_SHADINGS: Final[dict[str, Shading]] = {"wire": "wire"}
 
 
 class Preview(QLabel):
@@ -122,10 +120,18 @@ class Preview(QLabel):
     def play(self, kind: str) -> None:
         """Let the clone do one of `MOTIONS`."""
         self.motion_kind = kind
-        self._motion = None if self._clone is None else motion_of(kind, self._clone)
-        self._began = time.monotonic()
-        (self._film.stop if self._motion is None else self._film.start)()
+        self._motion = None
+        self._film.stop()
+        newest().drop(self, "motion")
+        if kind != MOTIONS[0] and self._clone is not None:
+            newest().ask(self, "motion", functools.partial(motion_of, kind, self._clone), self._act, self.failed.emit)
         self.refresh()
+
+    def _act(self, motion: Motion) -> None:
+        """Let the clone begin to move."""
+        if self.motion_kind != MOTIONS[0]:
+            self._motion, self._began = motion, time.monotonic()
+            self._film.start()
 
     def refresh(self) -> None:
         """Draw at the next chance: many changes at once are one picture."""
@@ -135,49 +141,38 @@ class Preview(QLabel):
 
     # --- drawing -----------------------------------------------------------------
 
-    def picture_of(self, clone: Clone, width_px: int, height_px: int, *, fine: bool) -> Image:
-        """Return the (H, W, 3) picture of the clone as it is seen now.
-
-        Raises
-        ------
-        ClonerError
-            If the picture is too large.
-        """
-        samples = 2 if fine else 1
-        posed, rotations, root_m = acted(clone, self._motion, time.monotonic() - self._began)
-        if self._overlay is not None and self._overlay[0] in clone.views:
-            seen = clone.views[self._overlay[0]]
-            layers = dressed(clone, seen.rotations, self.mode, self._gaps_mm)
-            camera, photo = photo_camera(seen.camera, self._overlay[1], width_px, height_px)
-            drawn = draw(layers, camera, shading=_SHADINGS.get(self.mode, "photo"), supersample=samples)
-            share = self.opacity * coverage(layers, camera, supersample=samples)[..., None]
-            return np.asarray(np.round(share * drawn + (1.0 - share) * photo), dtype=np.uint8)
-        layers = dressed(posed, rotations, self.mode, self._gaps_mm)
-        camera = self.camera(clone, width_px, height_px, root_m)
-        shading = _SHADINGS.get(self.mode, "soft")
-        return draw(layers, camera, shading=shading, background=_BACKGROUND, supersample=samples)
-
-    def camera(self, clone: Clone, width_px: int, height_px: int, root_m: Array | None = None) -> Camera:
-        """Return the camera that sees the turned clone, whose root has moved by ``root_m`` (3,)."""
-        return self._orbit.camera(clone, width_px, height_px, np.zeros(3) if root_m is None else root_m)
+    def scene(self) -> Scene | None:
+        """Return what is seen now; None without a clone."""
+        if self._clone is None:
+            return None
+        seconds = time.monotonic() - self._began
+        return Scene(
+            self._clone, self._orbit, self.mode, self._motion, seconds, self._gaps_mm, self._overlay, self.opacity
+        )
 
     def _draw(self, *, fine: bool) -> None:
-        if self._clone is None or self._broken or (fine and self._film.isActive()):
+        """Have the picture drawn beside the window's own work."""
+        scene = self.scene()
+        if scene is None or self._broken or (fine and self._film.isActive()):
             return
         density = self.devicePixelRatioF()
-        size = [max(round(side * density), 64) for side in (self.width(), self.height())]
-        try:
-            picture = self.picture_of(self._clone, *size, fine=fine)
-        except ClonerError as error:
-            self._broken = True
-            self._film.stop()
-            self.setText(self.tr("This machine cannot draw in 3-D"))
-            self.failed.emit(error)
-            return
-        shown = pixmap_of(picture)
-        shown.setDevicePixelRatio(density)
+        width, height = (max(round(side * density), 64) for side in (self.width(), self.height()))
+        work = functools.partial(scene.image, width, height, fine=fine)
+        newest().ask(self, "picture", work, self._take_picture, self._give_up)
+
+    def _take_picture(self, picture: QImage) -> None:
+        if self._clone is None:
+            return  # forgotten while it was drawn
+        shown = QPixmap.fromImage(picture)
+        shown.setDevicePixelRatio(self.devicePixelRatioF())
         self.setPixmap(shown)
         self.drawn.emit()
+
+    def _give_up(self, error: ClonerError) -> None:
+        self._broken = True
+        self._film.stop()
+        self.setText(self.tr("This machine cannot draw in 3-D"))
+        self.failed.emit(error)
 
     # --- hand ------------------------------------------------------------------
 

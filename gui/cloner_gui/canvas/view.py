@@ -66,6 +66,7 @@ class PhotoView(QWidget):
         self.lens = Lens()
         self.anchor_name = ""  # name of the outline point that pulling the outline makes; "" allows none
         self.points: ViewPoints | None = None
+        self._rgb: NDArray[np.uint8] | None = None
         self._pixmap, self._scaled = QPixmap(), painting.ScaledPhoto()
         self.outline_px: Borders = ()
         self._clone, self._outline = QPainterPath(), QPainterPath()
@@ -79,10 +80,10 @@ class PhotoView(QWidget):
 
     def set_photo(self, rgb: NDArray[np.uint8]) -> None:
         """Show an (H, W, 3) photo, all of it."""
-        self._pixmap = painting.pixmap_of(rgb)
+        self._rgb, self._pixmap = rgb, QPixmap()
         self.points, self._hovered, self.chosen = None, "", ""
         self.outline_px, self._clone, self._outline = (), QPainterPath(), QPainterPath()
-        self.lens = Lens(QSizeF(self._pixmap.size()), QSizeF(self.size()))
+        self.lens = Lens(QSizeF(rgb.shape[1], rgb.shape[0]), QSizeF(self.size()))
         self.show_all()
 
     def set_points(self, points: ViewPoints | None) -> None:
@@ -202,8 +203,8 @@ class PhotoView(QWidget):
         return None if place is None else (float(place[0]), float(place[1]))
 
     def _move(self, name: str, x_px: float, y_px: float, gesture: str) -> None:
-        x_px = min(max(x_px, 0.0), self._pixmap.width() - 1.0)
-        y_px = min(max(y_px, 0.0), self._pixmap.height() - 1.0)
+        x_px = min(max(x_px, 0.0), self.lens.photo.width() - 1.0)
+        y_px = min(max(y_px, 0.0), self.lens.photo.height() - 1.0)
         self.point_moved.emit(name, x_px, y_px, gesture)
 
     # --- events -----------------------------------------------------------------
@@ -281,6 +282,8 @@ class PhotoView(QWidget):
         """Draw photo, outlines, points, and what is being done."""
         painter = QPainter(self)
         painter.fillRect(self.rect(), self.palette().dark())
+        if self._pixmap.isNull() and self._rgb is not None:
+            self._pixmap = painting.pixmap_of(self._rgb)  # when it is first seen: five at once hold the window up
         self._scaled.draw(painter, self._pixmap, self.lens, self.devicePixelRatioF())
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         outlines = [(self._clone, painting.CLONE), (self._outline, painting.LINKED)]

@@ -134,10 +134,11 @@ class ClonePage(QWidget):
 
     def _measure_gaps(self) -> None:
         """Find how far the clone keeps from the photos' outlines, beside the window's own work."""
-        outcome, moved = self._session.outcome, self._session.moved
-        if outcome is None or "obeyed_silhouettes" not in outcome.values or self._measuring is not None:
+        outcome, person = self._session.outcome, self._session.person_now()
+        if outcome is None or person is None or "obeyed_silhouettes" not in outcome.values:
             return
-        person = outcome.values["obeyed"] if moved is None else moved.person
+        if self._measuring is not None:
+            return
         outlines = outcome.values["obeyed_silhouettes"].views
         task = Task(lambda _: outline_gaps_mm(person.vertices_m, person.joints_m, person.views, outlines))
         self._measuring = task

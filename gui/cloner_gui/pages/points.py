@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -24,6 +25,7 @@ from cloner_gui.canvas.live import LiveOutlines
 from cloner_gui.canvas.picking import next_of, worst_first
 from cloner_gui.canvas.preview import Preview
 from cloner_gui.canvas.view import PhotoView
+from cloner_gui.newest import newest
 from cloner_gui.pieces import button, name
 from cloner_gui.session import Session
 from cloner_gui.words import VIEW_TITLES, spoken_refit, spoken_step, translate
@@ -174,7 +176,10 @@ class PointsPage(QWidget):
             old.deleteLater()
         self.views, self._points, self._shown = {}, {}, {}
         photos = self._session.photos.photos
-        self.strip.set_photos({view: (VIEW_TITLES[view], photo.rgb) for view, photo in photos.items()})
+        small = self._session.thumbnails
+        self.strip.set_photos(
+            {view: (VIEW_TITLES[view], small.get(view, one.rgb), one.height_px) for view, one in photos.items()}
+        )
         for view, photo in photos.items():
             self.views[view] = self._canvas(view)
             self.views[view].set_photo(photo.rgb)
@@ -251,9 +256,17 @@ class PointsPage(QWidget):
 
     def _show_clone_outline(self) -> None:
         """Draw the clone's outline on the photo that is seen."""
-        view = self.view
-        if view is not None:
-            self.views[view].set_clone_outline(self._session.clone_outline(view))
+        view, person = self.view, self._session.person_now()
+        if view is None:
+            return
+        canvas = self.views[view]
+        if person is None:
+            canvas.set_clone_outline(())
+            return
+        from cloner.refitting import outline_px  # the whole fit: not paid for before there is a clone
+
+        work = functools.partial(outline_px, person, view)
+        newest().ask(canvas, "clone outline", work, canvas.set_clone_outline, self._session.failed.emit)
 
     def _show_clone(self) -> None:
         self.preview.set_clone(self._session.clone_now())
