@@ -34,9 +34,9 @@ from cloner.detectors.placing import (
     nearby,
     owns,
     same_place,
-    turned,
     whole_photo,
 )  # fmt: skip
+from cloner.detectors.pose_passes import CONFIRMED, POSE_SIDE, hips_inside, look, look_at_portrait, look_twice
 from cloner.detectors.results import POSE_NAMES, Box, FaceResult, PoseResult
 from cloner.vision.crops import Crop, cut, move_points, photo_px_from_crop
 
@@ -50,7 +50,6 @@ Floats = NDArray[np.float64]
 
 #: Taste: a booth computer has two cores to spare; a worker of a batch has one, and waiting threads would spin on it.
 THREADS: Final = 1 if os.environ.get("OMP_NUM_THREADS") == "1" else 2
-POSE_SIDE: Final = 256
 FACE_SIDE: Final = 192
 _LOCK: Final = threading.Lock()
 
@@ -120,17 +119,9 @@ def _find_people(photo: Photo) -> list[Box]:
     people: list[Box] = []
     for box in sorted(found, key=lambda b: -b.score):
         crop = circle_crop(box.keypoints_px[0], box.keypoints_px[1], 1.25)
-        out = _pose_net(photo, crop)
-        if float(out[1].ravel()[0]) < 0.5:
-            continue
-        points = _pose_points(out, crop)
-        x, y = points[33].tolist()
-        reach = float(np.hypot(*(points[34] - points[33])))
-        half = 0.45 * reach  # measured: outstretched hands of the visitors
-        keys = np.stack([points[33], points[34], (points[11] + points[12]) / 2, points[0]])
-        person = Box("person", x - half, y - reach, x + half, y + reach, box.score, keys)
-        if not any(near_head(other, points[0]) for other in people):
-            people.append(person)
+        seen = look(photo, crop, _pose_net)
+        if seen.score >= CONFIRMED and not any(near_head(other, seen.points_px[0]) for other in people):
+            people.append(seen.box(box.score))
     return people
 
 
@@ -161,6 +152,9 @@ def detect_people(rgb: Photo) -> list[Box]:
     for face, has_owner in zip(faces, owned, strict=True):
         if not has_owner and face.width_px >= 0.45 * max(least, 0.0 if people else widest):
             people.append(face)
+    if not people:
+        portrait = look_at_portrait(rgb, _pose_net, _selfie_net, None)
+        people = [] if portrait is None else [portrait.box(portrait.score)]
     return sorted(people, key=lambda p: -p.height_px)
 
 
@@ -173,16 +167,11 @@ def _pose_net(photo: Photo, crop: Crop) -> dict[int, NDArray[np.float32]]:
     return {out.size: out for out in _run("pose_landmark_heavy.tflite", image, low=0.0)}
 
 
-def _pose_points(out: dict[int, NDArray[np.float32]], crop: Crop) -> Floats:
-    """Return the net's 39 points in photo px; 33 and 34 are the body's circle."""
-    table = out[195].reshape(39, 5)[:, :2].astype(np.float64) - 0.5
-    return move_points(table, photo_px_from_crop(crop, width=POSE_SIDE, height=POSE_SIDE))
-
-
 def detect_pose(rgb: Photo) -> PoseResult | None:
     """Find the person's 33 points and mask.
 
-    Two passes: the detector's circle gives first points, these give a better circle.
+    Two passes: the detector's circle gives first points, these give a better circle. Where the
+    lower edge cuts the person, the circle follows from the mask when the detector's pose does not fit.
     The mask of a whole body is the mean of four crops, one pair of them mirrored; that
     of a portrait comes from the selfie net, which sees the half body larger.
 
@@ -202,25 +191,15 @@ def detect_pose(rgb: Photo) -> PoseResult | None:
     may be exchanged. Use `visibility`.
     """
     boxes = _detect("pose_detection", rgb, whole_photo(rgb), "person", 0.3)
-    if not boxes:
+    circles = [circle_crop(box.keypoints_px[0], box.keypoints_px[1], 1.25) for box in boxes[:1]]
+    found = look_twice(rgb, circles[0], _pose_net) if circles else None
+    if found is None or hips_inside(found, rgb):
+        found = look_at_portrait(rgb, _pose_net, _selfie_net, found)
+    if found is None:
         return None
-    first = circle_crop(boxes[0].keypoints_px[0], boxes[0].keypoints_px[1], 1.25)
-    points = _pose_points(_pose_net(rgb, first), first)
-    crop = circle_crop(points[33], points[34], 1.25)
-    out = _pose_net(rgb, crop)
-    points = _pose_points(out, crop)
-    table = out[195].reshape(39, 5)[:33]
-    world = out[117].reshape(39, 3)[:33].astype(np.float64)
-    world[:, :2] = turned(world[:, :2], crop.angle_rad)
-    hips_inside = max(points[23, 1], points[24, 1]) < 0.98 * rgb.shape[0]
-    return PoseResult(
-        points_px=points[:33],
-        visibility=sigmoid(table[:, 3]),
-        presence=sigmoid(table[:, 4]),
-        world_m=world,
-        score=float(out[1].ravel()[0]),
-        mask=body_mask(rgb, crop, _pose_mask_net) if hips_inside else portrait_mask(rgb, _selfie_net),
-    )
+    if hips_inside(found, rgb):
+        return found.result(body_mask(rgb, found.crop, _pose_mask_net))
+    return found.result(portrait_mask(rgb, _selfie_net))
 
 
 def _pose_mask_net(photo: Photo, crop: Crop) -> Floats:
@@ -229,7 +208,7 @@ def _pose_mask_net(photo: Photo, crop: Crop) -> Floats:
 
 def _selfie_net(photo: Photo, crop: Crop) -> Floats:
     image = cut(photo, crop, width=256, height=256)
-    return _run("selfie_segmentation.tflite", image, low=0.0)[0][..., 0].astype(np.float64)
+    return np.asarray(_run("selfie_segmentation.tflite", image, low=0.0)[0][..., 0], np.float64)
 
 
 # Face -----------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.placing import mirror_crop
+from cloner.detectors.placing import mirror_crop, whole_picture
 from cloner.vision.crops import Crop, paste
 
 Photo = NDArray[np.uint8]
@@ -45,6 +45,4 @@ def body_mask(photo: Photo, crop: Crop, run: MaskNet) -> NDArray[np.float32]:
 
 def portrait_mask(photo: Photo, run: MaskNet) -> NDArray[np.float32]:
     """Return the mask of a person cut by the lower edge (selfie net, whole photo)."""
-    height, width = photo.shape[:2]
-    crop = Crop((width - 1) / 2.0, (height - 1) / 2.0, float(width), float(height))
-    return mean_mask(photo, crop, run)
+    return mean_mask(photo, whole_picture(photo), run)

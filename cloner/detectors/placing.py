@@ -138,3 +138,9 @@ def whole_photo(photo: Photo) -> Crop:
     height, width = photo.shape[:2]
     side = float(max(height, width))
     return Crop((width - 1) / 2.0, (height - 1) / 2.0, side, side)
+
+
+def whole_picture(photo: Photo) -> Crop:
+    """Return the photo itself as a crop; a square net sees it squeezed."""
+    height, width = photo.shape[:2]
+    return Crop((width - 1) / 2.0, (height - 1) / 2.0, float(width), float(height))
