@@ -15,10 +15,12 @@ import json
 import os
 import tempfile
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+os.environ.setdefault("QT_LOGGING_RULES", "qt.qpa.*=false")
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QPoint, Qt
@@ -40,6 +42,8 @@ DRAGS = 200
 STEPS = 3
 #: Corrections that stand beside the new one: as many as an operator makes are obeyed together.
 CORRECTED = 6
+#: Between two looks at what has come, seconds: looking without rest would take the CPU from what is looked for.
+REST_S = 0.001
 #: Longest that is waited for a preview, seconds.
 PATIENCE_S = 5.0
 
@@ -91,10 +95,11 @@ def pause(seconds: float) -> None:
 
 
 def places(session: Session, rng: np.random.Generator) -> list[tuple[ViewId, str]]:
-    """Return the points to drag, all photos alike."""
+    """Return the points to drag, all photos alike, one photo after the other as operators work."""
     views = list(session.proposed)
     return [
-        (view, str(rng.choice(session.proposed[view].names))) for view in (views[k % len(views)] for k in range(DRAGS))
+        (view, str(rng.choice(session.proposed[view].names)))
+        for view in sorted(views[k % len(views)] for k in range(DRAGS))
     ]
 
 
@@ -117,8 +122,29 @@ def drag(session: Session, page: PointsPage, view: ViewId, name: str, rng: np.ra
         moves.append(moved(session, page, view, name, to))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=to)
     while sum(map(len, session.corrections.points.values())) > CORRECTED:
-        session.undo_stack.undo()
+        undo(session)
     return moves
+
+
+def undo(session: Session) -> None:
+    """Take the last drag back and wait until the body has followed: no later move may take that for its own answer."""
+    undone: list[bool] = []
+    told = session.refitted.connect(lambda: undone.append(True))
+    session.undo_stack.undo()
+    wait(lambda: bool(undone))
+    session.refitted.disconnect(told)
+
+
+def wait(done: Callable[[], bool]) -> float:
+    """Wait until something has come, and return the longest stretch that the window did not listen, seconds."""
+    start = before = time.perf_counter()
+    deaf = 0.0
+    while not done() and before - start < PATIENCE_S:
+        QCoreApplication.processEvents()
+        now = time.perf_counter()
+        deaf, before = max(deaf, now - before), now
+        time.sleep(REST_S)
+    return deaf
 
 
 def moved(session: Session, page: PointsPage, view: ViewId, name: str, to: QPoint) -> Move:
@@ -127,16 +153,16 @@ def moved(session: Session, page: PointsPage, view: ViewId, name: str, to: QPoin
     follows = page.live.borders(view, session.corrections)
     refitted = session.refitted.connect(lambda: seen.setdefault("refit", time.perf_counter()))
     drawn = page.preview.drawn.connect(lambda: "refit" in seen and seen.setdefault("preview", time.perf_counter()))
-    start, cpu, deaf = time.perf_counter(), time.process_time(), 0.0
-    before = start
+
+    def all_seen() -> bool:
+        if page.views[view].outline_px is not follows or not view.is_body:
+            seen.setdefault("outline", time.perf_counter())
+        return "preview" in seen
+
+    start, cpu = time.perf_counter(), time.process_time()
     QTest.mouseMove(page.views[view], to)
-    while "preview" not in seen and time.perf_counter() - start < PATIENCE_S:
-        QCoreApplication.processEvents()
-        now = time.perf_counter()
-        deaf, before = max(deaf, now - before), now
-        own = page.views[view].outline_px
-        if "outline" not in seen and (own is not follows or not view.is_body):
-            seen["outline"] = now
+    pressed = time.perf_counter() - start
+    deaf = max(pressed, wait(all_seen))
     cpu = time.process_time() - cpu
     session.refitted.disconnect(refitted)
     page.preview.drawn.disconnect(drawn)

@@ -27,12 +27,14 @@ class Picture(QLabel):
         self.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self.setMinimumSize(60, 80)
+        self._rgb: NDArray[np.uint8] | None = None
         self._whole: QPixmap | None = None
 
     def show_rgb(self, rgb: NDArray[np.uint8] | None) -> None:
-        """Show an (H, W, 3) uint8 picture, or none."""
-        self._whole = None if rgb is None else pixmap_of(rgb)
-        self._fit()
+        """Show an (H, W, 3) uint8 picture, or none; the same one again costs nothing."""
+        if rgb is None or rgb is not self._rgb:
+            self._rgb, self._whole = rgb, None if rgb is None else pixmap_of(rgb)
+            self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the picture into its new room."""

@@ -1,5 +1,6 @@
 """A point dragged after cloning moves the shown body at once; the refit itself is the real one, on a known person."""
 
+import itertools
 from types import SimpleNamespace
 
 import numpy as np
@@ -42,9 +43,14 @@ def cloned(window, jobs, qtbot):
 
 
 def outline_x(canvas, row_px):
-    """Return the rightmost column of the drawn outline at a row of the photo."""
-    polygon = np.array([(p.x(), p.y()) for path in canvas._clone.toSubpathPolygons() for p in path])
-    return polygon[np.abs(polygon[:, 1] - row_px) < 2.0, 0]
+    """Return the columns where the drawn outline crosses a row of the photo."""
+    found = []
+    for path in canvas._clone.toSubpathPolygons():
+        corners = np.array([(p.x(), p.y()) for p in path])
+        for (x, y), (next_x, next_y) in itertools.pairwise(corners):
+            if min(y, next_y) <= row_px <= max(y, next_y) and y != next_y:
+                found.append(x + (next_x - x) * (row_px - y) / (next_y - y))
+    return np.array(found)
 
 
 def test_a_drag_after_cloning_moves_the_shown_body_and_says_so(cloned, qtbot):

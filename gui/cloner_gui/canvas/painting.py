@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import Final
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
@@ -18,8 +19,8 @@ SURE: Final = QColor(60, 200, 90)
 UNSURE: Final = QColor(240, 70, 50)
 CLONE: Final = QColor(255, 40, 220)  # as in the previews
 LINKED: Final = QColor(255, 190, 20)  # the photo's own outline
-#: Outlines have a corner a pixel; every so many are drawn: strokes cost by the corner.
-_CORNER_STEP: Final = 2
+#: Outlines have a corner a pixel; drawn are as few as keep within so many photo pixels: strokes cost by the corner.
+_STRAIGHT_PX: Final = 0.25
 MAGNIFIED: Final = 4.0  # at least so many widget pixels a photo pixel inside the magnifier; taste
 MAGNIFIER: Final = 150.0  # its diameter, widget pixels: a thumb's breadth on a touch screen
 UNSURE_BELOW: Final = 0.25  # confidence at which a point is fully red; taste
@@ -43,7 +44,8 @@ def path_of(borders_px: Iterable[NDArray[np.float64]]) -> QPainterPath:
     """Return closed borders (M, 2), photo pixels, as a path in Qt's photo coordinates."""
     path = QPainterPath()
     for border in borders_px:
-        corners = (np.asarray(border)[::_CORNER_STEP] + HALF_PX).tolist()
+        few = cv2.approxPolyDP(np.asarray(border, dtype=np.float32).reshape(-1, 1, 2), _STRAIGHT_PX, closed=True)
+        corners = (few[:, 0].astype(np.float64) + HALF_PX).tolist()
         path.addPolygon(QPolygonF([QPointF(x, y) for x, y in corners]))
         path.closeSubpath()
     return path
