@@ -39,6 +39,13 @@ MOST_KEPT: Final = 0.8
 LIKELIER: Final = 0.25
 #: Fewer pixels tell nothing.
 LEAST_HAIR: Final = 100
+#: Odds of hair against skin of one pixel count up to this many powers of two; means below `LEAST_ODDS` are a nape's.
+MOST_ODDS: Final = 3.0
+LEAST_ODDS: Final = -0.25
+#: Share that keeps the odds of colours seen nowhere finite.
+UNSEEN_SHARE: Final = 1e-4
+#: Pieces of hair smaller than this share of the largest are left-overs of what was denied.
+LEAST_PIECE: Final = 0.05
 
 
 def label_colour(rgb: NDArray[np.uint8], mask: NDArray[np.bool_], labels: NDArray[np.uint8]) -> SkinColour | None:
@@ -72,6 +79,11 @@ class HairColours:
         """Return which of (N, 3) colours are the hair's; what skin has more often is skin's: labels overlap."""
         known = (self.hair > LEAST_SHARE) & (self.hair > LIKELIER * self.skin)
         return np.asarray(known[_cells(rgb)], bool)
+
+    def odds(self, rgb: NDArray[np.uint8]) -> NDArray[np.float32]:
+        """Return (N,) powers of two by which each of (N, 3) colours is oftener hair's than skin's, limited."""
+        ratio = (self.hair + UNSEEN_SHARE) / (self.skin + UNSEEN_SHARE)
+        return np.asarray(np.clip(np.log2(ratio), -MOST_ODDS, MOST_ODDS)[_cells(rgb)], np.float32)
 
     def below(self, rgb: NDArray[np.uint8], behind: NDArray[np.float64]) -> NDArray[np.bool_]:
         """Return which of (N, 3) colours the background has clearly more often than the hair."""
@@ -117,7 +129,41 @@ def vet_hair(rgb: NDArray[np.uint8], hair: NDArray[np.bool_], colours: HairColou
     """
     if colours is None or not hair.any():
         return hair
-    return _without(hair, rgb, lambda some: ~colours.has(some))
+    kept = _without(hair, rgb, lambda some: ~colours.has(some))
+    return _without_nape(kept, rgb, colours) if kept.any() else kept
+
+
+def _without_nape(hair: NDArray[np.bool_], rgb: NDArray[np.uint8], colours: HairColours) -> NDArray[np.bool_]:
+    """Return hair (H, W) without the neck that a net took for it, and without crumbs.
+
+    Lit skin has colours that shaded hair has as well: patches are judged by their mean odds. Only what reaches from
+    the label's lower half to its edge is denied: shine on a crown is hair.
+    """
+    size = (round(hair.shape[1] * SCALE), round(hair.shape[0] * SCALE))
+    small = cv2.resize(rgb, size, interpolation=cv2.INTER_AREA)
+    named = cv2.resize(hair.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
+    odds = np.zeros(named.shape, np.float32)
+    odds[named] = colours.odds(small[named])
+    patch = (PATCH_PX, PATCH_PX)
+    mean = cv2.boxFilter(odds, -1, patch) / np.maximum(cv2.boxFilter(named.astype(np.float32), -1, patch), 1e-6)
+    denied = named & (mean < LEAST_ODDS)
+    _, pieces, stats, _ = cv2.connectedComponentsWithStats((denied | ~named).astype(np.uint8), connectivity=4)
+    rows = np.flatnonzero(named.any(axis=1))
+    outside = np.unique(pieces[~named])
+    denied &= np.isin(pieces, outside[outside > 0])
+    _, pieces, stats, _ = cv2.connectedComponentsWithStats(denied.astype(np.uint8), connectivity=4)
+    low = stats[:, cv2.CC_STAT_TOP] + stats[:, cv2.CC_STAT_HEIGHT] > (rows[0] + rows[-1]) / 2
+    low[0] = False
+    kept = hair & ~(cv2.resize(low[pieces].astype(np.uint8), hair.shape[::-1], interpolation=cv2.INTER_NEAREST) > 0)
+    return _without_crumbs(kept)
+
+
+def _without_crumbs(hair: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return hair (H, W) without pieces far smaller than the largest."""
+    _, pieces, stats, _ = cv2.connectedComponentsWithStats(hair.astype(np.uint8), connectivity=8)
+    area = stats[:, cv2.CC_STAT_AREA].copy()
+    area[0] = 0
+    return np.asarray((area >= max(LEAST_PIECE * area.max(), 1))[pieces], bool)
 
 
 def before_wall(

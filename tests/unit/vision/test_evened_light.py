@@ -103,3 +103,19 @@ def test_before_a_wall_of_the_hairs_colour_nothing_is_denied():
     label[30:90, 30:90] = True
     colours = hair_colours([photo[label]], [])
     assert np.array_equal(before_wall(photo, label, label, colours), label)
+
+
+def test_a_nape_in_the_shade_is_no_hair_though_hair_shines_in_its_colour():
+    rng = np.random.default_rng(8)
+    dark, shine = _strands((60, 60), (90, 60, 40), rng), _strands((20, 60), (150, 110, 85), rng)
+    shade, lit = _strands((40, 60), (150, 110, 85), rng), _strands((60, 60), SKIN, rng)
+    colours = hair_colours([np.vstack([dark, shine]).reshape(-1, 3)], [np.vstack([lit, shade]).reshape(-1, 3)])
+    photo = np.full((200, 120, 3), (60, 90, 180), np.uint8)
+    photo[20:110, 20:100] = _strands((90, 80), (90, 60, 40), rng)
+    photo[20:40, 40:80] = _strands((20, 40), (150, 110, 85), rng)  # shine on the crown
+    photo[110:160, 35:85] = _strands((50, 50), (150, 110, 85), rng)  # the neck below
+    label = np.zeros(photo.shape[:2], bool)
+    label[20:110, 20:100] = label[110:160, 35:85] = True
+    kept = vet_hair(photo, label, colours)
+    assert kept[20:100, 25:95].mean() > 0.97
+    assert kept[118:155, 40:80].mean() < 0.02
