@@ -152,11 +152,13 @@ def moved(session: Session, page: PointsPage, view: ViewId, name: str, to: QPoin
     seen: dict[str, float] = {}
     follows = page.live.borders(view, session.corrections)
     refitted = session.refitted.connect(lambda: seen.setdefault("refit", time.perf_counter()))
-    drawn = page.preview.drawn.connect(lambda: "refit" in seen and seen.setdefault("preview", time.perf_counter()))
 
     def all_seen() -> bool:
         if page.views[view].outline_px is not follows or not view.is_body:
             seen.setdefault("outline", time.perf_counter())
+        shown = page.preview.shown
+        if "refit" in seen and shown is not None and shown.clone is session.clone_now():
+            seen.setdefault("preview", time.perf_counter())
         return "preview" in seen
 
     start, cpu = time.perf_counter(), time.process_time()
@@ -165,7 +167,6 @@ def moved(session: Session, page: PointsPage, view: ViewId, name: str, to: QPoin
     deaf = max(pressed, wait(all_seen))
     cpu = time.process_time() - cpu
     session.refitted.disconnect(refitted)
-    page.preview.drawn.disconnect(drawn)
     end = time.perf_counter()
     outline, preview = (1000.0 * (seen.get(key, end) - start) for key in ("outline", "preview"))
     return Move(view.value, name, outline, preview, 1000.0 * cpu, 1000.0 * deaf)

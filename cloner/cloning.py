@@ -89,6 +89,7 @@ def clone_photos(
     *,
     seed: int = 0,
     progress: Progress = quiet,
+    found: pipeline.Found = pipeline.unseen,
     known: Mapping[str, object] | None = None,
     texture_size: int = DEFAULT_TEXTURE_SIZE,
 ) -> tuple[dict[str, Any], list[StageReport]]:
@@ -99,7 +100,8 @@ def clone_photos(
     photos, person, corrections
     seed : int
         Project seed; the same input and seed give the same clone.
-    progress : callable
+    progress, found : callable
+        As in :func:`clone_folder`.
     known : mapping, optional
         Values that are known already (say "proposals"); their stages are skipped, and their reports, if they are
         among them as "stage_reports", are told again.
@@ -115,7 +117,7 @@ def clone_photos(
     """
     values = {**(known or {}), "photos": photos, "person": person, "corrections": corrections}
     check_texture_size(texture_size)
-    values, fresh = pipeline.run(values, seed=seed, progress=progress, stages=_stages(texture_size))
+    values, fresh = pipeline.run(values, seed=seed, progress=progress, found=found, stages=_stages(texture_size))
     reports = with_earlier(fresh, (known or {}).get("stage_reports", ()))
     measures = cast(MeasureSet, values["measures"]).measures
     values["clone"] = replace(
@@ -136,6 +138,7 @@ def clone_folder(
     identifier: str | None = None,
     texture_size: int = DEFAULT_TEXTURE_SIZE,
     progress: Progress = quiet,
+    found: pipeline.Found = pipeline.unseen,
     known: Mapping[str, object] | None = None,
 ) -> CloneOutcome:
     """Clone the person in a folder of photos; the result appears whole or not at all.
@@ -157,6 +160,8 @@ def clone_folder(
         Side of the texture atlas, texels; one of `TEXTURE_SIZES`.
     progress : callable
         Called with a step's name and a fraction 0..1; may raise Cancelled.
+    found : callable
+        Called after every stage with its name and the values known by then.
     known : mapping, optional
         Values of an earlier run on this folder; those still true are not found again.
 
@@ -186,6 +191,7 @@ def clone_folder(
             corrections,
             seed=seed,
             texture_size=texture_size,
+            found=found,
             known=still_true(known or {}, photos, person, corrections),
             progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
@@ -203,7 +209,7 @@ def clone_folder(
             warnings=warnings,
         )
         progress("report", 0.97)
-        report = build_report(values, run, _relative_files(folder)) | {
+        report = build_report(values, run, sorted({*_files(folder), RESULT_MARK})) | {
             "made_by": values["clone"].stamp,
             "stamp": input_stamp(photos_dir, stamp_options(height_cm, formats, seed, texture_size)),
             "outputs": output_digests(folder, _files(folder)),
@@ -288,10 +294,6 @@ def stamp_options(
     return {"height_cm": height_cm, "formats": sorted(formats), "seed": seed, "texture_size": texture_size}
 
 
-def _relative_files(folder: Path) -> list[str]:
-    """Return every file below a folder, relative to it, with the report's own."""
-    return sorted({*_files(folder), RESULT_MARK})
-
-
 def _files(folder: Path) -> list[str]:
+    """Return every file below a folder, relative to it."""
     return [path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()]

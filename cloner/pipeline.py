@@ -43,6 +43,9 @@ log = logging.getLogger(__name__)
 Tick = Callable[[float], None]
 """Called with a fraction 0..1; may raise Cancelled."""
 
+Found = Callable[[str, Mapping[str, object]], None]
+"""Called with a stage's name and all values known after it."""
+
 
 @dataclass(frozen=True, slots=True)
 class Stage:
@@ -155,11 +158,16 @@ def _trim() -> Callable[[int], int] | None:
         return None
 
 
+def unseen(name: str, values: Mapping[str, object]) -> None:
+    """Take what a stage found and do nothing."""
+
+
 def run(
     values: Mapping[str, object],
     *,
     seed: int = 0,
     progress: Callable[[str, float], None] = lambda name, fraction: None,
+    found: Found = unseen,
     stages: tuple[Stage, ...] = STAGES,
 ) -> tuple[dict[str, object], list[StageReport]]:
     """Run the stages in order and return all values with one report a stage.
@@ -172,6 +180,8 @@ def run(
         Project seed, from which every stage derives its own generator.
     progress : callable
         Called with (stage name, fraction of the whole 0..1); may raise Cancelled.
+    found : callable
+        Called after every stage that ran with its name and all values known by then.
     stages : tuple of Stage
         The stages to run; a stage whose values are all present is skipped.
     """
@@ -190,6 +200,7 @@ def run(
         if set(result.values) != set(stage.gives):
             raise ValueError(f"stage {stage.name} gave {sorted(result.values)}, wanted {stage.gives}")
         known.update(result.values)
+        found(stage.name, known)
         give_back()
         report = StageReport(
             stage.name,

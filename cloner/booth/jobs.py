@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import time
 from collections import OrderedDict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Final, cast
 
 from cloner import pipeline
+from cloner.booth.growing import shape_after
 from cloner.booth.handing import hand_over
 from cloner.booth.kept import PROPOSED_FILE, RESULTS, VALUES_FILE, WORK, digests, known_values
 from cloner.booth.looking import look
 from cloner.booth.looking_table import Look
 from cloner.booth.photo_files import placed_photos
+from cloner.booth.worker import not_shown
 from cloner.cloning import Progress, clone_folder
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -32,9 +34,16 @@ _ELSEWHERE: Final = {"photos", "person", "corrections", "painted", "clone"}
 
 
 class Jobs:
-    """What a worker's process can be asked for; every method gets a progress callable that may raise Cancelled."""
+    """What a worker's process can be asked for; every method gets a progress callable that may raise Cancelled.
 
-    def __init__(self) -> None:
+    Parameters
+    ----------
+    show : callable
+        Takes the `Shape` of the body after every stage of a clone that changes it.
+    """
+
+    def __init__(self, show: Callable[[object], None] = not_shown) -> None:
+        self._show = show
         self._proposals: OrderedDict[tuple[str, ViewId], Proposal] = OrderedDict()
 
     def look(self, path: Path, wanted: ViewId | None, progress: Progress) -> Look:
@@ -85,7 +94,9 @@ class Jobs:
         start = time.monotonic()
         photos = _photos(folder)
         known = known_values(folder, photos)
-        outcome = clone_folder(folder, folder / RESULTS, formats=formats, known=known, progress=progress)
+        outcome = clone_folder(
+            folder, folder / RESULTS, formats=formats, known=known, progress=progress, found=self._found
+        )
         values = outcome.values
         kept = {name: value for name, value in values.items() if name not in _ELSEWHERE}
         stamp = {"digests": digests(cast(PhotoSet, values["photos"])), "person": values["person"]}
@@ -95,6 +106,11 @@ class Jobs:
     def hand_over(self, result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
         """Write what a visitor takes home into a folder or a zip file; see `cloner.booth.handing.hand_over`."""
         return hand_over(result, target, formats, progress)
+
+    def _found(self, step: str, values: Mapping[str, object]) -> None:
+        shape = shape_after(step, values)
+        if shape is not None:
+            self._show(shape)
 
     def _remember(self, digest: str, proposal: Proposal) -> None:
         self._proposals[digest, proposal.view] = proposal

@@ -1,8 +1,8 @@
 """A process of its own for long jobs: the window's thread never waits for Python's lock, and a job ends at once.
 
 The caller's side blocks in `Worker.call`, on a thread of its own. Both sides speak tuples over a pipe: the caller sends
-(method, arguments), the worker answers ("progress", step, fraction), ("log", level, logger, text) and at last
-("done", value) or ("failed", error).
+(method, arguments), the worker answers ("progress", step, fraction), ("shown", value), ("log", level, logger, text) and
+at last ("done", value) or ("failed", error).
 """
 
 from __future__ import annotations
@@ -21,9 +21,14 @@ from cloner.errors import ClonerError
 log = logging.getLogger(__name__)
 
 Progress = Callable[[str, float], None]
+Show = Callable[[object], None]
 #: How often a caller looks whether its job is still wanted, seconds: "cancel at once" for a hand on a button.
 LISTEN_S: Final = 0.05
 _AGAIN: Final = "Try again; if it happens again, send the log file"
+
+
+def not_shown(value: object) -> None:
+    """Take what a job shows and do nothing."""
 
 
 class Worker:
@@ -32,7 +37,8 @@ class Worker:
     Parameters
     ----------
     make : str
-        "module:class" of the object whose methods are the jobs; only the process loads it.
+        "module:class" of the object whose methods are the jobs; only the process loads it. It is made with a callable
+        by which its jobs show what they have so far.
     """
 
     def __init__(self, make: str = "cloner.booth.jobs:Jobs") -> None:
@@ -41,7 +47,7 @@ class Worker:
         self._process: mp.process.BaseProcess | None = None
         self._pipe: Connection | None = None
 
-    def call(self, method: str, *arguments: object, progress: Progress) -> Any:
+    def call(self, method: str, *arguments: object, progress: Progress, show: Show = not_shown) -> Any:
         """Do a job in the process and return its value.
 
         Parameters
@@ -51,6 +57,8 @@ class Worker:
             Can be pickled.
         progress : callable
             Called with every step, and with the last one again and again meanwhile; what it raises ends the process.
+        show : callable
+            Called with what the job shows.
 
         Raises
         ------
@@ -61,7 +69,7 @@ class Worker:
             pipe = self._connected()
             try:
                 pipe.send((method, arguments))
-                return self._listen(pipe, progress)
+                return self._listen(pipe, progress, show)
             except (EOFError, OSError) as error:
                 self.stop()
                 raise ClonerError("the worker's process ended", _AGAIN, "Cloner") from error
@@ -79,7 +87,7 @@ class Worker:
     def stop(self) -> None:
         """End the process, whatever it does."""
         process, self._process = self._process, None
-        if process is not None:
+        if process is not None and process.pid is not None:  # one that could not be started has none
             process.kill()
             process.join()
         if self._pipe is not None:
@@ -96,7 +104,7 @@ class Worker:
             theirs.close()
         return self._pipe
 
-    def _listen(self, pipe: Connection, progress: Progress) -> Any:
+    def _listen(self, pipe: Connection, progress: Progress, show: Show) -> Any:
         step, fraction = "", 0.0
         while True:
             if not pipe.poll(LISTEN_S):
@@ -106,6 +114,8 @@ class Worker:
             if kind == "progress":
                 step, fraction = told
                 progress(step, fraction)
+            elif kind == "shown":
+                show(told[0])
             elif kind == "log":
                 logging.getLogger(told[1]).log(told[0], "%s", told[2])
             elif kind == "done":
@@ -117,32 +127,44 @@ class Worker:
 class _Teller(logging.Handler):
     """Hands log records to the caller's process: one process writes the log file."""
 
-    def __init__(self, pipe: Connection) -> None:
+    def __init__(self, tell: Show) -> None:
         super().__init__()
-        self._pipe = pipe
+        self._tell = tell
 
     def emit(self, record: logging.LogRecord) -> None:
-        self._pipe.send(("log", record.levelno, record.name, self.format(record)))
+        self._tell(("log", record.levelno, record.name, self.format(record)))
 
 
 def _serve(pipe: Connection, make: str) -> None:
     """Do jobs until the caller is gone; runs in the process."""
     threading.Thread(target=_end_with_caller, daemon=True).start()
     os.nice(5)  # the window comes first on a machine with two cores
-    logging.basicConfig(level=logging.INFO, handlers=[_Teller(pipe)], format="%(message)s")
+    tell = _one_by_one(pipe.send)
+    logging.basicConfig(level=logging.INFO, handlers=[_Teller(tell)], format="%(message)s")
     module, _, name = make.partition(":")
-    jobs = getattr(importlib.import_module(module), name)()
+    jobs = getattr(importlib.import_module(module), name)(lambda value: tell(("shown", value)))
     while True:
         try:
             method, arguments = pipe.recv()
-            pipe.send(_answer(getattr(jobs, method), arguments, pipe))
+            tell(_answer(getattr(jobs, method), arguments, tell))
         except (EOFError, OSError):
             return
 
 
-def _answer(job: Callable[..., object], arguments: tuple[object, ...], pipe: Connection) -> tuple[str, object]:
+def _one_by_one(send: Show) -> Show:
+    """Return a way to send that threads may share: two long messages at once would be mixed."""
+    turn = threading.Lock()
+
+    def sent(message: object) -> None:
+        with turn:
+            send(message)
+
+    return sent
+
+
+def _answer(job: Callable[..., object], arguments: tuple[object, ...], tell: Show) -> tuple[str, object]:
     try:
-        value = job(*arguments, progress=lambda step, fraction: pipe.send(("progress", step, fraction)))
+        value = job(*arguments, progress=lambda step, fraction: tell(("progress", step, fraction)))
     except ClonerError as error:
         return "failed", error
     except OSError as error:

@@ -8,9 +8,10 @@ from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, Qt, Signal
 
 from cloner.booth import line
+from cloner.booth.growing import Shape
 from cloner.booth.kept import RESULTS
 from cloner.booth.opened import Cloned
 from cloner.booth.takeaway import has_result
@@ -46,6 +47,9 @@ class CloneQueue(QObject):
     progressed = Signal(Path, str, float)
     finished = Signal(Path, object)
     failed = Signal(Path, object)
+    grown = Signal(Path)
+    """The body of the visitor who is cloned just now has another :attr:`shape`."""
+    _shown = Signal(object)
 
     def __init__(self, services: Services, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -56,6 +60,8 @@ class CloneQueue(QObject):
         self._task: Task | None = None
         self._at_work: Path | None = None
         self._fraction, self._since = 0.0, 0.0
+        self.shape: Shape | None = None
+        self._shown.connect(self._grow, Qt.ConnectionType.QueuedConnection)  # jobs show from their own thread
 
     @property
     def at_work(self) -> Path | None:
@@ -112,8 +118,8 @@ class CloneQueue(QObject):
         if self._task is None and self._waiting:
             folder = self._waiting.pop(0)
             self._at_work, self._fraction, self._since = folder, 0.0, time.monotonic()
-            task = Task(lambda progress: self._services.clone(folder, self.formats, progress), self)
-            self._task = task
+            task = Task(lambda progress: self._services.clone(folder, self.formats, progress, self._shown.emit), self)
+            self._task, self.shape = task, None
             task.progressed.connect(self._tell)
             task.succeeded.connect(self._take)
             task.failed.connect(self._complain)
@@ -126,12 +132,18 @@ class CloneQueue(QObject):
             self._fraction = fraction
             self.progressed.emit(self._at_work, step, fraction)
 
+    def _grow(self, shape: Shape) -> None:
+        if self._at_work is not None:
+            self.shape = shape
+            self.grown.emit(self._at_work)
+
     def _take(self, made: tuple[Cloned, float]) -> None:
         folder = self._at_work
         if folder is not None:
             cloned, seconds = made
             log.info("%s: cloned in %.0f s", folder.name, seconds)
             update_visit(folder, lambda visit: line.cloned(visit, seconds))
+            self.shape = None
             self.finished.emit(folder, cloned)
 
     def _complain(self, error: ClonerError) -> None:
@@ -144,5 +156,5 @@ class CloneQueue(QObject):
     def _done(self) -> None:
         if self._task is not None:
             self._task.deleteLater()
-        self._task, self._at_work = None, None
+        self._task, self._at_work, self.shape = None, None, None
         self._next()

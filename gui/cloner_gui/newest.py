@@ -50,6 +50,11 @@ class Newest(QObject):
         self._thread: threading.Thread | None = None
         self._answered.connect(self._hand_back, Qt.ConnectionType.QueuedConnection)
 
+    @property
+    def idle(self) -> bool:
+        """Whether everything that was asked for is answered."""
+        return not self._wishes and not self._begun
+
     def ask(
         self,
         owner: QObject,

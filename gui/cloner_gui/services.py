@@ -14,7 +14,7 @@ from cloner.booth.kept import proposed_points
 from cloner.booth.looking_table import Look
 from cloner.booth.opened import Cloned, Opened, open_visitor, read_cloned
 from cloner.booth.photo_files import placed_photos
-from cloner.booth.worker import Progress, Worker
+from cloner.booth.worker import Progress, Show, Worker
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.photos import PhotoSet
@@ -50,7 +50,8 @@ class Services:
     propose : callable
         Takes a visitor's folder and its photos and gives the points of every photo.
     clone : callable
-        Takes a visitor's folder and the formats and gives the finished clone and its seconds.
+        Takes a visitor's folder and the formats and gives the finished clone and its seconds; shows the body's `Shape`
+        as it grows.
     hand_over : callable
         Takes a result, a target and the formats and gives what was written.
     refit : callable
@@ -60,7 +61,7 @@ class Services:
 
     look: Callable[[Path, ViewId | None, Progress], Look]
     propose: Callable[[Path, PhotoSet, Progress], ProposedPoints]
-    clone: Callable[[Path, Sequence[str], Progress], tuple[Cloned, float]]
+    clone: Callable[[Path, Sequence[str], Progress, Show], tuple[Cloned, float]]
     hand_over: Callable[[Path, Path, Sequence[str], Progress], Path]
     open: Callable[[Path], Opened] = open_visitor
     refit: Callable[[Mapping[str, object], Corrections], Refitted] = refit_person
@@ -91,8 +92,10 @@ def _propose(worker: Worker, folder: Path, photos: PhotoSet, progress: Progress)
     return points_by_view(proposed_points(folder, photos), photos)
 
 
-def _clone(worker: Worker, folder: Path, formats: Sequence[str], progress: Progress) -> tuple[Cloned, float]:
-    seconds = float(worker.call("clone", folder, tuple(formats), progress=progress))
+def _clone(
+    worker: Worker, folder: Path, formats: Sequence[str], progress: Progress, show: Show
+) -> tuple[Cloned, float]:
+    seconds = float(worker.call("clone", folder, tuple(formats), progress=progress, show=show))
     photos = placed_photos(folder)
     cloned = read_cloned(folder, photos)
     if cloned is None:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoStack
 
+from cloner.booth.growing import Shape
 from cloner.booth.looking_table import Look
 from cloner.booth.opened import Cloned, Opened, TrayPhoto
 from cloner.errors import ClonerError
@@ -50,6 +51,7 @@ class Session(QObject):
     progressed = Signal(str, float)
     cloned = Signal()
     refitted = Signal()
+    grown = Signal()
     failed = Signal(object)
 
     def __init__(self, services: Services, parent: QObject | None = None) -> None:
@@ -78,6 +80,7 @@ class Session(QObject):
         self.queue.failed.connect(self._tell_failed)
         self.queue.progressed.connect(self._tell_progress)
         self.queue.changed.connect(self.busy_changed)
+        self.queue.grown.connect(lambda folder: self.grown.emit() if folder == self.folder else None)
 
     # --- the folder -------------------------------------------------------
 
@@ -181,6 +184,10 @@ class Session(QObject):
         if self.outcome is None or self.moved is None:
             return None if self.outcome is None else self.outcome.values["clone"]
         return self._moved_clone
+
+    def shape_now(self) -> Shape | None:
+        """Return the body as far as the clone under way has come; None while none is made for this visitor."""
+        return self.queue.shape if self.folder is not None and self.folder == self.queue.at_work else None
 
     # --- long work -----------------------------------------------------------------
 

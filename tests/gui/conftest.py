@@ -8,6 +8,7 @@ import time
 import numpy as np
 import pytest
 
+from cloner.booth.growing import Shape
 from cloner.booth.looking_table import Look
 from cloner.booth.opened import Cloned
 from cloner.evaluate.baselines import generic_clone
@@ -50,7 +51,7 @@ class Jobs:
             for view in photos.photos
         }
 
-    def clone(self, folder, formats, progress):
+    def clone(self, folder, formats, progress, show):
         self.seen.append((folder, tuple(formats)))
         self.started.set()
         if self.error:
@@ -59,6 +60,7 @@ class Jobs:
         while self.wait_for_cancel and time.monotonic() < deadline:
             progress("fine", 0.5)
             time.sleep(0.005)
+        show(Shape("fine", generic_clone(load_generic(), 1.7).vertices_m.astype(np.float32)))
         progress("textures", 0.9)
         clone = generic_clone(load_generic(), 1.7)
         return Cloned(folder / "clones" / folder.name, {"clone": clone}, ("the hair is a guess",)), 12.5

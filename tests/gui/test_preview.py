@@ -5,14 +5,17 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 
+from cloner.booth.growing import Shape, plain_clone
 from cloner.frames import ViewId
 from cloner.geometry.viewpoints import look_at
 from cloner.records.bodies import PosedView
 from cloner.records.photos import Photo
 from cloner.records.views import Camera
 from cloner_gui.canvas.acting import MODES, MOTIONS, acted, dressed, motion_of
+from cloner_gui.canvas.growth import Growth
 from cloner_gui.canvas.preview import Preview
 from cloner_gui.canvas.preview_panel import PreviewPanel
+from cloner_gui.newest import newest
 from kit.clones import toy_clone
 
 pytestmark = [pytest.mark.gui, pytest.mark.gl]
@@ -42,8 +45,9 @@ def preview(qtbot, clone):
 
 def picture(widget, qtbot, change=None):
     """Return the (H, W, 3) pixels after a change was drawn."""
-    with qtbot.waitSignal(widget.drawn, timeout=10000):
-        (change or widget.refresh)()
+    (change or widget.refresh)()
+    film = widget._film  # while it runs there is always another picture to come
+    qtbot.waitUntil(lambda: film.isActive() or (not widget._soon.isActive() and newest().idle), timeout=10000)
     image = widget.pixmap().toImage().convertToFormat(widget.pixmap().toImage().Format.Format_RGB888)
     rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
     return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
@@ -180,3 +184,35 @@ def test_nobody_to_show_is_said_in_words(qtbot):
     preview = Preview()
     qtbot.addWidget(preview)
     assert "Press Clone" in preview.text()
+
+
+def test_a_body_that_is_being_cloned_grows_from_shape_to_shape(qtbot, clone):
+    growth, seen = Growth(), []
+    growth.shown.connect(lambda body: seen.append(body.vertices_m))
+    small, tall = (Shape(step, np.float32(share * clone.vertices_m)) for step, share in (("fine", 0.9), ("join", 1.0)))
+    growth.take(small)
+    assert np.allclose(seen[-1], small.vertices_m), "the first one stands there at once"
+    growth.take(tall)
+    qtbot.waitUntil(lambda: np.allclose(seen[-1], tall.vertices_m), timeout=5000)
+    heights = [np.ptp(one[:, 1]) for one in seen[1:]]
+    assert len(heights) > 3, "it moves"
+    assert heights == sorted(heights)
+    growth.forget()
+    count = len(seen)
+    qtbot.wait(200)
+    assert len(seen) == count
+    assert not growth.active
+
+
+def test_the_panel_shows_an_unfinished_body_without_its_controls(qtbot, clone):
+    panel = PreviewPanel()
+    qtbot.addWidget(panel)
+    panel.resize(400, 500)
+    panel.show()
+    with qtbot.waitSignal(panel.preview.drawn, timeout=10000):
+        panel.show_growing(plain_clone(clone.vertices_m))
+    assert not panel.motion.isEnabled()
+    with qtbot.waitSignal(panel.preview.drawn, timeout=10000):
+        panel.set_clone(clone, {})
+    assert panel.motion.isEnabled()
+    assert panel.preview.mode == "textured", "the finished person has colours again"

@@ -2,7 +2,10 @@
 
 import logging
 import os
+import threading
 import time
+
+import numpy as np
 
 from cloner.errors import ClonerError
 
@@ -10,13 +13,22 @@ from cloner.errors import ClonerError
 class OddJobs:
     """Counts, sleeps, fails and dies on demand."""
 
-    def __init__(self):
+    def __init__(self, show):
         self.count = 0
+        self.show = show
 
     def add(self, number, progress):
         progress("adding", 0.5)
         self.count += number
         return self.count, os.getpid()
+
+    def paint(self, size, progress):
+        """Show a large picture while another thread logs."""
+        noise = threading.Thread(target=lambda: [logging.getLogger("cloner.odd").info("n") for _ in range(200)])
+        noise.start()
+        for number in range(5):
+            self.show(np.full(size, number, np.float32))
+        noise.join()
 
     def sleep(self, seconds, progress):
         progress("asleep", 0.1)

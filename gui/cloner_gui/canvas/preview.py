@@ -52,6 +52,7 @@ class Preview(QLabel):
         self.setAccessibleName(self.tr("The clone in three dimensions"))
         self.empty_text = self.tr("Press Clone: after about a minute the person stands here.")
         self.mode, self.motion_kind, self.opacity = "textured", "stand", 1.0
+        self.shown: Scene | None = None  # what the picture on the screen shows: it lags behind what is asked for
         self._clone: Clone | None = None
         self._motion: Motion | None = None
         self._gaps_mm: Array | None = None
@@ -158,11 +159,12 @@ class Preview(QLabel):
         density = self.devicePixelRatioF()
         width, height = (max(round(side * density), 64) for side in (self.width(), self.height()))
         work = functools.partial(scene.image, width, height, fine=fine)
-        newest().ask(self, "picture", work, self._take_picture, self._give_up)
+        newest().ask(self, "picture", work, functools.partial(self._take_picture, scene), self._give_up)
 
-    def _take_picture(self, picture: QImage) -> None:
+    def _take_picture(self, scene: Scene, picture: QImage) -> None:
         if self._clone is None:
             return  # forgotten while it was drawn
+        self.shown = scene
         shown = QPixmap.fromImage(picture)
         shown.setDevicePixelRatio(self.devicePixelRatioF())
         self.setPixmap(shown)

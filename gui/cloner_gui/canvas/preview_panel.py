@@ -34,6 +34,7 @@ class PreviewPanel(QWidget):
         self.scale = QLabel(alignment=Qt.AlignmentFlag.AlignRight)
         self._labels = {widget: QLabel() for widget in (self.mode, self.motion, self.overlay, self.opacity)}
         self._photos: Mapping[ViewId, Photo] = {}
+        self._growing = False
         self._lay_out()
         self._speak()
         self.mode.currentIndexChanged.connect(self._take_mode)
@@ -47,6 +48,7 @@ class PreviewPanel(QWidget):
 
     def set_clone(self, clone: Clone | None, photos: Mapping[ViewId, Photo]) -> None:
         """Show a clone, and offer the photos that it can be laid over."""
+        self._growing = False
         self._photos = {} if clone is None else {view: photos[view] for view in clone.views if view in photos}
         self.preview.set_clone(clone)
         self.motion.setCurrentIndex(0)
@@ -55,6 +57,14 @@ class PreviewPanel(QWidget):
             widget.setEnabled(clone is not None)
         self._take_mode()
         self._take_overlay()
+
+    def show_growing(self, body: Clone) -> None:
+        """Show a body that is not finished: its shape alone, from where it is seen already."""
+        if not self._growing:
+            self.set_clone(None, {})
+            self._growing = True
+            self.preview.set_mode("shaded")
+        self.preview.update_clone(body)
 
     def _lay_out(self) -> None:
         looks, acts = QHBoxLayout(), QHBoxLayout()

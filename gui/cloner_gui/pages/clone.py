@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, Signal
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from cloner.errors import ClonerError
 from cloner.outline_gaps import outline_gaps_mm
+from cloner_gui.canvas.growth import Growth
 from cloner_gui.canvas.preview_panel import PreviewPanel
 from cloner_gui.pieces import button, label
 from cloner_gui.session import Session
@@ -34,6 +36,7 @@ class ClonePage(QWidget):
         self.parts = [QLabel() for _ in PARTS]
         self.panel = PreviewPanel()
         self.preview = self.panel.preview
+        self.growth = Growth(self)
         self._done_parts = 0
         self._measuring: Task | None = None
         self._lay_out()
@@ -74,6 +77,8 @@ class ClonePage(QWidget):
         session.opened.connect(self._show)
         session.cloned.connect(self._show)
         session.refitted.connect(self._show_refit)
+        session.grown.connect(self._show_growth)
+        self.growth.shown.connect(self.panel.show_growing)
         session.busy_changed.connect(self._show_busy)
         session.progressed.connect(self._show_progress)
 
@@ -94,14 +99,29 @@ class ClonePage(QWidget):
     def _show(self) -> None:
         """Show the finished clone, or an empty place for it."""
         outcome, session = self._session.outcome, self._session
+        self.growth.forget()
         self.panel.set_clone(session.clone_now(), session.photos.photos)
         self.status.setText("")
         self.warnings.setText("" if outcome is None else "\n".join(f"• {text}" for text in outcome.warnings))
         self.warnings.setVisible(bool(self.warnings.text()))
         self._show_busy()
+        self._show_growth()
         self.changed.emit()
 
+    def _show_growth(self) -> None:
+        """Show the body as far as it has come, while somebody looks."""
+        shape = self._session.shape_now()
+        if shape is not None and self.isVisible():
+            self.growth.take(shape)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show what has grown while nobody looked."""
+        super().showEvent(event)
+        self._show_growth()
+
     def _show_refit(self) -> None:
+        if self.growth.active:
+            return  # the clone under way obeys the corrections itself
         self.preview.update_clone(self._session.clone_now())
         if self.preview.mode == "gaps" and self.isVisible():
             self._measure_gaps()
@@ -113,10 +133,18 @@ class ClonePage(QWidget):
         self.progress.setVisible(busy)
         if busy:
             self.progress.setValue(0)  # the bar still shows the work before this one
-        elif self._session.outcome is None:
-            self.status.setText("")
+        else:
+            self._end_growth()
         self._done_parts = 0 if busy or self._session.outcome is None else len(PARTS)
         self._show_parts()
+
+    def _end_growth(self) -> None:
+        """Show the clone there was before, if the one under way was stopped."""
+        if self._session.outcome is None:
+            self.status.setText("")
+        if self.growth.active:
+            self.growth.forget()
+            self.panel.set_clone(self._session.clone_now(), self._session.photos.photos)
 
     def _show_progress(self, step: str, fraction: float) -> None:
         self.progress.setValue(round(1000 * fraction))

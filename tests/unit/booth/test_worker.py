@@ -41,6 +41,12 @@ def test_it_remembers_between_jobs_and_tells_its_steps(worker):
     assert ("adding", 0.5) in told
 
 
+def test_it_shows_what_it_has_so_far_whole_and_in_order_while_threads_talk(worker):
+    shown = []
+    worker.call("paint", 60000, progress=quiet, show=shown.append)
+    assert [(len(one), set(one.tolist())) for one in shown] == [(60000, {float(k)}) for k in range(5)]
+
+
 def test_failures_come_in_words_and_the_process_goes_on(worker, caplog):
     _, pid = worker.call("add", 1, progress=quiet)
     with pytest.raises(ClonerError) as told:
