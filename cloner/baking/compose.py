@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
+from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +33,7 @@ from cloner.vision.evening import apply_light
 
 Array = NDArray[np.float64]
 
+OWNERS = 0.01  # who has less of a texel than this is asked only where nobody has more
 SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden at that very texel
 PLAIN_RGB = (190, 160, 145)  # taste: what a person is painted with whom no photo shows
 LAST_CHOICE = 0.0005  # beside an inner outline a photo paints only what no other one sees
@@ -41,6 +43,10 @@ OWNER_SHARE = 0.6
 BORDER_KIND = 0.25  # half the range of kinds that is border
 KIND_EDGE = 0.15  # kinds mix where their shares differ by less
 FILL_SHARE = 1e-6  # the smooth fill shows only where no photo does
+SHARE_COLUMN = 6  # of the table that :func:`paint_table` makes
+
+Painted = tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]
+"""Texels (N,), their colours (N, 3) in levels and weights (N,) from one photo."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -148,8 +154,9 @@ def bake_tile(
 
     def layers() -> Iterator[Layer]:
         yield Layer(ground, np.full(covered.shape, FILL_SHARE, np.float32))
-        for source, table in zip(sources, tables, strict=True):
-            texel, colour, weight = paint(generic, atlas, source, table, limits)
+        for source, (texel, colour, weight) in zip(
+            sources, paint(generic, atlas, sources, tables, limits), strict=True
+        ):
             if texel.size == 0:
                 continue
             if not source.mirrored:
@@ -181,13 +188,32 @@ def paint_table(
 
 
 def paint(
-    generic: GenericHuman, atlas: AtlasMap, source: Source, table: NDArray[np.float32], limits: Limits
-) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
-    """Return texels (N,), their colours (N, 3) in levels and weights (N,) from one photo."""
+    generic: GenericHuman,
+    atlas: AtlasMap,
+    sources: list[Source],
+    tables: list[NDArray[np.float32]],
+    limits: Limits,
+) -> list[Painted]:
+    """Return what each photo paints.
+
+    A texel's owners first; others are asked only where none of them shows it.
+    """
     skin = generic.vertex_part == generic.part_names.index("body")
-    useful = (table[:, 6] > 0.0) & skin & ~generic.region("mouth_interior")
-    rows = atlas.rows_of(useful[atlas.triangles].any(axis=1) & skin[atlas.triangles[:, 0]])
-    return _paint_rows(atlas, source, table, rows, limits)
+    outside = skin & ~generic.region("mouth_interior")
+    claims, shown = [], np.zeros(atlas.shape[0] * atlas.shape[1], np.float32)
+    found: list[Painted] = []
+    for source, table in zip(sources, tables, strict=True):
+        useful = (table[:, SHARE_COLUMN] > 0.0) & outside
+        rows = atlas.rows_of(useful[atlas.triangles].any(axis=1) & skin[atlas.triangles[:, 0]])
+        share = atlas.interpolate(table[:, SHARE_COLUMN], rows)
+        found.append(_paint_rows(atlas, source, table, rows[share > OWNERS], limits))
+        claims.append(rows[(share > 0.0) & (share <= OWNERS)])
+        shown[found[-1][0]] += found[-1][2]
+    for k, rows in enumerate(claims):
+        rows = rows[shown[atlas.texel[rows]] < OWNERS]
+        more = _paint_rows(atlas, sources[k], tables[k], rows, limits)
+        found[k] = cast(Painted, tuple(np.concatenate(both) for both in zip(found[k], more, strict=True)))
+    return found
 
 
 def _paint_rows(
@@ -196,7 +222,7 @@ def _paint_rows(
     table: NDArray[np.float32],
     rows: NDArray[np.int64],
     limits: Limits,
-) -> tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]:
+) -> Painted:
     """Return texels, colours and weights of some texels; ``table`` as made by :func:`paint_table`."""
     # Cheap tests first: what they leave is sampled in the photo, what that leaves is coloured.
     values = atlas.interpolate(table[:, :7], rows)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
+from typing import Final
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,6 +15,11 @@ Array = NDArray[np.float64]
 CHUNK_CANDIDATES = (
     100_000  # pixels tested at once: tables stay in the cache, a third faster than 1.5 million (measured)
 )
+
+_NEAREST_M: Final = 0.01
+_FIELD: Final = math.pi / 2  # half the picture's height seen from one unit away is one unit
+_EYE: Final = np.eye(4, dtype=np.float32)
+_ASIDE_PX: Final = (1e-4, 2.3e-4)
 
 
 def fragments(
@@ -84,6 +92,44 @@ def _fill(
     return row[inside] * width_px + column[inside], triangle[inside], weights.astype(np.float32)
 
 
+def cover(
+    points_px: Array, triangles: NDArray[np.int32], width_px: int, height_px: int
+) -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float32]]:
+    """Return which triangle covers each pixel, for triangles that do not overlap.
+
+    Parameters
+    ----------
+    points_px : (P, 2) pixel frame
+    triangles : (T, 3) int32, any winding
+    width_px, height_px : int
+
+    Returns
+    -------
+    pixel : (N,) int32, ``row * width + column`` of the pixels whose centre is covered, ascending
+    triangle : (N,) int32
+        Where triangles touch, one of them.
+    barycentric : (N, 3) float32, weights of the three corners
+    """
+    corners = points_px[triangles]
+    near = (corners.max(axis=1) > -1.0).all(axis=1) & (corners.min(axis=1) < (width_px, height_px)).all(axis=1)
+    rows = np.flatnonzero(near).astype(np.int32)
+    own = np.arange(3 * rows.size, dtype=np.int32).reshape(-1, 3)
+    # Each triangle with corners of its own, whose "colours" are two weights and its number.
+    told = np.zeros((rows.size, 3, 3), np.float32)
+    told[:, 0, 0], told[:, 1, 1], told[:, :, 2] = 1.0, 1.0, np.arange(1, rows.size + 1)[:, None]
+    flat = corners[rows].reshape(-1, 2)
+    picture, depth = np.zeros((height_px, width_px, 3), np.float32), np.full((height_px, width_px), 2.0, np.float32)
+    if rows.size:
+        scene = _scene(flat, np.ones(len(flat)), width_px, height_px)
+        cv2.triangleRasterize(scene, own, told.reshape(-1, 3), picture, depth, _EYE, _FIELD, 0.5, 2.0, _settings())
+    found = picture.reshape(-1, 3)
+    pixel = np.flatnonzero(found[:, 2] > 0.5).astype(np.int32)
+    found = found[pixel]
+    first, second = found[:, 0], found[:, 1]
+    weights = np.column_stack([first, second, 1.0 - first - second])
+    return pixel, rows[np.rint(found[:, 2]).astype(np.int32) - 1], weights
+
+
 def nearest_depth(
     points_px: Array, depth_m: Array, triangles: NDArray[np.int32], width_px: int, height_px: int
 ) -> NDArray[np.float32]:
@@ -101,12 +147,32 @@ def nearest_depth(
     (height, width) float32
         Depth is interpolated as its reciprocal, which is affine in a perspective picture.
     """
-    ahead = (depth_m[triangles] > 0.01).all(axis=1)
-    triangles = triangles[ahead]
-    reciprocal = (1.0 / np.maximum(depth_m, 0.01)).astype(np.float32)
-    nearest = np.zeros(width_px * height_px, dtype=np.float32)
-    for pixel, triangle, weights in fragments(points_px, triangles, width_px, height_px):
-        value = np.einsum("nk,nk->n", reciprocal[triangles[triangle]], weights)
-        np.maximum.at(nearest, pixel, value)
-    with np.errstate(divide="ignore"):
-        return (np.float32(1.0) / nearest).reshape(height_px, width_px)
+    ahead = np.ascontiguousarray(triangles[(depth_m[triangles] > _NEAREST_M).all(axis=1)], np.int32)
+    if not len(ahead):
+        return np.full((height_px, width_px), np.inf, np.float32)
+    used = depth_m[ahead]
+    span = 0.5 * float(used.min()), 2.0 * float(used.max())  # the closer around, the more exact
+    picture = np.full((height_px, width_px), span[1], np.float32)
+    scene = _scene(points_px, depth_m, width_px, height_px)
+    cv2.triangleRasterizeDepth(scene, ahead, picture, _EYE, _FIELD, *span, _settings())
+    picture[picture > 0.9 * span[1]] = np.inf
+    return picture
+
+
+def _scene(points_px: Array, depth_m: Array, width_px: int, height_px: int) -> NDArray[np.float32]:
+    """Return (P, 3) points in OpenCV's camera frame (x right, y up, looking along -z) that it draws at ``points_px``.
+
+    A hair's breadth aside, lest pixel centres lie on edges, where rounding leaves holes.
+    """
+    half = 0.5 * height_px
+    across = (points_px[:, 0] + (0.5 + _ASIDE_PX[0] - 0.5 * width_px)) / half
+    down = (points_px[:, 1] + (0.5 + _ASIDE_PX[1] - half)) / half
+    return np.column_stack([across * depth_m, -down * depth_m, -depth_m]).astype(np.float32)
+
+
+def _settings() -> cv2.TriangleRasterizeSettings:
+    """Return the settings: both sides of triangles, colours mixed between corners."""
+    settings = cv2.TriangleRasterizeSettings()
+    settings.setCullingMode(cv2.RASTERIZE_CULLING_NONE)
+    settings.setShadingType(cv2.RASTERIZE_SHADING_SHADED)
+    return settings
