@@ -7,12 +7,22 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import RBFInterpolator
 from scipy.spatial import ConvexHull
 
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import load_triangles
+from cloner.geometry.discs import areas, edges_of, even_disc
 from cloner.records.bodies import BodyMesh
 
 Array = NDArray[np.float64]
+
+#: Toes begin behind this share of the way from the instep to the longest toe's tip; the clefts begin at half of it.
+TOES_FROM = 0.3
+#: How far tips go back to where they point: with .6 a few triangles fold, with none they lie 2 cm off.
+TIPS_BACK = 0.4
+#: Skin nearer to the floor than this stands on the shoe's sole, metres (with 1 cm triangles fold over the edge).
+WELT_M = 0.004
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,27 +54,135 @@ def _feet() -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
     return vertices, weights[vertices].sum(axis=1), ankles[np.argmax(weights[vertices], axis=1)]
 
 
-def closed_toes(mesh: BodyMesh) -> BodyMesh:
-    """Return the body with its toes pushed out on to their convex hull, as in a shoe."""
+@dataclass(frozen=True, slots=True, eq=False)
+class ShoeTip:
+    """The room in which toes are: a convex hull around a middle that sees all of it.
+
+    Attributes
+    ----------
+    middle, half : (3,) metres
+        The middle, and half the hull's extents: seen from there and measured in them a shoe is nearly a ball.
+    planes : (H, 4)
+        The hull's outward unit normals and offsets.
+    """
+
+    middle: Array
+    half: Array
+    planes: Array
+
+    def flat(self, points_m: Array) -> Array:
+        """Return (N, 2) where the directions of points lie on a disc, straight ahead in its middle."""
+        way = (points_m - self.middle) / self.half
+        way /= np.linalg.norm(way, axis=1, keepdims=True)
+        return np.asarray(way[:, :2] / (1.0 + way[:, 2:]))
+
+    def laid(self, flat: Array) -> Array:
+        """Return (N, 3) the places on the hull, metres, of places on the disc."""
+        out = (flat**2).sum(axis=1, keepdims=True)
+        return self.pushed(self.middle + np.hstack([2.0 * flat, 1.0 - out]) / (1.0 + out) * self.half)
+
+    def pushed(self, points_m: Array) -> Array:
+        """Return points (N, 3) pushed straight away from the middle on to the hull."""
+        ray = points_m - self.middle
+        rise = ray @ self.planes[:, :3].T
+        room = -(self.middle @ self.planes[:, :3].T + self.planes[:, 3])
+        reach = np.where(rise > 1e-9, room / np.maximum(rise, 1e-9), np.inf).min(axis=1)
+        return np.asarray(self.middle + reach[:, None] * ray)
+
+
+def _front(mesh: BodyMesh, side: str) -> tuple[NDArray[np.int64], Array]:
+    """Return a foot's vertices before its instep, and how far before, from 0 to 1 at the longest toe's tip."""
     generic = load_generic()
     vertices, _, ankle = _feet()
+    own = vertices[ankle == generic.joint(f"{side}_ankle")]
+    start_z = mesh.joints_m[generic.joint(f"{side}_midtarsal"), 2]
+    before = (mesh.vertices_m[own, 2] - start_z) / (mesh.vertices_m[own, 2].max() - start_z)
+    low = mesh.vertices_m[own, 1] < mesh.joints_m[generic.joint(f"{side}_ankle"), 1]
+    front = low & (before > 0.0)
+    return own[front], before[front]
+
+
+def _tip(mesh: BodyMesh, side: str) -> ShoeTip:
+    """Return the room of one foot's toes, on a flat sole."""
+    generic = load_generic()
+    points = mesh.vertices_m[_front(mesh, side)[0]]
+    foot = generic.region("sole") & generic.region({"l": "foot_left", "r": "foot_right"}[side])
+    floor = float(mesh.vertices_m[foot, 1].min())
+    under = points[points[:, 1] < floor + WELT_M]
+    points = np.vstack([points, np.column_stack([under[:, 0], np.full(len(under), floor), under[:, 2]])])
+    start_z = mesh.joints_m[generic.joint(f"{side}_midtarsal"), 2]
+    middle = points.mean(axis=0)
+    middle[2] = start_z + 0.25 * (points[:, 2].max() - start_z)
+    return ShoeTip(middle, np.ptp(points, axis=0) / 2.0, ConvexHull(points).equations)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Toes:
+    """The left toes and how they lie in a shoe.
+
+    Attributes
+    ----------
+    vertices : (N,) int64
+    ring : (B,) int64
+        The vertices behind the toes, which bound them.
+    shares : (N, B)
+        How the ring's places on the disc place every vertex.
+    warp : (N, 2)
+        What brings the tips back towards where they point.
+    """
+
+    vertices: NDArray[np.int64]
+    ring: NDArray[np.int64]
+    shares: Array
+    warp: Array
+
+
+@functools.cache
+def _toes() -> Toes:
+    """Return how toes lie in a shoe.
+
+    Pushed straight outwards the toes' sides would cover each other; laid out from the ring that bounds them every
+    place of the shoe is covered once, by about as much skin as it had.
+    """
+    generic = load_generic()
+    mesh = BodyMesh(generic.vertices_m.astype(np.float64), generic.joints_m.astype(np.float64))
+    front, before = _front(mesh, "l")
+    inside = np.zeros(len(mesh.vertices_m), dtype=np.bool_)
+    inside[front[before > TOES_FROM]] = True
+    triangles = load_triangles()[inside[load_triangles()].all(axis=1)]
+    rows = np.unique(triangles).astype(np.int64)
+    local = np.searchsorted(rows, triangles)
+    edges, border = edges_of(local)
+    rim, room = np.unique(border), _tip(mesh, "l")
+    flat = room.flat(mesh.vertices_m[rows])
+    shares = even_disc(local, areas(mesh.vertices_m, triangles), flat[rim], room.laid)
+    even = shares @ flat[rim]
+    held = np.concatenate([rim, _peaks(mesh.vertices_m[rows, 2], edges)])
+    back = RBFInterpolator(even[held], (flat - even)[held], kernel="thin_plate_spline", degree=1)
+    return Toes(rows, rows[rim], shares, TIPS_BACK * back(even))
+
+
+def _peaks(heights: Array, edges: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return the rows that are higher than all their neighbours."""
+    highest = np.full(len(heights), -np.inf)
+    for one, other in ((0, 1), (1, 0)):
+        np.maximum.at(highest, edges[:, one], heights[edges[:, other]])
+    return np.flatnonzero(heights > highest)
+
+
+def closed_toes(mesh: BodyMesh) -> BodyMesh:
+    """Return the body with its toes closed to their convex hull, as in a shoe, without a fold."""
+    mirror, toes = load_generic().mirror, _toes()
     moved = mesh.vertices_m.copy()
     for side in ("l", "r"):
-        own = vertices[ankle == generic.joint(f"{side}_ankle")]
-        start_z = mesh.joints_m[generic.joint(f"{side}_midtarsal"), 2]
-        tip_z = mesh.vertices_m[own, 2].max()
-        low = mesh.vertices_m[own, 1] < mesh.joints_m[generic.joint(f"{side}_ankle"), 1]
-        front = own[low & (mesh.vertices_m[own, 2] > start_z)]
-        points = mesh.vertices_m[front]
-        hull = ConvexHull(points)
-        middle = points.mean(axis=0)
-        middle[2] = start_z + 0.25 * (tip_z - start_z)
-        ray = points - middle
-        rise = ray @ hull.equations[:, :3].T
-        room = -(middle @ hull.equations[:, :3].T + hull.equations[:, 3])
-        reach = np.where(rise > 1e-9, room / np.maximum(rise, 1e-9), np.inf).min(axis=1)
-        share = np.clip((points[:, 2] - start_z) / (0.4 * (tip_z - start_z)), 0.0, 1.0)
-        moved[front] = points + (share * (reach - 1.0))[:, None] * ray
+        room = _tip(mesh, side)
+        front, before = _front(mesh, side)
+        share = np.clip(before / TOES_FROM, 0.0, 1.0)[:, None]
+        moved[front] += share * (room.pushed(mesh.vertices_m[front]) - mesh.vertices_m[front])
+        left = side == "l"
+        own, ring = (toes.vertices, toes.ring) if left else (mirror[toes.vertices], mirror[toes.ring])
+        outwards = 1.0 if left else -1.0
+        moved[own] = room.laid(toes.shares @ room.flat(mesh.vertices_m[ring]) + toes.warp * [outwards, 1.0])
     return BodyMesh(moved, mesh.joints_m)
 
 
@@ -96,10 +214,14 @@ def shaped_feet(mesh: BodyMesh, sole_m: float, params: Params) -> tuple[BodyMesh
 
 
 def flat_soled(mesh: BodyMesh) -> BodyMesh:
-    """Return the body with the arches of its soles filled down to the floor, as a shoe's sole does."""
+    """Return the body with the arches of its soles filled down to the floor, as a shoe's sole does.
+
+    Closed toes are as low as they get: their skin lies all around the shoe's tip.
+    """
     generic = load_generic()
     flat = mesh.vertices_m.copy()
     for side in ("left", "right"):
         sole = np.flatnonzero(generic.region("sole") & generic.region(f"foot_{side}"))
-        flat[sole, 1] = flat[sole, 1].min()
+        toes = _toes().vertices if side == "left" else generic.mirror[_toes().vertices]
+        flat[np.setdiff1d(sole, toes), 1] = flat[sole, 1].min()
     return BodyMesh(flat, mesh.joints_m)

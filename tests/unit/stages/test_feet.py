@@ -5,6 +5,8 @@ import pytest
 
 from cloner.frames import BODY_VIEWS
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import load_triangles
+from cloner.geometry.crossings import self_crossings
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
@@ -68,12 +70,25 @@ def test_closed_toes_leave_no_gap_between_them(body):
     assert np.all(after >= before - 1e-3)
 
 
+@pytest.mark.parametrize("seed", [31, 32, 33])
+def test_closed_toes_do_not_fold(seed):
+    person = people.known_person(seed)
+    naked = BodyMesh(person.vertices_m, person.joints_m)
+    triangles = load_triangles()[np.isin(load_triangles(), foot()).all(axis=1)]
+    shod = feet.sized_feet(feet.flat_soled(feet.closed_toes(naked)), np.array(feet.Params().shod), SOLE_M)
+    assert len(self_crossings(shod, triangles).pairs) <= 4, "a thousand when toes are pushed straight outwards"
+    assert feet.areas(shod, triangles).min() > 2e-8, "square metres; the least of a naked foot's are 6e-8"
+    toe = load_generic().feature("toe_left")
+    assert np.linalg.norm(shod[toe] - feet.sized_feet(naked, np.array(feet.Params().shod), SOLE_M)[toe]) < 0.025
+
+
 def test_a_shoes_sole_is_flat_and_the_instep_stays(body):
     flat = feet.flat_soled(body).vertices_m
     generic = load_generic()
     sole = generic.region("sole")
     for side in ("left", "right"):
-        own = sole & generic.region(f"foot_{side}")
+        behind = body.vertices_m[:, 2] < body.joints_m[generic.joint(f"{side[0]}_midtarsal"), 2] + 0.02
+        own = sole & generic.region(f"foot_{side}") & behind
         assert np.ptp(body.vertices_m[own, 1]) > 0.004, "a naked foot has an arch"
         assert np.ptp(flat[own, 1]) == 0.0
     assert np.array_equal(flat[~sole], body.vertices_m[~sole])
