@@ -73,8 +73,8 @@ def even_photos(
     skin, worn = trust * ((kinds.bare > 0.5) & (kinds.scalp < 0.5)), trust * (kinds.worn > 0.5)
     light = kinds.bare[:, None] * _even_kind(generic, sources, colours, normals, skin, SKIN_PRIOR)
     light += kinds.worn[:, None] * _even_kind(generic, sources, colours, normals, worn, 0.0)
-    claim = np.stack([source.score for source in sources]) * unsaturated(colours)
-    return np.asarray(light + level_borders(evened_colours(colours, light), claim, graph))
+    score = np.stack([source.score for source in sources])
+    return np.asarray(light + level_borders(evened_colours(colours, light), score, unsaturated(colours), graph))
 
 
 def _even_kind(
@@ -120,7 +120,7 @@ def _trust(source: Source) -> Array:
     return np.where(source.score > 0.0, steep, 0.0) * (0.25 if source.mirrored else 1.0)
 
 
-def level_borders(colours: Array, claim: Array, graph: SurfaceGraph) -> Array:
+def level_borders(colours: Array, claim: Array, trust: Array, graph: SurfaceGraph) -> Array:
     """Return (K, V, 3) smooth log gains that bring photos together where they take over from each other.
 
     Where photos agree on what they show, each is drawn towards their mean,
@@ -131,6 +131,8 @@ def level_borders(colours: Array, claim: Array, graph: SurfaceGraph) -> Array:
     ----------
     colours : (K, V, 3) levels after evening
     claim : (K, V) >= 0
+    trust : (K, V) in 0..1
+        What is burnt out moves to what is not.
 
     References
     ----------
@@ -138,16 +140,16 @@ def level_borders(colours: Array, claim: Array, graph: SurfaceGraph) -> Array:
     from the whole overlap instead of one line.
     """
     logs = np.asarray(log_levels(colours), np.float64)
-    share = claim**2 / np.maximum((claim**2).sum(axis=0), 1e-12)
+    share, told = (part**2 / np.maximum((part**2).sum(axis=0), 1e-12) for part in (claim, claim * trust))
     found = np.zeros_like(logs)
     for k in range(len(logs)):
-        pull, mass, data = np.zeros(logs.shape[1:]), share[k].copy(), np.zeros(logs.shape[1])
+        pull, mass, data = np.zeros(logs.shape[1:]), told[k].copy(), np.zeros(logs.shape[1])
         for j in range(len(logs)):
             if j == k:
                 continue
             gap = logs[j] - logs[k]
             alike = 1.0 / (1.0 + beyond_light(gap) ** 4)
-            part = share[j] * alike * (claim[k] > 0.0)
+            part = told[j] * alike * (claim[k] > 0.0)
             pull += part[:, None] * gap
             mass += part
             data += np.sqrt(share[k] * share[j]) * alike
