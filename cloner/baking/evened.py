@@ -120,7 +120,7 @@ def _trust(source: Source) -> Array:
     return np.where(source.score > 0.0, steep, 0.0) * (0.25 if source.mirrored else 1.0)
 
 
-def level_borders(colours: Array, claim: Array, trust: Array, graph: SurfaceGraph) -> Array:
+def level_borders(colours: Array, claim: Array, trust: NDArray[np.floating], graph: SurfaceGraph) -> Array:
     """Return (K, V, 3) smooth log gains that bring photos together where they take over from each other.
 
     Where photos agree on what they show, each is drawn towards their mean,

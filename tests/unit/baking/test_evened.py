@@ -27,9 +27,7 @@ def test_what_is_burnt_out_moves_to_what_is_not():
     middle = np.abs(along - 0.5) < 0.02
     assert np.abs(found[0, middle] - skin).max() < 12  # 28-48 before
     assert np.abs(found[1, middle] - skin).max() < 4
-    assert (
-        np.abs(found[0, along < 0.05] - colours[0, along < 0.05]).max() < 24
-    )  # far away it keeps its own light, half at least
+    assert np.abs(found[0, along < 0.05] - colours[0, along < 0.05]).max() < 24  # far away it keeps half its light
 
 
 def test_different_things_are_not_brought_together():
