@@ -14,9 +14,11 @@ from PySide6.QtWidgets import QApplication
 from cloner_gui.dialogs import catch_everything
 from cloner_gui.effort import ClickCounter
 from cloner_gui.main_window import MainWindow
+from cloner_gui.newest import newest
 from cloner_gui.services import Services, process_services
 from cloner_gui.session import Session
 from cloner_gui.tidying import Tidier
+from cloner_gui.worker import stop_all_tasks
 
 
 def run_app(folder: Path | None = None, services: Services | None = None) -> int:
@@ -49,7 +51,7 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     if folder is not None:
         QTimer.singleShot(0, lambda: window.open_folder(folder))
     code = app.exec()
-    window.booth.close()
+    window.close()  # nobody closes it where the application was told to quit
     if loader.ident is not None:
         loader.join()
     waker.stop()
@@ -71,6 +73,8 @@ def _delete(*objects: QObject) -> None:
     Left to Python's exit they go in any order, some after the application: a crash now and then.
     """
     QCoreApplication.processEvents()  # what a thread still had to say
+    stop_all_tasks()  # and what that has begun
+    newest().close()
     for one in objects:
         one.deleteLater()
     QCoreApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete.value)

@@ -77,7 +77,7 @@ class Newest(QObject):
         """
         with self._told:
             self._wishes[id(owner), kind] = _Wish(owner, work, then, failed)
-            if self._thread is None and not self._ends:
+            if self._thread is None:
                 self._thread = threading.Thread(target=self._run, name="newest", daemon=True)
                 self._thread.start()
             self._told.notify()
@@ -88,14 +88,14 @@ class Newest(QObject):
             self._wishes.pop((id(owner), kind), None)
 
     def close(self) -> None:
-        """End the thread; what was not begun is not done."""
+        """End the thread; what was not begun is not done. Another wish starts another thread."""
         with self._told:
             self._ends = True
             self._wishes.clear()
             self._told.notify()
-            thread = self._thread
-        if thread is not None:
-            thread.join(PATIENCE_S)
+        if self._thread is not None:
+            self._thread.join(PATIENCE_S)
+        self._thread, self._ends = None, False
 
     def _run(self) -> None:
         while True:

@@ -25,6 +25,7 @@ def stop_all_tasks() -> None:
         task.cancel()
     for task in tasks:
         task.wait()
+    _running.difference_update(tasks)
 
 
 class Task(QThread):
@@ -45,7 +46,7 @@ class Task(QThread):
         super().__init__(parent)
         self._work = work
         self._cancelled = threading.Event()
-        self.finished.connect(lambda: _running.discard(self))
+        self.finished.connect(self._leave)
 
     def start(self, priority: QThread.Priority = QThread.Priority.InheritPriority) -> None:
         """Begin the work on a new thread."""
@@ -70,6 +71,10 @@ class Task(QThread):
             self.failed.emit(ClonerError(message, "Start it from a terminal with -v and send what it prints", "Cloner"))
         else:
             self.succeeded.emit(value)
+
+    def _leave(self) -> None:
+        """Be forgotten, on the window's thread: the last reference to a thread must not go on that thread itself."""
+        _running.discard(self)
 
     def _progress(self, step: str, fraction: float) -> None:
         if self._cancelled.is_set():

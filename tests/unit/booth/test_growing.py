@@ -20,7 +20,7 @@ def test_stages_that_change_the_body_give_its_shape_and_others_none():
         "silhouettes": None,
     }
     first, fine, joined = (shape_after(step, values) for step in ("phenotype", "fine", "join"))
-    assert np.ptp(first.vertices_m[:, 1]) == pytest.approx(1.63, abs=1e-5)
+    assert np.ptp(first.vertices_m[:, 1]) == pytest.approx(1.63, abs=2e-3)
     assert np.allclose(fine.vertices_m, fitted + 0.01, atol=1e-6)
     assert np.allclose(joined.vertices_m, fitted + 0.02, atol=1e-6)
     assert first.vertices_m.nbytes < 400_000, "small enough to be sent while others wait"
