@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.baking.hair_tail import Tail
-from cloner.baking.hair_views import MASK_SCALE, HairView, cover
+from cloner.baking.hair_views import MASK_SCALE, HairView, cover_cut
 from cloner.frames import m_from_mm, mm_from_m
 from cloner.geometry.graphs import SurfaceGraph, surface_graph
 from cloner.geometry.seeing import depth_at
@@ -247,8 +247,8 @@ def _outline_gap(view: HairView, surface_m: Array, normals: Array, triangles: ND
     towards /= np.linalg.norm(towards, axis=1, keepdims=True)
     across = 1.0 - np.abs(np.einsum("nk,nk->n", view.turn(normals), towards))
     pixel, scale = camera.project(posed), view.pixel_mm(posed)
-    own = signed_distance(cover(view, surface_m, triangles))
-    inside = sample(own, (pixel + 0.5) * MASK_SCALE - 0.5)[:, 0] / MASK_SCALE * scale
+    own, within = cover_cut(view, surface_m, triangles)
+    inside = sample(signed_distance(own), within)[:, 0] / MASK_SCALE * scale
     outline, edge = (sample(distance, pixel)[:, 0] * scale for distance in (view.outline_px, view.hair_px))
     gap = outline - inside
     # The photo's outline must be the hair's, and this vertex at the own outline.

@@ -242,3 +242,21 @@ def cover(view: HairView, surface_m: Array, triangles: NDArray[np.int32]) -> NDA
     pixel = (camera.project(view.to_view(surface_m)) + 0.5) * MASK_SCALE - 0.5
     depth = np.ones(len(pixel))  # which is nearer does not matter
     return np.isfinite(nearest_depth(np.clip(pixel, -1e4, 1e4), depth, triangles, size[1], size[0]))
+
+
+def cover_cut(
+    view: HairView, surface_m: Array, triangles: NDArray[np.int32]
+) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+    """Return :func:`cover` cut to the surface, with a pixel of air where the photo goes on, and the vertices in it.
+
+    Returns
+    -------
+    (h, w) bool and (N, 2) pixels of that picture
+    """
+    camera = view.posed.camera
+    size = np.array([int(camera.width_px * MASK_SCALE), int(camera.height_px * MASK_SCALE)])
+    pixel = np.clip((camera.project(view.to_view(surface_m)) + 0.5) * MASK_SCALE - 0.5, -1e4, 1e4)
+    first = np.clip(np.floor(pixel.min(axis=0)).astype(int) - 1, 0, size - 1)
+    width, height = (np.clip(np.ceil(pixel.max(axis=0)).astype(int) + 2, first + 1, size) - first).tolist()
+    depth = np.ones(len(pixel))  # which is nearer does not matter
+    return np.isfinite(nearest_depth(pixel - first, depth, triangles, width, height)), pixel - first

@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -35,6 +34,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.vision.repair import spread_nearest
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,16 +153,6 @@ def pad_charts(rgb: NDArray[np.uint8], covered: NDArray[np.bool_]) -> NDArray[np
     for tile, part in zip(tiles, abreast(pad, tiles), strict=True):
         padded[tile.place] = part
     return padded
-
-
-def spread_nearest(rgb: NDArray[np.uint8], known: NDArray[np.bool_]) -> NDArray[np.uint8]:
-    """Return the picture (H, W, 3) in which every unknown pixel shows the nearest known one's colour."""
-    _, labels = cv2.distanceTransformWithLabels(
-        (~known).astype(np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
-    )
-    colour_of = np.zeros((int(labels.max()) + 1, 3), np.uint8)
-    colour_of[labels[known]] = rgb[known]
-    return np.asarray(colour_of[labels], np.uint8)
 
 
 def assemble(joined: Joined, shells: tuple[Shell, ...], atlas: TextureAtlas) -> Clone:
