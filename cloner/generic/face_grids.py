@@ -25,6 +25,7 @@ _EYE_START = {"left": (13352, 6785), "right": (6756, 1)}
 _MOUTH_START = (474, 468)
 #: Rings inside and outside the opening's margin, and columns of the corners, counted along the ring.
 _EYE_RINGS, _MOUTH_RINGS = (3, 9), (3, 7)
+_REACH_M = 0.1  # three times as far from an opening's middle as its rings reach
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -85,10 +86,12 @@ class Lashes:
 
 
 class _Quads:
-    """Neighbours in the body's quads."""
+    """Neighbours in the body's quads around a vertex."""
 
-    def __init__(self, generic: GenericHuman) -> None:
-        self.quads = [tuple(q) for q in generic.quads[generic.quad_part == generic.part_names.index("body")].tolist()]
+    def __init__(self, generic: GenericHuman, middle: int) -> None:
+        near = np.linalg.norm(generic.vertices_m - generic.vertices_m[middle], axis=1) < _REACH_M
+        own = (generic.quad_part == generic.part_names.index("body")) & near[generic.quads].all(axis=1)
+        self.quads = [tuple(q) for q in generic.quads[own].tolist()]
         self.of_vertex: dict[int, list[int]] = defaultdict(list)
         self.near: dict[int, set[int]] = defaultdict(set)
         for row, quad in enumerate(self.quads):
@@ -137,7 +140,7 @@ def _rings(quads: _Quads, start: tuple[int, int], counts: tuple[int, int]) -> In
 
 
 def _grid(generic: GenericHuman, start: tuple[int, int], counts: tuple[int, int]) -> Grid:
-    rings = _rings(_Quads(generic), start, counts)
+    rings = _rings(_Quads(generic, start[0]), start, counts)
     margin = generic.vertices_m[rings[counts[0]]].astype(np.float64)
     corners = np.array([margin[:, 0].argmax(), margin[:, 0].argmin()])
     # between the corners, on the side of the start, which lies on the upper edge
