@@ -8,9 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from cloner.detectors.table import DETECTORS
+from cloner.detectors.taught import taught
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.geometry.completion import bring_along
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Correction, Corrections, PhotoState, PointSet, Proposals, StateKind, ViewPoints
@@ -35,7 +35,7 @@ CLOTH_TRUST = 0.1
 
 
 def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: Photo) -> ViewPoints:
-    """Return the points with an operator's corrections on top; corrections win, and a face's neighbours follow them.
+    """Return the points with an operator's corrections on top; corrections win, and teach a face's other points.
 
     Raises
     ------
@@ -61,8 +61,8 @@ def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: 
         positions[row] = correction.x_px, correction.y_px
         confidence[row], fixed[row] = 1.0, True
     if FACE_MARK in points.names:
-        known = fixed[: len(points.names)]
-        positions[: len(known)] = bring_along(points.points_px, known, positions[: len(known)][known])
+        own = slice(len(points.names))
+        positions[own], confidence[own] = taught(points, fixed[own], positions[own][fixed[own]])
     return ViewPoints(points.view, tuple(names), positions, confidence, fixed, points.proposed or points, points.states)
 
 
