@@ -46,18 +46,13 @@ def nearest_on_outline(borders_px: Iterable[Array], at_px: tuple[float, float], 
 
 
 def worst_first(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]:
-    """Return the proposed points of all photos, least sure first; what an operator placed comes last.
+    """Return the proposed points of all photos, the one first whose true place is expected to mend most.
 
-    The face in the body's front photo is left out where the face has a photo of its own, which says the same larger.
+    See `cloner.stages.points_order.worth_first`; what an operator placed comes last.
     """
-    large = set(points[ViewId.FACE_FRONT].names) if ViewId.FACE_FRONT in points else set()
-    rows = [
-        (bool(fixed), float(sure), view, name)
-        for view, one in points.items()
-        for name, sure, fixed in zip(one.names, one.confidence, one.corrected, strict=True)
-        if view is not ViewId.BODY_FRONT or name not in large
-    ]
-    return [(view, name) for *_, view, name in sorted(rows, key=lambda row: row[:2])]
+    from cloner.stages.points_order import worth_first  # with the generic human: not paid for at the start
+
+    return worth_first(points)
 
 
 def next_of(order: list[tuple[ViewId, str]], now: tuple[ViewId, str] | None, step: int) -> tuple[ViewId, str] | None:
