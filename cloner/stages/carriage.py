@@ -1,24 +1,32 @@
-"""How the head is carried in each body photo, found anew with the person's own head.
+"""How the head is carried in each photo, found anew with the person's own head.
 
 The phenotype's head is nobody's; once the fitted head sits on the body, neck and
 skull base turn a little until the head lies where each photo shows it (method §5,
-"one rest-pose body and one pose per photo").
+"one rest-pose body and one pose per photo"). A face seen from the front places its
+photo's head to two millimetres. Where hair makes the outline, all photos share one
+thickness of hair, an unknown of the same fit: what front and side tell about it
+holds the head in the photo of the back, which shows nothing else. Face photos nod
+about the face, whose place is known already: no photo of a face tells its nod well.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+import functools
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.detectors.face_net import load_face_net
 from cloner.frames import ViewId
-from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.load import load_generic
+from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
-from cloner.stages.outlined import Outlined, see
+from cloner.records.views import Camera
+from cloner.stages.outlined import Outlined, body_triangles, see
 
 Array = NDArray[np.float64]
 
@@ -26,6 +34,12 @@ Array = NDArray[np.float64]
 NECK, SKULL = ("vc7", "vc5", "vc3"), ("skullbase",)
 #: Features of the head that body photos show.
 HEAD_POINTS = ("nose_tip", "ear_outer_L", "ear_outer_R", "pupil_L", "pupil_R")
+#: Numbers of the hair's thickness: everywhere, more on top, more behind, more at the sides.
+_HAIR = 4
+#: Neighbouring points of a rim or a face err together: so many count as independent.
+_INDEPENDENT = 30.0
+#: Largest turn of one step, radians.
+_STEP_RAD = 0.15
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,22 +48,65 @@ class Params:
 
     Attributes
     ----------
-    point_mm, outline_mm : float
-        Spread of the net's points on the head and of the head's outline.
-    degrees : float
-        Usual turn away from the phenotype's carriage, per angle.
+    point_mm, outline_mm, face_mm : float
+        Spread of the pose net's points on the head, of the head's outline, and of the face net's points.
+    hair_mm : float
+        Spread of the hair's outline around the skull by the shared thickness.
+    thickness_mm : tuple of four (mean, spread) of the numbers of the hair's thickness.
+    neck_deg, nod_deg : float
+        Usual turn away from the phenotype's carriage, per angle, and of a face photo's nod.
     turns : int
-        Gauss-Newton steps.
+        Gauss-Newton steps (six find no better heads on eight painted people).
     """
 
-    point_mm: float = 12.0
+    point_mm: float = 20.0
     outline_mm: float = 3.0
-    degrees: float = 6.0
-    turns: int = 5
+    face_mm: float = 2.0
+    hair_mm: float = 4.0
+    thickness_mm: tuple[tuple[float, float], ...] = ((14.0, 12.0), (0.0, 5.0), (0.0, 5.0), (0.0, 5.0))
+    neck_deg: float = 8.0
+    nod_deg: float = 2.0
+    turns: int = 4
 
 
-def _spread(generic: GenericHuman) -> Array:
+@dataclass(frozen=True, slots=True, eq=False)
+class Head:
+    """The head in rest pose, and how its hair may thicken.
+
+    Attributes
+    ----------
+    mesh : BodyMesh
+    on_head, on_cap : (V,) bool
+        Skin of the head, and of it the scalp above the ears, where hair follows the skull.
+    hair : (V, 4) float64
+        How much each number of the hair's thickness counts at a vertex.
+    pivot_m : (3,) float64
+        Middle of the face, about which face photos nod.
+    """
+
+    mesh: BodyMesh
+    on_head: NDArray[np.bool_]
+    on_cap: NDArray[np.bool_]
+    hair: Array
+    pivot_m: Array
+
+    @classmethod
+    def of(cls, mesh: BodyMesh) -> Head:
+        """Return the head of a person."""
+        generic = load_generic()
+        normals = vertex_normals(mesh.vertices_m, body_triangles())
+        ears = generic.region("ear_left") | generic.region("ear_right")
+        above = mesh.vertices_m[:, 1] > mesh.vertices_m[ears, 1].mean()
+        on_head = (generic.head_blend > 0.9) & (generic.vertex_part == generic.part_names.index("body"))
+        hair = np.stack([np.ones(len(normals)), normals[:, 1], -normals[:, 2], np.abs(normals[:, 0])], axis=1)
+        pivot = load_face_net().places.at(mesh.vertices_m).mean(axis=0)
+        return cls(mesh, on_head, generic.region("scalp") & above & ~ears, hair, pivot)
+
+
+@functools.cache
+def _spread() -> Array:
     """Return the (282, 6) matrix from neck and skull angles to stacked rotation vectors."""
+    generic = load_generic()
     matrix = np.zeros((len(generic.joint_names) * 3, 6))
     for group, joints in enumerate((NECK, SKULL)):
         for name in joints:
@@ -58,61 +115,160 @@ def _spread(generic: GenericHuman) -> Array:
     return matrix
 
 
-def _residual(
-    generic: GenericHuman, mesh: BodyMesh, photo: Outlined, points: ViewPoints, params: Params
-) -> Callable[[Array], Array]:
-    """Return the residual of the six angles: outline, points and prior, in spreads."""
-    seen = see(mesh, photo)
-    head = (generic.head_blend > 0.9) & (generic.vertex_part == generic.part_names.index("body"))
-    rim = np.flatnonzero(seen.body.on_rim & head)
+def angles_of(view: ViewId) -> int:
+    """Return how many angles a photo has: of neck and skull base, or a face photo's nod."""
+    return 1 if view.is_face else 6
+
+
+def turned(posed: PosedView, angles: Array, pivot_m: Array) -> PosedView:
+    """Return a photo's pose with neck and skull base turned, or a face photo's camera that sees the head nod."""
+    if not posed.view.is_face:
+        rotations = posed.rotations + (_spread() @ angles).reshape(-1, 3)
+        return PosedView(posed.view, posed.camera, rotations)
+    cosine, sine = np.cos(angles[0]), np.sin(angles[0])
+    nod = np.array([[1.0, 0.0, 0.0], [0.0, cosine, -sine], [0.0, sine, cosine]])
+    matrix, camera = posed.camera.camera_from_model.copy(), posed.camera
+    matrix[:3, 3] += matrix[:3, :3] @ (pivot_m - nod @ pivot_m)
+    matrix[:3, :3] = matrix[:3, :3] @ nod
+    seen = Camera(camera.width_px, camera.height_px, camera.focal_px, matrix, camera.pixels_per_m)
+    return PosedView(posed.view, seen, posed.rotations)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sight:
+    """What one photo says about the head, prepared for small turns.
+
+    Attributes
+    ----------
+    photo : Outlined
+        In the pose before any turn.
+    chosen : (N,) int64
+        Vertices that the evidence needs: the rim (R), named points (P), then corners of the face net's places.
+    bare, cap : (R,) bool
+        Rim vertices whose outline is the skin's, and whose outline is the hair's over the scalp.
+    mm_per_px : float
+    points_px, trust : (P, 2), (P, 1)
+        Named points, and one over their spread, per px.
+    face_px : (468, 2) or (0, 2)
+    corners : (468, 3) int64
+        Rows of ``chosen``.
+    """
+
+    photo: Outlined
+    head: Head
+    chosen: NDArray[np.int64]
+    bare: NDArray[np.bool_]
+    cap: NDArray[np.bool_]
+    mm_per_px: float
+    points_px: Array
+    trust: Array
+    face_px: Array
+    corners: NDArray[np.int64]
+    params: Params = field(default_factory=Params)
+
+    def residual(self, angles: Array, hair_mm: Array) -> Array:
+        """Return outline, points and face in spreads, for a photo's angles and the hair's thickness (4,)."""
+        generic, mesh = load_generic(), self.head.mesh
+        posed = turned(self.photo.posed, angles, self.head.pivot_m)
+        transforms = joint_transforms(mesh.joints_m, generic.joint_parents, posed.rotations)
+        weights = generic.skin_weights[self.chosen].astype(np.float64)
+        places = skin(mesh.vertices_m[self.chosen], transforms, generic.skin_joints[self.chosen], weights)
+        pixels, rim = posed.camera.project(places), len(self.bare)
+        named = (pixels[rim : rim + len(self.points_px)] - self.points_px) * self.trust
+        within = load_face_net().places.weights[: len(self.face_px), :, None]
+        away = (within * pixels[self.corners]).sum(axis=1) - self.face_px
+        face = away * self.mm_per_px / self.params.face_mm / np.sqrt(max(len(away) / _INDEPENDENT, 1.0))
+        return np.concatenate([self._gaps(pixels[:rim], hair_mm), named.ravel(), face.ravel()])
+
+    def _gaps(self, pixels: Array, hair_mm: Array) -> Array:
+        """Return how far the rim (R, 2) px stands out of where the outline wants it, in spreads."""
+        gap = self.photo.field.signed_distance(pixels) * self.mm_per_px
+        over = gap + self.head.hair[self.chosen[: len(gap)]] @ hair_mm
+        away = np.where(self.bare, gap, np.maximum(gap, 0.0)) / self.params.outline_mm
+        away = np.where(self.cap, over / self.params.hair_mm, away)
+        return np.asarray(4.0 * np.tanh(away / 4.0) / np.sqrt(max(len(gap) / _INDEPENDENT, 1.0)))
+
+    def linear(self, angles: Array, hair_mm: Array) -> tuple[Array, Array]:
+        """Return the residual (R,) and its derivatives (R, angles + 4)."""
+        value = self.residual(angles, hair_mm)
+        columns = [(self.residual(angles + 1e-3 * one, hair_mm) - value) / 1e-3 for one in np.eye(len(angles))]
+        columns += [(self.residual(angles, hair_mm + 0.1 * one) - value) / 0.1 for one in np.eye(_HAIR)]
+        return value, np.stack(columns, axis=1)
+
+
+def sight_of(
+    head: Head, photo: Outlined, angles: Array, points: ViewPoints | None, face_px: Array, params: Params
+) -> Sight:
+    """Return a photo's evidence, with the rim of the head as it is turned now."""
+    generic, net = load_generic(), load_face_net()
+    seen = see(head.mesh, Outlined(turned(photo.posed, angles, head.pivot_m), photo.field))
+    rim = np.flatnonzero(seen.body.on_rim & head.on_head)
     veiled = photo.field.is_veiled(seen.body.pixels[rim])
-    rows = [k for k, name in enumerate(points.names) if name in HEAD_POINTS]
-    marks = np.array([generic.feature(points.names[k]) for k in rows], dtype=int)
-    chosen = np.concatenate([rim, marks])
-    trust = points.confidence[rows, None] * seen.mm_per_px / params.point_mm
-    spread, camera = _spread(generic), photo.posed.camera
-    joints, weights = generic.skin_joints[chosen], generic.skin_weights[chosen].astype(np.float64)
-    soft = seen.mm_per_px / params.outline_mm
+    silent = points is None or len(face_px) > 0  # the face net's points are ten times as good
+    rows = [] if silent or points is None else [k for k, name in enumerate(points.names) if name in HEAD_POINTS]
+    marks = np.array([generic.feature(points.names[k]) for k in rows] if points else [], dtype=np.int64)
+    used, corners = np.unique(net.places.corners[: len(face_px)], return_inverse=True)
+    pixels = points.points_px[rows] if points else np.zeros((0, 2))
+    trust = points.confidence[rows, None] if points else np.zeros((0, 1))
+    return Sight(
+        photo,
+        head,
+        np.concatenate([rim, marks, used.astype(np.int64)]),
+        ~veiled,
+        veiled & head.on_cap[rim],
+        seen.mm_per_px,
+        pixels,
+        trust * seen.mm_per_px / params.point_mm,
+        face_px,
+        corners.reshape(-1, 3).astype(np.int64) + len(rim) + len(marks),
+        params,
+    )
 
-    def residual(angles: Array) -> Array:
-        rotations = photo.posed.rotations + (spread @ angles).reshape(-1, 3)
-        transforms = joint_transforms(mesh.joints_m, generic.joint_parents, rotations)
-        pixels = camera.project(skin(mesh.vertices_m[chosen], transforms, joints, weights))
-        gap = photo.field.signed_distance(pixels[: len(rim)]) * soft
-        gap = 4.0 * np.tanh(np.where(veiled, np.maximum(gap, 0.0), gap) / 4.0)
-        gap /= np.sqrt(max(len(rim) / 30.0, 1.0))
-        away = (pixels[len(rim) :] - points.points_px[rows]) * trust
-        return np.concatenate([gap, away.ravel(), angles / np.deg2rad(params.degrees)])
 
-    return residual
-
-
-def carry_head(mesh: BodyMesh, photo: Outlined, points: ViewPoints) -> PosedView:
-    """Return the photo's pose with neck and skull base turned to the photo.
+def carry_heads(
+    mesh: BodyMesh,
+    photos: Mapping[ViewId, Outlined],
+    points: Mapping[ViewId, ViewPoints],
+    faces_px: Mapping[ViewId, Array],
+) -> dict[ViewId, PosedView]:
+    """Return the photos' poses with the head turned to what each photo shows.
 
     Parameters
     ----------
     mesh : BodyMesh
-        The joined person in rest pose, in the frame of ``photo``'s camera.
-    photo : Outlined
-        Pose, camera and outline of a body photo.
-    points : ViewPoints
-        Named points of that photo.
+        The joined person in rest pose, in the frame of the photos' cameras.
+    photos : mapping of ViewId to Outlined
+        Pose, camera and outline of each photo.
+    points : mapping of ViewId to ViewPoints
+        Named points of body photos.
+    faces_px : mapping of ViewId to (468, 2)
+        The face net's points where a body photo shows a face.
     """
-    params, generic = Params(), load_generic()
-    posed = photo.posed
+    params, head = Params(), Head.of(mesh)
+    usual = np.array([(0.0, np.deg2rad(_usual_deg(view, params))) for view in photos for _ in range(angles_of(view))])
+    rest, spread = np.concatenate([usual.reshape(-1, 2), params.thickness_mm]).T
+    ends = np.cumsum([angles_of(view) for view in photos])
+    own = {view: slice(end - angles_of(view), end) for view, end in zip(photos, ends, strict=True)}
+    state, hair = rest.copy(), slice(len(rest) - _HAIR, None)
     for _ in range(params.turns):
-        residual = _residual(generic, mesh, Outlined(posed, photo.field), points, params)
-        value = residual(np.zeros(6))
-        jacobian = np.stack([(residual(step) - value) / 1e-3 for step in 1e-3 * np.eye(6)], axis=1)
-        angles = np.clip(np.linalg.solve(jacobian.T @ jacobian, -jacobian.T @ value), -0.15, 0.15)
-        rotations = posed.rotations + (_spread(generic) @ angles).reshape(-1, 3)
-        posed = PosedView(posed.view, posed.camera, rotations)
-    return posed
+        sights = {
+            view: sight_of(
+                head, photo, state[own[view]], points.get(view), faces_px.get(view, np.zeros((0, 2))), params
+            )
+            for view, photo in photos.items()
+        }
+        values, slopes = [(state - rest) / spread], [np.diag(1.0 / spread)]
+        for view, sight in sights.items():
+            value, slope = sight.linear(state[own[view]], state[hair])
+            values.append(value)
+            slopes.append(np.zeros((len(value), len(state))))
+            slopes[-1][:, own[view]], slopes[-1][:, hair] = slope[:, :-_HAIR], slope[:, -_HAIR:]
+        jacobian = np.concatenate(slopes)
+        step = np.linalg.solve(jacobian.T @ jacobian, -jacobian.T @ np.concatenate(values))
+        step[: hair.start] = np.clip(step[: hair.start], -_STEP_RAD, _STEP_RAD)
+        state = state + step
+    return {view: turned(photo.posed, state[own[view]], head.pivot_m) for view, photo in photos.items()}
 
 
-def carried(
-    mesh: BodyMesh, photos: dict[ViewId, Outlined], points: dict[ViewId, ViewPoints]
-) -> dict[ViewId, PosedView]:
-    """Return the poses of all body photos with the head carried as each photo shows it."""
-    return {view: carry_head(mesh, photo, points[view]) for view, photo in photos.items()}
+def _usual_deg(view: ViewId, params: Params) -> float:
+    return params.nod_deg if view.is_face else params.neck_deg

@@ -22,11 +22,11 @@ from cloner.records.points import BodyPoints, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
-from cloner.stages.carriage import NECK, carried
+from cloner.stages.carriage import NECK, carry_heads
 from cloner.stages.face_targets import face_targets
 from cloner.stages.fine import Params as FineParams
 from cloner.stages.fine import neck_trust, settled
-from cloner.stages.outlined import Outlined, outlined_photos
+from cloner.stages.outlined import Outlined, masked_field, outlined_photos
 from cloner.stages.points import for_fitting
 
 Array = NDArray[np.float64]
@@ -104,6 +104,16 @@ def lifted(camera: Camera, up_m: float) -> Camera:
     return Camera(camera.width_px, camera.height_px, camera.focal_px, matrix, camera.pixels_per_m)
 
 
+def near_photos(head: HeadFit, proposals: Proposals, risen_m: float) -> dict[ViewId, Outlined]:
+    """Return the face photos prepared for comparison with the lifted head."""
+    photos = {}
+    for view, camera in head.cameras.items():
+        if view.is_face and view in proposals.views:
+            posed = PosedView(view, lifted(camera, risen_m), np.zeros((94, 3)))
+            photos[view] = Outlined(posed, masked_field(proposals.views[view]))
+    return photos
+
+
 def eye_joints(generic: GenericHuman, joints_m: Array, vertices_m: Array) -> Array:
     """Return the joints with those of the eyes in the eyeballs' centres, about which they turn."""
     out = joints_m.copy()
@@ -147,15 +157,13 @@ def run(
     mesh, risen = to_stature(generic, BodyMesh(vertices, body.joints_m), phenotype.stature_m)
     photos = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
     seen = {view: for_fitting(points) for view, points in body_points.views.items()}
-    poses = carried(mesh, photos, seen)
+    faces = {view: proposals.views[view].face_px for view in photos if proposals.views[view].face_presence > 0.0}
+    poses = carry_heads(mesh, {**photos, **near_photos(head, proposals, risen)}, seen, faces)
     lift = np.array([0.0, phenotype.sole_m, 0.0])
     vertices, joints = slim_neck(mesh, photos, poses) + lift, mesh.joints_m + lift
     views = {
         view: PosedView(view, lifted(posed.camera, phenotype.sole_m), posed.rotations) for view, posed in poses.items()
     }
-    for view, camera in head.cameras.items():
-        if view.is_face:
-            views[view] = PosedView(view, lifted(camera, phenotype.sole_m + risen), np.zeros((94, 3)))
     names, index, delta, start = face_targets(vertices)
     value = Joined(
         vertices, eye_joints(generic, joints, vertices), views, names, index, delta, start,

@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.contours import OutlineField, outline_field
-from cloner.geometry.rims import rim_vertices
+from cloner.geometry.rims import borders_px, rim_vertices
 from cloner.geometry.skinning import blend_transforms, joint_transforms
 from cloner.geometry.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
-from cloner.records.points import HAIR, Proposals
+from cloner.records.points import HAIR, Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 
 Array = NDArray[np.float64]
@@ -74,6 +74,20 @@ def outlined_photos(
         )
         photos[view] = Outlined(posed, field)
     return photos
+
+
+def masked_field(proposal: Proposal) -> OutlineField:
+    """Return the outline of a photo that has no linked one, a face photo's, from the net's mask."""
+    height = proposal.mask.shape[0]
+    reduction = max(height / PICTURE_HEIGHT, 1.0)
+    person = proposal.mask > 127
+    return outline_field(
+        borders_px(person.astype(np.uint8)),
+        person,
+        proposal.labels == HAIR,
+        step_px=2.0 * reduction,
+        reduction=reduction,
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -1,51 +1,87 @@
-"""A head turned by a known angle is found again from its outline and a few points."""
+"""A head turned by a known angle is found again, under hair too, where only its outline shows."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from cloner.detectors.face_net import load_face_net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
+from cloner.geometry.rims import vertex_normals
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
-from cloner.records.points import Proposals, ViewPoints
+from cloner.records.points import HAIR, Proposals, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import carriage
 from cloner.stages.outlined import outlined_photos
 from kit import people, studio
 
-SIDE = ViewId.BODY_SIDE
+FRONT, SIDE, BACK = ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.BODY_BACK
 NAMES = ("nose_tip", "ear_outer_R")
 
 
-def photographed(person, true_rotations, believed_rotations):
-    """Return the photo of a person in one pose, believed to be another, and its exact points."""
-    camera = studio.camera(studio.AZIMUTH_DEG["body_side"])
-    vertices, _ = person.posed(true_rotations)
-    mask = studio.silhouette(vertices, people.skin_triangles(), camera)
+def hairy(person, thick_m):
+    """Return vertices with hair of one thickness over the scalp above the ears, and which of them are hair."""
     generic = load_generic()
-    pixels = camera.project(vertices[[generic.feature(name) for name in NAMES]])
-    believed = Phenotype(np.zeros(1), 1.70, 0.0, {SIDE: PosedView(SIDE, camera, believed_rotations)}, {})
-    outlines = SilhouetteSet({SIDE: studio.silhouette_record(SIDE, mask)})
-    photos = outlined_photos(believed, outlines, Proposals({SIDE: studio.empty_proposal(SIDE, mask)}))
-    return photos[SIDE], ViewPoints(SIDE, NAMES, pixels, np.ones(2), np.zeros(2, bool))
+    ears = generic.region("ear_left") | generic.region("ear_right")
+    cap = generic.region("scalp") & (person.vertices_m[:, 1] > person.vertices_m[ears, 1].mean()) & ~ears
+    out = person.vertices_m.copy()
+    out[cap] += thick_m * vertex_normals(person.vertices_m, people.skin_triangles())[cap]
+    return out, cap
 
 
-def nose_px(person, posed, points):
-    """Return how far the nose tip lies from its place in the photo; a side photo says nothing of its depth."""
-    vertices, _ = person.posed(posed.rotations)
-    pixel = posed.camera.project(vertices[[load_generic().feature("nose_tip")]])[0]
-    return float(np.linalg.norm(pixel - points.get("nose_tip")))
+def photographed(person, true, believed, thick_m=0.0):
+    """Return photos of a person in the true poses (rotations a view), believed to be others, and the exact points.
+
+    A front photo has the face net's points.
+    """
+    generic, triangles = load_generic(), people.skin_triangles()
+    dressed, cap = hairy(person, thick_m)
+    poses, outlines, proposals, points, faces = {}, {}, {}, {}, {}
+    for view, rotations in true.items():
+        camera = studio.camera(studio.AZIMUTH_DEG[view.value])
+        naked, _ = person.posed(rotations)
+        worn, _ = replace(person, vertices_m=dressed).posed(rotations)
+        mask = studio.silhouette(worn, triangles, camera)
+        poses[view] = PosedView(view, camera, believed)
+        outlines[view] = studio.silhouette_record(view, mask)
+        labels = np.zeros(mask.shape, np.uint8)
+        if thick_m > 0.0:
+            labels[studio.silhouette(worn, triangles[cap[triangles].all(axis=1)], camera) & mask] = HAIR
+        proposals[view] = replace(studio.empty_proposal(view, mask), labels=labels)
+        seen = NAMES if view is SIDE else ()
+        pixels = camera.project(naked[[generic.feature(name) for name in seen]]) if seen else np.zeros((0, 2))
+        points[view] = ViewPoints(view, seen, pixels, np.ones(len(seen)), np.zeros(len(seen), bool))
+        if view is FRONT:
+            faces[view] = camera.project(load_face_net().places.at(naked))
+    photos = outlined_photos(
+        Phenotype(np.zeros(1), 1.70, 0.0, poses, {}), SilhouetteSet(outlines), Proposals(proposals)
+    )
+    return photos, points, faces
+
+
+def off_px(person, posed, true, names):
+    """Return how far features lie from their places in the photo, px."""
+    generic = load_generic()
+    rows = [generic.feature(name) for name in names]
+    found, expected = (person.posed(rotations)[0][rows] for rotations in (posed.rotations, true))
+    return float(np.linalg.norm(posed.camera.project(found) - posed.camera.project(expected), axis=1).mean())
+
+
+def nodded(pose, degrees):
+    true = pose.copy()
+    true[load_generic().joint("skullbase"), 0] += np.deg2rad(degrees)
+    return true
 
 
 @pytest.mark.parametrize("nod_degrees", [-8.0, 8.0])
 def test_a_nod_is_found_from_the_side(nod_degrees):
     generic = load_generic()
-    person = people.known_person(51)
-    believed = people.known_pose(1, spread=0.0)
-    true = believed.copy()
-    true[generic.joint("skullbase"), 0] += np.deg2rad(nod_degrees)
-    photo, points = photographed(person, true, believed)
-    found = carriage.carry_head(BodyMesh(person.vertices_m, person.joints_m), photo, points)
-    before, after = nose_px(person, photo.posed, points), nose_px(person, found, points)
+    person, believed = people.known_person(51), people.known_pose(1, spread=0.0)
+    true = nodded(believed, nod_degrees)
+    photos, points, faces = photographed(person, {SIDE: true}, believed)
+    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces)[SIDE]
+    before, after = (off_px(person, posed, true, ["nose_tip"]) for posed in (photos[SIDE].posed, found))
     assert before > 12.0, "the nod moves the nose"
     assert after < 0.25 * before, f"nose {before:.1f} -> {after:.1f} px"
     other = np.setdiff1d(np.arange(94), [generic.joint(name) for name in (*carriage.NECK, *carriage.SKULL)])
@@ -53,8 +89,36 @@ def test_a_nod_is_found_from_the_side(nod_degrees):
 
 
 def test_a_head_that_is_right_stays():
+    person, pose = people.known_person(51), people.known_pose(1, spread=0.0)
+    photos, points, faces = photographed(person, {SIDE: pose}, pose)
+    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces)[SIDE]
+    assert off_px(person, found, pose, ["nose_tip"]) < 3.0
+
+
+@pytest.mark.parametrize("thick_m", [0.012, 0.03])
+def test_under_thick_hair_front_and_side_hold_the_head_in_the_photo_of_the_back(thick_m):
+    person, believed = people.known_person(51), people.known_pose(1, spread=0.0)
+    true = {FRONT: nodded(believed, 5.0), SIDE: nodded(believed, -4.0), BACK: believed.copy()}
+    true[BACK][load_generic().joint("vc5"), 2] += np.deg2rad(9.0)  # the head leans to one side by 1.6 cm
+    photos, points, faces = photographed(person, true, believed, thick_m)
+    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces)
+    crown = ["head_top", "ear_outer_L", "ear_outer_R"]
+    before = {view: off_px(person, photos[view].posed, true[view], crown) for view in photos}
+    after = {view: off_px(person, found[view], true[view], crown) for view in photos}
+    assert before[BACK] > 9.0
+    assert after[BACK] < 0.35 * before[BACK], f"{before} -> {after} px"
+    assert after[FRONT] < 4.0, f"{before} -> {after} px"
+    assert after[SIDE] < 8.0, f"{before} -> {after} px"
+
+
+def test_a_face_photo_nods_about_the_face():
     person = people.known_person(51)
-    pose = people.known_pose(1, spread=0.0)
-    photo, points = photographed(person, pose, pose)
-    found = carriage.carry_head(BodyMesh(person.vertices_m, person.joints_m), photo, points)
-    assert nose_px(person, found, points) < 3.0
+    head = carriage.Head.of(BodyMesh(person.vertices_m, person.joints_m))
+    posed = PosedView(ViewId.FACE_FRONT, studio.camera(0.0), np.zeros((94, 3)))
+    found = carriage.turned(posed, np.array([0.1]), head.pivot_m)
+    ends = [view.camera.project(head.pivot_m[None])[0] for view in (posed, found)]
+    np.testing.assert_allclose(ends[1], ends[0], atol=1e-6)
+    top = person.vertices_m[[load_generic().feature("head_top")]]
+    moved = found.camera.project(top)[0] - posed.camera.project(top)[0]
+    assert abs(moved[0]) < 1.0
+    assert abs(moved[1]) > 5.0
