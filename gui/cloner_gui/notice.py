@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QToolButton, QWidget
 
 from cloner.errors import ClonerError
 from cloner_gui.pieces import name
+from cloner_gui.told import told_error
 from cloner_gui.words import translate
 
 
@@ -31,7 +32,7 @@ class Notice(QFrame):
 
     def tell(self, error: ClonerError) -> None:
         """Show what is wrong and what to do."""
-        self.say(f"{error.where}: {error.message}. {error.hint}.")
+        self.say(told_error(error))
 
     def say(self, text: str) -> None:
         """Show a message; screen readers hear it as the bar's name."""

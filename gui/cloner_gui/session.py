@@ -26,8 +26,9 @@ from cloner.records.points import Corrections, ViewPoints
 from cloner_gui.clone_queue import CloneQueue
 from cloner_gui.commands import Swap
 from cloner_gui.newest import newest
+from cloner_gui.point_names import spoken
 from cloner_gui.services import ProposedPoints, Services, points_by_view
-from cloner_gui.words import spoken
+from cloner_gui.words import translate
 from cloner_gui.worker import Task
 
 if TYPE_CHECKING:
@@ -137,12 +138,16 @@ class Session(QObject):
         photo = self.photos.photos[view]
         x_px, y_px = min(max(x_px, 0.0), photo.width_px - 1.0), min(max(y_px, 0.0), photo.height_px - 1.0)
         after = move_point(self.corrections, view, name, x_px, y_px, photo.digest)
-        self._push(after, f"moving {spoken(name)}", gesture)
+        self._push(after, translate("points", "moving %1").replace("%1", spoken(name)), gesture)
 
     def reset_point(self, view: ViewId, name: str) -> None:
         """Take one correction back, so that the proposal counts again."""
         if name in self.corrections.points.get(view, {}):
-            self._push(remove_point(self.corrections, view, name), f"resetting {spoken(name)}", "")
+            self._push(
+                remove_point(self.corrections, view, name),
+                translate("points", "resetting %1").replace("%1", spoken(name)),
+                "",
+            )
 
     def _push(self, after: Corrections, label: str, gesture: str) -> None:
         self.drags += not gesture or gesture != getattr(self, "_gesture", "")

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from cloner.booth.looking_table import Trouble
 from cloner.booth.visits import State
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId
-
-if TYPE_CHECKING:
-    from cloner.refitting import Refitted
 
 #: ``translate("page", "Text")``: Qt's own tools find these calls and write them into the translators' files.
 translate = QCoreApplication.translate
@@ -35,8 +32,6 @@ class Spoken(Mapping[str, str]):
         return len(self._words)
 
 
-_SIDES: Final = {"L": "left", "R": "right", "left": "left", "right": "right"}
-_FIRST: Final = {"l": "left", "r": "right"}
 VIEW_TITLES: Final = Spoken(
     "views",
     {
@@ -108,16 +103,6 @@ CONSENT: Final = str(
 )
 
 
-def spoken(name: str) -> str:
-    """Return a point's name as people say it: ``eye_inner_L`` is "eye inner, left"."""
-    words = name.split("_")
-    if len(words) > 1 and words[-1] in _SIDES:
-        return f"{' '.join(words[:-1])}, {_SIDES[words[-1]]}"
-    if len(words) > 1 and words[0] in _FIRST:
-        return f"{' '.join(words[1:])}, {_FIRST[words[0]]}"
-    return " ".join(words)
-
-
 def spoken_step(step: str) -> str:
     """Return what a step does."""
     return STEPS.get(step, step.capitalize())
@@ -130,14 +115,6 @@ def spoken_time(seconds: float) -> str:
     if seconds < 90:
         return translate("time", "about {n} s").format(n=5 * round(seconds / 5))
     return translate("time", "about {n} min").format(n=round(seconds / 60))
-
-
-def spoken_refit(refitted: Refitted) -> str:
-    """Return what became of the corrected points on the last clone's body."""
-    failed = [f"{VIEW_TITLES[one.view]}, {spoken(one.name)}: {one.note}." for one in refitted.obeyed if one.is_missed]
-    told = " ".join(failed) or translate("points", "The body follows; hair and textures will when you clone again.")
-    more = translate("points", "Clone again: this changes more than is shown.")
-    return told if refitted.is_whole else f"{told} {more}"
 
 
 def what_is_missing(views: Collection[ViewId]) -> str:

@@ -131,7 +131,7 @@ def test_arrow_keys_move_the_chosen_point_by_a_pixel(window, canvas, qtbot):
 
 def test_hovering_names_the_point_in_words(window, canvas, qtbot):
     qtbot.mouseMove(canvas, canvas.lens.widget_from_photo(650, 400).toPoint())
-    assert "eye inner, left" in window.points.hint.text()
+    assert "inner corner of the eye, left" in window.points.hint.text()
     assert "50 % sure" in window.points.hint.text()
     assert "Corner of the eye towards the nose" in window.points.hint.text()
 
@@ -154,7 +154,7 @@ def test_the_menu_offers_the_proposal_only_on_a_point(window, canvas, qtbot):
         menus = [menu for menu in canvas.findChildren(QMenu) if menu.actions()]
         assert len(menus) == wanted, px
         for menu in menus:
-            assert menu.actions()[0].text() == "Use the proposal for nose tip again"
+            assert menu.actions()[0].text() == "Use the proposal for tip of the nose again"
             menu.close()
             menu.setParent(None)
 

@@ -8,7 +8,8 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from cloner.records.points import ANCHOR, ViewPoints
 from cloner_gui.canvas.painting import CLONE, CORRECTED, LINKED, SURE, UNSURE
-from cloner_gui.words import spoken, translate
+from cloner_gui.point_names import spoken
+from cloner_gui.words import translate
 
 #: Hint for every point whose name, without its side, begins so; the longest beginning wins.
 _HINTS: Final[dict[str, object]] = {

@@ -11,7 +11,7 @@ from cloner.records.points import ANCHOR, ViewPoints
 from cloner_gui.canvas import painting
 from cloner_gui.canvas.lens import HALF_PX, Lens
 from cloner_gui.canvas.picking import partner_place
-from cloner_gui.words import spoken
+from cloner_gui.point_names import spoken
 
 Outlines = Sequence[tuple[QPainterPath, QColor]]
 

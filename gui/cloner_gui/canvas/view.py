@@ -29,7 +29,7 @@ from cloner_gui.canvas.lens import ZOOM_STEP, Lens
 from cloner_gui.canvas.overlay import paint_close_up, paint_outlines, paint_points
 from cloner_gui.canvas.picking import nearest_on_outline, nearest_point
 from cloner_gui.canvas.touch import TouchHand
-from cloner_gui.words import spoken
+from cloner_gui.point_names import spoken
 
 Borders = tuple[NDArray[np.float64], ...]
 

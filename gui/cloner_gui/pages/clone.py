@@ -14,6 +14,7 @@ from cloner_gui.canvas.growth import Growth
 from cloner_gui.canvas.preview_panel import PreviewPanel
 from cloner_gui.pieces import button, label
 from cloner_gui.session import Session
+from cloner_gui.told import told
 from cloner_gui.words import spoken_step, translate
 from cloner_gui.worker import Task
 
@@ -102,7 +103,7 @@ class ClonePage(QWidget):
         self.growth.forget()
         self.panel.set_clone(session.clone_now(), session.photos.photos)
         self.status.setText("")
-        self.warnings.setText("" if outcome is None else "\n".join(f"• {text}" for text in outcome.warnings))
+        self.warnings.setText("" if outcome is None else "\n".join(f"• {told(text)}" for text in outcome.warnings))
         self.warnings.setVisible(bool(self.warnings.text()))
         self._show_busy()
         self._show_growth()

@@ -16,6 +16,7 @@ from cloner.project.folder import SUFFIXES
 from cloner_gui.booth import Booth
 from cloner_gui.photo_card import PhotoCard, TrayCard
 from cloner_gui.pieces import GAP, button, label, name
+from cloner_gui.told import told as told_text
 from cloner_gui.webcam import WebcamDialog
 from cloner_gui.words import TROUBLES, translate, what_is_missing
 
@@ -114,7 +115,7 @@ class PhotosPage(QWidget):
                 verdict = " ".join(TROUBLES[one] for one in look.troubles) or good
             fine = look is not None and not look.troubles
             card.show_photo(session.thumbnails.get(view), verdict, fine=fine)
-        told = [what_is_missing(session.photos.photos), *session.warnings]
+        told = [what_is_missing(session.photos.photos), *(told_text(text) for text in session.warnings)]
         if session.photos.photos and not session.consent:
             told.append(translate("photos", "No consent is recorded: new photos are not stored."))
         self.missing_label.setText("\n".join(told))

@@ -28,7 +28,8 @@ from cloner_gui.canvas.view import PhotoView
 from cloner_gui.newest import newest
 from cloner_gui.pieces import button, name
 from cloner_gui.session import Session
-from cloner_gui.words import VIEW_TITLES, spoken_refit, spoken_step, translate
+from cloner_gui.told import spoken_refit
+from cloner_gui.words import VIEW_TITLES, spoken_step, translate
 
 #: The clone's outline is drawn anew when the hand has rested so long: it costs as much as the preview.
 _OUTLINE_AFTER_MS = 250

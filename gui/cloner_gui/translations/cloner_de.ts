@@ -411,6 +411,286 @@
     </message>
 </context>
 <context>
+    <name>names</name>
+    <message>
+        <source>inner corner of the eye</source>
+        <extracomment>Names without their sides.</extracomment>
+        <translation>innerer Augenwinkel</translation>
+    </message>
+    <message>
+        <source>outer corner of the eye</source>
+        <translation>äußerer Augenwinkel</translation>
+    </message>
+    <message>
+        <source>upper lid</source>
+        <translation>Oberlid</translation>
+    </message>
+    <message>
+        <source>lower lid</source>
+        <translation>Unterlid</translation>
+    </message>
+    <message>
+        <source>corner of the mouth</source>
+        <translation>Mundwinkel</translation>
+    </message>
+    <message>
+        <source>wing of the nose</source>
+        <translation>Nasenflügel</translation>
+    </message>
+    <message>
+        <source>pupil</source>
+        <translation>Pupille</translation>
+    </message>
+    <message>
+        <source>top of the ear</source>
+        <translation>oberster Punkt des Ohrs</translation>
+    </message>
+    <message>
+        <source>earlobe</source>
+        <translation>Ohrläppchen</translation>
+    </message>
+    <message>
+        <source>outermost point of the ear</source>
+        <translation>äußerster Punkt des Ohrs</translation>
+    </message>
+    <message>
+        <source>back of the ear</source>
+        <translation>hinterster Punkt des Ohrs</translation>
+    </message>
+    <message>
+        <source>root of the nose</source>
+        <translation>Nasenwurzel</translation>
+    </message>
+    <message>
+        <source>forehead between the brows</source>
+        <translation>Stirn zwischen den Brauen</translation>
+    </message>
+    <message>
+        <source>tip of the nose</source>
+        <translation>Nasenspitze</translation>
+    </message>
+    <message>
+        <source>base of the nose</source>
+        <translation>Nasenansatz über der Lippe</translation>
+    </message>
+    <message>
+        <source>upper lip</source>
+        <translation>Oberlippe</translation>
+    </message>
+    <message>
+        <source>middle of the mouth</source>
+        <translation>Mundmitte</translation>
+    </message>
+    <message>
+        <source>lower lip</source>
+        <translation>Unterlippe</translation>
+    </message>
+    <message>
+        <source>front of the chin</source>
+        <translation>vorderster Punkt des Kinns</translation>
+    </message>
+    <message>
+        <source>bottom of the chin</source>
+        <translation>unterster Punkt des Kinns</translation>
+    </message>
+    <message>
+        <source>hairline</source>
+        <translation>Haaransatz</translation>
+    </message>
+    <message>
+        <source>top of the head</source>
+        <translation>Scheitel</translation>
+    </message>
+    <message>
+        <source>toe</source>
+        <translation>Zehenspitze</translation>
+    </message>
+    <message>
+        <source>waist</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>waist, front</source>
+        <translation>Taille, vorn</translation>
+    </message>
+    <message>
+        <source>waist, back</source>
+        <translation>Taille, hinten</translation>
+    </message>
+    <message>
+        <source>hip</source>
+        <translation>Hüfte</translation>
+    </message>
+    <message>
+        <source>hip joint</source>
+        <translation>Hüftgelenk</translation>
+    </message>
+    <message>
+        <source>outside of the knee</source>
+        <translation>Knie außen</translation>
+    </message>
+    <message>
+        <source>inside of the knee</source>
+        <translation>Knie innen</translation>
+    </message>
+    <message>
+        <source>front of the knee</source>
+        <translation>Knie vorn</translation>
+    </message>
+    <message>
+        <source>back of the knee</source>
+        <translation>Kniekehle</translation>
+    </message>
+    <message>
+        <source>knee joint</source>
+        <translation>Kniegelenk</translation>
+    </message>
+    <message>
+        <source>outside of the ankle</source>
+        <translation>Knöchel außen</translation>
+    </message>
+    <message>
+        <source>inside of the ankle</source>
+        <translation>Knöchel innen</translation>
+    </message>
+    <message>
+        <source>front of the ankle</source>
+        <translation>Knöchel vorn</translation>
+    </message>
+    <message>
+        <source>back of the ankle</source>
+        <translation>Knöchel hinten</translation>
+    </message>
+    <message>
+        <source>ankle joint</source>
+        <translation>Fußgelenk</translation>
+    </message>
+    <message>
+        <source>outside of the elbow</source>
+        <translation>Ellbogen außen</translation>
+    </message>
+    <message>
+        <source>inside of the elbow</source>
+        <translation>Ellbogen innen</translation>
+    </message>
+    <message>
+        <source>elbow joint</source>
+        <translation>Ellbogengelenk</translation>
+    </message>
+    <message>
+        <source>outside of the wrist</source>
+        <translation>Handgelenk außen</translation>
+    </message>
+    <message>
+        <source>inside of the wrist</source>
+        <translation>Handgelenk innen</translation>
+    </message>
+    <message>
+        <source>wrist joint</source>
+        <translation>Handgelenk</translation>
+    </message>
+    <message>
+        <source>end of the shoulder</source>
+        <translation>Schulterende</translation>
+    </message>
+    <message>
+        <source>shoulder joint</source>
+        <translation>Schultergelenk</translation>
+    </message>
+    <message>
+        <source>bony tip of the shoulder</source>
+        <translation>Schulterhöhe</translation>
+    </message>
+    <message>
+        <source>base of the neck</source>
+        <translation>Halsansatz</translation>
+    </message>
+    <message>
+        <source>front of the neck</source>
+        <translation>Hals vorn</translation>
+    </message>
+    <message>
+        <source>back of the neck</source>
+        <translation>Hals hinten</translation>
+    </message>
+    <message>
+        <source>pit of the neck</source>
+        <translation>Halsgrube</translation>
+    </message>
+    <message>
+        <source>nape</source>
+        <translation>Nacken</translation>
+    </message>
+    <message>
+        <source>armpit</source>
+        <translation>Achsel</translation>
+    </message>
+    <message>
+        <source>sole</source>
+        <translation>Sohle</translation>
+    </message>
+    <message>
+        <source>heel</source>
+        <translation>Ferse</translation>
+    </message>
+    <message>
+        <source>crotch</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>chest</source>
+        <translation>Brust</translation>
+    </message>
+    <message>
+        <source>chest, front</source>
+        <translation>Brust, vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>Rücken</translation>
+    </message>
+    <message>
+        <source>belly</source>
+        <translation>Bauch</translation>
+    </message>
+    <message>
+        <source>seat</source>
+        <translation>Gesäß</translation>
+    </message>
+    <message>
+        <source>front of the thigh</source>
+        <translation>Oberschenkel vorn</translation>
+    </message>
+    <message>
+        <source>back of the thigh</source>
+        <translation>Oberschenkel hinten</translation>
+    </message>
+    <message>
+        <source>outside of the thigh</source>
+        <translation>Oberschenkel außen</translation>
+    </message>
+    <message>
+        <source>inside of the thigh</source>
+        <translation>Oberschenkel innen</translation>
+    </message>
+    <message>
+        <source>calf</source>
+        <translation>Wade</translation>
+    </message>
+    <message>
+        <source>fingertip</source>
+        <translation>Fingerspitze</translation>
+    </message>
+    <message>
+        <source>top of the skull</source>
+        <translation>höchster Punkt des Schädels</translation>
+    </message>
+    <message>
+        <source>outline point</source>
+        <translation>Umrisspunkt</translation>
+    </message>
+</context>
+<context>
     <name>photos</name>
     <message>
         <source>Photos</source>
@@ -607,6 +887,14 @@
         <source>Clone again: this changes more than is shown.</source>
         <translation>Noch einmal klonen: das ändert mehr, als gezeigt wird.</translation>
     </message>
+    <message>
+        <source>moving %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>resetting %1</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
 </context>
 <context>
     <name>preview</name>
@@ -798,6 +1086,17 @@
     <message>
         <source>&amp;Consent</source>
         <translation>&amp;Einwilligung</translation>
+    </message>
+</context>
+<context>
+    <name>sides</name>
+    <message>
+        <source>%1, left</source>
+        <translation>%1, links</translation>
+    </message>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, rechts</translation>
     </message>
 </context>
 <context>
@@ -1070,6 +1369,726 @@
     <message>
         <source>about {n} min</source>
         <translation>etwa {n} min</translation>
+    </message>
+</context>
+<context>
+    <name>told</name>
+    <message>
+        <source>there is no camera</source>
+        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
+        <translation>Keine Kamera gefunden</translation>
+    </message>
+    <message>
+        <source>Plug it in and allow its use, then try again</source>
+        <translation>Schließen Sie sie an, erlauben Sie ihre Benutzung und versuchen Sie es erneut</translation>
+    </message>
+    <message>
+        <source>the camera gives no pictures any more</source>
+        <translation>die Kamera liefert keine Bilder mehr</translation>
+    </message>
+    <message>
+        <source>Plug it in again</source>
+        <translation>Schließen Sie sie neu an</translation>
+    </message>
+    <message>
+        <source>it must be an object with &quot;format&quot;: %1</source>
+        <translation>es muss ein Objekt mit &quot;format&quot;: %1 sein</translation>
+    </message>
+    <message>
+        <source>a setting is out of its range</source>
+        <translation>eine Einstellung liegt außerhalb ihrer Grenzen</translation>
+    </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>diesen Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Choose another, or make it first</source>
+        <translation>Wählen Sie einen anderen oder legen Sie ihn zuerst an</translation>
+    </message>
+    <message>
+        <source>this folder holds other things than visitors</source>
+        <translation>in diesem Ordner liegt anderes als Besucher</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder, an event&apos;s, or one with photos named body_front.jpg and so on</source>
+        <translation>Wählen Sie einen leeren Ordner, den einer Veranstaltung oder einen mit Fotos namens body_front.jpg usw.</translation>
+    </message>
+    <message>
+        <source>the event&apos;s settings cannot be read</source>
+        <translation>die Einstellungen der Veranstaltung sind nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Correct %1, or move it away to start with the usual settings</source>
+        <translation>Berichtigen Sie %1, oder legen Sie die Datei beiseite, um mit den üblichen Einstellungen zu beginnen</translation>
+    </message>
+    <message>
+        <source>the key %1 is not known</source>
+        <translation>der Schlüssel %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>The keys are %1</source>
+        <translation>Die Schlüssel sind %1</translation>
+    </message>
+    <message>
+        <source>%1 has a value of the wrong kind</source>
+        <translation>%1 hat einen Wert der falschen Art</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>der Ordner ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Check its permissions</source>
+        <translation>Prüfen Sie die Zugriffsrechte</translation>
+    </message>
+    <message>
+        <source>the visitor&apos;s folder cannot be made</source>
+        <translation>der Ordner des Besuchers kann nicht angelegt werden</translation>
+    </message>
+    <message>
+        <source>Check permissions and space</source>
+        <translation>Prüfen Sie Zugriffsrechte und freien Platz</translation>
+    </message>
+    <message>
+        <source>this is there already</source>
+        <translation>das gibt es schon</translation>
+    </message>
+    <message>
+        <source>Choose another name or place</source>
+        <translation>Wählen Sie einen anderen Namen oder Ort</translation>
+    </message>
+    <message>
+        <source>it cannot be written there</source>
+        <translation>dorthin kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Is the stick full or write-protected?</source>
+        <translation>Ist der Stick voll oder schreibgeschützt?</translation>
+    </message>
+    <message>
+        <source>there is no photo yet</source>
+        <translation>es gibt noch kein Foto</translation>
+    </message>
+    <message>
+        <source>Take the photos first</source>
+        <translation>Machen Sie zuerst die Fotos</translation>
+    </message>
+    <message>
+        <source>no photo is stored before the visitor agreed</source>
+        <translation>ohne Einwilligung des Besuchers wird kein Foto gespeichert</translation>
+    </message>
+    <message>
+        <source>Ask the visitor and tick the consent on the first page</source>
+        <translation>Fragen Sie den Besucher und haken Sie die Einwilligung auf der ersten Seite an</translation>
+    </message>
+    <message>
+        <source>this is no photo</source>
+        <translation>das ist kein Foto</translation>
+    </message>
+    <message>
+        <source>Use one of %1</source>
+        <translation>Nehmen Sie eines von %1</translation>
+    </message>
+    <message>
+        <source>the photo cannot be stored</source>
+        <translation>das Foto kann nicht gespeichert werden</translation>
+    </message>
+    <message>
+        <source>Check the folder&apos;s permissions and space</source>
+        <translation>Prüfen Sie Zugriffsrechte und Platz des Ordners</translation>
+    </message>
+    <message>
+        <source>the photo cannot be moved</source>
+        <translation>das Foto kann nicht verschoben werden</translation>
+    </message>
+    <message>
+        <source>the photo cannot be deleted</source>
+        <translation>das Foto kann nicht gelöscht werden</translation>
+    </message>
+    <message>
+        <source>the photo cannot be turned</source>
+        <translation>das Foto kann nicht gedreht werden</translation>
+    </message>
+    <message>
+        <source>Turn it with another program</source>
+        <translation>Drehen Sie es mit einem anderen Programm</translation>
+    </message>
+    <message>
+        <source>the text is too long for a code</source>
+        <translation>der Text ist zu lang für einen Code</translation>
+    </message>
+    <message>
+        <source>%1 characters can be scanned</source>
+        <translation>%1 Zeichen können gelesen werden</translation>
+    </message>
+    <message>
+        <source>something went wrong that the program did not expect (%1)</source>
+        <translation>etwas ging schief, womit das Programm nicht gerechnet hat (%1)</translation>
+    </message>
+    <message>
+        <source>something went wrong that the program did not expect</source>
+        <translation>etwas ging schief, womit das Programm nicht gerechnet hat</translation>
+    </message>
+    <message>
+        <source>Try again; if it happens again, send the log file</source>
+        <translation>Versuchen Sie es erneut; geschieht es wieder, schicken Sie die Protokolldatei</translation>
+    </message>
+    <message>
+        <source>Go on; if it happens again, send the log file</source>
+        <translation>Machen Sie weiter; geschieht es wieder, schicken Sie die Protokolldatei</translation>
+    </message>
+    <message>
+        <source>Start it from a terminal with -v and send what it prints</source>
+        <translation>Starten Sie das Programm im Terminal mit -v und schicken Sie die Ausgabe</translation>
+    </message>
+    <message>
+        <source>the worker&apos;s process ended</source>
+        <translation>der Arbeitsprozess wurde beendet</translation>
+    </message>
+    <message>
+        <source>a texture of %1 texels cannot be made</source>
+        <translation>eine Textur mit %1 Texeln ist nicht möglich</translation>
+    </message>
+    <message>
+        <source>The sizes are %1</source>
+        <translation>Möglich sind %1</translation>
+    </message>
+    <message>
+        <source>the format %1 is not known</source>
+        <translation>das Format %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>The formats are %1</source>
+        <translation>Die Formate sind %1</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>Die Datei kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>Choose another folder or free some space</source>
+        <translation>Wählen Sie einen anderen Ordner oder schaffen Sie Platz</translation>
+    </message>
+    <message>
+        <source>USDZ needs a library that is not here</source>
+        <translation>USDZ braucht eine Bibliothek, die hier fehlt</translation>
+    </message>
+    <message>
+        <source>Install it with: %1</source>
+        <translation>Installieren Sie sie mit: %1</translation>
+    </message>
+    <message>
+        <source>This machine cannot draw: EGL gives no context</source>
+        <translation>Dieser Rechner kann nicht zeichnen: EGL gibt keinen Kontext</translation>
+    </message>
+    <message>
+        <source>nothing is held under this name</source>
+        <translation>unter diesem Namen ist nichts gespeichert</translation>
+    </message>
+    <message>
+        <source>cloner list shows the names</source>
+        <translation>cloner list zeigt die Namen</translation>
+    </message>
+    <message>
+        <source>somebody is cloning this visitor just now</source>
+        <translation>dieser Besucher wird gerade geklont</translation>
+    </message>
+    <message>
+        <source>Wait or stop that, and repeat</source>
+        <translation>Warten Sie oder brechen Sie das ab, dann noch einmal</translation>
+    </message>
+    <message>
+        <source>there is nowhere to look</source>
+        <translation>es ist kein Ort zum Suchen angegeben</translation>
+    </message>
+    <message>
+        <source>Give --photos, --out or both</source>
+        <translation>Geben Sie --photos, --out oder beides an</translation>
+    </message>
+    <message>
+        <source>Give --photos and --out as you gave them to batch</source>
+        <translation>Geben Sie --photos und --out so an wie bei batch</translation>
+    </message>
+    <message>
+        <source>the file exists</source>
+        <translation>die Datei gibt es schon</translation>
+    </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>Wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>the zip file cannot be written</source>
+        <translation>die Zip-Datei kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Check the folder and its space</source>
+        <translation>Prüfen Sie den Ordner und seinen Platz</translation>
+    </message>
+    <message>
+        <source>not everything could be deleted</source>
+        <translation>nicht alles konnte gelöscht werden</translation>
+    </message>
+    <message>
+        <source>Check permissions and repeat</source>
+        <translation>Prüfen Sie die Zugriffsrechte und wiederholen Sie es</translation>
+    </message>
+    <message>
+        <source>the results cannot be written there</source>
+        <translation>dorthin können die Ergebnisse nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Choose another --out folder, or check its permissions and free space</source>
+        <translation>Wählen Sie einen anderen Ordner, oder prüfen Sie Zugriffsrechte und freien Platz</translation>
+    </message>
+    <message>
+        <source>something that is no earlier result is in the way and will not be replaced</source>
+        <translation>etwas, das kein früheres Ergebnis ist, liegt im Weg und wird nicht ersetzt</translation>
+    </message>
+    <message>
+        <source>Choose another --out folder or --id</source>
+        <translation>Wählen Sie einen anderen Ordner oder Namen</translation>
+    </message>
+    <message>
+        <source>the file cannot be written</source>
+        <translation>die Datei kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>The clone was written by a newer version</source>
+        <translation>Der Klon stammt von einer neueren Version</translation>
+    </message>
+    <message>
+        <source>Clone the person again with this version of Cloner</source>
+        <translation>Klonen Sie die Person mit dieser Version neu</translation>
+    </message>
+    <message>
+        <source>The clone is not there</source>
+        <translation>Der Klon ist nicht da</translation>
+    </message>
+    <message>
+        <source>Run: cloner clone</source>
+        <translation>Führen Sie cloner clone aus</translation>
+    </message>
+    <message>
+        <source>The file is not a readable clone</source>
+        <translation>Die Datei ist kein lesbarer Klon</translation>
+    </message>
+    <message>
+        <source>%1 must be an object</source>
+        <translation>%1 muss ein Objekt sein</translation>
+    </message>
+    <message>
+        <source>Correct the entry, or move the file away to use the proposals alone</source>
+        <translation>Berichtigen Sie den Eintrag, oder legen Sie die Datei beiseite, um nur die Vorschläge zu nutzen</translation>
+    </message>
+    <message>
+        <source>a point needs numbers &quot;x&quot; and &quot;y&quot; in photo pixels</source>
+        <translation>ein Punkt braucht Zahlen &quot;x&quot; und &quot;y&quot; in Fotopixeln</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON</source>
+        <translation>das ist kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>%1 is not a view; the views are %2</source>
+        <translation>%1 ist keine Ansicht; die Ansichten sind %2</translation>
+    </message>
+    <message>
+        <source>there is no feature point of this name in this view</source>
+        <translation>in dieser Ansicht gibt es keinen Punkt dieses Namens</translation>
+    </message>
+    <message>
+        <source>the point lies outside the photo of %1</source>
+        <translation>der Punkt liegt außerhalb des Fotos von %1</translation>
+    </message>
+    <message>
+        <source>%1 with a usable name is here, and one front photo is needed</source>
+        <translation>%1 mit brauchbarem Namen ist hier, und ein Foto von vorn ist nötig</translation>
+    </message>
+    <message>
+        <source>Give the folder inside it that holds the photos (%1), or use cloner batch for all</source>
+        <translation>Nehmen Sie den Ordner darin, der die Fotos enthält (%1), oder cloner batch für alle</translation>
+    </message>
+    <message>
+        <source>Name the photos %1 (png, webp, tiff and heic work too)</source>
+        <translation>Nennen Sie die Fotos %1 (auch png, webp, tiff und heic)</translation>
+    </message>
+    <message>
+        <source>there is no such folder of photos</source>
+        <translation>diesen Ordner mit Fotos gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Give the folder that holds the photos</source>
+        <translation>Geben Sie den Ordner mit den Fotos an</translation>
+    </message>
+    <message>
+        <source>%1 must be text in quotes</source>
+        <translation>%1 muss Text in Anführungszeichen sein</translation>
+    </message>
+    <message>
+        <source>Put it in quotes</source>
+        <translation>Setzen Sie es in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>measures must be a table of centimetres</source>
+        <translation>measures muss eine Tabelle in Zentimetern sein</translation>
+    </message>
+    <message>
+        <source>Write a line [measures], and below it lines like: waist_girth = 70.2</source>
+        <translation>Schreiben Sie eine Zeile [measures] und darunter Zeilen wie: waist_girth = 70.2</translation>
+    </message>
+    <message>
+        <source>the height must be a number of centimetres</source>
+        <translation>die Größe muss eine Zahl in Zentimetern sein</translation>
+    </message>
+    <message>
+        <source>Write height_cm = 172</source>
+        <translation>Schreiben Sie height_cm = 172</translation>
+    </message>
+    <message>
+        <source>a height of %1 cm is outside %2 to %3 cm</source>
+        <translation>eine Größe von %1 cm liegt außerhalb von %2 bis %3 cm</translation>
+    </message>
+    <message>
+        <source>Give the barefoot height in centimetres</source>
+        <translation>Geben Sie die Größe ohne Schuhe in Zentimetern an</translation>
+    </message>
+    <message>
+        <source>there are two photos for %1: %2 and %3</source>
+        <translation>es gibt zwei Fotos für %1: %2 und %3</translation>
+    </message>
+    <message>
+        <source>Keep one of them</source>
+        <translation>Behalten Sie eines davon</translation>
+    </message>
+    <message>
+        <source>this is not valid TOML (%1)</source>
+        <translation>das ist kein gültiges TOML (%1)</translation>
+    </message>
+    <message>
+        <source>Write lines like: height_cm = 172</source>
+        <translation>Schreiben Sie Zeilen wie: height_cm = 172</translation>
+    </message>
+    <message>
+        <source>this is a link that leads out of its folder</source>
+        <translation>das ist eine Verknüpfung, die aus dem Ordner hinausführt</translation>
+    </message>
+    <message>
+        <source>Put the file itself there</source>
+        <translation>Legen Sie die Datei selbst dorthin</translation>
+    </message>
+    <message>
+        <source>&quot;format&quot; must be a whole number</source>
+        <translation>&quot;format&quot; muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>Write format = %1, as this version does</source>
+        <translation>Schreiben Sie format = %1, wie diese Version</translation>
+    </message>
+    <message>
+        <source>it was written by a newer version of Cloner (format %1, this one knows %2)</source>
+        <translation>es stammt von einer neueren Version von Cloner (Format %1, diese kennt %2)</translation>
+    </message>
+    <message>
+        <source>Update Cloner, or move the file away</source>
+        <translation>Aktualisieren Sie Cloner oder legen Sie die Datei beiseite</translation>
+    </message>
+    <message>
+        <source>this is no ordinary file</source>
+        <translation>das ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>Check it or move it away</source>
+        <translation>Prüfen Sie sie oder legen Sie sie beiseite</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 MB</source>
+        <translation>die Datei ist größer als %1 MB</translation>
+    </message>
+    <message>
+        <source>the file cannot be read as text</source>
+        <translation>die Datei ist nicht als Text lesbar</translation>
+    </message>
+    <message>
+        <source>the work folder cannot be written</source>
+        <translation>in den Arbeitsordner kann nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>The picture is too large to draw</source>
+        <translation>Das Bild ist zu groß zum Zeichnen</translation>
+    </message>
+    <message>
+        <source>Keep it under %1 pixels</source>
+        <translation>Bleiben Sie unter %1 Pixeln</translation>
+    </message>
+    <message>
+        <source>this photo shows only the upper part of the person, not the whole body</source>
+        <translation>dieses Foto zeigt nur den Oberkörper, nicht den ganzen Körper</translation>
+    </message>
+    <message>
+        <source>the feet are outside this photo</source>
+        <translation>die Füße sind nicht auf dem Foto</translation>
+    </message>
+    <message>
+        <source>this photo shows the person from the front or back, not from the side</source>
+        <translation>dieses Foto zeigt die Person von vorn oder hinten, nicht von der Seite</translation>
+    </message>
+    <message>
+        <source>this photo shows the person from the side, not the %1</source>
+        <translation>dieses Foto zeigt die Person von der Seite, nicht von %1</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>this photo shows the person&apos;s back, not the front</source>
+        <translation>dieses Foto zeigt die Person von hinten, nicht von vorn</translation>
+    </message>
+    <message>
+        <source>this photo shows the person&apos;s front, not the back</source>
+        <translation>dieses Foto zeigt die Person von vorn, nicht von hinten</translation>
+    </message>
+    <message>
+        <source>this photo shows the whole body, not the face from near</source>
+        <translation>dieses Foto zeigt den ganzen Körper, nicht das Gesicht aus der Nähe</translation>
+    </message>
+    <message>
+        <source>this photo shows the face from the side, not from the front</source>
+        <translation>dieses Foto zeigt das Gesicht von der Seite, nicht von vorn</translation>
+    </message>
+    <message>
+        <source>no face can be seen from the front in this photo</source>
+        <translation>auf diesem Foto ist kein Gesicht von vorn zu sehen</translation>
+    </message>
+    <message>
+        <source>this photo shows the head from the front or back, not from the side</source>
+        <translation>dieses Foto zeigt den Kopf von vorn oder hinten, nicht von der Seite</translation>
+    </message>
+    <message>
+        <source>Rename or retake the photos so that each shows what its name says</source>
+        <translation>Ordnen Sie die Fotos neu zu oder machen Sie sie neu, sodass jedes seine Ansicht zeigt</translation>
+    </message>
+    <message>
+        <source>%1: the corrected point %2 lies off the image</source>
+        <translation>%1: der berichtigte Punkt %2 liegt außerhalb des Bildes</translation>
+    </message>
+    <message>
+        <source>Drag it back on to the photo</source>
+        <translation>Ziehen Sie ihn zurück auf das Foto</translation>
+    </message>
+    <message>
+        <source>no person found in this photo</source>
+        <translation>auf diesem Foto wurde niemand gefunden</translation>
+    </message>
+    <message>
+        <source>Take it again with one person in full view</source>
+        <translation>Machen Sie es neu, mit einer ganz sichtbaren Person</translation>
+    </message>
+    <message>
+        <source>%1 people found in this photo</source>
+        <translation>%1 Personen auf diesem Foto gefunden</translation>
+    </message>
+    <message>
+        <source>Take it again with one person alone in view</source>
+        <translation>Machen Sie es neu, mit nur einer Person im Bild</translation>
+    </message>
+    <message>
+        <source>the person&apos;s outline was not found</source>
+        <translation>der Umriss der Person wurde nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Retake the photo before a plain background</source>
+        <translation>Machen Sie das Foto vor einem ruhigen Hintergrund neu</translation>
+    </message>
+    <message>
+        <source>the photo is missing</source>
+        <translation>das Foto fehlt</translation>
+    </message>
+    <message>
+        <source>Put it into the photos folder</source>
+        <translation>Legen Sie es in den Fotoordner</translation>
+    </message>
+    <message>
+        <source>the photo is empty (0 bytes)</source>
+        <translation>das Foto ist leer (0 Bytes)</translation>
+    </message>
+    <message>
+        <source>Copy the photo from the camera again, or retake it</source>
+        <translation>Kopieren Sie das Foto erneut von der Kamera oder machen Sie es neu</translation>
+    </message>
+    <message>
+        <source>%1 has %2 megapixels, more than the %3 that can be read</source>
+        <translation>%1 hat %2 Megapixel, mehr als die %3, die lesbar sind</translation>
+    </message>
+    <message>
+        <source>the photo</source>
+        <translation>das Foto</translation>
+    </message>
+    <message>
+        <source>this %1 photo</source>
+        <translation>dieses %1-Foto</translation>
+    </message>
+    <message>
+        <source>the photo has more than %1 megapixels</source>
+        <translation>das Foto hat mehr als %1 Megapixel</translation>
+    </message>
+    <message>
+        <source>Save it smaller, 12 megapixels are plenty</source>
+        <translation>Speichern Sie es kleiner, 12 Megapixel genügen</translation>
+    </message>
+    <message>
+        <source>the photo is only %1 x %2 pixels</source>
+        <translation>das Foto hat nur %1 x %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Use the original photo, not a thumbnail</source>
+        <translation>Nehmen Sie das Original, kein Vorschaubild</translation>
+    </message>
+    <message>
+        <source>this file is not a photo that can be read</source>
+        <translation>diese Datei ist kein lesbares Foto</translation>
+    </message>
+    <message>
+        <source>Install pillow-heif, or let the phone save photos as JPEG</source>
+        <translation>Installieren Sie pillow-heif, oder lassen Sie das Telefon JPEG speichern</translation>
+    </message>
+    <message>
+        <source>Use a JPEG, PNG, TIFF or WebP photo</source>
+        <translation>Nehmen Sie ein Foto als JPEG, PNG, TIFF oder WebP</translation>
+    </message>
+    <message>
+        <source>the photo is damaged or cut short</source>
+        <translation>das Foto ist beschädigt oder unvollständig</translation>
+    </message>
+    <message>
+        <source>the photo cannot be opened</source>
+        <translation>das Foto kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>the photo cannot be read</source>
+        <translation>das Foto ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Is the card or the cable still in its place?</source>
+        <translation>Steckt die Karte oder das Kabel noch?</translation>
+    </message>
+    <message>
+        <source>the photos changed while they were cloned</source>
+        <translation>die Fotos haben sich während des Klonens geändert</translation>
+    </message>
+    <message>
+        <source>Clone again</source>
+        <translation>Klonen Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>%1: depths of the face are those of a usual face of this shape</source>
+        <translation>%1: die Tiefen sind die eines üblichen Gesichts dieser Form</translation>
+    </message>
+    <message>
+        <source>there is no side photo of the face</source>
+        <translation>kein Foto des Gesichts von der Seite</translation>
+    </message>
+    <message>
+        <source>no profile was found in the side photo of the face</source>
+        <translation>im Seitenfoto des Gesichts wurde kein Profil gefunden</translation>
+    </message>
+    <message>
+        <source>No height was given: %1 cm is assumed, so every length is unscaled; %2</source>
+        <translation>Keine Größe angegeben: %1 cm werden angenommen, alle Längen sind ohne Maßstab; %2</translation>
+    </message>
+    <message>
+        <source>give --height-cm or height_cm in person.toml</source>
+        <translation>geben Sie die Größe auf der ersten Seite an</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>No photo could be laid on the body: it keeps one plain colour</source>
+        <translation>Kein Foto konnte auf den Körper gelegt werden: er behält eine einzige Farbe</translation>
+    </message>
+    <message>
+        <source>%1: no focal length in the photo; %2 mm is assumed</source>
+        <translation>%1: keine Brennweite im Foto; %2 mm werden angenommen</translation>
+    </message>
+    <message>
+        <source>%1: no focal length in the photo; %2 assumed.</source>
+        <translation>%1: keine Brennweite im Foto; %2 angenommen.</translation>
+    </message>
+    <message>
+        <source>no photo shows the face from the front: the head is the generic one of this build</source>
+        <translation>kein Foto zeigt das Gesicht von vorn: der Kopf ist der allgemeine dieser Statur</translation>
+    </message>
+    <message>
+        <source>no usable front photo of the face: the face comes from the small one in the body photo</source>
+        <translation>kein brauchbares Gesichtsfoto von vorn: das Gesicht stammt vom kleinen im Körperfoto</translation>
+    </message>
+    <message>
+        <source>Loose clothing between hips and knees was given its own surface</source>
+        <translation>Lose Kleidung zwischen Hüfte und Knien bekam eine eigene Fläche</translation>
+    </message>
+    <message>
+        <source>There is no body photo: the body is the generic one of a matching build, its colours a guess</source>
+        <translation>Kein Körperfoto: der Körper ist der allgemeine einer passenden Statur, seine Farben sind geraten</translation>
+    </message>
+    <message>
+        <source>There is no front photo of the body: its front is seen by the face photo alone</source>
+        <translation>Kein Körperfoto von vorn: die Vorderseite zeigt nur das Gesichtsfoto</translation>
+    </message>
+    <message>
+        <source>There is no side photo of the body: its depths are those of a usual body of this shape</source>
+        <translation>Kein Körperfoto von der Seite: die Tiefen sind die eines üblichen Körpers dieser Form</translation>
+    </message>
+    <message>
+        <source>There is no back photo of the body: its back is coloured from what the other photos show</source>
+        <translation>Kein Körperfoto von hinten: der Rücken ist nach den anderen Fotos gefärbt</translation>
+    </message>
+    <message>
+        <source>corrections.json corrects %1, but there is no such photo: they are not used</source>
+        <translation>corrections.json berichtigt %1, doch dieses Foto fehlt: die Berichtigungen werden nicht benutzt</translation>
+    </message>
+    <message>
+        <source>%1 has changed since its points were corrected: check them</source>
+        <translation>%1 hat sich geändert, seit die Punkte berichtigt wurden: prüfen Sie sie</translation>
+    </message>
+    <message>
+        <source>%1: the corrected point %2 could not be obeyed: %3</source>
+        <translation>%1: dem berichtigten Punkt %2 konnte nicht gefolgt werden: %3</translation>
+    </message>
+    <message>
+        <source>it sets the scale of its photo; hair and soles are no skin that could be laid on it</source>
+        <translation>er bestimmt den Maßstab seines Fotos; Haar und Sohlen sind keine Haut, die man darauf legen könnte</translation>
+    </message>
+    <message>
+        <source>the face does not follow it, so the clone stays %1 px off it</source>
+        <translation>das Gesicht folgt ihm nicht, der Klon bleibt %1 px davon entfernt</translation>
+    </message>
+    <message>
+        <source>the limb does not reach it, so the clone stays %1 px off it</source>
+        <translation>das Glied reicht nicht hin, der Klon bleibt %1 px davon entfernt</translation>
+    </message>
+    <message>
+        <source>no outline of the clone is seen there, so the point was left out</source>
+        <translation>dort ist kein Umriss des Klons zu sehen, der Punkt wurde ausgelassen</translation>
+    </message>
+    <message>
+        <source>the point lies %1 cm off the body, so it was left out: drag it back to the outline</source>
+        <translation>der Punkt liegt %1 cm neben dem Körper und wurde ausgelassen: ziehen Sie ihn zurück an den Umriss</translation>
+    </message>
+    <message>
+        <source>the skin would fold, so the clone stays %1 px off it</source>
+        <translation>die Haut würde sich falten, der Klon bleibt %1 px davon entfernt</translation>
+    </message>
+    <message>
+        <source>it contradicts %1, so the clone stays %2 px off it</source>
+        <translation>er widerspricht %1, der Klon bleibt %2 px davon entfernt</translation>
     </message>
 </context>
 <context>

@@ -411,6 +411,286 @@
     </message>
 </context>
 <context>
+    <name>names</name>
+    <message>
+        <source>inner corner of the eye</source>
+        <extracomment>Names without their sides.</extracomment>
+        <translation>coin intérieur de l’œil</translation>
+    </message>
+    <message>
+        <source>outer corner of the eye</source>
+        <translation>coin extérieur de l’œil</translation>
+    </message>
+    <message>
+        <source>upper lid</source>
+        <translation>paupière supérieure</translation>
+    </message>
+    <message>
+        <source>lower lid</source>
+        <translation>paupière inférieure</translation>
+    </message>
+    <message>
+        <source>corner of the mouth</source>
+        <translation>coin de la bouche</translation>
+    </message>
+    <message>
+        <source>wing of the nose</source>
+        <translation>aile du nez</translation>
+    </message>
+    <message>
+        <source>pupil</source>
+        <translation>pupille</translation>
+    </message>
+    <message>
+        <source>top of the ear</source>
+        <translation>haut de l’oreille</translation>
+    </message>
+    <message>
+        <source>earlobe</source>
+        <translation>lobe de l’oreille</translation>
+    </message>
+    <message>
+        <source>outermost point of the ear</source>
+        <translation>point extérieur de l’oreille</translation>
+    </message>
+    <message>
+        <source>back of the ear</source>
+        <translation>arrière de l’oreille</translation>
+    </message>
+    <message>
+        <source>root of the nose</source>
+        <translation>racine du nez</translation>
+    </message>
+    <message>
+        <source>forehead between the brows</source>
+        <translation>front entre les sourcils</translation>
+    </message>
+    <message>
+        <source>tip of the nose</source>
+        <translation>bout du nez</translation>
+    </message>
+    <message>
+        <source>base of the nose</source>
+        <translation>base du nez</translation>
+    </message>
+    <message>
+        <source>upper lip</source>
+        <translation>lèvre supérieure</translation>
+    </message>
+    <message>
+        <source>middle of the mouth</source>
+        <translation>milieu de la bouche</translation>
+    </message>
+    <message>
+        <source>lower lip</source>
+        <translation>lèvre inférieure</translation>
+    </message>
+    <message>
+        <source>front of the chin</source>
+        <translation>avant du menton</translation>
+    </message>
+    <message>
+        <source>bottom of the chin</source>
+        <translation>bas du menton</translation>
+    </message>
+    <message>
+        <source>hairline</source>
+        <translation>naissance des cheveux</translation>
+    </message>
+    <message>
+        <source>top of the head</source>
+        <translation>sommet de la tête</translation>
+    </message>
+    <message>
+        <source>toe</source>
+        <translation>orteil</translation>
+    </message>
+    <message>
+        <source>waist</source>
+        <translation>taille</translation>
+    </message>
+    <message>
+        <source>waist, front</source>
+        <translation>taille, devant</translation>
+    </message>
+    <message>
+        <source>waist, back</source>
+        <translation>taille, derrière</translation>
+    </message>
+    <message>
+        <source>hip</source>
+        <translation>hanche</translation>
+    </message>
+    <message>
+        <source>hip joint</source>
+        <translation>articulation de la hanche</translation>
+    </message>
+    <message>
+        <source>outside of the knee</source>
+        <translation>genou, extérieur</translation>
+    </message>
+    <message>
+        <source>inside of the knee</source>
+        <translation>genou, intérieur</translation>
+    </message>
+    <message>
+        <source>front of the knee</source>
+        <translation>genou, devant</translation>
+    </message>
+    <message>
+        <source>back of the knee</source>
+        <translation>creux du genou</translation>
+    </message>
+    <message>
+        <source>knee joint</source>
+        <translation>articulation du genou</translation>
+    </message>
+    <message>
+        <source>outside of the ankle</source>
+        <translation>cheville, extérieur</translation>
+    </message>
+    <message>
+        <source>inside of the ankle</source>
+        <translation>cheville, intérieur</translation>
+    </message>
+    <message>
+        <source>front of the ankle</source>
+        <translation>cheville, devant</translation>
+    </message>
+    <message>
+        <source>back of the ankle</source>
+        <translation>cheville, derrière</translation>
+    </message>
+    <message>
+        <source>ankle joint</source>
+        <translation>articulation de la cheville</translation>
+    </message>
+    <message>
+        <source>outside of the elbow</source>
+        <translation>coude, extérieur</translation>
+    </message>
+    <message>
+        <source>inside of the elbow</source>
+        <translation>coude, intérieur</translation>
+    </message>
+    <message>
+        <source>elbow joint</source>
+        <translation>articulation du coude</translation>
+    </message>
+    <message>
+        <source>outside of the wrist</source>
+        <translation>poignet, extérieur</translation>
+    </message>
+    <message>
+        <source>inside of the wrist</source>
+        <translation>poignet, intérieur</translation>
+    </message>
+    <message>
+        <source>wrist joint</source>
+        <translation>articulation du poignet</translation>
+    </message>
+    <message>
+        <source>end of the shoulder</source>
+        <translation>bout de l’épaule</translation>
+    </message>
+    <message>
+        <source>shoulder joint</source>
+        <translation>articulation de l’épaule</translation>
+    </message>
+    <message>
+        <source>bony tip of the shoulder</source>
+        <translation>pointe osseuse de l’épaule</translation>
+    </message>
+    <message>
+        <source>base of the neck</source>
+        <translation>base du cou</translation>
+    </message>
+    <message>
+        <source>front of the neck</source>
+        <translation>cou, devant</translation>
+    </message>
+    <message>
+        <source>back of the neck</source>
+        <translation>cou, derrière</translation>
+    </message>
+    <message>
+        <source>pit of the neck</source>
+        <translation>creux du cou</translation>
+    </message>
+    <message>
+        <source>nape</source>
+        <translation>nuque</translation>
+    </message>
+    <message>
+        <source>armpit</source>
+        <translation>aisselle</translation>
+    </message>
+    <message>
+        <source>sole</source>
+        <translation>semelle</translation>
+    </message>
+    <message>
+        <source>heel</source>
+        <translation>talon</translation>
+    </message>
+    <message>
+        <source>crotch</source>
+        <translation>entrejambe</translation>
+    </message>
+    <message>
+        <source>chest</source>
+        <translation>poitrine</translation>
+    </message>
+    <message>
+        <source>chest, front</source>
+        <translation>poitrine, devant</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>dos</translation>
+    </message>
+    <message>
+        <source>belly</source>
+        <translation>ventre</translation>
+    </message>
+    <message>
+        <source>seat</source>
+        <translation>fesse</translation>
+    </message>
+    <message>
+        <source>front of the thigh</source>
+        <translation>cuisse, devant</translation>
+    </message>
+    <message>
+        <source>back of the thigh</source>
+        <translation>cuisse, derrière</translation>
+    </message>
+    <message>
+        <source>outside of the thigh</source>
+        <translation>cuisse, extérieur</translation>
+    </message>
+    <message>
+        <source>inside of the thigh</source>
+        <translation>cuisse, intérieur</translation>
+    </message>
+    <message>
+        <source>calf</source>
+        <translation>mollet</translation>
+    </message>
+    <message>
+        <source>fingertip</source>
+        <translation>bout du doigt</translation>
+    </message>
+    <message>
+        <source>top of the skull</source>
+        <translation>sommet du crâne</translation>
+    </message>
+    <message>
+        <source>outline point</source>
+        <translation>point du contour</translation>
+    </message>
+</context>
+<context>
     <name>photos</name>
     <message>
         <source>Photos</source>
@@ -607,6 +887,14 @@
         <source>Clone again: this changes more than is shown.</source>
         <translation>Clonez à nouveau : cela change plus que ce qui est montré.</translation>
     </message>
+    <message>
+        <source>moving %1</source>
+        <translation>déplacer %1</translation>
+    </message>
+    <message>
+        <source>resetting %1</source>
+        <translation>rétablir %1</translation>
+    </message>
 </context>
 <context>
     <name>preview</name>
@@ -798,6 +1086,17 @@
     <message>
         <source>&amp;Consent</source>
         <translation>C&amp;onsentement</translation>
+    </message>
+</context>
+<context>
+    <name>sides</name>
+    <message>
+        <source>%1, left</source>
+        <translation>%1, gauche</translation>
+    </message>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, droite</translation>
     </message>
 </context>
 <context>
@@ -1070,6 +1369,726 @@
     <message>
         <source>about {n} min</source>
         <translation>environ {n} min</translation>
+    </message>
+</context>
+<context>
+    <name>told</name>
+    <message>
+        <source>there is no camera</source>
+        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
+        <translation>aucune caméra n’a été trouvée</translation>
+    </message>
+    <message>
+        <source>Plug it in and allow its use, then try again</source>
+        <translation>Branchez-la, autorisez son utilisation et réessayez</translation>
+    </message>
+    <message>
+        <source>the camera gives no pictures any more</source>
+        <translation>la caméra ne donne plus d’images</translation>
+    </message>
+    <message>
+        <source>Plug it in again</source>
+        <translation>Rebranchez-la</translation>
+    </message>
+    <message>
+        <source>it must be an object with &quot;format&quot;: %1</source>
+        <translation>ce doit être un objet avec &quot;format&quot; : %1</translation>
+    </message>
+    <message>
+        <source>a setting is out of its range</source>
+        <translation>un réglage est hors de ses limites</translation>
+    </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>ce dossier n’existe pas</translation>
+    </message>
+    <message>
+        <source>Choose another, or make it first</source>
+        <translation>Choisissez-en un autre ou créez-le d’abord</translation>
+    </message>
+    <message>
+        <source>this folder holds other things than visitors</source>
+        <translation>ce dossier contient autre chose que des visiteurs</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder, an event&apos;s, or one with photos named body_front.jpg and so on</source>
+        <translation>Choisissez un dossier vide, celui d’un événement, ou un dossier de photos nommées body_front.jpg, etc.</translation>
+    </message>
+    <message>
+        <source>the event&apos;s settings cannot be read</source>
+        <translation>les réglages de l’événement sont illisibles</translation>
+    </message>
+    <message>
+        <source>Correct %1, or move it away to start with the usual settings</source>
+        <translation>Corrigez %1, ou déplacez-le pour repartir des réglages habituels</translation>
+    </message>
+    <message>
+        <source>the key %1 is not known</source>
+        <translation>la clé %1 est inconnue</translation>
+    </message>
+    <message>
+        <source>The keys are %1</source>
+        <translation>Les clés sont %1</translation>
+    </message>
+    <message>
+        <source>%1 has a value of the wrong kind</source>
+        <translation>%1 a une valeur du mauvais type</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>le dossier est illisible</translation>
+    </message>
+    <message>
+        <source>Check its permissions</source>
+        <translation>Vérifiez ses droits d’accès</translation>
+    </message>
+    <message>
+        <source>the visitor&apos;s folder cannot be made</source>
+        <translation>le dossier du visiteur ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>Check permissions and space</source>
+        <translation>Vérifiez les droits d’accès et la place libre</translation>
+    </message>
+    <message>
+        <source>this is there already</source>
+        <translation>cela existe déjà</translation>
+    </message>
+    <message>
+        <source>Choose another name or place</source>
+        <translation>Choisissez un autre nom ou un autre endroit</translation>
+    </message>
+    <message>
+        <source>it cannot be written there</source>
+        <translation>impossible d’écrire à cet endroit</translation>
+    </message>
+    <message>
+        <source>Is the stick full or write-protected?</source>
+        <translation>La clé est-elle pleine ou protégée en écriture ?</translation>
+    </message>
+    <message>
+        <source>there is no photo yet</source>
+        <translation>il n’y a pas encore de photo</translation>
+    </message>
+    <message>
+        <source>Take the photos first</source>
+        <translation>Prenez d’abord les photos</translation>
+    </message>
+    <message>
+        <source>no photo is stored before the visitor agreed</source>
+        <translation>aucune photo n’est conservée avant l’accord du visiteur</translation>
+    </message>
+    <message>
+        <source>Ask the visitor and tick the consent on the first page</source>
+        <translation>Demandez au visiteur et cochez l’accord sur la première page</translation>
+    </message>
+    <message>
+        <source>this is no photo</source>
+        <translation>ce n’est pas une photo</translation>
+    </message>
+    <message>
+        <source>Use one of %1</source>
+        <translation>Utilisez l’un de ces formats : %1</translation>
+    </message>
+    <message>
+        <source>the photo cannot be stored</source>
+        <translation>la photo ne peut pas être enregistrée</translation>
+    </message>
+    <message>
+        <source>Check the folder&apos;s permissions and space</source>
+        <translation>Vérifiez les droits d’accès et la place du dossier</translation>
+    </message>
+    <message>
+        <source>the photo cannot be moved</source>
+        <translation>la photo ne peut pas être déplacée</translation>
+    </message>
+    <message>
+        <source>the photo cannot be deleted</source>
+        <translation>la photo ne peut pas être supprimée</translation>
+    </message>
+    <message>
+        <source>the photo cannot be turned</source>
+        <translation>la photo ne peut pas être tournée</translation>
+    </message>
+    <message>
+        <source>Turn it with another program</source>
+        <translation>Tournez-la avec un autre programme</translation>
+    </message>
+    <message>
+        <source>the text is too long for a code</source>
+        <translation>le texte est trop long pour un code</translation>
+    </message>
+    <message>
+        <source>%1 characters can be scanned</source>
+        <translation>%1 caractères peuvent être lus</translation>
+    </message>
+    <message>
+        <source>something went wrong that the program did not expect (%1)</source>
+        <translation>une erreur que le programme n’attendait pas s’est produite (%1)</translation>
+    </message>
+    <message>
+        <source>something went wrong that the program did not expect</source>
+        <translation>une erreur que le programme n’attendait pas s’est produite</translation>
+    </message>
+    <message>
+        <source>Try again; if it happens again, send the log file</source>
+        <translation>Réessayez ; si cela se reproduit, envoyez le fichier journal</translation>
+    </message>
+    <message>
+        <source>Go on; if it happens again, send the log file</source>
+        <translation>Continuez ; si cela se reproduit, envoyez le fichier journal</translation>
+    </message>
+    <message>
+        <source>Start it from a terminal with -v and send what it prints</source>
+        <translation>Lancez le programme dans un terminal avec -v et envoyez ce qu’il affiche</translation>
+    </message>
+    <message>
+        <source>the worker&apos;s process ended</source>
+        <translation>le processus de travail s’est arrêté</translation>
+    </message>
+    <message>
+        <source>a texture of %1 texels cannot be made</source>
+        <translation>une texture de %1 texels est impossible</translation>
+    </message>
+    <message>
+        <source>The sizes are %1</source>
+        <translation>Les tailles sont %1</translation>
+    </message>
+    <message>
+        <source>the format %1 is not known</source>
+        <translation>le format %1 est inconnu</translation>
+    </message>
+    <message>
+        <source>The formats are %1</source>
+        <translation>Les formats sont %1</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>Le fichier ne peut pas être écrit : %1</translation>
+    </message>
+    <message>
+        <source>Choose another folder or free some space</source>
+        <translation>Choisissez un autre dossier ou libérez de la place</translation>
+    </message>
+    <message>
+        <source>USDZ needs a library that is not here</source>
+        <translation>USDZ a besoin d’une bibliothèque absente ici</translation>
+    </message>
+    <message>
+        <source>Install it with: %1</source>
+        <translation>Installez-la avec : %1</translation>
+    </message>
+    <message>
+        <source>This machine cannot draw: EGL gives no context</source>
+        <translation>Cette machine ne peut pas dessiner : EGL ne donne pas de contexte</translation>
+    </message>
+    <message>
+        <source>nothing is held under this name</source>
+        <translation>rien n’est conservé sous ce nom</translation>
+    </message>
+    <message>
+        <source>cloner list shows the names</source>
+        <translation>cloner list montre les noms</translation>
+    </message>
+    <message>
+        <source>somebody is cloning this visitor just now</source>
+        <translation>ce visiteur est en cours de clonage</translation>
+    </message>
+    <message>
+        <source>Wait or stop that, and repeat</source>
+        <translation>Attendez ou arrêtez cela, puis recommencez</translation>
+    </message>
+    <message>
+        <source>there is nowhere to look</source>
+        <translation>aucun endroit où chercher</translation>
+    </message>
+    <message>
+        <source>Give --photos, --out or both</source>
+        <translation>Donnez --photos, --out ou les deux</translation>
+    </message>
+    <message>
+        <source>Give --photos and --out as you gave them to batch</source>
+        <translation>Donnez --photos et --out comme pour batch</translation>
+    </message>
+    <message>
+        <source>the file exists</source>
+        <translation>le fichier existe déjà</translation>
+    </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>Choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>the zip file cannot be written</source>
+        <translation>le fichier zip ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>Check the folder and its space</source>
+        <translation>Vérifiez le dossier et sa place libre</translation>
+    </message>
+    <message>
+        <source>not everything could be deleted</source>
+        <translation>tout n’a pas pu être supprimé</translation>
+    </message>
+    <message>
+        <source>Check permissions and repeat</source>
+        <translation>Vérifiez les droits d’accès et recommencez</translation>
+    </message>
+    <message>
+        <source>the results cannot be written there</source>
+        <translation>les résultats ne peuvent pas être écrits à cet endroit</translation>
+    </message>
+    <message>
+        <source>Choose another --out folder, or check its permissions and free space</source>
+        <translation>Choisissez un autre dossier, ou vérifiez ses droits d’accès et la place libre</translation>
+    </message>
+    <message>
+        <source>something that is no earlier result is in the way and will not be replaced</source>
+        <translation>quelque chose qui n’est pas un résultat antérieur gêne et ne sera pas remplacé</translation>
+    </message>
+    <message>
+        <source>Choose another --out folder or --id</source>
+        <translation>Choisissez un autre dossier ou un autre nom</translation>
+    </message>
+    <message>
+        <source>the file cannot be written</source>
+        <translation>le fichier ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>The clone was written by a newer version</source>
+        <translation>Le clone vient d’une version plus récente</translation>
+    </message>
+    <message>
+        <source>Clone the person again with this version of Cloner</source>
+        <translation>Clonez la personne de nouveau avec cette version</translation>
+    </message>
+    <message>
+        <source>The clone is not there</source>
+        <translation>Le clone n’est pas là</translation>
+    </message>
+    <message>
+        <source>Run: cloner clone</source>
+        <translation>Lancez : cloner clone</translation>
+    </message>
+    <message>
+        <source>The file is not a readable clone</source>
+        <translation>Le fichier n’est pas un clone lisible</translation>
+    </message>
+    <message>
+        <source>%1 must be an object</source>
+        <translation>%1 doit être un objet</translation>
+    </message>
+    <message>
+        <source>Correct the entry, or move the file away to use the proposals alone</source>
+        <translation>Corrigez l’entrée, ou déplacez le fichier pour n’utiliser que les propositions</translation>
+    </message>
+    <message>
+        <source>a point needs numbers &quot;x&quot; and &quot;y&quot; in photo pixels</source>
+        <translation>un point demande des nombres &quot;x&quot; et &quot;y&quot; en pixels de la photo</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON</source>
+        <translation>ce n’est pas du JSON valide</translation>
+    </message>
+    <message>
+        <source>%1 is not a view; the views are %2</source>
+        <translation>%1 n’est pas une vue ; les vues sont %2</translation>
+    </message>
+    <message>
+        <source>there is no feature point of this name in this view</source>
+        <translation>cette vue n’a pas de point de ce nom</translation>
+    </message>
+    <message>
+        <source>the point lies outside the photo of %1</source>
+        <translation>le point est hors de la photo de %1</translation>
+    </message>
+    <message>
+        <source>%1 with a usable name is here, and one front photo is needed</source>
+        <translation>%1 avec un nom utilisable ici, et il faut une photo de face</translation>
+    </message>
+    <message>
+        <source>Give the folder inside it that holds the photos (%1), or use cloner batch for all</source>
+        <translation>Prenez le dossier intérieur qui contient les photos (%1), ou cloner batch pour tous</translation>
+    </message>
+    <message>
+        <source>Name the photos %1 (png, webp, tiff and heic work too)</source>
+        <translation>Nommez les photos %1 (png, webp, tiff et heic conviennent aussi)</translation>
+    </message>
+    <message>
+        <source>there is no such folder of photos</source>
+        <translation>ce dossier de photos n’existe pas</translation>
+    </message>
+    <message>
+        <source>Give the folder that holds the photos</source>
+        <translation>Donnez le dossier qui contient les photos</translation>
+    </message>
+    <message>
+        <source>%1 must be text in quotes</source>
+        <translation>%1 doit être un texte entre guillemets</translation>
+    </message>
+    <message>
+        <source>Put it in quotes</source>
+        <translation>Mettez-le entre guillemets</translation>
+    </message>
+    <message>
+        <source>measures must be a table of centimetres</source>
+        <translation>measures doit être un tableau en centimètres</translation>
+    </message>
+    <message>
+        <source>Write a line [measures], and below it lines like: waist_girth = 70.2</source>
+        <translation>Écrivez une ligne [measures], puis des lignes comme : waist_girth = 70.2</translation>
+    </message>
+    <message>
+        <source>the height must be a number of centimetres</source>
+        <translation>la taille doit être un nombre de centimètres</translation>
+    </message>
+    <message>
+        <source>Write height_cm = 172</source>
+        <translation>Écrivez height_cm = 172</translation>
+    </message>
+    <message>
+        <source>a height of %1 cm is outside %2 to %3 cm</source>
+        <translation>une taille de %1 cm est hors de %2 à %3 cm</translation>
+    </message>
+    <message>
+        <source>Give the barefoot height in centimetres</source>
+        <translation>Donnez la taille pieds nus en centimètres</translation>
+    </message>
+    <message>
+        <source>there are two photos for %1: %2 and %3</source>
+        <translation>il y a deux photos pour %1 : %2 et %3</translation>
+    </message>
+    <message>
+        <source>Keep one of them</source>
+        <translation>Gardez-en une</translation>
+    </message>
+    <message>
+        <source>this is not valid TOML (%1)</source>
+        <translation>ce n’est pas du TOML valide (%1)</translation>
+    </message>
+    <message>
+        <source>Write lines like: height_cm = 172</source>
+        <translation>Écrivez des lignes comme : height_cm = 172</translation>
+    </message>
+    <message>
+        <source>this is a link that leads out of its folder</source>
+        <translation>c’est un lien qui sort de son dossier</translation>
+    </message>
+    <message>
+        <source>Put the file itself there</source>
+        <translation>Mettez-y le fichier lui-même</translation>
+    </message>
+    <message>
+        <source>&quot;format&quot; must be a whole number</source>
+        <translation>&quot;format&quot; doit être un nombre entier</translation>
+    </message>
+    <message>
+        <source>Write format = %1, as this version does</source>
+        <translation>Écrivez format = %1, comme cette version</translation>
+    </message>
+    <message>
+        <source>it was written by a newer version of Cloner (format %1, this one knows %2)</source>
+        <translation>il vient d’une version plus récente de Cloner (format %1, celle-ci connaît %2)</translation>
+    </message>
+    <message>
+        <source>Update Cloner, or move the file away</source>
+        <translation>Mettez Cloner à jour ou déplacez le fichier</translation>
+    </message>
+    <message>
+        <source>this is no ordinary file</source>
+        <translation>ce n’est pas un fichier ordinaire</translation>
+    </message>
+    <message>
+        <source>Check it or move it away</source>
+        <translation>Vérifiez-le ou déplacez-le</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 MB</source>
+        <translation>le fichier dépasse %1 Mo</translation>
+    </message>
+    <message>
+        <source>the file cannot be read as text</source>
+        <translation>le fichier n’est pas lisible comme texte</translation>
+    </message>
+    <message>
+        <source>the work folder cannot be written</source>
+        <translation>le dossier de travail ne peut pas être écrit</translation>
+    </message>
+    <message>
+        <source>The picture is too large to draw</source>
+        <translation>L’image est trop grande pour être dessinée</translation>
+    </message>
+    <message>
+        <source>Keep it under %1 pixels</source>
+        <translation>Restez sous %1 pixels</translation>
+    </message>
+    <message>
+        <source>this photo shows only the upper part of the person, not the whole body</source>
+        <translation>cette photo ne montre que le haut du corps, pas le corps entier</translation>
+    </message>
+    <message>
+        <source>the feet are outside this photo</source>
+        <translation>les pieds sont hors de la photo</translation>
+    </message>
+    <message>
+        <source>this photo shows the person from the front or back, not from the side</source>
+        <translation>cette photo montre la personne de face ou de dos, pas de côté</translation>
+    </message>
+    <message>
+        <source>this photo shows the person from the side, not the %1</source>
+        <translation>cette photo montre la personne de côté, pas de %1</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>face</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>dos</translation>
+    </message>
+    <message>
+        <source>this photo shows the person&apos;s back, not the front</source>
+        <translation>cette photo montre la personne de dos, pas de face</translation>
+    </message>
+    <message>
+        <source>this photo shows the person&apos;s front, not the back</source>
+        <translation>cette photo montre la personne de face, pas de dos</translation>
+    </message>
+    <message>
+        <source>this photo shows the whole body, not the face from near</source>
+        <translation>cette photo montre le corps entier, pas le visage de près</translation>
+    </message>
+    <message>
+        <source>this photo shows the face from the side, not from the front</source>
+        <translation>cette photo montre le visage de côté, pas de face</translation>
+    </message>
+    <message>
+        <source>no face can be seen from the front in this photo</source>
+        <translation>aucun visage n’est visible de face sur cette photo</translation>
+    </message>
+    <message>
+        <source>this photo shows the head from the front or back, not from the side</source>
+        <translation>cette photo montre la tête de face ou de dos, pas de côté</translation>
+    </message>
+    <message>
+        <source>Rename or retake the photos so that each shows what its name says</source>
+        <translation>Replacez ou reprenez les photos pour que chacune montre sa vue</translation>
+    </message>
+    <message>
+        <source>%1: the corrected point %2 lies off the image</source>
+        <translation>%1 : le point corrigé %2 est hors de l’image</translation>
+    </message>
+    <message>
+        <source>Drag it back on to the photo</source>
+        <translation>Ramenez-le sur la photo</translation>
+    </message>
+    <message>
+        <source>no person found in this photo</source>
+        <translation>personne n’a été trouvé sur cette photo</translation>
+    </message>
+    <message>
+        <source>Take it again with one person in full view</source>
+        <translation>Reprenez-la avec une personne entièrement visible</translation>
+    </message>
+    <message>
+        <source>%1 people found in this photo</source>
+        <translation>%1 personnes trouvées sur cette photo</translation>
+    </message>
+    <message>
+        <source>Take it again with one person alone in view</source>
+        <translation>Reprenez-la avec une seule personne dans le cadre</translation>
+    </message>
+    <message>
+        <source>the person&apos;s outline was not found</source>
+        <translation>le contour de la personne n’a pas été trouvé</translation>
+    </message>
+    <message>
+        <source>Retake the photo before a plain background</source>
+        <translation>Reprenez la photo devant un fond uni</translation>
+    </message>
+    <message>
+        <source>the photo is missing</source>
+        <translation>la photo manque</translation>
+    </message>
+    <message>
+        <source>Put it into the photos folder</source>
+        <translation>Mettez-la dans le dossier des photos</translation>
+    </message>
+    <message>
+        <source>the photo is empty (0 bytes)</source>
+        <translation>la photo est vide (0 octet)</translation>
+    </message>
+    <message>
+        <source>Copy the photo from the camera again, or retake it</source>
+        <translation>Copiez de nouveau la photo depuis l’appareil, ou reprenez-la</translation>
+    </message>
+    <message>
+        <source>%1 has %2 megapixels, more than the %3 that can be read</source>
+        <translation>%1 a %2 mégapixels, plus que les %3 lisibles</translation>
+    </message>
+    <message>
+        <source>the photo</source>
+        <translation>la photo</translation>
+    </message>
+    <message>
+        <source>this %1 photo</source>
+        <translation>cette photo %1</translation>
+    </message>
+    <message>
+        <source>the photo has more than %1 megapixels</source>
+        <translation>la photo a plus de %1 mégapixels</translation>
+    </message>
+    <message>
+        <source>Save it smaller, 12 megapixels are plenty</source>
+        <translation>Enregistrez-la plus petite, 12 mégapixels suffisent</translation>
+    </message>
+    <message>
+        <source>the photo is only %1 x %2 pixels</source>
+        <translation>la photo n’a que %1 x %2 pixels</translation>
+    </message>
+    <message>
+        <source>Use the original photo, not a thumbnail</source>
+        <translation>Utilisez l’original, pas une vignette</translation>
+    </message>
+    <message>
+        <source>this file is not a photo that can be read</source>
+        <translation>ce fichier n’est pas une photo lisible</translation>
+    </message>
+    <message>
+        <source>Install pillow-heif, or let the phone save photos as JPEG</source>
+        <translation>Installez pillow-heif, ou faites enregistrer des JPEG par le téléphone</translation>
+    </message>
+    <message>
+        <source>Use a JPEG, PNG, TIFF or WebP photo</source>
+        <translation>Utilisez une photo JPEG, PNG, TIFF ou WebP</translation>
+    </message>
+    <message>
+        <source>the photo is damaged or cut short</source>
+        <translation>la photo est abîmée ou tronquée</translation>
+    </message>
+    <message>
+        <source>the photo cannot be opened</source>
+        <translation>la photo ne peut pas être ouverte</translation>
+    </message>
+    <message>
+        <source>the photo cannot be read</source>
+        <translation>la photo est illisible</translation>
+    </message>
+    <message>
+        <source>Is the card or the cable still in its place?</source>
+        <translation>La carte ou le câble est-il toujours en place ?</translation>
+    </message>
+    <message>
+        <source>the photos changed while they were cloned</source>
+        <translation>les photos ont changé pendant le clonage</translation>
+    </message>
+    <message>
+        <source>Clone again</source>
+        <translation>Clonez de nouveau</translation>
+    </message>
+    <message>
+        <source>%1: depths of the face are those of a usual face of this shape</source>
+        <translation>%1 : les profondeurs sont celles d’un visage usuel de cette forme</translation>
+    </message>
+    <message>
+        <source>there is no side photo of the face</source>
+        <translation>pas de photo du visage de côté</translation>
+    </message>
+    <message>
+        <source>no profile was found in the side photo of the face</source>
+        <translation>aucun profil trouvé sur la photo du visage de côté</translation>
+    </message>
+    <message>
+        <source>No height was given: %1 cm is assumed, so every length is unscaled; %2</source>
+        <translation>Aucune taille donnée : %1 cm sont supposés, les longueurs sont sans échelle ; %2</translation>
+    </message>
+    <message>
+        <source>give --height-cm or height_cm in person.toml</source>
+        <translation>donnez la taille sur la première page</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Accord</translation>
+    </message>
+    <message>
+        <source>No photo could be laid on the body: it keeps one plain colour</source>
+        <translation>Aucune photo n’a pu être posée sur le corps : il garde une seule couleur</translation>
+    </message>
+    <message>
+        <source>%1: no focal length in the photo; %2 mm is assumed</source>
+        <translation>%1 : pas de focale dans la photo ; %2 mm sont supposés</translation>
+    </message>
+    <message>
+        <source>%1: no focal length in the photo; %2 assumed.</source>
+        <translation>%1 : pas de focale dans la photo ; %2 supposé.</translation>
+    </message>
+    <message>
+        <source>no photo shows the face from the front: the head is the generic one of this build</source>
+        <translation>aucune photo ne montre le visage de face : la tête est celle, générique, de cette carrure</translation>
+    </message>
+    <message>
+        <source>no usable front photo of the face: the face comes from the small one in the body photo</source>
+        <translation>pas de photo de face utilisable : le visage vient du petit visage de la photo du corps</translation>
+    </message>
+    <message>
+        <source>Loose clothing between hips and knees was given its own surface</source>
+        <translation>Les vêtements amples entre hanches et genoux ont reçu leur propre surface</translation>
+    </message>
+    <message>
+        <source>There is no body photo: the body is the generic one of a matching build, its colours a guess</source>
+        <translation>Pas de photo du corps : le corps est celui, générique, d’une carrure assortie, ses couleurs sont devinées</translation>
+    </message>
+    <message>
+        <source>There is no front photo of the body: its front is seen by the face photo alone</source>
+        <translation>Pas de photo du corps de face : l’avant n’est vu que par la photo du visage</translation>
+    </message>
+    <message>
+        <source>There is no side photo of the body: its depths are those of a usual body of this shape</source>
+        <translation>Pas de photo du corps de côté : les profondeurs sont celles d’un corps usuel de cette forme</translation>
+    </message>
+    <message>
+        <source>There is no back photo of the body: its back is coloured from what the other photos show</source>
+        <translation>Pas de photo du corps de dos : le dos est coloré d’après les autres photos</translation>
+    </message>
+    <message>
+        <source>corrections.json corrects %1, but there is no such photo: they are not used</source>
+        <translation>corrections.json corrige %1, mais cette photo manque : ces corrections ne servent pas</translation>
+    </message>
+    <message>
+        <source>%1 has changed since its points were corrected: check them</source>
+        <translation>%1 a changé depuis la correction de ses points : vérifiez-les</translation>
+    </message>
+    <message>
+        <source>%1: the corrected point %2 could not be obeyed: %3</source>
+        <translation>%1 : le point corrigé %2 n’a pas pu être suivi : %3</translation>
+    </message>
+    <message>
+        <source>it sets the scale of its photo; hair and soles are no skin that could be laid on it</source>
+        <translation>il fixe l’échelle de sa photo ; cheveux et semelles ne sont pas de la peau à y poser</translation>
+    </message>
+    <message>
+        <source>the face does not follow it, so the clone stays %1 px off it</source>
+        <translation>le visage ne le suit pas, le clone en reste à %1 px</translation>
+    </message>
+    <message>
+        <source>the limb does not reach it, so the clone stays %1 px off it</source>
+        <translation>le membre ne l’atteint pas, le clone en reste à %1 px</translation>
+    </message>
+    <message>
+        <source>no outline of the clone is seen there, so the point was left out</source>
+        <translation>aucun contour du clone n’y est visible, le point est laissé de côté</translation>
+    </message>
+    <message>
+        <source>the point lies %1 cm off the body, so it was left out: drag it back to the outline</source>
+        <translation>le point est à %1 cm du corps et est laissé de côté : ramenez-le sur le contour</translation>
+    </message>
+    <message>
+        <source>the skin would fold, so the clone stays %1 px off it</source>
+        <translation>la peau ferait un pli, le clone en reste à %1 px</translation>
+    </message>
+    <message>
+        <source>it contradicts %1, so the clone stays %2 px off it</source>
+        <translation>il contredit %1, le clone en reste à %2 px</translation>
     </message>
 </context>
 <context>

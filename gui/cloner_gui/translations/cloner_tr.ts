@@ -410,6 +410,286 @@
     </message>
 </context>
 <context>
+    <name>names</name>
+    <message>
+        <source>inner corner of the eye</source>
+        <extracomment>Names without their sides.</extracomment>
+        <translation>gözün iç köşesi</translation>
+    </message>
+    <message>
+        <source>outer corner of the eye</source>
+        <translation>gözün dış köşesi</translation>
+    </message>
+    <message>
+        <source>upper lid</source>
+        <translation>üst göz kapağı</translation>
+    </message>
+    <message>
+        <source>lower lid</source>
+        <translation>alt göz kapağı</translation>
+    </message>
+    <message>
+        <source>corner of the mouth</source>
+        <translation>ağız köşesi</translation>
+    </message>
+    <message>
+        <source>wing of the nose</source>
+        <translation>burun kanadı</translation>
+    </message>
+    <message>
+        <source>pupil</source>
+        <translation>gözbebeği</translation>
+    </message>
+    <message>
+        <source>top of the ear</source>
+        <translation>kulağın tepesi</translation>
+    </message>
+    <message>
+        <source>earlobe</source>
+        <translation>kulak memesi</translation>
+    </message>
+    <message>
+        <source>outermost point of the ear</source>
+        <translation>kulağın en dış noktası</translation>
+    </message>
+    <message>
+        <source>back of the ear</source>
+        <translation>kulağın arkası</translation>
+    </message>
+    <message>
+        <source>root of the nose</source>
+        <translation>burun kökü</translation>
+    </message>
+    <message>
+        <source>forehead between the brows</source>
+        <translation>kaşlar arası alın</translation>
+    </message>
+    <message>
+        <source>tip of the nose</source>
+        <translation>burun ucu</translation>
+    </message>
+    <message>
+        <source>base of the nose</source>
+        <translation>burun altı</translation>
+    </message>
+    <message>
+        <source>upper lip</source>
+        <translation>üst dudak</translation>
+    </message>
+    <message>
+        <source>middle of the mouth</source>
+        <translation>ağzın ortası</translation>
+    </message>
+    <message>
+        <source>lower lip</source>
+        <translation>alt dudak</translation>
+    </message>
+    <message>
+        <source>front of the chin</source>
+        <translation>çenenin önü</translation>
+    </message>
+    <message>
+        <source>bottom of the chin</source>
+        <translation>çenenin altı</translation>
+    </message>
+    <message>
+        <source>hairline</source>
+        <translation>saç çizgisi</translation>
+    </message>
+    <message>
+        <source>top of the head</source>
+        <translation>başın tepesi</translation>
+    </message>
+    <message>
+        <source>toe</source>
+        <translation>ayak ucu</translation>
+    </message>
+    <message>
+        <source>waist</source>
+        <translation>bel</translation>
+    </message>
+    <message>
+        <source>waist, front</source>
+        <translation>bel, ön</translation>
+    </message>
+    <message>
+        <source>waist, back</source>
+        <translation>bel, arka</translation>
+    </message>
+    <message>
+        <source>hip</source>
+        <translation>kalça</translation>
+    </message>
+    <message>
+        <source>hip joint</source>
+        <translation>kalça eklemi</translation>
+    </message>
+    <message>
+        <source>outside of the knee</source>
+        <translation>dizin dışı</translation>
+    </message>
+    <message>
+        <source>inside of the knee</source>
+        <translation>dizin içi</translation>
+    </message>
+    <message>
+        <source>front of the knee</source>
+        <translation>dizin önü</translation>
+    </message>
+    <message>
+        <source>back of the knee</source>
+        <translation>dizin arkası</translation>
+    </message>
+    <message>
+        <source>knee joint</source>
+        <translation>diz eklemi</translation>
+    </message>
+    <message>
+        <source>outside of the ankle</source>
+        <translation>ayak bileğinin dışı</translation>
+    </message>
+    <message>
+        <source>inside of the ankle</source>
+        <translation>ayak bileğinin içi</translation>
+    </message>
+    <message>
+        <source>front of the ankle</source>
+        <translation>ayak bileğinin önü</translation>
+    </message>
+    <message>
+        <source>back of the ankle</source>
+        <translation>ayak bileğinin arkası</translation>
+    </message>
+    <message>
+        <source>ankle joint</source>
+        <translation>ayak bileği eklemi</translation>
+    </message>
+    <message>
+        <source>outside of the elbow</source>
+        <translation>dirseğin dışı</translation>
+    </message>
+    <message>
+        <source>inside of the elbow</source>
+        <translation>dirseğin içi</translation>
+    </message>
+    <message>
+        <source>elbow joint</source>
+        <translation>dirsek eklemi</translation>
+    </message>
+    <message>
+        <source>outside of the wrist</source>
+        <translation>el bileğinin dışı</translation>
+    </message>
+    <message>
+        <source>inside of the wrist</source>
+        <translation>el bileğinin içi</translation>
+    </message>
+    <message>
+        <source>wrist joint</source>
+        <translation>el bileği eklemi</translation>
+    </message>
+    <message>
+        <source>end of the shoulder</source>
+        <translation>omuz ucu</translation>
+    </message>
+    <message>
+        <source>shoulder joint</source>
+        <translation>omuz eklemi</translation>
+    </message>
+    <message>
+        <source>bony tip of the shoulder</source>
+        <translation>omuz çıkıntısı</translation>
+    </message>
+    <message>
+        <source>base of the neck</source>
+        <translation>boyun dibi</translation>
+    </message>
+    <message>
+        <source>front of the neck</source>
+        <translation>boynun önü</translation>
+    </message>
+    <message>
+        <source>back of the neck</source>
+        <translation>boynun arkası</translation>
+    </message>
+    <message>
+        <source>pit of the neck</source>
+        <translation>boyun çukuru</translation>
+    </message>
+    <message>
+        <source>nape</source>
+        <translation>ense</translation>
+    </message>
+    <message>
+        <source>armpit</source>
+        <translation>koltuk altı</translation>
+    </message>
+    <message>
+        <source>sole</source>
+        <translation>taban</translation>
+    </message>
+    <message>
+        <source>heel</source>
+        <translation>topuk</translation>
+    </message>
+    <message>
+        <source>crotch</source>
+        <translation>kasık</translation>
+    </message>
+    <message>
+        <source>chest</source>
+        <translation>göğüs</translation>
+    </message>
+    <message>
+        <source>chest, front</source>
+        <translation>göğüs, ön</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>sırt</translation>
+    </message>
+    <message>
+        <source>belly</source>
+        <translation>karın</translation>
+    </message>
+    <message>
+        <source>seat</source>
+        <translation>kalça arkası</translation>
+    </message>
+    <message>
+        <source>front of the thigh</source>
+        <translation>uyluğun önü</translation>
+    </message>
+    <message>
+        <source>back of the thigh</source>
+        <translation>uyluğun arkası</translation>
+    </message>
+    <message>
+        <source>outside of the thigh</source>
+        <translation>uyluğun dışı</translation>
+    </message>
+    <message>
+        <source>inside of the thigh</source>
+        <translation>uyluğun içi</translation>
+    </message>
+    <message>
+        <source>calf</source>
+        <translation>baldır</translation>
+    </message>
+    <message>
+        <source>fingertip</source>
+        <translation>parmak ucu</translation>
+    </message>
+    <message>
+        <source>top of the skull</source>
+        <translation>kafatasının tepesi</translation>
+    </message>
+    <message>
+        <source>outline point</source>
+        <translation>dış çizgi noktası</translation>
+    </message>
+</context>
+<context>
     <name>photos</name>
     <message>
         <source>Photos</source>
@@ -606,6 +886,14 @@
         <source>Clone again: this changes more than is shown.</source>
         <translation>Yeniden klonlayın: bu, gösterilenden fazlasını değiştirir.</translation>
     </message>
+    <message>
+        <source>moving %1</source>
+        <translation>%1 taşıma</translation>
+    </message>
+    <message>
+        <source>resetting %1</source>
+        <translation>%1 sıfırlama</translation>
+    </message>
 </context>
 <context>
     <name>preview</name>
@@ -797,6 +1085,17 @@
     <message>
         <source>&amp;Consent</source>
         <translation>&amp;Onay</translation>
+    </message>
+</context>
+<context>
+    <name>sides</name>
+    <message>
+        <source>%1, left</source>
+        <translation>%1, sol</translation>
+    </message>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, sağ</translation>
     </message>
 </context>
 <context>
@@ -1069,6 +1368,726 @@
     <message>
         <source>about {n} min</source>
         <translation>yaklaşık {n} dk</translation>
+    </message>
+</context>
+<context>
+    <name>told</name>
+    <message>
+        <source>there is no camera</source>
+        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
+        <translation>kamera bulunamadı</translation>
+    </message>
+    <message>
+        <source>Plug it in and allow its use, then try again</source>
+        <translation>Takın, kullanımına izin verin ve yeniden deneyin</translation>
+    </message>
+    <message>
+        <source>the camera gives no pictures any more</source>
+        <translation>kamera artık görüntü vermiyor</translation>
+    </message>
+    <message>
+        <source>Plug it in again</source>
+        <translation>Yeniden takın</translation>
+    </message>
+    <message>
+        <source>it must be an object with &quot;format&quot;: %1</source>
+        <translation>&quot;format&quot;: %1 içeren bir nesne olmalı</translation>
+    </message>
+    <message>
+        <source>a setting is out of its range</source>
+        <translation>bir ayar sınırlarının dışında</translation>
+    </message>
+    <message>
+        <source>there is no such folder</source>
+        <translation>böyle bir klasör yok</translation>
+    </message>
+    <message>
+        <source>Choose another, or make it first</source>
+        <translation>Başka birini seçin veya önce oluşturun</translation>
+    </message>
+    <message>
+        <source>this folder holds other things than visitors</source>
+        <translation>bu klasörde ziyaretçilerden başka şeyler var</translation>
+    </message>
+    <message>
+        <source>Choose an empty folder, an event&apos;s, or one with photos named body_front.jpg and so on</source>
+        <translation>Boş bir klasör, bir etkinlik klasörü ya da body_front.jpg gibi adlı fotoğraflar olan bir klasör seçin</translation>
+    </message>
+    <message>
+        <source>the event&apos;s settings cannot be read</source>
+        <translation>etkinliğin ayarları okunamıyor</translation>
+    </message>
+    <message>
+        <source>Correct %1, or move it away to start with the usual settings</source>
+        <translation>%1 dosyasını düzeltin ya da olağan ayarlarla başlamak için başka yere taşıyın</translation>
+    </message>
+    <message>
+        <source>the key %1 is not known</source>
+        <translation>%1 anahtarı bilinmiyor</translation>
+    </message>
+    <message>
+        <source>The keys are %1</source>
+        <translation>Anahtarlar: %1</translation>
+    </message>
+    <message>
+        <source>%1 has a value of the wrong kind</source>
+        <translation>%1 yanlış türde bir değer taşıyor</translation>
+    </message>
+    <message>
+        <source>the folder cannot be read</source>
+        <translation>klasör okunamıyor</translation>
+    </message>
+    <message>
+        <source>Check its permissions</source>
+        <translation>Erişim izinlerini denetleyin</translation>
+    </message>
+    <message>
+        <source>the visitor&apos;s folder cannot be made</source>
+        <translation>ziyaretçinin klasörü oluşturulamıyor</translation>
+    </message>
+    <message>
+        <source>Check permissions and space</source>
+        <translation>İzinleri ve boş alanı denetleyin</translation>
+    </message>
+    <message>
+        <source>this is there already</source>
+        <translation>bu zaten var</translation>
+    </message>
+    <message>
+        <source>Choose another name or place</source>
+        <translation>Başka bir ad veya yer seçin</translation>
+    </message>
+    <message>
+        <source>it cannot be written there</source>
+        <translation>oraya yazılamıyor</translation>
+    </message>
+    <message>
+        <source>Is the stick full or write-protected?</source>
+        <translation>Bellek dolu ya da yazmaya karşı korumalı mı?</translation>
+    </message>
+    <message>
+        <source>there is no photo yet</source>
+        <translation>henüz fotoğraf yok</translation>
+    </message>
+    <message>
+        <source>Take the photos first</source>
+        <translation>Önce fotoğrafları çekin</translation>
+    </message>
+    <message>
+        <source>no photo is stored before the visitor agreed</source>
+        <translation>ziyaretçi onay vermeden fotoğraf saklanmaz</translation>
+    </message>
+    <message>
+        <source>Ask the visitor and tick the consent on the first page</source>
+        <translation>Ziyaretçiye sorun ve ilk sayfadaki onayı işaretleyin</translation>
+    </message>
+    <message>
+        <source>this is no photo</source>
+        <translation>bu bir fotoğraf değil</translation>
+    </message>
+    <message>
+        <source>Use one of %1</source>
+        <translation>Şunlardan birini kullanın: %1</translation>
+    </message>
+    <message>
+        <source>the photo cannot be stored</source>
+        <translation>fotoğraf saklanamıyor</translation>
+    </message>
+    <message>
+        <source>Check the folder&apos;s permissions and space</source>
+        <translation>Klasörün izinlerini ve boş alanını denetleyin</translation>
+    </message>
+    <message>
+        <source>the photo cannot be moved</source>
+        <translation>fotoğraf taşınamıyor</translation>
+    </message>
+    <message>
+        <source>the photo cannot be deleted</source>
+        <translation>fotoğraf silinemiyor</translation>
+    </message>
+    <message>
+        <source>the photo cannot be turned</source>
+        <translation>fotoğraf döndürülemiyor</translation>
+    </message>
+    <message>
+        <source>Turn it with another program</source>
+        <translation>Başka bir programla döndürün</translation>
+    </message>
+    <message>
+        <source>the text is too long for a code</source>
+        <translation>metin bir kod için çok uzun</translation>
+    </message>
+    <message>
+        <source>%1 characters can be scanned</source>
+        <translation>%1 karakter okunabilir</translation>
+    </message>
+    <message>
+        <source>something went wrong that the program did not expect (%1)</source>
+        <translation>programın beklemediği bir hata oluştu (%1)</translation>
+    </message>
+    <message>
+        <source>something went wrong that the program did not expect</source>
+        <translation>programın beklemediği bir hata oluştu</translation>
+    </message>
+    <message>
+        <source>Try again; if it happens again, send the log file</source>
+        <translation>Yeniden deneyin; tekrar olursa günlük dosyasını gönderin</translation>
+    </message>
+    <message>
+        <source>Go on; if it happens again, send the log file</source>
+        <translation>Devam edin; tekrar olursa günlük dosyasını gönderin</translation>
+    </message>
+    <message>
+        <source>Start it from a terminal with -v and send what it prints</source>
+        <translation>Programı uçbirimden -v ile başlatın ve yazdıklarını gönderin</translation>
+    </message>
+    <message>
+        <source>the worker&apos;s process ended</source>
+        <translation>çalışan süreç sona erdi</translation>
+    </message>
+    <message>
+        <source>a texture of %1 texels cannot be made</source>
+        <translation>%1 tekselli bir doku yapılamaz</translation>
+    </message>
+    <message>
+        <source>The sizes are %1</source>
+        <translation>Boyutlar: %1</translation>
+    </message>
+    <message>
+        <source>the format %1 is not known</source>
+        <translation>%1 biçimi bilinmiyor</translation>
+    </message>
+    <message>
+        <source>The formats are %1</source>
+        <translation>Biçimler: %1</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: %1</source>
+        <translation>Dosya yazılamıyor: %1</translation>
+    </message>
+    <message>
+        <source>Choose another folder or free some space</source>
+        <translation>Başka bir klasör seçin veya yer açın</translation>
+    </message>
+    <message>
+        <source>USDZ needs a library that is not here</source>
+        <translation>USDZ burada olmayan bir kitaplık gerektirir</translation>
+    </message>
+    <message>
+        <source>Install it with: %1</source>
+        <translation>Şununla kurun: %1</translation>
+    </message>
+    <message>
+        <source>This machine cannot draw: EGL gives no context</source>
+        <translation>Bu bilgisayar çizemiyor: EGL bağlam vermiyor</translation>
+    </message>
+    <message>
+        <source>nothing is held under this name</source>
+        <translation>bu adla saklanan bir şey yok</translation>
+    </message>
+    <message>
+        <source>cloner list shows the names</source>
+        <translation>adları cloner list gösterir</translation>
+    </message>
+    <message>
+        <source>somebody is cloning this visitor just now</source>
+        <translation>bu ziyaretçi şu anda klonlanıyor</translation>
+    </message>
+    <message>
+        <source>Wait or stop that, and repeat</source>
+        <translation>Bekleyin ya da durdurun, sonra yineleyin</translation>
+    </message>
+    <message>
+        <source>there is nowhere to look</source>
+        <translation>aranacak bir yer yok</translation>
+    </message>
+    <message>
+        <source>Give --photos, --out or both</source>
+        <translation>--photos, --out ya da ikisini verin</translation>
+    </message>
+    <message>
+        <source>Give --photos and --out as you gave them to batch</source>
+        <translation>--photos ve --out değerlerini batch’e verdiğiniz gibi verin</translation>
+    </message>
+    <message>
+        <source>the file exists</source>
+        <translation>dosya zaten var</translation>
+    </message>
+    <message>
+        <source>Choose another name</source>
+        <translation>Başka bir ad seçin</translation>
+    </message>
+    <message>
+        <source>the zip file cannot be written</source>
+        <translation>zip dosyası yazılamıyor</translation>
+    </message>
+    <message>
+        <source>Check the folder and its space</source>
+        <translation>Klasörü ve boş alanını denetleyin</translation>
+    </message>
+    <message>
+        <source>not everything could be deleted</source>
+        <translation>her şey silinemedi</translation>
+    </message>
+    <message>
+        <source>Check permissions and repeat</source>
+        <translation>İzinleri denetleyin ve yineleyin</translation>
+    </message>
+    <message>
+        <source>the results cannot be written there</source>
+        <translation>sonuçlar oraya yazılamıyor</translation>
+    </message>
+    <message>
+        <source>Choose another --out folder, or check its permissions and free space</source>
+        <translation>Başka bir klasör seçin ya da izinlerini ve boş alanını denetleyin</translation>
+    </message>
+    <message>
+        <source>something that is no earlier result is in the way and will not be replaced</source>
+        <translation>daha önceki bir sonuç olmayan bir şey yolda duruyor ve değiştirilmeyecek</translation>
+    </message>
+    <message>
+        <source>Choose another --out folder or --id</source>
+        <translation>Başka bir klasör veya ad seçin</translation>
+    </message>
+    <message>
+        <source>the file cannot be written</source>
+        <translation>dosya yazılamıyor</translation>
+    </message>
+    <message>
+        <source>The clone was written by a newer version</source>
+        <translation>Klon daha yeni bir sürümle yazılmış</translation>
+    </message>
+    <message>
+        <source>Clone the person again with this version of Cloner</source>
+        <translation>Kişiyi bu sürümle yeniden klonlayın</translation>
+    </message>
+    <message>
+        <source>The clone is not there</source>
+        <translation>Klon yerinde değil</translation>
+    </message>
+    <message>
+        <source>Run: cloner clone</source>
+        <translation>Çalıştırın: cloner clone</translation>
+    </message>
+    <message>
+        <source>The file is not a readable clone</source>
+        <translation>Dosya okunabilir bir klon değil</translation>
+    </message>
+    <message>
+        <source>%1 must be an object</source>
+        <translation>%1 bir nesne olmalı</translation>
+    </message>
+    <message>
+        <source>Correct the entry, or move the file away to use the proposals alone</source>
+        <translation>Girdiyi düzeltin ya da yalnız önerileri kullanmak için dosyayı taşıyın</translation>
+    </message>
+    <message>
+        <source>a point needs numbers &quot;x&quot; and &quot;y&quot; in photo pixels</source>
+        <translation>bir nokta fotoğraf pikseli olarak &quot;x&quot; ve &quot;y&quot; sayılarını gerektirir</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON</source>
+        <translation>bu geçerli JSON değil</translation>
+    </message>
+    <message>
+        <source>%1 is not a view; the views are %2</source>
+        <translation>%1 bir görünüş değil; görünüşler: %2</translation>
+    </message>
+    <message>
+        <source>there is no feature point of this name in this view</source>
+        <translation>bu görünüşte bu adda bir nokta yok</translation>
+    </message>
+    <message>
+        <source>the point lies outside the photo of %1</source>
+        <translation>nokta %1 boyutlu fotoğrafın dışında</translation>
+    </message>
+    <message>
+        <source>%1 with a usable name is here, and one front photo is needed</source>
+        <translation>burada kullanılabilir adla %1 var, bir de önden fotoğraf gerekli</translation>
+    </message>
+    <message>
+        <source>Give the folder inside it that holds the photos (%1), or use cloner batch for all</source>
+        <translation>İçindeki fotoğraf klasörünü verin (%1) ya da tümü için cloner batch kullanın</translation>
+    </message>
+    <message>
+        <source>Name the photos %1 (png, webp, tiff and heic work too)</source>
+        <translation>Fotoğrafları şöyle adlandırın: %1 (png, webp, tiff ve heic de olur)</translation>
+    </message>
+    <message>
+        <source>there is no such folder of photos</source>
+        <translation>böyle bir fotoğraf klasörü yok</translation>
+    </message>
+    <message>
+        <source>Give the folder that holds the photos</source>
+        <translation>Fotoğrafların bulunduğu klasörü verin</translation>
+    </message>
+    <message>
+        <source>%1 must be text in quotes</source>
+        <translation>%1 tırnak içinde metin olmalı</translation>
+    </message>
+    <message>
+        <source>Put it in quotes</source>
+        <translation>Tırnak içine alın</translation>
+    </message>
+    <message>
+        <source>measures must be a table of centimetres</source>
+        <translation>measures santimetre tablosu olmalı</translation>
+    </message>
+    <message>
+        <source>Write a line [measures], and below it lines like: waist_girth = 70.2</source>
+        <translation>[measures] satırı ve altına waist_girth = 70.2 gibi satırlar yazın</translation>
+    </message>
+    <message>
+        <source>the height must be a number of centimetres</source>
+        <translation>boy santimetre cinsinden bir sayı olmalı</translation>
+    </message>
+    <message>
+        <source>Write height_cm = 172</source>
+        <translation>height_cm = 172 yazın</translation>
+    </message>
+    <message>
+        <source>a height of %1 cm is outside %2 to %3 cm</source>
+        <translation>%1 cm boy %2–%3 cm aralığının dışında</translation>
+    </message>
+    <message>
+        <source>Give the barefoot height in centimetres</source>
+        <translation>Ayakkabısız boyu santimetre olarak verin</translation>
+    </message>
+    <message>
+        <source>there are two photos for %1: %2 and %3</source>
+        <translation>%1 için iki fotoğraf var: %2 ve %3</translation>
+    </message>
+    <message>
+        <source>Keep one of them</source>
+        <translation>Birini bırakın</translation>
+    </message>
+    <message>
+        <source>this is not valid TOML (%1)</source>
+        <translation>bu geçerli TOML değil (%1)</translation>
+    </message>
+    <message>
+        <source>Write lines like: height_cm = 172</source>
+        <translation>height_cm = 172 gibi satırlar yazın</translation>
+    </message>
+    <message>
+        <source>this is a link that leads out of its folder</source>
+        <translation>bu, klasörünün dışına çıkan bir bağlantı</translation>
+    </message>
+    <message>
+        <source>Put the file itself there</source>
+        <translation>Dosyanın kendisini oraya koyun</translation>
+    </message>
+    <message>
+        <source>&quot;format&quot; must be a whole number</source>
+        <translation>&quot;format&quot; bir tam sayı olmalı</translation>
+    </message>
+    <message>
+        <source>Write format = %1, as this version does</source>
+        <translation>Bu sürüm gibi format = %1 yazın</translation>
+    </message>
+    <message>
+        <source>it was written by a newer version of Cloner (format %1, this one knows %2)</source>
+        <translation>Cloner’ın daha yeni bir sürümüyle yazılmış (biçim %1, bu sürüm %2 biliyor)</translation>
+    </message>
+    <message>
+        <source>Update Cloner, or move the file away</source>
+        <translation>Cloner’ı güncelleyin ya da dosyayı taşıyın</translation>
+    </message>
+    <message>
+        <source>this is no ordinary file</source>
+        <translation>bu sıradan bir dosya değil</translation>
+    </message>
+    <message>
+        <source>Check it or move it away</source>
+        <translation>Denetleyin ya da başka yere taşıyın</translation>
+    </message>
+    <message>
+        <source>the file is larger than %1 MB</source>
+        <translation>dosya %1 MB’den büyük</translation>
+    </message>
+    <message>
+        <source>the file cannot be read as text</source>
+        <translation>dosya metin olarak okunamıyor</translation>
+    </message>
+    <message>
+        <source>the work folder cannot be written</source>
+        <translation>çalışma klasörüne yazılamıyor</translation>
+    </message>
+    <message>
+        <source>The picture is too large to draw</source>
+        <translation>Resim çizilemeyecek kadar büyük</translation>
+    </message>
+    <message>
+        <source>Keep it under %1 pixels</source>
+        <translation>%1 pikselin altında tutun</translation>
+    </message>
+    <message>
+        <source>this photo shows only the upper part of the person, not the whole body</source>
+        <translation>bu fotoğraf yalnız üst bedeni gösteriyor, tüm bedeni değil</translation>
+    </message>
+    <message>
+        <source>the feet are outside this photo</source>
+        <translation>ayaklar fotoğrafın dışında</translation>
+    </message>
+    <message>
+        <source>this photo shows the person from the front or back, not from the side</source>
+        <translation>bu fotoğraf kişiyi önden veya arkadan gösteriyor, yandan değil</translation>
+    </message>
+    <message>
+        <source>this photo shows the person from the side, not the %1</source>
+        <translation>bu fotoğraf kişiyi yandan gösteriyor, %1 değil</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>önden</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>arkadan</translation>
+    </message>
+    <message>
+        <source>this photo shows the person&apos;s back, not the front</source>
+        <translation>bu fotoğraf kişiyi arkadan gösteriyor, önden değil</translation>
+    </message>
+    <message>
+        <source>this photo shows the person&apos;s front, not the back</source>
+        <translation>bu fotoğraf kişiyi önden gösteriyor, arkadan değil</translation>
+    </message>
+    <message>
+        <source>this photo shows the whole body, not the face from near</source>
+        <translation>bu fotoğraf tüm bedeni gösteriyor, yüzü yakından değil</translation>
+    </message>
+    <message>
+        <source>this photo shows the face from the side, not from the front</source>
+        <translation>bu fotoğraf yüzü yandan gösteriyor, önden değil</translation>
+    </message>
+    <message>
+        <source>no face can be seen from the front in this photo</source>
+        <translation>bu fotoğrafta önden görünen bir yüz yok</translation>
+    </message>
+    <message>
+        <source>this photo shows the head from the front or back, not from the side</source>
+        <translation>bu fotoğraf başı önden veya arkadan gösteriyor, yandan değil</translation>
+    </message>
+    <message>
+        <source>Rename or retake the photos so that each shows what its name says</source>
+        <translation>Her fotoğraf kendi görünüşünü gösterecek biçimde yerlerini değiştirin veya yeniden çekin</translation>
+    </message>
+    <message>
+        <source>%1: the corrected point %2 lies off the image</source>
+        <translation>%1: düzeltilen %2 noktası görüntünün dışında</translation>
+    </message>
+    <message>
+        <source>Drag it back on to the photo</source>
+        <translation>Fotoğrafın üzerine geri sürükleyin</translation>
+    </message>
+    <message>
+        <source>no person found in this photo</source>
+        <translation>bu fotoğrafta kimse bulunamadı</translation>
+    </message>
+    <message>
+        <source>Take it again with one person in full view</source>
+        <translation>Tek kişi bütünüyle görünecek biçimde yeniden çekin</translation>
+    </message>
+    <message>
+        <source>%1 people found in this photo</source>
+        <translation>bu fotoğrafta %1 kişi bulundu</translation>
+    </message>
+    <message>
+        <source>Take it again with one person alone in view</source>
+        <translation>Karede tek kişi olacak biçimde yeniden çekin</translation>
+    </message>
+    <message>
+        <source>the person&apos;s outline was not found</source>
+        <translation>kişinin dış çizgisi bulunamadı</translation>
+    </message>
+    <message>
+        <source>Retake the photo before a plain background</source>
+        <translation>Fotoğrafı düz bir fon önünde yeniden çekin</translation>
+    </message>
+    <message>
+        <source>the photo is missing</source>
+        <translation>fotoğraf eksik</translation>
+    </message>
+    <message>
+        <source>Put it into the photos folder</source>
+        <translation>Fotoğraf klasörüne koyun</translation>
+    </message>
+    <message>
+        <source>the photo is empty (0 bytes)</source>
+        <translation>fotoğraf boş (0 bayt)</translation>
+    </message>
+    <message>
+        <source>Copy the photo from the camera again, or retake it</source>
+        <translation>Fotoğrafı kameradan yeniden kopyalayın ya da yeniden çekin</translation>
+    </message>
+    <message>
+        <source>%1 has %2 megapixels, more than the %3 that can be read</source>
+        <translation>%1 %2 megapiksel; okunabilen en çok %3</translation>
+    </message>
+    <message>
+        <source>the photo</source>
+        <translation>fotoğraf</translation>
+    </message>
+    <message>
+        <source>this %1 photo</source>
+        <translation>bu %1 fotoğraf</translation>
+    </message>
+    <message>
+        <source>the photo has more than %1 megapixels</source>
+        <translation>fotoğraf %1 megapikselden büyük</translation>
+    </message>
+    <message>
+        <source>Save it smaller, 12 megapixels are plenty</source>
+        <translation>Daha küçük kaydedin, 12 megapiksel yeterli</translation>
+    </message>
+    <message>
+        <source>the photo is only %1 x %2 pixels</source>
+        <translation>fotoğraf yalnızca %1 x %2 piksel</translation>
+    </message>
+    <message>
+        <source>Use the original photo, not a thumbnail</source>
+        <translation>Küçük resim değil, özgün fotoğrafı kullanın</translation>
+    </message>
+    <message>
+        <source>this file is not a photo that can be read</source>
+        <translation>bu dosya okunabilir bir fotoğraf değil</translation>
+    </message>
+    <message>
+        <source>Install pillow-heif, or let the phone save photos as JPEG</source>
+        <translation>pillow-heif kurun ya da telefon fotoğrafları JPEG olarak kaydetsin</translation>
+    </message>
+    <message>
+        <source>Use a JPEG, PNG, TIFF or WebP photo</source>
+        <translation>JPEG, PNG, TIFF veya WebP fotoğraf kullanın</translation>
+    </message>
+    <message>
+        <source>the photo is damaged or cut short</source>
+        <translation>fotoğraf bozuk ya da yarım</translation>
+    </message>
+    <message>
+        <source>the photo cannot be opened</source>
+        <translation>fotoğraf açılamıyor</translation>
+    </message>
+    <message>
+        <source>the photo cannot be read</source>
+        <translation>fotoğraf okunamıyor</translation>
+    </message>
+    <message>
+        <source>Is the card or the cable still in its place?</source>
+        <translation>Kart ya da kablo hâlâ yerinde mi?</translation>
+    </message>
+    <message>
+        <source>the photos changed while they were cloned</source>
+        <translation>fotoğraflar klonlanırken değişti</translation>
+    </message>
+    <message>
+        <source>Clone again</source>
+        <translation>Yeniden klonlayın</translation>
+    </message>
+    <message>
+        <source>%1: depths of the face are those of a usual face of this shape</source>
+        <translation>%1: derinlikler bu biçimde olağan bir yüzünkilerdir</translation>
+    </message>
+    <message>
+        <source>there is no side photo of the face</source>
+        <translation>yüzün yandan fotoğrafı yok</translation>
+    </message>
+    <message>
+        <source>no profile was found in the side photo of the face</source>
+        <translation>yüzün yandan fotoğrafında profil bulunamadı</translation>
+    </message>
+    <message>
+        <source>No height was given: %1 cm is assumed, so every length is unscaled; %2</source>
+        <translation>Boy verilmedi: %1 cm varsayılıyor, uzunluklar ölçeksiz; %2</translation>
+    </message>
+    <message>
+        <source>give --height-cm or height_cm in person.toml</source>
+        <translation>boyu ilk sayfada verin</translation>
+    </message>
+    <message>
+        <source>Consent</source>
+        <translation>Onay</translation>
+    </message>
+    <message>
+        <source>No photo could be laid on the body: it keeps one plain colour</source>
+        <translation>Bedene hiçbir fotoğraf yerleştirilemedi: tek renk kalıyor</translation>
+    </message>
+    <message>
+        <source>%1: no focal length in the photo; %2 mm is assumed</source>
+        <translation>%1: fotoğrafta odak uzaklığı yok; %2 mm varsayılıyor</translation>
+    </message>
+    <message>
+        <source>%1: no focal length in the photo; %2 assumed.</source>
+        <translation>%1: fotoğrafta odak uzaklığı yok; %2 varsayılıyor.</translation>
+    </message>
+    <message>
+        <source>no photo shows the face from the front: the head is the generic one of this build</source>
+        <translation>hiçbir fotoğraf yüzü önden göstermiyor: baş bu yapının genel başıdır</translation>
+    </message>
+    <message>
+        <source>no usable front photo of the face: the face comes from the small one in the body photo</source>
+        <translation>kullanılabilir önden yüz fotoğrafı yok: yüz, beden fotoğrafındaki küçük yüzden geliyor</translation>
+    </message>
+    <message>
+        <source>Loose clothing between hips and knees was given its own surface</source>
+        <translation>Kalça ile diz arasındaki bol giysiye ayrı bir yüzey verildi</translation>
+    </message>
+    <message>
+        <source>There is no body photo: the body is the generic one of a matching build, its colours a guess</source>
+        <translation>Beden fotoğrafı yok: beden uygun yapıda genel bir bedendir, renkleri tahmindir</translation>
+    </message>
+    <message>
+        <source>There is no front photo of the body: its front is seen by the face photo alone</source>
+        <translation>Bedenin önden fotoğrafı yok: önü yalnız yüz fotoğrafı görüyor</translation>
+    </message>
+    <message>
+        <source>There is no side photo of the body: its depths are those of a usual body of this shape</source>
+        <translation>Bedenin yandan fotoğrafı yok: derinlikler bu biçimde olağan bir bedeninkilerdir</translation>
+    </message>
+    <message>
+        <source>There is no back photo of the body: its back is coloured from what the other photos show</source>
+        <translation>Bedenin arkadan fotoğrafı yok: sırt öteki fotoğraflara göre renklendirildi</translation>
+    </message>
+    <message>
+        <source>corrections.json corrects %1, but there is no such photo: they are not used</source>
+        <translation>corrections.json %1 için düzeltme içeriyor ama böyle bir fotoğraf yok: kullanılmıyor</translation>
+    </message>
+    <message>
+        <source>%1 has changed since its points were corrected: check them</source>
+        <translation>%1 noktaları düzeltildikten sonra değişti: denetleyin</translation>
+    </message>
+    <message>
+        <source>%1: the corrected point %2 could not be obeyed: %3</source>
+        <translation>%1: düzeltilen %2 noktasına uyulamadı: %3</translation>
+    </message>
+    <message>
+        <source>it sets the scale of its photo; hair and soles are no skin that could be laid on it</source>
+        <translation>fotoğrafının ölçeğini belirler; saç ve tabanlar üzerine yatırılacak deri değildir</translation>
+    </message>
+    <message>
+        <source>the face does not follow it, so the clone stays %1 px off it</source>
+        <translation>yüz ona uymuyor, klon %1 piksel uzakta kalıyor</translation>
+    </message>
+    <message>
+        <source>the limb does not reach it, so the clone stays %1 px off it</source>
+        <translation>uzuv ona erişmiyor, klon %1 piksel uzakta kalıyor</translation>
+    </message>
+    <message>
+        <source>no outline of the clone is seen there, so the point was left out</source>
+        <translation>orada klonun dış çizgisi görünmüyor, nokta dışarıda bırakıldı</translation>
+    </message>
+    <message>
+        <source>the point lies %1 cm off the body, so it was left out: drag it back to the outline</source>
+        <translation>nokta bedenden %1 cm uzakta ve dışarıda bırakıldı: dış çizgiye geri sürükleyin</translation>
+    </message>
+    <message>
+        <source>the skin would fold, so the clone stays %1 px off it</source>
+        <translation>deri katlanırdı, klon %1 piksel uzakta kalıyor</translation>
+    </message>
+    <message>
+        <source>it contradicts %1, so the clone stays %2 px off it</source>
+        <translation>%1 ile çelişiyor, klon %2 piksel uzakta kalıyor</translation>
     </message>
 </context>
 <context>
