@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.evaluate import likeness, rulers, skins
+from cloner.evaluate.leaks import background_texels, person_colours
 from cloner.evaluate.measuring import CloneRun
 from cloner.evaluate.posing import (
     LANDMARKS,
@@ -120,8 +121,19 @@ def score_subject(
     # a seam is a matter of one texture alone, not of likeness: nobody else's seams are a baseline
     for where, ratio in likeness.seam_ratios(subject, generic).items() if photographed and subject is clone else ():
         yield Score(f"seam_{where}_ratio", "", "", ratio)
+    if subject is clone:
+        yield from _leak_scores(clone, generic, truth)
     agreement = region_agreement(subject, generic, posed, truth_rotations, truth_from_clone, truth.surface, rng=rng)
     yield Score("region_agreement", "", "", agreement)
+
+
+def _leak_scores(clone: Clone, generic: GenericHuman, truth: Truth) -> Iterator[Score]:
+    photographed = [view for view in (*BODY_VIEWS, *FACE_VIEWS) if view in clone.views and view in truth.views]
+    if photographed:
+        person = person_colours(truth.views[view] for view in photographed)
+        for view in photographed:
+            count = background_texels(clone, generic, clone.views[view], truth.views[view], person)
+            yield Score("background_texels", view, "texels", float(count))
 
 
 def _girths_mm(subject: Clone, measures: MeasureSet | None) -> dict[str, float]:
