@@ -25,6 +25,15 @@ class Camera(Protocol):
         """Let the camera go."""
 
 
+def shrunk(rgb: NDArray[np.uint8], height_px: int) -> NDArray[np.uint8]:
+    """Return a picture (H, W, 3) at most so high: a live picture need not be larger than it is seen."""
+    share = height_px / rgb.shape[0]
+    if share >= 1.0:
+        return rgb
+    size = (max(round(rgb.shape[1] * share), 1), height_px)
+    return np.asarray(cv2.resize(rgb, size, interpolation=cv2.INTER_AREA), dtype=np.uint8)
+
+
 class Webcam:
     """A camera by its number.
 

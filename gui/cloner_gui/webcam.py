@@ -13,7 +13,7 @@ from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QThread, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QComboBox, QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
-from cloner.booth.camera import Camera, Webcam, jpeg_bytes, turned
+from cloner.booth.camera import Camera, Webcam, jpeg_bytes, shrunk, turned
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner_gui.canvas.painting import pixmap_of
@@ -22,6 +22,7 @@ from cloner_gui.words import VIEW_TITLES, translate
 
 #: Time between button and photo, seconds, so that the operator can look at the visitor again (taste).
 COUNTDOWN_S: Final = 3
+_LIVE_PX: Final = 720  # height of the live picture; the photo itself keeps all that the camera gives
 _PAUSE_S: Final = 0.04  # 25 pictures a second are smooth, more only warm the machine
 
 
@@ -38,6 +39,7 @@ class Grabber(QThread):
         self._shown = threading.Event()
         self._shown.set()
         self.newest: NDArray[np.uint8] | None = None
+        self.small: NDArray[np.uint8] | None = None
 
     def run(self) -> None:
         """Read until it is enough; Qt calls this on the new thread."""
@@ -52,7 +54,7 @@ class Grabber(QThread):
                 if picture is None:
                     self.failed.emit(ClonerError("the camera gives no pictures any more", "Plug it in again", "Camera"))
                     return
-                self.newest = picture
+                self.newest, self.small = picture, shrunk(picture, _LIVE_PX)
                 if self._shown.is_set():  # a slow window skips pictures instead of piling them up
                     self._shown.clear()
                     self.seen.emit()
@@ -220,8 +222,8 @@ class WebcamDialog(QDialog):
         self._quarters = (self._quarters + 1) % 4
 
     def _show(self) -> None:
-        if self._grabber.newest is not None:
-            self.live.picture = turned(self._grabber.newest, self._quarters)
+        if self._grabber.small is not None:
+            self.live.picture = turned(self._grabber.small, self._quarters)
             self.live.update()
         self._grabber.shown()
 
@@ -231,8 +233,9 @@ class WebcamDialog(QDialog):
         self.live.update()
         if self._left <= 0:
             self._timer.stop()
-            if self.live.picture is not None:
-                self.taken.emit(jpeg_bytes(self.live.picture), ViewId(self.views.currentData()))
+            if self._grabber.newest is not None:
+                whole = turned(self._grabber.newest, self._quarters)
+                self.taken.emit(jpeg_bytes(whole), ViewId(self.views.currentData()))
                 self._next()
 
     def _next(self) -> None:

@@ -3,6 +3,7 @@
 import io
 import threading
 
+import cv2
 import numpy as np
 import pytest
 from PIL import Image
@@ -66,6 +67,33 @@ def test_escape_lets_the_camera_go(camera, qtbot):
     dialog, still = camera
     qtbot.keyClick(dialog, Qt.Key.Key_Escape)
     assert still.closed
+
+
+def test_a_camera_s_photo_goes_whole_to_the_visitor(window, qtbot, samples, tmp_path, monkeypatch):
+    """The product's own camera plays a film, as a driver would; the live picture is small, the photo is not."""
+    photo = cv2.resize(cv2.imread(str(samples / "anna" / "plain" / "body_front.jpg")), (720, 1080))
+    film = tmp_path / "camera.avi"
+    writer = cv2.VideoWriter(str(film), cv2.VideoWriter_fourcc(*"MJPG"), 25, (720, 1080))
+    for _ in range(150):
+        writer.write(photo)
+    writer.release()
+    opened = cv2.VideoCapture
+    monkeypatch.setattr("cloner.booth.camera.cv2.VideoCapture", lambda number: opened(str(film)))
+    window.booth.agree("I agree", "en")
+    before = window.session.photos.photos[ViewId.BODY_FRONT].digest
+    window.show_page(window.photos)
+    window.photos._open_webcam()
+    dialog = window.findChild(WebcamDialog)
+    qtbot.waitUntil(lambda: dialog.live.picture is not None)
+    assert dialog.live.picture.shape == (720, 480, 3)
+    dialog._timer.setInterval(10)
+    with qtbot.waitSignal(dialog.taken, timeout=5000):
+        dialog.take()
+    dialog.close()
+    qtbot.waitUntil(lambda: window.session.photos.photos[ViewId.BODY_FRONT].digest != before, timeout=10000)
+    taken = window.session.photos.photos[ViewId.BODY_FRONT].rgb
+    assert taken.shape == (1080, 720, 3)
+    assert np.abs(taken.astype(int) - photo[..., ::-1]).mean() < 6.0, "colours and sides are the camera's"
 
 
 @pytest.mark.parametrize("when", ["at once", "later"])
