@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
 from typing import cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
+from cloner.baking.baked import Baked, blank
+from cloner.baking.grain import coarse_tiles
 from cloner.baking.materials import Materials, always_bare
 from cloner.baking.sources import (
     Limits,
@@ -35,7 +36,6 @@ Array = NDArray[np.float64]
 
 OWNERS = 0.01  # who has less of a texel than this is asked only where nobody has more
 SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden at that very texel
-PLAIN_RGB = (190, 160, 145)  # taste: what a person is painted with whom no photo shows
 LAST_CHOICE = 0.0005  # beside an inner outline a photo paints only what no other one sees
 OWNER_SMOOTHING = 4  # rounds; borders of 2-3 edge lengths' smoothness
 CLASH = 0.6  # of a full difference between skin and not skin
@@ -47,25 +47,6 @@ SHARE_COLUMN = 6  # of the table that :func:`paint_table` makes
 
 Painted = tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]
 """Texels (N,), their colours (N, 3) in levels and weights (N,) from one photo."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Baked:
-    """An atlas, or a tile of it, while it is made: its arrays may still be written to.
-
-    Attributes
-    ----------
-    rgb : (H, W, 3) uint8
-        `PLAIN_RGB` far from the charts.
-    covered : (H, W) bool
-        Texels in charts.
-    seen : (H, W) bool
-        Texels that a photo (not a mirrored one) painted.
-    """
-
-    rgb: NDArray[np.uint8]
-    covered: NDArray[np.bool_]
-    seen: NDArray[np.bool_]
 
 
 def share_surface(
@@ -95,7 +76,7 @@ def bake(
 ) -> Baked:
     """Return the atlas painted with the photos.
 
-    Tile by tile: large atlases need hardly more memory than small ones.
+    Tile by tile: large atlases need hardly more memory than small ones, and no more time where photos hold no more.
 
     Parameters
     ----------
@@ -108,31 +89,28 @@ def bake(
     """
     tables = [paint_table(generic, source, shares[k], light[k], kinds) for k, source in enumerate(sources)]
     whole, tiles = blank(size), cut_tiles(size)
+    coarse = coarse_tiles(generic, size, tiles, sources, shares)
 
-    def paint_tile(tile: Tile) -> Baked | None:
-        atlas = generic_atlas(generic, size, window=tile.outer)
+    def paint_tile(tile: Tile, halvings: int) -> Baked | None:
+        atlas = generic_atlas(generic, size >> halvings, window=tile.outer)
         if not atlas.texel.size:
             return None
-        rgb, seen = bake_tile(generic, atlas, sources, tables, base, kinds, limits, levels)
+        rgb, seen = bake_tile(generic, atlas, sources, tables, base, kinds, limits, levels - halvings)
         levels_rgb = np.clip(np.rint(rgb[tile.inner]), 0, 255).astype(np.uint8)
         return Baked(levels_rgb, atlas.covered()[tile.inner], seen[tile.inner])
 
-    for number, (tile, part) in enumerate(zip(tiles, abreast(paint_tile, tiles), strict=True)):
+    def paint_either(number: int) -> Baked | None:
+        if not coarse[number]:
+            return paint_tile(tiles[number], 0)
+        small = paint_tile(tiles[number].halved(), 1)
+        return small and small.doubled()
+
+    for number, part in enumerate(abreast(paint_either, range(len(tiles)))):
+        place = tiles[number].place
         if part is not None:
-            whole.rgb[tile.place], whole.covered[tile.place], whole.seen[tile.place] = part.rgb, part.covered, part.seen
+            whole.rgb[place], whole.covered[place], whole.seen[place] = part.rgb, part.covered, part.seen
         tick((number + 1) / len(tiles))
     return whole
-
-
-def blank(size: int) -> Baked:
-    """Return an atlas without charts."""
-    covered, seen = np.zeros((2, size, size), bool)
-    return Baked(np.tile(np.array(PLAIN_RGB, np.uint8), (size, size, 1)), covered, seen)
-
-
-def unpainted(generic: GenericHuman, size: int) -> Baked:
-    """Return the atlas of a person whom no photo shows."""
-    return replace(blank(size), covered=generic_atlas(generic, size).covered())
 
 
 def bake_tile(

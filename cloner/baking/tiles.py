@@ -31,6 +31,17 @@ class Tile:
     inner: tuple[slice, slice]
     place: tuple[slice, slice]
 
+    def halved(self) -> Tile:
+        """Return the same tile of an atlas with half as many texels a side."""
+        window = self.outer
+        outer = Window(window.top // 2, window.left // 2, window.height // 2, window.width // 2)
+        return Tile(outer, _halved(self.inner), _halved(self.place))
+
+
+def _halved(part: tuple[slice, slice]) -> tuple[slice, slice]:
+    rows, columns = (slice(span.start // 2, span.stop // 2) for span in part)
+    return rows, columns
+
 
 def cut_tiles(size: int) -> list[Tile]:
     """Return the tiles of an atlas of ``size`` texels a side."""

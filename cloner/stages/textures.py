@@ -14,7 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
-from cloner.baking.compose import Baked, bake, share_surface, unpainted
+from cloner.baking.baked import Baked, unpainted
+from cloner.baking.compose import bake, share_surface
 from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
 from cloner.baking.labelled import vet_labels
 from cloner.baking.materials import doubt_grazing, find_materials
