@@ -173,23 +173,27 @@ def picture_similarity(
     return float(similar[inside].mean()), float(difference[inside].mean())
 
 
-def seam_ratio(colours: NDArray[np.uint8], edges: NDArray[np.int64], crossing: Mask, inside: Mask) -> float | None:
+def colour_jumps(colours: NDArray[np.integer] | NDArray[np.floating], edges: NDArray[np.int64]) -> Array:
+    """Return (E,) CIEDE2000 between the ends of (E, 2) edges, from the sRGB levels (V, 3) of their vertices."""
+    lab = rgb2lab(np.asarray(colours, dtype=np.float64)[None] / 255.0)[0]
+    return np.asarray(deltaE_ciede2000(lab[edges[:, 0]], lab[edges[:, 1]]))
+
+
+def seam_ratio(jumps: Array, crossing: Mask, inside: Mask) -> float | None:
     """Return how much colours jump across a border, relative to inside the surface.
 
     Parameters
     ----------
-    colours : (V, 3) uint8, sRGB colour of each vertex
-    edges : (E, 2) int, vertex pairs of about one length
+    jumps : (E,) float64
+        From :func:`colour_jumps`, of edges of about one length.
     crossing, inside : (E,) bool
         Edges that cross the border, and edges of the same surface that do not.
 
     Returns
     -------
     float or None
-        Mean CIEDE2000 over crossing edges divided by that inside; None without edges.
+        Mean jump over crossing edges divided by that inside; None without edges.
     """
     if not crossing.any() or not inside.any():
         return None
-    lab = rgb2lab(colours[None])[0]
-    jump = deltaE_ciede2000(lab[edges[:, 0]], lab[edges[:, 1]])
-    return float(jump[crossing].mean() / max(float(jump[inside].mean()), 1e-6))
+    return float(jumps[crossing].mean() / max(float(jumps[inside].mean()), 1e-6))

@@ -20,6 +20,7 @@ from cloner.evaluate.posing import (
     truth_from_body,
 )
 from cloner.evaluate.regions import region_agreement
+from cloner.evaluate.seams import seam_ratios
 from cloner.evaluate.truth import THREE_QUARTER, Truth, TruthView
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
@@ -119,9 +120,10 @@ def score_subject(
         if name in truth.girths_mm:
             yield Score(f"girth_{name}_error_mm", "", "mm", abs(value - truth.girths_mm[name]))
     # a seam is a matter of one texture alone, not of likeness: nobody else's seams are a baseline
-    for where, ratio in likeness.seam_ratios(subject, generic).items() if photographed and subject is clone else ():
-        yield Score(f"seam_{where}_ratio", "", "", ratio)
-    if subject is clone:
+    if photographed and subject is clone:
+        photos = {view: truth.views[view].photo for view in clone.views if view in truth.views}
+        for where, ratio in seam_ratios(clone, generic, photos).items():
+            yield Score(f"seam_{where}_ratio", "", "", ratio)
         yield from _leak_scores(clone, generic, truth)
     agreement = region_agreement(subject, generic, posed, truth_rotations, truth_from_clone, truth.surface, rng=rng)
     yield Score("region_agreement", "", "", agreement)

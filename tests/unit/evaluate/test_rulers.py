@@ -138,8 +138,8 @@ def test_seam_is_one_without_a_border_and_grows_with_a_jump():
     colours = (120 + rng.integers(-4, 5, (200, 1)) + np.zeros((1, 3), int)).astype(np.uint8)
     edges = np.stack([np.arange(199), np.arange(1, 200)], axis=1)
     crossing = edges[:, 0] % 10 == 9
-    assert rulers.seam_ratio(colours, edges, crossing, ~crossing) == pytest.approx(1.0, abs=0.4)
+    assert rulers.seam_ratio(rulers.colour_jumps(colours, edges), crossing, ~crossing) == pytest.approx(1.0, abs=0.4)
     striped = colours.copy()
     striped[(np.arange(200) // 10) % 2 == 1] += 40
-    assert rulers.seam_ratio(striped, edges, crossing, ~crossing) > 4.0
-    assert rulers.seam_ratio(colours, edges, crossing & False, ~crossing) is None
+    assert rulers.seam_ratio(rulers.colour_jumps(striped, edges), crossing, ~crossing) > 4.0
+    assert rulers.seam_ratio(rulers.colour_jumps(colours, edges), crossing & False, ~crossing) is None

@@ -102,6 +102,7 @@ def test_the_truth_as_clone_is_perfect(perfect):
     assert perfect["face_surface_rigid_mm", ""] < 0.15
     assert perfect["face_surface_similarity_mm", ""] < 0.15
     assert perfect["face_landmarks_worst_mm", ""] < 1e-3
+    assert all(perfect["background_texels", view] == 0 for view in BODY_VIEWS)
     assert perfect["stature_error_mm", ""] < 2.0  # the crown lies up to 2 mm above the named point
     assert perfect["girth_waist_error_mm", ""] == pytest.approx(7.0)
     for view in ("body_three_quarter", "face_three_quarter"):
@@ -112,7 +113,11 @@ def test_the_truth_as_clone_is_perfect(perfect):
 
 def test_the_generic_human_is_worse_everywhere(perfect, clone, truth):
     generic = table(generic_clone(load_generic(), STATURE_M), clone, truth)
-    given = {"stature_error_mm", *(f"seam_{where}_ratio" for where in ("front_back", "head_body", "face_front_side"))}
+    given = {
+        "stature_error_mm",
+        "background_texels",
+        *(f"seam_{where}_ratio" for where in ("front_back", "head_body", "face_front_side")),
+    }
     assert {metric for metric, _ in perfect} - {metric for metric, _ in generic} == given
     for key in generic:
         metric, _ = key

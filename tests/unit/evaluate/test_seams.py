@@ -6,11 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from cloner.evaluate.likeness import seam_ratios
+from cloner.evaluate.seams import seam_ratios
+from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
 from cloner.records.clones import TextureAtlas
 from cloner.records.regions import REGIONS
+from cloner.render import render
 from kit.clones import toy_clone
 
 SIZE = 1024
@@ -46,3 +48,16 @@ def test_a_collar_is_no_seam():
 def test_a_jump_of_the_skin_is_a_seam():
     clone, beneath = painted((150, 105, 90))
     assert seam_ratios(labelled(clone, beneath, "skin"), load_generic())["head_body"] > 2.0
+
+
+def test_what_the_photos_show_is_no_seam():
+    clone, beneath = painted((150, 105, 90))
+    shaded = labelled(clone, beneath, "skin")  # a shade on the neck, and the same texture on a person without it
+    plain = labelled(*painted(SKIN), "skin")
+    photos = {view: render(shaded, seen.camera, seen.rotations) for view, seen in clone.views.items()}
+    assert set(photos) == {ViewId.BODY_FRONT, ViewId.BODY_SIDE}
+    true, washed = (seam_ratios(who, load_generic(), photos)["head_body"] for who in (shaded, plain))
+    assert 0.4 < true < 1.3  # the photos are coarser than the atlas
+    assert washed < 0.6 * true
+    unshaded = {view: render(plain, seen.camera, seen.rotations) for view, seen in clone.views.items()}
+    assert seam_ratios(shaded, load_generic(), unshaded)["head_body"] > 1.3 / 0.55
