@@ -3,7 +3,7 @@
 References
 ----------
 Segments against triangles by the signs of volumes: Segura & Feito 2001, "Algorithms to test ray-triangle
-intersection". Solid angles: van Oosterom & Strackee 1983, "The solid angle of a plane triangle", eq. 8.
+intersection".
 """
 
 from __future__ import annotations
@@ -27,8 +27,8 @@ Index = NDArray[np.integer]
 _CLASSES: Final = 8
 #: A buried vertex is looked at so far before its skin, metres: clear of rounding, less than a crease is wide.
 _BEFORE_M: Final = 1e-4
-#: Solid angles computed at once: tables of 25 MB.
-_AT_ONCE: Final = 1_000_000
+#: Columns: two directions across the ray, and the ray's own.
+_RAY: Final = np.linalg.qr(np.array([[0.31, 0.77, -0.53], [-0.42, 0.59, 0.64], [0.85, 0.11, 0.29]]))[0]
 #: Skin stands before a vertex if it lies no farther aside, metres: the length of a large triangle's side.
 _BESIDE_M: Final = 0.02
 #: How many vertices around a buried one may be the skin it went through.
@@ -131,25 +131,33 @@ def _cutting(corners: Array, pairs: NDArray[np.int64]) -> Crossings:
     return Crossings(pairs[real], total[real] / count[real, None])
 
 
-def windings(places_m: Array, corners_m: Array) -> Array:
-    """Return (N,) how often a closed mesh of triangles' corners (T, 3, 3) winds around places (N, 3): 1 inside."""
-    out = np.zeros(len(places_m))
-    step = max(1, _AT_ONCE // max(len(corners_m), 1))
-    for start in range(0, len(places_m), step):
-        a, b, c = np.moveaxis(corners_m[None] - places_m[start : start + step, None, None], 2, 0)
-        la, lb, lc = (np.sqrt(np.einsum("nta,nta->nt", side, side)) for side in (a, b, c))
-        ab, bc, ca = (np.einsum("nta,nta->nt", x, y) for x, y in ((a, b), (b, c), (c, a)))
-        triple = np.einsum("nta,nta->nt", a, np.cross(b, c))
-        angle = np.arctan2(triple, la * lb * lc + ab * lc + bc * la + ca * lb)
-        out[start : start + step] = angle.sum(axis=1) / (2.0 * np.pi)
-    return out
+def windings(places_m: Array, corners_m: Array) -> NDArray[np.int64]:
+    """Return (N,) how often a closed mesh of triangles' corners (T, 3, 3) winds around places (N, 3): 1 inside.
+
+    Counts the triangles that a ray leaves through, less those it enters through. The ray's direction is none that
+    sides of a mesh keep to.
+    """
+    flat, height = corners_m @ _RAY[:, :2], corners_m @ _RAY[:, 2]
+    centre = flat.mean(axis=1)
+    reach = float(np.linalg.norm(flat - centre[:, None], axis=2).max(initial=0.0))
+    near = cKDTree(centre).query_ball_point(places_m @ _RAY[:, :2], reach)
+    place = np.repeat(np.arange(len(places_m)), [len(rows) for rows in near])
+    triangle = np.concatenate([np.zeros(0, np.int64), *map(np.asarray, near)]).astype(np.int64)
+    sides = flat[triangle] - (places_m @ _RAY[:, :2])[place, None]
+    after = np.roll(sides, -1, axis=1)
+    shares = np.roll(sides[..., 0] * after[..., 1] - sides[..., 1] * after[..., 0], -1, axis=1)
+    hit = (shares > 0.0).all(axis=1) | (shares < 0.0).all(axis=1)
+    total = shares[hit].sum(axis=1)
+    above = np.einsum("hk,hk->h", shares[hit], height[triangle[hit]]) / total > (places_m @ _RAY[:, 2])[place[hit]]
+    ways = np.where(above, np.sign(total), 0.0)
+    return np.asarray(np.bincount(place[hit], ways, minlength=len(places_m)), dtype=np.int64)
 
 
 def buried_depths(points_m: Array, triangles: Index, crossings: Crossings) -> Array:
     """Return (V,) how deep vertices lie inside another part of their own closed mesh, metres, zero where they do not.
 
-    The parts are found from the crossings inwards. Depth is the way to the nearest skin that faces the vertex from
-    behind, so never more than the thickness of either part.
+    The parts are found from the crossings inwards. Depth is the way out: to the nearest skin that faces the vertex from
+    behind, or to the nearest vertex that is not buried.
     """
     normals = vertex_normals(points_m, np.asarray(triangles, dtype=np.int32))
     buried = _flooded(points_m, triangles, normals, np.unique(triangles[crossings.pairs.ravel()]))
@@ -160,7 +168,8 @@ def buried_depths(points_m: Array, triangles: Index, crossings: Crossings) -> Ar
         facing = np.einsum("nka,na->nk", normals[rows], normals[buried]) < 0.0
         before = facing & (way > 0.0) & (away**2 - way**2 < _BESIDE_M**2)
         nearest = np.where(before, way, np.inf).min(axis=1)
-        depths[buried] = np.where(np.isfinite(nearest), nearest, 0.0)
+        free = np.setdiff1d(np.unique(triangles), buried)
+        depths[buried] = np.minimum(nearest, cKDTree(points_m[free]).query(points_m[buried])[0])
     return depths
 
 
@@ -170,7 +179,7 @@ def _flooded(points_m: Array, triangles: Index, normals: Array, start: Index) ->
     ahead, buried = np.asarray(start, dtype=np.int64), np.zeros(0, dtype=np.int64)
     while ahead.size:
         known[ahead] = True
-        inside = windings(points_m[ahead] + _BEFORE_M * normals[ahead], corners) > 0.5
+        inside = windings(points_m[ahead] + _BEFORE_M * normals[ahead], corners) > 0
         buried = np.concatenate([buried, ahead[inside]])
         beside = np.isin(triangles, ahead[inside]).any(axis=1)
         around = np.unique(triangles[beside])

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.motion import turns
+from cloner.motion.clearance import arms_out
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
@@ -38,6 +39,8 @@ class Body:
     rolls : tuple of (3, N) float64, left and right
         Rows of weights that make the middle of the heel, of the ball and of the toes from a sole's points: what a
         foot rolls over.
+    arms_out : float
+        Angle from straight down at which hanging arms are clear of the trunk, radians.
     """
 
     joints_m: Array
@@ -45,10 +48,15 @@ class Body:
     names: tuple[str, ...]
     soles: tuple[tuple[Array, NDArray[np.integer], Array], ...]
     rolls: tuple[Array, ...]
+    arms_out: float
 
     def joint(self, name: str) -> int:
         """Return the number of a joint."""
         return self.names.index(name)
+
+    def arm_aside(self, side: str) -> float:
+        """Return the angle about the model's Z axis that holds a hanging arm clear of the trunk, radians."""
+        return self.arms_out if side == "l" else -self.arms_out
 
     def world(self, motion: Motion) -> Array:
         """Return (F, 94, 3, 3) orientations of the joints in the model frame."""
@@ -78,7 +86,8 @@ def body_of(clone: Clone) -> Body:
         soles.append((clone.vertices_m[rows], *_carried(generic, rows)))
         rolls.append(_rolls(clone.vertices_m[rows], clone.joints_m[generic.joint(f"{side[0]}_metatarsal")]))
     parents, names = generic.joint_parents.astype(np.int64), tuple(generic.joint_names)
-    return Body(clone.joints_m, parents, names, tuple(soles), tuple(rolls))
+    out = arms_out(clone.vertices_m, clone.joints_m)
+    return Body(clone.joints_m, parents, names, tuple(soles), tuple(rolls), out)
 
 
 def _rolls(sole_m: Array, ball_m: Array) -> Array:

@@ -41,7 +41,6 @@ _LEG: Final[Mapping[str, tuple[tuple[float, float], ...]]] = MappingProxyType({
     "toes": ((0.0, 8.0), (0.12, 0.0), (0.38, 0.0), (0.5, 16.0), (0.6, 32.0), (0.7, 4.0), (0.85, 4.0)),
 })  # fmt: skip
 ARM_SWING_DEG: Final = 21.0
-ARM_OUT_DEG: Final = 9.0  # away from the body: sleeves have thickness
 ELBOW_DEG: Final = (14.0, 34.0)  # at the back and at the front of the swing
 PELVIS_TURN_DEG: Final = 5.0
 PELVIS_DROP_DEG: Final = 3.0
@@ -93,7 +92,7 @@ def idle(body: Body) -> Motion:
         aim_limb(body, world, side, "knee", still)
         for joint in (*FOOT, "metatarsal"):
             world[:, body.joint(f"{side}_{joint}")] = still
-        out = turns.about(Z, np.full(len(times), sign * np.radians(ARM_OUT_DEG)) + sign * 0.5 * breath)
+        out = turns.about(Z, np.full(len(times), body.arm_aside(side)) + sign * 0.5 * breath)
         aim_limb(body, world, side, "shoulder", out)
         aim_limb(body, world, side, "elbow", out @ turns.about(X, np.full(len(times), np.radians(-12.0))))
         follow(body, world, side)
@@ -183,8 +182,7 @@ def _swing_leg(body: Body, world: Array, side: str, phase: Array) -> None:
 
 def _swing_arm(body: Body, world: Array, side: str, back: Array) -> None:
     """Swing an arm against its own leg: ``back`` (F,) is 1 at its heel strike."""
-    sign = 1.0 if side == "l" else -1.0
-    out = turns.about(Z, np.full(len(back), sign * np.radians(ARM_OUT_DEG)))
+    out = turns.about(Z, np.full(len(back), body.arm_aside(side)))
     forward = np.radians(ARM_SWING_DEG) * (-back - 0.1)
     bent = np.radians(np.interp(-back, (-1.0, 1.0), ELBOW_DEG))
     aim_limb(body, world, side, "shoulder", out @ turns.about(X, -forward))

@@ -12,7 +12,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.skinning import blend_transforms, joint_transforms, skin
 from cloner.motion import turns
 from cloner.motion.body import FOOT, SIDES, Body, below, body_of
-from cloner.motion.gait import ARM_OUT_DEG, aim_limb, follow, palm_normal
+from cloner.motion.gait import aim_limb, follow, palm_normal
 from cloner.motion.twist import shared_twist
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
@@ -78,7 +78,7 @@ def hanging_pose(body: Body) -> Array:
     """Return (94, 3) rotation vectors of arms hanging at the sides and straight legs, radians."""
     world = np.tile(np.eye(3), (1, len(body.names), 1, 1))
     for side in SIDES:
-        out = turns.about(2, np.array([np.radians(ARM_OUT_DEG if side == "l" else -ARM_OUT_DEG)]))
+        out = turns.about(2, np.array([body.arm_aside(side)]))
         aim_limb(body, world, side, "shoulder", out)
         aim_limb(body, world, side, "elbow", out)
         follow(body, world, side)

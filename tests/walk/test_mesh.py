@@ -1,0 +1,39 @@
+"""A real clone is one sound surface that does not go through itself at rest, with arms level or with UVs."""
+
+import numpy as np
+import pytest
+
+from cloner.cloning import CloneOutcome
+from cloner.generic.load import load_generic
+from cloner.generic.surfaces import load_surfaces, load_triangles
+from cloner.geometry.crossings import buried_depths, self_crossings
+from cloner.geometry.discs import areas, edges_of
+from cloner.geometry.skinning import joint_transforms, skin
+from cloner.motion.body import body_of
+from cloner.motion.rest import t_pose
+from cloner.motion.rig import centred
+
+pytestmark = pytest.mark.slow
+
+
+@pytest.mark.parametrize("pose", ["rest", "T"])
+def test_skin_stays_out_of_skin(cloned_anna: CloneOutcome, pose: str) -> None:
+    generic, clone = load_generic(), centred(cloned_anna.values["clone"])
+    rotations = np.zeros((94, 3)) if pose == "rest" else t_pose(body_of(clone))
+    transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), rotations)
+    points = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    triangles = load_triangles()[(generic.vertex_part[load_triangles()] == 0).all(axis=1)]
+    found = self_crossings(points, triangles)
+    pressed = (generic.region("lips") | generic.region("mouth_interior"))[triangles].any(axis=1)
+    assert (~pressed[found.pairs].all(axis=1)).sum() <= 20, "two thousand with folded toes"
+    assert buried_depths(points, triangles, found).max() < 0.002, "metres"
+
+
+def test_the_skin_is_closed_and_nothing_is_degenerate(cloned_anna: CloneOutcome) -> None:
+    body = load_surfaces()[0]
+    triangles = body.vertex[body.triangles]
+    assert len(edges_of(triangles)[1]) == 0
+    assert areas(cloned_anna.values["clone"].vertices_m, triangles).min() > 1e-8, "square metres"
+    for surface in load_surfaces():
+        assert surface.uv.min() >= 0.0
+        assert surface.uv.max() <= 1.0
