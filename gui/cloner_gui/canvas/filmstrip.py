@@ -44,16 +44,22 @@ class SmallPhoto(QAbstractButton):
     ) -> None:
         super().__init__(parent)
         self.setCheckable(True)
-        self.setText(title)
-        self.setShortcut(f"Alt+{number}")
-        self.setToolTip(f"{title} (Alt+{number})")
+        self._number = number
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._height_px = height_px
         self._pixmap = pixmap_of(rgb)
         self._scaled = ScaledPhoto()
         self._points: ViewPoints | None = None
-        self.set_points(None)
+        self.call(title)
+
+    def call(self, title: str) -> None:
+        """Give the photo its title."""
+        self.setText(title)
+        self.setShortcut(f"Alt+{self._number}")  # a new text takes the old shortcut away
+        self.setToolTip(f"{title} (Alt+{self._number})")
+        self.updateGeometry()
+        self.set_points(self._points)
 
     def set_points(self, points: ViewPoints | None) -> None:
         """Show points, and say how many are doubtful."""
@@ -68,8 +74,8 @@ class SmallPhoto(QAbstractButton):
         return QSize(92, 120)
 
     def minimumSizeHint(self) -> QSize:
-        """Return the least size: five of them fit a low screen."""
-        return QSize(72, 60)
+        """Return the least size: five of them fit a low screen, and their titles fit them."""
+        return QSize(max(72, self.fontMetrics().horizontalAdvance(f"{self.text()} · 99")), 60)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         """Draw photo, points and title."""
@@ -129,6 +135,11 @@ class Filmstrip(QWidget):
             self._group.addButton(small)
             self._column.addWidget(small)
             self.photos[view] = small
+
+    def call(self, titles: Mapping[str, str]) -> None:
+        """Give the photos their titles in another language."""
+        for view, small in self.photos.items():
+            small.call(titles[view])
 
     def mark(self, view: ViewId) -> None:
         """Show which photo is seen large."""

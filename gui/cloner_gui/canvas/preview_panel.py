@@ -26,6 +26,8 @@ class PreviewPanel(QWidget):
         super().__init__(parent)
         self.preview = Preview()
         self.mode, self.motion, self.overlay = QComboBox(), QComboBox(), QComboBox()
+        for box in (self.mode, self.motion, self.overlay):
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)  # also after the language changed
         self.opacity = QSlider(Qt.Orientation.Horizontal)
         self.opacity.setRange(0, 100)
         self.opacity.setValue(60)

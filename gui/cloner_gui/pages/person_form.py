@@ -84,6 +84,8 @@ class PersonForm(Card):
         ):
             text.setBuddy(field)
             text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        for one in (self.name_label, self.height_label, self.language_label):
+            one.setContentsMargins(0, 0, GAP // 2, 0)  # the last letter was cut where the text is large
         form.addRow(self.name_label, self.name_field)
         form.addRow(self.height_label, height)
         form.addRow("", self.height_hint)

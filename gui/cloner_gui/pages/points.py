@@ -167,6 +167,7 @@ class PointsPage(QWidget):
             translate("points", "Tab: next point. Arrows: 1 pixel, with Shift 10. Wheel or + and −: zoom. Home: all.")
         )
         self.preview.empty_text = translate("points", "After the first clone, the person here follows your hand.")
+        self.strip.call(VIEW_TITLES)
         self._tell_point("")
 
     def _open(self) -> None:
