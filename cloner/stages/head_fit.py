@@ -26,7 +26,10 @@ Array = NDArray[np.float64]
 ITERATIONS, CURVE_FROM = 12, 4
 #: A contour point farther than this from the model's profile is none of its; shrinks over the iterations, metres.
 GATES_M = (0.015, 0.006)
-LEVEL_M = 0.003
+#: Height of the levels of which each gives its foremost vertex to the outline. Rows of the generic's vertices lie up to
+#: 5 mm apart: in finer levels vertices from inside the face stand for its outline (11 random heads, true shape and camera
+#: against the photo's outline: 1.4 mm rms at 3 mm, 0.3 at 6).
+LEVEL_M = 0.006
 #: The forehead is followed up to this over the glabella, where no hair covers it, metres.
 FOREHEAD_M = 0.045
 #: A profile laid on the contour with a larger trimmed mean distance is not trusted, metres.
