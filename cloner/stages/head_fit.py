@@ -27,8 +27,8 @@ ITERATIONS, CURVE_FROM = 12, 4
 #: A contour point farther than this from the model's profile is none of its; shrinks over the iterations, metres.
 GATES_M = (0.015, 0.006)
 #: Height of the levels of which each gives its foremost vertex to the outline. Rows of the generic's vertices lie up to
-#: 5 mm apart: in finer levels vertices from inside the face stand for its outline (11 random heads, true shape and camera
-#: against the photo's outline: 1.4 mm rms at 3 mm, 0.3 at 6).
+#: 5 mm apart: in finer levels vertices inside the face stand for its outline (true shape and camera of 11 random heads
+#: against their photos' outlines: 1.4 mm rms at 3 mm, 0.3 at 6).
 LEVEL_M = 0.006
 #: The forehead is followed up to this over the glabella, where no hair covers it, metres.
 FOREHEAD_M = 0.045
