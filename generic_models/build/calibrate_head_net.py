@@ -29,8 +29,8 @@ Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "head_net.npz"
 #: Ridge of the regression, in squared standard deviations of the shape. Ten to thirty tells most of other painted
 #: people's errors (the rest on 22 heads of another painter: 1.12 mm at 30, 1.28 at 300), yet finished heads do not
-#: follow: 30 is worse on visitors, 100 within the noise of six random heads and four others (surface .76 against .75 and
-#: 1.01 against 1.03 mm, landmarks 2.4 against 2.7 and 3.1 against 2.9). So the most cautious is kept; nothing proves it.
+#: follow: 30 is worse on visitors, 100 within the noise of six random heads and four others (surface .76 to .75 and
+#: 1.01 to 1.03 mm, landmarks 2.4 to 2.7 and 3.1 to 2.9). So the most cautious is kept; nothing proves it.
 RIDGE = 300.0
 #: Joint errors kept; what is left counts as independent.
 MODES = 24
