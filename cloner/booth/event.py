@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import Any, Final
@@ -166,6 +167,6 @@ def new_visitor(root: Path, now: str) -> Path:
     return folder
 
 
-def visits(root: Path) -> dict[Path, Visit]:
-    """Return how far every visitor of an event has come, by folder."""
-    return {folder: read_visit(folder) for folder in visitor_folders(root)}
+def visits(root: Path, read: Callable[[Path], Visit] = read_visit) -> dict[Path, Visit]:
+    """Return how far every visitor of an event has come, by folder; ``read`` reads one visit."""
+    return {folder: read(folder) for folder in visitor_folders(root)}

@@ -15,7 +15,7 @@ from cloner.booth import keeping, line
 from cloner.booth.event import Event, check_event_folder, is_visitor, new_visitor, read_event, visits, write_event
 from cloner.booth.opened import Opened
 from cloner.booth.person_file import consent_given, person_facts, write_person
-from cloner.booth.visits import Visit, read_visit
+from cloner.booth.visits import KnownVisits, Visit, read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.privacy import Holding
@@ -50,6 +50,7 @@ class Booth(QObject):
         self.root: Path | None = None
         self.settings = Event()
         self.clicks = 0
+        self._known = KnownVisits()
         self._opening: Task | None = None
         self._since = time.monotonic()
         self._counted = 0
@@ -91,7 +92,7 @@ class Booth(QObject):
     def visits(self) -> Mapping[Path, Visit]:
         """Return how far every visitor has come."""
         if self.root is not None:
-            return visits(self.root)
+            return visits(self.root, self._known.read)
         folder = self.session.folder
         return {} if folder is None else {folder: read_visit(folder)}
 

@@ -36,6 +36,13 @@ def told_error(error: ClonerError) -> str:
     return f"{where}: {told(error.message)}. {hint}" + ("" if hint.endswith("?") else ".")
 
 
+def told_problem(problem: str) -> str:
+    """Return why a clone failed, as a visit's file keeps it (``str`` of the error), in the window's language."""
+    where, _, rest = problem.partition(": ")
+    message, _, hint = rest.partition(". ")
+    return told_error(ClonerError(message, hint, where)) if hint else problem
+
+
 def spoken_refit(refitted: Refitted) -> str:
     """Return what became of the corrected points on the last clone's body."""
     failed = [

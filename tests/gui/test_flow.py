@@ -259,6 +259,13 @@ def test_a_failed_clone_is_told_in_the_quiet_bar(window, jobs, qtbot, folder, er
     assert read_visit(folder).state is State.FAILED
     qtbot.mouseClick(window.notice.close_button, Qt.MouseButton.LeftButton)
     assert not window.notice.isVisible()
+    assert text in window.clone.warnings.text(), "who comes back to the visitor later still learns why"
+    assert text in window.visitor.list.item(0).toolTip()
+    jobs.error = None
+    with qtbot.waitSignal(window.session.cloned, timeout=20000):
+        window.session.clone()
+    qtbot.waitUntil(lambda: not window.session.busy)
+    assert text not in window.clone.warnings.text()
 
 
 def test_the_visitor_takes_the_chosen_files(window, jobs, qtbot, tmp_path, monkeypatch):

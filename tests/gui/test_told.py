@@ -58,8 +58,7 @@ def test_every_sentence_and_point_is_said_in_every_language(qtbot, code):
 def test_values_find_their_places_in_another_language(german):
     error = ClonerError("the photo is only 30 x 40 pixels", "Use the original photo, not a thumbnail", "body_front")
     assert (
-        told_error(error)
-        == "Körper, vorn: das Foto hat nur 30 x 40 Pixel. Nehmen Sie das Original, kein Vorschaubild."
+        told_error(error) == "Körper, vorn: das Foto hat nur 30 x 40 Pixel. Nehmen Sie das Original, kein Vorschaubild."
     )
     warning = "body_side: the corrected point waist_left could not be obeyed: no outline of the clone is seen there, " \
         "so the point was left out"  # fmt: skip

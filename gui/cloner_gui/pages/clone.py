@@ -8,13 +8,14 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
+from cloner.booth.visits import read_visit
 from cloner.errors import ClonerError
 from cloner.outline_gaps import outline_gaps_mm
 from cloner_gui.canvas.growth import Growth
 from cloner_gui.canvas.preview_panel import PreviewPanel
 from cloner_gui.pieces import button, label
 from cloner_gui.session import Session
-from cloner_gui.told import told
+from cloner_gui.told import told, told_problem
 from cloner_gui.words import spoken_step, translate
 from cloner_gui.worker import Task
 
@@ -95,16 +96,15 @@ class ClonePage(QWidget):
             translate("clone", "Texture and files"),
         )
         self.preview.empty_text = translate("clone", "Press Clone: after about a minute the person stands here.")
+        self._show_warnings()
         self._show_parts()
 
     def _show(self) -> None:
         """Show the finished clone, or an empty place for it."""
-        outcome, session = self._session.outcome, self._session
+        session = self._session
         self.growth.forget()
         self.panel.set_clone(session.clone_now(), session.photos.photos)
         self.status.setText("")
-        self.warnings.setText("" if outcome is None else "\n".join(f"• {told(text)}" for text in outcome.warnings))
-        self.warnings.setVisible(bool(self.warnings.text()))
         self._show_busy()
         self._show_growth()
         self.changed.emit()
@@ -136,8 +136,18 @@ class ClonePage(QWidget):
             self.progress.setValue(0)  # the bar still shows the work before this one
         else:
             self._end_growth()
+        self._show_warnings()
         self._done_parts = 0 if busy or self._session.outcome is None else len(PARTS)
         self._show_parts()
+
+    def _show_warnings(self) -> None:
+        """Say what the clone lacks, or why there is none."""
+        outcome, folder = self._session.outcome, self._session.folder
+        said = [] if outcome is None else [told(text) for text in outcome.warnings]
+        if folder is not None and not self._session.busy:
+            said.insert(0, told_problem(read_visit(folder).problem))
+        self.warnings.setText("\n".join(f"• {text}" for text in said if text))
+        self.warnings.setVisible(bool(self.warnings.text()))
 
     def _end_growth(self) -> None:
         """Show the clone there was before, if the one under way was stopped."""

@@ -9,6 +9,7 @@ from cloner.booth.visits import State
 from cloner_gui.booth import Booth
 from cloner_gui.pages.person_form import PersonForm
 from cloner_gui.pieces import GAP, Card, button, label, name
+from cloner_gui.told import told_problem
 from cloner_gui.words import STATES, translate
 
 _MARKS = {State.NONE: "○", State.WAITING: "◔", State.CLONED: "●", State.FAILED: "!"}
@@ -94,15 +95,21 @@ class VisitorPage(QWidget):
         self.changed.emit()
 
     def _fill(self) -> None:
-        folder = self._booth.session.folder
+        """Show the visitors; the list stays where it was scrolled to while only their states change."""
+        folder, visits = self._booth.session.folder, self._booth.visits()
+        shown = [self.list.item(row).data(Qt.ItemDataRole.UserRole) for row in range(self.list.count())]
         self.list.blockSignals(True)
-        self.list.clear()
-        for place, visit in self._booth.visits().items():
-            item = QListWidgetItem(f"{_MARKS[visit.state]}  {place.name}\n     {STATES[visit.state]}")
+        if shown != list(visits):
+            self.list.clear()
+            for _ in visits:
+                self.list.addItem(QListWidgetItem())
+        for row, (place, visit) in enumerate(visits.items()):
+            item = self.list.item(row)
+            item.setText(f"{_MARKS[visit.state]}  {place.name}\n     {STATES[visit.state]}")
             item.setData(Qt.ItemDataRole.UserRole, place)
             item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{place.name}, {STATES[visit.state]}")
-            self.list.addItem(item)
-            if place == folder:
+            item.setToolTip(told_problem(visit.problem))
+            if place == folder and self.list.currentItem() is not item:
                 self.list.setCurrentItem(item)
         self.list.blockSignals(False)
 

@@ -17,7 +17,7 @@ from cloner.booth.person_file import (
     person_facts,
     write_person,
 )
-from cloner.booth.visits import State, Visit, read_visit, write_visit
+from cloner.booth.visits import KnownVisits, State, Visit, read_visit, write_visit
 from cloner.errors import ClonerError
 
 NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
@@ -49,6 +49,18 @@ def test_visitors_are_numbered_and_numbers_are_not_given_twice(tmp_path):
     assert new_visitor(tmp_path, "c").name == "visitor-003"
     assert list(visits(tmp_path)) == [second, tmp_path / "visitor-003"]
     assert visits(tmp_path)[second].started == "b"
+
+
+def test_a_visit_is_read_again_only_when_its_file_has_changed(tmp_path, monkeypatch):
+    folder = new_visitor(tmp_path, "a")
+    known, read = KnownVisits(), []
+    monkeypatch.setattr("cloner.booth.visits.read_visit", lambda one: read.append(one) or read_visit(one))
+    assert [visits(tmp_path, known.read)[folder].started for _ in range(3)] == ["a"] * 3
+    assert read == [folder]
+    write_visit(folder, Visit(started="b"))
+    assert visits(tmp_path, known.read)[folder].started == "b", "same length, written a moment later"
+    (folder / "visit.json").unlink()
+    assert known.read(folder) == Visit()
 
 
 def test_an_event_is_never_opened_among_strangers_files(tmp_path):
