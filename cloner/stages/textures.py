@@ -18,6 +18,7 @@ from cloner.baking.baked import Baked, unpainted
 from cloner.baking.compose import bake, share_surface
 from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
 from cloner.baking.labelled import vet_labels
+from cloner.baking.lid_skin import clean_lids
 from cloner.baking.materials import doubt_grazing, find_materials
 from cloner.baking.parts import paint_parts
 from cloner.baking.posed import body_triangles
@@ -90,7 +91,8 @@ def run(
     residuals.append(Residual("texels_seen", 100.0 * seen / max(charts, 1), "percent"))
     parts = parts_atlas(generic, params.size)
     paint_parts(generic, parts, baked.rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, rng)
-    atlas = TextureAtlas(pad_charts(baked.rgb, baked.covered), np.where(baked.seen, 255, 0).astype(np.uint8))
+    lidded = clean_lids(generic, baked.rgb, joined.vertices_m)
+    atlas = TextureAtlas(pad_charts(lidded, baked.covered), np.where(baked.seen, 255, 0).astype(np.uint8))
     tick(1.0)
     return StageResult({"painted": assemble(joined, shells, atlas)}, tuple(residuals), warnings)
 
