@@ -7,7 +7,6 @@ final textures. Run with ``make bench``; give a folder of photos to clone anothe
 from __future__ import annotations
 
 import argparse
-import io
 import json
 import tempfile
 import time
@@ -15,10 +14,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PIL import Image
-
 from cloner import pipeline
 from cloner.cloning import clone_folder
+from cloner.exporters.files import jpeg_bytes, png_bytes
 from cloner.pipeline import peak_mib
 from cloner.project.folder import load_photos
 
@@ -34,15 +32,7 @@ def timed(work: Callable[[], Any]) -> tuple[Any, float, float]:
 
 def encode(clone: Any) -> int:
     """Encode the textures as the exports do and return the bytes."""
-    size = 0
-    atlas = io.BytesIO()
-    Image.fromarray(clone.atlas.rgb).save(atlas, format="JPEG", quality=92)
-    size += atlas.tell()
-    for shell in clone.shells:
-        picture = io.BytesIO()
-        Image.fromarray(shell.rgba).save(picture, format="PNG")
-        size += picture.tell()
-    return size
+    return len(jpeg_bytes(clone.atlas.rgb)) + sum(len(png_bytes(shell.rgba)) for shell in clone.shells)
 
 
 def main() -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, Final, cast
 
 from cloner import pipeline
-from cloner.abreast import beside
+from cloner.abreast import abreast, beside
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
 from cloner.frames import ViewId
@@ -272,16 +272,17 @@ def _stages(texture_size: int) -> tuple[Stage, ...]:
 def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path, progress: Progress) -> None:
     """Write the clone's own file, the exports and the previews."""
     clone = values["clone"]
-
-    def write_files() -> None:
-        save_clone(clone, folder / CLONE_FILE)
-        for name in formats:
-            EXPORTERS.get(name)(clone, folder)
+    keep = partial(save_clone, clone, folder / CLONE_FILE)
+    writers = (keep, *(partial(_export, name, clone, folder) for name in formats))
 
     progress("previews", 0.9)
-    points = (values["body_points"], values["face_points"])
-    with beside(write_files):  # drawing stays on this thread, as GL wants it
-        write_previews(clone, values["photos"], values["proposals"], points, values["obeyed_silhouettes"], folder)
+    shown = (values["photos"], values["proposals"], (values["body_points"], values["face_points"]))
+    with beside(lambda: list(abreast(lambda write: write(), writers))):  # drawing stays on this thread, as GL wants it
+        write_previews(clone, *shown, values["obeyed_silhouettes"], folder)
+
+
+def _export(name: str, clone: Clone, folder: Path) -> None:
+    EXPORTERS.get(name)(clone, folder)  # its module is loaded beside other work
 
 
 def stamp_options(
