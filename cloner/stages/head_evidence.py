@@ -38,7 +38,9 @@ class Params:
     focal_35mm : float
         Stated default for face photos without EXIF, mm.
     distance_m, distance_sigma : float
-        How far people stand from the camera of a face photo when nothing tells, and its relative spread.
+        How far people stand from the camera of a face photo when nothing tells, and its relative spread. Perspective
+        hardly tells it (six random heads fitted at .75 to 1.26 m stood at .93 to 1.81, in no order), so the spread is
+        less than people's: at .2 a sample visitor at a booth erred by 1.13 instead of .91 mm.
     presence : float
         Least presence of a face that is used.
     net_floor_m : float
@@ -73,7 +75,7 @@ class Params:
 
     focal_35mm: float = 70.0
     distance_m: float = 1.1
-    distance_sigma: float = 0.2
+    distance_sigma: float = 0.1
     presence: float = 0.5
     net_floor_m: float = 0.0013
     drift: float = 1.0
