@@ -40,9 +40,9 @@ class _Reach:
 def limited(clone: Clone, weights: Mapping[str, Array]) -> dict[str, Array]:
     """Return weights (F,) of the clone's targets, held back wherever their sum would be no face.
 
-    A blink takes what other targets leave of the way to shut lids, and what opens lids gives way to it. No sum takes a
-    feature point farther than any one target does. What closes the lips is held back where they would cross. Weights
-    that do no such thing come back as they are; names that the clone has not are dropped.
+    A blink takes the place of gaze, squint and what opens lids, and what others leave of the way to shut lids. No sum
+    takes a feature point farther than any one target does. What closes the lips is held back where they would cross.
+    Weights that do no such thing come back as they are; names that the clone has not are dropped.
     """
     names = tuple(name for name in clone.morph_names if name in weights)
     if not names:
@@ -91,7 +91,11 @@ def _held_points(rows: Array, points: Array, farthest: Array) -> Array:
 
 
 def _held_lids(rows: Array, shut: Array, names: tuple[str, ...]) -> Array:
-    """Return weights (F, T) under which lids shut at most: blinks take what the others leave."""
+    """Return weights (F, T) under which lids shut at most.
+
+    What else the eye does gives way to a blink as that comes: shut lids hide the gaze, and only a blink meets the lower
+    lid all along. Cheeks and smiles stay, the blink takes what they leave.
+    """
     out = rows.copy()
     for column, side in enumerate(("Left", "Right")):
         blink = f"eyeBlink{side}"
@@ -99,7 +103,8 @@ def _held_lids(rows: Array, shut: Array, names: tuple[str, ...]) -> Array:
         is_blink = np.array([name == blink for name in names])
         is_gaze = np.array([name.startswith("eyeLook") for name in names])
         wink = rows[:, is_blink].sum(axis=1)
-        out[:, (own < -0.01) & ~is_blink] *= (1.0 - wink)[:, None]
+        is_eyes = np.array([name.startswith(("eyeLook", "eyeSquint")) and name.endswith(side) for name in names])
+        out[:, ((own < -0.01) | is_eyes) & ~is_blink] *= (1.0 - wink)[:, None]
         closes = (own > 0.01) & ~is_blink & ~is_gaze
         gazed = out[:, is_gaze] @ np.maximum(own[is_gaze], 0.0)
         closing = out[:, closes] @ own[closes]

@@ -51,12 +51,12 @@ def sealed(grid: Grid, points: Array) -> Array:
 
 
 def before_teeth(grid: Grid, points: Array, teeth: Array) -> Array:
-    """Return the lips no farther back than the teeth (T, 3) that stand behind them at their height."""
+    """Return the lips no farther back than the teeth (T, 3) that stand behind them at their height, edges included."""
     out = points.copy()
     lip = out[grid.margin - 1 :].reshape(-1, 3)
     beside = np.abs(lip[:, None, 0] - teeth[None, :, 0]) < TOOTH_M
     front = np.where(beside, teeth[None, :, 2], -np.inf).max(axis=1) + BEFORE_M
-    level = (lip[:, 1] > teeth[:, 1].min()) & (lip[:, 1] < teeth[:, 1].max())
+    level = (lip[:, 1] > teeth[:, 1].min() - BEFORE_M) & (lip[:, 1] < teeth[:, 1].max() + BEFORE_M)
     lip[:, 2] = np.where(level, np.maximum(lip[:, 2], front), lip[:, 2])
     out[grid.margin - 1 :] = lip.reshape(out[grid.margin - 1 :].shape)
     return out

@@ -48,7 +48,7 @@ def test_names_that_the_clone_has_not_are_dropped(clone) -> None:
 def test_a_blink_shuts_the_eye_whatever_else_the_lids_do(clone, other) -> None:
     weights = held(clone, **both("eyeBlink", 1.0), **both(other, 1.0))
     figures = mixture_figures(clone, weights)
-    assert figures.lid_gap_left < 1.7
+    assert figures.lid_gap_left < (1.7 if other == "cheekSquint" else 0.25)
     assert figures.eye_through < 0.05
     before = mixture_figures(clone, {**both("eyeBlink", 1.0), **both(other, 1.0)})
     assert figures.lid_gap_left <= before.lid_gap_left + 0.1
