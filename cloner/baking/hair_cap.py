@@ -145,6 +145,14 @@ def _votes(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -
     return np.where(seen, cosine**2, 0.0)
 
 
+def covered_share(views: list[HairView], points_m: Array, normals: Array) -> Array:
+    """Return (N,) 0..1 how far photos that see some skin show hair over it instead; zero where none sees it."""
+    votes = np.stack([_votes(view, points_m, normals, None) for view in views])
+    line = np.stack([hairline_mm(view, points_m) for view in views])
+    mean = (votes * line).sum(axis=0) / np.maximum(votes.sum(axis=0), 1e-9)
+    return np.where(votes.sum(axis=0) > SURE_VOTE, np.clip(0.5 + mean / BARE_MM, 0.0, 1.0), 0.0)
+
+
 def hairline_mm(view: HairView, points_m: Array) -> NDArray[np.float32]:
     """Return (N,) signed distance to the hairline in one photo, mm, at most VOTE_MM, positive on the hair's side."""
     posed = view.to_view(points_m)

@@ -53,8 +53,8 @@ class Params:
     hair_mm : float
         Spread of the hair's outline around the skull by the shared thickness.
     thickness_mm : tuple of four (mean, spread) of the numbers of the hair's thickness.
-    neck_deg, nod_deg : float
-        Usual turn away from the phenotype's carriage, per angle, and of a face photo's nod.
+    neck_deg, head_deg, nod_deg : float
+        Usual bend of the neck away from the phenotype's, turn of the head by all that, and nod of a face photo.
     turns : int
         Gauss-Newton steps (six find no better heads on eight painted people).
     """
@@ -65,6 +65,7 @@ class Params:
     hair_mm: float = 4.0
     thickness_mm: tuple[tuple[float, float], ...] = ((14.0, 12.0), (0.0, 5.0), (0.0, 5.0), (0.0, 5.0))
     neck_deg: float = 8.0
+    head_deg: float = 4.0
     nod_deg: float = 2.0
     turns: int = 4
 
@@ -105,18 +106,19 @@ class Head:
 
 @functools.cache
 def _spread() -> Array:
-    """Return the (282, 6) matrix from neck and skull angles to stacked rotation vectors."""
+    """Return the (282, 6) matrix to stacked rotation vectors from how the neck bends and how the head turns at all."""
     generic = load_generic()
     matrix = np.zeros((len(generic.joint_names) * 3, 6))
-    for group, joints in enumerate((NECK, SKULL)):
-        for name in joints:
-            for axis in range(3):
-                matrix[generic.joint(name) * 3 + axis, group * 3 + axis] = 1.0 / len(joints)
+    for axis in range(3):
+        for name in NECK:
+            matrix[generic.joint(name) * 3 + axis, axis] = 1.0 / len(NECK)
+        for name in SKULL:
+            matrix[generic.joint(name) * 3 + axis, [axis, 3 + axis]] = -1.0 / len(SKULL), 1.0 / len(SKULL)
     return matrix
 
 
 def angles_of(view: ViewId) -> int:
-    """Return how many angles a photo has: of neck and skull base, or a face photo's nod."""
+    """Return how many angles a photo has: three of the neck and three of the head, or a face photo's nod."""
     return 1 if view.is_face else 6
 
 
@@ -245,7 +247,7 @@ def carry_heads(
         The face net's points where a body photo shows a face.
     """
     params, head = Params(), Head.of(mesh)
-    usual = np.array([(0.0, np.deg2rad(_usual_deg(view, params))) for view in photos for _ in range(angles_of(view))])
+    usual = np.deg2rad([(0.0, degrees) for view in photos for degrees in _usual_deg(view, params)])
     rest, spread = np.concatenate([usual.reshape(-1, 2), params.thickness_mm]).T
     ends = np.cumsum([angles_of(view) for view in photos])
     own = {view: slice(end - angles_of(view), end) for view, end in zip(photos, ends, strict=True)}
@@ -270,5 +272,5 @@ def carry_heads(
     return {view: turned(photo.posed, state[own[view]], head.pivot_m) for view, photo in photos.items()}
 
 
-def _usual_deg(view: ViewId, params: Params) -> float:
-    return params.nod_deg if view.is_face else params.neck_deg
+def _usual_deg(view: ViewId, params: Params) -> tuple[float, ...]:
+    return (params.nod_deg,) if view.is_face else (*[params.neck_deg] * 3, *[params.head_deg] * 3)

@@ -8,7 +8,7 @@ Method notes section 12; visual hull after Laurentini 1994, limited to what labe
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import cast
 
 import numpy as np
@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import label, map_coordinates
 from skimage.measure import marching_cubes
 
-from cloner.baking.hair_cap import Scalp, measure_scalp, settle_shell
+from cloner.baking.hair_cap import Scalp, covered_share, measure_scalp, settle_shell
 from cloner.baking.hair_edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge
 from cloner.baking.hair_tail import find_tail
 from cloner.baking.hair_views import HairView, Hanger, hair_views
@@ -25,6 +25,7 @@ from cloner.baking.hair_volume import FILM_MM, VOXEL_M, hair_field
 from cloner.baking.labelled import vet_labels
 from cloner.baking.posed import body_triangles
 from cloner.baking.shell_paint import ShellView, paint_shell
+from cloner.baking.tucking import ear_masks, lay_ears, whole_ears
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.atlas import map_atlas
@@ -117,6 +118,7 @@ def grow_hair(
     views = hair_views(generic, joined, proposals, silhouettes)
     if not any(view.hair.any() for view in views):
         return StageResult({"shells": ()}, (), ("No hair was found in the photos: the head stays bare",))
+    joined, views = with_ears_laid(generic, joined, views, proposals, silhouettes)
     tick(0.2)
     scalp = scan_scalp(generic, joined, views)
     on_scalp = generic.region("scalp")[head_rows(generic)]
@@ -140,6 +142,25 @@ def grow_hair(
     )
     tick(1.0)
     return StageResult({"shells": (shell,)}, residuals)
+
+
+def with_ears_laid(
+    generic: GenericHuman,
+    joined: Joined,
+    views: list[HairView],
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+) -> tuple[Joined, list[HairView]]:
+    """Return the person with ears laid on the head where the photos show hair over them, and the evidence anew."""
+    ears = np.flatnonzero(np.any(ear_masks(generic), axis=0))
+    normals = vertex_normals(joined.vertices_m, body_triangles(generic))
+    covered = np.zeros(len(joined.vertices_m))
+    covered[ears] = covered_share(views, joined.vertices_m[ears], normals[ears])
+    laid = lay_ears(generic, joined.vertices_m, whole_ears(generic, covered))
+    if laid is joined.vertices_m:
+        return joined, views
+    joined = replace(joined, vertices_m=laid)
+    return joined, hair_views(generic, joined, proposals, silhouettes)
 
 
 def head_rows(generic: GenericHuman) -> NDArray[np.int64]:

@@ -7,7 +7,7 @@ import pytest
 import trimesh
 from scipy.spatial import cKDTree
 
-from cloner.baking.tucking import tuck_scalp
+from cloner.baking.tucking import ear_masks, lay_ears, tuck_scalp, whole_ears
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.wedges import vertex_normals
@@ -186,3 +186,40 @@ def test_photos_that_do_not_agree_leave_no_gap():
     gap = 1000 * cKDTree(dense).query(high)[0]
     assert np.median(gap) < 4.0
     assert np.percentile(gap, 90) < 10.0
+
+
+def test_ears_under_a_bob_are_pressed_flat_and_bare_ears_stay():
+    """Hair over an ear makes no second ear of hair, and no tip of an ear sticks out of it."""
+    generic = load_generic()
+    person = people.known_person(41, spread=0.5)
+    left, right = ear_masks(generic)
+    covered = np.zeros(len(person.vertices_m))
+    covered[left] = 1.0
+    laid = lay_ears(generic, person.vertices_m, covered)
+    rest = ~left
+    assert np.array_equal(laid[rest], person.vertices_m[rest])
+    # an ear stands out by some 20 mm over the skin around it
+    around = person.vertices_m[rest & ~right & (generic.head_blend > 0.9)]
+    near = around[cKDTree(person.vertices_m[left]).query(around)[0] < 0.012, 0].max()
+    assert person.vertices_m[left, 0].max() > near + 0.008
+    assert laid[left, 0].max() < near + 0.002
+    assert lay_ears(generic, person.vertices_m, np.zeros_like(covered)) is person.vertices_m
+
+
+def test_a_lock_before_an_ear_is_no_hair_over_it():
+    generic = load_generic()
+    left, right = ear_masks(generic)
+    covered = np.zeros(len(left))
+    covered[np.flatnonzero(left)[::5]] = 1.0
+    covered[np.flatnonzero(right)[::2]] = 1.0
+    found = whole_ears(generic, covered)
+    assert not found[left].any()
+    assert np.array_equal(found[right], covered[right])
+
+
+def test_a_cap_that_ends_above_the_ears_leaves_them(ponytail):
+    person, result, _ = ponytail
+    generic = load_generic()
+    tucked = tuck_scalp(generic, person.vertices_m, result.values["shells"])
+    ears = np.any(ear_masks(generic), axis=0)
+    assert 1000 * np.abs(tucked[ears] - person.vertices_m[ears]).max() < 1.0
