@@ -155,6 +155,7 @@ class MainWindow(QMainWindow):
         self.booth.failed.connect(self.notice.tell)
         self.booth.page_wanted.connect(self._resume)
         self.session.opened.connect(self._refresh)
+        self.session.busy_changed.connect(self._refresh)
         for number in (VISITOR, PHOTOS, TAKEAWAY):
             self._page(number).changed.connect(self._refresh)
         self.stack.made.connect(lambda page: page.changed.connect(self._refresh))
@@ -169,12 +170,16 @@ class MainWindow(QMainWindow):
         self._refresh()
 
     def _go_on(self) -> None:
-        """Show the next page; after the last one, begin with the next visitor."""
-        number = self.stack.currentIndex() + 1
-        if number < len(PAGES):
-            self.go(number)
-        else:
+        """Show the next page; after the last one, and while the clone is made, begin with the next visitor."""
+        if self._goes_to_next_visitor():
             self.booth.new_visitor()
+        else:
+            self.go(min(self.stack.currentIndex() + 1, TAKEAWAY))
+
+    def _goes_to_next_visitor(self) -> bool:
+        """Return whether nothing is left to do here: nobody in a queue waits for a clone to be finished."""
+        number = self.stack.currentIndex()
+        return self.booth.root is not None and (number == TAKEAWAY or (number == CLONE and self.session.busy))
 
     def _resume(self, page: str) -> None:
         """Go on at the page where the visitor was left, or the last that may be shown."""
@@ -197,12 +202,12 @@ class MainWindow(QMainWindow):
         number, reachable = self.stack.currentIndex(), self._reachable()
         self.steps.show_steps(step_titles(), number, reachable)
         reason = self._page(number).why_not()
-        last = number == TAKEAWAY
+        leaves = self._goes_to_next_visitor()
         self.back.setEnabled(number > 0)
-        self.next.setText(translate("window", "Ne&xt visitor") if last else translate("window", "Ne&xt"))
-        self.next.setVisible(not last or self.booth.root is not None)
-        self.next.setEnabled(not reason)
-        self.reason.setText("" if last else reason)
+        self.next.setText(translate("window", "Ne&xt visitor") if leaves else translate("window", "Ne&xt"))
+        self.next.setVisible(number != TAKEAWAY or leaves)
+        self.next.setEnabled(leaves or not reason)
+        self.reason.setText("" if leaves else reason)
         folder = self.session.folder
         self.who.setText("" if folder is None else folder.name)
 

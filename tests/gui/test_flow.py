@@ -206,8 +206,13 @@ def test_one_visitor_is_cloned_while_the_next_is_photographed(event, jobs, qtbot
     assert event.session.queue.at_work == folders[0]
     assert event.session.busy, "the second visitor waits"
     assert read_visit(folders[1]).state is State.WAITING
-    third = begin(event, qtbot)
-    assert event.session.folder == third
+    event.show_page(event.clone)
+    assert event.next.isEnabled()
+    assert "visitor" in event.next.text(), "nobody waits for a clone before the next one steps up"
+    with qtbot.waitSignal(event.session.opened, timeout=5000):
+        qtbot.mouseClick(event.next, Qt.MouseButton.LeftButton)
+    third = event.session.folder
+    assert third not in folders
     assert not event.session.busy
     qtbot.waitUntil(lambda: "fitting" in event.queue_bar.text.text().lower())
     assert "1 more wait" in event.queue_bar.text.text()

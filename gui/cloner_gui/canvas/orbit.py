@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.frames import ViewId
 from cloner.generic.framing import standard_camera
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
@@ -70,6 +71,15 @@ class Orbit:
         depth = float((first.camera_from_model @ np.append(pivot, 1.0))[2])
         beside = np.array([*self.aside, 0.0]) * height_px * depth / focal
         return replace(first, camera_from_model=_shift(beside) @ seen, focal_px=focal)
+
+
+def framing_of(clone: Clone | None, view: ViewId) -> str:
+    """Return the standard camera that sees a clone from where a photo saw the person."""
+    side = "front"
+    if clone is not None and view in clone.views:
+        x, _, z = clone.views[view].camera.position_m
+        side = ("left" if x > 0 else "right") if abs(x) > abs(z) else "front" if z > 0 else "back"
+    return side if view.is_body else f"face_{side}"
 
 
 def photo_camera(camera: Camera, photo: Image, width_px: int, height_px: int) -> tuple[Camera, Image]:

@@ -70,8 +70,7 @@ class PhotoView(QWidget):
         self._pixmap, self._scaled = QPixmap(), painting.ScaledPhoto()
         self.outline_px: Borders = ()
         self._clone, self._outline = QPainterPath(), QPainterPath()
-        self._hovered = self.chosen = ""
-        self._gesture = ""
+        self._hovered = self.chosen = self._gesture = ""
         self._grip = QPointF()  # from the mouse to the thing that is dragged
         self._panning = self._close_up = False
         self._touch = TouchHand(self)

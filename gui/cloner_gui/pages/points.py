@@ -7,21 +7,14 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import (
-    QHBoxLayout,
-    QLabel,
-    QProgressBar,
-    QSplitter,
-    QStackedWidget,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QSplitter, QStackedWidget, QVBoxLayout, QWidget
 
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, next_anchor
 from cloner_gui.canvas.filmstrip import Filmstrip
 from cloner_gui.canvas.hints import legend, told_point
 from cloner_gui.canvas.live import LiveOutlines
+from cloner_gui.canvas.orbit import framing_of
 from cloner_gui.canvas.picking import next_of, worst_first
 from cloner_gui.canvas.preview import Preview
 from cloner_gui.canvas.view import PhotoView
@@ -152,11 +145,7 @@ class PointsPage(QWidget):
             (self.previous, translate("points", "◀"), translate("points", "Point before (Shift+Tab)")),
             (self.following, translate("points", "Next doubtful point"), translate("points", "Least sure first (Tab)")),
             (self.reset, translate("points", "Back to proposal"), translate("points", "Undo this point (Delete)")),
-            (
-                self.anchor,
-                translate("points", "Add outline point"),
-                translate("points", "Or pull at it (Insert)"),
-            ),
+            (self.anchor, translate("points", "Add outline point"), translate("points", "Or pull at it (Insert)")),
             (self.whole, translate("points", "Whole photo"), translate("points", "Show all of the photo (Home)")),
         )
         for widget, text, told in says:
@@ -278,12 +267,7 @@ class PointsPage(QWidget):
 
     def _frame_preview(self, view: ViewId) -> None:
         """See the clone from where the photo saw the person."""
-        clone = self._session.clone_now()
-        side = "front"
-        if clone is not None and view in clone.views:
-            x, _, z = clone.views[view].camera.position_m
-            side = ("left" if x > 0 else "right") if abs(x) > abs(z) else "front" if z > 0 else "back"
-        self.preview.frame(side if view.is_body else f"face_{side}")
+        self.preview.frame(framing_of(self._session.clone_now(), view))
 
     def _show_refit(self) -> None:
         """Show where the body went, and say what it could not follow."""
