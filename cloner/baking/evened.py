@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.abreast import abreast
 from cloner.baking.materials import Materials, shown_bare
 from cloner.baking.sources import Source, shown_colours
 from cloner.frames import ViewId
@@ -141,8 +142,8 @@ def level_borders(colours: Array, claim: Array, trust: NDArray[np.floating], gra
     """
     logs = np.asarray(log_levels(colours), np.float64)
     share, told = (part**2 / np.maximum((part**2).sum(axis=0), 1e-12) for part in (claim, claim * trust))
-    found = np.zeros_like(logs)
-    for k in range(len(logs)):
+
+    def gains(k: int) -> Array:
         pull, mass, data = np.zeros(logs.shape[1:]), told[k].copy(), np.zeros(logs.shape[1])
         for j in range(len(logs)):
             if j == k:
@@ -155,8 +156,9 @@ def level_borders(colours: Array, claim: Array, trust: NDArray[np.floating], gra
             data += np.sqrt(share[k] * share[j]) * alike
         weight = np.clip(2.0 * data, 0.0, 1.0)
         goal = weight[:, None] * pull / np.maximum(mass, 1e-9)[:, None]
-        found[k] = graph.fill(goal / (weight + FADE)[:, None], weight + FADE, LEVEL_STIFFNESS)
-    return found
+        return graph.fill(goal / (weight + FADE)[:, None], weight + FADE, LEVEL_STIFFNESS)
+
+    return np.stack(list(abreast(gains, range(len(logs)))))
 
 
 def evened_colours(colours: Array, light: Array) -> Array:
@@ -191,19 +193,19 @@ def fill_surface(
     is filled with skin above the line and cloth below it.
     """
     shown = shown_bare(generic, sources)
-    fields = []
-    for kind, alike in (
-        (kinds.bare * (1.0 - kinds.scalp), shown),
-        (kinds.bare * kinds.scalp, shown),
-        (kinds.worn, 1.0 - shown),
-    ):
+
+    def field(of_kind: tuple[Array, Array]) -> Array:
+        kind, alike = of_kind
         colour, weight = _mean_shown(generic, sources, evened, alike)
         own = weight * np.clip(2.0 * kind - 1.0, 0.0, 1.0)
         if not (own > FILL_TRUST).any():  # no photo shows this kind: whatever is there must do
             colour, own = _mean_shown(generic, sources, evened, np.ones_like(shown))
         near = colour[graph.nearest(own > FILL_TRUST)]
-        fields.append(graph.fill(near, np.maximum(own, NEAREST_WEIGHT), FILL_STIFFNESS, near / BORDER_LEVELS))
-    return np.clip(np.stack(fields), 0.0, 255.0).astype(np.float32)
+        return graph.fill(near, np.maximum(own, NEAREST_WEIGHT), FILL_STIFFNESS, near / BORDER_LEVELS)
+
+    bare = kinds.bare
+    all_kinds = ((bare * (1.0 - kinds.scalp), shown), (bare * kinds.scalp, shown), (kinds.worn, 1.0 - shown))
+    return np.clip(np.stack(list(abreast(field, all_kinds))), 0.0, 255.0).astype(np.float32)
 
 
 def _mean_shown(generic: GenericHuman, sources: list[Source], evened: Array, alike: Array) -> tuple[Array, Array]:

@@ -8,6 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.abreast import abreast
 from cloner.baking.posed import body_triangles, parents_of, pose
 from cloner.baking.sources import person_mask
 from cloner.frames import ViewId, mm_from_m
@@ -159,24 +160,20 @@ def hair_views(
     generic: GenericHuman, joined: Joined, proposals: Proposals, silhouettes: SilhouetteSet
 ) -> list[HairView]:
     """Return every photo's evidence; side photos also mirrored for the half they do not show."""
-    found: list[HairView] = []
-    triangles = body_triangles(generic)
+    triangles, hanger = body_triangles(generic), Hanger.of(generic, joined)
     middle = float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
-    for view, posed in joined.views.items():
-        if view not in proposals.views:
-            continue
-        person = person_mask(view, proposals.views[view], silhouettes)
+
+    def seen(view: ViewId) -> HairView:
+        posed, person = joined.views[view], person_mask(view, proposals.views[view], silhouettes)
         hair = clean_hair(proposals.views[view], person)
         transforms = joint_transforms(joined.joints_m, parents_of(generic), posed.rotations)
-        one = HairView(
-            posed,
-            transforms,
-            Hanger.of(generic, joined),
-            nearest_of(pose(generic, joined, posed), triangles, posed.camera),
-            *distances_px(hair, person),
-        )
+        nearest = nearest_of(pose(generic, joined, posed), triangles, posed.camera)
+        return HairView(posed, transforms, hanger, nearest, *distances_px(hair, person))
+
+    found: list[HairView] = []
+    for one in abreast(seen, [view for view in joined.views if view in proposals.views]):
         found.append(one)
-        if view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+        if one.posed.view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
             found.append(replace(one, flip_m=middle))
     return found
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.abreast import abreast
 from cloner.baking.hair_strands import grow_strands, roughness
 from cloner.baking.posed import parents_of
 from cloner.frames import ViewId
@@ -88,20 +89,20 @@ def paint_shell(
     size = atlas.shape[0]
     normals = vertex_normals(vertices_m, atlas.triangles)
     usable = [view for view in views if view.posed.view in photos and view.mask.any()]
-    sights, claims, trusts, pictures = [], [], [], []
-    repaired: dict[ViewId, NDArray[np.uint8]] = {}
-    for view in usable:
-        sight = _look(generic, joined, view, vertices_m, skin_joints, skin_weights, atlas.triangles)
+    shown = {view.posed.view: view for view in reversed(usable)}  # a mirrored view shows the same photo
+    repaired = abreast(lambda view: _repaired(photos[view.posed.view].rgb, view), shown.values())
+    picture_of = dict(zip(shown, repaired, strict=True))
+    pictures = [picture_of[view.posed.view] for view in usable]
+    joints = (skin_joints, skin_weights)
+    looked = abreast(lambda view: _look(generic, joined, view, vertices_m, *joints, atlas.triangles), usable)
+    sights, claims, trusts = list(looked), [], []
+    for view, sight in zip(usable, sights, strict=True):
         seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
         claim = view.claim * (_MIRRORED if view.flip_m is not None else 1.0)
         near = sample(view.inside_px, sight.pixel_px)[:, 0] > -2.0 * BAND_PX
-        sights.append(sight)
         claims.append(np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0))
         # Hair and cloth shine at grazing angles: only what both photos see nearly head-on tells their exposures.
         trusts.append(np.where(claims[-1] > 0.0, np.clip((sight.cosine - 0.5) / 0.5, 0.0, 1.0), 0.0))
-        if view.posed.view not in repaired:  # a mirrored view shows the same photo
-            repaired[view.posed.view] = _repaired(photos[view.posed.view].rgb, view)
-        pictures.append(repaired[view.posed.view])
     graph = surface_graph(vertices_m, atlas.triangles)
     claims = [graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in claims]
     claim_table = np.stack(claims)
@@ -116,25 +117,28 @@ def paint_shell(
     ground = np.tile(mean.astype(np.float32), (size * size, 1)), np.full(size * size, FLOOR, np.float32)
     if strands:
         rough = roughness(pictures[first], usable[first].mask)
-        shown = ((claim_table**2)[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
-        made = grow_strands(atlas, vertices_m, graph, shown, claim_table.max(axis=0), rough)
+        seen_rgb = ((claim_table**2)[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
+        made = grow_strands(atlas, vertices_m, graph, seen_rgb, claim_table.max(axis=0), rough)
         ground[0][atlas.texel] = made.rgb
         ground[1][atlas.texel] = np.maximum(atlas.interpolate(made.claim[:, None])[:, 0] ** SHARPNESS, FLOOR)
 
+    def laid(number: int) -> Layer:
+        picture, sight, claim, gain = pictures[number], sights[number], claims[number], gains[number]
+        rows = atlas.rows_of(np.any((claim > 0.0)[atlas.triangles], axis=1))
+        table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, claim, light_basis(normals) @ gain])
+        values = atlas.interpolate(table, rows)
+        good = sight.visible(values[:, :2], values[:, 2], values[:, 3]) & (values[:, 4] > 0.02)
+        colour = apply_light(sample(picture, values[good, :2]), values[good, 5:])
+        image, known = np.zeros((size * size, 3), np.float32), np.zeros(size * size, np.float32)
+        image[atlas.texel[rows[good]]] = colour
+        known[atlas.texel[rows[good]]] = 1.0
+        whole = push_pull(image.reshape(size, size, 3), known.reshape(size, size))
+        known[atlas.texel[rows[good]]] = np.minimum(values[good, 4], 1.0) ** SHARPNESS + FLOOR
+        return Layer(whole, known.reshape(size, size))
+
     def layers() -> Iterator[Layer]:
         yield Layer(ground[0].reshape(size, size, 3), ground[1].reshape(size, size))
-        for picture, sight, claim, gain in zip(pictures, sights, claims, gains, strict=True):
-            rows = atlas.rows_of(np.any((claim > 0.0)[atlas.triangles], axis=1))
-            table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, claim, light_basis(normals) @ gain])
-            values = atlas.interpolate(table, rows)
-            good = sight.visible(values[:, :2], values[:, 2], values[:, 3]) & (values[:, 4] > 0.02)
-            colour = apply_light(sample(picture, values[good, :2]), values[good, 5:])
-            image, known = np.zeros((size * size, 3), np.float32), np.zeros(size * size, np.float32)
-            image[atlas.texel[rows[good]]] = colour
-            known[atlas.texel[rows[good]]] = 1.0
-            whole = push_pull(image.reshape(size, size, 3), known.reshape(size, size))
-            known[atlas.texel[rows[good]]] = np.minimum(values[good, 4], 1.0) ** SHARPNESS + FLOOR
-            yield Layer(whole, known.reshape(size, size))
+        yield from abreast(laid, range(len(usable)))
 
     rgb = push_pull(blend_pyramids(layers(), (size, size, 3), LEVELS) * covered[..., None], covered.astype(np.float32))
     opaque = np.full((size, size, 1), 255.0, np.float32)
