@@ -57,6 +57,11 @@ DEGENERATE_M2: Final = 1e-8
 UV_PX: Final = 2048
 PANEL: Final = (300, 420)
 FIRST_SEED: Final = 300
+NOTES: Final = """
+Lips are pressed on each other by .1 mm, eyes and teeth lie in the head, hair and cloth stand on the skin: on purpose.
+Teeth, lashes and hair are open strips; all hairs of all lashes share one strip of texture. What is left when people sit
+or walk lies in folds: armpit, groin, hollow of the knee, where flesh and cloth press on each other.
+"""
 
 
 @dataclass(frozen=True, slots=True)
@@ -243,7 +248,7 @@ def main() -> None:
     parser.add_argument("--page", type=Path)
     parser.add_argument("--picture", type=Path)
     asked = parser.parse_args()
-    clones = {path.stem: clone_of(path) for path in asked.results}
+    clones = {path.name: clone_of(path) for path in asked.results}
     made = {f"random {seed}": random_clone(seed) for seed in range(FIRST_SEED, FIRST_SEED + asked.people)}
     clones = {name: centred(clone) for name, clone in (clones | made).items() if clone is not None}
     found = {}
@@ -255,7 +260,8 @@ def main() -> None:
     first = next(iter(clones.values()))
     surfaces = "\n".join(["", f"Surfaces of {next(iter(clones))}, {UV_PX} texels:", "", head, "| --- " * 7 + "|",
                           *surface_rows(first)])  # fmt: skip
-    text = page(found, surfaces, f"python benchmarks/mesh.py {' '.join(clones)} --people {asked.people}")
+    names = " ".join(name for name in clones if name not in made)
+    text = page(found, surfaces, f"python benchmarks/mesh.py {names} --people {asked.people}") + NOTES
     sys.stdout.write(text + "\n")
     if asked.page is not None:
         asked.page.write_text(text + "\n")

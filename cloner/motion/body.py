@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.motion import turns
-from cloner.motion.clearance import arms_out
+from cloner.motion.clearance import arms_out, legs_out
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
@@ -41,6 +41,8 @@ class Body:
         foot rolls over.
     arms_out : float
         Angle from straight down at which hanging arms are clear of the trunk, radians.
+    legs_out : float
+        Least angle from straight down, positive outwards, at which straight legs do not touch, radians.
     """
 
     joints_m: Array
@@ -49,6 +51,7 @@ class Body:
     soles: tuple[tuple[Array, NDArray[np.integer], Array], ...]
     rolls: tuple[Array, ...]
     arms_out: float
+    legs_out: float
 
     def joint(self, name: str) -> int:
         """Return the number of a joint."""
@@ -87,7 +90,8 @@ def body_of(clone: Clone) -> Body:
         rolls.append(_rolls(clone.vertices_m[rows], clone.joints_m[generic.joint(f"{side[0]}_metatarsal")]))
     parents, names = generic.joint_parents.astype(np.int64), tuple(generic.joint_names)
     out = arms_out(clone.vertices_m, clone.joints_m)
-    return Body(clone.joints_m, parents, names, tuple(soles), tuple(rolls), out)
+    legs = legs_out(clone.vertices_m, clone.joints_m)
+    return Body(clone.joints_m, parents, names, tuple(soles), tuple(rolls), out, legs)
 
 
 def _rolls(sole_m: Array, ball_m: Array) -> Array:

@@ -1,4 +1,4 @@
-"""How far hanging arms stand away from a body: coats and hips are wide, and no sleeve hangs inside a jacket."""
+"""How far hanging arms and legs stand out: no sleeve hangs inside a jacket, no trouser leg in the other."""
 
 from __future__ import annotations
 
@@ -18,6 +18,10 @@ MOST_DEG: Final = 15.0
 CURLED_M: Final = 0.015
 #: Above this share of the upper arm it is the armpit's skin that touches the trunk, as it does in everybody.
 FREE_FROM: Final = 0.4
+#: The same of a leg: from 10 degrees inwards, as slim people walk, to 6 outwards; and above this share of the thigh it
+#: is the crotch that touches.
+LEGS_DEG: Final = (-10.0, 6.0)
+LEG_FREE_FROM: Final = 0.2
 #: The trunk's half width is taken level by level, so far apart, metres.
 LEVEL_M: Final = 0.01
 
@@ -31,6 +35,31 @@ def arms_out(vertices_m: Array, joints_m: Array) -> float:
         A person in rest pose, model frame, metres.
     """
     return max(_arm_out(vertices_m, joints_m, side) for side in "lr")
+
+
+def legs_out(vertices_m: Array, joints_m: Array) -> float:
+    """Return the angle from straight down, radians, positive outwards, from which on straight legs do not touch.
+
+    Parameters
+    ----------
+    vertices_m : (V, 3), joints_m : (94, 3)
+        A person in rest pose, model frame, metres.
+    """
+    return max(_leg_out(vertices_m, joints_m, side) for side in "lr")
+
+
+def _leg_out(vertices_m: Array, joints_m: Array, side: str) -> float:
+    generic, sign = load_generic(), 1.0 if side == "l" else -1.0
+    long, hip = {"l": "left", "r": "right"}[side], joints_m[generic.joint(f"{side}_hip")]
+    bone = joints_m[generic.joint(f"{side}_knee")] - hip
+    across = np.cross(bone, [0.0, 0.0, 1.0]) * sign / np.linalg.norm(bone[:2])  # towards the other leg
+    local = vertices_m[_rows(generic, (f"{long}_thigh",))] - hip
+    along, inward = local @ bone / np.linalg.norm(bone), local @ across
+    own = along > LEG_FREE_FROM * np.linalg.norm(bone)
+    for angle in np.radians(np.arange(*LEGS_DEG)):
+        if (sign * hip[0] + along[own] * np.sin(angle) - inward[own] * np.cos(angle) > 0.0).all():
+            return float(angle)
+    return float(np.radians(LEGS_DEG[1]))
 
 
 def _arm_out(vertices_m: Array, joints_m: Array, side: str) -> float:
@@ -61,7 +90,7 @@ def _arm(generic: GenericHuman, vertices_m: Array, joints_m: Array, side: str) -
         bone = joints_m[generic.joint(f"{side}_{last}")] - joints_m[generic.joint(f"{side}_{first}")]
         length = float(np.linalg.norm(bone))
         local = vertices_m[_rows(generic, (f"{long}_{segment}",))] - joints_m[generic.joint(f"{side}_{first}")]
-        across = np.cross(bone, [0.0, 0.0, 1.0]) * (-1.0 if side == "l" else 1.0)  # towards the trunk
+        across = np.cross(bone, [0.0, 0.0, 1.0]) * (1.0 if side == "l" else -1.0)  # towards the trunk
         place = local @ bone / length
         own = place > FREE_FROM * length if segment == "upper_arm" else np.ones(len(place), dtype=np.bool_)
         along.append(start + place[own])

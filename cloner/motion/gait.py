@@ -162,7 +162,9 @@ def _swing_leg(body: Body, world: Array, side: str, phase: Array) -> None:
     length = np.linalg.norm(hip - knee) + np.linalg.norm(knee - ankle)
     sign = 1.0 if side == "l" else -1.0
     half = 0.5 * STEP_WIDTH_M * length / (0.48 * _STATURE_M)
-    inward = turns.about(Z, np.full(len(phase), sign * np.arcsin((half - abs(hip[0])) / length)))
+    # straight down at most: who walks wider waddles, and trousers give way
+    aside = max(float(np.arcsin((half - abs(hip[0])) / length)), min(body.legs_out, 0.0))
+    inward = turns.about(Z, np.full(len(phase), sign * aside))
     thigh = inward @ turns.about(X, -angle["thigh"])
     aim_limb(body, world, side, "hip", thigh)
     aim_limb(body, world, side, "knee", thigh @ turns.about(X, angle["knee"]))

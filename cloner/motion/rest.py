@@ -87,9 +87,10 @@ def hanging_pose(body: Body) -> Array:
 
 
 def _stand(body: Body, world: Array, side: str) -> None:
-    """Let a leg stand straight down, its foot flat."""
+    """Let a leg stand straight down, or as far out as wide trousers want, its foot flat."""
+    out = max(body.legs_out, 0.0) * (1.0 if side == "l" else -1.0)
     for name in ("hip", "knee"):
-        aim_limb(body, world, side, name, np.eye(3)[None])
+        aim_limb(body, world, side, name, turns.about(2, np.array([out])))
     for name in (*FOOT, "metatarsal"):
         world[:, body.joint(f"{side}_{name}")] = np.eye(3)
 

@@ -58,6 +58,24 @@ def test_no_forearm_or_hand_lies_in_the_trunk(factor):
         assert depths[arms & ~generic.region("hand_left") & ~generic.region("hand_right")].max() < 0.003
 
 
+def test_wide_trouser_legs_stand_apart_and_slim_ones_straight():
+    generic, slim = load_generic(), widened(1.0)
+    vertices = slim.vertices_m.copy()
+    for side in ("left", "right"):
+        row, joint = generic.segment_names.index(f"{side}_thigh"), generic.joint(f"{side[0]}_hip")
+        share = generic.segment_weights[:, row].astype(float)
+        vertices[:, 0] += 0.25 * share * (vertices[:, 0] - slim.joints_m[joint, 0])
+    wide = replace(slim, vertices_m=vertices)
+    assert body_of(slim).legs_out < body_of(wide).legs_out
+    for clone, most_m in ((slim, 0.25), (wide, 0.45)):
+        points = posed(clone, t_pose(body_of(clone)))
+        heels = points[[generic.feature("heel_left"), generic.feature("heel_right")], 0]
+        assert 0.1 < heels[0] - heels[1] < most_m
+        thighs = [generic.segment_names.index(f"{side}_thigh") for side in ("left", "right")]
+        legs = skin_only()[np.isin(generic.vertex_segment[skin_only()], thighs).all(axis=1)]
+        assert len(self_crossings(points, legs).pairs) == 0
+
+
 def test_rest_and_t_pose_cross_nothing_but_closed_lips():
     generic, clone = load_generic(), widened(1.0)
     for rotations in (np.zeros((94, 3)), t_pose(body_of(clone))):
