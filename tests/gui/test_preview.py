@@ -216,3 +216,19 @@ def test_the_panel_shows_an_unfinished_body_without_its_controls(qtbot, clone):
         panel.set_clone(clone, {})
     assert panel.motion.isEnabled()
     assert panel.preview.mode == "textured", "the finished person has colours again"
+
+
+def test_a_picture_that_is_still_drawn_is_never_shown_of_the_next_person(preview, qtbot, clone):
+    shown = []
+    preview.drawn.connect(lambda: shown.append(preview.shown.clone))
+    preview._draw(fine=False)
+    other = plain_clone(clone.vertices_m)
+    preview.set_clone(other)
+    preview._draw(fine=False)
+    qtbot.waitUntil(lambda: newest().idle and not preview._soon.isActive(), timeout=10000)
+    assert shown
+    assert all(one is other for one in shown)
+    preview._draw(fine=False)
+    preview.set_clone(None)
+    qtbot.waitUntil(lambda: newest().idle)
+    assert "Press Clone" in preview.text()

@@ -60,7 +60,7 @@ class Preview(QLabel):
         self._orbit, self._touch = Orbit(), TouchHand(self)
         self._held: QPointF | None = None
         self._pans = self._broken = False
-        self._began = 0.0
+        self._began, self._person = 0.0, 0
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(lambda: self._draw(fine=False))
         self._later = QTimer(self, singleShot=True, interval=_FINE_AFTER_MS)
@@ -72,8 +72,9 @@ class Preview(QLabel):
     # --- what is shown -------------------------------------------------------
 
     def set_clone(self, clone: Clone | None) -> None:
-        """Show a clone from the front, standing."""
-        self._gaps_mm = None
+        """Show a clone from the front, standing; a picture of the one before that is still drawn is never shown."""
+        self._gaps_mm, self._broken = None, False
+        self._person += 1
         self.update_clone(clone)
         self.play("stand")
         self.frame("front")
@@ -159,11 +160,11 @@ class Preview(QLabel):
         density = self.devicePixelRatioF()
         width, height = (max(round(side * density), 64) for side in (self.width(), self.height()))
         work = functools.partial(scene.image, width, height, fine=fine)
-        newest().ask(self, "picture", work, functools.partial(self._take_picture, scene), self._give_up)
+        newest().ask(self, "picture", work, functools.partial(self._take_picture, self._person, scene), self._give_up)
 
-    def _take_picture(self, scene: Scene, picture: QImage) -> None:
-        if self._clone is None:
-            return  # forgotten while it was drawn
+    def _take_picture(self, person: int, scene: Scene, picture: QImage) -> None:
+        if self._clone is None or person != self._person:
+            return  # somebody else's by now
         self.shown = scene
         shown = QPixmap.fromImage(picture)
         shown.setDevicePixelRatio(self.devicePixelRatioF())
