@@ -99,9 +99,11 @@ def profile_candidates(model: Model) -> NDArray[np.int64]:
 
 
 def outline_vertices(whole: Array, candidates: NDArray[np.int64], camera: Camera, facing: int) -> NDArray[np.int64]:
-    """Return the candidates that lie foremost at their level of the side photo."""
+    """Return the candidates that lie foremost at their level of the side photo, levels beginning at two heights."""
     step = LEVEL_M / camera.metres_per_pixel(whole[candidates].mean(axis=0))
-    return candidates[foremost(camera.project(whole[candidates]), facing, step_px=step)]
+    seen = camera.project(whole[candidates])
+    found = [foremost(seen + [0.0, begin * step], facing, step_px=step) for begin in (0.0, 0.5)]
+    return candidates[np.unique(np.concatenate(found))]
 
 
 def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) -> list[Evidence]:
