@@ -135,11 +135,13 @@ def table(drags: list[Drag], told: Mapping[str, Any]) -> str:
         f"  wall ms  median {np.median(wall):.0f}  worst {max(wall):.0f}",
     ]
     for kind in ("outline", "pose", "face"):
-        own = [drag for drag in drags if drag.kind == kind]
+        own = [drag for drag in warm if drag.kind == kind]
         if own:
             after = max(drag.after_px for drag in own)
+            before, cost = max(drag.before_px for drag in own), [drag.cpu_ms for drag in own]
             lines.append(
-                f"  {kind}: {len(own)} points, worst {after:.2f} px off (before {max(d.before_px for d in own):.1f})"
+                f"  {kind}: {len(own)} points, worst {after:.2f} px off (before {before:.1f}), "
+                f"CPU ms median {np.median(cost):.0f}, worst {max(cost):.0f}"
             )
     lines.append(
         f"  skin farther than {REACH_MM:.0f} mm moved by at most {max(drag.beyond_mm for drag in drags):.2f} mm"
