@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from cloner.baking.hair_cap import SOFT_MM, Scalp, hairline_mm, surface_mm
 from cloner.baking.hair_tail import Tail, find_tail
 from cloner.baking.hair_views import FAR_MM, HairView, hull_mm
-from cloner.frames import m_from_mm, mm_from_m
+from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.geometry.wedges import vertex_normals
 
 Array = NDArray[np.float64]
@@ -31,6 +31,11 @@ SMALLEST_DRAPE_M3 = 4e-5  # taste: 40 ml, a thin lock
 LIFT_MM = 2.5  # labels are read this far above the skin: clear of the mesh, below the hair's surface
 GROWTH_MM = 40.0  # the growth share falls from 1 to 0 over about two rings of this mesh
 UNSEEN_VOTE = 0.05  # what neighbours say counts where photos see badly
+SIDES = (
+    (ViewId.BODY_FRONT, ViewId.FACE_FRONT),
+    (ViewId.BODY_SIDE, ViewId.FACE_SIDE),
+    (ViewId.BODY_BACK,),
+)
 CLIP_MM = 15.0  # the field is cut off here, so that smoothing stays local
 
 
@@ -116,6 +121,29 @@ def voted_line_mm(views: list[HairView], near: Near, rows: NDArray[np.int64]) ->
     return np.asarray((line + UNSEEN_VOTE * unseen) / (votes.sum(axis=0) + UNSEEN_VOTE), np.float32)
 
 
+def agreed_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:
+    """Return (N,) how deep points lie in the hair that photos of all sides agree on, mm, positive inside.
+
+    As `hull_mm`, but of two photos of one side the one that shows more hair is believed: masks lose dark hair before
+    a dark wall, and seldom find too much.
+    """
+    worst = np.full(len(points_m), FAR_MM, np.float32)
+    for names in SIDES:
+        for mirrored in (False, True):
+            found = [
+                np.where(before, inside, np.float32(-FAR_MM))
+                for inside, before in (
+                    view.evidence(points_m)
+                    for view in views
+                    if view.posed.view in names and (view.flip_m is not None) == mirrored
+                )
+            ]
+            if found:
+                best = np.max(found, axis=0)
+                worst = np.where(best > -FAR_MM, np.minimum(worst, best), worst)
+    return np.where(worst < FAR_MM, worst, np.float32(-FAR_MM))
+
+
 def draped_mm(views: list[HairView], near: Near, below_m: float) -> NDArray[np.float32]:
     """Return (N,) the field of hair that lies on neck, shoulders or cheeks below a height, mm.
 
@@ -126,7 +154,7 @@ def draped_mm(views: list[HairView], near: Near, below_m: float) -> NDArray[np.f
     field = np.minimum(on_bare_skin, near.skin_mm + INNER_MM)
     rows = np.flatnonzero(field > -CLIP_MM)
     # Hair thinner than the labels' doubt is none.
-    field[rows] = np.minimum(field[rows], hull_mm(views, near.points_m[rows]) - DRAPE_DOUBT_MM)
+    field[rows] = np.minimum(field[rows], agreed_mm(views, near.points_m[rows]) - DRAPE_DOUBT_MM)
     return np.asarray(field, np.float32)
 
 
