@@ -38,7 +38,7 @@ from cloner.refitting import still_true
 from cloner.report.build import Run, build_report, warnings_of
 from cloner.report.viewer import write_viewer
 from cloner.report.write import write_report
-from cloner.stages import textures
+from cloner.stages import hair, textures
 
 log = logging.getLogger(__name__)
 
@@ -261,10 +261,11 @@ def check_texture_size(size: int) -> None:
 
 
 def _stages(texture_size: int) -> tuple[Stage, ...]:
-    """Return the pipeline's stages with the textures painted at the given size."""
-    params = textures.Params(size=texture_size)
+    """Return the pipeline's stages with textures of the given size; hair needs none larger than the body."""
+    own = min(hair.Params().size, texture_size)
+    params = {"textures": textures.Params(size=texture_size), "hair": hair.Params(size=own)}
     return tuple(
-        replace(stage, run=partial(stage.run, params=params)) if stage.name == "textures" else stage
+        replace(stage, run=partial(stage.run, params=params[stage.name])) if stage.name in params else stage
         for stage in pipeline.STAGES
     )
 
@@ -274,7 +275,6 @@ def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path
     clone = values["clone"]
     keep = partial(save_clone, clone, folder / CLONE_FILE)
     writers = (keep, *(partial(_export, name, clone, folder) for name in formats))
-
     progress("previews", 0.9)
     shown = (values["photos"], values["proposals"], (values["body_points"], values["face_points"]))
     with beside(lambda: list(abreast(lambda write: write(), writers))):  # drawing stays on this thread, as GL wants it

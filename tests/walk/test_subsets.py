@@ -44,6 +44,8 @@ def test_two_face_photos_give_a_head_on_a_body_of_matching_build(tmp_path: Path,
         "with all five photos 0.83 to 0.92: the hair's outline limits it"
     )
     assert np.percentile(painted(outcome), 5) > 12.0, "black holes"
+    hair = [len(shell.rgba) for shell in outcome.values["clone"].shells if shell.kind == "hair"]
+    assert hair == [512], "a clone for a small texture needs no larger one for its hair"
     attributes = outcome.values["phenotype"].attributes
     assert attributes["sex"] < 0.45, "Anna's face is a woman's, so is the body under it"
 
