@@ -42,7 +42,7 @@ def services():
         none = np.zeros(2, bool)
         return {view: ViewPoints(view, ("nose_tip", "toe_left"), where, none * 1.0, none) for view in photos.photos}
 
-    def clone(folder, formats, progress):
+    def clone(folder, formats, progress, show):
         photos = PhotoSet({view: load_photo(path, view) for view, path in view_files(folder).items()})
         with result_folder(folder / "clones", folder.name) as room:
             save_clone(generic_clone(load_generic(), 1.7), room / "clone.npz")
