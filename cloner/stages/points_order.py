@@ -18,6 +18,11 @@ Array = NDArray[np.float64]
 #: How far off a body point is, against its expected error: it lies on the outline and errs along it, where the clone
 #: does not care (six sample sets: median .03, root mean square .28).
 BODY_SHARE: Final = 0.1
+#: What the likeness of a face is judged by (goals: landmarks in 3-D); other points count by what they tell of these.
+COUNTED: Final = frozenset(
+    ("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom", "eye_inner",
+     "eye_outer", "ala", "mouth_corner", "ear_top", "ear_lobe")
+)  # fmt: skip
 #: Usual eye distance and figure height, metres: they turn shares into lengths.
 IOD_M, FIGURE_M = 0.062, 1.7
 
@@ -59,14 +64,17 @@ def _greedy(errors: FaceErrors, frame: Frame) -> list[tuple[int, float]]:
     spread = np.repeat(IOD_M * frame.expected_iod, 2)
     doubt = errors.moment[np.ix_(axes, axes)] * spread[:, None] * spread
     hand = (IOD_M * HAND) ** 2 * np.eye(2)
+    counted = [errors.names[row].removesuffix("_L").removesuffix("_R") in COUNTED for row in frame.known]
+    weight = np.repeat(np.array(counted, dtype=np.float64), 2)
     left, order = list(range(len(frame.rows))), []
     while left:
         pairs = {one: doubt[:, [2 * one, 2 * one + 1]] for one in left}
         mended = {
             one: pair @ np.linalg.solve(pair[[2 * one, 2 * one + 1]] + hand, pair.T) for one, pair in pairs.items()
         }
-        best = max(left, key=lambda one: float(np.trace(mended[one])))
-        order.append((int(frame.rows[best]), float(np.trace(mended[best]))))
+        worth = {one: float(weight @ np.diag(less)) for one, less in mended.items()}
+        best = max(left, key=lambda one: worth[one])
+        order.append((int(frame.rows[best]), worth[best]))
         doubt = doubt - mended[best]
         left.remove(best)
     return order
