@@ -31,27 +31,47 @@ ALIKE: Final = 6.0
 OUTSIDE_PX: Final = (4.0, 10.0)
 #: Pixels this deep inside the true outline show the person alone, px.
 INSIDE_PX: Final = 6.0
-#: Cells of Lab in which the person's colours are collected, and the share of a photo that makes one theirs.
+#: Cells of Lab and of the height, share of the figure, in which a person's colours are collected.
 CELL: Final = 3.0
-LEAST_SHARE: Final = 2e-4
+HEIGHT_CELL: Final = 0.04
+#: Fewer pixels of a photo in a cell are noise.
+LEAST_PX: Final = 10
+#: Shoes excuse no calf: this far off in height, share of the figure, counts as much as colours just unlike.
+SPAN: Final = 0.08
 
 
 def person_colours(views: Iterable[TruthView]) -> cKDTree:
-    """Return the person's colours in all photos, CIELAB, to be asked for the nearest."""
+    """Return the person's colours (CIELAB) and their heights in photos of one framing, to be asked for the nearest.
+
+    Photos of the body, or of the face: heights are shares of what a photo shows of the person.
+    """
     found = []
     for view in views:
-        deep = _signed_px(view.mask) > INSIDE_PX * len(view.mask) / OUTLINE_HEIGHT_PX
-        lab = rgb2lab(cv2.blur(view.photo, (3, 3))[deep][None])[0]
-        cells, count = np.unique(np.rint(lab / CELL).astype(np.int64), axis=0, return_counts=True)
-        found.append(cells[count > LEAST_SHARE * len(lab)] * CELL)
+        row, column = np.nonzero(_signed_px(view.mask) > INSIDE_PX * len(view.mask) / OUTLINE_HEIGHT_PX)
+        lab = rgb2lab(cv2.blur(view.photo, (3, 3))[row, column][None])[0]
+        cells = np.column_stack([lab / CELL, _heights(view.mask, row) / HEIGHT_CELL])
+        cells, count = np.unique(np.rint(cells).astype(np.int64), axis=0, return_counts=True)
+        cells = cells[count >= LEAST_PX]
+        found.append(_features(cells[:, :3] * CELL, cells[:, 3] * HEIGHT_CELL))
     return cKDTree(np.concatenate(found))
+
+
+def _heights(mask: NDArray[np.bool_], row: NDArray[np.integer]) -> Array:
+    """Return (N,) how high pixels' rows lie in the figure, 0..1."""
+    rows = np.flatnonzero(mask.any(axis=1))
+    return np.asarray((rows[-1] - row) / max(int(rows[-1] - rows[0]), 1), np.float64)
+
+
+def _features(lab: Array, heights: Array) -> Array:
+    return np.column_stack([lab, heights * (ALIKE / SPAN)])
 
 
 def background_texels(clone: Clone, generic: GenericHuman, seen: PosedView, truth: TruthView, person: cKDTree) -> int:
     """Return the number of texels near one photo's outline that look like the wall beside them.
 
     A texel counts when its colour lies within ΔE2000 6 of what the photo shows just outside the true outline there,
-    and farther than that from every colour the person has in any photo: a white shoe before a white wall is no leak.
+    and farther than that from every colour the person has about there in any photo: a white shoe before a white wall
+    is no leak.
 
     Parameters
     ----------
@@ -63,14 +83,15 @@ def background_texels(clone: Clone, generic: GenericHuman, seen: PosedView, trut
     truth : TruthView
         Of that photo.
     person : cKDTree
-        From :func:`person_colours`.
+        From :func:`person_colours` of the photos framed like this one.
     """
     atlas = generic_atlas(generic, len(clone.atlas.rgb), wanted=_body(generic))
     places, colours = _seen_beside(clone, generic, atlas, seen, truth)
     if not len(places):
         return 0
     lab = rgb2lab(colours[None])[0]
-    strange = np.flatnonzero(person.query(lab, distance_upper_bound=ALIKE)[0] > ALIKE)
+    asked = _features(lab, _heights(truth.mask, places[:, 1]))
+    strange = np.flatnonzero(person.query(asked, distance_upper_bound=ALIKE)[0] > ALIKE)
     room = [rgb2lab(_outside_colours(truth, places[strange], depth)[None])[0] for depth in OUTSIDE_PX]
     away = np.min([deltaE_ciede2000(lab[strange], shown) for shown in room], axis=0)
     return int(np.count_nonzero(away < ALIKE))

@@ -130,8 +130,10 @@ def score_subject(
 
 
 def _leak_scores(clone: Clone, generic: GenericHuman, truth: Truth) -> Iterator[Score]:
-    photographed = [view for view in (*BODY_VIEWS, *FACE_VIEWS) if view in clone.views and view in truth.views]
-    if photographed:
+    for framing in (BODY_VIEWS, FACE_VIEWS):
+        photographed = [view for view in framing if view in clone.views and view in truth.views]
+        if not photographed:
+            continue
         person = person_colours(truth.views[view] for view in photographed)
         for view in photographed:
             count = background_texels(clone, generic, clone.views[view], truth.views[view], person)
