@@ -138,7 +138,7 @@ def paint_shell(
 
     def layers() -> Iterator[Layer]:
         yield Layer(ground[0].reshape(size, size, 3), ground[1].reshape(size, size))
-        yield from abreast(laid, range(len(usable)))
+        yield from map(laid, range(len(usable)))  # one by one: a layer takes 16 MiB
 
     rgb = push_pull(blend_pyramids(layers(), (size, size, 3), LEVELS) * covered[..., None], covered.astype(np.float32))
     opaque = np.full((size, size, 1), 255.0, np.float32)
