@@ -83,7 +83,8 @@ def test_a_nod_is_found_from_the_side(nod_degrees):
     found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces)[SIDE]
     before, after = (off_px(person, posed, true, ["nose_tip"]) for posed in (photos[SIDE].posed, found))
     assert before > 12.0, "the nod moves the nose"
-    assert after < 0.25 * before, f"nose {before:.1f} -> {after:.1f} px"
+    # two usual spreads of a head's turn (4 degrees): the prior keeps a quarter back
+    assert after < 0.3 * before, f"nose {before:.1f} -> {after:.1f} px"
     other = np.setdiff1d(np.arange(94), [generic.joint(name) for name in (*carriage.NECK, *carriage.SKULL)])
     assert np.array_equal(found.rotations[other], believed[other]), "only the neck and the skull turn"
 
