@@ -25,7 +25,6 @@ def stop_all_tasks() -> None:
         task.cancel()
     for task in tasks:
         task.wait()
-    _running.difference_update(tasks)
 
 
 class Task(QThread):
