@@ -20,7 +20,6 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
-os.environ.setdefault("QT_LOGGING_RULES", "qt.qpa.*=false")
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QPoint, Qt
