@@ -30,9 +30,9 @@ from cloner.detectors.placing import (
     mesh_crop,
     mirror_crop,
     mirror_order,
-    near_head,
     nearby,
     owns,
+    same_body,
     same_place,
     whole_photo,
 )  # fmt: skip
@@ -120,8 +120,9 @@ def _find_people(photo: Photo) -> list[Box]:
     for box in sorted(found, key=lambda b: -b.score):
         crop = circle_crop(box.keypoints_px[0], box.keypoints_px[1], 1.25)
         seen = look(photo, crop, _pose_net)
-        if seen.score >= CONFIRMED and not any(near_head(other, seen.points_px[0]) for other in people):
-            people.append(seen.box(box.score))
+        body = seen.box(box.score)
+        if seen.score >= CONFIRMED and not any(same_body(other, body) for other in people):
+            people.append(body)
     return people
 
 

@@ -57,6 +57,11 @@ def near_head(person: Box, point: Floats) -> bool:
     return bool(np.hypot(*(point - nose)) < np.hypot(*(shoulders - nose)))
 
 
+def same_body(first: Box, second: Box) -> bool:
+    """Whether two confirmed bodies are one: by the head, or, in portraits from the side, by all but the head."""
+    return near_head(first, second.keypoints_px[3]) or same_place(first, second, 0.7)
+
+
 def owns(person: Box, face: Box) -> bool:
     """Whether a face is a body's own, or lies on it (a printed shirt)."""
     x, y = (face.left_px + face.right_px) / 2, (face.top_px + face.bottom_px) / 2

@@ -9,6 +9,8 @@ import pytest
 from skimage import data
 
 from cloner.detectors.litert import POSE_NAMES, detect_face, detect_people, detect_pose
+from cloner.detectors.placing import same_body
+from cloner.detectors.results import Box
 from kit.visitors import NAMES, overlap, photo, truth_mask, visitor_folder
 
 MESH_MARKS = {"mouth_corner_R": 61, "mouth_corner_L": 291, "eye_outer_R": 33, "eye_outer_L": 263}
@@ -114,3 +116,17 @@ def test_same_photo_same_answer() -> None:
     assert second is not None
     np.testing.assert_array_equal(first.points_px, second.points_px)
     np.testing.assert_array_equal(first.mask, second.mask)
+
+
+def body(left: float, nose_x: float) -> Box:
+    """A body 600 px wide and 1400 high whose shoulders lie 80 px from its nose."""
+    points = np.array([[left + 300, 900], [left + 300, 100], [nose_x, 280], [nose_x, 200]], dtype=np.float64)
+    return Box("person", left, 50.0, left + 600, 1450.0, 0.6, points)
+
+
+def test_one_body_with_the_nose_taken_for_the_nape_is_one() -> None:
+    assert same_body(body(100, 300), body(150, 480))
+
+
+def test_a_couple_in_an_embrace_is_two() -> None:
+    assert not same_body(body(100, 400), body(280, 580))
