@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
+from cloner.detectors.profile_cut import free_profile
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -72,7 +73,7 @@ def propose(photo: Photo) -> Proposal:
     points, depth, presence, irises = face_in(photo)
     shown = points if presence > 0.0 else None
     labels = head_hair_labels(photo.rgb, mask, shown, photo.view, pose_points=pose.points_px)
-    return Proposal(
+    found = Proposal(
         photo.view,
         pose.points_px,
         np.asarray(pose.visibility, dtype=np.float64),
@@ -84,6 +85,7 @@ def propose(photo: Photo) -> Proposal:
         photo.view.is_body and barefoot(photo, mask > 0.5, labels, pose.points_px),
         irises,
     )
+    return free_profile(photo, found) if photo.view is ViewId.FACE_SIDE else found
 
 
 def barefoot(photo: Photo, mask: NDArray[np.bool_], labels: NDArray[np.uint8], pose_px: NDArray[np.float64]) -> bool:
