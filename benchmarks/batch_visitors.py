@@ -67,7 +67,7 @@ class Watched:
     seconds: float = 0.0
     cpu_seconds: float = 0.0
     code: int = 0
-    samples: list[tuple[float, float]] = field(default_factory=list)  # seconds since the epoch, MiB of the largest
+    samples: list[tuple[float, float]] = field(default_factory=list)  # seconds since the epoch, peak MiB of the largest
 
 
 def watched(arguments: Sequence[str], *, meddle: float = 0.0, end_after: float = 0.0, seed: int = 0) -> Watched:
@@ -84,7 +84,7 @@ def watched(arguments: Sequence[str], *, meddle: float = 0.0, end_after: float =
     last = start
     while (gone := os.wait4(process.pid, os.WNOHANG))[0] == 0:
         workers = [pid for pid in children(process.pid) if rss_mib(pid) > 100.0]
-        found.samples.append((time.time(), max(map(rss_mib, workers), default=0.0)))
+        found.samples.append((time.time(), max(map(peak_mib, workers), default=0.0)))
         if meddle and workers and time.time() - last > meddle:
             os.kill(rng.choice(workers), signal.SIGKILL)
             last = time.time()
@@ -115,6 +115,16 @@ def rss_mib(pid: int) -> float:
     except (OSError, IndexError):
         return 0.0
     return pages * os.sysconf("SC_PAGE_SIZE") / 2**20
+
+
+def peak_mib(pid: int) -> float:
+    """Return the most memory a process has held since it was last asked: the kernel's own mark, which is then reset."""
+    try:
+        lines = Path(f"/proc/{pid}/status").read_text().splitlines()
+        Path(f"/proc/{pid}/clear_refs").write_text("5")
+        return next(int(line.split()[1]) for line in lines if line.startswith("VmHWM:")) / 1024.0
+    except (OSError, StopIteration):
+        return 0.0
 
 
 def digests(out: Path) -> dict[str, str]:

@@ -1,11 +1,13 @@
 """Many visitors on many processes: this machine's, or those of a running Dask cluster. Only home of dask.
 
 A visitor is one task. A worker that dies (crash, memory, or the watchdog that ends a hang) costs its visitor one try
-and nobody else anything: the cluster starts another worker and gives the task again.
+and nobody else anything: the cluster starts another worker and gives the task again. Dask gives up a worker that dies
+before it has started; a local cluster is therefore tended: what is missing is started again.
 """
 
 from __future__ import annotations
 
+import asyncio
 import logging
 import os
 import threading
@@ -15,7 +17,7 @@ from contextlib import contextmanager
 from typing import Any, Final
 
 import dask
-from distributed import Client, LocalCluster, as_completed
+from distributed import Client, LocalCluster, Status, as_completed
 from distributed.scheduler import KilledWorker
 
 from cloner.errors import ClonerError
@@ -26,11 +28,16 @@ log = logging.getLogger(__name__)
 TIMED_OUT: Final = 75
 #: A scheduler that does not answer is not there, seconds.
 PATIENCE_S: Final = 20
+#: Workers of this machine that are not there after so long never will be, seconds.
+START_S: Final = 120
+#: How often a local cluster's lost workers are looked for, seconds.
+TEND_S: Final = 1.0
 #: Of every worker, before its libraries load: one thread each, as there is one process a core.
 _ENVIRONMENT: Final = {
     "OMP_NUM_THREADS": 1, "OPENBLAS_NUM_THREADS": 1, "MKL_NUM_THREADS": 1,
     "LP_NUM_THREADS": 1, "OPENCV_FOR_THREADS_NUM": 1,
 }  # fmt: skip
+_OVER: Final = (Status.closed, Status.failed)
 LOST: Final = "its worker died: a crash, no memory left, or longer than --timeout allows"
 
 Task = tuple[str, Callable[..., Any], tuple[Any, ...], Mapping[str, Any]]
@@ -53,7 +60,7 @@ def farm(workers: int, scheduler: str = "", retries: int = 1) -> Iterator[Client
     Raises
     ------
     ClonerError
-        If there is no cluster at the address.
+        If there is no cluster at the address, or no worker starts on this machine.
     """
     settings = {
         "distributed.scheduler.allowed-failures": retries,
@@ -74,10 +81,36 @@ def farm(workers: int, scheduler: str = "", retries: int = 1) -> Iterator[Client
                 yield client
             return
         cluster = LocalCluster(
-            n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
+            n_workers=0, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
         )
-        with cluster, Client(cluster) as client:
+        with cluster, Client(cluster) as client, _tended(cluster, workers):
+            try:
+                client.wait_for_workers(workers, timeout=START_S)
+            except TimeoutError as error:
+                hint = "Look for what ends them, such as a limit on memory, or use --workers 1"
+                raise ClonerError("its processes do not start", hint, "batch") from error
             yield client
+
+
+@contextmanager
+def _tended(cluster: LocalCluster, workers: int) -> Iterator[None]:
+    """Keep so many workers in a local cluster: its own restart ends with a worker killed while it starts."""
+
+    async def tend() -> None:
+        while True:
+            for name in [name for name, one in cluster.workers.items() if one.status in _OVER]:
+                del cluster.workers[name]
+            cluster.scale(workers)  # starts what is wanted and not there
+            await asyncio.sleep(TEND_S)
+
+    async def start() -> asyncio.Task[None]:
+        return asyncio.create_task(tend())
+
+    tending = cluster.sync(start)
+    try:
+        yield
+    finally:
+        cluster.loop.add_callback(tending.cancel)
 
 
 def run_tasks(client: Client, tasks: Sequence[Task]) -> Iterator[tuple[str, Any]]:

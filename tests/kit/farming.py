@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import json
+import multiprocessing
 import os
 import threading
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +38,29 @@ def pretend(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
         with result_folder(out, name) as folder:
             (folder / "report.json").write_text("{}")
         return BatchRow(name, CLONED, 0.0, 0, f"by {os.getpid()}")
+
+
+@contextmanager
+def shooting(shot: list[int], seconds: float) -> Iterator[None]:
+    """Kill every process that this one starts within so many seconds, once it is seen; shot gets their numbers."""
+    done = threading.Event()
+
+    def shoot() -> None:
+        over = time.monotonic() + seconds
+        while time.monotonic() < over and not done.is_set():
+            for process in multiprocessing.active_children():
+                if process.pid is not None and process.pid not in shot:
+                    process.kill()
+                    shot.append(process.pid)
+            time.sleep(0.2)
+
+    shooter = threading.Thread(target=shoot)
+    shooter.start()
+    try:
+        yield
+    finally:
+        done.set()
+        shooter.join()
 
 
 def write_result(photos: Path, out: Path, *, identifier: str, **options: Any) -> CloneOutcome:

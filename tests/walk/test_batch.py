@@ -236,6 +236,19 @@ def test_a_crash_and_a_hang_cost_only_their_visitors(tmp_path: Path, monkeypatch
 
 
 @pytest.mark.slow
+def test_workers_killed_while_they_start_are_started_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every worker process of the first seconds is killed, most of them before they have reached their scheduler."""
+    root, out = tmp_path / "photos", tmp_path / "out"
+    visit(root, "anna", "boris", "zoe")
+    monkeypatch.setattr(batch, "clone_in_worker", farming.pretend)
+    shot: list[int] = []
+    with farming.shooting(shot, seconds=6.0):
+        rows = batch_folder(root, out, BatchOptions(workers=2, retries=20))
+    assert statuses(rows) == [("anna", "cloned"), ("boris", "cloned"), ("zoe", "cloned")]
+    assert len(shot) > 2, "also workers started in place of others were killed"
+
+
+@pytest.mark.slow
 def test_a_running_cluster_gives_the_same_and_a_missing_one_a_sentence(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
