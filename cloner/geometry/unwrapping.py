@@ -1,4 +1,4 @@
-"""Planar charts for a closed blob: by direction, in two layers, packed into a square."""
+"""Planar charts for a blob: by direction, in as many layers as lie behind each other, packed into a square."""
 
 from __future__ import annotations
 
@@ -6,13 +6,15 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
-from cloner.geometry.rasters import nearest_depth
+from cloner.geometry.rasters import fragments
 
 Array = NDArray[np.float64]
 
-LAYER_GRID_M = 0.002
-LAYER_TOLERANCE_M = 0.006  # a triangle deeper than this below the first surface goes to the second layer
+LAYER_GRID_M = 0.0005  # triangles that overlap less than this overlap by less than a texel
+INNER_WEIGHT = 1e-3
 MARGIN_TEXELS = 4
 
 
@@ -47,8 +49,10 @@ def unwrap(vertices_m: Array, triangles: NDArray[np.int32], size: int) -> Unwrap
     normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
     axis = np.abs(normal).argmax(axis=1)
     positive = normal[np.arange(len(normal)), axis] > 0
-    chart = _add_layers(vertices_m, triangles, 2 * axis + positive)
-    names, chart = np.unique(chart, return_inverse=True)
+    layer = _add_layers(vertices_m, triangles, 2 * axis + positive)
+    chart = _apart(triangles, layer)
+    names = np.zeros(int(chart.max(initial=-1)) + 1, np.int64)
+    names[chart] = layer
     key, inverse = np.unique(chart[:, None] * len(vertices_m) + triangles, return_inverse=True)
     vertex, owner = (key % len(vertices_m)).astype(np.int32), key // len(vertices_m)
     flat = np.empty((len(vertex), 2))
@@ -66,23 +70,51 @@ def _plane(points_m: Array, axis: int) -> Array:
 
 
 def _add_layers(vertices_m: Array, triangles: NDArray[np.int32], direction: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Return (T,) chart names: direction 0..5, plus 6 for triangles behind others of their direction."""
+    """Return (T,) chart names: direction 0..5, plus 6 for every layer of triangles before them."""
     chart = direction.copy()
     for name in range(6):
-        rows = np.flatnonzero(direction == name)
-        if rows.size == 0:
-            continue
         flat = _plane(vertices_m, name // 2)
-        flat = (flat - flat.min(axis=0)) / LAYER_GRID_M
-        width, height = (np.ceil(flat.max(axis=0)).astype(int) + 2).tolist()
         away = vertices_m[:, name // 2] * (-1.0 if name % 2 else 1.0)
-        away = away - away.min() + 1.0
-        front = nearest_depth(flat, away, triangles[rows], width, height)
-        middle = flat[triangles[rows]].mean(axis=1)
-        column, row = np.rint(middle).astype(int).T
-        behind = away[triangles[rows]].mean(axis=1) > front[row, column] + LAYER_TOLERANCE_M
-        chart[rows[behind]] += 6
+        rows = np.flatnonzero(direction == name)
+        while rows.size:
+            rows = rows[_hidden(flat, away, triangles[rows])]
+            chart[rows] += 6
     return chart
+
+
+def _hidden(flat_m: Array, away_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Return (T,) which triangles others hide in part; the nearest of every pile is never one of them."""
+    flat = (flat_m - flat_m[triangles].min(axis=(0, 1))) / LAYER_GRID_M
+    width, height = (np.ceil(flat[triangles].max(axis=(0, 1))).astype(int) + 1).tolist()
+    found = [
+        (pixel[within], triangle[within])
+        for pixel, triangle, weights in fragments(flat, triangles, width, height)
+        for within in [weights.min(axis=1) > INNER_WEIGHT]  # a common side is nobody's
+    ]
+    pixel, triangle = (np.concatenate(part) for part in zip(*found, strict=True)) if found else np.zeros((2, 0), int)
+    # By each triangle's own order, not pixel by pixel: triangles that cut each other must not both give way.
+    order = np.argsort(away_m[triangles].mean(axis=1), kind="stable")
+    rank = np.empty(len(order), np.int64)
+    rank[order] = np.arange(len(order))
+    first = np.full(width * height, len(order), np.int64)
+    np.minimum.at(first, pixel, rank[triangle])
+    hidden = np.zeros(len(order), np.bool_)
+    hidden[triangle[first[pixel] < rank[triangle]]] = True
+    return hidden
+
+
+def _apart(triangles: NDArray[np.int32], chart: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Return (T,) charts cut into connected pieces: boxes around scattered triangles would waste the square."""
+    count = len(triangles)
+    sides = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1).astype(np.int64)
+    key = np.stack([np.repeat(chart, 3), sides[:, 0], sides[:, 1]])
+    _, side = np.unique(key, axis=1, return_inverse=True)
+    side = side.ravel()
+    owner = np.repeat(np.arange(count), 3)
+    size = int(side.max()) + 1
+    link = coo_matrix((np.ones(3 * count), (owner, count + side)), shape=(count + size, count + size))
+    _, piece = connected_components(link, directed=False)
+    return np.asarray(piece[:count], np.int64)
 
 
 def _pack(flat: Array, owner: NDArray[np.int64], count: int, size: int) -> Array:

@@ -7,7 +7,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.atlas import map_atlas
 from cloner.geometry.graphs import surface_graph
 from cloner.geometry.partition import border_shares, partition_surface
-from cloner.geometry.rasters import nearest_depth
+from cloner.geometry.rasters import fragments, nearest_depth
 from cloner.geometry.unwrapping import unwrap
 
 SQUARE = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
@@ -100,3 +100,17 @@ def test_charts_of_a_ball_do_not_overlap_and_keep_every_triangle():
     area = 0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]).sum()
     covered = map_atlas(charts.uv, charts.triangles, ball.faces.astype(np.int32), 512).texel.size / 512**2
     assert abs(area - covered) / area < 0.02  # overlapping charts would cover less than their area
+
+
+def test_charts_of_a_folded_sheet_do_not_overlap():
+    width, rise = 0.05, 0.004  # three leaves that face one way, closer to each other than hair is thick
+    rows = np.array([[0.0, 0.0], [0.1, 0.0], [0.0, rise], [0.1, 2 * rise], [0.0, 3 * rise]])  # a zigzag from the side
+    points = np.array([[x, y, z] for x, z in rows for y in (0.0, width)])
+    triangles = np.array([t for k in (0, 2, 4, 6) for t in ((k, k + 2, k + 1), (k + 2, k + 3, k + 1))], np.int32)
+    triangles[[0, 1, 4, 5]] = triangles[[0, 1, 4, 5]][:, ::-1]  # every leaf faces up, as leaves of hair do
+    charts = unwrap(points, triangles, 256)
+    owners = np.zeros(1024 * 1024)
+    for pixel, _, weights in fragments(charts.uv * 1024 - 0.5, charts.triangles, 1024, 1024):
+        np.add.at(owners, pixel[weights.min(axis=1) > 1e-3], 1)
+    assert owners.max() == 1
+    assert np.array_equal(charts.vertex[charts.triangles], triangles)
