@@ -37,15 +37,13 @@ def vet_labels(photos: PhotoSet, proposals: Proposals) -> Proposals:
         # The back photo's own labels are believed by no other.
         others = [other for other in known if other is not view and other is not ViewId.BODY_BACK]
         colours = hair_colours([hair[other] for other in others], [skin[other] for other in others])
-        named = proposal.labels == HAIR_LABEL
+        labelled = named = proposal.labels == HAIR_LABEL
         if view is ViewId.FACE_FRONT and proposal.face_presence > 0.0:
             named = begun_above(named, proposal.face_px)
         kept = before_wall(photos.photos[view].rgb, named, proposal.mask > PERSON_LEVEL, colours)
         if view is ViewId.BODY_BACK:
             kept = vet_hair(photos.photos[view].rgb, kept, colours)
-        found[view] = replace(
-            proposal, labels=np.where((proposal.labels == HAIR_LABEL) & ~kept, 0, proposal.labels).astype(np.uint8)
-        )
+        found[view] = replace(proposal, labels=np.where(labelled & ~kept, 0, proposal.labels).astype(np.uint8))
     return Proposals(found)
 
 

@@ -42,7 +42,7 @@ _STRETCHES: Final = (0.16, 0.28, 0.44, 0.66)
 #: Inter-ocular distance of the mean adult, metres.
 IOD_M: Final = 0.063
 #: Cost at which every second profile was wrong, and how sharply that turns (painted faces).
-_WRONG, _WRONG_TURN = 0.32, 0.025
+WRONG, _WRONG_TURN = 0.32, 0.025
 #: Error of a point on a profile laid wrongly, share of the eye distance.
 WRONG_ERROR: Final = 0.5
 
@@ -117,7 +117,7 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
         return None
     facing, laid = min(found, key=lambda pair: pair[1].cost)
     points, spread_m = named_px(model, laid)
-    wrong = 1.0 / (1.0 + np.exp(-(laid.cost - _WRONG) / _WRONG_TURN))
+    wrong = 1.0 / (1.0 + np.exp(-(laid.cost - WRONG) / _WRONG_TURN))
     # a mean distance in the plane is 1.25 times the spread along one axis
     error = 1.25 * spread_m / IOD_M + wrong * WRONG_ERROR
     side = "R" if facing > 0 else "L"
@@ -135,7 +135,7 @@ def doubt_of(rgb: NDArray[np.uint8], model: ProfileModel, laid: Laid) -> float:
     model : ProfileModel
     laid : Laid
     """
-    curve = model.shape(laid.weights)[: model.samples] @ laid.px_from_m[:, :2].T + laid.px_from_m[:, 2]
+    curve = laid.curve_px(model)
     picture, small_from_photo = snake_picture(rgb, curve, unit_px=IOD_M * laid.size, unit=_UNIT_PX)
     small = curve @ small_from_photo[:, :2].T + small_from_photo[:, 2]
     reach = _EDGE_REACH_M * laid.size * float(small_from_photo[0, 0])

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.detectors.face_net import load_face_net
-from cloner.detectors.face_side import find_side_face
+from cloner.detectors.face_side import WRONG, find_side_face
 from cloner.detectors.profile_fit import Laid
 from cloner.detectors.profile_search import ProfileModel, normals_of
 from cloner.records.photos import Photo
@@ -38,8 +38,6 @@ _ALIKE: Final = 6.0
 _WALL_SHARE: Final = 0.7
 _SAMPLES: Final = 1500
 _LEAST_PX: Final = 20
-#: Profiles of a higher cost may lie anywhere (`face_side`).
-_SURE: Final = 0.32
 
 
 def free_profile(photo: Photo, proposal: Proposal) -> Proposal:
@@ -53,7 +51,7 @@ def free_profile(photo: Photo, proposal: Proposal) -> Proposal:
     """
     model = load_face_net().profile
     found = find_side_face(proposal, model)
-    if found is None or found.laid.cost > _SURE:
+    if found is None or found.laid.cost > WRONG:  # it may lie anywhere
         return proposal
     wall = wall_before(photo.rgb, proposal.mask, model, found.laid)
     if not wall.any():
@@ -118,7 +116,7 @@ def _doubted(person: Bools, model: ProfileModel, laid: Laid) -> tuple[Bools, Boo
     """Return (H, W) pixels of the person in stretches that stand far out before the profile, and those behind it."""
     shape = model.shape(laid.weights)[: model.samples]
     linear = laid.px_from_m[:, :2]
-    curve = shape @ linear.T + laid.px_from_m[:, 2]
+    curve = laid.curve_px(model)
     outwards = normals_of(shape) @ linear.T / laid.size
     steps = np.arange(0.0, _LOOKED_M, _STEP_M)
     places = np.rint(curve[:, None] + laid.size * steps[None, :, None] * outwards[:, None]).astype(np.intp)

@@ -58,6 +58,10 @@ class Laid:
         """Pixels per metre."""
         return float(np.sqrt(abs(np.linalg.det(self.px_from_m[:, :2]))))
 
+    def curve_px(self, model: ProfileModel) -> Array:
+        """Return the (M, 2) outline of the laid model, photo px."""
+        return np.asarray(model.shape(self.weights)[: model.samples] @ self.px_from_m[:, :2].T + self.px_from_m[:, 2])
+
 
 def lay(outline_px: Array, model: ProfileModel, start: Array, weights: Array, size: float) -> Laid:
     """Return the model laid on an outline by Gauss-Newton from a start.

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Final
 
 import cv2
@@ -11,15 +12,17 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from skimage.color import deltaE_ciede2000, rgb2lab
 
+from cloner.evaluate.posing import pose_clone
 from cloner.evaluate.rulers import OUTLINE_HEIGHT_PX
 from cloner.evaluate.truth import TruthView
+from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
 from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.seeing import look
-from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone
+from cloner.vision.repair import spread_nearest
 
 Array = NDArray[np.float64]
 
@@ -40,20 +43,49 @@ LEAST_PX: Final = 10
 SPAN: Final = 0.08
 
 
-def person_colours(views: Iterable[TruthView]) -> cKDTree:
-    """Return the person's colours (CIELAB) and their heights in photos of one framing, to be asked for the nearest.
+def background_texels(clone: Clone, generic: GenericHuman, photos: Mapping[ViewId, TruthView]) -> dict[ViewId, int]:
+    """Return the number of texels near each photo's outline that look like the wall beside them.
 
-    Photos of the body, or of the face: heights are shares of what a photo shows of the person.
+    A texel counts when its colour lies within ΔE2000 6 of what the photo shows just outside the true outline there,
+    and farther than that from every colour the person has about there in any photo: a white shoe before a white wall
+    is no leak.
+
+    Parameters
+    ----------
+    clone : Clone
+        Its body's texture is judged, in the poses fitted to the photos; hair shells are cut out by their own outlines.
+    generic : GenericHuman
+    photos : mapping of ViewId to TruthView
+        Of one framing, the body or the face: heights are shares of what a photo shows of the person.
     """
-    found = []
-    for view in views:
-        row, column = np.nonzero(_signed_px(view.mask) > INSIDE_PX * len(view.mask) / OUTLINE_HEIGHT_PX)
-        lab = rgb2lab(cv2.blur(view.photo, (3, 3))[row, column][None])[0]
-        cells = np.column_stack([lab / CELL, _heights(view.mask, row) / HEIGHT_CELL])
-        cells, count = np.unique(np.rint(cells).astype(np.int64), axis=0, return_counts=True)
-        cells = cells[count >= LEAST_PX]
-        found.append(_features(cells[:, :3] * CELL, cells[:, 3] * HEIGHT_CELL))
-    return cKDTree(np.concatenate(found))
+    judged = {view: _Judged(photo, _signed_px(photo.mask)) for view, photo in photos.items()}
+    person = cKDTree(np.concatenate([_person_colours(each) for each in judged.values()]))
+    atlas = generic_atlas(generic, len(clone.atlas.rgb), wanted=_body(generic))
+    return {view: _count(clone, generic, atlas, clone.views[view], each, person) for view, each in judged.items()}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Judged:
+    """The truth of one photo, and (H, W) distances to its outline, px, positive inside."""
+
+    truth: TruthView
+    signed_px: NDArray[np.float32]
+
+    @property
+    def scale(self) -> float:
+        """Pixels of the photo that make one of a photo of `OUTLINE_HEIGHT_PX`."""
+        return len(self.truth.mask) / OUTLINE_HEIGHT_PX
+
+
+def _person_colours(judged: _Judged) -> Array:
+    """Return (N, 4) the colours a photo shows of the person and their heights, to be asked for the nearest."""
+    truth = judged.truth
+    row, column = np.nonzero(judged.signed_px > INSIDE_PX * judged.scale)
+    lab = rgb2lab(cv2.blur(truth.photo, (3, 3))[row, column][None])[0]
+    cells = np.column_stack([lab / CELL, _heights(truth.mask, row) / HEIGHT_CELL])
+    cells, count = np.unique(np.rint(cells).astype(np.int64), axis=0, return_counts=True)
+    cells = cells[count >= LEAST_PX]
+    return _features(cells[:, :3] * CELL, cells[:, 3] * HEIGHT_CELL)
 
 
 def _heights(mask: NDArray[np.bool_], row: NDArray[np.integer]) -> Array:
@@ -66,34 +98,22 @@ def _features(lab: Array, heights: Array) -> Array:
     return np.column_stack([lab, heights * (ALIKE / SPAN)])
 
 
-def background_texels(clone: Clone, generic: GenericHuman, seen: PosedView, truth: TruthView, person: cKDTree) -> int:
-    """Return the number of texels near one photo's outline that look like the wall beside them.
-
-    A texel counts when its colour lies within ΔE2000 6 of what the photo shows just outside the true outline there,
-    and farther than that from every colour the person has about there in any photo: a white shoe before a white wall
-    is no leak.
-
-    Parameters
-    ----------
-    clone : Clone
-        Its body's texture is judged; hair shells are cut out by their own outlines.
-    generic : GenericHuman
-    seen : PosedView
-        Camera and pose of the photo, as fitted.
-    truth : TruthView
-        Of that photo.
-    person : cKDTree
-        From :func:`person_colours` of the photos framed like this one.
-    """
-    atlas = generic_atlas(generic, len(clone.atlas.rgb), wanted=_body(generic))
-    places, colours = _seen_beside(clone, generic, atlas, seen, truth)
+def _count(
+    clone: Clone, generic: GenericHuman, atlas: AtlasMap, seen: PosedView, judged: _Judged, person: cKDTree
+) -> int:
+    """Return the number of texels near one photo's outline that look like the wall beside them."""
+    places, colours = _seen_beside(clone, generic, atlas, seen, judged)
     if not len(places):
         return 0
     lab = rgb2lab(colours[None])[0]
-    asked = _features(lab, _heights(truth.mask, places[:, 1]))
+    asked = _features(lab, _heights(judged.truth.mask, places[:, 1]))
     strange = np.flatnonzero(person.query(asked, distance_upper_bound=ALIKE)[0] > ALIKE)
-    room = [rgb2lab(_outside_colours(truth, places[strange], depth)[None])[0] for depth in OUTSIDE_PX]
-    away = np.min([deltaE_ciede2000(lab[strange], shown) for shown in room], axis=0)
+    column, row = places[strange].T
+    soft = cv2.blur(judged.truth.photo, (3, 3))  # noise of single pixels is nobody's colour
+    away = np.full(len(strange), np.inf)
+    for depth in OUTSIDE_PX:
+        room = spread_nearest(soft, judged.signed_px < -depth * judged.scale)[row, column]
+        away = np.minimum(away, deltaE_ciede2000(lab[strange], rgb2lab(room[None])[0]))
     return int(np.count_nonzero(away < ALIKE))
 
 
@@ -103,37 +123,18 @@ def _body(generic: GenericHuman) -> NDArray[np.bool_]:
 
 
 def _seen_beside(
-    clone: Clone, generic: GenericHuman, atlas: AtlasMap, seen: PosedView, truth: TruthView
+    clone: Clone, generic: GenericHuman, atlas: AtlasMap, seen: PosedView, judged: _Judged
 ) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
     """Return (N, 2) pixels and (N, 3) colours of the texels that the camera sees near the true outline."""
-    transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), seen.rotations)
-    posed = skin(
-        clone.vertices_m, transforms, generic.skin_joints.astype(np.int32), generic.skin_weights.astype(np.float64)
-    )
-    sight = look(posed, atlas.triangles, seen.camera)
-    table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine])
-    values = atlas.interpolate(table)
-    height, width = truth.mask.shape
+    sight = look(pose_clone(clone, generic, seen.rotations).vertices_m, atlas.triangles, seen.camera)
+    values = atlas.interpolate(np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine]))
+    height, width = judged.truth.mask.shape
     column, row = np.rint(values[:, :2]).astype(np.int64).T
     inside = (column >= 0) & (row >= 0) & (column < width) & (row < height)
     near = np.zeros(len(values), bool)
-    signed = _signed_px(truth.mask)
-    near[inside] = np.abs(signed[row[inside], column[inside]]) < NEAR_PX * height / OUTLINE_HEIGHT_PX
+    near[inside] = np.abs(judged.signed_px[row[inside], column[inside]]) < NEAR_PX * judged.scale
     near &= sight.visible(values[:, :2], values[:, 2], values[:, 3])
-    places = np.stack([column[near], row[near]], axis=1)
-    return np.clip(places, 0, (width - 1, height - 1)), clone.atlas.rgb.reshape(-1, 3)[atlas.texel[near]]
-
-
-def _outside_colours(truth: TruthView, places: NDArray[np.int64], depth_px: float) -> NDArray[np.uint8]:
-    """Return (N, 3) the photo's colours at the nearest pixels this far outside the true outline."""
-    known = _signed_px(truth.mask) < -depth_px * len(truth.mask) / OUTLINE_HEIGHT_PX
-    _, labels = cv2.distanceTransformWithLabels(
-        (~known).astype(np.uint8), cv2.DIST_L2, 5, labelType=cv2.DIST_LABEL_PIXEL
-    )
-    soft = cv2.blur(truth.photo, (3, 3))  # noise of single pixels is nobody's colour
-    colour_of = np.zeros((int(labels.max()) + 1, 3), np.uint8)
-    colour_of[labels[known]] = soft[known]
-    return np.asarray(colour_of[labels[places[:, 1], places[:, 0]]], np.uint8)
+    return np.stack([column[near], row[near]], axis=1), clone.atlas.rgb.reshape(-1, 3)[atlas.texel[near]]
 
 
 def _signed_px(mask: NDArray[np.bool_]) -> NDArray[np.float32]:

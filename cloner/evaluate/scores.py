@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.evaluate import likeness, rulers, skins
-from cloner.evaluate.leaks import background_texels, person_colours
+from cloner.evaluate.leaks import background_texels
 from cloner.evaluate.measuring import CloneRun
 from cloner.evaluate.posing import (
     LANDMARKS,
@@ -134,9 +134,8 @@ def _leak_scores(clone: Clone, generic: GenericHuman, truth: Truth) -> Iterator[
         photographed = [view for view in framing if view in clone.views and view in truth.views]
         if not photographed:
             continue
-        person = person_colours(truth.views[view] for view in photographed)
-        for view in photographed:
-            count = background_texels(clone, generic, clone.views[view], truth.views[view], person)
+        counts = background_texels(clone, generic, {view: truth.views[view] for view in photographed})
+        for view, count in counts.items():
             yield Score("background_texels", view, "texels", float(count))
 
 

@@ -139,15 +139,13 @@ def _without_nape(hair: NDArray[np.bool_], rgb: NDArray[np.uint8], colours: Hair
     Lit skin has colours that shaded hair has as well: patches are judged by their mean odds. Only what reaches from
     the label's lower half to its edge is denied: shine on a crown is hair.
     """
-    size = (round(hair.shape[1] * SCALE), round(hair.shape[0] * SCALE))
-    small = cv2.resize(rgb, size, interpolation=cv2.INTER_AREA)
-    named = cv2.resize(hair.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
+    small, named = _halved(rgb, hair)
     odds = np.zeros(named.shape, np.float32)
     odds[named] = colours.odds(small[named])
     patch = (PATCH_PX, PATCH_PX)
     mean = cv2.boxFilter(odds, -1, patch) / np.maximum(cv2.boxFilter(named.astype(np.float32), -1, patch), 1e-6)
     denied = named & (mean < LEAST_ODDS)
-    _, pieces, stats, _ = cv2.connectedComponentsWithStats((denied | ~named).astype(np.uint8), connectivity=4)
+    _, pieces = cv2.connectedComponents((denied | ~named).astype(np.uint8), connectivity=4)
     rows = np.flatnonzero(named.any(axis=1))
     outside = np.unique(pieces[~named])
     denied &= np.isin(pieces, outside[outside > 0])
@@ -193,13 +191,18 @@ def _without(
     hair: NDArray[np.bool_], rgb: NDArray[np.uint8], denies: Callable[[NDArray[np.uint8]], NDArray[np.bool_]]
 ) -> NDArray[np.bool_]:
     """Return hair (H, W) without patches of denied colours; single strands and shine may be of any colour."""
-    size = (round(hair.shape[1] * SCALE), round(hair.shape[0] * SCALE))
-    small = cv2.resize(rgb, size, interpolation=cv2.INTER_AREA)
-    named = cv2.resize(hair.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
+    small, named = _halved(rgb, hair)
     strange = np.zeros(named.shape, np.uint8)
     strange[named] = 255 * denies(small[named]).astype(np.uint8)
     strange = cv2.medianBlur(strange, PATCH_PX)
     return np.asarray(hair & (cv2.resize(strange, hair.shape[::-1], interpolation=cv2.INTER_NEAREST) == 0), bool)
+
+
+def _halved(rgb: NDArray[np.uint8], label: NDArray[np.bool_]) -> tuple[NDArray[np.uint8], NDArray[np.bool_]]:
+    """Return a photo (h, w, 3) and a label (h, w) at `SCALE`, where labels are checked."""
+    size = (round(label.shape[1] * SCALE), round(label.shape[0] * SCALE))
+    small = np.asarray(cv2.resize(rgb, size, interpolation=cv2.INTER_AREA), np.uint8)
+    return small, cv2.resize(label.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
 
 
 def shown_bare(
