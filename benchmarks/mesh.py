@@ -27,9 +27,9 @@ from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, load_triangles
 from cloner.geometry.crossings import Crossings, buried_depths, crossings_between, seen_triangles, self_crossings
-from cloner.geometry.discs import areas, edges_of
 from cloner.geometry.rasters import fragments
 from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.triangles import areas, edges_of
 from cloner.geometry.viewpoints import framing_cameras, look_at
 from cloner.geometry.wedges import triangulate
 from cloner.motion.body import body_of
@@ -181,11 +181,10 @@ def surface_rows(clone: Clone) -> Iterator[str]:
              for surface in load_surfaces()]  # fmt: skip
     kinds += [(shell.kind, shell.triangles, shell.triangles, shell.uv, shell.vertices_m) for shell in clone.shells]
     for name, welded, triangles, uv, points in kinds:
-        sides = np.sort(np.concatenate([welded[:, [0, 1]], welded[:, [1, 2]], welded[:, [2, 0]]]), axis=1)
-        _, count = np.unique(sides, axis=0, return_counts=True)
+        _, count = edges_of(welded)
         tiny = int((areas(points, welded) < DEGENERATE_M2).sum())
         yield (
-            f"| {name} | {len(triangles)} | {int((count > 2).sum())} | {len(edges_of(welded)[1])} | {tiny} | "
+            f"| {name} | {len(triangles)} | {int((count > 2).sum())} | {int((count == 1).sum())} | {tiny} | "
             f"{uv.min():.3f} to {uv.max():.3f} | {uv_overlap(uv, triangles)} |"
         )
 

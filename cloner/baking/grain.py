@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from cloner.baking.sources import Source
 from cloner.baking.tiles import Tile
 from cloner.generic.load import GenericHuman
+from cloner.geometry.triangles import areas
 
 Array = NDArray[np.float64]
 
@@ -29,12 +30,12 @@ def coarse_tiles(
     shares : (K, V) of each photo in each vertex
     """
     triangles, uv_triangles = generic.triangles()
-    corners = np.asarray(generic.uv, np.float64)[uv_triangles] * size
-    texels, pixels = areas(corners), np.zeros(len(triangles))
+    places = np.asarray(generic.uv, np.float64) * size
+    texels, pixels = areas(places, uv_triangles), np.zeros(len(triangles))
     for source, share in zip(sources, shares, strict=True):
         own = (share[triangles] > OWN_SHARE).all(axis=1)
-        pixels = np.maximum(pixels, np.where(own, areas(source.lookup_px[triangles]), 0.0))
-    fine, middle = pixels > HALF_GRAIN**2 * texels, corners.mean(axis=1)
+        pixels = np.maximum(pixels, np.where(own, areas(source.lookup_px, triangles), 0.0))
+    fine, middle = pixels > HALF_GRAIN**2 * texels, places[uv_triangles].mean(axis=1)
     found = []
     for tile in tiles:
         low = np.array([tile.place[1].start, tile.place[0].start])
@@ -42,9 +43,3 @@ def coarse_tiles(
         own = ((middle >= low) & (middle < high)).all(axis=1) & (pixels > 0.0)
         found.append(bool(texels[own & fine].sum() <= FEW * texels[own].sum()))
     return found
-
-
-def areas(corners: Array) -> Array:
-    """Return the (T,) areas of flat triangles (T, 3, 2)."""
-    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    return np.asarray(0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]))

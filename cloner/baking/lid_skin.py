@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from cloner.generic.face_grids import eye_grid
 from cloner.generic.load import GenericHuman
 from cloner.geometry.rasters import fragments
+from cloner.geometry.triangles import areas
 from cloner.vision.blending import push_pull
 
 Image = NDArray[np.uint8]
@@ -69,16 +70,15 @@ def _lid(
     ring = np.full(height * width, np.inf, dtype=np.float32)
     upper = np.zeros(height * width, dtype=np.float32)
     flat = np.arange(3 * len(triangles), dtype=np.int32).reshape(-1, 3)
-    for pixel, row, weights in fragments((uv - low).reshape(-1, 2), flat, int(width), int(height)):
+    places = (uv - low).reshape(-1, 2)
+    for pixel, row, weights in fragments(places, flat, int(width), int(height)):
         ring[pixel] = np.einsum("nk,nk->n", rings[triangles[row]], weights)
         upper[pixel] = np.einsum("nk,nk->n", shares[triangles[row]], weights)
     box = (slice(int(low[1]), int(low[1] + height)), slice(int(low[0]), int(low[0] + width)))
-    return ring.reshape(height, width), upper.reshape(height, width), box, _texel_m(vertices_m[triangles], uv)
+    texel_m = _texel_m(areas(vertices_m, triangles), areas(places, flat))
+    return ring.reshape(height, width), upper.reshape(height, width), box, texel_m
 
 
-def _texel_m(corners_m: NDArray[np.float64], uv_px: NDArray[np.float64]) -> float:
+def _texel_m(area_m2: NDArray[np.float64], texels: NDArray[np.float64]) -> float:
     """Return the median length of a texel's side on some triangles."""
-    first, second = uv_px[:, 1] - uv_px[:, 0], uv_px[:, 2] - uv_px[:, 0]
-    texels = np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0])
-    sides = np.cross(corners_m[:, 1] - corners_m[:, 0], corners_m[:, 2] - corners_m[:, 0])
-    return float(np.median(np.linalg.norm(sides, axis=1)[texels > 0] / texels[texels > 0]) ** 0.5)
+    return float(np.median(area_m2[texels > 0] / texels[texels > 0]) ** 0.5)

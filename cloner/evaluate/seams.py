@@ -15,6 +15,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.seeing import look
+from cloner.geometry.triangles import edges_of
 from cloner.records.clones import Clone
 from cloner.vision.aligning import sample
 
@@ -69,7 +70,7 @@ def seam_ratios(clone: Clone, generic: GenericHuman, photos: Photos = _NO_PHOTOS
 def _edges(clone: Clone, generic: GenericHuman) -> Edges:
     """Return (E, 2) the edges of the skin, those beside another region left out."""
     triangles = generic.triangles()[0]
-    edges = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1), axis=0).astype(np.int64)
+    edges = edges_of(triangles)[0]
     skin = generic.vertex_part == generic.part_names.index("body")
     skin &= ~generic.region("mouth_interior")
     edges = edges[skin[edges].all(axis=1)]

@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_matrix, diags
 from scipy.sparse.linalg import splu
 
+from cloner.geometry.triangles import areas, edges_of
+
 Array = NDArray[np.float64]
 Index = NDArray[np.integer]
 
@@ -23,19 +25,6 @@ Index = NDArray[np.integer]
 #: toes: with all of it rounds swing and fold after ten).
 ROUNDS: Final = 20
 TAKEN_BACK: Final = 0.7
-
-
-def edges_of(triangles: Index) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Return (E, 2) all edges of triangles (T, 3), and (B, 2) those with one triangle only."""
-    sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    edges, count = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
-    return edges.astype(np.int64), edges[count == 1].astype(np.int64)
-
-
-def areas(points_m: Array, triangles: Index) -> Array:
-    """Return (T,) areas of triangles."""
-    a, b, c = (points_m[triangles[:, k]] for k in range(3))
-    return np.asarray(np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2.0)
 
 
 def even_disc(triangles: Index, wanted: Array, rim_flat: Array, laid: Callable[[Array], Array]) -> Array:
@@ -52,8 +41,8 @@ def even_disc(triangles: Index, wanted: Array, rim_flat: Array, laid: Callable[[
     laid : callable
         Gives the (N, 3) places on the finished surface of places (N, 2) on the disc.
     """
-    edges, border = edges_of(triangles)
-    rim, count = np.unique(border), int(triangles.max()) + 1
+    edges, owners = edges_of(triangles)
+    rim, count = np.unique(edges[owners == 1]), int(triangles.max()) + 1
     one, other = np.concatenate([edges, edges[:, ::-1]]).T
     inner = np.setdiff1d(np.arange(count), rim)
     weights = np.ones(len(one))

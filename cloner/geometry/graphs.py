@@ -10,6 +10,8 @@ from scipy.sparse import csr_matrix, diags
 from scipy.sparse.csgraph import dijkstra
 from scipy.sparse.linalg import splu
 
+from cloner.geometry.triangles import edges_of
+
 Array = NDArray[np.float64]
 
 
@@ -75,8 +77,8 @@ class SurfaceGraph:
 
 def surface_graph(vertices_m: Array, triangles: NDArray[np.int32]) -> SurfaceGraph:
     """Return the graph of a triangle mesh's edges."""
-    ends = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]).astype(np.int64)
-    ends = np.unique(np.sort(ends[ends[:, 0] != ends[:, 1]], axis=1), axis=0)
+    ends = edges_of(triangles)[0]
+    ends = ends[ends[:, 0] != ends[:, 1]]
     length = np.maximum(np.linalg.norm(vertices_m[ends[:, 0]] - vertices_m[ends[:, 1]], axis=1), 1e-6)
     count = len(vertices_m)
     half = csr_matrix((length, (ends[:, 0], ends[:, 1])), shape=(count, count))

@@ -14,6 +14,7 @@ from scipy.optimize import nnls
 from scipy.sparse import csr_matrix
 
 from cloner.geometry.graphs import SurfaceGraph
+from cloner.geometry.triangles import areas, paired_edges
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -67,28 +68,13 @@ def skin_metric(vertices_m: Array, triangles: NDArray[np.integer]) -> SkinMetric
     vertices_m : (V, 3) rest pose, metres
     triangles : (T, 3), closed surface; vertices outside it are linked to nothing
     """
-    edges, beside, opposite = _paired_edges(triangles)
+    edges, beside, opposite = paired_edges(triangles)
     count = len(vertices_m)
     over = np.sort(opposite, axis=1)
     pairs = np.unique(np.concatenate([edges, over[over[:, 0] != over[:, 1]]]), axis=0)
     length = np.maximum(np.linalg.norm(vertices_m[pairs[:, 0]] - vertices_m[pairs[:, 1]], axis=1), 1e-6)
     half = csr_matrix((length, (pairs[:, 0], pairs[:, 1])), shape=(count, count))
-    corner = vertices_m[triangles]
-    double = np.linalg.norm(np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]), axis=1)
-    return SkinMetric(triangles, edges, beside, SurfaceGraph((half + half.T).tocsr()), double / 2.0)
-
-
-def _paired_edges(triangles: NDArray[np.integer]) -> tuple[Ints, Ints, Ints]:
-    """Return edges that two triangles share, the two triangles, and their corners opposite the edge, (E, 2) each."""
-    corners = np.asarray(triangles, dtype=np.int64)
-    sides = np.concatenate([corners[:, [0, 1]], corners[:, [1, 2]], corners[:, [2, 0]]])
-    across = np.concatenate([corners[:, 2], corners[:, 0], corners[:, 1]])
-    owner = np.tile(np.arange(len(corners)), 3)
-    low = np.sort(sides, axis=1)
-    order = np.lexsort((low[:, 1], low[:, 0]))
-    same = np.flatnonzero((low[order[1:]] == low[order[:-1]]).all(axis=1))
-    pairs = np.stack([order[same], order[same + 1]], axis=1)
-    return low[pairs[:, 0]], owner[pairs], across[pairs]
+    return SkinMetric(triangles, edges, beside, SurfaceGraph((half + half.T).tocsr()), areas(vertices_m, triangles))
 
 
 def bump(vertices_m: Array, along_m: Array, place: Place, axes: Array, reach_m: Array) -> tuple[Ints, Array]:

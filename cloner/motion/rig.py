@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
+from cloner.geometry.triangles import edges_of
 from cloner.motion.body import SIDES
 from cloner.records.clones import Clone
 
@@ -96,8 +97,8 @@ def _cut(side: str, place: tuple[float, ...], across: tuple[float, ...]) -> Ring
     near = (np.linalg.norm(vertices - origin, axis=1) < REACH_M) & (generic.vertex_part == 0)
     near &= vertices[:, 0] * (1.0 if side == "l" else -1.0) > 0.0
     triangles, _ = generic.triangles()
-    sides = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    edges = np.unique(np.sort(sides[near[sides].all(axis=1)], axis=1), axis=0).astype(np.int64)
+    edges = edges_of(triangles)[0]
+    edges = edges[near[edges].all(axis=1)]
     height = (vertices - origin) @ normal
     first, second = height[edges[:, 0]], height[edges[:, 1]]
     cut = (first > 0.0) != (second > 0.0)

@@ -12,7 +12,8 @@ from scipy.spatial import ConvexHull
 
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
-from cloner.geometry.discs import areas, edges_of, even_disc
+from cloner.geometry.discs import even_disc
+from cloner.geometry.triangles import areas, edges_of
 from cloner.records.bodies import BodyMesh
 
 Array = NDArray[np.float64]
@@ -152,8 +153,8 @@ def _toes() -> Toes:
     triangles = load_triangles()[inside[load_triangles()].all(axis=1)]
     rows = np.unique(triangles).astype(np.int64)
     local = np.searchsorted(rows, triangles)
-    edges, border = edges_of(local)
-    rim, room = np.unique(border), _tip(mesh, "l")
+    edges, owners = edges_of(local)
+    rim, room = np.unique(edges[owners == 1]), _tip(mesh, "l")
     flat = room.flat(mesh.vertices_m[rows])
     shares = even_disc(local, areas(mesh.vertices_m, triangles), flat[rim], room.laid)
     even = shares @ flat[rim]

@@ -18,6 +18,7 @@ from scipy.ndimage import gaussian_filter, map_coordinates
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.surface import SurfacePoints
+from cloner.geometry.triangles import areas
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
@@ -67,8 +68,7 @@ def _patch(generic: GenericHuman, triangles: NDArray[np.integer], vertex: int) -
     """Return samples spread over the skin around a vertex of the mean head, always the same."""
     mean = generic.vertices_m.astype(np.float64)
     near = triangles[(np.linalg.norm(mean[triangles].mean(axis=1) - mean[vertex], axis=1) < PATCH_M)]
-    corners = mean[near]
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
+    area = areas(mean, near)
     rng = np.random.default_rng(vertex)
     which = rng.choice(len(near), size=SAMPLES, p=area / area.sum())
     weights = rng.dirichlet(np.ones(3), size=SAMPLES)

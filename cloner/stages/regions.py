@@ -23,6 +23,7 @@ from scipy.sparse.linalg import splu
 from skimage.color import rgb2lab
 
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.triangles import areas, paired_edges
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
 from cloner.records.results import Residual, StageResult
@@ -96,8 +97,7 @@ def label_triangles(generic: GenericHuman, clone: Clone, params: Params) -> tupl
     parts = np.array(generic.part_names)[generic.vertex_part[triangles[:, 0]]]
     on_body = parts == "body"
     colours = triangle_colours(clone.atlas.rgb, generic.uv.astype(np.float64)[uv_triangles])
-    corners = clone.vertices_m[triangles]
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) / 2.0
+    area = areas(clone.vertices_m, triangles)
     links = neighbour_links(triangles, colours, params.contrast)
     likely = _likely(generic, triangles, colours, on_body, params)
     shares = random_walk(links, likely, params.trust * area / np.median(area[on_body]))
@@ -167,11 +167,7 @@ def likelihood(colours: Array, own: Array, plain: float) -> Array:
 
 def neighbour_links(triangles: NDArray[np.integer], colours: Array, contrast: float) -> coo_matrix:
     """Return (T, T) symmetric weights of triangles that share an edge: near 1 for equal colours, small at borders."""
-    edges = np.sort(np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
-    owner = np.tile(np.arange(len(triangles)), 3)
-    order = np.lexsort((edges[:, 1], edges[:, 0]))
-    same = (edges[order[1:]] == edges[order[:-1]]).all(axis=1)
-    first, second = owner[order[:-1][same]], owner[order[1:][same]]
+    first, second = paired_edges(triangles)[1].T
     apart = ((colours[first] - colours[second]) * (0.5, 1.0, 1.0) / contrast) ** 2
     weight = np.exp(-apart.sum(axis=1)) + 1e-3
     count = len(triangles)

@@ -7,8 +7,8 @@ from cloner.cloning import CloneOutcome
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, load_triangles
 from cloner.geometry.crossings import buried_depths, self_crossings
-from cloner.geometry.discs import areas, edges_of
 from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.triangles import areas, edges_of
 from cloner.motion.body import body_of
 from cloner.motion.rest import t_pose
 from cloner.motion.rig import centred
@@ -32,7 +32,7 @@ def test_skin_stays_out_of_skin(cloned_anna: CloneOutcome, pose: str) -> None:
 def test_the_skin_is_closed_and_nothing_is_degenerate(cloned_anna: CloneOutcome) -> None:
     body = load_surfaces()[0]
     triangles = body.vertex[body.triangles]
-    assert len(edges_of(triangles)[1]) == 0
+    assert edges_of(triangles)[1].min() == 2
     assert areas(cloned_anna.values["clone"].vertices_m, triangles).min() > 1e-8, "square metres"
     for surface in load_surfaces():
         assert surface.uv.min() >= 0.0

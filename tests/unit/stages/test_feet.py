@@ -7,6 +7,7 @@ from cloner.frames import BODY_VIEWS
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
 from cloner.geometry.crossings import self_crossings
+from cloner.geometry.triangles import areas
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
@@ -77,7 +78,7 @@ def test_closed_toes_do_not_fold(seed):
     triangles = load_triangles()[np.isin(load_triangles(), foot()).all(axis=1)]
     shod = feet.sized_feet(feet.flat_soled(feet.closed_toes(naked)), np.array(feet.Params().shod), SOLE_M)
     assert len(self_crossings(shod, triangles).pairs) <= 4, "a thousand when toes are pushed straight outwards"
-    assert feet.areas(shod, triangles).min() > 2e-8, "square metres; the least of a naked foot's are 6e-8"
+    assert areas(shod, triangles).min() > 2e-8, "square metres; the least of a naked foot's are 6e-8"
     toe = load_generic().feature("toe_left")
     assert np.linalg.norm(shod[toe] - feet.sized_feet(naked, np.array(feet.Params().shod), SOLE_M)[toe]) < 0.025
 

@@ -1,0 +1,44 @@
+"""What a mesh of triangles has by itself: areas, edges, neighbours."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Index = NDArray[np.integer]
+Ints = NDArray[np.int64]
+
+
+def areas(points: NDArray[np.floating[Any]], triangles: Index) -> Array:
+    """Return (T,) areas of triangles (T, 3) over points (N, 2) or (N, 3), in the points' unit squared."""
+    a, b, c = (points[triangles[:, k]] for k in range(3))
+    first, second = b - a, c - a
+    if points.shape[1] == 2:
+        return np.asarray(0.5 * np.abs(first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]))
+    return np.asarray(0.5 * np.linalg.norm(np.cross(first, second), axis=1))
+
+
+def edges_of(triangles: Index) -> tuple[Ints, Ints]:
+    """Return (E, 2) all edges of triangles (T, 3), each once with the lower vertex first, and (E,) their triangles."""
+    edges, count = np.unique(np.sort(_sides(triangles), axis=1), axis=0, return_counts=True)
+    return edges.astype(np.int64), count.astype(np.int64)
+
+
+def paired_edges(triangles: Index) -> tuple[Ints, Ints, Ints]:
+    """Return edges that two triangles share, the two triangles, and their corners opposite the edge, (E, 2) each."""
+    corners = np.asarray(triangles, dtype=np.int64)
+    across = np.concatenate([corners[:, 2], corners[:, 0], corners[:, 1]])
+    owner = np.tile(np.arange(len(corners)), 3)
+    low: Ints = np.sort(_sides(corners), axis=1).astype(np.int64)
+    order = np.lexsort((low[:, 1], low[:, 0]))
+    same = np.flatnonzero((low[order[1:]] == low[order[:-1]]).all(axis=1))
+    pairs = np.stack([order[same], order[same + 1]], axis=1)
+    return low[pairs[:, 0]], owner[pairs], across[pairs]
+
+
+def _sides(triangles: Index) -> Index:
+    """Return (3 T, 2) the sides of triangles, first all first ones."""
+    return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
