@@ -42,8 +42,10 @@ def shape_after(step: str, values: Mapping[str, Any]) -> Shape | None:
         vertices = values["rough_bodies"].consensus.vertices_m
     elif step == "fine":
         vertices = values["bodies"].consensus.vertices_m
-    elif step in ("join", "obeyed"):
-        vertices = values[{"join": "joined"}.get(step, step)].vertices_m
+    elif step == "join":
+        vertices = values["joined"].vertices_m
+    elif step == "obeyed":
+        vertices = values["obeyed"].vertices_m
     else:
         return None
     return Shape(step, np.asarray(vertices, dtype=np.float32))

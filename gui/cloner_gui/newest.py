@@ -19,6 +19,7 @@ import shiboken6
 from PySide6.QtCore import QObject, Qt, Signal
 
 from cloner.errors import ClonerError
+from cloner_gui.worker import unexpected
 
 log = logging.getLogger(__name__)
 
@@ -122,8 +123,7 @@ def _done(work: Callable[[], Any]) -> Any:
         return error
     except Exception:  # as in `worker.Task`: the thread must outlive the defect of one picture
         log.exception("the work failed")
-        message = "something went wrong that the program did not expect"
-        return ClonerError(message, "Start it from a terminal with -v and send what it prints", "Cloner")
+        return unexpected()
 
 
 @functools.cache

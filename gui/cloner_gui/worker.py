@@ -27,6 +27,12 @@ def stop_all_tasks() -> None:
         task.wait()
 
 
+def unexpected() -> ClonerError:
+    """Return what the operator is told about a defect; the log has it already."""
+    message = "something went wrong that the program did not expect"
+    return ClonerError(message, "Start it from a terminal with -v and send what it prints", "Cloner")
+
+
 class Task(QThread):
     """Runs one function; exactly one of ``succeeded``, ``failed`` and ``stopped`` follows.
 
@@ -66,8 +72,7 @@ class Task(QThread):
             self.failed.emit(error)
         except Exception:  # this is one of the three places that may catch everything
             log.exception("the work failed")
-            message = "something went wrong that the program did not expect"
-            self.failed.emit(ClonerError(message, "Start it from a terminal with -v and send what it prints", "Cloner"))
+            self.failed.emit(unexpected())
         else:
             self.succeeded.emit(value)
 

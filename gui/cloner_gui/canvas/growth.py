@@ -60,7 +60,6 @@ class Growth(QObject):
         return self._start + eased * (self._goal - self._start)
 
     def _step(self) -> None:
-        body = self._now()
-        if body is self._goal or time.monotonic() - self._began > GROWS_S:
+        if time.monotonic() - self._began > GROWS_S:
             self._film.stop()
-        self.shown.emit(plain_clone(body))
+        self.shown.emit(plain_clone(self._now()))
