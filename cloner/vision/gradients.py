@@ -31,16 +31,15 @@ def describe(picture: NDArray[np.float32]) -> Array:
     """
     across = cv2.Sobel(picture, cv2.CV_32F, 1, 0, ksize=1)
     down = cv2.Sobel(picture, cv2.CV_32F, 0, 1, ksize=1)
-    strength = np.hypot(across, down)
+    strength = cv2.magnitude(across, down)
     turn = np.mod(np.arctan2(down, across), np.pi) * (_BINS / np.pi)
-    low = np.floor(turn)
+    low = turn.astype(np.int64)
     share = turn - low
-    size = (picture.shape[1] // _CELL_PX, picture.shape[0] // _CELL_PX)
-    planes = []
-    for direction in range(_BINS):
-        weight = np.where(np.mod(low, _BINS) == direction, 1.0 - share, 0.0)
-        weight += np.where(np.mod(low + 1, _BINS) == direction, share, 0.0)
-        planes.append(cv2.resize((weight * strength).astype(np.float32), size, interpolation=cv2.INTER_AREA))
-    cells = np.stack(planes, axis=-1).astype(np.float64) * _CELL_PX**2
+    rows, columns = picture.shape[0] // _CELL_PX, picture.shape[1] // _CELL_PX
+    cell = np.arange(rows).repeat(_CELL_PX)[:, None] * columns + np.arange(columns).repeat(_CELL_PX)
+    flat, size = cell * _BINS, rows * columns * _BINS
+    sums = np.bincount((flat + low % _BINS).ravel(), ((1.0 - share) * strength).ravel(), size)
+    sums += np.bincount((flat + (low + 1) % _BINS).ravel(), (share * strength).ravel(), size)
+    cells = sums.reshape(rows, columns, _BINS)
     energy = cv2.blur((cells**2).sum(axis=-1), (3, 3)) * 9.0
     return np.asarray((cells / np.sqrt(energy + _FLAT**2)[..., None]).ravel())
