@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from cloner.cloning import DEFAULT_TEXTURE_SIZE, Progress, clone_photos, quiet
+from cloner.cloning import DEFAULT_TEXTURE_SIZE, clone_photos
 from cloner.errors import ClonerError
 from cloner.frames import ViewId, cm_from_m
+from cloner.pipeline import Progress, quiet
 from cloner.project.corrections import no_corrections
 from cloner.project.folder import checked_height_m, load_photos, read_corrections, read_person
 from cloner.records.clones import Clone

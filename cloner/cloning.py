@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
@@ -16,7 +16,7 @@ from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.pipeline import Stage, StageReport, peak_mib
+from cloner.pipeline import Progress, Stage, StageReport, peak_mib, quiet
 from cloner.previews import write_previews
 from cloner.project.atomic import RESULT_MARK, result_folder
 from cloner.project.clone_file import CLONE_FILE, save_clone
@@ -35,15 +35,13 @@ from cloner.records.measures import MeasureSet
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
 from cloner.refitting import still_true
+from cloner.report.agreement import Agreement, agreements
 from cloner.report.build import Run, build_report, warnings_of
 from cloner.report.viewer import write_viewer
 from cloner.report.write import write_report
 from cloner.stages import hair, textures
 
 log = logging.getLogger(__name__)
-
-Progress = Callable[[str, float], None]
-"""Called with the step's name and the fraction 0..1 of the whole; may raise Cancelled."""
 
 DEFAULT_FORMATS: Final = ("glb", "wrl")
 PIPELINE_SHARE: Final = 0.85  # measured on the samples: the stages' part of the whole time
@@ -76,10 +74,6 @@ class CloneOutcome:
     def warnings(self) -> tuple[str, ...]:
         """Warnings in plain words."""
         return tuple(self.report["warnings"])
-
-
-def quiet(step: str, fraction: float) -> None:
-    """Take progress and say nothing."""
 
 
 def clone_photos(
@@ -196,7 +190,7 @@ def clone_folder(
             progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
         values["clone"] = replace(values["clone"], consent=bool(read_consent(photos_dir)))
-        _write_clone(values, formats, folder, progress)
+        seen = _write_clone(values, formats, folder, progress)
         if (folder / GLB_FILE).is_file():
             write_viewer(f"Clone of {person.name or person.identifier}", folder / GLB_FILE)
         run = Run(
@@ -209,7 +203,7 @@ def clone_folder(
             warnings=warnings,
         )
         progress("report", 0.97)
-        report = build_report(values, run, sorted({*_files(folder), RESULT_MARK})) | {
+        report = build_report(values, run, seen, sorted({*_files(folder), RESULT_MARK})) | {
             "made_by": values["clone"].stamp,
             "stamp": input_stamp(photos_dir, stamp_options(height_cm, formats, seed, texture_size)),
             "outputs": output_digests(folder, _files(folder)),
@@ -270,8 +264,10 @@ def _stages(texture_size: int) -> tuple[Stage, ...]:
     )
 
 
-def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path, progress: Progress) -> None:
-    """Write the clone's own file, the exports and the previews."""
+def _write_clone(
+    values: Mapping[str, Any], formats: Sequence[str], folder: Path, progress: Progress
+) -> dict[ViewId, Agreement]:
+    """Write the clone's own file, the exports and the previews; return how well the clone covers the person."""
     clone = values["clone"]
     keep = partial(save_clone, clone, folder / CLONE_FILE)
     writers = (keep, *(partial(_export, name, clone, folder) for name in formats))
@@ -279,6 +275,7 @@ def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path
     shown = (values["photos"], values["proposals"], (values["body_points"], values["face_points"]))
     with beside(lambda: list(abreast(lambda write: write(), writers))):  # drawing stays on this thread, as GL wants it
         write_previews(clone, *shown, values["obeyed_silhouettes"], folder)
+        return agreements(clone, values["obeyed_silhouettes"])
 
 
 def _export(name: str, clone: Clone, folder: Path) -> None:

@@ -1,4 +1,4 @@
-"""The order of the stages, and running them."""
+"""The stages with what they need and give, and running them."""
 
 from __future__ import annotations
 
@@ -7,13 +7,16 @@ import functools
 import hashlib
 import logging
 import sys
+import threading
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import cast
 
 import numpy as np
 
+from cloner.abreast import as_ready
 from cloner.records.results import Residual, StageResult
 from cloner.stages import (
     fine,
@@ -42,6 +45,9 @@ log = logging.getLogger(__name__)
 
 Tick = Callable[[float], None]
 """Called with a fraction 0..1; may raise Cancelled."""
+
+Progress = Callable[[str, float], None]
+"""Called with a step's name and the fraction 0..1 of the whole; may raise Cancelled."""
 
 Found = Callable[[str, Mapping[str, object]], None]
 """Called with a stage's name and all values known after it."""
@@ -118,7 +124,19 @@ STAGES: tuple[Stage, ...] = (
 
 @dataclass(frozen=True, slots=True)
 class StageReport:
-    """Time, memory, residuals and warnings of one stage."""
+    """Time, memory, residuals and warnings of one stage.
+
+    Attributes
+    ----------
+    name : str
+    seconds : float
+    cpu_seconds : float
+        Of the whole process meanwhile: two stages that run abreast both count it.
+    peak_mib : float
+        Of the process so far.
+    residuals : tuple of Residual
+    warnings : tuple of str
+    """
 
     name: str
     seconds: float
@@ -158,6 +176,10 @@ def _trim() -> Callable[[int], int] | None:
         return None
 
 
+def quiet(step: str, fraction: float) -> None:
+    """Take progress and say nothing."""
+
+
 def unseen(name: str, values: Mapping[str, object]) -> None:
     """Take what a stage found and do nothing."""
 
@@ -166,11 +188,11 @@ def run(
     values: Mapping[str, object],
     *,
     seed: int = 0,
-    progress: Callable[[str, float], None] = lambda name, fraction: None,
+    progress: Progress = quiet,
     found: Found = unseen,
     stages: tuple[Stage, ...] = STAGES,
 ) -> tuple[dict[str, object], list[StageReport]]:
-    """Run the stages in order and return all values with one report a stage.
+    """Run the stages, each as soon as its needs are known, two at a time; return all values and one report a stage.
 
     Parameters
     ----------
@@ -179,38 +201,76 @@ def run(
     seed : int
         Project seed, from which every stage derives its own generator.
     progress : callable
-        Called with (stage name, fraction of the whole 0..1); may raise Cancelled.
+        Called with (stage name, fraction of the whole 0..1), by one thread at a time; may raise Cancelled.
     found : callable
-        Called after every stage that ran with its name and all values known by then.
+        Called on this thread after every stage that ran, with its name and all values known by then.
     stages : tuple of Stage
         The stages to run; a stage whose values are all present is skipped.
+
+    Raises
+    ------
+    KeyError
+        If nobody gives what a stage needs. What ``progress`` or a stage raises is raised too.
     """
     known = dict(values)
-    reports: list[StageReport] = []
-    for index, stage in enumerate(stages):
-        if all(name in known for name in stage.gives):
-            continue
+    waiting = [stage for stage in stages if not all(name in known for name in stage.gives)]
+    board = _Board(progress, stages, waiting)
 
-        def tick(fraction: float, stage: Stage = stage, index: int = index) -> None:
-            progress(stage.name, (index + fraction) / len(stages))
+    def take() -> Stage | None:
+        ready = next((stage for stage in waiting if all(name in known for name in stage.needs)), None)
+        if ready is not None:
+            waiting.remove(ready)
+        return ready
 
-        tick(0.0)
-        wall, cpu = time.perf_counter(), time.process_time()
-        result = stage.run(**{name: known[name] for name in stage.needs}, tick=tick, rng=stage_rng(seed, stage.name))
-        if set(result.values) != set(stage.gives):
-            raise ValueError(f"stage {stage.name} gave {sorted(result.values)}, wanted {stage.gives}")
+    def work(stage: Stage) -> tuple[StageResult, StageReport]:
+        return _run_stage(stage, {name: known[name] for name in stage.needs}, seed, board)
+
+    reports: dict[str, StageReport] = {}
+    for stage, (result, reports[stage.name]) in as_ready(work, take):
         known.update(result.values)
         found(stage.name, known)
-        give_back()
-        report = StageReport(
-            stage.name,
-            time.perf_counter() - wall,
-            time.process_time() - cpu,
-            peak_mib(),
-            result.residuals,
-            result.warnings,
-        )
-        reports.append(report)
-        log.info("%s: %.2f s", stage.name, report.seconds)
+    if waiting:
+        raise KeyError(next(name for name in waiting[0].needs if name not in known))
     progress("done", 1.0)
-    return known, reports
+    return known, [reports[stage.name] for stage in stages if stage.name in reports]
+
+
+class _Board:
+    """How far the stages are; the threads of several write on it."""
+
+    def __init__(self, progress: Progress, stages: Sequence[Stage], waiting: Sequence[Stage]) -> None:
+        self._progress = progress
+        self._parts = {stage.name: float(stage not in waiting) for stage in stages}
+        self._turn = threading.Lock()
+        self._error: BaseException | None = None
+
+    def tell(self, name: str, fraction: float) -> None:
+        """Write how far a stage is and tell how far the whole is; raises what ended another stage."""
+        with self._turn:
+            if self._error is not None:
+                raise self._error
+            self._parts[name] = fraction
+            self._progress(name, sum(self._parts.values()) / len(self._parts))
+
+    def end(self, name: str, error: BaseException | None = None) -> None:
+        """Write that a stage has ended; with an error the others end at their next word."""
+        self._parts[name] = 1.0
+        self._error = self._error or error
+
+
+def _run_stage(stage: Stage, needs: Mapping[str, object], seed: int, board: _Board) -> tuple[StageResult, StageReport]:
+    """Run one stage and return what it gives and its report."""
+    wall, cpu = time.perf_counter(), time.process_time()
+    try:
+        board.tell(stage.name, 0.0)
+        result = stage.run(**needs, tick=partial(board.tell, stage.name), rng=stage_rng(seed, stage.name))
+        if set(result.values) != set(stage.gives):
+            raise ValueError(f"stage {stage.name} gave {sorted(result.values)}, wanted {stage.gives}")
+    except BaseException as error:
+        board.end(stage.name, error)
+        raise
+    board.end(stage.name)
+    give_back()
+    seconds, cpu_seconds = time.perf_counter() - wall, time.process_time() - cpu
+    log.info("%s: %.2f s", stage.name, seconds)
+    return result, StageReport(stage.name, seconds, cpu_seconds, peak_mib(), result.residuals, result.warnings)

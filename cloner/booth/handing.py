@@ -10,9 +10,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from cloner.cloning import Progress, check_formats
+from cloner.cloning import check_formats
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
+from cloner.pipeline import Progress
 from cloner.project.clone_file import CLONE_FILE, load_clone
 
 #: Files of a result that go along whatever formats are chosen.

@@ -16,9 +16,10 @@ from cloner.booth.looking import look
 from cloner.booth.looking_table import Look
 from cloner.booth.photo_files import placed_photos
 from cloner.booth.worker import not_shown
-from cloner.cloning import Progress, clone_folder
+from cloner.cloning import clone_folder
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.pipeline import Progress
 from cloner.project.corrections import no_corrections
 from cloner.project.folder import load_photo
 from cloner.project.values_file import save_values

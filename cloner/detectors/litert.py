@@ -51,23 +51,25 @@ Floats = NDArray[np.float64]
 #: Taste: a booth computer has two cores to spare; a worker of a batch has one, and waiting threads would spin on it.
 THREADS: Final = 1 if os.environ.get("OMP_NUM_THREADS") == "1" else 2
 FACE_SIDE: Final = 192
-_LOCK: Final = threading.Lock()
+_LOADING: Final = threading.Lock()
 
 
 @lru_cache(maxsize=8)
-def _net(name: str) -> Interpreter:
-    """Load a net once per process."""
+def _net(name: str) -> tuple[Interpreter, threading.Lock]:
+    """Load a net once per process; its lock keeps one thread at a time in its buffers."""
     data = (files("cloner_models") / "nets" / name).read_bytes()
     with chatter_logged():
         net = Interpreter(model_content=data, num_threads=THREADS)
         net.allocate_tensors()
-    return net
+    return net, threading.Lock()
 
 
 def _invoke(name: str, inputs: Sequence[NDArray[np.float32]]) -> list[NDArray[np.float32]]:
     """Run a net on inputs without the batch axis; return its outputs the same way."""
-    with _LOCK:  # an interpreter has one set of buffers
-        net: Any = _net(name)
+    with _LOADING:
+        net: Any
+        net, turn = _net(name)
+    with turn:
         for detail, values in zip(net.get_input_details(), inputs, strict=True):
             net.set_tensor(detail["index"], values[None])
         net.invoke()

@@ -45,13 +45,14 @@ void main() {
 _FRAGMENT_SHADER: Final = """
 #version 330
 uniform sampler2D picture;
-uniform bool textured; uniform bool two_sided;
+uniform bool textured; uniform bool two_sided; uniform bool white;
 uniform vec3 colour; uniform float ambient; uniform vec4 lights[3];
 in vec3 towards; in vec2 at;
 out vec4 shown;
 void main() {
     vec4 texel = textured ? texture(picture, at) : vec4(colour, 1.0);
     if (texel.a < 0.004) discard;
+    if (white) texel.rgb = vec3(1.0);
     float light = ambient;
     vec3 n = normalize(towards);
     for (int k = 0; k < 3; k++) {
@@ -151,6 +152,7 @@ class Stage:
         mesh = gl.vertex_array(program, [(corners, "3f 3f 2f", "place", "normal", "uv")], indices)
         textured = layer.texture is not None and layer.uv is not None and not frame.wire
         program["textured"].value, program["two_sided"].value = textured, layer.two_sided
+        program["white"].value = layer.white
         program["colour"].value = _WIRE_FACE if frame.wire else layer.colour
         texture = self._texture(layer.texture) if textured and layer.texture is not None else None
         (gl.disable if layer.two_sided else gl.enable)(moderngl.CULL_FACE)

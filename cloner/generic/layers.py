@@ -35,6 +35,8 @@ class Layer:
     colour : (3,) float, 0..1
         Used where there is no texture.
     two_sided : bool
+    white : bool
+        Of the texture only the alpha counts.
     """
 
     vertices_m: Array
@@ -44,6 +46,7 @@ class Layer:
     texture: Image | None = None
     colour: tuple[float, float, float] = (1.0, 1.0, 1.0)
     two_sided: bool = False
+    white: bool = False
 
 
 def clone_layers(clone: Clone, rotations: Array | None = None) -> list[Layer]:
@@ -88,11 +91,9 @@ def _layer(shell: Shell, posed_m: Array) -> Layer:
 
 def whitened(layers: Sequence[Layer]) -> list[Layer]:
     """Return the layers all white but for their alpha: drawn on black they show what is covered."""
-    return [replace(layer, texture=_white(layer.texture), colour=(1.0, 1.0, 1.0)) for layer in layers]
+    return [replace(layer, texture=_with_alpha(layer.texture), colour=(1.0, 1.0, 1.0), white=True) for layer in layers]
 
 
-def _white(texture: Image | None) -> Image | None:
-    """Return an all-white texture with the same alpha, or None where there is no alpha."""
-    if texture is None or texture.shape[2] == 3:
-        return None
-    return np.dstack([np.full((*texture.shape[:2], 3), 255, np.uint8), texture[..., 3]])
+def _with_alpha(texture: Image | None) -> Image | None:
+    """Return a texture if it has alpha: the very same pixels, which the driver may hold already."""
+    return texture if texture is not None and texture.shape[2] == 4 else None

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
@@ -145,6 +146,8 @@ def _shade(
     if layer.texture is not None and layer.uv is not None:
         uv = np.einsum("nk,nkc->nc", share, layer.uv[corners])
         rgba[:, : layer.texture.shape[2]] = _texels(layer.texture, uv)
+    if layer.white:
+        rgba[:, :3] = 255.0
     if lights:
         normal = np.einsum("nk,nkc->nc", share, layer.normals[corners]) @ camera.camera_from_model[:3, :3].T
         normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9)
@@ -175,9 +178,5 @@ def mean_of_samples(large: NDArray[np.uint8], factor: int) -> NDArray[np.uint8]:
     """Return the picture at 1/factor size, each pixel the mean of its samples."""
     if factor == 1:
         return np.ascontiguousarray(large)
-    height, width = large.shape[0] // factor, large.shape[1] // factor
-    total = np.zeros((height, width, large.shape[2]), dtype=np.uint16)
-    for row in range(factor):
-        for column in range(factor):
-            total += large[row::factor, column::factor]
-    return ((total + factor * factor // 2) // (factor * factor)).astype(np.uint8)
+    size = (large.shape[1] // factor, large.shape[0] // factor)
+    return np.asarray(cv2.resize(large, size, interpolation=cv2.INTER_AREA), np.uint8)

@@ -20,7 +20,7 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import ObeyedPoint, PointSet
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet
-from cloner.report.agreement import agreements
+from cloner.report.agreement import Agreement
 from cloner.report.measures import measures_told
 from cloner.report.weak import grouped, weaknesses
 from cloner.stages.measures import UNKNOWN_STATURE_M
@@ -63,7 +63,9 @@ class Run:
     warnings: tuple[str, ...]
 
 
-def build_report(values: Mapping[str, Any], run: Run, files: Iterable[str] = ()) -> dict[str, Any]:
+def build_report(
+    values: Mapping[str, Any], run: Run, seen: Mapping[ViewId, Agreement], files: Iterable[str] = ()
+) -> dict[str, Any]:
     """Return the report of a finished clone as plain JSON values.
 
     Parameters
@@ -71,13 +73,14 @@ def build_report(values: Mapping[str, Any], run: Run, files: Iterable[str] = ())
     values : mapping
         All values of the pipeline, by name.
     run : Run
+    seen : mapping
+        How well the clone covers the person, of every photo that tells; see :func:`agreements`.
     files : iterable of str
         Paths of the written files, relative to the report.
     """
     person: Person = values["person"]
     clone: Clone = values["clone"]
     photos: PhotoSet = values["photos"]
-    seen = agreements(clone, values["obeyed_silhouettes"])
     return {
         "format": FORMAT,
         "person": _person(person),

@@ -4,16 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
+from typing import cast
 
 import numpy as np
 
+from cloner.abreast import abreast
 from cloner.detectors.table import DETECTORS
 from cloner.detectors.taught import taught
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import Correction, Corrections, PhotoState, PointSet, Proposals, StateKind, ViewPoints
+from cloner.records.points import (
+    Correction,
+    Corrections,
+    PhotoState,
+    PointSet,
+    Proposal,
+    Proposals,
+    StateKind,
+    ViewPoints,
+)
 from cloner.records.results import Residual, StageResult
 from cloner.stages.bone_checks import check_bones
 from cloner.stages.photo_checks import check_photos
@@ -134,25 +145,32 @@ def run(
     """
     check_photos(proposals, photos)
     body = body_proposals(proposals)
-    face: dict[ViewId, ViewPoints] = {}
-    for view, proposal in proposals.views.items():
+    faces = [view for view in proposals.views if view.is_face or view is ViewId.BODY_FRONT]
+    found = abreast(lambda view: face_proposals(photos.photos[view], proposals.views[view], corrections), faces)
+    face = dict(zip(faces, found, strict=True))
+    for view in proposals.views:
         photo = photos.photos[view]
         placed = corrections.points.get(view, {})
-        if view.is_face or view is ViewId.BODY_FRONT:
-            face[view] = DETECTORS.get("face_points")(photo, proposal)
-            if view.is_face and not face[view].names:
-                keys = {name: np.array([point.x_px, point.y_px]) for name, point in placed.items()}
-                face[view] = DETECTORS.get("complete_face")(view, keys)
         named_face = face[view].names if view in face else ()
         if view in body:
             body[view] = corrected(body[view], {n: c for n, c in placed.items() if n not in named_face}, photo)
         if view in face:
             face[view] = corrected(face[view], {n: c for n, c in placed.items() if n in named_face}, photo)
-        tick(len(face) / len(proposals.views))
+    tick(1.0)
     sets = [*body.values(), *face.values()]
     sure = [float(points.confidence.mean()) for points in sets if len(points.names)]
     residuals = (Residual("confidence of proposed points", 100.0 * float(np.mean(sure or [0.0])), "percent"),)
     return StageResult({"body_points": PointSet(body), "face_points": PointSet(face)}, residuals, told(body))
+
+
+def face_proposals(photo: Photo, proposal: Proposal, corrections: Corrections) -> ViewPoints:
+    """Return the proposed points of a face; where nobody saw one in a face photo, those that corrections tell."""
+    found = DETECTORS.get("face_points")(photo, proposal)
+    if photo.view.is_face and not found.names:
+        placed = corrections.points.get(photo.view, {})
+        keys = {name: np.array([point.x_px, point.y_px]) for name, point in placed.items()}
+        found = DETECTORS.get("complete_face")(photo.view, keys)
+    return cast(ViewPoints, found)
 
 
 def body_proposals(proposals: Proposals) -> dict[ViewId, ViewPoints]:

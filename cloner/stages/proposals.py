@@ -6,11 +6,12 @@ Runs once a photo; corrections never run it again.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.abreast import abreast
+from cloner.abreast import in_two_steps
 from cloner.detectors.profile_cut import free_profile
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
@@ -55,8 +56,26 @@ def face_in(photo: Photo) -> tuple[NDArray[np.float64], NDArray[np.float64], flo
     return np.zeros((468, 2)), np.zeros(468), 0.0, np.zeros((2, 2))
 
 
-def propose(photo: Photo) -> Proposal:
-    """Return pose, face, mask and labels of one photo.
+@dataclass(frozen=True, slots=True, eq=False)
+class Figure:
+    """Where the person is in a photo.
+
+    Attributes
+    ----------
+    pose_px : (33, 2)
+    visibility : (33,)
+    probability : (H, W) uint8, 0..255
+    inside : (H, W) bool
+    """
+
+    pose_px: NDArray[np.float64]
+    visibility: NDArray[np.float64]
+    probability: NDArray[np.uint8]
+    inside: NDArray[np.bool_]
+
+
+def find_figure(photo: Photo) -> Figure:
+    """Return pose and mask of one photo.
 
     Raises
     ------
@@ -70,22 +89,41 @@ def propose(photo: Photo) -> Proposal:
     mask = refine_mask(photo.rgb, pose.mask, pose.points_px if photo.view.is_body else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
         raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
+    probability = np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8)
+    return Figure(pose.points_px, np.asarray(pose.visibility, dtype=np.float64), probability, mask > 0.5)
+
+
+def propose_within(photo: Photo, figure: Figure) -> Proposal:
+    """Return pose, face, mask and labels of one photo whose person is found."""
     points, depth, presence, irises = face_in(photo)
     shown = points if presence > 0.0 else None
-    labels = head_hair_labels(photo.rgb, mask, shown, photo.view, pose_points=pose.points_px)
+    labels = head_hair_labels(
+        photo.rgb, figure.inside.astype(np.float32), shown, photo.view, pose_points=figure.pose_px
+    )
     found = Proposal(
         photo.view,
-        pose.points_px,
-        np.asarray(pose.visibility, dtype=np.float64),
+        figure.pose_px,
+        figure.visibility,
         points,
         depth,
         presence,
-        np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8),
+        figure.probability,
         labels,
-        photo.view.is_body and barefoot(photo, mask > 0.5, labels, pose.points_px),
+        photo.view.is_body and barefoot(photo, figure.inside, labels, figure.pose_px),
         irises,
     )
     return free_profile(photo, found) if photo.view is ViewId.FACE_SIDE else found
+
+
+def propose(photo: Photo) -> Proposal:
+    """Return pose, face, mask and labels of one photo.
+
+    Raises
+    ------
+    ClonerError
+        If the photo does not show exactly one person.
+    """
+    return propose_within(photo, find_figure(photo))
 
 
 def barefoot(photo: Photo, mask: NDArray[np.bool_], labels: NDArray[np.uint8], pose_px: NDArray[np.float64]) -> bool:
@@ -98,7 +136,8 @@ def barefoot(photo: Photo, mask: NDArray[np.bool_], labels: NDArray[np.uint8], p
 def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: np.random.Generator) -> StageResult:
     """Give one proposal a photo."""
     views: dict[ViewId, Proposal] = {}
-    for view, proposal in zip(photos.photos, abreast(propose, photos.photos.values()), strict=True):
+    proposed = in_two_steps(find_figure, propose_within, photos.photos.values())
+    for view, proposal in zip(photos.photos, proposed, strict=True):
         views[view] = proposal
         tick(len(views) / len(photos.photos))
     return StageResult({"proposals": Proposals(views)})

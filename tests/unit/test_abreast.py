@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from cloner.abreast import abreast, beside
+from cloner.abreast import abreast, as_ready, beside, in_two_steps
 
 
 def test_results_come_in_the_order_of_the_items():
@@ -54,3 +54,53 @@ def test_an_error_beside_the_block_is_raised_after_it():
 def test_the_blocks_own_error_wins():
     with pytest.raises(KeyError), beside(lambda: 1 / 0):
         raise KeyError("own")
+
+
+def test_second_steps_get_what_the_first_ones_gave_in_the_order_of_the_items():
+    begun = []
+
+    def first(item):
+        begun.append(("first", item))
+        return 10 * item
+
+    def second(item, half):
+        begun.append(("second", item))
+        return item, half
+
+    assert list(in_two_steps(first, second, range(5))) == [(item, 10 * item) for item in range(5)]
+    assert {step for step, _ in begun[:4]} == {"first"}, "first steps come first"
+    assert list(in_two_steps(first, second, [])) == []
+
+
+def test_a_failing_first_step_is_told_before_any_second_one():
+    def first(item):
+        if item == 2:
+            raise ValueError("item 2")
+        return item
+
+    def second(item, half):
+        raise KeyError(item)
+
+    with pytest.raises(ValueError, match="item 2"):
+        list(in_two_steps(first, second, range(4)))
+
+
+def test_what_is_ready_goes_on_beside_slower_work():
+    waiting, done = ["slow", "quick", "after quick"], []
+    quick_ended = threading.Event()
+
+    def take():
+        ready = next((name for name in waiting if name != "after quick" or "quick" in done), None)
+        if ready is not None:
+            waiting.remove(ready)
+        return ready
+
+    def work(name):
+        if name == "after quick":
+            quick_ended.set()
+        return name != "slow" or quick_ended.wait(5.0)
+
+    for name, well in as_ready(work, take):
+        assert well, "nothing was begun beside the slow work"
+        done.append(name)
+    assert sorted(done) == ["after quick", "quick", "slow"]

@@ -1,10 +1,13 @@
 """Order, skipping, cancelling and randomness of the stages; the stages here are stand-ins."""
 
+import threading
+import time
+
 import numpy as np
 import pytest
 
 from cloner import pipeline
-from cloner.errors import Cancelled
+from cloner.errors import Cancelled, ClonerError
 from cloner.pipeline import STAGES, Stage
 from cloner.records.results import Residual, StageResult
 
@@ -33,6 +36,56 @@ def test_values_flow_and_every_stage_reports():
     assert reports[0].residuals[0].unit == "mm"
     assert reports[0].warnings == ("a word of warning",)
     assert all(report.seconds >= 0 and report.peak_mib > 10 for report in reports)
+
+
+def test_stages_that_do_not_need_each_other_run_abreast():
+    met = threading.Barrier(2, timeout=5.0)
+
+    def meeting(name):
+        def run(*, number, tick, rng):
+            met.wait()
+            return StageResult({name: number})
+
+        return run
+
+    both = tuple(Stage(name, 1, ("number",), (name,), meeting(name)) for name in ("left", "right"))
+    after = Stage(
+        "after", 1, ("left", "right"), ("sum",), lambda *, left, right, tick, rng: StageResult({"sum": left + right})
+    )
+    told, found = [], []
+    known, reports = pipeline.run(
+        {"number": 1},
+        stages=(*both, after),
+        progress=lambda name, fraction: told.append(fraction),
+        found=lambda name, values: found.append(name),
+    )
+    assert known["sum"] == 2
+    assert [report.name for report in reports] == ["left", "right", "after"], "reports keep the order of the stages"
+    assert sorted(found[:2]) == ["left", "right"]
+    assert told == sorted(told)
+
+
+def test_a_failing_stage_ends_the_one_beside_it_and_its_error_is_told():
+    def failing(*, number, tick, rng):
+        begun.wait(5.0)
+        raise ClonerError("no", "hint", "where")
+
+    def long(*, number, tick, rng):
+        begun.set()
+        for step in range(500):
+            time.sleep(0.01)
+            tick(step / 500)
+        raise AssertionError("it went on")
+
+    begun = threading.Event()
+    stages = (Stage("long", 1, ("number",), ("one",), long), Stage("failing", 1, ("number",), ("two",), failing))
+    with pytest.raises(ClonerError, match="no"):
+        pipeline.run({"number": 1}, stages=stages)
+
+
+def test_a_need_that_nobody_gives_is_named():
+    with pytest.raises(KeyError, match="number"):
+        pipeline.run({}, stages=TWO)
 
 
 def test_what_is_known_is_not_made_again():

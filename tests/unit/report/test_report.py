@@ -80,7 +80,8 @@ def run() -> Run:
 
 @pytest.fixture(scope="module")
 def report(values: dict[str, object], run: Run) -> dict[str, object]:
-    return build_report(values, run, ["clone.glb", "previews/beside_body_front.jpg", "report.json"])
+    seen = agreements(values["clone"], values["obeyed_silhouettes"])
+    return build_report(values, run, seen, ["clone.glb", "previews/beside_body_front.jpg", "report.json"])
 
 
 def test_a_clone_agrees_with_its_own_outline(report: dict) -> None:
@@ -156,7 +157,7 @@ def test_every_measure_is_told_with_its_uncertainty_and_in_plain_words(report: d
 
 def test_without_a_body_photo_measures_are_said_to_be_generic(values: dict, run: Run, clone: Clone) -> None:
     shown = measures_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
-    report = build_report({**values, "obeyed_silhouettes": SilhouetteSet({}), "measures": unseen(shown)}, run)
+    report = build_report({**values, "obeyed_silhouettes": SilhouetteSet({}), "measures": unseen(shown)}, run, {})
     assert report["measures_mm"]["measured"] is False
     assert "generic" in report["measures_mm"]["note"]
     assert all(measure["plus_minus"] is None for measure in report["measures_mm"]["values"].values())
