@@ -204,7 +204,8 @@ def evenly_scaled(cameras: Sequence[Camera]) -> list[Camera]:
 
 def _trimmed(picture: Pixels) -> Pixels:
     """Return a picture without its empty columns, but for some air."""
-    columns = np.flatnonzero((picture != np.array(_BACKDROP, dtype=np.uint8)).any(axis=(0, 2)))
+    other = picture != np.array(_BACKDROP, dtype=np.uint8)
+    columns = np.flatnonzero(other.reshape(len(picture), -1).any(axis=0).reshape(-1, 3).any(axis=1))
     if not columns.size:
         return picture
     air = round(MARGIN * picture.shape[0])

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.abreast import ABREAST, abreast
 from cloner.baking.hair_tail import Tail
 from cloner.baking.hair_views import MASK_SCALE, HairView, cover_cut
 from cloner.frames import m_from_mm, mm_from_m
@@ -198,7 +199,7 @@ def surface_mm(
 
     It is the mean of the distances to four vertices' tangent planes, weighted by closeness: good near the surface.
     """
-    gap, rows = cKDTree(vertices_m).query(points_m, k=4)
+    gap, rows = cKDTree(vertices_m).query(points_m, k=4, workers=ABREAST)
     weight = 1.0 / (gap + 1e-4) ** 2
     weight /= weight.sum(axis=1, keepdims=True)
     along = np.einsum("nkc,nkc->nk", points_m[:, None] - vertices_m[rows], normals[rows])
@@ -237,10 +238,9 @@ def _outline_drive(views: list[HairView], surface_m: Array, triangles: NDArray[n
     """Return (N,) the sum of what the photos want a surface moved outwards, mm, and of their weights."""
     facing = vertex_normals(surface_m, triangles)
     drive, trust = np.zeros(len(surface_m)), np.zeros(len(surface_m))
-    for view in views:
-        if view.flip_m is not None:
-            continue
-        gap, weight = _outline_gap(view, surface_m, facing, triangles)
+    straight = [view for view in views if view.flip_m is None]
+    gaps = abreast(lambda view: _outline_gap(view, surface_m, facing, triangles), straight)
+    for view, (gap, weight) in zip(straight, gaps, strict=True):
         weight = weight * (FACE_PHOTO if view.posed.view.is_face else 1.0)
         drive += weight * gap
         trust += weight

@@ -10,7 +10,9 @@ Array = NDArray[np.float64]
 Triangles = NDArray[np.integer]
 
 
-def fill_triangles(points_px: Array, triangles: Triangles, size: tuple[int, int]) -> NDArray[np.uint8]:
+def fill_triangles(
+    points_px: Array, triangles: Triangles, size: tuple[int, int], box: NDArray[np.int64] | None = None
+) -> NDArray[np.uint8]:
     """Return the (H, W) picture, 255 inside, of projected triangles.
 
     Parameters
@@ -18,6 +20,8 @@ def fill_triangles(points_px: Array, triangles: Triangles, size: tuple[int, int]
     points_px : (V, 2) pixels of the picture
     triangles : (T, 3)
     size : (H, W)
+    box : (2, 2), optional
+        First and last column and row of the part that is wanted, all by default.
 
     Notes
     -----
@@ -29,9 +33,19 @@ def fill_triangles(points_px: Array, triangles: Triangles, size: tuple[int, int]
     corners = fixed[triangles]
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     area = first[:, 0].astype(np.int64) * second[:, 1] - first[:, 1].astype(np.int64) * second[:, 0]
-    for corner in corners[area > 0] if (area > 0).sum() > (area < 0).sum() else corners[area < 0]:
+    drawn = area > 0 if (area > 0).sum() > (area < 0).sum() else area < 0
+    beyond = _beyond(fixed, np.array([[0, 0], size[::-1]]) if box is None else box)[triangles]
+    drawn &= (beyond[:, 0] & beyond[:, 1] & beyond[:, 2]) == 0
+    for corner in corners[drawn]:
         cv2.fillConvexPoly(picture, corner, 255, cv2.LINE_8, 4)
     return picture
+
+
+def _beyond(fixed: NDArray[np.int32], box: NDArray[np.int64]) -> NDArray[np.uint8]:
+    """Return (V,) on which sides points in 1/16 px lie more than a pixel beyond a box: one bit a side."""
+    (left, top), (right, bottom) = 16 * box + np.array([[-16], [16]])
+    sides = (fixed[:, 0] < left, fixed[:, 0] > right, fixed[:, 1] < top, fixed[:, 1] > bottom)
+    return np.sum([np.uint8(1 << bit) * side for bit, side in enumerate(sides)], axis=0, dtype=np.uint8)
 
 
 def borders_px(picture: NDArray[np.uint8]) -> tuple[Array, ...]:
@@ -57,7 +71,13 @@ def vertex_normals(vertices_m: Array, triangles: Triangles) -> Array:
 
 
 def rim_vertices(
-    points_px: Array, posed_m: Array, triangles: Triangles, eye_m: Array, size: tuple[int, int], tolerance_px: float
+    points_px: Array,
+    posed_m: Array,
+    triangles: Triangles,
+    eye_m: Array,
+    size: tuple[int, int],
+    tolerance_px: float,
+    among: NDArray[np.bool_] | None = None,
 ) -> tuple[NDArray[np.int64], NDArray[np.uint8]]:
     """Return the vertices on the outline of the posed mesh, and its filled picture.
 
@@ -73,13 +93,22 @@ def rim_vertices(
     size : (H, W) of the picture
     tolerance_px : float
         How far from the picture's border a rim vertex may lie.
+    among : (V,) bool, optional
+        Only these vertices are looked at; the picture is then filled around them only.
     """
-    normals = triangle_normals(posed_m, triangles)
-    towards = np.einsum("ta,ta->t", normals, eye_m - posed_m[triangles[:, 0]]) > 0
-    faces_in = np.bincount(triangles[towards].ravel(), minlength=len(posed_m)) > 0
-    faces_out = np.bincount(triangles[~towards].ravel(), minlength=len(posed_m)) > 0
-    picture = fill_triangles(points_px, triangles, size)
+    box, near = None, triangles
+    if among is not None:
+        air = int(tolerance_px) + 3
+        ends = np.clip([points_px[among].min(axis=0), points_px[among].max(axis=0)], -air, [size[::-1]] * 2)
+        box = np.array([np.floor(ends[0]) - air, np.ceil(ends[1]) + air], dtype=np.int64)
+        near = triangles[among[triangles].any(axis=1)]
+    normals = triangle_normals(posed_m, near)
+    towards = np.einsum("ta,ta->t", normals, eye_m - posed_m[near[:, 0]]) > 0
+    faces_in = np.bincount(near[towards].ravel(), minlength=len(posed_m)) > 0
+    faces_out = np.bincount(near[~towards].ravel(), minlength=len(posed_m)) > 0
+    picture = fill_triangles(points_px, triangles, size, box)
     depth = cv2.distanceTransform(cv2.copyMakeBorder(picture, 1, 1, 1, 1, cv2.BORDER_CONSTANT), cv2.DIST_L2, 5)
     column = np.clip(np.round(points_px[:, 0]).astype(int), -1, size[1]) + 1
     row = np.clip(np.round(points_px[:, 1]).astype(int), -1, size[0]) + 1
-    return np.flatnonzero(faces_in & faces_out & (depth[row, column] <= tolerance_px)), picture
+    on_rim = faces_in & faces_out & (depth[row, column] <= tolerance_px)
+    return np.flatnonzero(on_rim if among is None else on_rim & among), picture

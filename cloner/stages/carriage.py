@@ -203,7 +203,7 @@ def sight_of(
 ) -> Sight:
     """Return a photo's evidence, with the rim of the head as it is turned now."""
     generic, net = load_generic(), load_face_net()
-    seen = see(head.mesh, Outlined(turned(photo.posed, angles, head.pivot_m), photo.field))
+    seen = see(head.mesh, Outlined(turned(photo.posed, angles, head.pivot_m), photo.field), head.on_head)
     rim = np.flatnonzero(seen.body.on_rim & head.on_head)
     veiled = photo.field.is_veiled(seen.body.pixels[rim])
     silent = points is None or len(face_px) > 0  # the face net's points are ten times as good

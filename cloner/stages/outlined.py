@@ -101,8 +101,11 @@ class Seen:
     picture: NDArray[np.bool_]
 
 
-def see(mesh: BodyMesh, photo: Outlined) -> Seen:
-    """Return the body posed and projected as the photo shows the person."""
+def see(mesh: BodyMesh, photo: Outlined, among: NDArray[np.bool_] | None = None) -> Seen:
+    """Return the body posed and projected as the photo shows the person.
+
+    With ``among`` (V,) only these vertices are looked for on the rim, and the picture is filled around them only.
+    """
     generic = load_generic()
     camera = photo.posed.camera
     transforms = joint_transforms(mesh.joints_m, generic.joint_parents, photo.posed.rotations)
@@ -113,7 +116,7 @@ def see(mesh: BodyMesh, photo: Outlined) -> Seen:
     reduction = photo.field.reduction
     size = (photo.field.distance.shape[0], photo.field.distance.shape[1])
     small = (pixels + 0.5) / reduction - 0.5
-    rim, picture = rim_vertices(small, posed_m, body_triangles(), camera.position_m, size, 2.5)
+    rim, picture = rim_vertices(small, posed_m, body_triangles(), camera.position_m, size, 2.5, among)
     on_rim = np.zeros(len(pixels), dtype=bool)
     on_rim[rim] = True
     depth = camera.to_camera(posed_m)[:, 2]

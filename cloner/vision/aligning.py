@@ -43,12 +43,11 @@ def outline_shift(
     if len(points) == 0:
         return np.zeros((*shape, 2), np.float32), 0.0
     soft = cv2.GaussianBlur(inside_px, (0, 0), 2.0)
-    gradient = _gradient(soft)
-    own_gradient = _gradient(cv2.GaussianBlur(mesh_mask.astype(np.float32), (0, 0), 3.0))
+    own = cv2.GaussianBlur(mesh_mask.astype(np.float32), (0, 0), 3.0)
     column, row = points.T
-    slope = _unit(gradient[row, column])
+    slope = _unit(_slopes(soft, row, column))
     shift = -inside_px[row, column, None] * slope
-    along: Array = np.asarray(np.sum(slope * _unit(own_gradient[row, column]), axis=1), np.float64)
+    along: Array = np.asarray(np.sum(slope * _unit(_slopes(own, row, column)), axis=1), np.float64)
     target = np.rint(points + shift).astype(int)
     within: NDArray[np.bool_] = np.asarray((target >= 0).all(axis=1) & (target < (width, height)).all(axis=1), bool)
     target = np.where(within[:, None], target, 0)
@@ -74,10 +73,10 @@ def _outline_points(mask: NDArray[np.bool_]) -> NDArray[np.int64]:
     return points[inner].astype(np.int64)
 
 
-def _gradient(image: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return (H, W, 2) slopes across and down."""
-    across, down = (cv2.Sobel(image, cv2.CV_32F, *order, scale=0.125) for order in ((1, 0), (0, 1)))
-    return np.stack([across, down], axis=-1)
+def _slopes(image: NDArray[np.float32], row: NDArray[np.int64], column: NDArray[np.int64]) -> NDArray[np.float32]:
+    """Return (N, 2) slopes of an image across and down at some of its pixels."""
+    orders = ((1, 0), (0, 1))
+    return np.stack([cv2.Sobel(image, cv2.CV_32F, *o, scale=0.125)[row, column] for o in orders], axis=-1)
 
 
 def _unit(vectors: NDArray[np.float32]) -> NDArray[np.float32]:

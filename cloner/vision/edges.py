@@ -94,10 +94,9 @@ def strongest_gradient(rgb: NDArray[np.uint8], *, blur_px: float = BLUR_PX) -> I
         cv2.Sobel(smooth, cv2.CV_32F, *order, ksize=3, scale=gain, borderType=cv2.BORDER_REPLICATE)
         for order in ((1, 0), (0, 1))
     ]
-    best_x, best_y = (cv2.extractChannel(slope, 0) for slope in slopes)
+    (best_x, best_y), *others = zip(*map(cv2.split, slopes), strict=True)
     best = cv2.magnitude(best_x, best_y)
-    for channel in (1, 2):
-        x, y = (cv2.extractChannel(slope, channel) for slope in slopes)
+    for x, y in others:
         length = cv2.magnitude(x, y)
         wins = cv2.compare(length, best, cv2.CMP_GT)
         for source, target in ((x, best_x), (y, best_y), (length, best)):

@@ -82,7 +82,7 @@ def head_hair_labels(
     hints = _skin_hint(rgb, person, pose_points)
     scores = _classify(small, inside > 0.5, small_head, small_face, small_pose, hints, str(view))
     whole = np.stack([cv2.resize(s, (x1 - x0, y1 - y0)) for s in scores])
-    part = (whole[[0, 2]].argmax(axis=0) * 2 + 1).astype(np.uint8)
+    part = np.where(whole[2] > whole[0], np.uint8(CLOTH), np.uint8(SKIN))
     hair = whole[1] / np.maximum(whole[1] + np.maximum(whole[0], whole[2]), 1e-6)
     face = None if small_face is None else small_face / scale
     fine = draw_edge(rgb[y0:y1, x0:x1], hair, person[y0:y1, x0:x1], face, head.head_px, head.ear_px - y0)
@@ -145,13 +145,12 @@ def _fit(colours: Floats, *, noise: float = 3.0) -> tuple[Floats, Floats] | None
     return np.asarray(kept.mean(axis=0), np.float64), np.asarray(np.linalg.inv(cov), np.float64)
 
 
-def _square(lab: Floats, mean: Floats, inverse: Floats) -> NDArray[np.float32]:
-    """Return the squared Mahalanobis distance of each colour; one product of matrices, in single precision."""
+def _square(planes: Floats, mean: Floats, inverse: Floats) -> NDArray[np.float32]:
+    """Return the squared Mahalanobis distance (H, W) of colours (3, H, W); one product, in single precision."""
     root = np.linalg.cholesky(inverse).T.astype(np.float32)
     # centred before the product: single precision loses the difference of large numbers
-    planes = (lab.reshape(-1, 3) - mean).astype(np.float32).T
-    x, y, z = root @ planes
-    return np.asarray((x * x + y * y + z * z).reshape(lab.shape[:-1]), np.float32)
+    x, y, z = root @ (planes.reshape(3, -1) - mean[:, None]).astype(np.float32)
+    return np.asarray((x * x + y * y + z * z).reshape(planes.shape[1:]), np.float32)
 
 
 def _unlike_skin(lab: Floats, skin: Flags, crown: Flags) -> Flags:
@@ -164,7 +163,7 @@ def _unlike_skin(lab: Floats, skin: Flags, crown: Flags) -> Flags:
     return np.asarray(crown & nearer & (float(np.linalg.norm(own - other)) > _UNLIKE))
 
 
-def _mixture(lab: Floats, where: Flags, parts: int, floor: float) -> Floats:
+def _mixture(lab: Floats, planes: Floats, where: Flags, parts: int, floor: float) -> Floats:
     """Return the log density of all pixels under a Gaussian mixture of the seeds."""
     samples = lab[where]
     samples = samples[:: max(1, len(samples) // 2000)]
@@ -173,24 +172,25 @@ def _mixture(lab: Floats, where: Flags, parts: int, floor: float) -> Floats:
     # start from equal shares along lightness: no random start, same photo same labels
     order = np.argsort(np.argsort(samples[:, 0], kind="stable"), kind="stable")
     member = (order * parts // len(samples)).astype(np.int32)[:, None]
-    cv2.kmeans(
-        samples.astype(np.float32),
-        parts,
-        member,
-        (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 12, 0.5),
-        1,
-        cv2.KMEANS_USE_INITIAL_LABELS,
-    )
-    best = np.full(lab.shape[:2], -np.inf, np.float32)
+    ends = (cv2.TERM_CRITERIA_COUNT + cv2.TERM_CRITERIA_EPS, 12, 0.5)
+    cv2.kmeans(samples.astype(np.float32), parts, member, ends, 1, cv2.KMEANS_USE_INITIAL_LABELS)
+    best: NDArray[np.float32] | None = None
     for part in range(parts):
         chosen = samples[member[:, 0] == part]
         if len(chosen) < 6:
             continue
         cov = np.cov(chosen.T) + 16.0 * np.eye(3)
-        square = _square(lab, chosen.mean(axis=0), np.asarray(np.linalg.inv(cov), np.float64))
+        square = _square(planes, chosen.mean(axis=0), np.asarray(np.linalg.inv(cov), np.float64))
         weight = np.float32(np.log(len(chosen) / len(samples)) - 0.5 * np.log(np.linalg.det(cov)))
-        best = np.logaddexp(best, weight - 0.5 * square)
-    return np.asarray(np.maximum(best, floor), np.float64)
+        density = weight - np.float32(0.5) * square
+        best = density if best is None else _log_sum(best, density)
+    return np.full(lab.shape[:2], floor) if best is None else np.asarray(np.maximum(best, floor), np.float64)
+
+
+def _log_sum(first: NDArray[np.float32], second: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return the logarithm of a sum of exponentials, as ``np.logaddexp`` does, in a quarter of its time."""
+    smaller = np.exp(-np.abs(first - second))
+    return np.asarray(np.maximum(first, second) + np.log(np.float32(1.0) + smaller), np.float32)
 
 
 def _classify(
@@ -205,11 +205,12 @@ def _classify(
     """Return (3, h, w) smoothed scores for skin, hair and cloth."""
     lab = cv2.cvtColor(cv2.GaussianBlur(small, (0, 0), 1.0), cv2.COLOR_RGB2Lab).astype(np.float64)
     lab *= (_LIGHTNESS, 1.0, 1.0)
+    planes = np.ascontiguousarray(lab.transpose(2, 0, 1))
     hints = hints * (_LIGHTNESS, 1.0, 1.0)
     skin, crown, cloth = _seeds(lab, inside, head, face, pose, view)
     skin_fit = _fit(lab[skin]) or _fit(hints, noise=8.0)
     if skin_fit is not None:
-        distance = np.sqrt(_square(lab, *skin_fit))
+        distance = np.sqrt(_square(planes, *skin_fit))
         hair = crown & (distance > (_BALD_DISTANCE if skin.any() else 1.0))
         if skin.any() and crown.any():
             hair |= _unlike_skin(lab, skin, crown)
@@ -228,7 +229,7 @@ def _classify(
     along = cv2.ximgproc.createGuidedFilter(small.astype(np.float32) / 255.0, 4, 1e-3)
     for _ in range(3):
         for k, where in enumerate(seeds):
-            scores[k] = _mixture(lab, where, *_MIXTURES[k]) + prior[k]
+            scores[k] = _mixture(lab, planes, where, *_MIXTURES[k]) + prior[k]
         smooth = _smooth(along, scores)
         label = smooth.argmax(axis=0)
         sure = smooth.max(axis=0) > 0.8

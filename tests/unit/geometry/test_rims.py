@@ -59,3 +59,31 @@ def test_a_ball_before_a_bigger_one_has_no_rim(sphere, camera):
     rim, _ = rim_vertices(camera.project(both), both, faces, camera.position_m, (401, 401), 3.0)
     assert len(rim) > 0
     assert rim.max() < len(vertices)
+
+
+def test_the_rim_of_a_part_is_the_part_of_the_rim(sphere, camera):
+    """A small ball stands beside a large one; asked for the small one's rim alone, nothing else is looked at."""
+    vertices, triangles = sphere
+    small = 0.3 * vertices + (0.9, 0.0, 0.0)
+    both = np.concatenate([vertices, small])
+    faces = np.concatenate([triangles, triangles + len(vertices)])
+    seen = (camera.project(both), both, faces, camera.position_m, (401, 401), 3.0)
+    part = np.arange(len(both)) >= len(vertices)
+    whole, picture = rim_vertices(*seen)
+    rim, filled = rim_vertices(*seen, among=part)
+    assert 20 < len(rim) < len(whole)
+    assert np.array_equal(rim, whole[part[whole]])
+    assert 0 < np.count_nonzero(filled) < np.count_nonzero(picture), "the rest is not drawn"
+
+
+def test_what_lies_beyond_the_picture_changes_nothing(sphere, camera):
+    vertices, triangles = sphere
+    pixels = camera.project(vertices)
+    aside = np.concatenate([pixels, pixels + (500.0, 0.0), pixels - (0.0, 500.0)])
+    faces = np.concatenate([triangles + k * len(vertices) for k in range(3)])
+    assert np.array_equal(fill_triangles(aside, faces, (401, 401)), fill_triangles(pixels, triangles, (401, 401)))
+
+
+def test_a_triangle_whose_corners_all_lie_outside_is_seen_where_it_crosses_the_picture():
+    corners = np.array([[-300.0, -50.0], [500.0, -50.0], [100.0, 900.0]])
+    assert fill_triangles(corners, np.array([[0, 1, 2]]), (60, 80)).all()
