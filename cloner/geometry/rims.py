@@ -45,7 +45,7 @@ def _beyond(fixed: NDArray[np.int32], box: NDArray[np.int64]) -> NDArray[np.uint
     """Return (V,) on which sides points in 1/16 px lie more than a pixel beyond a box: one bit a side."""
     (left, top), (right, bottom) = 16 * box + np.array([[-16], [16]])
     sides = (fixed[:, 0] < left, fixed[:, 0] > right, fixed[:, 1] < top, fixed[:, 1] > bottom)
-    return np.sum([np.uint8(1 << bit) * side for bit, side in enumerate(sides)], axis=0, dtype=np.uint8)
+    return np.asarray(np.sum([np.uint8(1 << bit) * side for bit, side in enumerate(sides)], axis=0), np.uint8)
 
 
 def borders_px(picture: NDArray[np.uint8]) -> tuple[Array, ...]:
