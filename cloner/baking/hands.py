@@ -1,0 +1,96 @@
+"""Hands that stand a close look: what no photo shows well keeps to their own tone, and nails and creases are drawn."""
+
+from __future__ import annotations
+
+import functools
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.baking.hand_detail import hand_gains
+from cloner.baking.materials import Materials
+from cloner.baking.sources import Source
+from cloner.generic.charts import generic_atlas
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.atlas import AtlasMap
+from cloner.geometry.wedges import vertex_normals
+
+Array = NDArray[np.float64]
+Image = NDArray[np.uint8]
+
+#: A photo with this claim on skin is believed entirely, with half of it not at all.
+SURE: Final = 0.5
+#: Skin that no photo shows well strays from the hands' tone by no more than this, as logarithms of brightness and of
+#: colour; shadows of fingers and borders of photos do. What photos show well strays by up to the second figures.
+STRAYS: Final = (0.05, 0.03)
+SHOWN_STRAYS: Final = (0.40, 0.15)
+#: From the wrist to so far beyond, metres, the tone goes over into the forearm's.
+WRIST_M: Final = 0.045
+#: A hand of which more is bare wears no glove.
+BARE_FROM: Final = 0.6
+#: Added to levels before logarithms are taken: black has one, and noise in the dark counts little.
+DARK: Final = 4.0
+
+
+def finish_hands(generic: GenericHuman, rgb: Image, sources: list[Source], kinds: Materials) -> Image:
+    """Return the atlas (S, S, 3) with the hands' bare skin evened where photos show little, and with nails and creases.
+
+    Gloves stay as they are; so does the colour of nails that a photo shows.
+
+    Parameters
+    ----------
+    sources : list of the photos on the surface
+    kinds : Materials
+        Tells skin from gloves and cuffs.
+    """
+    claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in sources], axis=0)
+    shown = np.clip(2.0 * claim / SURE - 1.0, 0.0, 1.0)
+    atlas, gains, nails, beyond, left = hand_texels(len(rgb))
+    bare, seen = (np.clip(atlas.interpolate(part).astype(np.float64), 0.0, 1.0) for part in (kinds.bare, shown))
+    bare = np.clip(4.0 * bare - 3.0, 0.0, 1.0)
+    seen *= bare  # what shows cloth shows no skin
+    for hand in (left, ~left):
+        if bare[hand & (beyond == 1.0)].mean() > BARE_FROM:  # nobody wears a patch on a bare hand
+            bare[hand] = np.maximum(bare, beyond)[hand]
+    if not (bare > 0.5).any():
+        return rgb
+    out = rgb.copy()
+    flat = out.reshape(-1, 3)
+    levels = np.log(flat[atlas.texel].astype(np.float64) + DARK)
+    calm = _calmed(levels, seen, np.maximum(seen * nails, 1.0 - bare * beyond), bare > 0.5)
+    finished = np.exp(calm + bare[:, None] * gains) - DARK
+    flat[atlas.texel] = np.clip(np.rint(finished), 0, 255).astype(np.uint8)
+    return out
+
+
+def _calmed(levels: Array, seen: Array, kept: Array, skin: NDArray[np.bool_]) -> Array:
+    """Return logarithms of levels (N, 3) that stray less from the skin's tone, where they are not ``kept`` (N,)."""
+    believed = skin & (seen > 0.5)
+    tone = np.median(levels[believed if believed.sum() > 0.1 * skin.sum() else skin], axis=0)
+    away = levels - tone
+    bright = away.mean(axis=1, keepdims=True)
+    light, hue = (few + seen[:, None] * (many - few) for few, many in zip(STRAYS, SHOWN_STRAYS, strict=True))
+    calm = tone + light * np.tanh(bright / light) + hue * np.tanh((away - bright) / hue)
+    return np.asarray(calm + kept[:, None] * (levels - calm))
+
+
+@functools.lru_cache(maxsize=2)
+def hand_texels(size: int) -> tuple[AtlasMap, Array, Array, Array, NDArray[np.bool_]]:
+    """Return the hands' texels of an atlas, their (N, 3) logarithmic gains, and (N,) nail, beyond the wrist, and left.
+
+    Nail and beyond are parts in 0..1.
+    """
+    generic = load_generic()
+    triangles, _ = generic.triangles()
+    hands = generic.region("hand_left") | generic.region("hand_right")
+    atlas = generic_atlas(generic, size, wanted=np.asarray(hands[triangles].all(axis=1), np.bool_))
+    vertices = generic.vertices_m.astype(np.float64)
+    normals = vertex_normals(vertices, triangles.astype(np.int32))
+    points, turned = atlas.interpolate(vertices).astype(np.float64), atlas.interpolate(normals).astype(np.float64)
+    to_left = np.where(points[:, :1] < 0.0, [[-1.0, 1.0, 1.0]], 1.0)
+    turned /= np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-9)
+    wrist, knuckle = (generic.joints_m[generic.joint(f"l_{name}")].astype(np.float64) for name in ("wrist", "middle1"))
+    way = (points * to_left - wrist) @ (knuckle - wrist) / np.linalg.norm(knuckle - wrist)
+    gains, nails = hand_gains(points * to_left, turned * to_left)
+    return atlas, gains, nails, np.clip(way / WRIST_M, 0.0, 1.0), points[:, 0] >= 0.0
