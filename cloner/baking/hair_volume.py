@@ -65,16 +65,31 @@ def near_skin(scalp: Scalp, points_m: Array) -> Near:
     """Return points with what the nearest four skin vertices say, weighted by closeness."""
     skin, rows, weight = surface_mm(scalp.points_m, scalp.normals, points_m)
     # Planes of a skin far below lie askew: hair's outside is told by its own.
-    lifted = scalp.points_m + scalp.normals * m_from_mm(1.0) * np.maximum(scalp.thickness_mm, FILM_MM)[:, None]
+    thickness = np.maximum(scalp.thickness_mm, FILM_MM)
+    lifted = scalp.points_m + scalp.normals * m_from_mm(1.0) * thickness[:, None]
+    cap = surface_mm(lifted, vertex_normals(lifted, scalp.triangles), points_m)[0]
+    # Where ears fold it some planes stand upright and would call air hair: spikes. No hair is farther from a vertex
+    # than it is thick and its triangles are long.
+    away_m = np.linalg.norm(points_m - scalp.points_m[rows[:, 0]], axis=1)
+    least = mm_from_m(1.0) * (away_m - longest_sides(scalp.points_m, scalp.triangles)[rows[:, 0]])
+    least -= thickness[rows].max(axis=1)
     return Near(
         points_m,
         skin,
-        surface_mm(lifted, vertex_normals(lifted, scalp.triangles), points_m)[0],
+        np.maximum(cap, least).astype(np.float32),
         np.einsum("nk,nkc->nc", weight, scalp.normals[rows]).astype(np.float32),
         (weight * scalp.hairy[rows]).sum(axis=1).astype(np.float32),
         (weight * scalp.growth[rows]).sum(axis=1).astype(np.float32),
         np.stack([(weight * vote[rows]).sum(axis=1) for vote in scalp.votes]).astype(np.float32),
     )
+
+
+def longest_sides(points_m: Array, triangles: NDArray[np.int32]) -> Array:
+    """Return (N,) the longest side of the triangles around each vertex, metres, zero where there are none."""
+    sides = np.linalg.norm(points_m[triangles] - points_m[np.roll(triangles, 1, axis=1)], axis=2).max(axis=1)
+    longest = np.zeros(len(points_m))
+    np.maximum.at(longest, triangles, sides[:, None])
+    return longest
 
 
 def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,6 @@ from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
-from cloner.records.views import Camera
 from cloner.stages.outlined import Outlined, body_triangles, see
 
 Array = NDArray[np.float64]
@@ -126,14 +125,13 @@ def turned(posed: PosedView, angles: Array, pivot_m: Array) -> PosedView:
     """Return a photo's pose with neck and skull base turned, or a face photo's camera that sees the head nod."""
     if not posed.view.is_face:
         rotations = posed.rotations + (_spread() @ angles).reshape(-1, 3)
-        return PosedView(posed.view, posed.camera, rotations)
+        return replace(posed, rotations=rotations)
     cosine, sine = np.cos(angles[0]), np.sin(angles[0])
     nod = np.array([[1.0, 0.0, 0.0], [0.0, cosine, -sine], [0.0, sine, cosine]])
     matrix, camera = posed.camera.camera_from_model.copy(), posed.camera
     matrix[:3, 3] += matrix[:3, :3] @ (pivot_m - nod @ pivot_m)
     matrix[:3, :3] = matrix[:3, :3] @ nod
-    seen = Camera(camera.width_px, camera.height_px, camera.focal_px, matrix, camera.pixels_per_m)
-    return PosedView(posed.view, seen, posed.rotations)
+    return replace(posed, camera=replace(camera, camera_from_model=matrix))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

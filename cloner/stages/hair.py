@@ -20,7 +20,7 @@ from skimage.measure import marching_cubes
 from cloner.baking.hair_cap import Scalp, covered_share, measure_scalp, settle_shell
 from cloner.baking.hair_edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge
 from cloner.baking.hair_tail import find_tail
-from cloner.baking.hair_views import HairView, Hanger, hair_views
+from cloner.baking.hair_views import HairView, Hanger, hair_views, views_of
 from cloner.baking.hair_volume import FILM_MM, VOXEL_M, hair_field
 from cloner.baking.labelled import vet_labels
 from cloner.baking.posed import body_triangles
@@ -118,7 +118,7 @@ def grow_hair(
     views = hair_views(generic, joined, proposals, silhouettes)
     if not any(view.hair.any() for view in views):
         return StageResult({"shells": ()}, (), ("No hair was found in the photos: the head stays bare",))
-    joined, views = with_ears_laid(generic, joined, views, proposals, silhouettes)
+    joined, views = with_ears_laid(generic, joined, views)
     tick(0.2)
     scalp = scan_scalp(generic, joined, views)
     on_scalp = generic.region("scalp")[head_rows(generic)]
@@ -144,13 +144,7 @@ def grow_hair(
     return StageResult({"shells": (shell,)}, residuals)
 
 
-def with_ears_laid(
-    generic: GenericHuman,
-    joined: Joined,
-    views: list[HairView],
-    proposals: Proposals,
-    silhouettes: SilhouetteSet,
-) -> tuple[Joined, list[HairView]]:
+def with_ears_laid(generic: GenericHuman, joined: Joined, views: list[HairView]) -> tuple[Joined, list[HairView]]:
     """Return the person with ears laid on the head where the photos show hair over them, and the evidence anew."""
     ears = np.flatnonzero(np.any(ear_masks(generic), axis=0))
     normals = vertex_normals(joined.vertices_m, body_triangles(generic))
@@ -160,7 +154,7 @@ def with_ears_laid(
     if laid is joined.vertices_m:
         return joined, views
     joined = replace(joined, vertices_m=laid)
-    return joined, hair_views(generic, joined, proposals, silhouettes)
+    return joined, views_of(generic, joined, views)
 
 
 def head_rows(generic: GenericHuman) -> NDArray[np.int64]:

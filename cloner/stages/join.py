@@ -8,6 +8,7 @@ and the loop stays closed. Soles are set flat on the floor.
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -101,7 +102,7 @@ def lifted(camera: Camera, up_m: float) -> Camera:
     """Return the camera that sees what was lifted as it saw it before."""
     matrix = camera.camera_from_model.copy()
     matrix[:3, 3] -= matrix[:3, 1] * up_m
-    return Camera(camera.width_px, camera.height_px, camera.focal_px, matrix, camera.pixels_per_m)
+    return replace(camera, camera_from_model=matrix)
 
 
 def near_photos(head: HeadFit, proposals: Proposals, risen_m: float) -> dict[ViewId, Outlined]:

@@ -1,47 +1,29 @@
-"""Hair that hangs on bare skin is where photos of all sides agree; one lost mask of two does not shave it."""
-
-from dataclasses import dataclass
-from types import SimpleNamespace
+"""Hair's field is no thicker than the hair, also over ears that were pressed flat and folded."""
 
 import numpy as np
-import pytest
 
-from cloner.baking.hair_volume import agreed_mm
-from cloner.frames import ViewId
+from cloner.baking.hair_cap import Scalp
+from cloner.baking.hair_volume import near_skin
 
-
-@dataclass
-class Stand:
-    """A photo that says the same of every point."""
-
-    view: ViewId
-    inside_mm: float
-    before: bool = True
-    flip_m: float | None = None
-
-    @property
-    def posed(self):
-        return SimpleNamespace(view=self.view)
-
-    def evidence(self, points_m):
-        return np.full(len(points_m), self.inside_mm, np.float32), np.full(len(points_m), self.before)
+SIDE_MM, THICK_MM, FOLD_M = 4.0, 20.0, 0.01
 
 
-FRONT, NEAR, SIDE, BACK = ViewId.BODY_FRONT, ViewId.FACE_FRONT, ViewId.BODY_SIDE, ViewId.BODY_BACK
+def _folded_sheet():
+    """Return a level scalp whose middle triangles lie upside down, as those of an ear pressed flat do."""
+    row, column = np.mgrid[-10:11, -10:11]
+    points = SIDE_MM / 1000 * np.stack([column, row, np.zeros_like(row)], axis=-1).reshape(-1, 3)
+    first = (np.arange(20)[:, None] * 21 + np.arange(20)).ravel()
+    halves = [np.stack([first, first + 1, first + 22], 1), np.stack([first, first + 22, first + 21], 1)]
+    triangles = np.concatenate(halves).astype(np.int32)
+    folded = np.linalg.norm(points[triangles].mean(axis=1), axis=1) < FOLD_M
+    triangles[folded] = triangles[folded][:, ::-1]
+    up, one = np.tile([0.0, 0.0, 1.0], (len(points), 1)), np.ones(len(points))
+    return Scalp(points, up, triangles, one[None], one, one, THICK_MM * one)
 
 
-@pytest.mark.parametrize(
-    ("views", "hair"),
-    [
-        ([Stand(FRONT, 8.0), Stand(NEAR, -20.0), Stand(SIDE, 5.0)], True),  # the face photo's mask lost it
-        ([Stand(FRONT, -8.0), Stand(NEAR, -20.0), Stand(SIDE, 5.0)], False),  # both fronts show none
-        ([Stand(FRONT, 8.0), Stand(SIDE, -5.0), Stand(BACK, 9.0)], False),  # from the side there is none
-        ([Stand(FRONT, 8.0), Stand(SIDE, -5.0, before=False), Stand(BACK, 9.0)], True),  # hidden from the side
-        ([Stand(SIDE, 8.0), Stand(SIDE, -5.0, flip_m=0.0)], False),  # the other half is another side
-        ([Stand(FRONT, 8.0, before=False)], False),  # nobody sees it
-    ],
-)
-def test_each_side_of_the_person_has_one_voice(views, hair):
-    found = agreed_mm(views, np.zeros((3, 3)))
-    assert found.shape == (3,)
-    assert np.all(found > 0.0) == hair
+def test_no_hair_stands_off_a_folded_ear_farther_than_it_is_thick():
+    points = np.random.default_rng(4).uniform([-0.03, -0.03, 0.002], [0.03, 0.03, 0.06], (20_000, 3))
+    hair, height_mm = near_skin(_folded_sheet(), points).cap_mm < 0.0, 1000.0 * points[:, 2]
+    assert not hair[height_mm > THICK_MM + SIDE_MM * np.sqrt(2.0)].any()
+    beside = np.linalg.norm(points[:, :2], axis=1) > 2.0 * FOLD_M
+    assert np.array_equal(hair[beside], (height_mm < THICK_MM)[beside])
