@@ -26,8 +26,8 @@ from cloner.geometry.wedges import vertex_normals
 
 Array = NDArray[np.float64]
 
-#: Where the crease at a finger's root lies between its first two joints, and the thumb's at its first joint: the web.
-ROOTS: Final = {"thumb": 0.0, "index": 0.32, "middle": 0.30, "ring": 0.36, "pinky": 0.50}
+#: Where the crease at a finger's root lies between its first two joints: the web. The thumb's lie in the palm's lines.
+ROOTS: Final = {"thumb": None, "index": 0.32, "middle": 0.30, "ring": 0.36, "pinky": 0.50}
 #: The great lines in the palm's plane, across to the thumb and along from the wrist, in lengths from the wrist to the
 #: middle knuckle: heart, head and life (anatomy by eye).
 LINES: Final = (
@@ -63,15 +63,15 @@ class Finger:
         Its three joints and its tip, metres.
     back : (3,)
         Unit direction that the nail faces.
-    root : float
-        Place of the crease at its root between the first two joints.
+    root : float or None
+        Place of the crease at its root between the first two joints; None for the thumb.
     nail_m : (3,)
         Where the nail begins and the finger ends, from the last joint, and half the nail's width, metres.
     """
 
     bones_m: Array
     back: Array
-    root: float
+    root: float | None
     nail_m: Array
 
 
@@ -161,12 +161,13 @@ def _creases(finger: Finger, points_m: Array, normals: Array) -> Array:
     first, second, last, tip = finger.bones_m
     inside, behind = _step(-(normals @ finger.back), 0.0, 0.5), _step(normals @ finger.back, 0.2, 0.6)
     gains = (inside * _step((points_m - last) @ (tip - last) / ((tip - last) ** 2).sum(), 0.1, 0.5))[:, None] * PAD
-    root = first + finger.root * (second - first)
-    for start, end, place, creases, wrinkles in (
-        (first, second, root, (0.0,), ()),
-        (second, last, second, (-0.0013, 0.0013), (-0.0025, -0.0004, 0.0018)),
-        (last, tip, last, (0.0,), (-0.0010, 0.0011)),
-    ):
+    joints: list[tuple[Array, Array, Array, tuple[float, ...], tuple[float, ...]]] = [
+        (last, tip, last, (0.0,), (-0.0010, 0.0011))
+    ]
+    if finger.root is not None:
+        joints.append((first, second, first + finger.root * (second - first), (0.0,), ()))
+        joints.append((second, last, second, (-0.0013, 0.0013), (-0.0025, -0.0004, 0.0018)))
+    for start, end, place, creases, wrinkles in joints:
         along = (end - start) / np.linalg.norm(end - start)
         across = (points_m - place) @ np.cross(along, finger.back)
         level = (points_m - place) @ along + 0.0005 * np.sin(across / 0.0021)
