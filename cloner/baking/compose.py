@@ -205,9 +205,9 @@ def _paint_rows(
     # Cheap tests first: what they leave is sampled in the photo, what that leaves is coloured.
     values = atlas.interpolate(table[:, :7], rows)
     first = np.flatnonzero((values[:, 6] > 0.0) & (values[:, 5] > limits.steepest_cosine))
-    values, rows = values[first], rows[first]
+    values, rows = values.take(first, axis=0), rows.take(first)
     seen = visible_points(source, limits, values[:, :2], values[:, 2:4], values[:, 4], values[:, 5])
-    values, rows = values[seen], rows[seen]
+    values, rows = values.compress(seen, axis=0), rows[seen]
     pixel, lookup, depth, cosine, weight = values[:, :2], values[:, 2:4], values[:, 4], values[:, 5], values[:, 6]
     scalp, face, bare, own, *_ = kinds = atlas.interpolate(table[:, 7:], rows).T
     good = ~covered_by_hair(source, pixel, lookup, depth, scalp > 0.5, face > 0.5)

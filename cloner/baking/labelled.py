@@ -8,9 +8,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.abreast import abreast
 from cloner.frames import ViewId
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposals
+from cloner.records.points import Proposal, Proposals
 from cloner.vision.plates import HAIR_LABEL, SKIN_LABEL
 from cloner.vision.vetting import before_wall, hair_colours, vet_hair
 
@@ -30,10 +31,9 @@ def vet_labels(photos: PhotoSet, proposals: Proposals) -> Proposals:
         {view: labelled_pixels(photos.photos[view].rgb, proposal.labels, label) for view, proposal in known.items()}
         for label in (HAIR_LABEL, SKIN_LABEL)
     )
-    found = dict(proposals.views)
-    for view, proposal in known.items():
-        if not len(hair[view]):
-            continue
+
+    def vetted(view: ViewId) -> Proposal:
+        proposal = known[view]
         # The back photo's own labels are believed by no other.
         others = [other for other in known if other is not view and other is not ViewId.BODY_BACK]
         colours = hair_colours([hair[other] for other in others], [skin[other] for other in others])
@@ -43,8 +43,10 @@ def vet_labels(photos: PhotoSet, proposals: Proposals) -> Proposals:
         kept = before_wall(photos.photos[view].rgb, named, proposal.mask > PERSON_LEVEL, colours)
         if view is ViewId.BODY_BACK:
             kept = vet_hair(photos.photos[view].rgb, kept, colours)
-        found[view] = replace(proposal, labels=np.where(labelled & ~kept, 0, proposal.labels).astype(np.uint8))
-    return Proposals(found)
+        return replace(proposal, labels=np.where(labelled & ~kept, 0, proposal.labels).astype(np.uint8))
+
+    shown = [view for view in known if len(hair[view])]
+    return Proposals({**proposals.views, **dict(zip(shown, abreast(vetted, shown), strict=True))})
 
 
 def begun_above(hair: NDArray[np.bool_], face_px: NDArray[np.float64]) -> NDArray[np.bool_]:

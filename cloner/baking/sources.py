@@ -272,7 +272,7 @@ def visible_points(
     """Return which of (N,) surface points the photo shows, hair left aside."""
     seen = source.sight.visible(pixel_px, depth_m, cosine) & (cosine > limits.steepest_cosine)
     near = sample(source.plate.inside_px, lookup_px)[:, 0] > -limits.shift_share * source.plate.figure_px
-    open_eye = sample(source.plate.eyes.astype(np.uint8), lookup_px)[:, 0] > 0.5
+    open_eye = sample(source.plate.eyes.view(np.uint8), lookup_px)[:, 0] > 0.5
     return seen & near & ~open_eye
 
 
@@ -297,6 +297,6 @@ def covered_by_hair(
     shell = depth_at(source.hair_m, pixel_px)
     below = depth_m > shell + HAIR_CLEARANCE_M
     # A scalp shows hair or bare skin: where the photo shows neither, the lookup left the head.
-    bare = sample(source.plate.bare.astype(np.uint8), lookup_px)[:, 0] > 0.5
+    bare = sample(source.plate.bare.view(np.uint8), lookup_px)[:, 0] > 0.5
     stray = allowed & ~labelled & ~bare & bool(source.hair.any())
     return ((below | (labelled & ~kept)) & ~allowed) | stray

@@ -110,24 +110,30 @@ def cover(
         Where triangles touch, one of them.
     barycentric : (N, 3) float32, weights of the three corners
     """
-    corners = points_px[triangles]
-    near = (corners.max(axis=1) > -1.0).all(axis=1) & (corners.min(axis=1) < (width_px, height_px)).all(axis=1)
-    rows = np.flatnonzero(near).astype(np.int32)
+    beyond = _sides_beyond(points_px, width_px, height_px).take(triangles, axis=0)
+    rows = np.flatnonzero((beyond[:, 0] & beyond[:, 1] & beyond[:, 2]) == 0).astype(np.int32)
     own = np.arange(3 * rows.size, dtype=np.int32).reshape(-1, 3)
     # Each triangle with corners of its own, whose "colours" are two weights and its number.
     told = np.zeros((rows.size, 3, 3), np.float32)
     told[:, 0, 0], told[:, 1, 1], told[:, :, 2] = 1.0, 1.0, np.arange(1, rows.size + 1)[:, None]
-    flat = corners[rows].reshape(-1, 2)
+    flat = points_px.take(triangles.take(rows, axis=0).ravel(), axis=0)
     picture, depth = np.zeros((height_px, width_px, 3), np.float32), np.full((height_px, width_px), 2.0, np.float32)
     if rows.size:
         scene = _scene(flat, np.ones(len(flat)), width_px, height_px)
         cv2.triangleRasterize(scene, own, told.reshape(-1, 3), picture, depth, _EYE, _FIELD, 0.5, 2.0, _settings())
     found = picture.reshape(-1, 3)
     pixel = np.flatnonzero(found[:, 2] > 0.5).astype(np.int32)
-    found = found[pixel]
+    found = found.take(pixel, axis=0)
     first, second = found[:, 0], found[:, 1]
     weights = np.column_stack([first, second, 1.0 - first - second])
     return pixel, rows[np.rint(found[:, 2]).astype(np.int32) - 1], weights
+
+
+def _sides_beyond(points_px: Array, width_px: int, height_px: int) -> NDArray[np.uint8]:
+    """Return (P,) on which sides of a picture points lie a pixel beyond its outermost centres: one bit a side."""
+    across, down = points_px[:, 0], points_px[:, 1]
+    sides = (across <= -1.0, down <= -1.0, across >= width_px, down >= height_px)
+    return np.packbits(np.stack(sides, axis=1), axis=1).ravel()
 
 
 def nearest_depth(

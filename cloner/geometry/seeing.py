@@ -91,16 +91,17 @@ class Sight:
 
 
 def depth_pixels(pixel_px: NDArray[np.floating]) -> NDArray[np.floating]:
-    """Return photo pixels (N, 2) in the depth picture's frame."""
+    """Return photo pixels, of any shape, in the depth picture's frame."""
     return (pixel_px + 0.5) * DEPTH_SCALE - 0.5
 
 
 def depth_at(picture_m: NDArray[np.float32], pixel_px: NDArray[np.floating]) -> NDArray[np.float32]:
     """Return a depth picture's values at (N, 2) photo pixels, nearest neighbour, NaN outside."""
-    column, row = np.rint(depth_pixels(pixel_px)).astype(np.int32).T
+    column, row = (np.rint(depth_pixels(pixel_px[:, axis])).astype(np.int32) for axis in (0, 1))
     height, width = picture_m.shape
-    inside = (column >= 0) & (row >= 0) & (column < width) & (row < height)
-    values = picture_m.ravel()[np.where(inside, row * width + column, 0)]
+    # what is left of the picture or above it counts as far beyond, without a sign
+    inside = (column.view(np.uint32) < width) & (row.view(np.uint32) < height)
+    values = picture_m.ravel().take(np.where(inside, row * width + column, 0))
     return np.where(inside, values, np.float32(np.nan))
 
 
