@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.vision.repair import repair_bleeding
 from cloner.vision.skin_colour import SkinColour
+from cloner.vision.soles import contact_shadow, shaded_floor
 from cloner.vision.vetting import shown_bare
 
 #: Outline of the eye openings in the 468-point face net, right eye then left eye (MediaPipe's own contour lists).
@@ -93,7 +94,9 @@ def prepare_plate(
     rows = np.flatnonzero(mask.any(axis=1))
     figure = float(rows[-1] - rows[0] + 1) if rows.size else float(mask.shape[0])
     band = max(SMALLEST_BAND_PX, BAND_SHARE * figure)
-    repaired, inside = repair_bleeding(rgb, mask, band)
+    mixed = np.ones((2 * round(band / 2.0) + 1,) * 2, np.uint8)  # the shoe's edge is as soft as the outline
+    shadow = cv2.dilate((contact_shadow(rgb, mask) | shaded_floor(rgb, mask)).astype(np.uint8), mixed) > 0
+    repaired, inside = repair_bleeding(rgb, mask, band, shadow)
     blurred = cv2.GaussianBlur(repaired, (0, 0), max(1.5, 0.003 * figure))
     hair, bare = labels == HAIR_LABEL, labels == SKIN_LABEL
     arms = _arm_zone(*pose, figure, mask.shape) if pose is not None else np.zeros(mask.shape, bool)

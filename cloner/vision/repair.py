@@ -13,7 +13,10 @@ THICKNESS_KEPT = 0.55  # taste: a finger thinner than the band keeps the colour 
 
 
 def repair_bleeding(
-    rgb: NDArray[np.uint8], mask: NDArray[np.bool_], band_px: float
+    rgb: NDArray[np.uint8],
+    mask: NDArray[np.bool_],
+    band_px: float,
+    unsafe: NDArray[np.bool_] | None = None,
 ) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
     """Replace border and background pixels by the nearest safe foreground colour.
 
@@ -28,6 +31,8 @@ def repair_bleeding(
     mask : (H, W) bool, the person
     band_px : float
         Width of the unsafe band inside the outline.
+    unsafe : (H, W) bool, optional
+        More of the mask that may not show the person.
 
     Returns
     -------
@@ -44,7 +49,7 @@ def repair_bleeding(
     signed = signed_distance(mask)
     (top, bottom), (left, right) = _box(mask, AIR_SHARE)
     part = np.s_[top:bottom, left:right]
-    near = _filled(rgb[part], signed[part], band_px)
+    near = _filled(rgb[part], signed[part], band_px, None if unsafe is None else unsafe[part])
     ends = (top, len(mask) - bottom, left, mask.shape[1] - right)
     return np.asarray(cv2.copyMakeBorder(near, *ends, cv2.BORDER_REPLICATE), np.uint8), signed
 
@@ -60,12 +65,16 @@ def _box(mask: NDArray[np.bool_], air: float) -> tuple[tuple[int, int], tuple[in
     return (top, bottom), (left, right)
 
 
-def _filled(rgb: NDArray[np.uint8], signed: NDArray[np.float32], band_px: float) -> NDArray[np.uint8]:
+def _filled(
+    rgb: NDArray[np.uint8], signed: NDArray[np.float32], band_px: float, unsafe: NDArray[np.bool_] | None
+) -> NDArray[np.uint8]:
     """Return a picture (H, W, 3) whose safe pixels by ``signed`` (H, W) distances are spread over all others."""
     inside = np.maximum(signed, 0.0)
     reach = 2 * int(np.ceil(band_px)) + 1
     thickness = cv2.dilate(inside, np.ones((reach, reach), np.uint8))
     safe = inside >= np.minimum(band_px, np.maximum(THICKNESS_KEPT * thickness, 1.0))
+    if unsafe is not None and (safe & ~unsafe).any():
+        safe &= ~unsafe
     repaired = spread_nearest(rgb, safe)
     # The nearest pixel alone draws streaks; a small blur outside the safe part hides them.
     soft = cv2.GaussianBlur(repaired, (0, 0), max(band_px / 2.0, 0.8))
