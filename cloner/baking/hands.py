@@ -1,4 +1,4 @@
-"""Hands that stand a close look: what no photo shows well keeps to their own tone, and nails and creases are drawn."""
+"""Hands and soles that stand a close look: what no photo shows keeps to their own tone; nails and creases are drawn."""
 
 from __future__ import annotations
 
@@ -29,6 +29,8 @@ SHOWN_STRAYS: Final = (0.40, 0.15)
 WRIST_M: Final = 0.045
 #: A hand of which more is bare wears no glove.
 BARE_FROM: Final = 0.6
+#: Skin or shoe that faces down from here on begins to be sole, and is all sole: the normal's height; taste.
+UNDER: Final = (-0.5, -0.8)
 #: Added to levels before logarithms are taken: black has one, and noise in the dark counts little.
 DARK: Final = 4.0
 
@@ -64,6 +66,17 @@ def finish_hands(generic: GenericHuman, rgb: Image, sources: list[Source], kinds
     return out
 
 
+def finish_soles(rgb: Image) -> Image:
+    """Return the atlas (S, S, 3) with soles of their commonest colour: toes and carpets had run on to them."""
+    atlas, under = sole_texels(len(rgb))
+    out = rgb.copy()
+    flat = out.reshape(-1, 3)
+    levels = np.log(flat[atlas.texel].astype(np.float64) + DARK)
+    calm = _calmed(levels, np.zeros(len(under)), 1.0 - under, under == 1.0)
+    flat[atlas.texel] = np.clip(np.rint(np.exp(calm) - DARK), 0, 255).astype(np.uint8)
+    return out
+
+
 def _calmed(levels: Array, seen: Array, kept: Array, skin: NDArray[np.bool_]) -> Array:
     """Return logarithms of levels (N, 3) that stray less from the skin's tone, where they are not ``kept`` (N,)."""
     believed = skin & (seen > 0.5)
@@ -94,3 +107,15 @@ def hand_texels(size: int) -> tuple[AtlasMap, Array, Array, Array, NDArray[np.bo
     way = (points * to_left - wrist) @ (knuckle - wrist) / np.linalg.norm(knuckle - wrist)
     gains, nails = hand_gains(points * to_left, turned * to_left)
     return atlas, gains, nails, np.clip(way / WRIST_M, 0.0, 1.0), points[:, 0] >= 0.0
+
+
+@functools.lru_cache(maxsize=2)
+def sole_texels(size: int) -> tuple[AtlasMap, Array]:
+    """Return the feet's texels of an atlas, and (N,) which part of them is sole, 0..1."""
+    generic = load_generic()
+    triangles, _ = generic.triangles()
+    feet = generic.region("foot_left") | generic.region("foot_right")
+    atlas = generic_atlas(generic, size, wanted=np.asarray(feet[triangles].all(axis=1), np.bool_))
+    normals = vertex_normals(generic.vertices_m.astype(np.float64), triangles.astype(np.int32))
+    down = atlas.interpolate(normals[:, 1]).astype(np.float64)
+    return atlas, np.clip((down - UNDER[0]) / (UNDER[1] - UNDER[0]), 0.0, 1.0)

@@ -17,7 +17,7 @@ from cloner.abreast import abreast
 from cloner.baking.baked import Baked, unpainted
 from cloner.baking.compose import bake, share_surface
 from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
-from cloner.baking.hands import finish_hands
+from cloner.baking.hands import finish_hands, finish_soles
 from cloner.baking.labelled import vet_labels
 from cloner.baking.lid_skin import clean_lids
 from cloner.baking.materials import doubt_grazing, find_materials
@@ -132,7 +132,7 @@ def lay_photos(
         generic, params.size, sources, shares, light, base, kinds, params.limits,
         levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
     )  # fmt: skip
-    return replace(baked, rgb=finish_hands(generic, baked.rgb, sources, kinds)), residuals
+    return replace(baked, rgb=finish_soles(finish_hands(generic, baked.rgb, sources, kinds))), residuals
 
 
 def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner.baking.hand_detail import fingers
-from cloner.baking.hands import finish_hands, hand_texels
+from cloner.baking.hands import finish_hands, finish_soles, hand_texels, sole_texels
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
 
@@ -61,3 +61,15 @@ def test_gloves_and_the_rest_of_the_atlas_stay_as_they_are(plain: np.ndarray) ->
     own[hand_texels(SIZE)[0].texel] = True
     assert (out.reshape(-1, 3)[~own] == SKIN).all()
     assert np.median(np.abs(out.reshape(-1, 3)[own].astype(int) - SKIN)) <= 4, "most skin keeps its colour"
+
+
+def test_a_toes_colour_does_not_run_on_to_the_sole(plain: np.ndarray) -> None:
+    atlas, under = sole_texels(SIZE)
+    rgb = plain.copy()
+    rgb.reshape(-1, 3)[atlas.texel] = (40, 40, 40)
+    spot = atlas.texel[np.flatnonzero(under == 1.0)[:200]]
+    upper = atlas.texel[under == 0.0]
+    rgb.reshape(-1, 3)[np.concatenate([spot, upper])] = (230, 230, 230)
+    out = finish_soles(rgb).reshape(-1, 3)
+    assert np.abs(out[spot].astype(int) - 40).max() < 15, "levels"
+    assert (out[upper] == 230).all(), "the shoe keeps its colour"
