@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
+from cloner.baking.flattened import flatten_halves, soften_glare
 from cloner.baking.materials import Materials, shown_bare
 from cloner.baking.sources import Source, shown_colours
 from cloner.frames import ViewId
@@ -13,7 +14,6 @@ from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.records.results import Residual
 from cloner.vision.evening import (
-    FLATTENED,
     FLATTENED_CLOTH,
     REFERENCE_HOLD,
     apply_light,
@@ -58,10 +58,10 @@ def even_photos(
 ) -> Array:
     """Return (K, V, 3) log gains per source and vertex that even out exposure, white balance and light.
 
-    Three steps, each on what the one before left: light from one side, told by
+    Four steps, each on what the one before left: light from one side, told by
     the person's own symmetry; one exposure and first-order light a photo, told
-    by shared surface; and a smooth rest along the borders between photos, so
-    that no border needs a wide blend in the atlas. Skin and cloth are evened
+    by shared surface; glare on skin; and a smooth rest along the borders
+    between photos, so that no border needs a wide blend in the atlas. Skin and cloth are evened
     each by its own kind: cameras and developers bend dark cloth otherwise than skin.
 
     Parameters
@@ -71,26 +71,29 @@ def even_photos(
     kinds : Materials
     """
     trust = np.stack([_trust(source) for source in sources]) * unsaturated(colours)
-    skin, worn = trust * ((kinds.bare > 0.5) & (kinds.scalp < 0.5)), trust * (kinds.worn > 0.5)
-    light = kinds.bare[:, None] * _even_kind(generic, sources, colours, normals, skin, SKIN_PRIOR)
-    light += kinds.worn[:, None] * _even_kind(generic, sources, colours, normals, worn, 0.0)
+    skin, worn = (kinds.bare > 0.5) & (kinds.scalp < 0.5), kinds.worn > 0.5
+    halves = flatten_halves(sources, colours, skin, generic.mirror, graph)
+    bare = _even_kind(sources, colours, normals, trust * skin, halves, SKIN_PRIOR)
+    sides = _flattened(generic, sources, colours, trust * worn, normals)
+    light = kinds.bare[:, None] * bare
+    light += kinds.worn[:, None] * _even_kind(sources, colours, normals, trust * worn, sides, 0.0)
+    first = _first_of(sources, _REFERENCES)
+    if (trust[first] * skin).any():
+        logs = np.asarray(log_levels(colours), np.float64) + light
+        plain = np.median(logs[first, (trust[first] > 0.0) & skin], axis=0)
+        light += kinds.bare[:, None] * soften_glare(sources, logs, skin, plain, graph)
     score = np.stack([source.score for source in sources])
     return np.asarray(light + level_borders(evened_colours(colours, light), score, unsaturated(colours), graph))
 
 
-def _even_kind(
-    generic: GenericHuman, sources: list[Source], colours: Array, normals: Array, trust: Array, prior: float
-) -> Array:
-    """Return (K, V, 3) log gains from the vertices that ``trust`` (K, V) leaves.
+def _even_kind(sources: list[Source], colours: Array, normals: Array, trust: Array, own: Array, prior: float) -> Array:
+    """Return (K, V, 3) log gains, ``own`` (K, V, 3) with what brings photos together on top, by ``trust`` (K, V).
 
     With a ``prior`` > 0 the surface is thought of one colour as well, by that share of a photo's
     trust: light that overlaps do not show is told by the skin itself.
     """
-    share = FLATTENED if prior > 0.0 else FLATTENED_CLOTH
-    own = _flattened(generic, sources, colours, trust, normals, share)
-    level = np.stack([apply_light(colours[k], own[k]) for k in range(len(sources))])
-    references = _REFERENCES if prior > 0.0 else _CLOTH_REFERENCES
-    first = min(range(len(sources)), key=lambda k: (references.index(sources[k].view), sources[k].mirrored))
+    level = evened_colours(colours, own)
+    first = _first_of(sources, _REFERENCES if prior > 0.0 else _CLOTH_REFERENCES)
     hold = np.where(np.arange(len(sources)) == first, REFERENCE_HOLD, 1.0)
     rows = trust[first] > 0.0
     if prior > 0.0 and rows.any():
@@ -102,16 +105,19 @@ def _even_kind(
     return np.asarray(own + np.einsum("vb,kbc->kvc", light_basis(normals), gains))
 
 
-def _flattened(
-    generic: GenericHuman, sources: list[Source], colours: Array, trust: Array, normals: Array, share: float
-) -> Array:
-    """Return (K, V, 3) log gains that take some of the one-sided light out of photos that show both halves."""
+def _first_of(sources: list[Source], references: tuple[ViewId, ...]) -> int:
+    """Return the photo whose colours count most."""
+    return min(range(len(sources)), key=lambda k: (references.index(sources[k].view), sources[k].mirrored))
+
+
+def _flattened(generic: GenericHuman, sources: list[Source], colours: Array, trust: Array, normals: Array) -> Array:
+    """Return (K, V, 3) log gains that take some of the one-sided light off cloth in photos that show both halves."""
     light = np.zeros((len(sources), len(normals), 3))
     for k, source in enumerate(sources):
         if source.view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
             continue
         slope = one_sided_light(np.asarray(log_levels(colours[k]), np.float64), trust[k], normals, generic.mirror)
-        light[k] = -share * normals[:, :1] * slope
+        light[k] = -FLATTENED_CLOTH * normals[:, :1] * slope
     return light
 
 

@@ -12,7 +12,7 @@ ROUNDS = 8  # reweighted least squares settles after 6-8 rounds (measured)
 HUBER_LOG = 0.15  # differences above 15 % are mostly other things than light: cloth moved, a limb in the way
 _RIDGE_CONSTANT = 1.0  # taste: against pairs that weigh 20-50, exposure is nearly free
 RIDGE_SLOPE = 4.0  # taste: misplaced cloth must not pass for light from one side
-LARGEST_LOG = 0.5  # of gamma-coded levels, a factor of 3 in light: window and shadow side of one face
+LARGEST_LOG = 0.8  # of gamma-coded levels, a factor of 6 in light: shade and lamp side of one face
 REFERENCE_HOLD = 1e4  # a reference does not give way
 SATURATED = (225.0, 252.0)  # levels from which on a channel is believed less, and not at all
 CLIPPED = (238.0, 252.0)  # red levels between which it is taken for clipped; JPEG rings by some levels
@@ -102,9 +102,12 @@ def beyond_light(gap: NDArray[np.floating]) -> NDArray[np.floating]:
 
 
 def unsaturated(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
-    """Return (...,) trust 1..0 in colours (..., 3), levels: burnt-out ones tell neither light nor colour."""
+    """Return (...,) trust 1..0 in colours (..., 3), levels: burnt-out ones tell neither light nor colour.
+
+    The middle channel decides: skin whose red alone is at its end is mended by the others (:func:`unclipped`).
+    """
     low, high = SATURATED
-    return np.asarray(np.clip((high - rgb.max(axis=-1)) / (high - low), 0.0, 1.0))
+    return np.asarray(np.clip((high - np.median(rgb, axis=-1)) / (high - low), 0.0, 1.0))
 
 
 def unclipped(

@@ -1,0 +1,85 @@
+"""Hard light on skin, told without a model of the lamp: by the person's two halves, and by glare.
+
+A lamp at one side draws a terminator and the nose's shadow on a face: no light of low order says so. But
+people are alike on both halves, and skin is hardly anywhere much brighter than most of it is.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.baking.sources import Source
+from cloner.frames import ViewId
+from cloner.geometry.graphs import SurfaceGraph
+from cloner.vision.evening import FLATTENED, LEAST_PAIRS, log_levels
+
+Array = NDArray[np.float64]
+
+SEEN_COSINE: Final = (0.2, 0.5)  # from nothing to full trust in what a photo shows of a half
+STIFFNESS: Final = 2.0  # light follows no detail finer than some edges: moles and scars stay where they are
+GLARE_STIFFNESS: Final = 0.3  # glare ends at hair and collars
+UNSEEN: Final = 1e-4  # weight at which halves nobody can compare follow their neighbours
+LARGEST_HALF: Final = 0.1  # taste: log level by which a half may stay lighter than the mean of both
+FREE_GLARE: Final = 0.12  # log level by which skin is lighter than most of it in soft light (sample visitors)
+LARGEST_GLARE: Final = 0.1  # taste: what hard light may leave beyond that
+_SIDES: Final = (ViewId.BODY_SIDE, ViewId.FACE_SIDE)
+
+
+def flatten_halves(
+    sources: list[Source], colours: Array, skin: NDArray[np.bool_], twin: NDArray[np.integer], graph: SurfaceGraph
+) -> Array:
+    """Return (K, V, 3) log gains that bring the two halves of skin together in photos that show both.
+
+    Soft light keeps most of its side; of hard light only as much is left as soft light has.
+
+    Parameters
+    ----------
+    sources : list of K photos; side photos get no gain
+    colours : (K, V, 3) levels
+    skin : (V,)
+    twin : (V,) each vertex's mirror image
+    """
+    gains = np.zeros(colours.shape)
+    for k, source in enumerate(sources):
+        low, high = SEEN_COSINE
+        shown = np.where(
+            (source.score > 0.0) & skin, np.clip((source.sight.cosine - low) / (high - low), 0.0, 1.0), 0.0
+        )
+        both = np.minimum(shown, shown[twin])
+        if source.view in _SIDES or np.count_nonzero(both) < LEAST_PAIRS:
+            continue
+        logs = np.asarray(log_levels(colours[k]), np.float64)
+        lean = graph.fill(0.5 * (logs - logs[twin]), both + UNSEEN, STIFFNESS)
+        lean = 0.5 * (lean - lean[twin])
+        gains[k] = LARGEST_HALF * np.tanh((1.0 - FLATTENED) * lean / LARGEST_HALF) - lean
+    return gains
+
+
+def soften_glare(
+    sources: list[Source], logs: Array, skin: NDArray[np.bool_], plain: Array, graph: SurfaceGraph
+) -> Array:
+    """Return (K, V, 3) log gains <= 0 on the mean that bring hard-lit skin near the colour most skin has.
+
+    Only what is brighter: shade may be a beard.
+
+    Parameters
+    ----------
+    logs : (K, V, 3) log levels after evening, also beyond what a picture holds
+    skin : (V,)
+    plain : (3,) log levels of most skin
+    """
+    gains = np.zeros(logs.shape)
+    for k, source in enumerate(sources):
+        seen = (source.score > 0.0) & skin
+        if not seen.any():
+            continue
+        beyond = logs[k] - plain
+        light = beyond.mean(axis=1, keepdims=True)
+        glare = np.maximum(light - FREE_GLARE, 0.0)
+        left = LARGEST_GLARE * np.tanh(glare / LARGEST_GLARE)
+        less = np.asarray((left - glare) / np.maximum(light, FREE_GLARE) * beyond, np.float64)
+        gains[k] = graph.fill(less, np.where(seen, 1.0, UNSEEN), GLARE_STIFFNESS)
+    return gains
