@@ -54,7 +54,9 @@ def _second(second: Callable[[Item, Middle], Result], item: Item, half: Future[M
     return second(item, half.result())
 
 
-def as_ready(work: Callable[[Item], Result], take: Callable[[], Item | None]) -> Iterator[tuple[Item, Result]]:
+def as_ready(
+    work: Callable[[Item], Result], take: Callable[[], Item | None], stop: Callable[[BaseException], None]
+) -> Iterator[tuple[Item, Result]]:
     """Yield items and ``work(item)`` as they end; two are worked on at a time.
 
     What ``work`` raises is raised here, after the work beside it has ended.
@@ -64,17 +66,23 @@ def as_ready(work: Callable[[Item], Result], take: Callable[[], Item | None]) ->
     work : callable
     take : callable
         Gives the next item, or None where nothing can be begun before more has ended; called on this thread only.
+    stop : callable
+        Gets what ends all this early, an interrupt say, so that work can be told to end: it is waited for.
     """
     running: dict[Future[Result], Item] = {}
     with ThreadPoolExecutor(ABREAST) as pool:
-        while True:
-            while len(running) < ABREAST and (item := take()) is not None:
-                running[pool.submit(work, item)] = item
-            if not running:
-                return
-            ended = wait(running, return_when=FIRST_COMPLETED).done
-            first = next(future for future in running if future in ended)
-            yield running.pop(first), first.result()
+        try:
+            while True:
+                while len(running) < ABREAST and (item := take()) is not None:
+                    running[pool.submit(work, item)] = item
+                if not running:
+                    return
+                ended = wait(running, return_when=FIRST_COMPLETED).done
+                first = next(future for future in running if future in ended)
+                yield running.pop(first), first.result()
+        except BaseException as error:
+            stop(error)
+            raise
 
 
 @contextmanager

@@ -226,7 +226,7 @@ def run(
         return _run_stage(stage, {name: known[name] for name in stage.needs}, seed, board)
 
     reports: dict[str, StageReport] = {}
-    for stage, (result, reports[stage.name]) in as_ready(work, take):
+    for stage, (result, reports[stage.name]) in as_ready(work, take, board.stop):
         known.update(result.values)
         found(stage.name, known)
     if waiting:
@@ -252,9 +252,12 @@ class _Board:
             self._parts[name] = fraction
             self._progress(name, sum(self._parts.values()) / len(self._parts))
 
-    def end(self, name: str, error: BaseException | None = None) -> None:
-        """Write that a stage has ended; with an error the others end at their next word."""
+    def end(self, name: str) -> None:
+        """Write that a stage has ended well."""
         self._parts[name] = 1.0
+
+    def stop(self, error: BaseException) -> None:
+        """Let all stages end at their next word; the first error counts."""
         self._error = self._error or error
 
 
@@ -267,7 +270,7 @@ def _run_stage(stage: Stage, needs: Mapping[str, object], seed: int, board: _Boa
         if set(result.values) != set(stage.gives):
             raise ValueError(f"stage {stage.name} gave {sorted(result.values)}, wanted {stage.gives}")
     except BaseException as error:
-        board.end(stage.name, error)
+        board.stop(error)
         raise
     board.end(stage.name)
     give_back()

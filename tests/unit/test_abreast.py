@@ -40,6 +40,19 @@ def test_work_not_begun_is_left_when_the_caller_stops():
     assert len(begun) < 1000
 
 
+def test_work_is_told_to_end_when_the_caller_is_interrupted():
+    items, told = ["quick", "long"], threading.Event()
+
+    def work(name):
+        return name == "quick" or told.wait(5.0)
+
+    going = as_ready(work, lambda: items.pop(0) if items else None, stop=lambda error: told.set())
+    assert next(going) == ("quick", True)
+    with pytest.raises(KeyboardInterrupt):
+        going.throw(KeyboardInterrupt)
+    assert told.is_set()
+
+
 def test_an_error_beside_the_block_is_raised_after_it():
     done = []
 
@@ -100,7 +113,7 @@ def test_what_is_ready_goes_on_beside_slower_work():
             quick_ended.set()
         return name != "slow" or quick_ended.wait(5.0)
 
-    for name, well in as_ready(work, take):
+    for name, well in as_ready(work, take, stop=pytest.fail):
         assert well, "nothing was begun beside the slow work"
         done.append(name)
     assert sorted(done) == ["after quick", "quick", "slow"]
