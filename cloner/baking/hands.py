@@ -22,9 +22,8 @@ Image = NDArray[np.uint8]
 #: A photo with this claim on skin is believed entirely, with half of it not at all.
 SURE: Final = 0.5
 #: Skin that no photo shows well strays from the hands' tone by no more than this, as logarithms of brightness and of
-#: colour; shadows of fingers and borders of photos do. What photos show well strays by up to the second figures.
+#: colour; shadows of fingers and borders of photos do.
 STRAYS: Final = (0.05, 0.03)
-SHOWN_STRAYS: Final = (0.40, 0.15)
 #: From the wrist to so far beyond, metres, the tone goes over into the forearm's.
 WRIST_M: Final = 0.045
 #: A hand of which more is bare wears no glove.
@@ -38,7 +37,7 @@ DARK: Final = 4.0
 def finish_hands(generic: GenericHuman, rgb: Image, sources: list[Source], kinds: Materials) -> Image:
     """Return the atlas (S, S, 3) with the hands' bare skin evened where photos show little, and with nails and creases.
 
-    Gloves stay as they are; so does the colour of nails that a photo shows.
+    Gloves stay as they are; so does what a photo shows well, but for nails and creases.
 
     Parameters
     ----------
@@ -48,7 +47,7 @@ def finish_hands(generic: GenericHuman, rgb: Image, sources: list[Source], kinds
     """
     claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in sources], axis=0)
     shown = np.clip(2.0 * claim / SURE - 1.0, 0.0, 1.0)
-    atlas, gains, nails, beyond, left = hand_texels(len(rgb))
+    atlas, gains, _, beyond, left = hand_texels(len(rgb))
     bare, seen = (np.clip(atlas.interpolate(part).astype(np.float64), 0.0, 1.0) for part in (kinds.bare, shown))
     bare = np.clip(4.0 * bare - 3.0, 0.0, 1.0)
     seen *= bare  # what shows cloth shows no skin
@@ -60,7 +59,7 @@ def finish_hands(generic: GenericHuman, rgb: Image, sources: list[Source], kinds
     out = rgb.copy()
     flat = out.reshape(-1, 3)
     levels = np.log(flat[atlas.texel].astype(np.float64) + DARK)
-    calm = _calmed(levels, seen, np.maximum(seen * nails, 1.0 - bare * beyond), bare > 0.5)
+    calm = _calmed(levels, np.maximum(seen, 1.0 - bare * beyond), _believed(seen, bare > 0.5))
     finished = np.exp(calm + bare[:, None] * gains) - DARK
     flat[atlas.texel] = np.clip(np.rint(finished), 0, 255).astype(np.uint8)
     return out
@@ -72,18 +71,23 @@ def finish_soles(rgb: Image) -> Image:
     out = rgb.copy()
     flat = out.reshape(-1, 3)
     levels = np.log(flat[atlas.texel].astype(np.float64) + DARK)
-    calm = _calmed(levels, np.zeros(len(under)), 1.0 - under, under == 1.0)
+    calm = _calmed(levels, 1.0 - under, under == 1.0)
     flat[atlas.texel] = np.clip(np.rint(np.exp(calm) - DARK), 0, 255).astype(np.uint8)
     return out
 
 
-def _calmed(levels: Array, seen: Array, kept: Array, skin: NDArray[np.bool_]) -> Array:
-    """Return logarithms of levels (N, 3) that stray less from the skin's tone, where they are not ``kept`` (N,)."""
-    believed = skin & (seen > 0.5)
-    tone = np.median(levels[believed if believed.sum() > 0.1 * skin.sum() else skin], axis=0)
+def _believed(seen: Array, skin: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return which texels (N,) tell the skin's tone: those that photos show, all if these are few."""
+    shown = skin & (seen > 0.5)
+    return shown if shown.sum() > 0.1 * skin.sum() else skin
+
+
+def _calmed(levels: Array, kept: Array, telling: NDArray[np.bool_]) -> Array:
+    """Return logarithms of levels (N, 3) near the tone of the ``telling`` (N,), as they are where ``kept`` (N,)."""
+    tone = np.median(levels[telling], axis=0)
     away = levels - tone
     bright = away.mean(axis=1, keepdims=True)
-    light, hue = (few + seen[:, None] * (many - few) for few, many in zip(STRAYS, SHOWN_STRAYS, strict=True))
+    light, hue = STRAYS
     calm = tone + light * np.tanh(bright / light) + hue * np.tanh((away - bright) / hue)
     return np.asarray(calm + kept[:, None] * (levels - calm))
 
