@@ -117,13 +117,20 @@ def cover(
     told = np.zeros((rows.size, 3, 3), np.float32)
     told[:, 0, 0], told[:, 1, 1], told[:, :, 2] = 1.0, 1.0, np.arange(1, rows.size + 1)[:, None]
     flat = points_px.take(triangles.take(rows, axis=0).ravel(), axis=0)
-    picture, depth = np.zeros((height_px, width_px, 3), np.float32), np.full((height_px, width_px), 2.0, np.float32)
-    if rows.size:
-        scene = _scene(flat, np.ones(len(flat)), width_px, height_px)
-        cv2.triangleRasterize(scene, own, told.reshape(-1, 3), picture, depth, _EYE, _FIELD, 0.5, 2.0, _settings())
+    if not rows.size:
+        return np.zeros(0, np.int32), np.zeros(0, np.int32), np.zeros((0, 3), np.float32)
+    # Only the part of the picture that they reach: hands alone are a twentieth of an atlas.
+    last = (width_px - 1, height_px - 1)
+    left, top = np.clip(np.floor(flat.min(axis=0)), 0, last).astype(int).tolist()
+    right, bottom = np.clip(np.ceil(flat.max(axis=0)), 0, last).astype(int).tolist()
+    wide, high = right - left + 1, bottom - top + 1
+    picture, depth = np.zeros((high, wide, 3), np.float32), np.full((high, wide), 2.0, np.float32)
+    scene = _scene(flat - (left, top), np.ones(len(flat)), wide, high)
+    cv2.triangleRasterize(scene, own, told.reshape(-1, 3), picture, depth, _EYE, _FIELD, 0.5, 2.0, _settings())
     found = picture.reshape(-1, 3)
-    pixel = np.flatnonzero(found[:, 2] > 0.5).astype(np.int32)
-    found = found.take(pixel, axis=0)
+    place = np.flatnonzero(found[:, 2] > 0.5).astype(np.int32)
+    pixel = (place // wide + top) * np.int32(width_px) + place % wide + np.int32(left)
+    found = found.take(place, axis=0)
     first, second = found[:, 0], found[:, 1]
     weights = np.column_stack([first, second, 1.0 - first - second])
     return pixel, rows[np.rint(found[:, 2]).astype(np.int32) - 1], weights
