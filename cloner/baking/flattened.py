@@ -14,12 +14,13 @@ from numpy.typing import NDArray
 from cloner.baking.sources import Source
 from cloner.frames import ViewId
 from cloner.geometry.graphs import SurfaceGraph
-from cloner.vision.evening import FLATTENED, LEAST_PAIRS, log_levels
+from cloner.vision.evening import FLATTENED, HUE_LOG, LEAST_PAIRS, log_levels
 
 Array = NDArray[np.float64]
 
 SEEN_COSINE: Final = (0.2, 0.5)  # from nothing to full trust in what a photo shows of a half
 STIFFNESS: Final = 2.0  # light follows no detail finer than some edges: moles and scars stay where they are
+WARMEST: Final = 2.0 * HUE_LOG  # a warm lamp before a cool sky; what differs more in hue is paint
 GLARE_STIFFNESS: Final = 0.3  # glare ends at hair and collars
 UNSEEN: Final = 1e-4  # weight at which halves nobody can compare follow their neighbours
 LARGEST_HALF: Final = 0.1  # taste: log level by which a half may stay lighter than the mean of both
@@ -63,7 +64,7 @@ def soften_glare(
 ) -> Array:
     """Return (K, V, 3) log gains <= 0 on the mean that bring hard-lit skin near the colour most skin has.
 
-    Only what is brighter: shade may be a beard.
+    Only what is brighter: shade may be a beard. And only skin's own hue: faces may be painted.
 
     Parameters
     ----------
@@ -80,6 +81,8 @@ def soften_glare(
         light = beyond.mean(axis=1, keepdims=True)
         glare = np.maximum(light - FREE_GLARE, 0.0)
         left = LARGEST_GLARE * np.tanh(glare / LARGEST_GLARE)
-        less = np.asarray((left - glare) / np.maximum(light, FREE_GLARE) * beyond, np.float64)
+        hue = np.abs(beyond - light).mean(axis=1, keepdims=True)
+        alike = 1.0 / (1.0 + (hue / WARMEST) ** 4)
+        less = np.asarray(alike * (left - glare) / np.maximum(light, FREE_GLARE) * beyond, np.float64)
         gains[k] = graph.fill(less, np.where(seen, 1.0, UNSEEN), GLARE_STIFFNESS)
     return gains
