@@ -61,10 +61,10 @@ class Params:
     point_mm: float = 20.0
     outline_mm: float = 3.0
     face_mm: float = 2.0
-    hair_mm: float = 4.0
+    hair_mm: float = 2.0
     thickness_mm: tuple[tuple[float, float], ...] = ((14.0, 12.0), (0.0, 5.0), (0.0, 5.0), (0.0, 5.0))
     neck_deg: float = 8.0
-    head_deg: float = 4.0
+    head_deg: float = 3.0
     nod_deg: float = 2.0
     turns: int = 4
 
