@@ -64,7 +64,7 @@ class Params:
     hair_mm: float = 2.0
     thickness_mm: tuple[tuple[float, float], ...] = ((14.0, 12.0), (0.0, 5.0), (0.0, 5.0), (0.0, 5.0))
     neck_deg: float = 8.0
-    head_deg: float = 3.0
+    head_deg: float = 4.0
     nod_deg: float = 2.0
     turns: int = 4
 
