@@ -202,7 +202,7 @@ def killed(
 ) -> dict[str, object]:
     """Clone everybody once more under fire and return how that went."""
     out = chosen.folder / "killed"
-    command = [*batch, "--out", str(out), "--retries", "20"]
+    command = [*batch, "--out", str(out), "--retries", "1000"]
     shot = watched(command, meddle=chosen.kill_every, end_after=0.4 * calm_s, seed=1)
     done = len(list(out.glob("visitor-*/report.json")))
     again = watched(command, meddle=chosen.kill_every, seed=2)

@@ -37,6 +37,8 @@ _ENVIRONMENT: Final = {
     "OMP_NUM_THREADS": 1, "OPENBLAS_NUM_THREADS": 1, "MKL_NUM_THREADS": 1,
     "LP_NUM_THREADS": 1, "OPENCV_FOR_THREADS_NUM": 1,
 }  # fmt: skip
+#: Loggers of Dask with a level of their own.
+_TALKERS: Final = ("distributed", "distributed.client", "distributed.gc", "tornado.application")
 _OVER: Final = (Status.closed, Status.failed)
 LOST: Final = "its worker died: a crash, no memory left, or longer than --timeout allows"
 
@@ -68,9 +70,8 @@ def farm(workers: int, scheduler: str = "", retries: int = 1) -> Iterator[Client
         "distributed.nanny.pre-spawn-environ": _ENVIRONMENT,
         "distributed.worker.profile.enabled": False,  # it wakes every worker a hundred times a second
         "distributed.comm.timeouts.connect": f"{PATIENCE_S}s",
-        "distributed.logging": {"distributed": "error"},
     }
-    with dask.config.set(settings):
+    with dask.config.set(settings), _speechless():
         if scheduler:
             try:
                 client = Client(scheduler, timeout=PATIENCE_S)
@@ -90,6 +91,19 @@ def farm(workers: int, scheduler: str = "", retries: int = 1) -> Iterator[Client
                 hint = "Look for what ends them, such as a limit on memory, or use --workers 1"
                 raise ClonerError("its processes do not start", hint, "batch") from error
             yield client
+
+
+@contextmanager
+def _speechless() -> Iterator[None]:
+    """Keep Dask's talk and traces off the terminal: rows and sentences tell an operator what there is to do."""
+    levels = {logger: logger.level for logger in map(logging.getLogger, _TALKERS)}
+    try:
+        for logger in levels:
+            logger.setLevel(logging.CRITICAL)
+        yield
+    finally:
+        for logger, level in levels.items():
+            logger.setLevel(level)
 
 
 @contextmanager

@@ -236,7 +236,9 @@ def test_a_crash_and_a_hang_cost_only_their_visitors(tmp_path: Path, monkeypatch
 
 
 @pytest.mark.slow
-def test_workers_killed_while_they_start_are_started_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_workers_killed_while_they_start_are_started_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
     """Every worker process of the first seconds is killed, most of them before they have reached their scheduler."""
     root, out = tmp_path / "photos", tmp_path / "out"
     visit(root, "anna", "boris", "zoe")
@@ -246,6 +248,7 @@ def test_workers_killed_while_they_start_are_started_again(tmp_path: Path, monke
         rows = batch_folder(root, out, BatchOptions(workers=2, retries=20))
     assert statuses(rows) == [("anna", "cloned"), ("boris", "cloned"), ("zoe", "cloned")]
     assert len(shot) > 2, "also workers started in place of others were killed"
+    assert not capfd.readouterr().err, "an operator sees no trace of Dask's"
 
 
 @pytest.mark.slow
