@@ -8,15 +8,16 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.ears import FRONT_EARS, SIDE_EARS, Ear, find_ear, load_ears
+from cloner.detectors.cascade import FEATURES, Found, Pose, find_feature, load_cascades
 from cloner.detectors.face_net import FaceNet, load_face_net
-from cloner.detectors.face_side import IOD_M, WRONG_ERROR, SideFace, doubt_of, find_side_face
+from cloner.detectors.face_side import WRONG_ERROR, doubt_of, find_side_face
+from cloner.detectors.face_side_features import EAR, EAR_PATCH, INNER, LOST_EAR, covered, find_inside
 from cloner.detectors.hairline import trace_hairline
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.completion import complete_points, fit_affine
 from cloner.records.photos import Photo
-from cloner.records.points import HAIR, Proposal, ViewPoints, face_confidence
+from cloner.records.points import Proposal, ViewPoints, face_confidence
 
 Array = NDArray[np.float64]
 
@@ -28,17 +29,11 @@ PROFILE: Final = (
     "glabella", "nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom",
 )  # fmt: skip
 
-#: Expected error of an ear that hair hides, or that was found far from where the face says, eye distances.
-LOST_EAR: Final = 0.20
-#: How far from there is far, eye distances.
-FAR_EAR = {"front": 0.5, "side": 0.9}
-#: Errors of ears on photos of real skin and hair against those on painted ones (sample visitors).
-EAR_ON_PHOTOS = {"front": 1.3, "side": 1.6}
-#: Errors of single points against what their ear or profile tells (24 painted people of the benchmark): lobes grow on
-#: to the cheek, brows and nose bridge are flat.
-OWN_ERROR = {"ear_lobe": 1.75, "glabella": 1.5, "nasion": 1.25}
-#: Half the width of the place around an ear's middle in which hair is looked for, eye distances.
-EAR_PATCH: Final = 0.2
+#: How far from where the eyes say an ear is doubted, eye distances.
+FAR_EAR: Final = 0.5
+#: Errors of single points against what their profile tells (24 painted people of the benchmark): brows and nose bridge
+#: are flat.
+OWN_ERROR = {"glabella": 1.5, "nasion": 1.25}
 #: Expected error of points completed from a few key points alone, share of the eye distance (taste).
 COMPLETED_ERROR: Final = 0.12
 #: Key points from which a front and a side face are completed.
@@ -78,9 +73,9 @@ def _front_points(photo: Photo, proposal: Proposal) -> ViewPoints:
         points[rows], error[rows] = _pupils(net, points, proposal.irises_px), net.iris_error_iod
     iod = float(np.linalg.norm(points[rows[0]] - points[rows[1]]))
     for side in "LR":
-        ears = [net.names.index(f"{name}_{side}") for name in FRONT_EARS]
-        ear = _ear("front", photo, proposal, points[ears].mean(axis=0), iod, side)
-        points[ears], error[ears] = ear.points_px, ear.error_iod * _own(FRONT_EARS)
+        ears = [net.names.index(f"{name}_{side}") for name in FEATURES["front_ear"]]
+        ear = _front_ear(photo, proposal, points[ears].mean(axis=0), points[rows], side)
+        points[ears], error[ears] = ear.points_px, ear.error_iod
     names = net.names
     if photo.view.is_face:
         top = _hairline_top(net, points, proposal, iod)
@@ -115,10 +110,10 @@ def _side_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     kept = [row for row, name in enumerate(found.names) if name in PROFILE]
     names, points = [found.names[row] for row in kept], found.points_px[kept]
     error = found.error_iod[kept] * _own(names) + doubt
-    if photo.view.is_face:
-        ear, side = _side_ear(photo, proposal, found)
-        names += [f"{name}_{side}" for name in SIDE_EARS]
-        points, error = np.vstack([points, ear.points_px]), np.append(error, ear.error_iod * _own(SIDE_EARS) + doubt)
+    for feature in (*INNER, EAR) if photo.view.is_face else ():
+        inside, seen = find_inside(photo, proposal, found, feature)
+        names += inside
+        points, error = np.vstack([points, seen.points_px]), np.append(error, seen.error_iod + doubt)
     return ViewPoints(photo.view, tuple(names), points, face_confidence(error), np.zeros(len(names), dtype=bool))
 
 
@@ -127,23 +122,19 @@ def _own(names: Sequence[str]) -> Array:
     return np.array([OWN_ERROR.get(name, 1.0) for name in names])
 
 
-def _side_ear(photo: Photo, proposal: Proposal, found: SideFace) -> tuple[Ear, str]:
-    """Return the ear of a side photo and whose side it is."""
-    side = "R" if found.facing > 0 else "L"
-    rows = [found.names.index(f"{name}_{side}") for name in SIDE_EARS]
-    ear = _ear("side", photo, proposal, found.points_px[rows].mean(axis=0), IOD_M * found.laid.size, side)
-    return Ear(ear.points_px, max(ear.error_iod, float(found.error_iod.min()))), side
+def _front_ear(photo: Photo, proposal: Proposal, guess_px: Array, pupils_px: Array, side: str) -> Found:
+    """Return an ear near a guess, with a large expected error where hair hides it or it lies far off.
 
-
-def _ear(view: str, photo: Photo, proposal: Proposal, guess_px: Array, iod_px: float, side: str) -> Ear:
-    """Return an ear near a guess, with a large expected error where hair hides it or it lies far off."""
-    ear = find_ear(load_ears()[view], photo.rgb, proposal.mask, guess_px, iod_px, right=side == "R")
+    ``pupils_px`` (2, 2) are the left and the right one.
+    """
+    across = pupils_px[0] - pupils_px[1]
+    tilt, iod = float(np.arctan2(across[1], across[0])), float(np.linalg.norm(across))
+    pose = Pose(iod, -tilt if side == "R" else tilt, side == "R")
+    ear = find_feature(load_cascades()["front_ear"], photo.rgb, proposal.mask, guess_px, pose)
     middle = ear.points_px.mean(axis=0)
-    low, high = np.round(middle - EAR_PATCH * iod_px).astype(int), np.round(middle + EAR_PATCH * iod_px).astype(int) + 1
-    patch = proposal.labels[max(low[1], 0) : max(high[1], 0), max(low[0], 0) : max(high[0], 0)]
-    hidden = patch.size == 0 or float((patch == HAIR).mean()) > 0.5
-    far = float(np.linalg.norm(middle - guess_px)) > FAR_EAR[view] * iod_px
-    return Ear(ear.points_px, max(EAR_ON_PHOTOS[view] * ear.error_iod, LOST_EAR if hidden or far else 0.0))
+    far = float(np.linalg.norm(middle - guess_px)) > FAR_EAR * iod
+    lost = far or covered(proposal.labels, middle, EAR_PATCH * iod)
+    return Found(ear.points_px, np.maximum(ear.error_iod, LOST_EAR if lost else 0.0))
 
 
 def complete_face(view: ViewId, keys: Mapping[str, Array]) -> ViewPoints:

@@ -1,4 +1,6 @@
-"""Ears as parts of the head's shape: each moves, grows and tips as a whole, nearly alike on both sides.
+"""Ears as parts of the head's shape, and what photos say of them and of features inside the side photo's outline.
+
+Ears move, grow and tip as a whole, nearly alike on both sides.
 
 The generic's face targets hardly touch the ears. In both face photos they lie some 90 mm behind the face, so that they
 also tell how far the head nods in front and turns at the side, once the shape may put them where they are.
@@ -26,13 +28,15 @@ APART: Final = (0.001, 0.0012, 0.0012, 0.015, 0.02)
 FADE_M: Final = 0.012
 #: Points of one ear are found together and err together: each counts for so much less.
 TOGETHER: Final = 1.7
+#: Points inside the outline of a side photo that tell the head's turn; in front photos the net tells them.
+INSIDE: Final = ("eye_outer", "ala", "mouth_corner")
 #: Eye distance that turns shares into metres.
 IOD_M: Final = 0.062
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Ears:
-    """Ear points of one photo: vertices (N,), places (N, 2) px, expected errors (N,) metres."""
+class Spots:
+    """Single points of one photo: vertices (N,), places (N, 2) px, expected errors (N,) metres."""
 
     vertices: NDArray[np.int64]
     points_px: Array
@@ -56,13 +60,24 @@ def ear_fields(generic: GenericHuman) -> Array:
     return out.reshape(-1, len(head), 3)
 
 
-def read_ears(generic: GenericHuman, points: ViewPoints | None, corrected_m: float) -> Ears:
+def read_ears(generic: GenericHuman, points: ViewPoints | None, corrected_m: float) -> Spots:
     """Return what a photo's named points say of the ears; an operator's points are believed to ``corrected_m``."""
+    return _read(generic, points, ("ear",), TOGETHER, corrected_m)
+
+
+def read_inside(generic: GenericHuman, points: ViewPoints, corrected_m: float) -> Spots:
+    """Return what a side photo's named points say of ``INSIDE``."""
+    return _read(generic, points, INSIDE, 1.0, corrected_m)
+
+
+def _read(
+    generic: GenericHuman, points: ViewPoints | None, wanted: tuple[str, ...], together: float, corrected_m: float
+) -> Spots:
     names = () if points is None else points.names
-    rows = [k for k, name in enumerate(names) if name.startswith("ear") and name in generic.feature_names]
+    rows = [k for k, name in enumerate(names) if name.startswith(wanted) and name in generic.feature_names]
     if points is None or not rows:
-        return Ears(np.zeros(0, dtype=np.int64), np.zeros((0, 2)), np.zeros(0))
-    error = TOGETHER * IOD_M * expected_face_error(points.confidence[rows])
+        return Spots(np.zeros(0, dtype=np.int64), np.zeros((0, 2)), np.zeros(0))
+    error = together * IOD_M * expected_face_error(points.confidence[rows])
     vertices = np.array([generic.feature(names[k]) for k in rows], dtype=np.int64)
     sigma = np.where(points.corrected[rows], corrected_m, np.maximum(error, corrected_m))
-    return Ears(vertices, np.array(points.points_px[rows]), sigma)
+    return Spots(vertices, np.array(points.points_px[rows]), sigma)

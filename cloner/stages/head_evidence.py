@@ -19,7 +19,7 @@ from cloner.records.photos import Photo
 from cloner.records.points import HAIR, FacePoints, Proposals, ViewPoints
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.head_ears import Ears, read_ears
+from cloner.stages.head_ears import Spots, read_ears, read_inside
 from cloner.stages.head_flank import Flank
 from cloner.stages.head_modes import HeadModes, load_head_modes
 
@@ -142,7 +142,7 @@ class Front:
     net_px: Array
     vertices: NDArray[np.int64]
     points_px: Array
-    ears: Ears
+    ears: Spots
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -150,7 +150,8 @@ class Side:
     """The side photo's evidence: named points, their sigmas (m), contour and its normals; +1 looks to image right.
 
     ``flank`` holds vertices and places inside the outline that were found by what the front photo shows of them.
-    Of the named points those of the ear find the first camera; in the fit ``ears`` stand for them.
+    Of the named points those inside the outline find the first camera; in the fit ``ears`` and ``inside`` stand for
+    them.
     """
 
     facing: int
@@ -160,7 +161,8 @@ class Side:
     sigma_m: Array
     contour_px: Array
     normals_px: Array
-    ears: Ears
+    ears: Spots
+    inside: Spots
     flank: Flank | None = None
 
 
@@ -237,6 +239,7 @@ def read_side(
     return Side(
         facing, tuple(named.names[k] for k in known), vertices, np.array(named.points_px[known]), sigma,
         front[:, :2], front[:, 2:], read_ears(model.generic, named, params.corrected_m),
+        read_inside(model.generic, named, params.corrected_m),
     )  # fmt: skip
 
 

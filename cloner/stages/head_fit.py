@@ -17,7 +17,7 @@ from cloner.geometry.resection import facing_camera, resect
 from cloner.geometry.shape_fit import Evidence, ShapeFit, fit_shape, misfit
 from cloner.geometry.surface import SurfacePoints
 from cloner.records.views import Camera
-from cloner.stages.head_ears import Ears
+from cloner.stages.head_ears import INSIDE, Spots
 from cloner.stages.head_evidence import Front, Model, Params, Side
 
 Array = NDArray[np.float64]
@@ -117,26 +117,26 @@ def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) 
         base, basis = model.vertex_places(front.vertices)
         sigma = np.full(len(front.vertices), params.corrected_m / metres)
         out.append(Evidence(0, base, basis, front.points_px, sigma, outlier=8.0))
-    return out + _ear_evidence(model, front.ears, 0, metres)
+    return out + _spot_evidence(model, front.ears, 0, metres)
 
 
-def _ear_evidence(model: Model, ears: Ears, index: int, metres: float) -> list[Evidence]:
-    if not len(ears.vertices):
+def _spot_evidence(model: Model, spots: Spots, index: int, metres: float) -> list[Evidence]:
+    if not len(spots.vertices):
         return []
-    base, basis = model.vertex_places(ears.vertices)
-    return [Evidence(index, base, basis, ears.points_px, ears.sigma_m / metres, outlier=2.0)]
+    base, basis = model.vertex_places(spots.vertices)
+    return [Evidence(index, base, basis, spots.points_px, spots.sigma_m / metres, outlier=2.0)]
 
 
 def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, index: int, params: Params,
                    candidates: NDArray[np.int64], *, curve: bool) -> list[Evidence]:  # fmt: skip
     camera = fit.cameras[index]
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
-    named = np.array([not name.startswith("ear") for name in side.names])
+    named = np.array([not name.startswith(("ear", *INSIDE)) for name in side.names])
     base, basis = model.vertex_places(side.vertices[named])
     sigma = side.sigma_m[named] / metres
     loose = np.where(side.sigma_m[named] > params.corrected_m, params.loose_named if curve else 1.0, 1.0)
     out = [Evidence(index, base, basis, side.points_px[named], loose * sigma, outlier=1.5)]
-    out += _ear_evidence(model, side.ears, index, metres)
+    out += _spot_evidence(model, side.ears, index, metres) + _spot_evidence(model, side.inside, index, metres)
     if curve:
         whole = model.whole(model.head(fit.coefficients[: len(model.basis_m)]))
         vertices = outline_vertices(whole, candidates, camera, side.facing)

@@ -149,6 +149,19 @@ def test_ears_go_where_both_photos_show_them():
     assert away["named"] < 0.8 * away["unnamed"]
 
 
+@pytest.mark.parametrize("turn_deg", [-9.0, 9.0])
+def test_a_side_photo_beside_the_profile_is_seen_as_turned(turn_deg):
+    """Ear, eye, wing and mouth corner tell how far the head turned from 90 degrees; the outline alone does not."""
+    inside = ("ear_top", "ear_lobe", "ear_back", "ear_outer", "eye_outer", "ala", "mouth_corner")
+    true = true_person(5)
+    ears = ((), tuple(f"{name}_R" for name in inside))
+    cameras = fit(*photographed(true, azimuth_deg=-90.0 + turn_deg, ears=ears)).values["head"].cameras
+    front, side = (cameras[view].camera_from_model[2, :3] for view in (ViewId.FACE_FRONT, ViewId.FACE_SIDE))
+    between = np.degrees(np.arctan2(side[0], side[2]) - np.arctan2(front[0], front[2]))
+    turned = (between + 90.0 + 180.0) % 360.0 - 180.0
+    assert turned == pytest.approx(turn_deg, abs=4.5)
+
+
 def test_noise_stays_noise():
     true = true_person(3)
     exact = face_error_mm(fit(*photographed(true)).values["head"].vertices_m, true)
