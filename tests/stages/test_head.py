@@ -146,7 +146,7 @@ def test_ears_go_where_both_photos_show_them():
         error = scale * found[rows] @ rotation.T + shift - true[generic.head_vertices][rows]
         away[kind] = np.linalg.norm(error, axis=1).mean()
     assert away["unnamed"] > 0.004
-    assert away["named"] < 0.8 * away["unnamed"]
+    assert away["named"] < 0.75 * away["unnamed"]
 
 
 @pytest.mark.parametrize("turn_deg", [-9.0, 9.0])
