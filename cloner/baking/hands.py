@@ -26,7 +26,7 @@ SURE: Final = 0.5
 STRAYS: Final = (0.05, 0.03)
 #: From the wrist to so far beyond, metres, the tone goes over into the forearm's.
 WRIST_M: Final = 0.045
-#: A hand of which more is bare wears no glove.
+#: A hand of which more is bare wears no glove, nor does the other: gloves come in pairs.
 BARE_FROM: Final = 0.6
 #: Skin or shoe that faces down from here on begins to be sole, and is all sole: the normal's height; taste.
 UNDER: Final = (-0.5, -0.8)
@@ -49,11 +49,11 @@ def finish_hands(generic: GenericHuman, rgb: Image, sources: list[Source], kinds
     shown = np.clip(2.0 * claim / SURE - 1.0, 0.0, 1.0)
     atlas, gains, _, beyond, left = hand_texels(len(rgb))
     bare, seen = (np.clip(atlas.interpolate(part).astype(np.float64), 0.0, 1.0) for part in (kinds.bare, shown))
-    bare = np.clip(4.0 * bare - 3.0, 0.0, 1.0)
-    seen *= bare  # what shows cloth shows no skin
-    for hand in (left, ~left):
-        if bare[hand & (beyond == 1.0)].mean() > BARE_FROM:  # nobody wears a patch on a bare hand
-            bare[hand] = np.maximum(bare, beyond)[hand]
+    seen *= np.clip(4.0 * bare - 1.5, 0.0, 1.0)  # what shows cloth shows no skin
+    if max((bare[hand & (beyond == 1.0)] > 0.5).mean() for hand in (left, ~left)) > BARE_FROM:
+        bare = np.maximum(bare, beyond)  # nobody wears a patch on a bare hand; the wrist may hold a cuff
+    else:
+        bare = np.clip(4.0 * bare - 3.0, 0.0, 1.0)
     if not (bare > 0.5).any():
         return rgb
     out = rgb.copy()

@@ -73,3 +73,18 @@ def test_a_toes_colour_does_not_run_on_to_the_sole(plain: np.ndarray) -> None:
     out = finish_soles(rgb).reshape(-1, 3)
     assert np.abs(out[spot].astype(int) - 40).max() < 15, "levels"
     assert (out[upper] == 230).all(), "the shoe keeps its colour"
+
+
+def test_trousers_painted_on_to_fingertips_go(plain: np.ndarray) -> None:
+    atlas, _, nails, beyond, _ = hand_texels(SIZE)
+    tips = np.zeros(len(GENERIC.vertices_m))
+    for side in "lr":
+        for name in ("index", "middle", "ring"):
+            joint = GENERIC.joint(f"{side}_{name}3")
+            tips[(GENERIC.skin_joints[:, 0] == joint) & (GENERIC.vertex_part == 0)] = 1.0
+    rgb, dark = plain.copy(), np.flatnonzero((atlas.interpolate(tips) == 1.0) & (beyond == 1.0) & (nails == 0.0))
+    rgb.reshape(-1, 3)[atlas.texel[dark]] = (40, 40, 60)
+    photo = SimpleNamespace(mirrored=False, score=np.ones(len(GENERIC.vertices_m)))
+    out = finish_hands(GENERIC, rgb, [photo], SimpleNamespace(bare=1.0 - tips)).reshape(-1, 3)
+    assert len(dark) > 500, "texels"
+    assert np.abs(out[atlas.texel[dark]].astype(float) - SKIN).mean() < 25.0, "levels, though a photo showed them well"
