@@ -71,7 +71,7 @@ def paint_shell(
     skin_joints: NDArray[np.int32],
     skin_weights: Array,
     *,
-    strands: bool = False,
+    strands: float | None = None,
 ) -> NDArray[np.uint8]:
     """Return the (size, size, 4) texture of a shell.
 
@@ -83,8 +83,8 @@ def paint_shell(
         At least one with any pixel that shows the shell.
     atlas : AtlasMap of the shell, its triangles indexing ``vertices_m``
     vertices_m : (N, 3), skin_joints, skin_weights : (N, 4)
-    strands : bool
-        Whether it is hair, which goes on in strands where no photo shows it.
+    strands : float or None
+        Hair goes on in strands where no photo shows it; so much they count where photos show it badly. None: no hair.
     """
     size = atlas.shape[0]
     normals = vertex_normals(vertices_m, atlas.triangles)
@@ -115,12 +115,14 @@ def paint_shell(
     mean = ((claim_table**2)[..., None] * evened).sum(axis=(0, 1)) / max(float(total.sum()), 1e-9)
     covered = atlas.covered()
     ground = np.tile(mean.astype(np.float32), (size * size, 1)), np.full(size * size, FLOOR, np.float32)
-    if strands:
+    if strands is not None:
         rough = roughness(pictures[first], usable[first].mask)
         seen_rgb = ((claim_table**2)[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
         made = grow_strands(atlas, vertices_m, graph, seen_rgb, claim_table.max(axis=0), rough)
         ground[0][atlas.texel] = made.rgb
-        ground[1][atlas.texel] = np.maximum(atlas.interpolate(made.claim[:, None])[:, 0] ** SHARPNESS, FLOOR)
+        ground[1][atlas.texel] = np.maximum(
+            (strands * atlas.interpolate(made.claim[:, None])[:, 0]) ** SHARPNESS, FLOOR
+        )
 
     def laid(number: int) -> Layer:
         picture, sight, claim, gain = pictures[number], sights[number], claims[number], gains[number]

@@ -240,8 +240,8 @@ def dress_shell(
     charts = unwrap(vertices_m, triangles, params.size)
     atlas = map_atlas(charts.uv, charts.triangles, triangles, params.size)
     sights = [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
-    unseen = all(view.posed.view in FRONTS for view in views)
-    rgba = paint_shell(generic, joined, photos.photos, sights, atlas, vertices_m, joints, weights, strands=unseen)
+    strands = 1.0 if all(view.posed.view in FRONTS for view in views) else 0.0
+    rgba = paint_shell(generic, joined, photos.photos, sights, atlas, vertices_m, joints, weights, strands=strands)
     rgba = soften_edge(rgba, atlas, inside_mm)
     return Shell(
         vertices_m[charts.vertex], charts.triangles, charts.uv, joints[charts.vertex], weights[charts.vertex], rgba
