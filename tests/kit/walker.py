@@ -104,7 +104,7 @@ def steps(window, photos: Path, wait) -> Iterator[str]:
             wait(lambda: booth.intake.pending() == 0)
             yield view
         window.show_page(window.points)
-        wait(lambda: bool(session.proposed))
+        wait(lambda: bool(session.proposed) and not session.busy)  # a busy session clones nobody
         yield "points page"
         for move in range(6):
             session.place_point(ViewId.BODY_FRONT, "nose_tip", 40.0 + move, 50.0, gesture=f"{number}")
