@@ -62,9 +62,9 @@ NOTES: Final = """
 Before 2026-11-22 every clone in shoes had two thousand crossing pairs in its folded toes, at rest.
 
 Lips are pressed on each other by .1 mm, eyes and teeth lie in the head, hair and cloth stand on the skin: on purpose.
-Teeth, lashes and hair are open strips; all lashes share one strip of texture; at most a dozen texels of the hair's own charts
-have two owners. What is left when people sit or walk lies in folds: armpit, groin, hollow of the knee, where flesh and
-cloth press on each other; red where it is seen:
+Teeth, lashes and hair are open strips; all lashes share one strip of texture; at most a dozen texels of the hair's
+own charts have two owners. What is left when people sit or walk lies in folds: armpit, groin, hollow of the knee,
+where flesh and cloth press on each other; red where it is seen:
 
 ![two clones in five poses from two sides](pictures/mesh.jpg)
 
