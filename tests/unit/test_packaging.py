@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fnmatch
 import json
+import os
 import subprocess
 import sys
 import tomllib
@@ -76,3 +77,11 @@ def test_nothing_needs_one_system_alone() -> None:
             for line in lines:
                 if line.startswith(("import fcntl", "import resource", "import pwd", "import grp", "import msvcrt")):
                     raise AssertionError(f"{path.name}: {line} at the top of the file")
+
+
+def test_every_process_sums_on_one_thread() -> None:
+    """Two threads give other last digits than one, and with them other bytes of every clone."""
+    command = "import cloner, os; print(os.environ['OPENBLAS_NUM_THREADS'])"
+    environment = {name: value for name, value in os.environ.items() if name != "OPENBLAS_NUM_THREADS"}
+    told = subprocess.run([sys.executable, "-c", command], capture_output=True, text=True, env=environment, check=True)
+    assert told.stdout.strip() == "1"
