@@ -147,8 +147,9 @@ def _masks(generic: GenericHuman, fine: Array, matrix: csr_matrix) -> dict[str, 
         lid = front * _soft(gap, 0.0012, 0.0012) * (fine[:, 2] > centre[2])
         out["lids"] += lid * np.where(fine[:, 1] > centre[1], 1.0, 0.35)
         sign = 1.0 if side == "L" else -1.0
-        nostril = point("subnasale") + np.array([sign * 0.0075, 0.001, 0.0])
-        out["nostrils"] += front * _soft(np.hypot(*(fine[:, :2] - nostril[:2]).T), 0.0028, 0.0012)
+        # The hollow lies in the height of the wings: at the subnasale's the upper lip would be painted.
+        nostril = point("subnasale") + np.array([sign * 0.0082, 0.0075, 0.0010])
+        out["nostrils"] += front * _soft(np.linalg.norm(fine - nostril, axis=1), 0.0038, 0.0012)
     lips = generic.region("lips") if "lips" in generic.region_names else _guess_lips(generic, v)
     out["lips"] = np.asarray(matrix @ lips.astype(np.float64)) * body
     out["mouth"] = (
