@@ -23,8 +23,11 @@ def areas(points: NDArray[np.floating[Any]], triangles: Index) -> Array:
 
 def edges_of(triangles: Index) -> tuple[Ints, Ints]:
     """Return (E, 2) all edges of triangles (T, 3), each once with the lower vertex first, and (E,) their triangles."""
-    edges, count = np.unique(np.sort(_sides(triangles), axis=1), axis=0, return_counts=True)
-    return edges.astype(np.int64), count.astype(np.int64)
+    low = np.sort(_sides(triangles).astype(np.int64), axis=1)
+    span = int(low.max(initial=0)) + 1
+    # One number an edge sorts ten times as fast as two.
+    edges, count = np.unique(low[:, 0] * span + low[:, 1], return_counts=True)
+    return np.stack(np.divmod(edges, span), axis=1), count.astype(np.int64)
 
 
 def paired_edges(triangles: Index) -> tuple[Ints, Ints, Ints]:
