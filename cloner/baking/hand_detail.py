@@ -132,12 +132,13 @@ def _hollow(vertices: Array, normals: Array, edges: NDArray[np.int64]) -> Array:
 
 def _beside(points_m: Array, bones_m: Array) -> Array:
     """Return (N,) distances to a chain of bones, metres."""
-    distance = np.full(len(points_m), np.inf)
+    nearest = np.full(len(points_m), np.inf)
     for start, end in pairwise(bones_m):
-        way = end - start
-        share = np.clip((points_m - start) @ way / (way @ way), 0.0, 1.0)
-        distance = np.minimum(distance, np.linalg.norm(points_m - start - share[:, None] * way, axis=1))
-    return distance
+        way, spokes = end - start, points_m - start
+        share = np.clip(spokes @ way / (way @ way), 0.0, 1.0)
+        spokes -= share[:, None] * way
+        nearest = np.minimum(nearest, np.einsum("na,na->n", spokes, spokes))
+    return np.sqrt(nearest)
 
 
 def _nail(finger: Finger, points_m: Array, normals: Array) -> tuple[Array, Array]:
@@ -195,11 +196,18 @@ def _palm(points_m: Array, normals: Array) -> Array:
     for line in LINES:
         knots = np.array(line) * length
         places = CubicSpline(np.arange(len(knots)), knots)(np.linspace(0, len(knots) - 1, 120))
-        distance, nearest = cKDTree(places).query(flat, distance_upper_bound=4.0 * CREASE_M)
+        reach = 4.0 * CREASE_M
+        near = np.flatnonzero((inside > 0.0) & _within(flat, places.min(axis=0) - reach, places.max(axis=0) + reach))
+        distance, nearest = cKDTree(places).query(flat[near], distance_upper_bound=reach)
         share = np.minimum(nearest, 119) / 119.0
         fading = np.clip(1.6 - 1.2 * share, 0.0, 1.0) * _step(share, 0.0, 0.06)  # lines run out on the palm
-        gains += (inside * fading * np.exp(-((distance / CREASE_M) ** 2)))[:, None] * CREASE
+        gains[near] += (inside[near] * fading * np.exp(-((distance / CREASE_M) ** 2)))[:, None] * CREASE
     return gains
+
+
+def _within(points: Array, low: Array, high: Array) -> NDArray[np.bool_]:
+    """Return which of (N, 2) points lie in a box."""
+    return np.asarray(((points >= low) & (points <= high)).all(axis=1))
 
 
 def _step(values: Array, low: float, high: float) -> Array:

@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from cloner.baking.hand_detail import hand_gains
 from cloner.baking.materials import Materials
-from cloner.baking.sources import Source
 from cloner.generic.charts import generic_atlas
-from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.load import load_generic
 from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.wedges import vertex_normals
 
@@ -34,18 +33,18 @@ UNDER: Final = (-0.5, -0.8)
 DARK: Final = 4.0
 
 
-def finish_hands(generic: GenericHuman, rgb: Image, sources: list[Source], kinds: Materials) -> Image:
+def finish_hands(rgb: Image, claim: Array, kinds: Materials) -> Image:
     """Return the atlas (S, S, 3) with the hands' bare skin evened where photos show little, and with nails and creases.
 
     Gloves stay as they are; so does what a photo shows well, but for nails and creases.
 
     Parameters
     ----------
-    sources : list of the photos on the surface
+    claim : (V,)
+        How well the photos show each vertex, mirrored ones left aside.
     kinds : Materials
         Tells skin from gloves and cuffs.
     """
-    claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in sources], axis=0)
     shown = np.clip(2.0 * claim / SURE - 1.0, 0.0, 1.0)
     atlas, gains, _, beyond, left = hand_texels(len(rgb))
     bare, seen = (np.clip(atlas.interpolate(part).astype(np.float64), 0.0, 1.0) for part in (kinds.bare, shown))

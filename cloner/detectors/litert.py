@@ -42,7 +42,7 @@ from cloner.vision.crops import Crop, cut, move_points, photo_px_from_crop
 
 __all__ = [
     "POSE_NAMES", "Box", "FaceResult", "PoseResult",
-    "detect_face", "detect_people", "detect_pose",
+    "detect_face", "detect_people", "detect_pose", "let_nets_go",
 ]  # fmt: skip
 
 Photo = NDArray[np.uint8]
@@ -62,6 +62,12 @@ def _net(name: str) -> tuple[Interpreter, threading.Lock]:
         net = Interpreter(model_content=data, num_threads=THREADS)
         net.allocate_tensors()
     return net, threading.Lock()
+
+
+def let_nets_go() -> None:
+    """Forget all nets: loaded they hold 180 MiB, and loading them takes .15 CPU seconds."""
+    with _LOADING:
+        _net.cache_clear()
 
 
 def _invoke(name: str, inputs: Sequence[NDArray[np.float32]]) -> list[NDArray[np.float32]]:

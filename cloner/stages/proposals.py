@@ -140,4 +140,5 @@ def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: np.random.Gener
     for view, proposal in zip(photos.photos, proposed, strict=True):
         views[view] = proposal
         tick(len(views) / len(photos.photos))
+    DETECTORS.get("let_nets_go")()  # no later stage asks them
     return StageResult({"proposals": Proposals(views)})

@@ -16,11 +16,19 @@ from numpy.typing import NDArray
 from cloner.abreast import abreast
 from cloner.baking.baked import Baked, unpainted
 from cloner.baking.compose import bake, share_surface
-from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
+from cloner.baking.doubted import doubt_grazing, doubt_slanted
+from cloner.baking.evened import (
+    compare_photos,
+    even_photos,
+    evened_colours,
+    fill_surface,
+    level_photos,
+    vertex_colours,
+)
 from cloner.baking.hands import finish_hands, finish_soles
 from cloner.baking.labelled import vet_labels
 from cloner.baking.lid_skin import clean_lids
-from cloner.baking.materials import doubt_grazing, find_materials
+from cloner.baking.materials import find_materials
 from cloner.baking.parts import paint_parts
 from cloner.baking.posed import body_triangles
 from cloner.baking.sources import Limits, gather_sources
@@ -92,8 +100,8 @@ def run(
     residuals.append(Residual("texels_seen", 100.0 * seen / max(charts, 1), "percent"))
     parts = parts_atlas(generic, params.size)
     paint_parts(generic, parts, baked.rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, rng)
-    lidded = clean_lids(generic, baked.rgb, joined.vertices_m)
-    atlas = TextureAtlas(pad_charts(lidded, baked.covered), np.where(baked.seen, 255, 0).astype(np.uint8))
+    baked = replace(baked, rgb=clean_lids(generic, baked.rgb, joined.vertices_m))
+    atlas = TextureAtlas(pad_charts(baked.rgb, baked.covered), baked.seen * np.uint8(255))
     tick(1.0)
     return StageResult({"painted": assemble(joined, shells, atlas)}, tuple(residuals), warnings)
 
@@ -123,6 +131,8 @@ def lay_photos(
         kinds = dress_unseen(generic, sources, kinds, joined.vertices_m)
     sources = doubt_grazing(generic, sources, colours, kinds, graph)
     light = even_photos(generic, sources, colours, normals, kinds, graph)
+    sources = doubt_slanted(generic, sources, evened_colours(colours, light), graph)
+    light = level_photos(generic, sources, colours, light, kinds, graph)
     residuals += compare_photos(sources, colours, light)
     base = fill_surface(generic, sources, evened_colours(colours, light), kinds, graph)
     if only_faces(sources):
@@ -132,7 +142,10 @@ def lay_photos(
         generic, params.size, sources, shares, light, base, kinds, params.limits,
         levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
     )  # fmt: skip
-    return replace(baked, rgb=finish_soles(finish_hands(generic, baked.rgb, sources, kinds))), residuals
+    claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in sources], axis=0)
+    del sources  # their pictures would be the larger part of the memory from here on
+    baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
+    return replace(baked, rgb=finish_soles(baked.rgb)), residuals
 
 
 def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:

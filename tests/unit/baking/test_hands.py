@@ -16,9 +16,8 @@ SKIN = np.array([190, 150, 130], np.uint8)
 
 
 def finished(rgb: np.ndarray, *, shown: float, bare: float = 1.0) -> np.ndarray:
-    photo = SimpleNamespace(mirrored=False, score=np.full(len(GENERIC.vertices_m), shown))
     kinds = SimpleNamespace(bare=np.full(len(GENERIC.vertices_m), bare))
-    return finish_hands(GENERIC, rgb, [photo], kinds)
+    return finish_hands(rgb, np.full(len(GENERIC.vertices_m), shown), kinds)
 
 
 @pytest.fixture(scope="module")
@@ -84,7 +83,6 @@ def test_trousers_painted_on_to_fingertips_go(plain: np.ndarray) -> None:
             tips[(GENERIC.skin_joints[:, 0] == joint) & (GENERIC.vertex_part == 0)] = 1.0
     rgb, dark = plain.copy(), np.flatnonzero((atlas.interpolate(tips) == 1.0) & (beyond == 1.0) & (nails == 0.0))
     rgb.reshape(-1, 3)[atlas.texel[dark]] = (40, 40, 60)
-    photo = SimpleNamespace(mirrored=False, score=np.ones(len(GENERIC.vertices_m)))
-    out = finish_hands(GENERIC, rgb, [photo], SimpleNamespace(bare=1.0 - tips)).reshape(-1, 3)
+    out = finish_hands(rgb, np.ones(len(GENERIC.vertices_m)), SimpleNamespace(bare=1.0 - tips)).reshape(-1, 3)
     assert len(dark) > 500, "texels"
     assert np.abs(out[atlas.texel[dark]].astype(float) - SKIN).mean() < 25.0, "levels, though a photo showed them well"
