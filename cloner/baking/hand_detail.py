@@ -138,7 +138,7 @@ def _beside(points_m: Array, bones_m: Array) -> Array:
         share = np.clip(spokes @ way / (way @ way), 0.0, 1.0)
         spokes -= share[:, None] * way
         nearest = np.minimum(nearest, np.einsum("na,na->n", spokes, spokes))
-    return np.sqrt(nearest)
+    return np.asarray(np.sqrt(nearest))
 
 
 def _nail(finger: Finger, points_m: Array, normals: Array) -> tuple[Array, Array]:
