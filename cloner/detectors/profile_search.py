@@ -131,10 +131,13 @@ def _rate(
     felt = np.stack([curve[::3] + away * outwards for away in (-_FEEL_M, 0.0, _FEEL_M)]) - tip
     want = np.array([_FEEL_M, 0.0, -_FEEL_M])[:, None]
     turned = felt @ similarity(facing, 1.0, tilt, np.zeros(2), np.zeros(2))[:, :2].T
-    place = noses[:, None, None, None] + sizes[None, :, None, None, None] * turned
-    column = np.clip(np.rint(place[..., 0]).astype(np.intp), 0, field.shape[1] - 1)
-    row = np.clip(np.rint(place[..., 1]).astype(np.intp), 0, field.shape[0] - 1)
-    gap = np.abs(field[row, column] / sizes[None, :, None, None] - want)
+    reach = sizes[:, None, None, None] * turned
+    column, row = (
+        np.clip(np.rint(noses[:, axis, None, None, None] + reach[..., axis]).astype(np.int32), 0, end - 1)
+        for axis, end in ((0, field.shape[1]), (1, field.shape[0]))
+    )
+    felt_px = field.ravel().take(row * np.int32(field.shape[1]) + column)  # a third of an index's time
+    gap = np.abs(felt_px / sizes[None, :, None, None] - want)
     return np.minimum(gap, _CAP_M).mean(axis=(2, 3)), sizes
 
 

@@ -144,10 +144,7 @@ def run(
         If a photo does not show what its name says or a correction lies off the image.
     """
     check_photos(proposals, photos)
-    body = body_proposals(proposals)
-    faces = [view for view in proposals.views if view.is_face or view is ViewId.BODY_FRONT]
-    found = abreast(lambda view: face_proposals(photos.photos[view], proposals.views[view], corrections), faces)
-    face = dict(zip(faces, found, strict=True))
+    body, face = propose_points(photos, proposals, corrections)
     for view in proposals.views:
         photo = photos.photos[view]
         placed = corrections.points.get(view, {})
@@ -161,6 +158,23 @@ def run(
     sure = [float(points.confidence.mean()) for points in sets if len(points.names)]
     residuals = (Residual("confidence of proposed points", 100.0 * float(np.mean(sure or [0.0])), "percent"),)
     return StageResult({"body_points": PointSet(body), "face_points": PointSet(face)}, residuals, told(body))
+
+
+def propose_points(
+    photos: PhotoSet, proposals: Proposals, corrections: Corrections
+) -> tuple[dict[ViewId, ViewPoints], dict[ViewId, ViewPoints]]:
+    """Return the proposed points of the body in every body photo, and of the face where it may be seen."""
+    faces = [view for view in proposals.views if view.is_face or view is ViewId.BODY_FRONT]
+    faces.sort(key=lambda view: view is not ViewId.FACE_SIDE)  # a profile takes longest: what is short fills the rest
+
+    def propose(view: ViewId | None) -> dict[ViewId, ViewPoints]:
+        if view is None:
+            return body_proposals(proposals)
+        return {view: face_proposals(photos.photos[view], proposals.views[view], corrections)}
+
+    *found, body = abreast(propose, [*faces, None])
+    face = {view: points for one in found for view, points in one.items()}
+    return body, {view: face[view] for view in proposals.views if view in face}
 
 
 def face_proposals(photo: Photo, proposal: Proposal, corrections: Corrections) -> ViewPoints:
