@@ -22,6 +22,7 @@ from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.head_ears import Spots, read_ears, read_inside
 from cloner.stages.head_flank import Flank
 from cloner.stages.head_modes import HeadModes, load_head_modes
+from cloner.stages.head_outline import Outline, read_outline
 
 Array = NDArray[np.float64]
 
@@ -125,9 +126,12 @@ class Model:
 
     def places(self, surface: SurfacePoints) -> tuple[Array, Array]:
         """Return base (N, 3) and basis (F, N, 3) of surface points."""
-        rows = SurfacePoints(self.row[surface.corners].astype(np.int32), surface.weights)
-        basis = np.einsum("nk,fnka->fna", rows.weights, self.basis_m[:, rows.corners])
-        return surface.at(self.vertices_m), basis
+        return self.head_places(SurfacePoints(self.row[surface.corners].astype(np.int32), surface.weights))
+
+    def head_places(self, places: SurfacePoints) -> tuple[Array, Array]:
+        """Return base (N, 3) and basis (F, N, 3) of surface points told in rows of the head."""
+        basis = np.einsum("nk,fnka->fna", places.weights, self.basis_m[:, places.corners])
+        return places.at(self.vertices_m[self.generic.head_vertices]), basis
 
     def vertex_places(self, vertices: NDArray[np.integer]) -> tuple[Array, Array]:
         """Return base (N, 3) and basis (F, N, 3) of vertices."""
@@ -136,22 +140,23 @@ class Model:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Front:
-    """The front photo's evidence: net points taught by corrections, the corrected named points, and the ears."""
+    """The front photo's evidence: net points taught by corrections, corrected named points, ears, and the outline."""
 
     view: ViewId
     net_px: Array
     vertices: NDArray[np.int64]
     points_px: Array
     ears: Spots
+    outline: Outline | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Side:
     """The side photo's evidence: named points, their sigmas (m), contour and its normals; +1 looks to image right.
 
-    ``flank`` holds vertices and places inside the outline that were found by what the front photo shows of them.
-    Of the named points those inside the outline find the first camera; in the fit ``ears`` and ``inside`` stand for
-    them.
+    ``flank`` holds vertices and places inside the outline that were found by what the front photo shows of them,
+    ``outline`` the whole person's. Of the named points those inside the outline find the first camera; in the fit
+    ``ears`` and ``inside`` stand for them.
     """
 
     facing: int
@@ -164,6 +169,7 @@ class Side:
     ears: Spots
     inside: Spots
     flank: Flank | None = None
+    outline: Outline | None = None
 
 
 @dataclass(slots=True)
@@ -197,7 +203,8 @@ def read_front(model: Model, proposals: Proposals, points: FacePoints, params: P
         if named is not None and named.corrected.any():
             vertices, fixed = _corrected(model, named)
             net_px = net_px + params.taught * (taught_net(net_px, named) - net_px)
-        return Front(view, net_px, vertices, fixed, read_ears(model.generic, named, params.corrected_m))
+        edge = read_outline(proposal) if view is ViewId.FACE_FRONT else None
+        return Front(view, net_px, vertices, fixed, read_ears(model.generic, named, params.corrected_m), edge)
     return None
 
 
@@ -240,6 +247,7 @@ def read_side(
         facing, tuple(named.names[k] for k in known), vertices, np.array(named.points_px[known]), sigma,
         front[:, :2], front[:, 2:], read_ears(model.generic, named, params.corrected_m),
         read_inside(model.generic, named, params.corrected_m),
+        outline=read_outline(proposals.views[ViewId.FACE_SIDE]),
     )  # fmt: skip
 
 

@@ -19,6 +19,7 @@ from cloner.geometry.surface import SurfacePoints
 from cloner.records.views import Camera
 from cloner.stages.head_ears import INSIDE, Spots
 from cloner.stages.head_evidence import Front, Model, Params, Side
+from cloner.stages.head_rim import HAIR_M, rim_evidence
 
 Array = NDArray[np.float64]
 
@@ -110,7 +111,8 @@ def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) 
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
     base, basis = model.places(model.net.places)
     sigma = params.together * np.hypot(model.modes.alone_m, params.net_floor_m) / metres
-    drift, skew = params.drift * model.modes.drift_m / metres, model.modes.skew_m / metres
+    drift = np.concatenate([params.drift * model.modes.drift_m / metres, np.zeros((len(HAIR_M), len(base), 2))])
+    skew = model.modes.skew_m / metres
     target = front.net_px - model.modes.seen_errors_m(camera) / metres
     out = [Evidence(0, base, basis, target, sigma, drift_px=drift, skew_px=skew)]
     if len(front.vertices):
@@ -156,7 +158,10 @@ def net_errors(model: Model, coefficients: Array, camera: Camera, params: Params
     """Return the errors (468, 2), metres, that the net's points make: by a face's shape and turn, and in this photo."""
     modes, shapes = model.modes, len(model.basis_m)
     by_shape = modes.errors_m(coefficients[:shapes], camera)
-    return np.asarray(by_shape + params.drift * np.tensordot(coefficients[shapes:], modes.drift_m, axes=1))
+    return np.asarray(
+        by_shape
+        + params.drift * np.tensordot(coefficients[shapes : shapes + len(modes.drift_m)], modes.drift_m, axes=1)
+    )
 
 
 def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tuple[Camera | None, Camera | None],
@@ -168,7 +173,7 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
     ``zoom_sigma`` is the expected relative error of the cameras' focal length.
     """
     present = tuple(c for c in cameras if c is not None)
-    shapes, drifts = len(model.basis_m), len(model.modes.drift_m)
+    shapes, drifts = len(model.basis_m), len(model.modes.drift_m) + len(HAIR_M)
     if not present:
         return np.zeros(shapes + drifts), Fitted(model.head(np.zeros(shapes)), None, None), 0.0
     side_index = len(present) - 1
@@ -176,6 +181,7 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
     if side is not None:
         turn_sigma[side_index] = [params.tip, params.yaw, np.inf]
     candidates = profile_candidates(model)
+    outlines = [one.outline for one in (front, side) if one is not None]
 
     def gather(fit: ShapeFit, iteration: int) -> list[Evidence]:
         found: list[Evidence] = []
@@ -185,6 +191,9 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
             # After a fit to the front the profile lies well already; alone, the named points must find the pose first.
             found += _side_evidence(model, side, fit, iteration, side_index, params, candidates,
                                     curve=front is not None or iteration >= CURVE_FROM)  # fmt: skip
+        # Alone, a side photo's named points must find the pose first.
+        if front is not None:
+            found += rim_evidence(model, fit.coefficients, fit.cameras, outlines, len(model.modes.drift_m))
         return found
 
     begin = ShapeFit(np.zeros(shapes + drifts) if start is None else start, present, np.zeros((len(present), 3)))
