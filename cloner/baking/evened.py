@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
-from cloner.baking.flattened import flatten_halves, soften_glare
+from cloner.baking.flattened import flatten_halves, flatten_slants, soften_glare
 from cloner.baking.materials import Materials, shown_bare
 from cloner.baking.sources import Source, shown_colours
 from cloner.frames import ViewId
@@ -58,10 +58,9 @@ def even_photos(
 ) -> Array:
     """Return (K, V, 3) log gains per source and vertex that even out exposure, white balance and light.
 
-    Four steps, each on what the one before left: light from one side, told by
+    Three steps, each on what the one before left: light from one side, told by
     the person's own symmetry; one exposure and first-order light a photo, told
-    by shared surface; glare on skin; and a smooth rest along the borders
-    between photos, so that no border needs a wide blend in the atlas. Skin and cloth are evened
+    by shared surface; and glare on skin. Skin and cloth are evened
     each by its own kind: cameras and developers bend dark cloth otherwise than skin.
 
     Parameters
@@ -82,8 +81,25 @@ def even_photos(
         logs = np.asarray(log_levels(colours), np.float64) + light
         plain = np.median(logs[first, (trust[first] > 0.0) & skin], axis=0)
         light += kinds.bare[:, None] * soften_glare(sources, logs, skin, plain, graph)
+    return np.asarray(light)
+
+
+def level_photos(
+    generic: GenericHuman, sources: list[Source], colours: Array, light: Array, kinds: Materials, graph: SurfaceGraph
+) -> Array:
+    """Return log gains (K, V, 3) with a smooth rest along the borders between photos on top of ``light`` (K, V, 3).
+
+    So no border needs a wide blend in the atlas. What is left on skin is shade where it turns away from all photos.
+
+    Parameters
+    ----------
+    colours : (K, V, 3) levels, not yet evened
+    """
     score = np.stack([source.score for source in sources])
-    return np.asarray(light + level_borders(evened_colours(colours, light), score, unsaturated(colours), graph))
+    light = light + level_borders(evened_colours(colours, light), score, unsaturated(colours), graph)
+    logs = np.asarray(log_levels(colours), np.float64) + light
+    skin = (kinds.bare > 0.5) & (kinds.scalp < 0.5)
+    return np.asarray(light + (kinds.bare * flatten_slants(generic, sources, logs, skin, graph))[:, None])
 
 
 def _even_kind(sources: list[Source], colours: Array, normals: Array, trust: Array, own: Array, prior: float) -> Array:

@@ -13,6 +13,8 @@ from numpy.typing import NDArray
 
 from cloner.baking.sources import Source
 from cloner.frames import ViewId
+from cloner.generic.load import GenericHuman
+from cloner.generic.photo_shares import head_weight
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.vision.evening import FLATTENED, HUE_LOG, LEAST_PAIRS, log_levels
 
@@ -26,6 +28,12 @@ UNSEEN: Final = 1e-4  # weight at which halves nobody can compare follow their n
 LARGEST_HALF: Final = 0.1  # taste: log level by which a half may stay lighter than the mean of both
 FREE_GLARE: Final = 0.12  # log level by which skin is lighter than most of it in soft light (sample visitors)
 LARGEST_GLARE: Final = 0.1  # taste: what hard light may leave beyond that
+#: From nothing to full trust in the light on skin that a photo faces so well: what turns away from all of them lies
+#: in a shade of their lamps.
+FACED: Final = (0.6, 0.88)
+SLANT_STIFFNESS: Final = 2.0  # as `STIFFNESS`
+SHADE: Final = 0.3  # log level beyond which a slant is no shade but a nostril or a beard
+LARGEST_SHADE: Final = 0.15  # taste; .25 costs .5 dE against photos in the same hard light
 _SIDES: Final = (ViewId.BODY_SIDE, ViewId.FACE_SIDE)
 
 
@@ -86,3 +94,33 @@ def soften_glare(
         less = np.asarray(alike * (left - glare) / np.maximum(light, FREE_GLARE) * beyond, np.float64)
         gains[k] = graph.fill(less, np.where(seen, 1.0, UNSEEN), GLARE_STIFFNESS)
     return gains
+
+
+def flatten_slants(
+    generic: GenericHuman, sources: list[Source], logs: Array, skin: NDArray[np.bool_], graph: SurfaceGraph
+) -> Array:
+    """Return (V,) log gains on a head's skin that all photos see at a slant, for all of them: its light is that around.
+
+    Between front and side a cheek turns away from both and from the lamps beside both cameras: a dark strip down the
+    face that no relighting explains.
+
+    Parameters
+    ----------
+    logs : (K, V, 3) log levels after evening
+    skin : (V,)
+    """
+    claim = np.stack([source.score for source in sources]) ** 2
+    total = claim.sum(axis=0)
+    shown = np.where(skin & (total > 0.0), 1.0, 0.0)
+    if not shown.any():
+        return np.zeros(len(skin))
+    level = (claim[..., None] * logs).sum(axis=0) / np.maximum(total, 1e-12)[:, None]
+    faced = np.stack([np.where(source.score > 0.0, source.sight.cosine, 0.0) for source in sources]).max(axis=0)
+    trust = shown * np.clip((faced - FACED[0]) / (FACED[1] - FACED[0]), 0.0, 1.0)
+    own = graph.fill(level, np.maximum(shown, UNSEEN), SLANT_STIFFNESS)
+    gap = graph.fill(level, np.maximum(trust, UNSEEN * shown), SLANT_STIFFNESS) - own
+    light = gap.mean(axis=1)
+    hue = np.abs(gap - light[:, None]).mean(axis=1)
+    gain = LARGEST_SHADE * np.tanh(light / LARGEST_SHADE) / (1.0 + (light / SHADE) ** 4 + (hue / HUE_LOG) ** 4)
+    ears = generic.region("ear_left") | generic.region("ear_right")
+    return np.where(skin & ~ears, head_weight(generic) * (1.0 - trust) * gain, 0.0)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,16 +11,13 @@ from cloner.baking.sources import Source, hair_allowed
 from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.vision.aligning import sample
-from cloner.vision.evening import beyond_light, log_levels
 
 Array = NDArray[np.float64]
 
 SQUARE = 0.5  # cosine from which a sight is believed by itself
-STRANGE_KIND = 0.5
 KIND_STIFFNESS = 0.4  # an island of one or two edges is outvoted by what surrounds it
 KIND_STEP = (0.25, 0.75)
 MAJORITY = 0.3  # weight of what most of a body part is, against one square sight
-SPREAD_STIFFNESS = 0.02  # votes hold, unseen vertices follow their neighbours
 SURE = 4.0  # a claim of a half decides alone; a grazing one says little beside the neighbours
 CUFF_SHARE = 0.35  # of the hand: how far cuffs reach from the wrist
 BARE_HAND = 0.7  # of what is seen of a hand: more skin than that and it wears no glove
@@ -50,34 +47,6 @@ def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[A
     clear = (MAJORITY * (2.0 * mean - 1.0) ** 2 * (total > 0.0))[generic.vertex_segment]
     both = weight + clear
     return (weight * vote + clear * mean[generic.vertex_segment]) / np.maximum(both, 1e-12), both
-
-
-def doubt_grazing(
-    generic: GenericHuman, sources: list[Source], colours: Array, kinds: Materials, graph: SurfaceGraph
-) -> list[Source]:
-    """Return the sources without grazing sights that show something else than their surroundings.
-
-    A lookup wrong by a pixel lies centimetres off on a surface seen from its edge: the top of a
-    shoulder takes the colour of the neck behind it. Such a sight is believed where it agrees with
-    what photos show squarely nearby.
-
-    Parameters
-    ----------
-    colours : (K, V, 3) levels, not yet evened
-    kinds : Materials
-    """
-    logs = np.asarray(log_levels(colours), np.float64)
-    square = np.stack([np.where(s.sight.cosine > SQUARE, s.score, 0.0) for s in sources])
-    total = square.sum(axis=0)
-    if not total.any():
-        return sources
-    mean = (square[..., None] * logs).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
-    around = graph.fill(mean, np.clip(2.0 * total, 0.0, 1.0), SPREAD_STIFFNESS)
-    found = []
-    for source, log, shown in zip(sources, logs, shown_bare(generic, sources), strict=True):
-        alike = (beyond_light(log - around) < 1.0) & (np.abs(shown - kinds.bare) < STRANGE_KIND)
-        found.append(replace(source, score=source.score * ((source.sight.cosine > SQUARE) | alike)))
-    return found
 
 
 def always_bare(generic: GenericHuman) -> NDArray[np.bool_]:

@@ -20,7 +20,7 @@ _BODY_ON_HEAD = {ViewId.BODY_FRONT: 0.12, ViewId.BODY_SIDE: 0.1, ViewId.BODY_BAC
 _ARM_SIDE = {"upper_arm": 0.4, "forearm": 0.15, "hand": 0.1}
 # Collars belong to the face photos: two photos never agree about them to the millimetre, further down on plain cloth
 # they may. Arms hang in no known pose in face photos, so they keep near the neck.
-_SHOULDER_REACH_M = 0.08
+_SHOULDER_REACH_M = 0.13
 
 
 def photo_shares(generic: GenericHuman, view: ViewId, *, faces: frozenset[ViewId]) -> NDArray[np.float64]:

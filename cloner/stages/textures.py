@@ -16,11 +16,19 @@ from numpy.typing import NDArray
 from cloner.abreast import abreast
 from cloner.baking.baked import Baked, unpainted
 from cloner.baking.compose import bake, share_surface
-from cloner.baking.evened import compare_photos, even_photos, evened_colours, fill_surface, vertex_colours
+from cloner.baking.doubted import doubt_grazing, doubt_slanted
+from cloner.baking.evened import (
+    compare_photos,
+    even_photos,
+    evened_colours,
+    fill_surface,
+    level_photos,
+    vertex_colours,
+)
 from cloner.baking.hands import finish_hands, finish_soles
 from cloner.baking.labelled import vet_labels
 from cloner.baking.lid_skin import clean_lids
-from cloner.baking.materials import doubt_grazing, find_materials
+from cloner.baking.materials import find_materials
 from cloner.baking.parts import paint_parts
 from cloner.baking.posed import body_triangles
 from cloner.baking.sources import Limits, gather_sources
@@ -123,6 +131,8 @@ def lay_photos(
         kinds = dress_unseen(generic, sources, kinds, joined.vertices_m)
     sources = doubt_grazing(generic, sources, colours, kinds, graph)
     light = even_photos(generic, sources, colours, normals, kinds, graph)
+    sources = doubt_slanted(generic, sources, evened_colours(colours, light), graph)
+    light = level_photos(generic, sources, colours, light, kinds, graph)
     residuals += compare_photos(sources, colours, light)
     base = fill_surface(generic, sources, evened_colours(colours, light), kinds, graph)
     if only_faces(sources):

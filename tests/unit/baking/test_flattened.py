@@ -4,8 +4,10 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from cloner.baking.flattened import flatten_halves, soften_glare
+from cloner.baking.flattened import flatten_halves, flatten_slants, soften_glare
 from cloner.frames import ViewId
+from cloner.generic.charts import person_graph
+from cloner.generic.load import load_generic
 from cloner.geometry.graphs import surface_graph
 
 SKIN = np.array([190.0, 140.0, 110.0])
@@ -67,3 +69,20 @@ def test_glare_comes_down_and_shade_stays():
     found = logs + soften_glare([_photo(ViewId.FACE_SIDE)], logs[None], skin, plain, graph)[0]
     assert 0.15 < (found - plain)[across > 0.7].mean() < 0.25
     assert np.abs(found - logs)[across < 0.3].max() < 0.03
+
+
+def test_a_dark_strip_between_two_photos_is_lit_as_the_skin_around_it_and_a_nostril_stays() -> None:
+    generic = load_generic()
+    graph = person_graph(generic, generic.vertices_m.astype(float))
+    face = generic.region("face")
+    turned = generic.vertices_m[:, 0] - generic.vertices_m[face, 0].mean()
+    strip = face & (np.abs(turned) > 0.035) & (np.abs(turned) < 0.05)
+    nostril = np.linalg.norm(generic.vertices_m - generic.vertices_m[generic.feature("subnasale")], axis=1) < 0.006
+    logs = np.full((1, len(face), 3), 5.0)
+    logs[:, strip] -= 0.1
+    logs[:, nostril] -= 1.0
+    photo = SimpleNamespace(score=np.ones(len(face)), sight=SimpleNamespace(cosine=np.where(strip | nostril, 0.5, 1.0)))
+    gain = flatten_slants(generic, [photo], logs, np.ones(len(face), bool), graph)
+    assert 0.04 < np.median(gain[strip]) < 0.1  # about half of it: the rest may be the person
+    assert gain[nostril].mean() < 0.05  # of 1: only its rim
+    assert np.abs(gain[face & ~strip & ~nostril]).max() < 0.04

@@ -19,7 +19,7 @@ def side_plate(bare: np.ndarray) -> Plate:
     nothing = np.zeros((SIZE, SIZE), bool)
     levels = np.zeros((SIZE, SIZE, 3), np.uint8)
     far = np.full((SIZE, SIZE), 100.0, np.float32)
-    return Plate(levels, levels, far, nothing, bare, levels[..., 0], None, nothing, nothing, 900.0)
+    return Plate(levels, levels, far, nothing, bare, levels[..., 0], None, nothing, levels[..., 0], nothing, 900.0)
 
 
 @pytest.fixture(scope="module")
