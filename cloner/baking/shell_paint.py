@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -86,65 +86,108 @@ def paint_shell(
     strands : float or None
         Hair goes on in strands where no photo shows it; so much they count where photos show it badly. None: no hair.
     """
-    size = atlas.shape[0]
     normals = vertex_normals(vertices_m, atlas.triangles)
+    graph = surface_graph(vertices_m, atlas.triangles)
     usable = [view for view in views if view.posed.view in photos and view.mask.any()]
-    shown = {view.posed.view: view for view in reversed(usable)}  # a mirrored view shows the same photo
-    repaired = abreast(lambda view: _repaired(photos[view.posed.view].rgb, view), shown.values())
-    picture_of = dict(zip(shown, repaired, strict=True))
-    pictures = [picture_of[view.posed.view] for view in usable]
+    pictures = _pictures(photos, usable)
     joints = (skin_joints, skin_weights)
     looked = abreast(lambda view: _look(generic, joined, view, vertices_m, *joints, atlas.triangles), usable)
-    sights, claims, trusts = list(looked), [], []
-    for view, sight in zip(usable, sights, strict=True):
-        seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
-        claim = view.claim * (_MIRRORED if view.flip_m is not None else 1.0)
-        near = sample(view.inside_px, sight.pixel_px)[:, 0] > -2.0 * BAND_PX
-        claims.append(np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0))
-        # Hair and cloth shine at grazing angles: only what both photos see nearly head-on tells their exposures.
-        trusts.append(np.where(claims[-1] > 0.0, np.clip((sight.cosine - 0.5) / 0.5, 0.0, 1.0), 0.0))
-    graph = surface_graph(vertices_m, atlas.triangles)
-    claims = [graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in claims]
-    claim_table = np.stack(claims)
-    colours = np.stack([sample(p, s.pixel_px) for p, s in zip(pictures, sights, strict=True)]).astype(np.float64)
-    first = max(range(len(usable)), key=lambda k: claim_table[k].sum() if usable[k].flip_m is None else 0.0)
-    hold = np.where(np.arange(len(usable)) == first, REFERENCE_HOLD, 1.0)
-    gains = even_light(colours, np.stack(trusts), normals, hold)
-    evened = np.stack([apply_light(colours[k], light_basis(normals) @ gains[k]) for k in range(len(usable))])
-    total = (claim_table**2).sum(axis=0)
-    mean = ((claim_table**2)[..., None] * evened).sum(axis=(0, 1)) / max(float(total.sum()), 1e-9)
-    covered = atlas.covered()
-    ground = np.tile(mean.astype(np.float32), (size * size, 1)), np.full(size * size, FLOOR, np.float32)
+    sights = list(looked)
+    seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
+    claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
+    first = max(range(len(usable)), key=lambda k: claims[k].sum() if usable[k].flip_m is None else 0.0)
+    light, evened = _evened(pictures, sights, seen, normals, first)
+    shown = [_Shown(*each) for each in zip(pictures, sights, claims, light, strict=True)]
+    ground, weight = _plain(atlas.shape, claims, evened)
     if strands is not None:
         rough = roughness(pictures[first], usable[first].mask)
-        seen_rgb = ((claim_table**2)[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
-        made = grow_strands(atlas, vertices_m, graph, seen_rgb, claim_table.max(axis=0), rough)
-        ground[0][atlas.texel] = made.rgb
-        ground[1][atlas.texel] = np.maximum(
-            (strands * atlas.interpolate(made.claim[:, None])[:, 0]) ** SHARPNESS, FLOOR
-        )
-
-    def laid(number: int) -> Layer:
-        picture, sight, claim, gain = pictures[number], sights[number], claims[number], gains[number]
-        rows = atlas.rows_of(np.any((claim > 0.0)[atlas.triangles], axis=1))
-        table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, claim, light_basis(normals) @ gain])
-        values = atlas.interpolate(table, rows)
-        good = sight.visible(values[:, :2], values[:, 2], values[:, 3]) & (values[:, 4] > 0.02)
-        colour = apply_light(sample(picture, values[good, :2]), values[good, 5:])
-        image, known = np.zeros((size * size, 3), np.float32), np.zeros(size * size, np.float32)
-        image[atlas.texel[rows[good]]] = colour
-        known[atlas.texel[rows[good]]] = 1.0
-        whole = push_pull(image.reshape(size, size, 3), known.reshape(size, size))
-        known[atlas.texel[rows[good]]] = np.minimum(values[good, 4], 1.0) ** SHARPNESS + FLOOR
-        return Layer(whole, known.reshape(size, size))
+        total = np.maximum((claims**2).sum(axis=0), 1e-9)[:, None]
+        seen_rgb = ((claims**2)[..., None] * evened).sum(axis=0) / total
+        made = grow_strands(atlas, vertices_m, graph, seen_rgb, claims.max(axis=0), rough)
+        own = (strands * atlas.interpolate(made.claim[:, None])[:, 0]) ** SHARPNESS
+        _flat(ground)[atlas.texel], weight.ravel()[atlas.texel] = made.rgb, np.maximum(own, FLOOR)
 
     def layers() -> Iterator[Layer]:
-        yield Layer(ground[0].reshape(size, size, 3), ground[1].reshape(size, size))
-        yield from map(laid, range(len(usable)))  # one by one: a layer takes 16 MiB
+        yield Layer(ground, weight)
+        yield from (_laid(atlas, one) for one in shown)  # one by one: a layer of 2048 texels takes 64 MiB
 
-    rgb = push_pull(blend_pyramids(layers(), (size, size, 3), LEVELS) * covered[..., None], covered.astype(np.float32))
-    opaque = np.full((size, size, 1), 255.0, np.float32)
+    covered = atlas.covered()
+    rgb = push_pull(
+        blend_pyramids(layers(), (*atlas.shape, 3), LEVELS) * covered[..., None], covered.astype(np.float32)
+    )
+    opaque = np.full((*atlas.shape, 1), 255.0, np.float32)
     return np.concatenate([np.clip(np.rint(rgb), 0, 255), opaque], axis=2).astype(np.uint8)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Shown:
+    """A photo as a source of a shell's colour: its picture, and of every vertex sight, claim (N,) and light (N, 3)."""
+
+    picture: NDArray[np.uint8]
+    sight: Sight
+    claim: Array
+    light: Array
+
+
+def _pictures(photos: Mapping[ViewId, Photo], views: Sequence[ShellView]) -> list[NDArray[np.uint8]]:
+    """Return the repaired photo of each view; a mirrored one shows the same."""
+    shown = {view.posed.view: view for view in reversed(views)}
+    repaired = abreast(lambda view: _repaired(photos[view.posed.view].rgb, view), shown.values())
+    picture_of = dict(zip(shown, repaired, strict=True))
+    return [picture_of[view.posed.view] for view in views]
+
+
+def _claim(view: ShellView, sight: Sight) -> Array:
+    """Return (N,) how well a photo shows each vertex, 0 where it does not."""
+    seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
+    claim = view.claim * (_MIRRORED if view.flip_m is not None else 1.0)
+    near = sample(view.inside_px, sight.pixel_px)[:, 0] > -2.0 * BAND_PX
+    return np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0)
+
+
+def _evened(
+    pictures: Sequence[NDArray[np.uint8]], sights: Sequence[Sight], seen: Sequence[Array], normals: Array, first: int
+) -> tuple[list[Array], Array]:
+    """Return each photo's log gains (N, 3) that even light and exposure out, and (K, N, 3) colours with them.
+
+    ``first`` is the photo that keeps its own most.
+    """
+    colours = np.stack([sample(p, s.pixel_px) for p, s in zip(pictures, sights, strict=True)]).astype(np.float64)
+    # Hair and cloth shine at grazing angles: only what both photos see nearly head-on tells their exposures.
+    square = [np.clip((sight.cosine - 0.5) / 0.5, 0.0, 1.0) for sight in sights]
+    trusts = np.stack([np.where(claim > 0.0, part, 0.0) for claim, part in zip(seen, square, strict=True)])
+    hold = np.where(np.arange(len(pictures)) == first, REFERENCE_HOLD, 1.0)
+    basis = light_basis(normals)
+    light = [basis @ gain for gain in even_light(colours, trusts, normals, hold)]
+    return light, np.stack([apply_light(colour, gain) for colour, gain in zip(colours, light, strict=True)])
+
+
+def _plain(shape: tuple[int, int], claims: Array, evened: Array) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Return a picture (h, w, 3) of the mean colour that photos show, and hardly any weight (h, w)."""
+    total = max(float((claims**2).sum(axis=0).sum()), 1e-9)
+    mean = ((claims**2)[..., None] * evened).sum(axis=(0, 1)) / total
+    return np.tile(mean.astype(np.float32), (*shape, 1)), np.full(shape, FLOOR, np.float32)
+
+
+def _laid(atlas: AtlasMap, shown: _Shown) -> Layer:
+    """Return what one photo paints of a shell's texture."""
+    rows = atlas.rows_of(np.any((shown.claim > 0.0)[atlas.triangles], axis=1))
+    sight = shown.sight
+    table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, shown.claim, shown.light])
+    values = atlas.interpolate(table, rows)
+    good = sight.visible(values[:, :2], values[:, 2], values[:, 3]) & (values[:, 4] > 0.02)
+    values, texel = values[good], atlas.texel[rows[good]]
+    image, known = np.zeros((*atlas.shape, 3), np.float32), np.zeros(atlas.shape, np.float32)
+    _flat(image)[texel] = apply_light(sample(shown.picture, values[:, :2]), values[:, 5:])
+    known.ravel()[texel] = 1.0
+    whole = push_pull(image, known)
+    known.ravel()[texel] = np.minimum(values[:, 4], 1.0) ** SHARPNESS + FLOOR
+    return Layer(whole, known)
+
+
+def _flat(image: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return a view of a picture (h, w, C) as (h * w, C)."""
+    return image.reshape(-1, image.shape[2])
 
 
 def _repaired(rgb: NDArray[np.uint8], view: ShellView) -> NDArray[np.uint8]:
