@@ -166,7 +166,7 @@ def clone_folder(
     Cancelled
         If ``progress`` raised it; nothing is left behind.
     """
-    wall, cpu = time.perf_counter(), time.process_time()
+    begun = time.perf_counter(), time.process_time()
     check_formats(formats)
     check_texture_size(texture_size)
     progress("photos", 0.0)
@@ -174,11 +174,7 @@ def clone_folder(
     corrections = read_corrections(photos_dir)
     with result_folder(out_dir, person.identifier) as folder:
         photos = load_photos(photos_dir)
-        warnings = (
-            *person_warnings(person),
-            *photo_warnings(photos),
-            *check_against(corrections, photos, point_names()),
-        )
+        warnings = *person_warnings(person), *photo_warnings(photos), *check_against(corrections, photos, point_names())
         values, stages = clone_photos(
             photos,
             person,
@@ -193,15 +189,7 @@ def clone_folder(
         seen = _write_clone(values, formats, folder, progress)
         if (folder / GLB_FILE).is_file():
             write_viewer(f"Clone of {person.name or person.identifier}", folder / GLB_FILE)
-        run = Run(
-            seconds=time.perf_counter() - wall,
-            cpu_seconds=time.process_time() - cpu,
-            peak_mib=peak_mib(),
-            stages=tuple(stages),
-            seed=seed,
-            formats=tuple(formats),
-            warnings=warnings,
-        )
+        run = _run_since(begun, stages, seed=seed, formats=tuple(formats), warnings=warnings)
         progress("report", 0.97)
         report = build_report(values, run, seen, sorted({*_files(folder), RESULT_MARK})) | {
             "made_by": values["clone"].stamp,
@@ -212,6 +200,19 @@ def clone_folder(
     progress("done", 1.0)
     log.info("%s: %.1f s, %d warnings", person.identifier, run.seconds, len(warnings_of(run)))
     return CloneOutcome(person.identifier, out_dir / person.identifier, report, values)
+
+
+def _run_since(
+    begun: tuple[float, float],
+    stages: Sequence[StageReport],
+    *,
+    seed: int,
+    formats: tuple[str, ...],
+    warnings: tuple[str, ...],
+) -> Run:
+    """Return how a clone was made since ``begun``, wall and CPU seconds."""
+    wall, cpu = time.perf_counter() - begun[0], time.process_time() - begun[1]
+    return Run(wall, cpu, peak_mib(), tuple(stages), seed, formats, warnings)
 
 
 def with_earlier(fresh: Sequence[StageReport], earlier: object) -> tuple[StageReport, ...]:
