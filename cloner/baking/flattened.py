@@ -11,6 +11,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.abreast import abreast
 from cloner.baking.sources import Source
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
@@ -51,20 +52,21 @@ def flatten_halves(
     skin : (V,)
     twin : (V,) each vertex's mirror image
     """
-    gains = np.zeros(colours.shape)
-    for k, source in enumerate(sources):
-        low, high = SEEN_COSINE
+
+    def gains(k: int) -> Array:
+        source, (low, high) = sources[k], SEEN_COSINE
         shown = np.where(
             (source.score > 0.0) & skin, np.clip((source.sight.cosine - low) / (high - low), 0.0, 1.0), 0.0
         )
         both = np.minimum(shown, shown[twin])
         if source.view in _SIDES or np.count_nonzero(both) < LEAST_PAIRS:
-            continue
+            return np.zeros(colours.shape[1:])
         logs = np.asarray(log_levels(colours[k]), np.float64)
         lean = graph.fill(0.5 * (logs - logs[twin]), both + UNSEEN, STIFFNESS)
         lean = 0.5 * (lean - lean[twin])
-        gains[k] = LARGEST_HALF * np.tanh((1.0 - FLATTENED) * lean / LARGEST_HALF) - lean
-    return gains
+        return np.asarray(LARGEST_HALF * np.tanh((1.0 - FLATTENED) * lean / LARGEST_HALF) - lean)
+
+    return np.stack(list(abreast(gains, range(len(sources)))))
 
 
 def soften_glare(
@@ -80,11 +82,11 @@ def soften_glare(
     skin : (V,)
     plain : (3,) log levels of most skin
     """
-    gains = np.zeros(logs.shape)
-    for k, source in enumerate(sources):
-        seen = (source.score > 0.0) & skin
+
+    def gains(k: int) -> Array:
+        seen = (sources[k].score > 0.0) & skin
         if not seen.any():
-            continue
+            return np.zeros(logs.shape[1:])
         beyond = logs[k] - plain
         light = beyond.mean(axis=1, keepdims=True)
         glare = np.maximum(light - FREE_GLARE, 0.0)
@@ -92,8 +94,9 @@ def soften_glare(
         hue = np.abs(beyond - light).mean(axis=1, keepdims=True)
         alike = 1.0 / (1.0 + (hue / WARMEST) ** 4)
         less = np.asarray(alike * (left - glare) / np.maximum(light, FREE_GLARE) * beyond, np.float64)
-        gains[k] = graph.fill(less, np.where(seen, 1.0, UNSEEN), GLARE_STIFFNESS)
-    return gains
+        return graph.fill(less, np.where(seen, 1.0, UNSEEN), GLARE_STIFFNESS)
+
+    return np.stack(list(abreast(gains, range(len(sources)))))
 
 
 def flatten_slants(
