@@ -19,12 +19,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.detectors.face_net import load_face_net
-from cloner.frames import ViewId
+from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
+from cloner.stages.head_modes import load_head_modes
 from cloner.stages.outlined import Outlined, body_triangles, see
 
 Array = NDArray[np.float64]
@@ -150,6 +151,7 @@ class Sight:
     points_px, trust : (P, 2), (P, 1)
         Named points, and one over their spread, per px.
     face_px : (468, 2) or (0, 2)
+    face_errors_m : (468, 2)
     corners : (468, 3) int64
         Rows of ``chosen``.
     """
@@ -163,6 +165,7 @@ class Sight:
     points_px: Array
     trust: Array
     face_px: Array
+    face_errors_m: Array
     corners: NDArray[np.int64]
     params: Params = field(default_factory=Params)
 
@@ -177,6 +180,9 @@ class Sight:
         named = (pixels[rim : rim + len(self.points_px)] - self.points_px) * self.trust
         within = load_face_net().places.weights[: len(self.face_px), :, None]
         away = (within * pixels[self.corners]).sum(axis=1) - self.face_px
+        if len(away):
+            seen = posed.camera.camera_from_model[:3, :3] @ transforms[generic.joint(SKULL[0]), :3, :3]
+            away = away + (self.face_errors_m + load_head_modes().turn_errors_m(seen)) / m_from_mm(self.mm_per_px)
         face = away * self.mm_per_px / self.params.face_mm / np.sqrt(max(len(away) / _INDEPENDENT, 1.0))
         return np.concatenate([self._gaps(pixels[:rim], hair_mm), named.ravel(), face.ravel()])
 
@@ -197,7 +203,13 @@ class Sight:
 
 
 def sight_of(
-    head: Head, photo: Outlined, angles: Array, points: ViewPoints | None, face_px: Array, params: Params
+    head: Head,
+    photo: Outlined,
+    angles: Array,
+    points: ViewPoints | None,
+    face_px: Array,
+    face_errors_m: Array,
+    params: Params,
 ) -> Sight:
     """Return a photo's evidence, with the rim of the head as it is turned now."""
     generic, net = load_generic(), load_face_net()
@@ -220,6 +232,7 @@ def sight_of(
         pixels,
         trust * seen.mm_per_px / params.point_mm,
         face_px,
+        face_errors_m,
         corners.reshape(-1, 3).astype(np.int64) + len(rim) + len(marks),
         params,
     )
@@ -230,6 +243,7 @@ def carry_heads(
     photos: Mapping[ViewId, Outlined],
     points: Mapping[ViewId, ViewPoints],
     faces_px: Mapping[ViewId, Array],
+    face_errors_m: Array,
 ) -> dict[ViewId, PosedView]:
     """Return the photos' poses with the head turned to what each photo shows.
 
@@ -243,6 +257,8 @@ def carry_heads(
         Named points of body photos.
     faces_px : mapping of ViewId to (468, 2)
         The face net's points where a body photo shows a face.
+    face_errors_m : (468, 2)
+        What the net makes of this face when it looks straight at the camera: right and down in the picture.
     """
     params, head = Params(), Head.of(mesh)
     usual = np.deg2rad([(0.0, degrees) for view in photos for degrees in _usual_deg(view, params)])
@@ -253,7 +269,13 @@ def carry_heads(
     for _ in range(params.turns):
         sights = {
             view: sight_of(
-                head, photo, state[own[view]], points.get(view), faces_px.get(view, np.zeros((0, 2))), params
+                head,
+                photo,
+                state[own[view]],
+                points.get(view),
+                faces_px.get(view, np.zeros((0, 2))),
+                face_errors_m,
+                params,
             )
             for view, photo in photos.items()
         }

@@ -69,7 +69,7 @@ class Params:
     relief_m, bend_m, limit_m : float
         Prior of the DFFD displacements (see ``solve_relief``).
     body_scale, own_scale : float
-        Relative errors of the head's size from the body photo, and of the phenotype's own head.
+        Relative errors of the head's size from the body photo, and of the phenotype's own head (nine painted people).
     scale_limit : float
         The head's size never departs further from the phenotype's.
     """
@@ -94,8 +94,8 @@ class Params:
     relief_m: float = 0.004
     bend_m: float = 0.0012
     limit_m: float = 0.010
-    body_scale: float = 0.02
-    own_scale: float = 0.035
+    body_scale: float = 0.018
+    own_scale: float = 0.045
     scale_limit: float = 0.12
 
 

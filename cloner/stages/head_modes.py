@@ -74,12 +74,36 @@ class HeadModes:
 
     def seen_errors_m(self, camera: Camera) -> Array:
         """Return the part of the errors (468, 2), metres, that does not depend on the face's shape."""
-        return np.asarray(self.bias_m + np.tensordot(turned_from(camera), self.turn_m, axes=1))
+        return self.bias_m + self.turn_errors_m(camera.camera_from_model[:3, :3])
+
+    def turn_errors_m(self, camera_from_head: Array) -> Array:
+        """Return the part of the errors (468, 2), metres, that comes from how the head is turned (3, 3)."""
+        return np.asarray(np.tensordot(_turned(camera_from_head), self.turn_m, axes=1))
+
+    def own_errors_m(self, face_px: Array, places_m: Array, camera: Camera) -> Array:
+        """Return what the net makes of a face (468, 2), metres, that looks straight at the camera, from one photo.
+
+        Parameters
+        ----------
+        face_px : (468, 2)
+            The net's points in that photo.
+        places_m : (468, 3)
+            Where they truly are.
+        camera : Camera
+            Of that photo, before the head as it rests.
+        """
+        metres = camera.metres_per_pixel(places_m.mean(axis=0))
+        made = (face_px - camera.project(places_m)) * metres
+        return np.asarray(made - self.turn_errors_m(camera.camera_from_model[:3, :3]))
 
 
 def turned_from(camera: Camera) -> Array:
     """Return how far (2,) the rest head nods and turns before a camera, radians; 0 looks straight at it."""
-    seen = camera.camera_from_model[:3, :3] @ np.diag([1.0, -1.0, -1.0])
+    return _turned(camera.camera_from_model[:3, :3])
+
+
+def _turned(camera_from_head: Array) -> Array:
+    seen = camera_from_head @ np.diag([1.0, -1.0, -1.0])
     return np.asarray(Rotation.from_matrix(seen).as_rotvec()[:2], dtype=np.float64)
 
 

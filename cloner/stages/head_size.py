@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -9,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.load import GENERIC_STATURE_M
+from cloner.geometry.resection import resect
 from cloner.geometry.skinning import joint_transforms
 from cloner.records.bodies import Phenotype
 from cloner.records.points import Proposals
@@ -22,6 +24,8 @@ Array = NDArray[np.float64]
 USUAL_M: Final = (0.0627, 0.1175, 0.192)
 #: Head size grows with this power of the stature (their correlation is 0.3 to 0.4, ANSUR II).
 BY_STATURE: Final = 0.35
+#: Error of a net point beyond its spread on painted heads where a body photo shows the face small, metres.
+NET_M: Final = 0.0013
 
 
 def body_camera(model: Model, phenotype: Phenotype) -> Camera | None:
@@ -68,14 +72,34 @@ def head_scale(
     if front is not None and not phenotype.views:
         return float(np.exp(np.clip(np.log(usual_scale(model, fitted, phenotype)), -limit, limit)))
     camera, proposal = body_camera(model, phenotype), proposals.views.get(ViewId.BODY_FRONT)
-    if front is None or camera is None or proposal is None or proposal.face_presence < params.presence:
+    if front is None or fitted.front is None or camera is None:
         return 1.0
-    seen = camera.project(model.net.places.at(model.whole(fitted.head_m)))
-    weight = 1.0 / (model.net.sigma_m**2 + params.net_floor_m**2)
-    weight = weight / weight.sum()
-    wanted = proposal.face_px - weight @ proposal.face_px
-    have = seen - weight @ seen
-    turned = (weight * (np.conj(have @ [1, 1j]) * (wanted @ [1, 1j]))).sum()
-    factor = abs(turned) / max(float(weight @ (have**2).sum(axis=1)), 1e-12)
+    if proposal is None or proposal.face_presence < params.presence:
+        return 1.0
+    places = model.net.places.at(model.whole(fitted.head_m))
+    made = model.modes.own_errors_m(front.net_px, places, fitted.front)
+    factor = seen_scale(model, places, made, camera, proposal.face_px)
     certain = params.own_scale**2 / (params.own_scale**2 + params.body_scale**2)
     return float(np.exp(np.clip(certain * np.log(max(factor, 1e-3)), -limit, limit)))
+
+
+def seen_scale(model: Model, places: Array, made: Array, camera: Camera, face_px: Array) -> float:
+    """Return how much larger a photo shows a face (468, 2) px than the camera would.
+
+    The face may nod and turn otherwise than the camera believes, and is drawn with the net's errors (468, 2), metres,
+    that were found in another photo of the same face: a bent or a turned face looks smaller than it is.
+    """
+    metres, middle = camera.metres_per_pixel(places.mean(axis=0)), camera.to_camera(places.mean(axis=0)[None])[0]
+    weight = 1.0 / (model.net.sigma_m**2 + NET_M**2)
+    turned = camera
+    for _ in range(2):
+        errors = (made + model.modes.turn_errors_m(turned.camera_from_model[:3, :3])) / metres
+        found = resect(places, face_px - errors, camera, sigma_px=1.0 / (np.sqrt(weight) * metres)).camera
+        pose = np.array(found.camera_from_model)
+        pose[:3, 3] += middle - found.to_camera(places.mean(axis=0)[None])[0]
+        turned = replace(camera, camera_from_model=pose)
+    weight = weight / weight.sum()
+    wanted, have = face_px - errors, turned.project(places)
+    wanted, have = wanted - weight @ wanted, have - weight @ have
+    alike = (weight * (np.conj(have @ [1, 1j]) * (wanted @ [1, 1j]))).sum()
+    return float(abs(alike) / max(float(weight @ (have**2).sum(axis=1)), 1e-12))

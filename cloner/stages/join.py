@@ -7,12 +7,13 @@ and the loop stays closed. Soles are set flat on the floor.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.detectors.face_net import load_face_net
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.face_grids import eyeball
 from cloner.generic.load import GenericHuman, load_generic
@@ -27,6 +28,7 @@ from cloner.stages.carriage import NECK, carry_heads
 from cloner.stages.face_targets import face_targets
 from cloner.stages.fine import Params as FineParams
 from cloner.stages.fine import neck_trust, settled
+from cloner.stages.head_modes import load_head_modes
 from cloner.stages.outlined import Outlined, masked_field, outlined_photos
 from cloner.stages.points import for_fitting
 
@@ -115,6 +117,15 @@ def near_photos(head: HeadFit, proposals: Proposals, risen_m: float) -> dict[Vie
     return photos
 
 
+def face_errors_m(mesh: BodyMesh, near: Mapping[ViewId, Outlined], proposals: Proposals) -> Array:
+    """Return what the face net makes of this person (468, 2), metres, as the front photo of the face shows it."""
+    modes, view = load_head_modes(), ViewId.FACE_FRONT
+    if view not in near or proposals.views[view].face_presence <= 0.0:
+        return modes.bias_m
+    places = load_face_net().places.at(mesh.vertices_m)
+    return modes.own_errors_m(proposals.views[view].face_px, places, near[view].posed.camera)
+
+
 def eye_joints(generic: GenericHuman, joints_m: Array, vertices_m: Array) -> Array:
     """Return the joints with those of the eyes in the eyeballs' centres, about which they turn."""
     out = joints_m.copy()
@@ -159,7 +170,8 @@ def run(
     photos = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
     seen = {view: for_fitting(points) for view, points in body_points.views.items()}
     faces = {view: proposals.views[view].face_px for view in photos if proposals.views[view].face_presence > 0.0}
-    poses = carry_heads(mesh, {**photos, **near_photos(head, proposals, risen)}, seen, faces)
+    near = near_photos(head, proposals, risen)
+    poses = carry_heads(mesh, {**photos, **near}, seen, faces, face_errors_m(mesh, near, proposals))
     lift = np.array([0.0, phenotype.sole_m, 0.0])
     vertices, joints = slim_neck(mesh, photos, poses) + lift, mesh.joints_m + lift
     views = {
