@@ -2,10 +2,8 @@
 
 Stages that run abreast count each other's CPU seconds, so stages do not add up to the clone.
 
-The floor is what no faster code could leave out: decoding the photos, asking the nets what they are asked of each
-photo (two photos at a time, as the product does), and encoding every picture that is delivered once: the atlas for
-exports and for the clone's own file, shells, lashes, previews. Masks, labels and everything after are not in it; until
-22 November 2026 it held the whole stage "proposals" instead of the nets, and of the pictures only atlas and shells.
+The floor is what no faster code could leave out (``cloner/evaluate/floor.py``): decoding the photos, asking the nets,
+encoding every picture that is delivered.
 Run with ``make bench``; give a folder of photos to clone another person.
 """
 
@@ -16,26 +14,13 @@ import json
 import tempfile
 import time
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-from PIL import Image
-
-from cloner.abreast import abreast
 from cloner.cloning import DEFAULT_TEXTURE_SIZE, clone_folder
-from cloner.detectors.table import DETECTORS
-from cloner.exporters.files import jpeg_bytes, png_bytes
-from cloner.generic.surfaces import load_surfaces
+from cloner.evaluate.floor import ask_nets, encode_pictures
 from cloner.pipeline import peak_mib
 from cloner.project.folder import load_photos
-from cloner.records.clones import Clone
-from cloner.records.photos import Photo, PhotoSet
-from cloner.stages.proposals import check_people, face_in
-
-Pixels = NDArray[np.uint8]
 
 SAMPLE = Path(__file__).resolve().parents[1] / "samples" / "anna" / "plain"
 
@@ -45,27 +30,6 @@ def timed(work: Callable[[], Any]) -> tuple[Any, float, float]:
     wall, cpu = time.perf_counter(), time.process_time()
     value = work()
     return value, time.perf_counter() - wall, time.process_time() - cpu
-
-
-def ask_nets(photos: PhotoSet) -> None:
-    """Ask the nets about every photo, as the stage "proposals" does, and let them go."""
-
-    def ask(photo: Photo) -> None:
-        check_people(photo)
-        DETECTORS.get("pose")(photo.rgb)
-        face_in(photo)
-
-    list(abreast(ask, photos.photos.values()))
-    DETECTORS.get("let_nets_go")()
-
-
-def encode(clone: Clone, previews: list[Pixels]) -> int:
-    """Encode every picture that is delivered, two at a time, and return the bytes."""
-    pictures = [clone.atlas.rgb, clone.atlas.coverage, *(shell.rgba for shell in clone.shells)]
-    pictures += [surface.rgba for surface in load_surfaces() if surface.rgba is not None]
-    jobs = [partial(png_bytes, pixels) for pixels in pictures]
-    jobs += [partial(jpeg_bytes, pixels) for pixels in (clone.atlas.rgb, *previews)]
-    return sum(abreast(lambda job: len(job()), jobs))
 
 
 def main() -> None:
@@ -89,8 +53,7 @@ def main() -> None:
                 chosen.photos, Path(out), identifier="bench", texture_size=chosen.texture_size, progress=mark
             )
         )
-        previews = [np.asarray(Image.open(path)) for path in sorted(outcome.folder.glob("previews/*.jpg"))]
-    _, encode_s, encode_cpu = timed(lambda: encode(outcome.values["clone"], previews))
+        _, encode_s, encode_cpu = timed(lambda: encode_pictures(outcome.values["clone"], outcome.folder))
 
     floor_s, floor_cpu = decode_s + nets_s + encode_s, decode_cpu + nets_cpu + encode_cpu
     stages = outcome.report["timings"]["stages"]

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.cloning import clone_folder
-from cloner.exporters.files import jpeg_bytes
+from cloner.evaluate.floor import ask_nets, encode_pictures
 from cloner.pipeline import peak_mib
 from cloner.project.folder import load_photos
 from cloner.records.clones import Clone
@@ -88,15 +88,14 @@ def clone_apart(photos: Path, stature_m: float, out: Path) -> CloneRun:
 
 def clone_here(photos: Path, stature_m: float, out: Path) -> CloneRun:
     """Clone the photos of a folder in this process; see :func:`clone_apart`."""
-    clock = _StepClock()
     wall, cpu = time.perf_counter(), time.process_time()
-    outcome = clone_folder(photos, out, height_cm=100.0 * stature_m, progress=clock)
+    outcome = clone_folder(photos, out, height_cm=100.0 * stature_m)
     seconds, cpu_seconds, peak = time.perf_counter() - wall, time.process_time() - cpu, peak_mib()
     clone: Clone = outcome.values["clone"]
     before = time.perf_counter()
-    load_photos(photos)
-    jpeg_bytes(clone.atlas.rgb)
-    floor = time.perf_counter() - before + clock.spent.get("proposals", 0.0)
+    ask_nets(load_photos(photos))
+    encode_pictures(clone, outcome.folder)
+    floor = time.perf_counter() - before
     silhouettes: SilhouetteSet = outcome.values["obeyed_silhouettes"]
     return CloneRun(
         clone=clone,
@@ -108,16 +107,3 @@ def clone_here(photos: Path, stature_m: float, out: Path) -> CloneRun:
         peak_mib=peak,
         measures=outcome.values["measures"],
     )
-
-
-class _StepClock:
-    """A progress callback that adds up the time between steps."""
-
-    def __init__(self) -> None:
-        self.spent: dict[str, float] = {}
-        self._step, self._since = "", time.perf_counter()
-
-    def __call__(self, step: str, fraction: float) -> None:
-        now = time.perf_counter()
-        self.spent[self._step] = self.spent.get(self._step, 0.0) + now - self._since
-        self._step, self._since = step, now
