@@ -16,12 +16,11 @@ from cloner.baking.sources import (
     Limits,
     Source,
     covered_by_hair,
-    hair_allowed,
-    hair_kept,
     shown_colours,
     visible_points,
 )
 from cloner.baking.tiles import Tile, cut_tiles
+from cloner.baking.zones import hair_allowed, hair_kept
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import head_weight

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.sources import Source, hair_allowed
+from cloner.baking.sources import Source
+from cloner.baking.zones import hair_allowed
 from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.vision.aligning import sample

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
+from cloner.geometry.seeing import Sight, look, nearest_of
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
@@ -37,3 +40,36 @@ def pose_shell(generic: GenericHuman, joined: Joined, view: PosedView, shell: Sh
     """Return the (N, 3) vertices of a shell as in one photo, metres."""
     transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
     return skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stood:
+    """A person before the camera of one photo.
+
+    Attributes
+    ----------
+    posed_m : (V, 3) float64
+    sight : Sight
+    hair_m : (h, w) float32
+        Depth of the nearest shell, inf where there is none.
+    """
+
+    posed_m: Array
+    sight: Sight
+    hair_m: NDArray[np.float32]
+
+    @property
+    def shown(self) -> NDArray[np.bool_]:
+        """The (h, w) pixels that body or shells cover, at ``DEPTH_SCALE``."""
+        return np.asarray(np.isfinite(self.sight.nearest_m) | np.isfinite(self.hair_m), bool)
+
+
+def stand(generic: GenericHuman, joined: Joined, shells: tuple[Shell, ...], view: PosedView) -> Stood:
+    """Return the person as one photo's camera sees body and shells."""
+    posed = pose(generic, joined, view)
+    sight = look(posed, body_triangles(generic), view.camera)
+    hair_m = np.full_like(sight.nearest_m, np.inf)
+    for shell in shells:
+        shape = pose_shell(generic, joined, view, shell)
+        hair_m = np.minimum(hair_m, nearest_of(shape, shell.triangles, view.camera))
+    return Stood(posed, sight, hair_m)

@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 from cloner.abreast import abreast
 from cloner.baking.ear_match import shift_ear
 from cloner.baking.labelled import PERSON_LEVEL
-from cloner.baking.posed import body_triangles, pose, pose_shell
-from cloner.baking.zones import in_arm_zone, near_bare_head, near_shell
+from cloner.baking.posed import Stood, body_triangles, stand
+from cloner.baking.zones import hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
-from cloner.geometry.seeing import Sight, depth_at, look, nearest_of
-from cloner.records.bodies import PosedView
+from cloner.geometry.seeing import Sight, depth_at
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.photos import PhotoSet
@@ -27,7 +26,9 @@ from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.aligning import outline_shift, sample, shift_points
 from cloner.vision.evening import unclipped, unsaturated
 from cloner.vision.plates import Plate, prepare_plate
+from cloner.vision.repair import without_room
 from cloner.vision.skin_colour import SkinColour
+from cloner.vision.strangers import own_colours
 from cloner.vision.vetting import label_colour
 
 Array = NDArray[np.float64]
@@ -39,6 +40,7 @@ UNSAFE_CLAIM = 0.3  # of the usual, beside an inner outline
 BURNT_CLAIM = 0.15  # of the usual, where a channel is at its end
 SQUARE_COSINE = (0.6, 0.8)  # surfaces that face a photo stay its own: features must not come from two photos
 SHELL_SHARE = 0.012  # of the figure, 2 cm: labels this far from any shell are doubted
+BESIDE_M = 0.01  # what stands out of the fitted body by more is room: its colours are the person's, its place is not
 HAIR_RIM_SHARE = 0.0044  # a fringe's rim may lie this much farther out in the photo than in the shell
 HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
 
@@ -116,12 +118,19 @@ def gather_sources(
     skins = person_skin(photos, proposals, silhouettes)
 
     def prepared(view: ViewId) -> tuple[Source, float] | None:
-        plate = make_plate(view, photos, proposals.views[view], silhouettes, limits, skins.get(view))
+        stood = stand(generic, joined, shells, joined.views[view])
+        mask = person_mask(view, proposals.views[view], silhouettes)
+        if not view.is_face:  # a face photo's shoulders hang in no known pose
+            mask = without_room(mask, stood.shown, BESIDE_M / stood.sight.metres_per_pixel)
+            mask = own.without_room(photos.photos[view].rgb, mask)
+        plate = make_plate(view, photos, proposals.views[view], mask, limits, skins.get(view))
         if not (plate.inside_px > 0.0).any():
             return None
-        return make_source(generic, joined, shells, joined.views[view], plate, limits, faces)
+        return make_source(generic, stood, view, plate, limits, faces)
 
     views = [view for view in joined.views if view in photos.photos and view in proposals.views]
+    bodies = [view for view in views if not view.is_face]
+    own = own_colours((photos.photos[v].rgb, person_mask(v, proposals.views[v], silhouettes)) for v in bodies)
     for view, found in zip(views, abreast(prepared, views), strict=True):
         if found is None:
             continue
@@ -152,13 +161,12 @@ def make_plate(
     view: ViewId,
     photos: PhotoSet,
     proposal: Proposal,
-    silhouettes: SilhouetteSet,
+    mask: NDArray[np.bool_],
     limits: Limits,
     skin: SkinColour | None,
 ) -> Plate:
     """Return the photo without background; see :func:`prepare_plate`."""
     frontal = proposal.face_presence >= limits.face_presence and view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT)
-    mask = person_mask(view, proposal, silhouettes)
     return prepare_plate(
         photos.photos[view].rgb,
         mask,
@@ -171,36 +179,29 @@ def make_plate(
 
 def make_source(
     generic: GenericHuman,
-    joined: Joined,
-    shells: tuple[Shell, ...],
-    posed_view: PosedView,
+    stood: Stood,
+    view: ViewId,
     plate: Plate,
     limits: Limits,
     faces: frozenset[ViewId],
 ) -> tuple[Source, float]:
     """Return one photo as a source and the mean gap between outlines before the shift, px."""
-    triangles = body_triangles(generic)
-    posed = pose(generic, joined, posed_view)
-    sight = look(posed, triangles, posed_view.camera)
+    sight = stood.sight
     lookup, gap = align(sight, plate, limits)
-    lookup = shift_ear(generic, posed, triangles, sight, plate.hair, posed_view.view, lookup)
-    hair_m = np.full_like(sight.nearest_m, np.inf)
-    for shell in shells:
-        shape = pose_shell(generic, joined, posed_view, shell)
-        hair_m = np.minimum(hair_m, nearest_of(shape, shell.triangles, posed_view.camera))
-    rim = 2 * int(np.ceil(HAIR_RIM_SHARE * plate.figure_px * hair_m.shape[0] / plate.inside_px.shape[0])) + 1
-    hair_m = cv2.erode(hair_m, np.ones((rim, rim), np.uint8), borderValue=np.inf)
+    lookup = shift_ear(generic, stood.posed_m, body_triangles(generic), sight, plate.hair, view, lookup)
+    rim = 2 * int(np.ceil(HAIR_RIM_SHARE * plate.figure_px * stood.hair_m.shape[0] / plate.inside_px.shape[0])) + 1
+    hair_m = cv2.erode(stood.hair_m, np.ones((rim, rim), np.uint8), borderValue=np.inf)
     growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1
     hair = cv2.dilate(plate.hair.astype(np.uint8) * 255, np.ones((growth, growth), np.uint8))
-    if shells:
+    if np.isfinite(hair_m).any():
         hair[~near_shell(hair_m, hair.shape, SHELL_SHARE * plate.figure_px)] = 0
-    source = Source(posed_view.view, False, plate, sight, lookup, hair_m, hair, np.zeros(len(lookup)))
+    source = Source(view, False, plate, sight, lookup, hair_m, hair, np.zeros(len(lookup)))
     seen = visible_points(source, limits, sight.pixel_px, lookup, sight.depth_m, sight.cosine)
     seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
-    if posed_view.view is ViewId.BODY_SIDE:
+    if view is ViewId.BODY_SIDE:
         seen &= ~(arms_beside_head(generic) & near_bare_head(generic, plate, lookup))
         seen &= in_arm_zone(generic, plate, lookup)
-    share = photo_shares(generic, posed_view.view, faces=faces)
+    share = photo_shares(generic, view, faces=faces)
     share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
     # Where a photo is burnt out another one shows more, if it faces the surface better.
     square = np.clip((sight.cosine - SQUARE_COSINE[0]) / (SQUARE_COSINE[1] - SQUARE_COSINE[0]), 0.0, 1.0)
@@ -249,16 +250,6 @@ def mirror_source(generic: GenericHuman, source: Source) -> Source:
         lookup_px=source.lookup_px[twin],
         score=mirrored_share() * source.score[twin],
     )
-
-
-def hair_allowed(generic: GenericHuman) -> NDArray[np.bool_]:
-    """Return (V,) where hair in the photo is the surface's own colour: the scalp."""
-    return generic.region("scalp")
-
-
-def hair_kept(generic: GenericHuman) -> NDArray[np.bool_]:
-    """Return (V,) where hair labels are not believed (brows) unless a shell hides the skin."""
-    return generic.region("face")
 
 
 def visible_points(

@@ -1,4 +1,4 @@
-"""Parts of a photo in which its lookups are doubted."""
+"""Parts of the surface and of a photo in which hair is believed, and lookups are doubted."""
 
 from __future__ import annotations
 
@@ -14,6 +14,16 @@ from cloner.vision.plates import Plate
 Array = NDArray[np.float64]
 
 STRAY_SHARE = 0.006  # of the figure, 1 cm: how far lookups stray where a shoulder is misjudged
+
+
+def hair_allowed(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) where hair in the photo is the surface's own colour: the scalp."""
+    return generic.region("scalp")
+
+
+def hair_kept(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) where hair labels are not believed (brows) unless a shell hides the skin."""
+    return generic.region("face")
 
 
 def near_shell(hair_m: NDArray[np.float32], shape: tuple[int, ...], reach_px: float) -> NDArray[np.bool_]:

@@ -99,6 +99,32 @@ def spread_nearest(rgb: NDArray[np.uint8], known: NDArray[np.bool_]) -> NDArray[
     return np.ascontiguousarray(spread.reshape(*known.shape, 4)[..., :3])
 
 
+def without_room(mask: NDArray[np.bool_], body: NDArray[np.bool_], reach_px: float) -> NDArray[np.bool_]:
+    """Return the mask (H, W) without what stands out of the body that was fitted to it.
+
+    A box of the skin's colour beside an arm is part of the mask, but no limb is that wide: the fit left it out.
+    Where the mask stands out farther than a fit errs, all of it outside the body goes.
+
+    Parameters
+    ----------
+    mask : (H, W) bool, the person
+    body : (h, w) bool, the fitted body's picture, perhaps smaller
+    reach_px : float
+        Pixels of ``body`` that a fit errs by.
+    """
+    size = body.shape[::-1]
+    small = cv2.resize(mask.astype(np.uint8), size, interpolation=cv2.INTER_NEAREST) > 0
+    away = cv2.distanceTransform((~body).astype(np.uint8), cv2.DIST_L2, 5)
+    far = (small & (away > reach_px)).astype(np.uint8)
+    if not far.any() or not body.any():
+        return mask
+    width = 4 * int(np.ceil(reach_px)) + 1  # down to the body, and as far along it
+    room = (cv2.dilate(far, np.ones((width, width), np.uint8)) > 0) & ~body
+    return np.asarray(
+        mask & (cv2.resize(room.astype(np.uint8), mask.shape[::-1], interpolation=cv2.INTER_NEAREST) == 0), bool
+    )
+
+
 def own_pixels(rgb: NDArray[np.uint8], mask: NDArray[np.bool_], reach_px: float) -> NDArray[np.bool_]:
     """Return the mask (H, W) without pixels near its border that look like what lies around it.
 
