@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.baking.lid_skin import clean_lids
+from cloner.baking.lid_skin import _lids, clean_lids
 from cloner.generic.face_grids import eye_grid
 from cloner.generic.load import load_generic
 from kit.clones import toy_clone
@@ -57,3 +57,10 @@ def test_all_but_the_upper_lids_stays_as_it_was(generic, vertices):
     lids = np.concatenate([texels(generic, eye_grid(side).rings.ravel()) for side in ("left", "right")])
     distance = np.abs(changed[:, None] - lids[None]).max(axis=2).min(axis=1)
     assert distance.max() < SIZE / 40, "only around the eyes"
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+def test_lids_are_worked_on_in_a_small_part_of_the_atlas(generic, vertices, side):
+    charts, _ = _lids(generic, side, SIZE, vertices)
+    assert sum(chart.ring.size for chart in charts) < 0.02 * SIZE**2, "texels; a box around both charts took a fifth"
+    assert charts[0].seen().any(), "the chart outside comes first: the lid's inside takes its colour"

@@ -9,8 +9,9 @@ import pytest
 from skimage import data
 
 from cloner.detectors.litert import POSE_NAMES, detect_face, detect_people, detect_pose
-from cloner.detectors.placing import same_body
+from cloner.detectors.placing import same_body, same_crop
 from cloner.detectors.results import Box
+from cloner.vision.crops import Crop
 from kit.visitors import NAMES, overlap, photo, truth_mask, visitor_folder
 
 MESH_MARKS = {"mouth_corner_R": 61, "mouth_corner_L": 291, "eye_outer_R": 33, "eye_outer_L": 263}
@@ -130,3 +131,15 @@ def test_one_body_with_the_nose_taken_for_the_nape_is_one() -> None:
 
 def test_a_couple_in_an_embrace_is_two() -> None:
     assert not same_body(body(100, 400), body(280, 580))
+
+
+@pytest.mark.parametrize(
+    ("other", "same"),
+    [
+        (Crop(635.0, 925.0, 1640.0, 1640.0, 0.05), True),  # another tile's find of the same person
+        (Crop(700.0, 925.0, 1700.0, 1700.0), False),  # hips 10 cm away
+        (Crop(607.0, 1010.0, 1300.0, 1300.0), False),  # a child before
+    ],
+)
+def test_crops_of_one_person_are_looked_at_once(other: Crop, same: bool) -> None:
+    assert same_crop(Crop(607.0, 919.0, 1748.0, 1748.0), other) == same
