@@ -25,6 +25,7 @@ from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
+from cloner.stages.hair_agreement import HairField, agreement
 from cloner.stages.head_modes import load_head_modes
 from cloner.stages.outlined import Outlined, body_triangles, see
 
@@ -40,6 +41,8 @@ _HAIR = 4
 _INDEPENDENT = 30.0
 #: Largest turn of one step, radians.
 _STEP_RAD = 0.15
+#: Points of a photo without a face.
+UNSEEN = np.zeros((0, 2))
 
 
 @dataclass(frozen=True, slots=True)
@@ -244,6 +247,7 @@ def carry_heads(
     points: Mapping[ViewId, ViewPoints],
     faces_px: Mapping[ViewId, Array],
     face_errors_m: Array,
+    lines: Mapping[ViewId, HairField],
 ) -> dict[ViewId, PosedView]:
     """Return the photos' poses with the head turned to what each photo shows.
 
@@ -259,6 +263,8 @@ def carry_heads(
         The face net's points where a body photo shows a face.
     face_errors_m : (468, 2)
         What the net makes of this face when it looks straight at the camera: right and down in the picture.
+    lines : mapping of ViewId to HairField
+        Hairlines of the photos that show hair.
     """
     params, head = Params(), Head.of(mesh)
     usual = np.deg2rad([(0.0, degrees) for view in photos for degrees in _usual_deg(view, params)])
@@ -266,16 +272,11 @@ def carry_heads(
     ends = np.cumsum([angles_of(view) for view in photos])
     own = {view: slice(end - angles_of(view), end) for view, end in zip(photos, ends, strict=True)}
     state, hair = rest.copy(), slice(len(rest) - _HAIR, None)
+    turning = {view: functools.partial(turned, photos[view].posed, pivot_m=head.pivot_m) for view in lines}
     for _ in range(params.turns):
         sights = {
             view: sight_of(
-                head,
-                photo,
-                state[own[view]],
-                points.get(view),
-                faces_px.get(view, np.zeros((0, 2))),
-                face_errors_m,
-                params,
+                head, photo, state[own[view]], points.get(view), faces_px.get(view, UNSEEN), face_errors_m, params
             )
             for view, photo in photos.items()
         }
@@ -283,13 +284,24 @@ def carry_heads(
         for view, sight in sights.items():
             value, slope = sight.linear(state[own[view]], state[hair])
             values.append(value)
-            slopes.append(np.zeros((len(value), len(state))))
-            slopes[-1][:, own[view]], slopes[-1][:, hair] = slope[:, :-_HAIR], slope[:, -_HAIR:]
+            slopes.append(_placed({view: slope[:, :-_HAIR]}, own, len(state)))
+            slopes[-1][:, hair] = slope[:, -_HAIR:]
+        for value, by_view in agreement(mesh, lines, turning, {view: state[own[view]] for view in lines}):
+            values.append(value)
+            slopes.append(_placed(by_view, own, len(state)))
         jacobian = np.concatenate(slopes)
         step = np.linalg.solve(jacobian.T @ jacobian, -jacobian.T @ np.concatenate(values))
         step[: hair.start] = np.clip(step[: hair.start], -_STEP_RAD, _STEP_RAD)
         state = state + step
     return {view: turned(photo.posed, state[own[view]], head.pivot_m) for view, photo in photos.items()}
+
+
+def _placed(slopes: Mapping[ViewId, Array], own: Mapping[ViewId, slice], width: int) -> Array:
+    """Return (R, width) derivatives by all angles from those by some photos' own."""
+    found = np.zeros((len(next(iter(slopes.values()))), width))
+    for view, slope in slopes.items():
+        found[:, own[view]] = slope
+    return found
 
 
 def _usual_deg(view: ViewId, params: Params) -> tuple[float, ...]:

@@ -28,6 +28,7 @@ from cloner.stages.carriage import NECK, carry_heads
 from cloner.stages.face_targets import face_targets
 from cloner.stages.fine import Params as FineParams
 from cloner.stages.fine import neck_trust, settled
+from cloner.stages.hair_agreement import hair_fields
 from cloner.stages.head_modes import load_head_modes
 from cloner.stages.outlined import Outlined, masked_field, outlined_photos
 from cloner.stages.points import for_fitting
@@ -171,7 +172,8 @@ def run(
     seen = {view: for_fitting(points) for view, points in body_points.views.items()}
     faces = {view: proposals.views[view].face_px for view in photos if proposals.views[view].face_presence > 0.0}
     near = near_photos(head, proposals, risen)
-    poses = carry_heads(mesh, {**photos, **near}, seen, faces, face_errors_m(mesh, near, proposals))
+    lines = hair_fields(proposals, silhouettes, {**photos, **near})
+    poses = carry_heads(mesh, {**photos, **near}, seen, faces, face_errors_m(mesh, near, proposals), lines)
     lift = np.array([0.0, phenotype.sole_m, 0.0])
     vertices, joints = slim_neck(mesh, photos, poses) + lift, mesh.joints_m + lift
     views = {

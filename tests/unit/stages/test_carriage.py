@@ -103,7 +103,9 @@ def test_a_nod_is_found_from_the_side(nod_degrees):
     person, believed = people.known_person(51), people.known_pose(1, spread=0.0)
     true = nodded(believed, nod_degrees)
     photos, points, faces = photographed(person, {SIDE: true}, believed)
-    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT)[SIDE]
+    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {})[
+        SIDE
+    ]
     before, after = (off_px(person, posed, true, ["nose_tip"]) for posed in (photos[SIDE].posed, found))
     assert before > 12.0, "the nod moves the nose"
     # two usual spreads of a head's turn (4 degrees): the prior keeps a quarter back
@@ -115,7 +117,9 @@ def test_a_nod_is_found_from_the_side(nod_degrees):
 def test_a_head_that_is_right_stays():
     person, pose = people.known_person(51), people.known_pose(1, spread=0.0)
     photos, points, faces = photographed(person, {SIDE: pose}, pose)
-    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT)[SIDE]
+    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {})[
+        SIDE
+    ]
     assert off_px(person, found, pose, ["nose_tip"]) < 3.0
 
 
@@ -125,7 +129,7 @@ def test_under_thick_hair_front_and_side_hold_the_head_in_the_photo_of_the_back(
     true = {FRONT: nodded(believed, 5.0), SIDE: nodded(believed, -4.0), BACK: believed.copy()}
     true[BACK][load_generic().joint("vc5"), 2] += np.deg2rad(7.0)  # the head leans to one side by 1.2 cm
     photos, points, faces = photographed(person, true, believed, thick_m)
-    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT)
+    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {})
     crown = ["head_top", "ear_outer_L", "ear_outer_R"]
     before = {view: off_px(person, photos[view].posed, true[view], crown) for view in photos}
     after = {view: off_px(person, found[view], true[view], crown) for view in photos}
@@ -156,6 +160,8 @@ def test_a_net_that_draws_a_face_awry_does_not_nod_it():
     camera = photos[FRONT].posed.camera
     made = {FRONT: faces[FRONT] + awry / camera.metres_per_pixel(person.vertices_m.mean(axis=0))}
     mesh = BodyMesh(person.vertices_m, person.joints_m)
-    known, unknown = (carriage.carry_heads(mesh, photos, points, made, errors)[FRONT] for errors in (awry, STRAIGHT))
+    known, unknown = (
+        carriage.carry_heads(mesh, photos, points, made, errors, {})[FRONT] for errors in (awry, STRAIGHT)
+    )
     names = ["head_top", "nose_tip", "chin_bottom"]
     assert off_px(person, known, pose, names) < 0.7 * off_px(person, unknown, pose, names)
