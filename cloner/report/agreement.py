@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.abreast import abreast
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.layers import clone_layers
 from cloner.records.bodies import PosedView
@@ -47,22 +49,29 @@ def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, Agreeme
     This compares the clone with *our own* outline of the photo; the truth of
     synthetic visitors is compared by ``cloner evaluate``.
     """
-    found = {}
-    for view, silhouette in silhouettes.views.items():
-        posed = clone.views.get(view)
-        if posed is None:
-            continue
-        rotations = posed.rotations if view.is_body else None
-        drawn = coverage(clone_layers(clone, rotations), posed.camera, supersample=1) > 0.5  # half a pixel's cover
-        seen = silhouette.mask
-        row = _chin_row(clone, posed, seen.shape[0])
-        scale = _mm_per_pixel(clone, posed)
-        if view.is_face:
-            found[view] = compare(drawn[:row], seen[:row], scale)
-        else:
-            whole = compare(drawn, seen, scale)
-            found[view] = replace(whole, below_head_mm=scale * _outline_rms_px(drawn[row:], seen[row:]))
-    return found
+
+    def drawn() -> Iterator[tuple[PosedView, Mask]]:  # on this thread, as GL wants it, while others compare
+        for view in silhouettes.views:
+            posed = clone.views.get(view)
+            if posed is not None:
+                layers = clone_layers(clone, posed.rotations if view.is_body else None)
+                yield posed, coverage(layers, posed.camera, supersample=1) > 0.5  # half a pixel's cover
+
+    def told(shown: tuple[PosedView, Mask]) -> tuple[ViewId, Agreement]:
+        posed, own = shown
+        return posed.view, _agreement(clone, posed, own, silhouettes.views[posed.view].mask)
+
+    return dict(abreast(told, drawn()))
+
+
+def _agreement(clone: Clone, posed: PosedView, drawn: Mask, seen: Mask) -> Agreement:
+    """Return the agreement of one photo with the clone as its camera sees it."""
+    row = _chin_row(clone, posed, seen.shape[0])
+    scale = _mm_per_pixel(clone, posed)
+    if posed.view.is_face:
+        return compare(drawn[:row], seen[:row], scale)
+    whole = compare(drawn, seen, scale)
+    return replace(whole, below_head_mm=scale * _outline_rms_px(drawn[row:], seen[row:]))
 
 
 def compare(drawn: Mask, seen: Mask, mm_per_px: float) -> Agreement:
