@@ -30,7 +30,7 @@ SKIN_LABEL, HAIR_LABEL = 1, 2
 ARM_POINTS = ((13, 15, 17, 19, 21), (14, 16, 18, 20, 22))
 #: Full width of a forearm and of a finger's line with the net's error (20 px in 1,800), share of the figure.
 FOREARM_SHARE, HAND_SHARE = 0.055, 0.055
-FINGER_STRETCH = 2.2  # the net's finger points are knuckles; the tips lie this much farther from the wrist
+FINGER_STRETCH = 3.0  # the net's finger points are knuckles; long hands' tips lie this much farther from the wrist
 POSE_TRUST = 0.5
 BAND_SHARE = 0.004  # unsafe band inside the outline, of the figure's height (0.5 % less what edge linking wins)
 SMALLEST_BAND_PX = 2.0
