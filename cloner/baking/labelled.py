@@ -13,7 +13,7 @@ from cloner.frames import ViewId
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.vision.plates import HAIR_LABEL, SKIN_LABEL
-from cloner.vision.vetting import before_wall, hair_colours, vet_hair
+from cloner.vision.vetting import before_wall, hair_colours, vet_hair, without_neck
 
 STRIDE = 4  # colours of hair need no more
 UPPER_LIP = 13  # in the face net's mesh
@@ -41,6 +41,8 @@ def vet_labels(photos: PhotoSet, proposals: Proposals) -> Proposals:
         if view is ViewId.FACE_FRONT and proposal.face_presence > 0.0:
             named = begun_above(named, proposal.face_px)
         kept = before_wall(photos.photos[view].rgb, named, proposal.mask > PERSON_LEVEL, colours)
+        if view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+            kept = without_neck(photos.photos[view].rgb, kept, proposal.labels == SKIN_LABEL)
         if view is ViewId.BODY_BACK:
             kept = vet_hair(photos.photos[view].rgb, kept, colours)
         return replace(proposal, labels=np.where(labelled & ~kept, 0, proposal.labels).astype(np.uint8))

@@ -42,6 +42,8 @@ LEAST_HAIR: Final = 100
 #: Odds of hair against skin of one pixel count up to this many powers of two; means below `LEAST_ODDS` are a nape's.
 MOST_ODDS: Final = 3.0
 LEAST_ODDS: Final = -0.25
+#: A neck taken for hair is no less than this share of the hair.
+NECK_SHARE: Final = 0.015
 #: Share that keeps the odds of colours seen nowhere finite.
 UNSEEN_SHARE: Final = 1e-4
 #: Pieces of hair smaller than this share of the largest are left-overs of what was denied.
@@ -131,6 +133,31 @@ def vet_hair(rgb: NDArray[np.uint8], hair: NDArray[np.bool_], colours: HairColou
         return hair
     kept = _without(hair, rgb, lambda some: ~colours.has(some))
     return _without_nape(kept, rgb, colours) if kept.any() else kept
+
+
+def without_neck(rgb: NDArray[np.uint8], hair: NDArray[np.bool_], skin: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return hair (H, W) of a side photo without the neck, if all of that was taken for it.
+
+    Light falls alike on cheek and neck of one photo, so its own skin and the upper half of its own hair tell.
+    What is small may be a soft edge and stays.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    hair, skin : (H, W) bool, the labels
+    """
+    rows = np.flatnonzero(hair.any(axis=1))
+    if not rows.size:
+        return hair
+    upper = slice(0, (int(rows[0]) + int(rows[-1])) // 2)
+    colours = hair_colours([rgb[upper][hair[upper]]], [rgb[skin]])
+    if colours is None or not _shares([rgb[skin]]).any():
+        return hair
+    denied = hair & ~_without_nape(hair, rgb, colours)
+    _, pieces, stats, _ = cv2.connectedComponentsWithStats(denied.astype(np.uint8), connectivity=4)
+    large = stats[:, cv2.CC_STAT_AREA] >= NECK_SHARE * np.count_nonzero(hair)
+    large[0] = False
+    return np.asarray(hair & ~large[pieces], bool)
 
 
 def _without_nape(hair: NDArray[np.bool_], rgb: NDArray[np.uint8], colours: HairColours) -> NDArray[np.bool_]:
