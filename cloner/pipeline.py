@@ -92,7 +92,7 @@ STAGES: tuple[Stage, ...] = (
     Stage(
         "join",
         1,
-        ("proposals", "body_points", "silhouettes", "bodies", "head", "phenotype"),
+        ("photos", "proposals", "body_points", "silhouettes", "bodies", "head", "phenotype"),
         ("joined",),
         join.run,
     ),

@@ -89,9 +89,10 @@ def _correlation(front: Array, beside: Array) -> Array:
 
 @functools.cache
 def _skin() -> NDArray[np.integer]:
-    """Return the triangles of the face's outer skin."""
+    """Return the triangles of the outer skin of face and ears."""
     generic = load_generic()
-    kept = (generic.vertex_part == generic.part_names.index("body")) & generic.region("face")
+    shown = generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
+    kept = (generic.vertex_part == generic.part_names.index("body")) & shown
     kept &= ~generic.region("mouth_interior")
     triangles, _ = generic.triangles()
     return np.asarray(triangles[kept[triangles].all(axis=1)])
@@ -105,33 +106,42 @@ def find_flank(
     *,
     side: int,
 ) -> Flank:
-    """Return what was found of ``PLACES`` in the side photo.
+    """Return what the side photo shows of ``PLACES`` (``find_places``); side 0 is the person's left."""
+    places = np.array([vertex_of(generic, pair[side]) for pair in PLACES])
+    return find_places(places, whole, cameras, pictures)
+
+
+def find_places(
+    places: NDArray[np.int64],
+    whole: Array,
+    cameras: tuple[Camera, Camera],
+    pictures: tuple[NDArray[np.uint8], NDArray[np.uint8]],
+) -> Flank:
+    """Return what was found in the second photo of vertices (N,), by their look in the first.
 
     Parameters
     ----------
+    places : (N,)
     whole : (V, 3) vertices of the fitted person
-    cameras, pictures : front and side
-    side : int
-        0 when the side photo shows the person's left, 1 right.
+    cameras, pictures : first and second photo
     """
     skin = _skin()
     normals = vertex_normals(whole, skin)
-    rows = [_vertex(generic, pair[side]) for pair in PLACES]
-    patches = [_patch(generic, skin, row) for row in rows]
+    patches = [_patch(load_generic(), skin, row) for row in places]
     everything = np.vstack([patch.at(whole) for patch in patches])
     front, beside = (_detail(p, c, everything) for p, c in zip(pictures, cameras, strict=True))
     metres = cameras[1].metres_per_pixel(everything.mean(axis=0))
     steps = np.stack(np.meshgrid(np.arange(-ALONG_M, ALONG_M + 1e-9, STEP_M),
                                  np.arange(-ACROSS_M, ACROSS_M + 1e-9, STEP_M)), axis=-1).reshape(-1, 2)  # fmt: skip
     maps: dict[int, Array] = {}
-    for row, patch in zip(rows, patches, strict=True):
+    for row, patch in zip(places, patches, strict=True):
         points, turned = patch.at(whole), patch.at(normals)
         towards = [((c.position_m - points) * turned).sum(axis=1) / np.linalg.norm(c.position_m - points, axis=1)
                    for c in cameras]  # fmt: skip
         points = points[(towards[0] > TURNED) & (towards[1] > TURNED)]
         if len(points) >= FEWEST:
             spots = cameras[1].project(points)[None] + (steps / metres)[:, None]
-            maps[row] = _correlation(_sample(*front, cameras[0].project(points)), _sample(*beside, spots))
+            maps[int(row)] = _correlation(_sample(*front, cameras[0].project(points)), _sample(*beside, spots))
     found = _best_steps(maps, steps)
     return Flank(
         np.array([row for row, _, _ in found], dtype=np.int64),
@@ -155,7 +165,8 @@ def _best_steps(maps: dict[int, Array], steps: Array) -> list[tuple[int, Array, 
     return found
 
 
-def _vertex(generic: GenericHuman, name: str) -> int:
+def vertex_of(generic: GenericHuman, name: str) -> int:
+    """Return the vertex of a feature or an FDP name."""
     if name in generic.feature_names:
         return generic.feature(name)
     return int(generic.fdp_vertices[generic.fdp_names.index(name)])

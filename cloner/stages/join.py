@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,11 +21,14 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import HeadFit
+from cloner.records.photos import PhotoSet
 from cloner.records.points import BodyPoints, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
-from cloner.stages.carriage import NECK, carry_heads
+from cloner.stages.carriage import carry_heads
+from cloner.stages.carriage_looks import look_up
+from cloner.stages.carriage_sight import NECK
 from cloner.stages.face_targets import face_targets
 from cloner.stages.fine import Params as FineParams
 from cloner.stages.fine import neck_trust, settled
@@ -145,6 +149,7 @@ def named_features(generic: GenericHuman, vertices_m: Array) -> dict[str, Array]
 
 def run(
     *,
+    photos: PhotoSet,
     proposals: Proposals,
     body_points: BodyPoints,
     silhouettes: SilhouetteSet,
@@ -168,14 +173,22 @@ def run(
     apart = np.linalg.norm(head.vertices_m[place] - body.vertices_m[border], axis=1)
     vertices = flat_soles(generic, blend_head(generic, body, head), phenotype.sole_m)
     mesh, risen = to_stature(generic, BodyMesh(vertices, body.joints_m), phenotype.stature_m)
-    photos = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
+    outlined = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
     seen = {view: for_fitting(points) for view, points in body_points.views.items()}
-    faces = {view: proposals.views[view].face_px for view in photos if proposals.views[view].face_presence > 0.0}
+    faces = {view: proposals.views[view].face_px for view in outlined if proposals.views[view].face_presence > 0.0}
     near = near_photos(head, proposals, risen)
-    lines = hair_fields(proposals, silhouettes, {**photos, **near})
-    poses = carry_heads(mesh, {**photos, **near}, seen, faces, face_errors_m(mesh, near, proposals), lines)
+    lines = hair_fields(proposals, silhouettes, {**outlined, **near})
+    poses = carry_heads(
+        mesh,
+        {**outlined, **near},
+        seen,
+        faces,
+        face_errors_m(mesh, near, proposals),
+        lines,
+        partial(look_up, mesh, photos),
+    )
     lift = np.array([0.0, phenotype.sole_m, 0.0])
-    vertices, joints = slim_neck(mesh, photos, poses) + lift, mesh.joints_m + lift
+    vertices, joints = slim_neck(mesh, outlined, poses) + lift, mesh.joints_m + lift
     views = {
         view: PosedView(view, lifted(posed.camera, phenotype.sole_m), posed.rotations) for view, posed in poses.items()
     }

@@ -12,17 +12,26 @@ from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import rotation_matrices
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
+from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import HAIR, Proposals, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import carriage
+from cloner.stages.carriage_looks import look_up, shown_places
+from cloner.stages.carriage_sight import NECK, SKULL, Head, turned
+from cloner.stages.head_flank import Flank
 from cloner.stages.head_modes import load_head_modes
 from cloner.stages.outlined import outlined_photos
 from kit import people, studio
 
-FRONT, SIDE, BACK = ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.BODY_BACK
+FRONT, SIDE, BACK, NEAR = ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.BODY_BACK, ViewId.FACE_SIDE
 NAMES = ("nose_tip", "ear_outer_R")
 #: A net without errors on faces that look straight at the camera.
 STRAIGHT = np.zeros((468, 2))
+
+
+def nothing(poses):
+    """Return that nothing was looked up."""
+    return {}
 
 
 def hairy(person, thick_m):
@@ -103,23 +112,23 @@ def test_a_nod_is_found_from_the_side(nod_degrees):
     person, believed = people.known_person(51), people.known_pose(1, spread=0.0)
     true = nodded(believed, nod_degrees)
     photos, points, faces = photographed(person, {SIDE: true}, believed)
-    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {})[
-        SIDE
-    ]
+    found = carriage.carry_heads(
+        BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {}, nothing
+    )[SIDE]
     before, after = (off_px(person, posed, true, ["nose_tip"]) for posed in (photos[SIDE].posed, found))
     assert before > 12.0, "the nod moves the nose"
     # two usual spreads of a head's turn (4 degrees): the prior keeps a quarter back
     assert after < 0.3 * before, f"nose {before:.1f} -> {after:.1f} px"
-    other = np.setdiff1d(np.arange(94), [generic.joint(name) for name in (*carriage.NECK, *carriage.SKULL)])
+    other = np.setdiff1d(np.arange(94), [generic.joint(name) for name in (*NECK, *SKULL)])
     assert np.array_equal(found.rotations[other], believed[other]), "only the neck and the skull turn"
 
 
 def test_a_head_that_is_right_stays():
     person, pose = people.known_person(51), people.known_pose(1, spread=0.0)
     photos, points, faces = photographed(person, {SIDE: pose}, pose)
-    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {})[
-        SIDE
-    ]
+    found = carriage.carry_heads(
+        BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {}, nothing
+    )[SIDE]
     assert off_px(person, found, pose, ["nose_tip"]) < 3.0
 
 
@@ -129,7 +138,9 @@ def test_under_thick_hair_front_and_side_hold_the_head_in_the_photo_of_the_back(
     true = {FRONT: nodded(believed, 5.0), SIDE: nodded(believed, -4.0), BACK: believed.copy()}
     true[BACK][load_generic().joint("vc5"), 2] += np.deg2rad(7.0)  # the head leans to one side by 1.2 cm
     photos, points, faces = photographed(person, true, believed, thick_m)
-    found = carriage.carry_heads(BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {})
+    found = carriage.carry_heads(
+        BodyMesh(person.vertices_m, person.joints_m), photos, points, faces, STRAIGHT, {}, nothing
+    )
     crown = ["head_top", "ear_outer_L", "ear_outer_R"]
     before = {view: off_px(person, photos[view].posed, true[view], crown) for view in photos}
     after = {view: off_px(person, found[view], true[view], crown) for view in photos}
@@ -141,9 +152,9 @@ def test_under_thick_hair_front_and_side_hold_the_head_in_the_photo_of_the_back(
 
 def test_a_face_photo_nods_about_the_face():
     person = people.known_person(51)
-    head = carriage.Head.of(BodyMesh(person.vertices_m, person.joints_m))
+    head = Head.of(BodyMesh(person.vertices_m, person.joints_m))
     posed = PosedView(ViewId.FACE_FRONT, studio.camera(0.0), np.zeros((94, 3)))
-    found = carriage.turned(posed, np.array([0.1]), head.pivot_m)
+    found = turned(posed, np.array([0.1]), head.pivot_m)
     ends = [view.camera.project(head.pivot_m[None])[0] for view in (posed, found)]
     np.testing.assert_allclose(ends[1], ends[0], atol=1e-6)
     top = person.vertices_m[[load_generic().feature("head_top")]]
@@ -161,7 +172,38 @@ def test_a_net_that_draws_a_face_awry_does_not_nod_it():
     made = {FRONT: faces[FRONT] + awry / camera.metres_per_pixel(person.vertices_m.mean(axis=0))}
     mesh = BodyMesh(person.vertices_m, person.joints_m)
     known, unknown = (
-        carriage.carry_heads(mesh, photos, points, made, errors, {})[FRONT] for errors in (awry, STRAIGHT)
+        carriage.carry_heads(mesh, photos, points, made, errors, {}, nothing)[FRONT] for errors in (awry, STRAIGHT)
     )
     names = ["head_top", "nose_tip", "chin_bottom"]
     assert off_px(person, known, pose, names) < 0.7 * off_px(person, unknown, pose, names)
+
+
+@pytest.mark.parametrize("turn_degrees", [-9.0, 9.0])
+def test_skin_looked_up_beside_the_head_tells_its_turn(turn_degrees):
+    generic = load_generic()
+    person, believed = people.known_person(51), people.known_pose(1, spread=0.0)
+    true = believed.copy()
+    true[generic.joint("skullbase"), 1] += np.deg2rad(turn_degrees)
+    photos, points, faces = photographed(person, {SIDE: true}, believed)
+    marks = np.array([generic.feature(name) for name in ("ear_outer_L", "eye_outer_L", "mouth_corner_L")])
+    shown = photos[SIDE].posed.camera.project(person.posed(true)[0][marks])
+
+    def look(poses):
+        return {SIDE: Flank(marks, shown, np.ones(len(marks)))}
+
+    mesh = BodyMesh(person.vertices_m, person.joints_m)
+    blind, seeing = (
+        carriage.carry_heads(mesh, photos, points, faces, STRAIGHT, {}, found)[SIDE] for found in (nothing, look)
+    )
+    ear = ["ear_outer_L"]
+    assert off_px(person, seeing, true, ear) < 0.4 * off_px(person, blind, true, ear)
+
+
+def test_only_photos_of_the_same_side_are_looked_into():
+    person, pose = people.known_person(51), people.known_pose(1, spread=0.0)
+    pictures = PhotoSet({view: Photo(view, np.zeros((40, 30, 3), np.uint8), None, "", "") for view in (SIDE, NEAR)})
+    poses = {SIDE: PosedView(SIDE, studio.camera(90.0), pose), NEAR: PosedView(NEAR, studio.camera(-90.0), pose)}
+    assert look_up(BodyMesh(person.vertices_m, person.joints_m), pictures, poses) == {}
+    names = shown_places(np.array([1.0, 0.0, 0.1]))
+    assert "ear_outer_L" in names
+    assert not any(name.endswith("_R") for name in names)

@@ -12,6 +12,7 @@ from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import HAIR, Proposals, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import carriage, hair_agreement
+from cloner.stages.carriage_sight import NECK, SKULL
 from cloner.stages.outlined import Outlined, masked_field
 from kit import people, studio
 
@@ -45,7 +46,7 @@ def photographed(person, true, believed):
 def yaw_deg(pose):
     """Return how far neck and skull together turn aside."""
     generic = load_generic()
-    rows = [generic.joint(name) for name in (*carriage.NECK, *carriage.SKULL)]
+    rows = [generic.joint(name) for name in (*NECK, *SKULL)]
     return float(np.degrees(pose[rows, 1].sum()))
 
 
@@ -57,7 +58,7 @@ def test_hairlines_tell_the_turn_of_a_head_seen_from_aside(turned_deg):
     photos, lines = photographed(person, true, believed)
     silent = {view: ViewPoints(view, (), np.zeros((0, 2)), np.zeros(0), np.zeros(0, bool)) for view in photos}
     mesh, no_errors = BodyMesh(person.vertices_m, person.joints_m), np.zeros((468, 2))
-    found = carriage.carry_heads(mesh, photos, silent, {}, no_errors, lines)
+    found = carriage.carry_heads(mesh, photos, silent, {}, no_errors, lines, lambda poses: {})
     lack = abs(yaw_deg(found[SIDE].rotations) - yaw_deg(true[SIDE]))
     # a head's usual turn is 4 degrees: the prior keeps some of two such spreads back
     assert lack < 0.5 * abs(turned_deg), f"{lack:.1f} degrees are missing"
