@@ -19,8 +19,9 @@ _BODY_ON_HEAD = {ViewId.BODY_FRONT: 0.12, ViewId.BODY_SIDE: 0.1, ViewId.BODY_BAC
 # photos see arms against the background.
 _ARM_SIDE = {"upper_arm": 0.4, "forearm": 0.15, "hand": 0.1}
 # Collars belong to the face photos: two photos never agree about them to the millimetre, further down on plain cloth
-# they may. Arms hang in no known pose in face photos, so they keep near the neck.
-_SHOULDER_REACH_M = 0.13
+# they may. Arms hang in no known pose in face photos, so they keep near the neck; from the side the top of a shoulder
+# is seen in none as well as there.
+_SHOULDER_REACH_M, _SIDE_REACH_M = 0.08, 0.13
 
 
 def photo_shares(generic: GenericHuman, view: ViewId, *, faces: frozenset[ViewId]) -> NDArray[np.float64]:
@@ -33,7 +34,8 @@ def photo_shares(generic: GenericHuman, view: ViewId, *, faces: frozenset[ViewId
     faces : frozenset of ViewId
         The face photos there are: they keep body photos off the head.
     """
-    head = np.maximum(head_weight(generic), _beside_neck(generic)) if faces else head_weight(generic)
+    reach = _SIDE_REACH_M if view in (ViewId.FACE_SIDE, ViewId.BODY_SIDE) else _SHOULDER_REACH_M
+    head = np.maximum(head_weight(generic), _beside_neck(generic, reach)) if faces else head_weight(generic)
     ears = generic.region("ear_left") | generic.region("ear_right")
     if view is ViewId.FACE_FRONT:
         return head * np.where(generic.region("face"), _FACE_FRONT, 1.0) * np.where(ears, 0.6, 1.0)
@@ -81,11 +83,11 @@ def _segments(generic: GenericHuman, endings: tuple[str, ...]) -> NDArray[np.boo
     return np.isin(generic.vertex_segment, names)
 
 
-def _beside_neck(generic: GenericHuman) -> NDArray[np.float64]:
+def _beside_neck(generic: GenericHuman, reach_m: float) -> NDArray[np.float64]:
     """Return (V,) weights falling from 1 at the neck's base to 0 on the shoulders."""
     base = generic.vertices_m[generic.region("neck")].astype(np.float64)
     low = base[base[:, 1] < np.quantile(base[:, 1], 0.2)]
     gap = np.linalg.norm(generic.vertices_m[:, None, [0, 2]] - low[None, ::4, [0, 2]], axis=2).min(axis=1)
-    below = np.clip((low[:, 1].mean() - generic.vertices_m[:, 1]) / _SHOULDER_REACH_M, 0.0, 1.0)
-    on_torso = ~_segments(generic, tuple(_ARM_SIDE)) & (generic.vertices_m[:, 1] > low[:, 1].mean() - _SHOULDER_REACH_M)
-    return np.where(on_torso, np.clip(1.0 - gap / _SHOULDER_REACH_M, 0.0, 1.0) * (1.0 - below), 0.0)
+    below = np.clip((low[:, 1].mean() - generic.vertices_m[:, 1]) / reach_m, 0.0, 1.0)
+    on_torso = ~_segments(generic, tuple(_ARM_SIDE)) & (generic.vertices_m[:, 1] > low[:, 1].mean() - reach_m)
+    return np.where(on_torso, np.clip(1.0 - gap / reach_m, 0.0, 1.0) * (1.0 - below), 0.0)
