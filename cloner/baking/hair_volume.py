@@ -36,6 +36,7 @@ SIDES = (
     (ViewId.BODY_SIDE, ViewId.FACE_SIDE),
     (ViewId.BODY_BACK,),
 )
+FAR_SLACK_MM = 10.0  # planes of skin far below tell distances this badly
 CLIP_MM = 15.0  # the field is cut off here, so that smoothing stays local
 
 
@@ -67,7 +68,11 @@ def near_skin(scalp: Scalp, points_m: Array) -> Near:
     # Planes of a skin far below lie askew: hair's outside is told by its own.
     thickness = np.maximum(scalp.thickness_mm, FILM_MM)
     lifted = scalp.points_m + scalp.normals * m_from_mm(1.0) * thickness[:, None]
-    cap = surface_mm(lifted, vertex_normals(lifted, scalp.triangles), points_m)[0]
+    # Deep in the head and far above all hair nobody asks for the cap: half of the points.
+    thickest = float(thickness.max())
+    asked = (skin > -INNER_MM - CLIP_MM) & (skin < thickest + CLIP_MM + FAR_SLACK_MM)
+    cap = skin - np.float32(thickest)
+    cap[asked] = surface_mm(lifted, vertex_normals(lifted, scalp.triangles), points_m[asked])[0]
     # Where ears fold it some planes stand upright and would call air hair: spikes. No hair is farther from a vertex
     # than it is thick and its triangles are long.
     away_m = np.linalg.norm(points_m - scalp.points_m[rows[:, 0]], axis=1)
