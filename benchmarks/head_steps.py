@@ -85,7 +85,7 @@ def steps(values: Values) -> dict[str, Array]:
     generic, params, log = load_generic(), Params(), Log()
     phenotype, photos = values["phenotype"], values["photos"]
     model = make_model(phenotype)
-    front = read_front(model, values["proposals"], values["face_points"], params)
+    front = read_front(model, photos, values["proposals"], values["face_points"], params)
     side = read_side(model, values["proposals"], values["silhouettes"], values["face_points"], params)
     shaped = head.shape_head(model, photos, phenotype, (front, side), params, log, lambda fraction: None)
     mean, _ = generic.shape(np.zeros(0), phenotype.stature_m)

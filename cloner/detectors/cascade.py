@@ -22,18 +22,25 @@ from cloner.vision.gradients import describe
 Array = NDArray[np.float64]
 Picture = NDArray[np.float32]
 
-#: Points of the shipped models, without the side.
+#: Named points of the shipped models, without the side; models know further places that have no name.
 FEATURES: Final = {
     "front_ear": ("ear_top", "ear_lobe", "ear_outer"),
+    "front_nose": ("ala", "subnasale", "nose_tip"),
+    "front_chin": ("chin_front", "chin_bottom"),
     "side_ear": ("ear_top", "ear_lobe", "ear_back", "ear_outer"),
     "side_eye": ("eye_outer",),
     "side_nose": ("ala",),
     "side_mouth": ("mouth_corner",),
+    "side_bridge": ("nasion", "glabella"),
 }
+#: Points of the middle, which have no side.
+MIDDLE: Final = ("subnasale", "nose_tip", "nasion", "glabella", "chin_front", "chin_bottom")
 #: The looked-at window, px.
 WINDOW_PX: Final = (64, 80)
 #: Weight of the mask's edge beside the picture's (a skin edge has about 100 grey levels, the mask 255).
 MASK_WEIGHT: Final = 0.4
+#: How far from its guess a feature is walked to, eye distances.
+ASTRAY: Final = 0.5
 #: Guesses around the first one, shares of their reach: their agreement tells the error.
 _GUESSES: Final = np.array([[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.8, 0.8], [-0.8, -0.8],
                             [0.8, -0.8], [-0.8, 0.8]])  # fmt: skip
@@ -46,6 +53,9 @@ class Cascade:
     Attributes
     ----------
     names : tuple of str
+        Names of the first points; the middle of these is the feature's middle.
+    vertices : (2, K) int64
+        The generic human's vertices that the points are, on the person's left and right.
     base : (K, 2) float64
         Mean places around the feature's middle, eye distances, right and down, on the person's left in an upright front
         photo, or of an upright head that looks to the image's left.
@@ -56,9 +66,12 @@ class Cascade:
     means, weights, offsets : (S, D), (S, D, 2 K), (S, 2 K) float64
     error : (K, 2) float64
         A point's expected error is the first plus the second times the guesses' spread, eye distances.
+    joint : (2 K, 2 K) float64
+        Mean products of the points' errors, upright, x and y after each other, squared eye distances.
     """
 
     names: tuple[str, ...]
+    vertices: NDArray[np.int64]
     base: Array
     reach: float
     iods_px: Array
@@ -66,6 +79,7 @@ class Cascade:
     weights: Array
     offsets: Array
     error: Array
+    joint: Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,7 +108,7 @@ class Pose:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Found:
-    """Points (K, 2) px in the order of the cascade's names, and their expected errors (K,), eye distances."""
+    """Points (K, 2) px in the order of the cascade's, and their expected errors (K,), eye distances."""
 
     points_px: Array
     error_iod: Array
@@ -109,12 +123,18 @@ def load_cascades() -> dict[str, Cascade]:
     return {
         feature: Cascade(
             names,
+            data[f"{feature}_vertices"].astype(np.int64),
             data[f"{feature}_base"],
             float(data[f"{feature}_reach"].ravel()[0]),
-            *(data[f"{feature}_{key}"] for key in ("iods_px", "means", "weights", "offsets", "error")),
+            *(data[f"{feature}_{key}"] for key in ("iods_px", "means", "weights", "offsets", "error", "joint")),
         )
         for feature, names in FEATURES.items()
     }
+
+
+def sided(feature: str, side: str) -> tuple[str, ...]:
+    """Return the names of a feature's points on the side "L" or "R"; those of the middle are the same on both."""
+    return tuple(name if name in MIDDLE else f"{name}_{side}" for name in FEATURES[feature])
 
 
 def prepare(rgb: NDArray[np.uint8], mask: NDArray[np.uint8], scale: float) -> tuple[Picture, Picture]:
@@ -162,7 +182,7 @@ def walk(cascade: Cascade, levels: dict[float, tuple[Picture, Picture, Array]], 
         there = Pose(pose.iod_px * float(factor[0]), pose.tilt, pose.mirrored)
         seen = look((grey, person), (middle_px + 0.5) * factor - 0.5, there, float(iod_px))
         points = middle_px + (((seen - mean) @ weights + offset).reshape(-1, 2) + cascade.base) @ back.T
-        middle_px = points.mean(axis=0)
+        middle_px = points[: len(cascade.names)].mean(axis=0)
     return np.asarray(points)
 
 
@@ -179,13 +199,18 @@ def find_feature(
     guess_px : (2,) the feature's middle, roughly
     pose : Pose
     """
+    # Only what the windows may see is shrunk: a whole photo takes ten times as long.
+    reach = pose.iod_px * (ASTRAY + float(np.hypot(*WINDOW_PX)) / 2.0 / float(cascade.iods_px.min()))
+    low = np.clip(np.floor(guess_px - reach), 0.0, np.array(rgb.shape[1::-1]) - 2.0).astype(int)
+    high = np.maximum(np.ceil(guess_px + reach).astype(int), low + 2)
+    rgb, mask = rgb[low[1] : high[1], low[0] : high[0]], mask[low[1] : high[1], low[0] : high[0]]
     levels = {}
     for iod_px in sorted({float(one) for one in cascade.iods_px}):
         pictures = prepare(rgb, mask, iod_px / pose.iod_px)
         levels[iod_px] = (*pictures, np.array(pictures[0].shape[::-1]) / np.array(rgb.shape[1::-1]))
-    starts = guess_px + cascade.reach * pose.iod_px * _GUESSES
+    starts = guess_px - low + cascade.reach * pose.iod_px * _GUESSES
     reached = np.stack([walk(cascade, levels, start, pose) for start in starts])
     points = np.median(reached, axis=0)
     spread = float(np.median(np.linalg.norm(reached - points, axis=2))) / pose.iod_px
     # The last digits hang on where in memory the pictures lie: what follows would carry them into every byte.
-    return Found(np.round(points, 3), np.round(cascade.error[:, 0] + cascade.error[:, 1] * spread, 6))
+    return Found(np.round(points + low, 3), np.round(cascade.error[:, 0] + cascade.error[:, 1] * spread, 6))

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.detectors.cascade import FEATURES, Found, Pose, find_feature, load_cascades
+from cloner.detectors.face_front_features import HALVES, find_halves
 from cloner.detectors.face_net import FaceNet, load_face_net
 from cloner.detectors.face_side import WRONG_ERROR, doubt_of, find_side_face
 from cloner.detectors.face_side_features import EAR, EAR_PATCH, INNER, LOST_EAR, covered, find_inside
@@ -72,6 +73,10 @@ def _front_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     if proposal.irises_px.any():
         points[rows], error[rows] = _pupils(net, points, proposal.irises_px), net.iris_error_iod
     iod = float(np.linalg.norm(points[rows[0]] - points[rows[1]]))
+    for feature in HALVES if photo.view.is_face else ():
+        inside, found = find_halves(photo, proposal, net.names, points, feature)
+        at = [net.names.index(name) for name in inside]
+        points[at], error[at] = found.points_px, found.error_iod
     for side in "LR":
         ears = [net.names.index(f"{name}_{side}") for name in FEATURES["front_ear"]]
         ear = _front_ear(photo, proposal, points[ears].mean(axis=0), points[rows], side)
@@ -108,13 +113,14 @@ def _side_points(photo: Photo, proposal: Proposal) -> ViewPoints:
         return _none(photo.view)
     doubt = WRONG_ERROR * doubt_of(photo.rgb, model, found.laid)
     kept = [row for row, name in enumerate(found.names) if name in PROFILE]
-    names, points = [found.names[row] for row in kept], found.points_px[kept]
-    error = found.error_iod[kept] * _own(names) + doubt
+    names = [found.names[row] for row in kept]
+    told = dict(zip(names, zip(found.points_px[kept], found.error_iod[kept] * _own(names), strict=True), strict=True))
     for feature in (*INNER, EAR) if photo.view.is_face else ():
         inside, seen = find_inside(photo, proposal, found, feature)
-        names += inside
-        points, error = np.vstack([points, seen.points_px]), np.append(error, seen.error_iod + doubt)
-    return ViewPoints(photo.view, tuple(names), points, face_confidence(error), np.zeros(len(names), dtype=bool))
+        told |= zip(inside, zip(seen.points_px, seen.error_iod, strict=True), strict=True)
+    points = np.array([place for place, _ in told.values()])
+    error = np.array([error for _, error in told.values()]) + doubt
+    return ViewPoints(photo.view, tuple(told), points, face_confidence(error), np.zeros(len(told), dtype=bool))
 
 
 def _own(names: Sequence[str]) -> Array:

@@ -1,4 +1,4 @@
-"""What a side photo shows inside the outline: ear, outer corner of the eye, wing of the nose, corner of the mouth."""
+"""What a side photo shows beside its outline: ear, outer eye, wing and bridge of the nose, corner of the mouth."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.cascade import FEATURES, Found, Pose, find_feature, load_cascades
+from cloner.detectors.cascade import Found, Pose, find_feature, load_cascades, sided
 from cloner.detectors.face_side import IOD_M, SideFace
 from cloner.records.photos import Photo
 from cloner.records.points import HAIR, Proposal
@@ -15,12 +15,12 @@ from cloner.records.points import HAIR, Proposal
 Array = NDArray[np.float64]
 
 #: Features looked for, the ear in photos of the face alone.
-INNER: Final = ("side_eye", "side_nose", "side_mouth")
+INNER: Final = ("side_eye", "side_nose", "side_mouth", "side_bridge")
 EAR: Final = "side_ear"
 #: Expected error of an ear that hair hides, or that was found far from where the face says, eye distances.
 LOST_EAR: Final = 0.20
 #: How far from where the profile says is far, eye distances.
-FAR: Final = {"side_ear": 0.9, "side_eye": 0.3, "side_nose": 0.3, "side_mouth": 0.3}
+FAR: Final = {"side_ear": 0.9, "side_eye": 0.3, "side_nose": 0.3, "side_mouth": 0.3, "side_bridge": 0.3}
 #: Half the width of the place around an ear's middle in which hair is looked for, eye distances.
 EAR_PATCH: Final = 0.2
 
@@ -46,15 +46,16 @@ def find_inside(photo: Photo, proposal: Proposal, found: SideFace, feature: str)
         One of ``INNER`` or ``EAR``.
     """
     side = "R" if found.facing > 0 else "L"
-    names = [f"{name}_{side}" for name in FEATURES[feature]]
+    names = list(sided(feature, side))
     guess = found.points_px[[found.names.index(name) for name in names]].mean(axis=0)
     pose = side_pose(found)
     seen = find_feature(load_cascades()[feature], photo.rgb, proposal.mask, guess, pose)
-    middle = seen.points_px.mean(axis=0)
+    named = slice(0, len(names))
+    middle = seen.points_px[named].mean(axis=0)
     lost = float(np.linalg.norm(middle - guess)) > FAR[feature] * pose.iod_px
     lost |= feature == EAR and covered(proposal.labels, middle, EAR_PATCH * pose.iod_px)
     least = max(float(found.error_iod.min()), LOST_EAR if lost else 0.0)
-    return names, Found(seen.points_px, np.maximum(seen.error_iod, least))
+    return names, Found(seen.points_px[named], np.maximum(seen.error_iod[named], least))
 
 
 def covered(labels: NDArray[np.uint8], middle_px: Array, reach_px: float) -> bool:

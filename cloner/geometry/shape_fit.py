@@ -37,6 +37,9 @@ class Evidence:
         Errors that the targets make together; their sizes are solved for and follow the shape coefficients.
     skew_px : (F, N, 2) or None
         Errors of the targets that follow from the shape.
+    whiten : (2 N, 2 N) or None
+        Stands for ``sigma_px`` where points err together: makes their errors, x and y after each other, independent and
+        of size one. Such points lose their weight together.
     """
 
     camera: int
@@ -48,6 +51,7 @@ class Evidence:
     outlier: float = 3.0
     drift_px: Array | None = None
     skew_px: Array | None = None
+    whiten: Array | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -91,6 +95,11 @@ def _rows(item: Evidence, coefficients: Array, camera: Camera) -> tuple[Array, A
         error = (error * item.normal_px).sum(1, keepdims=True)
         by_shape = np.einsum("ni,nif->nf", item.normal_px, by_shape)[:, None]
         by_step = np.einsum("ni,nip->np", item.normal_px, by_step)[:, None]
+    if item.whiten is not None:
+        white, flat = item.whiten @ error.ravel(), (2 * len(error), -1)
+        alike = 1.0 / (1.0 + 2.0 * float((white**2).mean()) / item.outlier**2)
+        by_shape, by_step = (item.whiten @ rows.reshape(flat) for rows in (by_shape, by_step))
+        return white, by_shape, by_step, np.full(len(white), alike)
     scale = 1.0 / item.sigma_px[:, None]
     error = error * scale
     weight = 1.0 / (1.0 + (error**2).sum(1) / item.outlier**2)

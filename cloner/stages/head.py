@@ -71,7 +71,7 @@ def run(
     """
     params, log = Params(), Log()
     model = make_model(phenotype)
-    front = read_front(model, proposals, face_points, params)
+    front = read_front(model, photos, proposals, face_points, params)
     side = read_side(model, proposals, silhouettes, face_points, params)
     warn_missing(front, side, proposals, log)
     shaped = shape_head(model, photos, phenotype, (front, side), params, log, tick)

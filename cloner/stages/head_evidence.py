@@ -15,12 +15,13 @@ from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.contour_match import contour_normals
 from cloner.geometry.surface import SurfacePoints
 from cloner.records.bodies import Phenotype
-from cloner.records.photos import Photo
+from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import HAIR, FacePoints, Proposals, ViewPoints
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.head_ears import Spots, read_ears, read_inside
 from cloner.stages.head_flank import Flank
+from cloner.stages.head_inside import Together, read_inside_front
 from cloner.stages.head_modes import HeadModes, load_head_modes
 from cloner.stages.head_outline import Outline, read_outline
 
@@ -140,7 +141,9 @@ class Model:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Front:
-    """The front photo's evidence: net points taught by corrections, corrected named points, ears, and the outline."""
+    """The front photo's evidence: net points taught by corrections, corrected named points, ears, the outline, and
+    what is found inside it.
+    """
 
     view: ViewId
     net_px: Array
@@ -148,6 +151,7 @@ class Front:
     points_px: Array
     ears: Spots
     outline: Outline | None = None
+    inside: tuple[Together, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -192,7 +196,9 @@ def make_model(phenotype: Phenotype) -> Model:
     return Model(generic, load_face_net(), modes, vertices, joints, basis, row)
 
 
-def read_front(model: Model, proposals: Proposals, points: FacePoints, params: Params) -> Front | None:
+def read_front(
+    model: Model, photos: PhotoSet, proposals: Proposals, points: FacePoints, params: Params
+) -> Front | None:
     """Return the evidence of the best front photo: the face photo, else the face in the body photo."""
     for view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
         proposal = proposals.views.get(view)
@@ -204,7 +210,10 @@ def read_front(model: Model, proposals: Proposals, points: FacePoints, params: P
             vertices, fixed = _corrected(model, named)
             net_px = net_px + params.taught * (taught_net(net_px, named) - net_px)
         edge = read_outline(proposal) if view is ViewId.FACE_FRONT else None
-        return Front(view, net_px, vertices, fixed, read_ears(model.generic, named, params.corrected_m), edge)
+        inside: tuple[Together, ...] = ()
+        if view is ViewId.FACE_FRONT and named is not None:
+            inside = read_inside_front(photos.photos[view], proposal, named)
+        return Front(view, net_px, vertices, fixed, read_ears(model.generic, named, params.corrected_m), edge, inside)
     return None
 
 

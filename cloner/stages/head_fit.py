@@ -19,6 +19,7 @@ from cloner.geometry.surface import SurfacePoints
 from cloner.records.views import Camera
 from cloner.stages.head_ears import INSIDE, Spots
 from cloner.stages.head_evidence import Front, Model, Params, Side
+from cloner.stages.head_inside import Together
 from cloner.stages.head_rim import HAIR_M, rim_evidence
 
 Array = NDArray[np.float64]
@@ -119,7 +120,12 @@ def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) 
         base, basis = model.vertex_places(front.vertices)
         sigma = np.full(len(front.vertices), params.corrected_m / metres)
         out.append(Evidence(0, base, basis, front.points_px, sigma, outlier=8.0))
-    return out + _spot_evidence(model, front.ears, 0, metres)
+    return out + _spot_evidence(model, front.ears, 0, metres) + [_together(model, one) for one in front.inside]
+
+
+def _together(model: Model, group: Together) -> Evidence:
+    base, basis = model.vertex_places(group.vertices)
+    return Evidence(0, base, basis, group.points_px, np.ones(len(base)), outlier=2.0, whiten=group.whiten)
 
 
 def _spot_evidence(model: Model, spots: Spots, index: int, metres: float) -> list[Evidence]:

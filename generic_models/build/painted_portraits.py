@@ -22,6 +22,7 @@ from painted_faces_extras import spectacled
 from painted_heads import Head
 from painted_people_bodies import waves
 from painted_people_pictures import rendered
+from painted_skin import marked, packed
 from profile_shapes import random_face
 from scipy.spatial import cKDTree
 
@@ -71,6 +72,8 @@ class Portrait:
         All features of the face that lie in the picture.
     hidden : frozenset of str
         Those that hair or the head itself hides.
+    vertices_px : (V, 2) float64
+        All vertices of the generic human, without hair.
     iod_px : float
     tilt : float
         Clockwise turn of the head in the picture, radians.
@@ -80,6 +83,7 @@ class Portrait:
     mask: NDArray[np.uint8]
     marks_px: Mapping[str, Array]
     hidden: frozenset[str]
+    vertices_px: Array
     iod_px: float
     tilt: float
 
@@ -205,7 +209,8 @@ def portrait(seed: int, azimuth_deg: float) -> Portrait:
     left, right = (naked[shared.rows[f"pupil_{side}"]] for side in "LR")
     iod = float(np.linalg.norm(left - right)) / camera.metres_per_pixel((left + right) / 2.0)
     known = {name: marks[k] for k, name in enumerate(shared.rows) if inside[k]}
-    return Portrait(picture, _mask(person, rng), known, _hidden(naked, worn, camera), iod, tilt)
+    mask, hidden = _mask(person, rng), _hidden(naked, worn, camera)
+    return Portrait(packed(picture, rng), mask, known, hidden, camera.project(naked), iod, tilt)
 
 
 def _camera(naked: Array, azimuth_deg: float, rng: np.random.Generator) -> tuple[Camera, float]:
@@ -247,6 +252,7 @@ def _painted(shared: Canvas, hair: Array, rng: np.random.Generator) -> Array:
     colours += lips * (colours[shared.lips].mean(axis=0) * rng.uniform(0.6, 1.0) - colours)
     red = rng.uniform(0.0, 0.12) * shared.ears[:, None] * np.array([0.3, -1.0, -1.0])
     colours = colours * (1.0 + blotch + red)
+    colours = marked(shared.head, colours, shared.lips, rng)
     tone = np.array([0.26, 0.17, 0.11]) * rng.uniform(0.3, 1.6) + rng.choice([0.0, 0.0, 0.35]) * rng.random()
     strands = 1.0 + rng.uniform(0.05, 0.3) * waves(mean * [1.0, 0.35, 1.0], (0.004, 0.015), 32, rng)
     if rng.random() < STUBBLE:

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.detectors.cascade import FEATURES, Pose, find_feature, load_cascades
+from cloner.detectors.cascade import FEATURES, Pose, find_feature, load_cascades, sided
 from cloner.vision.gradients import describe
 from kit.visitors import photo, truth_mask, visitor_folder
 
@@ -57,6 +57,26 @@ def test_side_features_are_found_from_where_a_profile_would_guess_them(name, fea
         found = find_feature(load_cascades()[feature], *shown(name, "face_side", photos), start,
                              Pose(iod, 0.0, side == "R"))  # fmt: skip
         assert np.linalg.norm(found.points_px - true, axis=1).mean() < reached * iod
+
+
+@pytest.mark.parametrize("photos", ["plain", "handheld"])
+@pytest.mark.parametrize("name", ["anna", "boris"])
+@pytest.mark.parametrize(("feature", "reached"), [("front_nose", 0.055), ("front_chin", 0.06)])
+def test_nose_and_chin_of_both_halves_are_found_where_the_net_errs_by_a_twentieth(name, photos, feature, reached):
+    known, iod = marks(name, "face_front", photos), eye_distance(name, photos)
+    picture = shown(name, "face_front", photos)
+    across = known["pupil_L"] - known["pupil_R"]
+    tilt = float(np.arctan2(across[1], across[0]))
+    for way in ([0.03, 0.03], [-0.03, -0.03]):
+        told: dict[str, list[np.ndarray]] = {}
+        for side in "LR":
+            pose, names = Pose(iod, -tilt if side == "R" else tilt, side == "R"), sided(feature, side)
+            start = np.mean([known[n] for n in names], axis=0) + iod * np.array(way)
+            found = find_feature(load_cascades()[feature], *picture, start, pose)
+            for n, place in zip(names, found.points_px, strict=False):
+                told.setdefault(n, []).append(place)
+        away = {n: float(np.linalg.norm(np.mean(both, axis=0) - known[n])) / iod for n, both in told.items()}
+        assert np.mean(list(away.values())) < reached, (name, photos, away)
 
 
 def test_a_mirrored_photo_gives_the_other_ear():
