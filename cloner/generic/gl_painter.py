@@ -177,7 +177,7 @@ class Stage:
         """
         if id(pixels) in self._textures:
             return self._textures[id(pixels)][1]
-        texture = self._gl.texture(pixels.shape[1::-1], pixels.shape[2], np.ascontiguousarray(pixels).tobytes())
+        texture = self._gl.texture(pixels.shape[1::-1], pixels.shape[2], np.ascontiguousarray(pixels))
         texture.build_mipmaps()
         if pixels.flags.writeable:
             return texture

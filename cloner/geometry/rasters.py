@@ -16,6 +16,9 @@ CHUNK_CANDIDATES = (
     100_000  # pixels tested at once: tables stay in the cache, a third faster than 1.5 million (measured)
 )
 
+#: Pixels covered at once, 64 MiB: a whole atlas of 2,048 texels a side, a quarter of one of 4,096.
+BAND_PIXELS: Final = 2048 * 2048
+
 _NEAREST_M: Final = 0.01
 _FIELD: Final = math.pi / 2  # half the picture's height seen from one unit away is one unit
 _EYE: Final = np.eye(4, dtype=np.float32)
@@ -110,7 +113,23 @@ def cover(
         Where triangles touch, one of them.
     barycentric : (N, 3) float32, weights of the three corners
     """
-    beyond = _sides_beyond(points_px, width_px, height_px).take(triangles, axis=0)
+    rows = max(1, BAND_PIXELS // width_px)
+    bands = [
+        _cover_rows(points_px, triangles, width_px, range(top, min(top + rows, height_px)))
+        for top in range(0, height_px, rows)
+    ]
+    if len(bands) == 1:
+        return bands[0]
+    pixel, triangle, weights = (np.concatenate(part) for part in zip(*bands, strict=True))
+    return pixel, triangle, weights
+
+
+def _cover_rows(
+    points_px: Array, triangles: NDArray[np.int32], width_px: int, rows_px: range
+) -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float32]]:
+    """Return :func:`cover` of some rows of a picture."""
+    points_px = points_px - (0.0, rows_px.start)
+    beyond = _sides_beyond(points_px, width_px, len(rows_px)).take(triangles, axis=0)
     rows = np.flatnonzero((beyond[:, 0] & beyond[:, 1] & beyond[:, 2]) == 0).astype(np.int32)
     own = np.arange(3 * rows.size, dtype=np.int32).reshape(-1, 3)
     # Each triangle with corners of its own, whose "colours" are two weights and its number.
@@ -120,7 +139,7 @@ def cover(
     if not rows.size:
         return np.zeros(0, np.int32), np.zeros(0, np.int32), np.zeros((0, 3), np.float32)
     # Only the part of the picture that they reach: hands alone are a twentieth of an atlas.
-    last = (width_px - 1, height_px - 1)
+    last = (width_px - 1, len(rows_px) - 1)
     left, top = np.clip(np.floor(flat.min(axis=0)), 0, last).astype(int).tolist()
     right, bottom = np.clip(np.ceil(flat.max(axis=0)), 0, last).astype(int).tolist()
     wide, high = right - left + 1, bottom - top + 1
@@ -129,7 +148,7 @@ def cover(
     cv2.triangleRasterize(scene, own, told.reshape(-1, 3), picture, depth, _EYE, _FIELD, 0.5, 2.0, _settings())
     found = picture.reshape(-1, 3)
     place = np.flatnonzero(found[:, 2] > 0.5).astype(np.int32)
-    pixel = (place // wide + top) * np.int32(width_px) + place % wide + np.int32(left)
+    pixel = (place // wide + (top + rows_px.start)) * np.int32(width_px) + place % wide + np.int32(left)
     found = found.take(place, axis=0)
     first, second = found[:, 0], found[:, 1]
     weights = np.column_stack([first, second, 1.0 - first - second])
