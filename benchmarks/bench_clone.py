@@ -19,7 +19,7 @@ from typing import Any
 
 from cloner.cloning import DEFAULT_TEXTURE_SIZE, clone_folder
 from cloner.evaluate.floor import ask_nets, encode_pictures
-from cloner.pipeline import peak_mib
+from cloner.memory import peak_mib
 from cloner.project.folder import load_photos
 
 SAMPLE = Path(__file__).resolve().parents[1] / "samples" / "anna" / "plain"

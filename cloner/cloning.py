@@ -16,7 +16,8 @@ from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.pipeline import Progress, Stage, StageReport, peak_mib, quiet
+from cloner.memory import peak_mib
+from cloner.pipeline import Progress, Stage, StageReport, quiet
 from cloner.previews import write_previews
 from cloner.project.atomic import RESULT_MARK, result_folder
 from cloner.project.clone_file import CLONE_FILE, save_clone

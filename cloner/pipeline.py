@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import ctypes
-import functools
 import hashlib
 import logging
-import sys
 import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
-from typing import cast
 
 import numpy as np
 
 from cloner.abreast import as_ready
+from cloner.memory import give_back, peak_mib
 from cloner.records.results import Residual, StageResult
 from cloner.stages import (
     fine,
@@ -35,11 +32,6 @@ from cloner.stages import (
     textures,
     views,
 )
-
-if sys.platform == "win32":
-    import psutil
-else:
-    import resource
 
 log = logging.getLogger(__name__)
 
@@ -150,30 +142,6 @@ def stage_rng(seed: int, name: str) -> np.random.Generator:
     """Return the generator of one stage; a new stage shifts no other."""
     digest = hashlib.sha256(f"{seed}/{name}".encode()).digest()
     return np.random.default_rng(int.from_bytes(digest[:8], "little"))
-
-
-def peak_mib() -> float:
-    """Return the process's peak resident memory in MiB."""
-    if sys.platform == "win32":
-        return float(psutil.Process().memory_info().peak_wset) / (1024.0 * 1024.0)
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-    return peak / (1024.0 * 1024.0 if sys.platform == "darwin" else 1024.0)
-
-
-def give_back() -> None:
-    """Let the system have the memory that is free: the C library keeps what threads and large arrays left (300 MiB)."""
-    trim = _trim()
-    if trim is not None:
-        trim(0)
-
-
-@functools.cache
-def _trim() -> Callable[[int], int] | None:
-    """Return glibc's ``malloc_trim``; other C libraries have none and need none."""
-    try:
-        return cast(Callable[[int], int], ctypes.CDLL(None).malloc_trim)
-    except (AttributeError, OSError, TypeError):
-        return None
 
 
 def quiet(step: str, fraction: float) -> None:

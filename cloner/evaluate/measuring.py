@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from cloner.cloning import clone_folder
 from cloner.evaluate.floor import ask_nets, encode_pictures
-from cloner.pipeline import peak_mib
+from cloner.memory import peak_mib
 from cloner.project.folder import load_photos
 from cloner.records.clones import Clone
 from cloner.records.measures import MeasureSet

@@ -39,6 +39,7 @@ from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.wedges import vertex_normals
+from cloner.memory import give_back
 from cloner.records.clones import Clone, Joined, TextureAtlas
 from cloner.records.heads import HeadFit, Shell
 from cloner.records.photos import PhotoSet
@@ -144,6 +145,7 @@ def lay_photos(
     )  # fmt: skip
     claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in sources], axis=0)
     del sources  # their pictures would be the larger part of the memory from here on
+    give_back()
     baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
     return replace(baked, rgb=finish_soles(baked.rgb)), residuals
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.pipeline import give_back
+from cloner.memory import give_back
 
 
 def resident_mib():
