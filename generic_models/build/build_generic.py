@@ -8,6 +8,7 @@ import json
 from pathlib import Path
 
 import atlas
+import easing
 import feature_points
 import hanim
 import head
@@ -81,8 +82,10 @@ def build_body(source: Source, cage: Cage, crowd: Crowd) -> dict[str, np.ndarray
     both, mean = basis.reshape(SHAPES, -1, 3), mean.reshape(-1, 3)
     vertices_m, joints_m = mean[:count], mean[count:]
     prediction, base = shape_basis.regress(coefficients, crowd.phenotypes)
-    skin = skinning.skin(source, cage, vertices_m, joints_m)
-    skin_joints, skin_weights = skinning.pack(skin)
+    carried = skinning.shares(source, cage)
+    skin = skinning.skin(carried, cage, vertices_m, joints_m)  # segments and named points keep the rig's own borders
+    eased = easing.eased(carried, cage, vertices_m, joints_m)
+    skin_joints, skin_weights = skinning.pack(skinning.skin(eased, cage, vertices_m, joints_m))
     weights = segments.segment_weights(skin)
     segment = weights.argmax(axis=1).astype(np.uint8)
     slice_s, slice_theta = segments.slice_coordinates(vertices_m, joints_m, segment)

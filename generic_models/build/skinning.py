@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import hanim
 import numpy as np
 from cage import Cage
@@ -71,13 +73,27 @@ def _spread(weights: FloatArray, total: FloatArray, along: FloatArray, names: li
         weights[:, hanim.INDEX[name]] += total * share[:, k]
 
 
-def skin(source: Source, cage: Cage, vertices_m: FloatArray, joints_m: FloatArray) -> FloatArray:
-    """Return dense symmetric skin weights, (V, 94), at most four per vertex, rows summing to one.
+@dataclass(frozen=True, slots=True, eq=False)
+class Shares:
+    """What the default rig's bones carry, spine and neck not yet spread over the vertebrae.
 
-    Parameters
+    Attributes
     ----------
-    vertices_m, joints_m : the rest shape, (V, 3) and (94, 3); heights decide which vertebra a vertex follows.
+    joints : (V, 94)
+    spine, neck : (V,)
     """
+
+    joints: FloatArray
+    spine: FloatArray
+    neck: FloatArray
+
+    def __post_init__(self) -> None:
+        for array in (self.joints, self.spine, self.neck):
+            array.setflags(write=False)
+
+
+def shares(source: Source, cage: Cage) -> Shares:
+    """Return the default rig's weights of the body's skin; eyes, teeth and lashes carry none yet."""
     table = source.json("mpfb2/rigs/standard/weights.default.json")["weights"]
     rig = source.json("mpfb2/rigs/standard/rig.default.json")
     bones = rig.get("bones", rig)
@@ -85,8 +101,8 @@ def skin(source: Source, cage: Cage, vertices_m: FloatArray, joints_m: FloatArra
     body = cage.full_of_vertex[: (cage.vertex_part == 0).sum()]
     of_full = np.full(cage.base.vertices_m.shape[0], -1)
     of_full[body] = np.arange(body.size)
-    weights = np.zeros((vertices_m.shape[0], len(hanim.NAMES)))
-    loose = {"SPINE": np.zeros(vertices_m.shape[0]), "NECK": np.zeros(vertices_m.shape[0])}
+    weights = np.zeros((cage.vertex_part.size, len(hanim.NAMES)))
+    loose = {"SPINE": np.zeros(cage.vertex_part.size), "NECK": np.zeros(cage.vertex_part.size)}
     for bone, pairs in table.items():
         rows = np.array([i for i, _ in pairs], dtype=np.int64).reshape(-1)
         values = np.array([w for _, w in pairs]).reshape(-1)
@@ -95,9 +111,20 @@ def skin(source: Source, cage: Cage, vertices_m: FloatArray, joints_m: FloatArra
         joint = _joint_of_bone(bone, parents)
         column = loose[joint] if joint in loose else weights[:, hanim.INDEX[joint]]
         np.add.at(column, vertex[keep], values[keep])
+    return Shares(weights, loose["SPINE"], loose["NECK"])
+
+
+def skin(carried: Shares, cage: Cage, vertices_m: FloatArray, joints_m: FloatArray) -> FloatArray:
+    """Return dense symmetric skin weights, (V, 94), at most four per vertex, rows summing to one.
+
+    Parameters
+    ----------
+    vertices_m, joints_m : the rest shape, (V, 3) and (94, 3); heights decide which vertebra a vertex follows.
+    """
+    weights = carried.joints.copy()
     height = vertices_m[:, 1]
-    _spread(weights, loose["SPINE"], height, ["HumanoidRoot", *hanim.LUMBAR_UP], joints_m)
-    _spread(weights, loose["NECK"], height, [*hanim.CERVICAL_UP], joints_m)
+    _spread(weights, carried.spine, height, ["HumanoidRoot", *hanim.LUMBAR_UP], joints_m)
+    _spread(weights, carried.neck, height, [*hanim.CERVICAL_UP], joints_m)
     for part, joint in (
         ("eye_left", "l_eyeball_joint"),
         ("eye_right", "r_eyeball_joint"),

@@ -16,6 +16,25 @@ from cloner.motion.rig import centred
 pytestmark = pytest.mark.slow
 
 
+def sitting() -> np.ndarray:
+    """Return (94, 3) rotation vectors of a person on a chair: thighs level, calves down."""
+    rotations = np.zeros((94, 3))
+    names = [str(name) for name in load_generic().joint_names]
+    for side in "lr":
+        rotations[names.index(f"{side}_hip"), 0] = -np.pi / 2
+        rotations[names.index(f"{side}_knee"), 0] = np.pi / 2
+    return rotations
+
+
+def test_sitting_down_folds_no_skin_deep_into_the_body(cloned_anna: CloneOutcome) -> None:
+    generic, clone = load_generic(), centred(cloned_anna.values["clone"])
+    transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), sitting())
+    points = skin(clone.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    triangles = load_triangles()[(generic.vertex_part[load_triangles()] == 0).all(axis=1)]
+    found = self_crossings(points, triangles)
+    assert buried_depths(points, triangles, found).max() < 0.008, "metres; 60 mm with the rig's own weights"
+
+
 @pytest.mark.parametrize("pose", ["rest", "T"])
 def test_skin_stays_out_of_skin(cloned_anna: CloneOutcome, pose: str) -> None:
     generic, clone = load_generic(), centred(cloned_anna.values["clone"])
