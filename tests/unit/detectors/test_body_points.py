@@ -134,7 +134,7 @@ def test_a_knee_out_of_order_is_refused(shown):
 
 
 def test_arms_that_touch_the_trunk_have_no_armpit():
-    down = turned(l_shoulder=(0, 0, -32), r_shoulder=(0, 0, 25), l_elbow=(0, 0, -8), r_elbow=(0, 0, 8))
+    down = turned(l_shoulder=(0, 0, -44), r_shoulder=(0, 0, 37), l_elbow=(0, 0, -8), r_elbow=(0, 0, 8))
     mask, pose, *_ = known_net.seen(PERSON, down, "body_front")
     found = propose("body_front", mask, pose)
     assert not [name for name in found.names if name.startswith("armpit")]

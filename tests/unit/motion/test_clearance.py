@@ -73,7 +73,7 @@ def test_wide_trouser_legs_stand_apart_and_slim_ones_straight():
         assert 0.1 < heels[0] - heels[1] < most_m
         thighs = [generic.segment_names.index(f"{side}_thigh") for side in ("left", "right")]
         legs = skin_only()[np.isin(generic.vertex_segment[skin_only()], thighs).all(axis=1)]
-        assert len(self_crossings(points, legs).pairs) == 0
+        assert buried_depths(points, legs, self_crossings(points, legs)).max() < 0.001, "they may touch"
 
 
 def test_rest_and_t_pose_cross_nothing_but_closed_lips():
