@@ -29,6 +29,7 @@ from cloner.baking.hands import finish_hands, finish_soles
 from cloner.baking.labelled import vet_labels
 from cloner.baking.lid_skin import clean_lids
 from cloner.baking.materials import find_materials
+from cloner.baking.nostrils import darken_nostrils
 from cloner.baking.parts import paint_parts
 from cloner.baking.posed import body_triangles
 from cloner.baking.sources import Limits, gather_sources
@@ -147,7 +148,7 @@ def lay_photos(
     del sources  # their pictures would be the larger part of the memory from here on
     give_back()
     baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
-    return replace(baked, rgb=finish_soles(baked.rgb)), residuals
+    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb))), residuals
 
 
 def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:
