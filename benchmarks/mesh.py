@@ -69,8 +69,8 @@ where flesh and cloth press on each other; red where it is seen:
 ![two clones in five poses from two sides](pictures/mesh.jpg)
 
 The rig's own weights change over half of the breadth that a crease needs at groin and armpit: anna's skin sank 54 mm
-into herself when she sat, boris' 106. `generic_models/build/easing.py` diffuses them over the skin by 6 cm at hips, 5 at
-shoulders and 3 at knees, for 1.4 to 3 % of the sitting body's volume more.
+into herself when she sat, boris' 106. `generic_models/build/easing.py` diffuses them over the skin by 6 cm at hips,
+5 at shoulders and 3 at knees, for 1.4 to 3 % of the sitting body's volume more.
 """
 
 
