@@ -8,8 +8,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.cascade import FEATURES, Found, Pose, find_feature, load_cascades
-from cloner.detectors.face_front_features import HALVES, find_halves
+from cloner.detectors.cascade import FEATURES, Found, find_feature, load_cascades
+from cloner.detectors.face_front_features import HALVES, find_halves, front_pose
 from cloner.detectors.face_net import FaceNet, load_face_net
 from cloner.detectors.face_side import WRONG_ERROR, doubt_of, find_side_face
 from cloner.detectors.face_side_features import EAR, EAR_PATCH, INNER, LOST_EAR, covered, find_inside
@@ -133,13 +133,11 @@ def _front_ear(photo: Photo, proposal: Proposal, guess_px: Array, pupils_px: Arr
 
     ``pupils_px`` (2, 2) are the left and the right one.
     """
-    across = pupils_px[0] - pupils_px[1]
-    tilt, iod = float(np.arctan2(across[1], across[0])), float(np.linalg.norm(across))
-    pose = Pose(iod, -tilt if side == "R" else tilt, side == "R")
+    pose = front_pose(pupils_px, side)
     ear = find_feature(load_cascades()["front_ear"], photo.rgb, proposal.mask, guess_px, pose)
     middle = ear.points_px.mean(axis=0)
-    far = float(np.linalg.norm(middle - guess_px)) > FAR_EAR * iod
-    lost = far or covered(proposal.labels, middle, EAR_PATCH * iod)
+    far = float(np.linalg.norm(middle - guess_px)) > FAR_EAR * pose.iod_px
+    lost = far or covered(proposal.labels, middle, EAR_PATCH * pose.iod_px)
     return Found(ear.points_px, np.maximum(ear.error_iod, LOST_EAR if lost else 0.0))
 
 

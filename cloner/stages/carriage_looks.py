@@ -8,7 +8,6 @@ place them.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -16,11 +15,11 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.photos import PhotoSet
 from cloner.records.views import Camera
 from cloner.stages.head_flank import PLACES, Flank, find_places, vertex_of
+from cloner.stages.head_size import head_camera
 
 Array = NDArray[np.float64]
 
@@ -51,20 +50,13 @@ def look_up(mesh: BodyMesh, photos: PhotoSet, poses: Mapping[ViewId, PosedView])
     for view, twin in TWINS:
         if view not in poses or twin not in poses or not {view, twin} <= set(photos.photos):
             continue
-        cameras = head_camera(mesh, poses[twin]), head_camera(mesh, poses[view])
+        cameras = head_camera(mesh.joints_m, poses[twin]), head_camera(mesh.joints_m, poses[view])
         ways = [_way(camera, middle) for camera in cameras]
         if ways[0] @ ways[1] > SAME_WAY:
             pictures = photos.photos[twin].rgb, photos.photos[view].rgb
             places = np.array([vertex_of(generic, name) for name in shown_places(ways[0])])
             found[view] = find_places(places, mesh.vertices_m, cameras, pictures)
     return found
-
-
-def head_camera(mesh: BodyMesh, posed: PosedView) -> Camera:
-    """Return a photo's camera relative to the head at rest."""
-    transforms = joint_transforms(mesh.joints_m, load_generic().joint_parents, posed.rotations)
-    skull = transforms[load_generic().joint("skullbase")]
-    return replace(posed.camera, camera_from_model=posed.camera.camera_from_model @ skull)
 
 
 def shown_places(way: Array) -> list[str]:

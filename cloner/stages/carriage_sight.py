@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.detectors.face_net import load_face_net
-from cloner.frames import ViewId, m_from_mm
+from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms, skin
@@ -17,6 +17,7 @@ from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
 from cloner.stages.head_flank import Flank
 from cloner.stages.head_modes import load_head_modes
+from cloner.stages.head_rim import HAIR_M, thickening
 from cloner.stages.outlined import Outlined, body_triangles, see
 
 Array = NDArray[np.float64]
@@ -26,7 +27,7 @@ NECK, SKULL = ("vc7", "vc5", "vc3"), ("skullbase",)
 #: Features of the head that body photos show.
 HEAD_POINTS = ("nose_tip", "ear_outer_L", "ear_outer_R", "pupil_L", "pupil_R")
 #: Numbers of the hair's thickness: everywhere, more on top, more behind, more at the sides.
-HAIR = 4
+HAIR = len(HAIR_M)
 #: Neighbouring points of a rim or a face err together: so many count as independent.
 _INDEPENDENT = 30.0
 #: A place found wrongly pulls no more than one that is so many spreads off.
@@ -57,7 +58,7 @@ class Params:
     outline_mm: float = 3.0
     face_mm: float = 2.0
     hair_mm: float = 2.0
-    thickness_mm: tuple[tuple[float, float], ...] = ((14.0, 12.0), (0.0, 5.0), (0.0, 5.0), (0.0, 5.0))
+    thickness_mm: tuple[tuple[float, float], ...] = tuple((mm_from_m(a), mm_from_m(b)) for a, b in HAIR_M)
     neck_deg: float = 8.0
     head_deg: float = 4.0
     nod_deg: float = 2.0
@@ -95,9 +96,8 @@ class Head:
         ears = generic.region("ear_left") | generic.region("ear_right")
         above = mesh.vertices_m[:, 1] > mesh.vertices_m[ears, 1].mean()
         on_head = (generic.head_blend > 0.9) & (generic.vertex_part == generic.part_names.index("body"))
-        hair = np.stack([np.ones(len(normals)), normals[:, 1], -normals[:, 2], np.abs(normals[:, 0])], axis=1)
         pivot = load_face_net().places.at(mesh.vertices_m).mean(axis=0)
-        return cls(mesh, on_head, generic.region("scalp") & above & ~ears, hair, pivot)
+        return cls(mesh, on_head, generic.region("scalp") & above & ~ears, thickening(normals), pivot)
 
 
 @functools.cache
@@ -129,6 +129,14 @@ def turned(posed: PosedView, angles: Array, pivot_m: Array) -> PosedView:
     matrix[:3, 3] += matrix[:3, :3] @ (pivot_m - nod @ pivot_m)
     matrix[:3, :3] = matrix[:3, :3] @ nod
     return replace(posed, camera=replace(camera, camera_from_model=matrix))
+
+
+def placed(mesh: BodyMesh, rows: NDArray[np.int64], posed: PosedView) -> tuple[Array, Array]:
+    """Return where some vertices (N, 3) stand in a photo's pose, and the joints' transforms (94, 4, 4)."""
+    generic = load_generic()
+    transforms = joint_transforms(mesh.joints_m, generic.joint_parents, posed.rotations)
+    weights = generic.skin_weights[rows].astype(np.float64)
+    return skin(mesh.vertices_m[rows], transforms, generic.skin_joints[rows], weights), transforms
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -169,9 +177,7 @@ class Sight:
         """Return outline, points and face in spreads, for a photo's angles and the hair's thickness (4,)."""
         generic, mesh = load_generic(), self.head.mesh
         posed = turned(self.photo.posed, angles, self.head.pivot_m)
-        transforms = joint_transforms(mesh.joints_m, generic.joint_parents, posed.rotations)
-        weights = generic.skin_weights[self.chosen].astype(np.float64)
-        places = skin(mesh.vertices_m[self.chosen], transforms, generic.skin_joints[self.chosen], weights)
+        places, transforms = placed(mesh, self.chosen, posed)
         pixels, rim = posed.camera.project(places), len(self.bare)
         named = (pixels[rim : rim + len(self.points_px)] - self.points_px) * self.trust
         named = _WRONG * np.tanh(named / _WRONG)

@@ -19,10 +19,10 @@ from cloner.baking.sources import person_mask
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.rims import vertex_normals
-from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.stages.carriage_sight import placed
 from cloner.stages.outlined import body_triangles
 from cloner.vision.aligning import sample
 
@@ -115,15 +115,13 @@ def read_line(
     scale = mm_from_m(turned(angles).camera.metres_per_pixel(mesh.vertices_m[rows].mean(axis=0)))
 
     def read(now: Array) -> tuple[Array, Array, Array]:
-        posed, generic = turned(now), load_generic()
-        transforms = joint_transforms(mesh.joints_m, generic.joint_parents, posed.rotations)
-        weights = generic.skin_weights[rows].astype(np.float64)
-        places = skin(mesh.vertices_m[rows], transforms, generic.skin_joints[rows], weights)
+        posed = turned(now)
+        places, transforms = placed(mesh, rows, posed)
         pixels = posed.camera.project(places)
         away = sample(field.line_px, (pixels + 0.5) / field.reduction - 0.5)[:, 0].astype(np.float64) * scale
         towards = posed.camera.position_m - places
         towards /= np.linalg.norm(towards, axis=1, keepdims=True)
-        facing = normals @ transforms[generic.joint("skullbase"), :3, :3].T
+        facing = normals @ transforms[load_generic().joint("skullbase"), :3, :3].T
         return np.nan_to_num(away, nan=-2.0 * REACH_MM), pixels, np.einsum("nk,nk->n", facing, towards)
 
     away, pixels, cosine = read(angles)

@@ -20,6 +20,7 @@ from cloner.geometry.contour_match import farthest, turning_points
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.shape_fit import Evidence
 from cloner.geometry.surface import SurfacePoints
+from cloner.geometry.triangles import edges_of
 from cloner.records.views import Camera
 from cloner.stages.head_evidence import Model
 from cloner.stages.head_outline import Outline
@@ -72,13 +73,12 @@ def head_skin() -> Skin:
     row[head] = np.where(outer[head], np.arange(len(head)), -1)
     triangles = row[generic.triangles()[0]]
     triangles = triangles[(triangles >= 0).all(axis=1)]
-    edges = np.unique(np.sort(np.vstack([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])), axis=0)
     scalp, ears = generic.region("scalp"), generic.region("ear_left") | generic.region("ear_right")
     low = mean[:, 1] < mean[generic.feature("glabella"), 1] + FOREHEAD_M
     bare = (generic.head_blend > 0.95) & ~scalp & ~ears & low
     vault = scalp & ~ears & (mean[:, 1] > mean[ears, 1].mean())
     middle = row[[generic.feature("ear_top_L"), generic.feature("ear_top_R")]]
-    return Skin(triangles, edges, bare[head], vault[head], middle)
+    return Skin(triangles, edges_of(triangles)[0], bare[head], vault[head], middle)
 
 
 def rim_evidence(
@@ -151,7 +151,7 @@ def _among(places: SurfacePoints, wanted: NDArray[np.bool_]) -> SurfacePoints:
 
 def _vault(sight: _Sight, places: SurfacePoints, hair: Array, before: int) -> list[Evidence]:
     usual, spread = np.array(HAIR_M).T
-    share = _thickening(places.at(sight.normals))
+    share = thickening(places.at(sight.normals))
     gap, which = sight.nearest(places, share @ (usual + spread * hair))
     kept = gap < VAULT_GATE_M
     drift = np.vstack([np.zeros((before, int(kept.sum()))), (share[kept] * spread).T])
@@ -165,6 +165,6 @@ def _bare(sight: _Sight, places: SurfacePoints) -> list[Evidence]:
     return sight.evidence(places.take(kept), which[kept], BARE_M, nothing[kept])
 
 
-def _thickening(normals: Array) -> Array:
+def thickening(normals: Array) -> Array:
     """Return (N, 4) how much each number of the hair's thickness counts on skin with normals (N, 3)."""
     return np.stack([np.ones(len(normals)), normals[:, 1], -normals[:, 2], np.abs(normals[:, 0])], axis=1)

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.generic.load import GENERIC_STATURE_M
+from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.resection import resect
 from cloner.geometry.skinning import joint_transforms
-from cloner.records.bodies import Phenotype
+from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.views import Camera
 from cloner.stages.head_evidence import Front, Model, Params
@@ -31,13 +31,14 @@ NET_M: Final = 0.0013
 def body_camera(model: Model, phenotype: Phenotype) -> Camera | None:
     """Return body_front's camera relative to the rest head, which the body's pose carries along."""
     posed = phenotype.views.get(ViewId.BODY_FRONT)
-    if posed is None:
-        return None
-    transforms = joint_transforms(model.joints_m, model.generic.joint_parents.astype(np.int32), posed.rotations)
-    skull = transforms[model.generic.joint("skullbase")]
-    camera = posed.camera
-    return Camera(camera.width_px, camera.height_px, camera.focal_px, camera.camera_from_model @ skull,
-                  camera.pixels_per_m)  # fmt: skip
+    return None if posed is None else head_camera(model.joints_m, posed)
+
+
+def head_camera(joints_m: Array, posed: PosedView) -> Camera:
+    """Return a photo's camera relative to the head at rest, of a person with joints (94, 3)."""
+    transforms = joint_transforms(joints_m, load_generic().joint_parents, posed.rotations)
+    skull = transforms[load_generic().joint("skullbase")]
+    return replace(posed.camera, camera_from_model=posed.camera.camera_from_model @ skull)
 
 
 def usual_scale(model: Model, fitted: Fitted, phenotype: Phenotype) -> float:

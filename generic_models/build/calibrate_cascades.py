@@ -23,6 +23,7 @@ from painted_portraits import portrait
 from scipy.spatial import cKDTree
 
 from cloner.detectors.cascade import FEATURES, Cascade, Picture, Pose, find_feature, look, prepare, sided
+from cloner.detectors.face_front_features import front_pose
 from cloner.detectors.face_net import load_face_net
 from cloner.detectors.face_points import PROFILE
 from cloner.detectors.face_side import IOD_M
@@ -121,10 +122,7 @@ def eyes_pose(head: Head) -> Pose | None:
     """Return how a head lies in a front picture by its eyes."""
     if any(f"pupil_{side}" not in head.marks_px for side in "LR"):
         return None
-    right, left = (head.marks_px[f"pupil_{side}"] for side in "RL")
-    across = left - right
-    tilt = float(np.arctan2(across[1], across[0]))
-    return Pose(float(np.linalg.norm(across)), -tilt if head.side == "R" else tilt, head.side == "R")
+    return front_pose(np.array([head.marks_px[f"pupil_{side}"] for side in "LR"]), head.side)
 
 
 def vertices_of(feature: str) -> NDArray[np.int64]:
