@@ -30,7 +30,7 @@ from cloner.generic.layers import Layer, clone_layers
 from cloner.generic.load import load_generic
 from cloner.project.corrections import no_corrections
 from cloner.records.clones import Clone, TextureAtlas
-from cloner.records.points import HAIR
+from cloner.records.labels import Label
 from cloner.render import coverage, draw
 from cloner.stages.textures import assemble
 
@@ -97,7 +97,7 @@ def score(case: HairCase, clone: Clone, values: Values, pictures: Path | None) -
         posed, true = clone.views[view], case.hair[view]
         layers = clone_layers(clone, posed.rotations)
         hair = draw(only_hair(clone, layers), posed.camera, background=(0, 0, 0))[..., 0] > 127
-        labels = values["proposals"].views[view].labels == HAIR
+        labels = values["proposals"].views[view].labels == Label.HAIR
         pixel_mm = mm_from_m(posed.camera.metres_per_pixel(skull))
         bald = -float(hair.sum() / case.mask[view].sum())
         yield {

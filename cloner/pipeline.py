@@ -107,10 +107,10 @@ STAGES: tuple[Stage, ...] = (
         "textures",
         1,
         ("photos", "proposals", "obeyed_silhouettes", "obeyed", "shells", "head"),
-        ("painted",),
+        ("painted", "surfaces"),
         taking_obeyed(textures.run),
     ),
-    Stage("regions", 1, ("painted",), ("clone",), regions.run),
+    Stage("regions", 1, ("painted", "surfaces"), ("clone",), regions.run),
 )
 
 

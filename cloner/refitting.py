@@ -185,7 +185,7 @@ def still_true(
             continue
         if "body_points" in needs and stage.name in FITTED and "fitted_points" not in changed:
             needs.discard("body_points")
-        if needs & changed or {"painted", "clone"} & set(stage.gives) or not set(stage.gives) <= set(known):
+        if needs & changed or {"painted", "surfaces", "clone"} & set(stage.gives) or not set(stage.gives) <= set(known):
             changed |= set(stage.gives) | ({"fitted_points"} if stage.name == "points" else set())
         else:
             kept |= {name: known[name] for name in stage.gives}

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.materials import SQUARE, Materials, shown_bare
+from cloner.baking.materials import SQUARE, Materials, always_bare, shown_bare, shown_surfaces
 from cloner.baking.sources import CLAIM_POWER, Source
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
@@ -20,6 +20,8 @@ from cloner.vision.evening import beyond_light, log_levels
 Array = NDArray[np.float64]
 
 STRANGE_KIND: Final = 0.5
+#: A photo that shows a part of which the surface is less than this shows something that stands before or behind it.
+STRANGER: Final = 0.25
 PATTERNED: Final = 0.35  # cosine from which stripes are believed on cloth; who strays so far shows skin, hair or wall
 SPREAD_STIFFNESS: Final = 0.02  # what is seen squarely holds, other vertices follow their neighbours
 #: Log level by which evened photos of one face show different things; measured on the sample visitors: nine in ten
@@ -60,6 +62,24 @@ def doubt_grazing(
         alike &= np.abs(shown[k] - kinds.bare) < STRANGE_KIND
         found.append(replace(source, score=source.score * ((source.sight.cosine > SQUARE) | alike)))
     return found
+
+
+def doubt_strangers(generic: GenericHuman, sources: list[Source], kinds: Materials) -> list[Source]:
+    """Return the sources without what shows another part of the person than the surface is by all photos together.
+
+    The fitted arm misses the photo's arm by a centimetre, and the trunk behind would paint a streak on the sleeve.
+    Where no photo shows the right part the surface is filled from around it. Face and ears keep what photos show
+    there, glasses too: nothing else would be left of them.
+
+    Parameters
+    ----------
+    kinds : Materials
+    """
+    shown = shown_surfaces(sources)
+    rows = np.arange(shown.shape[1])
+    own = np.stack([np.where(each < 0, 1.0, kinds.surfaces[rows, np.maximum(each, 0)]) for each in shown])
+    strange = (own < STRANGER) & ~always_bare(generic)
+    return [replace(s, score=np.where(strange[k], 0.0, s.score)) for k, s in enumerate(sources)]
 
 
 def doubt_slanted(generic: GenericHuman, sources: list[Source], evened: Array, graph: SurfaceGraph) -> list[Source]:

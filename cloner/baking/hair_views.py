@@ -18,10 +18,10 @@ from cloner.geometry.seeing import depth_at, nearest_of
 from cloner.geometry.skinning import joint_transforms
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
+from cloner.records.labels import Label
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.aligning import sample
-from cloner.vision.plates import HAIR_LABEL
 from cloner.vision.repair import signed_distance
 
 Array = NDArray[np.float64]
@@ -217,7 +217,7 @@ def hairline(hair: NDArray[np.bool_], person: NDArray[np.bool_]) -> NDArray[np.f
 
 def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return (H, W) pixels of hair: labelled so, on the person, in pieces of some size."""
-    hair = (proposal.labels == HAIR_LABEL) & person
+    hair = (proposal.labels == Label.HAIR) & person
     small = cv2.morphologyEx(hair.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
     count, pieces, stats, _ = cv2.connectedComponentsWithStats(small, connectivity=8)
     if count < 2:

@@ -11,6 +11,7 @@ from cloner.baking.sources import Source
 from cloner.baking.zones import hair_allowed
 from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import SurfaceGraph
+from cloner.records.labels import SURFACE_OF, SURFACES
 from cloner.vision.aligning import sample
 
 Array = NDArray[np.float64]
@@ -34,20 +35,25 @@ class Materials:
     bare : (V,) float64 in 0..1, the person's own: skin or hair
     scalp : (V,) float64 in 0..1, where the person's own is hair
     worn : (V,) float64, 1 - bare
+    surfaces : (V, 6) float64
+        Shares of ``SURFACES``; rows sum to one.
     """
 
     bare: Array
     scalp: Array
     worn: Array
+    surfaces: Array
 
 
 def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[Array, Array]:
-    """Return votes and weights in which unseen vertices lean to what most of their body part is."""
-    total = np.bincount(generic.vertex_segment, weight)
-    mean = np.bincount(generic.vertex_segment, weight * vote) / np.maximum(total, 1e-9)
-    clear = (MAJORITY * (2.0 * mean - 1.0) ** 2 * (total > 0.0))[generic.vertex_segment]
+    """Return votes (V, S) and weights in which unseen vertices lean to what most of their body part is."""
+    segment = generic.vertex_segment
+    total = np.bincount(segment, weight)
+    mean = np.stack([np.bincount(segment, weight * column) for column in vote.T], axis=1)
+    mean /= np.maximum(total, 1e-9)[:, None]
+    clear = (MAJORITY * np.clip(2.0 * mean.max(axis=1) - 1.0, 0.0, 1.0) ** 2 * (total > 0.0))[segment]
     both = weight + clear
-    return (weight * vote + clear * mean[generic.vertex_segment]) / np.maximum(both, 1e-12), both
+    return (weight[:, None] * vote + clear[:, None] * mean[segment]) / np.maximum(both, 1e-12)[:, None], both
 
 
 def always_bare(generic: GenericHuman) -> NDArray[np.bool_]:
@@ -71,27 +77,42 @@ def shown_bare(generic: GenericHuman, sources: list[Source]) -> Array:
     return np.where(always_bare(generic), 1.0, shown)
 
 
+def shown_surfaces(sources: list[Source]) -> NDArray[np.int8]:
+    """Return (K, V) the place in ``SURFACES`` of what each photo shows at each vertex, -1 where that is nobody."""
+    found = []
+    for source in sources:
+        labels = source.plate.labels
+        column, row = np.rint(source.lookup_px).astype(np.int64).T
+        inside = (column >= 0) & (row >= 0) & (column < labels.shape[1]) & (row < labels.shape[0])
+        shown = labels[np.clip(row, 0, labels.shape[0] - 1), np.clip(column, 0, labels.shape[1] - 1)]
+        found.append(np.where(inside, SURFACE_OF[shown], -1))
+    return np.stack(found).astype(np.int8)
+
+
 def find_materials(generic: GenericHuman, sources: list[Source], graph: SurfaceGraph) -> Materials:
-    """Return what each vertex is made of.
+    """Return what each vertex is made of, by the labels of all photos.
 
     The photo that shows a place best decides: photos disagree about where
     a collar ends, because heads turn and cloth moves, and their mean would be a smear.
     """
-    shown = shown_bare(generic, sources)
+    shown = shown_surfaces(sources)
     square = np.stack([np.where(s.sight.cosine > SQUARE, s.score, 0.0) for s in sources])
-    claim = square**2
+    claim = np.where(shown >= 0, square**2, 0.0)
     total = claim.sum(axis=0)
-    vote = (claim * shown).sum(axis=0) / np.maximum(total, 1e-12)
+    vote = np.stack([(claim * (shown == k)).sum(axis=0) for k in range(len(SURFACES))], axis=1)
+    vote /= np.maximum(total, 1e-12)[:, None]
     weight = np.clip(SURE * total, 0.0, 1.0)
-    weight = np.where(always_bare(generic), 1.0, weight)
-    vote = np.where(always_bare(generic), 1.0, vote)
+    own = np.eye(len(SURFACES))[SURFACES.index("skin")]
+    vote[always_bare(generic)], weight[always_bare(generic)] = own, 1.0
     vote, weight = _with_majority(generic, vote, weight)
     for hand in hands_beyond_cuffs(generic):
         seen = float(weight[hand].sum())
-        if seen > 0.0 and float(weight[hand] @ vote[hand]) > BARE_HAND * seen:
-            vote[hand], weight[hand] = 1.0, 1.0  # what shows between thumb and fingers is the coat behind them
-    bare = graph.fill(vote[:, None], weight, KIND_STIFFNESS)[:, 0]
+        if seen > 0.0 and float(weight[hand] @ vote[hand, 0]) > BARE_HAND * seen:
+            vote[hand], weight[hand] = own, 1.0  # what shows between thumb and fingers is the coat behind them
+    surfaces = np.clip(graph.fill(vote, weight, KIND_STIFFNESS), 0.0, 1.0)
+    surfaces /= np.maximum(surfaces.sum(axis=1, keepdims=True), 1e-9)
+    bare = surfaces[:, SURFACES.index("skin")] + surfaces[:, SURFACES.index("hair")]
     # Islands are misplaced sights: borders stay, what is smaller than some edges goes.
     bare = np.clip((bare - KIND_STEP[0]) / (KIND_STEP[1] - KIND_STEP[0]), 0.0, 1.0)
     scalp = graph.smooth(hair_allowed(generic).astype(np.float64), HAIR_ROUNDS)
-    return Materials(bare, scalp, 1.0 - bare)
+    return Materials(bare, scalp, 1.0 - bare, surfaces)

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from cloner.abreast import abreast
 from cloner.baking.ear_match import shift_ear
-from cloner.baking.labelled import PERSON_LEVEL
 from cloner.baking.posed import Stood, body_triangles, stand
 from cloner.baking.zones import hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
 from cloner.frames import ViewId
@@ -24,15 +23,16 @@ from cloner.records.points import Proposal, Proposals
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.aligning import outline_shift, sample, shift_points
+from cloner.vision.bare_skin import label_colour
 from cloner.vision.evening import unclipped, unsaturated
 from cloner.vision.plates import Plate, prepare_plate
 from cloner.vision.repair import without_room
 from cloner.vision.skin_colour import SkinColour
 from cloner.vision.strangers import own_colours
-from cloner.vision.vetting import label_colour
 
 Array = NDArray[np.float64]
 
+PERSON_LEVEL = 127  # a net's probability above one half
 _FACED = (ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
 HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
 CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stretched

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Final
 
 import numpy as np
@@ -48,7 +49,7 @@ def dress_unseen(generic: GenericHuman, sources: list[Source], kinds: Materials,
     below = np.clip(0.5 + (collar - vertices_m[:, 1]) / SOFT_M, 0.0, 1.0)
     worn = np.where(_shown(sources) | always_bare(generic), kinds.worn, below)
     worn[np.concatenate(hands_beyond_cuffs(generic))] = 0.0
-    return Materials(1.0 - worn, kinds.scalp, worn)
+    return replace(kinds, bare=1.0 - worn, worn=worn)
 
 
 def plain_beyond(
@@ -71,6 +72,11 @@ def plain_beyond(
             share = np.clip((graph.distance_from(shown, PLAIN_M) - KEPT_M) / (PLAIN_M - KEPT_M), 0.0, 1.0)[:, None]
             found[kind] += share * (_commonest(base[kind][alike]) - base[kind])
     return found
+
+
+def near_sight(sources: list[Source], graph: SurfaceGraph) -> Array:
+    """Return (V,) 1 at what photos show and up to 10 cm around it, 0 beyond: a collar says nothing of the legs."""
+    return np.asarray(graph.distance_from(_shown(sources), PLAIN_M) < PLAIN_M, np.float64)
 
 
 def _shown(sources: list[Source]) -> NDArray[np.bool_]:

@@ -31,7 +31,7 @@ from cloner.stages.proposals import propose
 #: Proposals of so many photos are remembered: two visitors and some retakes, 4 MB each.
 REMEMBERED: Final = 16
 #: Values of a clone that lie elsewhere: photos and corrections as files, the clone as ``clone.npz``.
-_ELSEWHERE: Final = {"photos", "person", "corrections", "painted", "clone"}
+_ELSEWHERE: Final = {"photos", "person", "corrections", "painted", "surfaces", "clone"}
 
 
 class Jobs:

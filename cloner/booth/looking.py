@@ -13,11 +13,11 @@ from cloner.booth.looking_table import Look, Trouble
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import FACE_VIEWS, ViewId
+from cloner.records.labels import SKINS, shows
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.stages.photo_checks import check_photos
 from cloner.stages.proposals import propose
-from cloner.vision.hair import SKIN
 
 #: Person's share of the photo's height below which too few pixels are left, by kind of photo (taste: 900 of 1800 px).
 SMALLEST_BODY: Final = 0.5
@@ -136,7 +136,7 @@ def _height_share(person: NDArray[np.bool_], proposal: Proposal) -> float:
 
 def _skin_or_person(grey: NDArray[np.uint8], proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.uint8]:
     """Return the brightness of skin, which clothes do not mislead; of the whole person where little skin is known."""
-    skin = person & (proposal.labels == SKIN)
+    skin = person & shows(proposal.labels, *SKINS)
     return grey[skin] if skin.sum() > 0.02 * person.sum() else grey[person]
 
 

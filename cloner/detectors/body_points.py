@@ -22,7 +22,8 @@ from cloner.detectors.photo_states import cut_states, front_states, turned_state
 from cloner.detectors.pose_order import in_order
 from cloner.detectors.side_features import look_from_side, profile_points
 from cloner.frames import ViewId
-from cloner.records.points import HAIR, PhotoState, Proposal, ViewPoints, confidence_of
+from cloner.records.labels import Label
+from cloner.records.points import PhotoState, Proposal, ViewPoints, confidence_of
 from cloner.vision.outline_walk import Figure, figure_of
 
 Array = NDArray[np.float64]
@@ -100,7 +101,7 @@ def completed(figure: Figure, pose_px: Array, kind: str) -> Figure:
 
 def _from_front(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, list[PhotoState]]:
     """Return points and states of a front or back photo."""
-    kind, hair = KINDS[proposal.view], proposal.labels == HAIR
+    kind, hair = KINDS[proposal.view], proposal.labels == Label.HAIR
     looks = (look_along(figure, pose, net.LEFT, kind, hair), look_along(figure, pose, net.RIGHT, kind, hair))
     found: Found = {}
     for look in looks:
@@ -124,7 +125,7 @@ def _from_side(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, 
     """Return points and states of a side photo."""
     right = looks_right(pose)
     near = net.RIGHT if right else net.LEFT
-    look = look_from_side(figure, pose, near, 1.0 if right else -1.0, proposal.labels == HAIR)
+    look = look_from_side(figure, pose, near, 1.0 if right else -1.0, proposal.labels == Label.HAIR)
     found = profile_points(figure, pose, look)
     for side, name in enumerate(net.SIDES):
         error = CUT_ERROR if "bottom" in figure.cut else END_ERROR

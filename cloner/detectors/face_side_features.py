@@ -9,8 +9,9 @@ from numpy.typing import NDArray
 
 from cloner.detectors.cascade import Found, Pose, find_feature, load_cascades, sided
 from cloner.detectors.face_side import IOD_M, SideFace
+from cloner.records.labels import Label
 from cloner.records.photos import Photo
-from cloner.records.points import HAIR, Proposal
+from cloner.records.points import Proposal
 
 Array = NDArray[np.float64]
 
@@ -71,4 +72,4 @@ def covered(labels: NDArray[np.uint8], middle_px: Array, reach_px: float) -> boo
     """
     low, high = np.round(middle_px - reach_px).astype(int), np.round(middle_px + reach_px).astype(int) + 1
     patch = labels[max(low[1], 0) : max(high[1], 0), max(low[0], 0) : max(high[0], 0)]
-    return patch.size == 0 or float((patch == HAIR).mean()) > 0.5
+    return patch.size == 0 or float((patch == Label.HAIR).mean()) > 0.5

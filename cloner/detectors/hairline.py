@@ -12,7 +12,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.records.points import HAIR
+from cloner.records.labels import Label
 
 Array = NDArray[np.float64]
 
@@ -52,7 +52,7 @@ def trace_hairline(labels: NDArray[np.uint8], middle_px: Array, up: Array, iod_p
     Parameters
     ----------
     labels : (H, W) uint8
-        2 is hair.
+        Values of ``Label``.
     middle_px : (2,) float64
         A place on bare skin, for example between the brows.
     up : (2,) float64
@@ -66,7 +66,7 @@ def trace_hairline(labels: NDArray[np.uint8], middle_px: Array, up: Array, iod_p
     place = np.rint(middle_px + away[None, :, None] * ways[:, None]).astype(np.intp)
     inside = (place >= 0).all(axis=2) & (place[..., 0] < labels.shape[1]) & (place[..., 1] < labels.shape[0])
     column, row = np.clip(place[..., 0], 0, labels.shape[1] - 1), np.clip(place[..., 1], 0, labels.shape[0] - 1)
-    hair = (labels[row, column] == HAIR) & inside
+    hair = (labels[row, column] == Label.HAIR) & inside
     count = max(2, round(2.0 * _LEAST_IOD * iod_px))
     summed = np.cumsum(np.pad(hair, ((0, 0), (1, count))), axis=1)
     run = summed[:, count:] - summed[:, :-count]

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from cloner.detectors.anchors import DETECTOR_LAYERS, decode, join, make_anchors, sigmoid
 from cloner.detectors.chatter import chatter_logged
 from cloner.detectors.face_regions import closer_look
+from cloner.detectors.inner_tensors import with_outputs
 from cloner.detectors.mask_crops import body_mask, portrait_mask
 from cloner.detectors.placing import (
     around,
@@ -43,7 +44,7 @@ from cloner.vision.crops import Crop, cut, move_points, photo_px_from_crop
 
 __all__ = [
     "POSE_NAMES", "Box", "FaceResult", "PoseResult",
-    "detect_face", "detect_people", "detect_pose", "let_nets_go",
+    "detect_face", "detect_people", "detect_pose", "label_features", "let_nets_go",
 ]  # fmt: skip
 
 Photo = NDArray[np.uint8]
@@ -52,6 +53,12 @@ Floats = NDArray[np.float64]
 #: Taste: a booth computer has two cores to spare; a worker of a batch has one, and waiting threads would spin on it.
 THREADS: Final = 1 if os.environ.get("OMP_NUM_THREADS") == "1" else 2
 FACE_SIDE: Final = 192
+#: Inner tensors that the label decoder reads, by net. Of all that were tried these carried the labels (see
+#: ``generic_models/build/train_labels.py``); the numbers belong to exactly these files.
+INNER: Final = {
+    "pose_landmark_heavy.tflite": (415, 430, 448, 499, 545, 557),
+    "selfie_segmentation.tflite": (25, 48, 91),
+}
 _LOADING: Final = threading.Lock()
 
 
@@ -60,7 +67,7 @@ def _net(name: str) -> tuple[Interpreter, threading.Lock]:
     """Load a net once per process; its lock keeps one thread at a time in its buffers."""
     data = (files("cloner_models") / "nets" / name).read_bytes()
     with chatter_logged():
-        net = Interpreter(model_content=data, num_threads=THREADS)
+        net = Interpreter(model_content=with_outputs(data, INNER.get(name, ())), num_threads=THREADS)
         net.allocate_tensors()
     return net, threading.Lock()
 
@@ -71,8 +78,8 @@ def let_nets_go() -> None:
         _net.cache_clear()
 
 
-def _invoke(name: str, inputs: Sequence[NDArray[np.float32]]) -> list[NDArray[np.float32]]:
-    """Run a net on inputs without the batch axis; return its outputs the same way."""
+def _invoke(name: str, inputs: Sequence[NDArray[np.float32]], *, inner: bool = False) -> list[NDArray[np.float32]]:
+    """Run a net on inputs without the batch axis; return its outputs, and inner tensors if wanted, the same way."""
     with _LOADING:
         net: Any
         net, turn = _net(name)
@@ -80,7 +87,9 @@ def _invoke(name: str, inputs: Sequence[NDArray[np.float32]]) -> list[NDArray[np
         for detail, values in zip(net.get_input_details(), inputs, strict=True):
             net.set_tensor(detail["index"], values[None])
         net.invoke()
-        return [net.get_tensor(d["index"])[0] for d in net.get_output_details()]
+        given = net.get_output_details()
+        own = len(given) - len(INNER.get(name, ()))
+        return [net.get_tensor(d["index"])[0] for d in (given if inner else given[:own])]
 
 
 def _run(name: str, image: Photo, *, low: float) -> list[NDArray[np.float32]]:
@@ -225,6 +234,30 @@ def _pose_mask_net(photo: Photo, crop: Crop) -> Floats:
 def _selfie_net(photo: Photo, crop: Crop) -> Floats:
     image = cut(photo, crop, width=256, height=256)
     return np.asarray(_run("selfie_segmentation.tflite", image, low=0.0)[0][..., 0], np.float64)
+
+
+# Labels ---------------------------------------------------------------------------------
+
+
+def label_features(rgb: Photo) -> list[NDArray[np.float32]]:
+    """Return what the pose and selfie nets compute on the way to their answers, for the label decoder.
+
+    Parameters
+    ----------
+    rgb : (256, 256, 3) uint8
+        A crop.
+
+    Returns
+    -------
+    list of 11 (h, w, C) float32
+        Six tensors of the pose net, three of the selfie net, then both nets' person masks (256, 256, 1) in 0..1.
+    """
+    image = rgb.astype(np.float32) * np.float32(1.0 / 255.0)
+    pose, selfie = "pose_landmark_heavy.tflite", "selfie_segmentation.tflite"
+    posed, near = _invoke(pose, [image], inner=True), _invoke(selfie, [image], inner=True)
+    mask = next(out for out in posed if out.shape == (POSE_SIDE, POSE_SIDE, 1))
+    person = np.asarray(sigmoid(mask), np.float32)
+    return [*posed[-len(INNER[pose]) :], *near[-len(INNER[selfie]) :], person, near[0]]
 
 
 # Face -----------------------------------------------------------------------------------

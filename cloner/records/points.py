@@ -13,8 +13,6 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.records.arrays import freeze
 
-#: Value of hair in ``Proposal.labels``.
-HAIR = 2
 #: Start of the names of points that an operator put on an outline where no feature has a name.
 ANCHOR = "outline_"
 #: Error at which a body point's confidence has fallen to 1/e, share of the figure's height.

@@ -20,16 +20,16 @@ from cloner.geometry.seeing import facing, look
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
+from cloner.records.labels import SKINS, Label, shows
 from cloner.records.measures import Cover
 from cloner.records.photos import PhotoSet
-from cloner.records.points import HAIR, Proposals
+from cloner.records.points import Proposals
 from cloner.stages.outlined import body_triangles
 from cloner.vision.skin_colour import FARTHEST, SkinColour, skin_colour, skin_distance
 
 Array = NDArray[np.float64]
 
 #: Value of skin in the labels of the head.
-SKIN: Final = 1
 #: Slices a segment.
 SLICES: Final = 8
 #: Steeper surfaces mix with what is behind them.
@@ -127,7 +127,7 @@ def _distances(generic: GenericHuman, photos: PhotoSet, proposals: Proposals, jo
 
 def _skin_in(photos: PhotoSet, proposals: Proposals, view: ViewId) -> SkinColour | None:
     proposal = proposals.views[view]
-    rgb = photos.photos[view].rgb[proposal.labels == SKIN]
+    rgb = photos.photos[view].rgb[shows(proposal.labels, *SKINS)]
     return skin_colour(rgb[:: max(len(rgb) // SKIN_SAMPLES, 1)])
 
 
@@ -151,7 +151,7 @@ def _seen_colours(
     height, width = rgb.shape[:2]
     inside = (column >= 0) & (row >= 0) & (column < width) & (row < height)
     inside[inside] &= (proposal.mask[row[inside], column[inside]] > 127) & (
-        proposal.labels[row[inside], column[inside]] != HAIR
+        proposal.labels[row[inside], column[inside]] != Label.HAIR
     )
     good = inside & (sight.cosine > LEAST_COSINE) & sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
     rows = np.flatnonzero(good & (generic.vertex_part == generic.part_names.index("body")))

@@ -22,7 +22,6 @@ from cloner.baking.hair_edge import FADE_MM, STRAND_MM, inside_hairline_mm, soft
 from cloner.baking.hair_tail import find_tail
 from cloner.baking.hair_views import HairView, Hanger, hair_views, views_of
 from cloner.baking.hair_volume import FILM_MM, VOXEL_M, hair_field
-from cloner.baking.labelled import vet_labels
 from cloner.baking.posed import body_triangles
 from cloner.baking.shell_paint import ShellView, paint_shell
 from cloner.baking.tucking import ear_masks, lay_ears, whole_ears
@@ -96,7 +95,6 @@ def run(
 
     Residuals: median and largest thickness of the cap, mm.
     """
-    proposals = vet_labels(photos, proposals)
     hair = grow_hair(photos, proposals, silhouettes, joined, tick, params or Params())
     loose = loose_shells(load_generic(), joined, photos, proposals, silhouettes)
     if not loose:

@@ -15,8 +15,9 @@ from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.contour_match import contour_normals
 from cloner.geometry.surface import SurfacePoints
 from cloner.records.bodies import Phenotype
+from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import HAIR, FacePoints, Proposals, ViewPoints
+from cloner.records.points import FacePoints, Proposals, ViewPoints
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.head_ears import Spots, read_ears, read_inside
@@ -265,7 +266,7 @@ def _without_hair(front: Array, labels: NDArray[np.uint8], tip_row: float) -> Ar
     inward = SKIN_DEPTH * np.ptp(front[:, 1])
     column, row = np.round(front[:, :2] - inward * front[:, 2:]).astype(int).T
     column, row = np.clip(column, 0, labels.shape[1] - 1), np.clip(row, 0, labels.shape[0] - 1)
-    hair = (labels[row, column] == HAIR) & (front[:, 1] < tip_row)
+    hair = (labels[row, column] == Label.HAIR) & (front[:, 1] < tip_row)
     lowest = float(front[hair, 1].max()) if hair.any() else -np.inf
     return np.asarray(front[front[:, 1] > lowest + inward])
 

@@ -16,7 +16,8 @@ from cloner.geometry.rims import borders_px, rim_vertices
 from cloner.geometry.skinning import blend_transforms, joint_transforms
 from cloner.geometry.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
-from cloner.records.points import HAIR, Proposal, Proposals
+from cloner.records.labels import Label
+from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 
 Array = NDArray[np.float64]
@@ -67,7 +68,7 @@ def outlined_photos(
         field = outline_field(
             silhouette.contours_px,
             silhouette.mask,
-            proposals.views[view].labels == HAIR,
+            proposals.views[view].labels == Label.HAIR,
             cloth=silhouette.loose_mask(),
             step_px=2.0 * reduction,
             reduction=reduction,
@@ -84,7 +85,7 @@ def masked_field(proposal: Proposal) -> OutlineField:
     return outline_field(
         borders_px(person.astype(np.uint8)),
         person,
-        proposal.labels == HAIR,
+        proposal.labels == Label.HAIR,
         step_px=2.0 * reduction,
         reduction=reduction,
     )

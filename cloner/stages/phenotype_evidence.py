@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from cloner.frames import mm_from_m
 from cloner.generic.body_net import NetPoints, net_points
 from cloner.geometry.contours import OutlineField, outline_field
-from cloner.records.points import HAIR, Proposal, ViewPoints
+from cloner.records.labels import Label
+from cloner.records.points import Proposal, ViewPoints
 from cloner.records.silhouettes import Silhouette
 from cloner.records.views import View
 from cloner.stages.points import ENDS
@@ -117,7 +118,7 @@ def gather_evidence(
     field = outline_field(
         outline.contours_px,
         outline.mask,
-        proposal.labels == HAIR,
+        proposal.labels == Label.HAIR,
         cloth=outline.loose_mask(),
         step_px=2.0 * reduction,
         reduction=reduction,

@@ -16,11 +16,11 @@ from cloner.detectors.profile_cut import free_profile
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.labels.photo import label_photo
+from cloner.labels.states import stands_barefoot
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.results import StageResult
-from cloner.vision.feet import is_barefoot
-from cloner.vision.hair import head_hair_labels
 from cloner.vision.masks import refine_mask
 
 #: A face-mesh presence below this is no face (the net's own score, measured on the sample visitors: 1.0).
@@ -97,8 +97,13 @@ def propose_within(photo: Photo, figure: Figure) -> Proposal:
     """Return pose, face, mask and labels of one photo whose person is found."""
     points, depth, presence, irises = face_in(photo)
     shown = points if presence > 0.0 else None
-    labels = head_hair_labels(
-        photo.rgb, figure.inside.astype(np.float32), shown, photo.view, pose_points=figure.pose_px
+    labels, _ = label_photo(
+        photo.rgb,
+        figure.inside,
+        photo.view,
+        DETECTORS.get("label_features"),
+        face_points=shown,
+        pose_points=figure.pose_px,
     )
     found = Proposal(
         photo.view,
@@ -109,7 +114,7 @@ def propose_within(photo: Photo, figure: Figure) -> Proposal:
         presence,
         figure.probability,
         labels,
-        photo.view.is_body and barefoot(photo, figure.inside, labels, figure.pose_px),
+        photo.view.is_body and barefoot(figure, labels),
         irises,
     )
     return free_profile(photo, found) if photo.view is ViewId.FACE_SIDE else found
@@ -126,11 +131,11 @@ def propose(photo: Photo) -> Proposal:
     return propose_within(photo, find_figure(photo))
 
 
-def barefoot(photo: Photo, mask: NDArray[np.bool_], labels: NDArray[np.uint8], pose_px: NDArray[np.float64]) -> bool:
+def barefoot(figure: Figure, labels: NDArray[np.uint8]) -> bool:
     """Return whether a body photo shows bare feet, looking halfway between heels and toes."""
-    feet = (pose_px[29:31] + pose_px[31:33]) / 2
-    height = float(np.ptp(np.flatnonzero(mask.any(axis=1))))
-    return is_barefoot(photo.rgb, mask, labels, feet, 0.008 * height)
+    feet = (figure.pose_px[29:31] + figure.pose_px[31:33]) / 2
+    height = float(np.ptp(np.flatnonzero(figure.inside.any(axis=1))))
+    return stands_barefoot(labels, feet, 0.008 * height)
 
 
 def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: np.random.Generator) -> StageResult:

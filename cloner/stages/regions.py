@@ -1,7 +1,7 @@
 """Stage: say of every triangle what it is: skin, hair, eyes, mouth, upper clothes, lower clothes or shoes.
 
-The generic human knows where eyes, mouth and scalp are and what people wear where; the painted colours say where
-skin ends and one garment meets the next.
+The generic human knows where eyes, mouth and scalp are and what people wear where; the photos' labels say what this
+person wears where, and the painted colours where exactly skin ends and one garment meets the next.
 
 References
 ----------
@@ -25,27 +25,28 @@ from skimage.color import rgb2lab
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.triangles import areas, paired_edges
 from cloner.records.clones import Clone
+from cloner.records.labels import SURFACES
 from cloner.records.regions import REGIONS
 from cloner.records.results import Residual, StageResult
 
 Array = NDArray[np.float64]
 
-#: The labels that colour decides.
-WORN: Final = ("skin", "upper_clothes", "lower_clothes", "shoes")
-#: What people show or wear there, for `WORN`; taste, between bathing suit and winter coat.
+#: The regions that photos decide.
+WORN: Final = ("skin", "hair", "upper_clothes", "lower_clothes", "shoes")
+#: What people show or wear there where no photo tells, for `WORN`; taste, between bathing suit and winter coat.
 _USUAL: Final[Mapping[str, tuple[float, ...]]] = MappingProxyType({
-    "head": (0.99, 0.01, 0.0, 0.0),
-    "torso": (0.1, 0.85, 0.05, 0.0),
-    "pelvis": (0.03, 0.3, 0.67, 0.0),
-    "upper_arm": (0.4, 0.6, 0.0, 0.0),
-    "forearm": (0.5, 0.5, 0.0, 0.0),
-    "hand": (0.9, 0.1, 0.0, 0.0),
-    "thigh": (0.25, 0.05, 0.7, 0.0),
-    "calf": (0.35, 0.0, 0.55, 0.1),
-    "foot": (0.1, 0.0, 0.06, 0.84),
+    "head": (0.99, 0.0, 0.01, 0.0, 0.0),
+    "torso": (0.1, 0.0, 0.85, 0.05, 0.0),
+    "pelvis": (0.03, 0.0, 0.3, 0.67, 0.0),
+    "upper_arm": (0.4, 0.0, 0.6, 0.0, 0.0),
+    "forearm": (0.5, 0.0, 0.5, 0.0, 0.0),
+    "hand": (0.9, 0.0, 0.1, 0.0, 0.0),
+    "thigh": (0.25, 0.0, 0.05, 0.7, 0.0),
+    "calf": (0.35, 0.0, 0.0, 0.55, 0.1),
+    "foot": (0.1, 0.0, 0.0, 0.06, 0.84),
 })  # fmt: skip
-#: Where each garment's own colour is learned, shares of it that lie outside are other things (prints, belts).
-_LEARNED: Final = {"upper_clothes": ("torso",), "lower_clothes": ("thigh",), "shoes": ("foot",)}
+#: Weight of what is usual against what the photos show.
+_UNTOLD: Final = 0.05
 
 #: A walker that ends on one label this often is sure of it.
 SURE: Final = 0.9
@@ -63,35 +64,37 @@ class Params:
         CIELAB distance of neighbouring triangles over which a border is likely (taste).
     trust : float
         Weight of a triangle's own colour and place against one neighbour of the same colour (taste).
-    plain : float
-        Likelihood of any other colour beside a garment's own; prints and folds are common.
     """
 
     contrast: float = 6.0
     trust: float = 0.02
-    plain: float = 0.02
 
 
 def run(
     *,
     painted: Clone,
+    surfaces: Array,
     tick: Callable[[float], None],
     rng: np.random.Generator,
     params: Params | None = None,
 ) -> StageResult:
     """Return the clone with its triangles labelled.
 
+    ``surfaces`` (V, 6) are the shares of ``SURFACES`` that the photos show at each vertex; zeros tell nothing.
+
     Residuals: how sure the labels of the colours are, percent of the surface above nine in ten.
     """
     params = params or Params()
     generic = load_generic()
-    labels, sure = label_triangles(generic, painted, params)
+    labels, sure = label_triangles(generic, painted, surfaces, params)
     tick(1.0)
     told = Residual("regions_sure", 100.0 * sure, "percent")
     return StageResult({"clone": replace(painted, triangle_regions=labels)}, (told,))
 
 
-def label_triangles(generic: GenericHuman, clone: Clone, params: Params) -> tuple[NDArray[np.uint8], float]:
+def label_triangles(
+    generic: GenericHuman, clone: Clone, surfaces: Array, params: Params
+) -> tuple[NDArray[np.uint8], float]:
     """Return (T,) places in `REGIONS` of the generic human's triangles, and the share of the skin that is sure."""
     triangles, uv_triangles = generic.triangles()
     parts = np.array(generic.part_names)[generic.vertex_part[triangles[:, 0]]]
@@ -99,7 +102,7 @@ def label_triangles(generic: GenericHuman, clone: Clone, params: Params) -> tupl
     colours = triangle_colours(clone.atlas.rgb, generic.uv.astype(np.float64)[uv_triangles])
     area = areas(clone.vertices_m, triangles)
     links = neighbour_links(triangles, colours, params.contrast)
-    likely = _likely(generic, triangles, colours, on_body, params)
+    likely = _likely(generic, triangles, surfaces)
     shares = random_walk(links, likely, params.trust * area / np.median(area[on_body]))
     worn = without_islands(shares.argmax(axis=1), links, area)
     labels = np.array([REGIONS.index(name) for name in WORN])[worn]
@@ -109,17 +112,13 @@ def label_triangles(generic: GenericHuman, clone: Clone, params: Params) -> tupl
     return labels.astype(np.uint8), float(area[on_body][sure].sum() / area[on_body].sum())
 
 
-def _likely(
-    generic: GenericHuman, triangles: NDArray[np.integer], colours: Array, on_body: NDArray[np.bool_], params: Params
-) -> Array:
-    """Return (T, 4) how likely each of `WORN` is by place and colour; rows sum to one."""
+def _likely(generic: GenericHuman, triangles: NDArray[np.integer], surfaces: Array) -> Array:
+    """Return (T, 5) how likely each of `WORN` is by the photos' labels and by place; rows sum to one."""
     segments = [name.removeprefix("left_").removeprefix("right_") for name in generic.segment_names]
     place = np.array(segments)[generic.vertex_segment[triangles[:, 0]]]
-    face = generic.region("face") & ~generic.region("lips") & ~generic.region("eyelids")
-    own = {"skin": face[triangles].all(axis=1)}
-    own |= {name: on_body & np.isin(place, places) for name, places in _LEARNED.items()}
-    likely = np.array([_USUAL[name] for name in place])
-    likely = likely * np.column_stack([likelihood(colours, colours[own[name]], params.plain) for name in WORN])
+    seen = surfaces[:, [SURFACES.index(name) for name in WORN]].copy()
+    seen[:, WORN.index("upper_clothes")] += surfaces[:, SURFACES.index("accessory")]  # scarves, caps
+    likely = seen[triangles].mean(axis=1) + _UNTOLD * np.array([_USUAL[name] for name in place])
     return np.asarray(likely / likely.sum(axis=1, keepdims=True))
 
 
@@ -150,19 +149,6 @@ def triangle_colours(rgb: NDArray[np.uint8], corners_uv: Array) -> Array:
     texels = np.clip(np.floor(places * size).astype(int), 0, size - 1)
     taken = rgb[texels[..., 1], texels[..., 0]].astype(np.float64).mean(axis=1)
     return np.asarray(rgb2lab(taken[None] / 255.0)[0])
-
-
-def likelihood(colours: Array, own: Array, plain: float) -> Array:
-    """Return how likely each colour is of a material, given samples of it; `plain` for those it never shows.
-
-    Shading moves lightness more than hue, so lightness counts a third.
-    """
-    if len(own) < 30:
-        return np.full(len(colours), plain)
-    middle = np.median(own, axis=0)
-    spread = np.maximum(1.48 * np.median(np.abs(own - middle), axis=0), (8.0, 3.0, 3.0)) * (2.0, 1.0, 1.0)
-    far = (((colours - middle) / spread) ** 2).sum(axis=1)
-    return np.asarray(np.exp(-0.5 * far) + plain)
 
 
 def neighbour_links(triangles: NDArray[np.integer], colours: Array, contrast: float) -> coo_matrix:

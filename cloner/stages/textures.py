@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from cloner.abreast import abreast
 from cloner.baking.baked import Baked, unpainted
 from cloner.baking.compose import bake, share_surface
-from cloner.baking.doubted import doubt_grazing, doubt_slanted
+from cloner.baking.doubted import doubt_grazing, doubt_slanted, doubt_strangers
 from cloner.baking.evened import (
     compare_photos,
     even_photos,
@@ -26,7 +26,6 @@ from cloner.baking.evened import (
     vertex_colours,
 )
 from cloner.baking.hands import finish_hands, finish_soles
-from cloner.baking.labelled import vet_labels
 from cloner.baking.lid_skin import clean_lids
 from cloner.baking.materials import find_materials
 from cloner.baking.nostrils import darken_nostrils
@@ -35,7 +34,7 @@ from cloner.baking.posed import body_triangles
 from cloner.baking.sources import Limits, gather_sources
 from cloner.baking.tiles import Tile, cut_tiles
 from cloner.baking.tucking import tuck_scalp
-from cloner.baking.undressed import dress_unseen, only_faces, plain_beyond
+from cloner.baking.undressed import dress_unseen, near_sight, only_faces, plain_beyond
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.atlas import AtlasMap
@@ -43,11 +42,14 @@ from cloner.geometry.wedges import vertex_normals
 from cloner.memory import give_back
 from cloner.records.clones import Clone, Joined, TextureAtlas
 from cloner.records.heads import HeadFit, Shell
+from cloner.records.labels import SURFACES
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.repair import spread_nearest
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +97,7 @@ def run(
     params = params or Params()
     generic = load_generic()
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, shells))
-    baked, residuals = lay_photos(generic, photos, proposals, silhouettes, joined, shells, params, tick)
+    baked, surfaces, residuals = lay_photos(generic, photos, proposals, silhouettes, joined, shells, params, tick)
     warnings = () if baked else ("No photo could be laid on the body: it keeps one plain colour",)
     baked = baked or unpainted(generic, params.size)
     seen, charts = int(baked.seen.sum()), int(baked.covered.sum())
@@ -105,7 +107,8 @@ def run(
     baked = replace(baked, rgb=clean_lids(generic, baked.rgb, joined.vertices_m))
     atlas = TextureAtlas(pad_charts(baked.rgb, baked.covered), baked.seen * np.uint8(255))
     tick(1.0)
-    return StageResult({"painted": assemble(joined, shells, atlas)}, tuple(residuals), warnings)
+    painted = assemble(joined, shells, atlas)
+    return StageResult({"painted": painted, "surfaces": surfaces}, tuple(residuals), warnings)
 
 
 def lay_photos(
@@ -117,21 +120,23 @@ def lay_photos(
     shells: tuple[Shell, ...],
     params: Params,
     tick: Callable[[float], None],
-) -> tuple[Baked | None, list[Residual]]:
-    """Return the atlas painted with the photos, None where no photo shows the body, and the residuals of doing so."""
-    proposals = vet_labels(photos, proposals)
+) -> tuple[Baked | None, Array, list[Residual]]:
+    """Return the atlas painted with the photos, None where no photo shows the body.
+
+    Returned beside it: (V, 6) shares of ``SURFACES`` that the photos show, and the residuals of painting.
+    """
     tick(0.15)
     sources, residuals = gather_sources(generic, photos, proposals, silhouettes, joined, shells, params.limits)
     tick(0.4)
     if not sources:
-        return None, residuals
+        return None, np.zeros((len(joined.vertices_m), len(SURFACES))), residuals
     graph = person_graph(generic, joined.vertices_m)
     normals = vertex_normals(joined.vertices_m, body_triangles(generic))
     colours = vertex_colours(sources)
     kinds = find_materials(generic, sources, graph)
     if only_faces(sources):
         kinds = dress_unseen(generic, sources, kinds, joined.vertices_m)
-    sources = doubt_grazing(generic, sources, colours, kinds, graph)
+    sources = doubt_grazing(generic, doubt_strangers(generic, sources, kinds), colours, kinds, graph)
     light = even_photos(generic, sources, colours, normals, kinds, graph)
     sources = doubt_slanted(generic, sources, evened_colours(colours, light), graph)
     light = level_photos(generic, sources, colours, light, kinds, graph)
@@ -145,10 +150,12 @@ def lay_photos(
         levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
     )  # fmt: skip
     claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in sources], axis=0)
+    seen = near_sight(sources, graph) if only_faces(sources) else np.ones(len(claim))
     del sources  # their pictures would be the larger part of the memory from here on
     give_back()
     baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
-    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb))), residuals
+    told = kinds.surfaces * seen[:, None]
+    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb))), told, residuals
 
 
 def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:

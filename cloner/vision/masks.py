@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 
 from cloner.vision.colours import colour_ratio, make_palette
 from cloner.vision.crops import shrink_to
-from cloner.vision.hair import head_hair_labels
 from cloner.vision.limbs import add_feet, finger_zone
 
-__all__ = ["MaskParams", "head_hair_labels", "refine_mask"]
+__all__ = ["MaskParams", "refine_mask"]
 
 Floats = NDArray[np.float32]
 Bools = NDArray[np.bool_]

@@ -8,10 +8,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.records.labels import OWN, SKINS, Label, shows
 from cloner.vision.repair import repair_bleeding
 from cloner.vision.skin_colour import SkinColour
 from cloner.vision.soles import contact_shadow, shaded_floor
-from cloner.vision.vetting import shown_bare
 
 #: Outline of the eye openings in the 468-point face net, right eye then left eye (MediaPipe's own contour lists).
 EYE_OPENINGS = (
@@ -25,7 +25,6 @@ BROWS = (
 )
 BROW_SPARE = 0.08  # of a brow's length: hairs beyond the outline
 BROW_REACH = 0.25  # of a brow's length, 1.2 cm: a photo a little off shows the tail so far away
-SKIN_LABEL, HAIR_LABEL = 1, 2
 #: Elbow, wrist, little finger, index finger, thumb of the left and right arm in the pose net's order.
 ARM_POINTS = ((13, 15, 17, 19, 21), (14, 16, 18, 20, 22))
 #: Full width of a forearm and of a finger's line with the net's error (20 px in 1,800), share of the figure.
@@ -48,12 +47,14 @@ class Plate:
         The same, blurred over about a centimetre, for comparing photos.
     inside_px : (H, W) float32
         Signed distance to the outline, positive inside.
+    labels : (H, W) uint8
+        Values of ``Label``.
     hair : (H, W) bool
         Pixels labelled hair.
     bare : (H, W) bool
         Pixels labelled skin.
     skin : (H, W) uint8
-        255 where a pixel shows skin, by label or by colour (below the face no label is sure), or hair.
+        255 where a pixel shows the person's own: skin, hair, eyes, mouth.
     shares : (float, float) or None
         Red and blue against green of this skin, levels.
     eyes : (H, W) bool
@@ -69,6 +70,7 @@ class Plate:
     rgb: NDArray[np.uint8]
     blurred: NDArray[np.uint8]
     inside_px: NDArray[np.float32]
+    labels: NDArray[np.uint8]
     hair: NDArray[np.bool_]
     bare: NDArray[np.bool_]
     skin: NDArray[np.uint8]
@@ -93,7 +95,7 @@ def prepare_plate(
     ----------
     rgb : (H, W, 3) uint8
     mask : (H, W) bool, the person
-    labels : (H, W) uint8, 1 = skin, 2 = hair
+    labels : (H, W) uint8, values of ``Label``
     face_px : (468, 2) or None
         Points of the face net; None where there is no frontal face.
     pose : ((33, 2), (33,)) or None
@@ -108,12 +110,15 @@ def prepare_plate(
     shadow = cv2.dilate((contact_shadow(rgb, mask) | shaded_floor(rgb, mask)).astype(np.uint8), mixed) > 0
     repaired, inside = repair_bleeding(rgb, mask, band, shadow)
     blurred = cv2.GaussianBlur(repaired, (0, 0), max(1.5, 0.003 * figure))
-    hair, bare = labels == HAIR_LABEL, labels == SKIN_LABEL
+    hair, bare = labels == Label.HAIR, shows(labels, *SKINS)
     arms = _arm_zone(*pose, figure, mask.shape) if pose is not None else np.zeros(mask.shape, bool)
-    shown = shown_bare(repaired, mask, hair, bare, skin)
+    own = shows(labels, *OWN).astype(np.uint8) * 255
     shares = None if skin is None else skin.shares()
     eyes, brows = _eye_openings(face_px, mask.shape), _brows(face_px, mask.shape)
-    return Plate(repaired, blurred, inside, hair, bare, shown, shares, eyes, brows, arms, figure)
+    # labels end in steps of a pixel: a soft edge keeps them from showing
+    return Plate(
+        repaired, blurred, inside, labels, hair, bare, cv2.blur(own, (3, 3)), shares, eyes, brows, arms, figure
+    )
 
 
 def _arm_zone(

@@ -11,6 +11,7 @@ import numpy as np
 from skimage.measure import find_contours
 
 from cloner.frames import ViewId, focal_px_from_35mm
+from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal
 from cloner.records.silhouettes import Silhouette
@@ -119,5 +120,5 @@ def empty_proposal(view, mask):
         face_depth=np.zeros(468),
         face_presence=0.0,
         mask=np.where(mask, 255, 0).astype(np.uint8),
-        labels=np.where(mask, 3, 0).astype(np.uint8),
+        labels=np.where(mask, Label.UPPER_CLOTHES, 0).astype(np.uint8),
     )

@@ -11,6 +11,7 @@ from cloner.baking.tucking import ear_masks, lay_ears, tuck_scalp, whole_ears
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.wedges import vertex_normals
+from cloner.records.labels import Label
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import hair
@@ -66,7 +67,8 @@ def grow(*, tail=False, bald=False, pitch=0.0):
     for view, posed in fit.views.items():
         picture = painted.draw(vertices, both, colours, posed.camera, background=WALL)
         mask = (picture != WALL).any(axis=2)
-        labels = np.where(mask, np.where((picture == HAIR).all(axis=2), 2, 1), 0).astype(np.uint8)
+        shown = np.where((picture == HAIR).all(axis=2), Label.HAIR, Label.FACE_SKIN)
+        labels = np.where(mask, shown, Label.BACKGROUND).astype(np.uint8)
         blank = studio.empty_proposal(view, mask)
         pictures[view] = picture
         proposals[view] = Proposal(

@@ -71,13 +71,13 @@ def test_proposals_alone_are_kept_from_a_run_that_only_proposed(known: dict[str,
 
 def test_nothing_moved_keeps_all_but_the_painted_clone(known: dict[str, Any]) -> None:
     everything = {name for stage in STAGES for name in stage.gives}
-    assert kept(known, no_corrections()) == everything - {"painted", "clone"}
+    assert kept(known, no_corrections()) == everything - {"painted", "surfaces", "clone"}
 
 
 def test_a_point_moved_on_the_outline_keeps_the_fit_and_changes_what_comes_after(known: dict[str, Any]) -> None:
     left = kept(known, corrected("waist_left", 262.0, 400.0))
     assert left >= FIT | {"proposals", "head", "joined"}
-    assert not left & {"obeyed", "obeyed_silhouettes", "measures", "shells", "painted", "clone"}
+    assert not left & {"obeyed", "obeyed_silhouettes", "measures", "shells", "painted", "surfaces", "clone"}
 
 
 @pytest.mark.parametrize(

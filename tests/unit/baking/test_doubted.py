@@ -8,11 +8,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from cloner.baking.doubted import doubt_grazing, doubt_slanted
+from cloner.baking.doubted import doubt_grazing, doubt_slanted, doubt_strangers
 from cloner.baking.materials import Materials
 from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
+from cloner.records.labels import SURFACES, Label
 
 GENERIC = load_generic()
 COUNT = len(GENERIC.vertices_m)
@@ -29,6 +30,7 @@ class Photo:
     mirrored: bool = False
     brows: np.ndarray = field(default_factory=lambda: np.zeros((1, COUNT), np.uint8))
     skin: np.ndarray | int = 255
+    labels: np.ndarray | int = 0
 
     @property
     def sight(self):
@@ -36,11 +38,20 @@ class Photo:
 
     @property
     def plate(self):
-        return SimpleNamespace(brows=self.brows, skin=np.full((1, COUNT), self.skin, np.uint8))
+        return SimpleNamespace(
+            brows=self.brows,
+            skin=np.full((1, COUNT), self.skin, np.uint8),
+            labels=np.full((1, COUNT), self.labels, np.uint8),
+        )
 
     @property
     def lookup_px(self):
         return np.column_stack([np.arange(COUNT), np.zeros(COUNT)]).astype(float)
+
+
+def surfaces(name):
+    """Return (V, 6) shares of surfaces where all is one."""
+    return np.tile(np.eye(len(SURFACES))[SURFACES.index(name)], (COUNT, 1))
 
 
 @pytest.fixture(scope="module")
@@ -100,8 +111,24 @@ def test_a_stripe_on_cloth_goes_on_at_a_slant_and_skin_behind_it_does_not(graph,
     angles = np.where(stripe, cosine, 0.9)
     photo = Photo(ViewId.BODY_FRONT, angles, angles, skin=np.where(stripe, shown, 0))
     colours = np.where(stripe[:, None], ORANGE, BLUE)[None]
-    worn = Materials(np.zeros(COUNT), np.zeros(COUNT), np.ones(COUNT))
+    worn = Materials(np.zeros(COUNT), np.zeros(COUNT), np.ones(COUNT), surfaces("upper_clothes"))
     (found,) = doubt_grazing(GENERIC, [photo], colours, worn, graph)
     shoulders = GENERIC.vertices_m[:, 1] < GENERIC.vertices_m[GENERIC.feature("neck_base_L"), 1]
     below = stripe & shoulders  # ears are bare whatever they show
     assert bool((found.score[below] > 0.0).mean() > 0.99) == kept
+
+
+def test_a_photo_that_shows_trousers_where_the_surface_is_sleeve_is_not_believed():
+    """The fitted forearm misses the photo's and lies before the trousers; another photo shows the sleeve."""
+    arm = GENERIC.vertex_segment == GENERIC.segment_names.index("left_forearm")
+    angles = np.full(COUNT, 0.9)
+    wrong = np.where(arm, Label.LOWER_CLOTHES, Label.UPPER_CLOTHES)
+    photos = [
+        Photo(ViewId.BODY_FRONT, angles, angles, labels=int(Label.UPPER_CLOTHES)),
+        Photo(ViewId.BODY_SIDE, angles, angles, labels=wrong),
+    ]
+    kinds = Materials(np.zeros(COUNT), np.zeros(COUNT), np.ones(COUNT), surfaces("upper_clothes"))
+    front, side = doubt_strangers(GENERIC, photos, kinds)
+    assert np.array_equal(front.score, angles)
+    assert not side.score[arm].any()
+    assert np.array_equal(side.score[~arm], angles[~arm])

@@ -11,18 +11,19 @@ from cloner.baking.materials import find_materials, hands_beyond_cuffs
 from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
+from cloner.records.labels import Label
 
 
 def seen(shown):
     """Return a photo that sees every vertex squarely and shows this much skin (V,) there."""
     count = len(shown)
-    picture = np.rint(255 * shown).astype(np.uint8).reshape(1, count)
+    picture = np.where(shown > 0.5, Label.BODY_SKIN, Label.UPPER_CLOTHES).astype(np.uint8).reshape(1, count)
     return SimpleNamespace(
         view=ViewId.BODY_FRONT,
         mirrored=False,
         score=np.ones(count),
         sight=SimpleNamespace(cosine=np.ones(count)),
-        plate=SimpleNamespace(skin=picture),
+        plate=SimpleNamespace(labels=picture),
         lookup_px=np.column_stack([np.arange(count), np.zeros(count)]).astype(float),
     )
 

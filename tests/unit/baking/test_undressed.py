@@ -12,6 +12,7 @@ from cloner.baking.undressed import dress_unseen, plain_beyond
 from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
+from cloner.records.labels import Label
 
 
 @pytest.fixture(scope="module")
@@ -26,13 +27,15 @@ def portrait(generic, vertices, collar_m):
     count = len(vertices)
     neck = vertices[generic.region("neck"), 1].min()
     seen = (vertices[:, 1] > neck - 0.10) & (vertices[:, 2] > vertices[generic.region("neck"), 2].mean())
-    picture = np.where(vertices[:, 1] < collar_m, 0, 255).astype(np.uint8).reshape(1, count)
+    dressed = vertices[:, 1] < collar_m
+    picture = np.where(dressed, 0, 255).astype(np.uint8).reshape(1, count)
+    labels = np.where(dressed, Label.UPPER_CLOTHES, Label.FACE_SKIN).astype(np.uint8).reshape(1, count)
     return SimpleNamespace(
         view=ViewId.FACE_FRONT,
         mirrored=False,
         score=seen.astype(float),
         sight=SimpleNamespace(cosine=np.where(seen, 1.0, -1.0)),
-        plate=SimpleNamespace(skin=picture),
+        plate=SimpleNamespace(skin=picture, labels=labels),
         lookup_px=np.column_stack([np.arange(count), np.zeros(count)]).astype(float),
     )
 

@@ -19,7 +19,9 @@ def side_plate(bare: np.ndarray) -> Plate:
     nothing = np.zeros((SIZE, SIZE), bool)
     levels = np.zeros((SIZE, SIZE, 3), np.uint8)
     far = np.full((SIZE, SIZE), 100.0, np.float32)
-    return Plate(levels, levels, far, nothing, bare, levels[..., 0], None, nothing, levels[..., 0], nothing, 900.0)
+    labels = bare.astype(np.uint8)
+    grey = levels[..., 0]
+    return Plate(levels, levels, far, labels, nothing, bare, grey, None, nothing, grey, nothing, 900.0)
 
 
 @pytest.fixture(scope="module")

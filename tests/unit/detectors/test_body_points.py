@@ -10,6 +10,7 @@ from cloner.detectors import pose_rows as net
 from cloner.detectors.body_points import propose_body_points
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
+from cloner.records.labels import Label
 from cloner.records.points import StateKind, expected_error
 from cloner.vision.outline_walk import figure_of
 from kit import net as known_net
@@ -225,7 +226,7 @@ def test_hair_on_the_neck_hides_the_neck_base(shown):
     mask, pose, *_ = shown["body_front"]
     given = known_net.proposal("body_front", mask, pose)
     labels = np.zeros_like(mask)
-    labels[: int(pose[net.SHOULDERS[0], 1])] = 2
+    labels[: int(pose[net.SHOULDERS[0], 1])] = Label.HAIR
     found = propose_body_points(replace(given, labels=labels))
     assert not [name for name in found.names if name.startswith("neck_base")]
     assert found.view is ViewId.BODY_FRONT

@@ -12,8 +12,9 @@ from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import rotation_matrices
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
+from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import HAIR, Proposals, ViewPoints
+from cloner.records.points import Proposals, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import carriage
 from cloner.stages.carriage_looks import look_up, shown_places
@@ -61,7 +62,7 @@ def photographed(person, true, believed, thick_m=0.0):
         outlines[view] = studio.silhouette_record(view, mask)
         labels = np.zeros(mask.shape, np.uint8)
         if thick_m > 0.0:
-            labels[studio.silhouette(worn, triangles[cap[triangles].all(axis=1)], camera) & mask] = HAIR
+            labels[studio.silhouette(worn, triangles[cap[triangles].all(axis=1)], camera) & mask] = Label.HAIR
         proposals[view] = replace(studio.empty_proposal(view, mask), labels=labels)
         seen = NAMES if view is SIDE else ()
         pixels = camera.project(naked[[generic.feature(name) for name in seen]]) if seen else np.zeros((0, 2))

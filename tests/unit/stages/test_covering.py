@@ -9,6 +9,7 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
+from cloner.records.labels import Label
 from cloner.records.measures import Cover
 from cloner.records.points import Proposals
 from cloner.stages.covering import covers, ending
@@ -42,9 +43,9 @@ def told(sleeve: float, leg: float, skin: tuple, shirt: tuple, trousers: tuple) 
         picture, mask = painted.photograph(fit, colours * light[:, None], view)
         noisy = picture + np.random.default_rng(1).normal(0.0, 4.0, picture.shape)
         photos[view] = np.clip(noisy, 0, 255).astype(np.uint8)
-        labels = np.where(mask, 3, 0).astype(np.uint8)
+        labels = np.where(mask, Label.UPPER_CLOTHES, 0).astype(np.uint8)
         place = np.rint(fit.views[ViewId(view)].camera.project(painted.posed(fit, view)[head])).astype(int)
-        labels[place[:, 1], place[:, 0]] = 1
+        labels[place[:, 1], place[:, 0]] = Label.FACE_SKIN
         proposals[view] = replace(studio.empty_proposal(view, mask), labels=labels)
     return covers(studio.photo_set(photos), Proposals({ViewId(view): p for view, p in proposals.items()}), fit)
 

@@ -9,7 +9,8 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.records.bodies import BodyMesh, PosedView
-from cloner.records.points import HAIR, Proposals, ViewPoints
+from cloner.records.labels import Label
+from cloner.records.points import Proposals, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages import carriage, hair_agreement
 from cloner.stages.carriage_sight import NECK, SKULL
@@ -27,7 +28,7 @@ def painted_hair(person, rotations, camera, mask):
     facing = np.einsum("vk,vk->v", vertex_normals(posed, triangles), camera.position_m - posed) > 0.0
     ears = generic.region("ear_left") | generic.region("ear_right")
     hairy = triangles[(generic.region("scalp") & facing & ~ears)[triangles].all(axis=1)]
-    return np.where(studio.silhouette(posed, hairy, camera) & mask, HAIR, 0).astype(np.uint8)
+    return np.where(studio.silhouette(posed, hairy, camera) & mask, Label.HAIR, 0).astype(np.uint8)
 
 
 def photographed(person, true, believed):

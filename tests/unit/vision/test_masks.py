@@ -8,10 +8,9 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.detectors.litert import detect_face, detect_pose
+from cloner.detectors.litert import detect_pose
 from cloner.detectors.results import PoseResult
-from cloner.vision.hair import CLOTH, HAIR, SKIN
-from cloner.vision.masks import head_hair_labels, refine_mask
+from cloner.vision.masks import refine_mask
 from kit.visitors import NAMES, SETS, VIEWS, overlap, photo, truth_mask
 
 # measured means .986 .978 .981 (bodies), .995 .988 .983 (faces); here the worst photo
@@ -69,50 +68,3 @@ def test_flat_picture_keeps_its_probability() -> None:
     assert not (refine_mask(rgb, np.zeros_like(probability)) > 0.5).any()
     with pytest.raises(ValueError, match="differ"):
         refine_mask(rgb[1:], probability)
-
-
-def labels(name: str, set_name: str, view: str) -> np.ndarray:
-    pose, mask = seen(name, set_name, view)
-    rgb = photo(name, set_name, view).rgb
-    face = detect_face(rgb) if view.endswith("front") else None
-    points = None if face is None else face.points_px
-    return head_hair_labels(rgb, mask, points, view, pose_points=pose.points_px)
-
-
-@pytest.mark.parametrize("set_name", SETS)
-def test_ponytail_is_hair(set_name: str) -> None:
-    found = labels("anna", set_name, "body_back")
-    rows = np.flatnonzero((found == HAIR).any(axis=1))
-    person = np.flatnonzero(truth_mask("anna", set_name, "body_back").any(axis=1))
-    length = (rows[-1] - rows[0]) / (person[-1] - person[0])
-    assert 0.16 < length < 0.26, length  # read off the photos: 0.19
-    _, mask = seen("anna", set_name, "body_back")
-    assert ((found > 0) == (mask > 0.5)).all()
-
-
-@pytest.mark.parametrize("name", NAMES)
-@pytest.mark.parametrize("set_name", ["plain", "booth"])
-def test_front_face_is_skin_under_hair(name: str, set_name: str) -> None:
-    found = labels(name, set_name, "face_front")
-    face = detect_face(photo(name, set_name, "face_front").rgb)
-    assert face is not None
-    for index in (50, 280, 4, 152):  # cheeks, nose, chin
-        x, y = np.round(face.points_px[index]).astype(int)
-        assert found[y - 3, x] == SKIN, f"{name} {set_name} {index}"
-    hair = np.argwhere(found == HAIR)
-    assert len(hair) > 0.01 * found.size
-    assert hair[:, 0].mean() < face.points_px[10, 1] + 60
-    assert found[-20, found.shape[1] // 2] == CLOTH
-
-
-def test_bald_head_has_no_hair() -> None:
-    rgb = photo("boris", "plain", "face_front").rgb.copy()
-    found = labels("boris", "plain", "face_front")
-    skin = np.median(rgb[found == SKIN], axis=0)
-    noise = np.random.default_rng(3).normal(0, 4, (*rgb.shape[:2], 3))
-    bald = np.where((found == HAIR)[..., None], np.clip(skin + noise, 0, 255), rgb).astype(np.uint8)
-    _, mask = seen("boris", "plain", "face_front")
-    face = detect_face(bald)
-    assert face is not None
-    again = head_hair_labels(bald, mask, face.points_px, "face_front")
-    assert (again == HAIR).sum() < 0.1 * (found == HAIR).sum()

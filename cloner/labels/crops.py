@@ -1,0 +1,41 @@
+"""Which parts of a photo the label net looks at: the whole person, and the head alone."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.vision.crops import Crop
+from cloner.vision.head_frame import HeadFrame
+
+#: Sides of the crops the net was taught on (middle of the range drawn in ``generic_models/build/train_labels.py``):
+#: share of the person's larger extent, and of the head from crown to chin.
+PERSON_SHARE: Final = 1.16
+HEAD_SHARE: Final = 1.95
+
+
+def person_crop(person: NDArray[np.bool_], view: ViewId) -> Crop:
+    """Return the square around the whole person; of a face photo, all of it.
+
+    Parameters
+    ----------
+    person : (H, W) bool
+        Some pixel is True.
+    view : ViewId
+    """
+    height, width = person.shape
+    if view.is_face:
+        side = float(max(height, width))
+        return Crop((width - 1) / 2.0, (height - 1) / 2.0, side, side)
+    rows, columns = np.flatnonzero(person.any(axis=1)), np.flatnonzero(person.any(axis=0))
+    side = PERSON_SHARE * float(max(np.ptp(rows), np.ptp(columns)) + 1)
+    return Crop(float(columns[0] + columns[-1]) / 2, float(rows[0] + rows[-1]) / 2, side, side)
+
+
+def head_crop(head: HeadFrame) -> Crop:
+    """Return the square around the head."""
+    side = HEAD_SHARE * max(head.head_px, 8.0)
+    return Crop(head.x_px, (head.top_px + head.chin_px) / 2, side, side)

@@ -1,0 +1,119 @@
+"""The label net: a small decoder over features of the pose and selfie nets.
+
+The two nets were taught by their makers on photographs of real people and stay as they are; the decoder's weights come
+from ``generic_models/build/train_labels.py``. It is small enough to be computed with matrix products and OpenCV's
+filters, so no second model format is needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from importlib.resources import files
+from typing import Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float32]
+
+#: Side of the crop that the nets see and of the scores that come back, px.
+SIDE_PX: Final = 256
+#: Features are cut off at so many standard deviations: some channels of the nets have long tails.
+WIDEST: Final = 6.0
+#: Which features enter at which side of the pyramid, px; 9 and 10 are the person masks of both nets.
+LEVELS: Final = ((16, (3, 8)), (32, (2, 7)), (64, (1, 4, 6)), (128, (0, 5)), (256, (9, 10)))
+
+
+@lru_cache(maxsize=1)
+def _weights() -> dict[str, Floats]:
+    """Load the decoder's arrays once per process."""
+    with (files("cloner_models") / "label_net.npz").open("rb") as file, np.load(file) as arrays:
+        return {name: np.asarray(arrays[name], np.float32) for name in arrays.files}
+
+
+def class_scores(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Floats:
+    """Return the log-odds of every class for a crop.
+
+    Parameters
+    ----------
+    features : sequence of 11 (h, w, C) float32
+        Inner tensors and masks as ``cloner.detectors.litert.label_features`` gives them.
+    rgb : (256, 256, 3) uint8
+        The crop.
+
+    Returns
+    -------
+    (11, 256, 256) float32
+        Before the softmax; the classes are ``cloner.records.labels.Label``.
+    """
+    weights = _weights()
+    planes = [_standardised(weights, k, values) for k, values in enumerate(features)]
+    picture = np.ascontiguousarray(rgb.transpose(2, 0, 1), np.float32) / np.float32(127.5) - np.float32(1.0)
+    x: Floats | None = None
+    for side, entering in LEVELS:
+        joined = [planes[k] for k in entering]
+        if side >= SIDE_PX // 2:
+            joined.append(_relu(_convolved(weights, f"r{side}", _halved(picture, side))))
+        if x is not None:
+            joined.append(_doubled(x))
+        x = _relu(_mixed(weights, f"i{side}", np.concatenate(joined)))
+        for block in range(2):
+            if f"b{side}.{block}.dw.weight" in weights:
+                x = _separable(weights, f"b{side}.{block}", x)
+    assert x is not None
+    return _mixed(weights, "o", x)
+
+
+def _standardised(weights: dict[str, Floats], index: int, values: Floats) -> Floats:
+    planes = np.ascontiguousarray(values.transpose(2, 0, 1), np.float32)
+    if f"m{index}" not in weights:  # a mask is in 0..1 already
+        return planes
+    mean, scale = weights[f"m{index}"], weights[f"d{index}"]
+    planes = (planes - mean[:, None, None]) * scale[:, None, None]
+    return np.clip(planes, -WIDEST, WIDEST, out=planes)
+
+
+def _relu(x: Floats) -> Floats:
+    return np.maximum(x, np.float32(0.0), out=x)
+
+
+def _mixed(weights: dict[str, Floats], name: str, x: Floats) -> Floats:
+    """Return a 1 x 1 convolution of (C, h, w) planes."""
+    matrix, shift = weights[f"{name}.weight"], weights[f"{name}.bias"]
+    mixed = matrix @ x.reshape(len(x), -1) + shift[:, None]
+    return np.asarray(mixed.reshape(len(matrix), *x.shape[1:]), np.float32)
+
+
+def _separable(weights: dict[str, Floats], name: str, x: Floats) -> Floats:
+    """Return a residual block: each plane filtered by itself, then all mixed."""
+    filters, shift = weights[f"{name}.dw.weight"], weights[f"{name}.dw.bias"]
+    each = [_filtered(plane, kernel) + offset for plane, kernel, offset in zip(x, filters, shift, strict=True)]
+    return np.asarray(x + _mixed(weights, f"{name}.pw", _relu(np.stack(each))), np.float32)
+
+
+def _convolved(weights: dict[str, Floats], name: str, x: Floats) -> Floats:
+    """Return an ordinary convolution of (C, h, w) planes."""
+    filters, shift = weights[f"{name}.weight"], weights[f"{name}.bias"]
+    summed = [
+        sum((_filtered(plane, kernel) for plane, kernel in zip(x, bank, strict=True)), np.zeros_like(x[0])) + offset
+        for bank, offset in zip(filters, shift, strict=True)
+    ]
+    return np.stack(summed).astype(np.float32)
+
+
+def _filtered(plane: Floats, kernel: Floats) -> Floats:
+    return np.asarray(cv2.filter2D(plane, cv2.CV_32F, kernel, borderType=cv2.BORDER_CONSTANT), np.float32)
+
+
+def _halved(picture: Floats, side: int) -> Floats:
+    """Return a (C, 256, 256) picture at a smaller side, averaged."""
+    step = picture.shape[1] // side
+    return np.asarray(picture.reshape(len(picture), side, step, side, step).mean(axis=(2, 4)), np.float32)
+
+
+def _doubled(x: Floats) -> Floats:
+    """Return (C, h, w) planes at twice their size, bilinear."""
+    size = (2 * x.shape[2], 2 * x.shape[1])
+    return np.stack([cv2.resize(plane, size, interpolation=cv2.INTER_LINEAR) for plane in x])

@@ -1,0 +1,111 @@
+"""What a person wears or lacks, read off the label pictures: bald, bearded, in glasses, in a hat, on bare feet."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from enum import StrEnum
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.records.labels import SKINS, Label, shows
+
+#: Least shares from which a state is told; measured on photographs of the people kit by
+#: ``generic_models/build/label_states.py``.
+BEARD_SHARE: Final = 0.03
+GLASSES_SHARE: Final = 0.04
+HEADWEAR_SHARE: Final = 0.15
+BALD_SHARE: Final = 0.04
+#: A foot is bare where more than this of what is seen around it is skin.
+BARE_FOOT: Final = 0.6
+#: Points of the 468-point face mesh: outer eye corners, lower lids' cheek side, brows; chin and forehead's top.
+_EYES: Final = (33, 263)
+_BROWS: Final = (105, 334)
+
+
+class State(StrEnum):
+    """Something about a person that the fit and the textures treat in their own way."""
+
+    BALD = "bald"
+    BEARD = "beard"
+    GLASSES = "glasses"
+    HEADWEAR = "headwear"
+
+
+def read_states(labels: Mapping[ViewId, NDArray[np.uint8]], face_px: NDArray[np.float64] | None) -> frozenset[State]:
+    """Return what the face photos show of the person.
+
+    Parameters
+    ----------
+    labels : mapping
+        Label pictures (H, W) of the photos.
+    face_px : (468, 2) float64 or None
+        Face mesh in the face's front photo; without it glasses are not looked for.
+    """
+    found = set()
+    near = [labels[view] for view in (ViewId.FACE_FRONT, ViewId.FACE_SIDE) if view in labels]
+    count = sum((np.bincount(each.ravel(), minlength=len(Label)) for each in near), np.zeros(len(Label), np.int64))
+    face = float(count[Label.FACE_SKIN] + count[Label.BEARD] + count[Label.EYES])
+    if face == 0.0:
+        return frozenset()
+    if count[Label.BEARD] > BEARD_SHARE * face:
+        found.add(State.BEARD)
+    front = labels.get(ViewId.FACE_FRONT)
+    if front is not None and face_px is not None:
+        if _glasses_share(front, face_px) > GLASSES_SHARE:
+            found.add(State.GLASSES)
+        if _headwear_share(front, face_px) > HEADWEAR_SHARE:
+            found.add(State.HEADWEAR)
+    if count[Label.HAIR] < BALD_SHARE * face and State.HEADWEAR not in found:
+        found.add(State.BALD)
+    return frozenset(found)
+
+
+def _glasses_share(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> float:
+    """Return how much of the band of the eyes, brows to cheeks, is something worn."""
+    corners = face_px[list(_EYES)]
+    apart = float(np.hypot(*(corners[1] - corners[0])))
+    middle = corners.mean(axis=0)
+    box = _box(labels, middle - (0.65 * apart, 0.22 * apart), middle + (0.65 * apart, 0.32 * apart))
+    return float((box == Label.ACCESSORY).mean()) if box.size else 0.0
+
+
+def _headwear_share(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> float:
+    """Return how much of what is above the brows is something worn."""
+    corners = face_px[list(_EYES)]
+    apart = float(np.hypot(*(corners[1] - corners[0])))
+    brows = float(face_px[list(_BROWS), 1].min()) - 0.2 * apart
+    middle = float(corners[:, 0].mean())
+    box = _box(labels, np.array([middle - 1.2 * apart, 0.0]), np.array([middle + 1.2 * apart, brows]))
+    person = box[box > Label.BACKGROUND]
+    return float((person == Label.ACCESSORY).mean()) if person.size else 0.0
+
+
+def _box(labels: NDArray[np.uint8], low: NDArray[np.float64], high: NDArray[np.float64]) -> NDArray[np.uint8]:
+    left, top = np.clip(np.round(low).astype(int), 0, None)
+    right, bottom = np.clip(np.round(high).astype(int), 0, None)
+    return labels[top:bottom, left:right]
+
+
+def stands_barefoot(labels: NDArray[np.uint8], feet_px: NDArray[np.float64], reach_px: float) -> bool:
+    """Return whether all feet that a body photo shows are bare.
+
+    Parameters
+    ----------
+    labels : (H, W) uint8
+    feet_px : (N, 2) float64
+        Places in the feet, between heel and toes.
+    reach_px : float
+        Half the side of the square looked at around each place.
+    """
+    reach = max(reach_px, 1.0)
+    seen = []
+    for place in feet_px:
+        box = _box(labels, place - reach, place + reach + 1)
+        shown = box[shows(box, *SKINS, Label.SHOES, Label.LOWER_CLOTHES)]
+        if shown.size == 0:
+            return False
+        seen.append(float(shows(shown, *SKINS).mean()))
+    return len(seen) > 0 and min(seen) > BARE_FOOT

@@ -1,0 +1,48 @@
+"""What a photo's pixel shows: the classes of a label picture."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+
+class Label(IntEnum):
+    """Classes of a label picture, (H, W) uint8."""
+
+    BACKGROUND = 0
+    BODY_SKIN = 1
+    """Below the jaw: neck, arms, hands, legs, bare feet."""
+    FACE_SKIN = 2
+    """Above the jaw, with ears, bald scalp, lips, brows, lashes and thin stubble."""
+    HAIR = 3
+    UPPER_CLOTHES = 4
+    """Tops, jackets, collars, hoods, whole coats, the bodice of a dress."""
+    LOWER_CLOTHES = 5
+    SHOES = 6
+    EYES = 7
+    MOUTH = 8
+    """Teeth, tongue, the inside of the mouth."""
+    ACCESSORY = 9
+    """Glasses, caps, scarves, headbands."""
+    BEARD = 10
+
+
+SKINS = (Label.BODY_SKIN, Label.FACE_SKIN)
+#: The person's own, nothing worn.
+OWN = (*SKINS, Label.HAIR, Label.EYES, Label.MOUTH, Label.BEARD)
+CLOTHES = (Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES, Label.ACCESSORY)
+
+
+#: What a surface can be made of, as far as texture and regions tell it apart.
+SURFACES = ("skin", "hair", "upper_clothes", "lower_clothes", "shoes", "accessory")
+#: Place in ``SURFACES`` of each label; -1 tells nothing of the surface.
+SURFACE_OF = np.array([-1, 0, 0, 1, 2, 3, 4, 0, 0, 5, 0], np.int8)
+
+
+def shows(labels: NDArray[np.uint8], *classes: Label) -> NDArray[np.bool_]:
+    """Return (H, W) where a label picture shows one of some classes."""
+    wanted = np.zeros(256, np.bool_)
+    wanted[list(classes)] = True
+    return np.asarray(wanted[labels])
