@@ -50,7 +50,7 @@ def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[A
     segment = generic.vertex_segment
     total = np.bincount(segment, weight)
     mean = np.stack([np.bincount(segment, weight * column) for column in vote.T], axis=1)
-    mean /= np.maximum(total, 1e-9)[:, None]
+    mean = mean / np.maximum(total, 1e-9)[:, None]
     clear = (MAJORITY * np.clip(2.0 * mean.max(axis=1) - 1.0, 0.0, 1.0) ** 2 * (total > 0.0))[segment]
     both = weight + clear
     return (weight[:, None] * vote + clear[:, None] * mean[segment]) / np.maximum(both, 1e-12)[:, None], both
