@@ -28,11 +28,11 @@ from cloner.baking.evened import (
 from cloner.baking.hands import finish_hands, finish_soles
 from cloner.baking.labelled import vet_labels
 from cloner.baking.lid_skin import clean_lids
-from cloner.baking.materials import find_materials
+from cloner.baking.materials import Materials, find_materials
 from cloner.baking.nostrils import darken_nostrils
 from cloner.baking.parts import paint_parts
 from cloner.baking.posed import body_triangles
-from cloner.baking.sources import Limits, gather_sources
+from cloner.baking.sources import Limits, Source, gather_sources
 from cloner.baking.tiles import Tile, cut_tiles
 from cloner.baking.tucking import tuck_scalp
 from cloner.baking.undressed import dress_unseen, only_faces, plain_beyond
@@ -108,6 +108,28 @@ def run(
     return StageResult({"painted": assemble(joined, shells, atlas)}, tuple(residuals), warnings)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Shared:
+    """Photos ready to be laid on the body, and what each may paint.
+
+    Attributes
+    ----------
+    sources : list of Source
+    shares : (K, V) float64
+        Of every source in every vertex.
+    light : (K, V, 3) float64, log gains
+    base : (3, V, 3) float32, levels
+        The fill of skin, hair and cloth.
+    kinds : Materials
+    """
+
+    sources: list[Source]
+    shares: NDArray[np.float64]
+    light: NDArray[np.float64]
+    base: NDArray[np.float32]
+    kinds: Materials
+
+
 def lay_photos(
     generic: GenericHuman,
     photos: PhotoSet,
@@ -119,6 +141,32 @@ def lay_photos(
     tick: Callable[[float], None],
 ) -> tuple[Baked | None, list[Residual]]:
     """Return the atlas painted with the photos, None where no photo shows the body, and the residuals of doing so."""
+    shared, residuals = share_photos(generic, photos, proposals, silhouettes, joined, shells, params, tick)
+    if shared is None:
+        return None, residuals
+    baked = bake(
+        generic, params.size, shared.sources, shared.shares, shared.light, shared.base, shared.kinds, params.limits,
+        levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
+    )  # fmt: skip
+    claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in shared.sources], axis=0)
+    kinds = shared.kinds
+    del shared  # its pictures would be the larger part of the memory from here on
+    give_back()
+    baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
+    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb))), residuals
+
+
+def share_photos(
+    generic: GenericHuman,
+    photos: PhotoSet,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    joined: Joined,
+    shells: tuple[Shell, ...],
+    params: Params,
+    tick: Callable[[float], None],
+) -> tuple[Shared | None, list[Residual]]:
+    """Return what every photo may paint, None where no photo shows the body, and the residuals of finding it."""
     proposals = vet_labels(photos, proposals)
     tick(0.15)
     sources, residuals = gather_sources(generic, photos, proposals, silhouettes, joined, shells, params.limits)
@@ -140,15 +188,7 @@ def lay_photos(
     if only_faces(sources):
         base = plain_beyond(sources, base, kinds, joined.vertices_m[:, 1], graph)
     shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
-    baked = bake(
-        generic, params.size, sources, shares, light, base, kinds, params.limits,
-        levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
-    )  # fmt: skip
-    claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in sources], axis=0)
-    del sources  # their pictures would be the larger part of the memory from here on
-    give_back()
-    baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
-    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb))), residuals
+    return Shared(sources, shares, light, base, kinds), residuals
 
 
 def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:
