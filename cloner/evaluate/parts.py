@@ -14,6 +14,7 @@ from cloner.generic.load import GenericHuman
 from cloner.geometry.seeing import depth_at, look, nearest_of
 from cloner.records.labels import LABELS
 from cloner.records.views import Camera
+from cloner.vision.repair import spread_nearest
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -27,8 +28,16 @@ _LIMBS: Final = (("left_upper_arm", "left_forearm", "left_hand"), ("right_upper_
 
 
 def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> float | None:
-    """Return the share of judged texels that show another part of the person, or the room.
+    """Return the share of judged texels that show another part of the person.
 
+    Parameters
+    ----------
+    origins : Origins
+    generic : GenericHuman
+    kit : KitTruth
+
+    Notes
+    -----
     A texel is judged where a photo, also a held-out one, truly shows its place on the body. It is wrong when the label
     of the pixel it came from is none that the photos show within `NEAR_M` of its true place, or when that pixel shows
     an arm and the texel lies on no arm within that distance, or the other way round.
@@ -50,7 +59,9 @@ def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> 
             continue
         height, width = truth.mask.shape
         column, line = np.clip(pixel[own, 0], 0, width - 1), np.clip(pixel[own, 1], 0, height - 1)
-        shown = _merged()[kit.labels[view.value][line, column]]
+        # beyond the outline the painter takes the nearest colour inside: leaks of the room have their own figure
+        labels = kit.labels[view.value]
+        shown = _merged()[spread_nearest(labels[..., None], labels > 0)[line, column, 0]]
         strange = (allowed[own] >> shown) & 1 == 0
         limbs = _limb_pictures(generic, kit.bodies_m[view.value], truth.camera)
         strange |= _wrong_limb(limbs, origins, own, generic)
