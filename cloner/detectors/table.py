@@ -7,6 +7,7 @@ from cloner.registry import Registry
 DETECTORS = Registry("detector")
 DETECTORS.add("people", "cloner.detectors.litert:detect_people")
 DETECTORS.add("pose", "cloner.detectors.litert:detect_pose")
+DETECTORS.add("portrait_mask", "cloner.detectors.litert:detect_portrait_mask")
 DETECTORS.add("let_nets_go", "cloner.detectors.litert:let_nets_go")
 DETECTORS.add("face", "cloner.detectors.litert:detect_face")
 DETECTORS.add("refined_face", "cloner.detectors.face_curves:refine_face")

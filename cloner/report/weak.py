@@ -23,6 +23,7 @@ OPEN_MOUTH: Final = 0.04
 GREY_LEVELS: Final = 6
 #: A body view below this overlap looks wrong to the eye (the bar for the hard sample set is 0.90).
 LEAST_OVERLAP: Final = 0.90
+UNCOVER: Final = "retake it with hair, hood or scarf away from the face"
 
 
 def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agreement]) -> tuple[str, ...]:
@@ -37,6 +38,8 @@ def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agr
     """
     told: list[str] = []
     for view, photo in photos.photos.items():
+        if view not in proposals.views:
+            told.append(f"{view}: nobody can be made out in this photo, so it was left out; {UNCOVER}")
         if is_grey(photo):
             told.append(f"{view}: the photo has no colours, so what only it shows stays grey")
     if not {ViewId.FACE_SIDE, ViewId.BODY_SIDE, ViewId.BODY_BACK} & set(photos.photos):
