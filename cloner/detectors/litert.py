@@ -37,7 +37,9 @@ from cloner.detectors.placing import (
     same_place,
     stands,
     whole_photo,
+    whole_picture,
 )  # fmt: skip
+from cloner.detectors.portraits import is_cut_below
 from cloner.detectors.pose_passes import CONFIRMED, POSE_SIDE, hips_inside, look, look_at_portrait, look_twice
 from cloner.detectors.results import POSE_NAMES, Box, FaceResult, PoseResult
 from cloner.vision.crops import Crop, cut, move_points, photo_px_from_crop
@@ -135,7 +137,10 @@ def _find_people(photo: Photo) -> list[Box]:
     found = [b for tile in tiles for b in _detect("pose_detection", photo, tile, "person", DIM)]
     found = sorted((box for box in found if stands(box)), key=lambda b: -b.score)
     people = _confirmed(photo, [box for box in found if box.score >= CLEAR], CONFIRMED)
-    return people or _confirmed(photo, [box for box in found if box.score < CLEAR], CERTAIN)[:1]
+    dim = [] if people else [box for box in found if box.score < CLEAR]
+    if dim and is_cut_below(_selfie_net(photo, whole_picture(photo))):
+        dim = []  # a portrait: what stands in it is no whole body
+    return people or _confirmed(photo, dim, CERTAIN)[:1]
 
 
 def _confirmed(photo: Photo, boxes: Sequence[Box], least: float) -> list[Box]:
