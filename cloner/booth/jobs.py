@@ -24,7 +24,7 @@ from cloner.project.corrections import no_corrections
 from cloner.project.folder import load_photo
 from cloner.project.values_file import save_values
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposal, Proposals
+from cloner.records.points import Proposal
 from cloner.stages.photo_checks import check_photos
 from cloner.stages.proposals import NobodySeen, propose, settle_hidden
 
@@ -77,12 +77,12 @@ class Jobs:
                 unseen[view] = error
                 continue
             self._remember(photo.digest, views[view])
-        views |= settle_hidden(photos, views, unseen)
-        check_photos(Proposals(views), photos)
+        proposals = settle_hidden(photos, views, unseen)
+        check_photos(proposals, photos)
         stages = tuple(stage for stage in pipeline.STAGES if stage.name == "points")
         values: Mapping[str, object] = {
             "photos": photos,
-            "proposals": Proposals(views),
+            "proposals": proposals,
             "corrections": no_corrections(),
         }
         found, _ = pipeline.run(values, stages=stages)

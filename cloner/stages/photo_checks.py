@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -48,7 +49,11 @@ def check_photos(proposals: Proposals, photos: PhotoSet) -> None:
         If a photo certainly shows another side than its name says, a face photo the whole
         body, or a body photo only a part of it.
     """
+    front = proposals.views.get(ViewId.BODY_FRONT)
+    # where this face is seen from so far away, a front photo without one is no front photo
+    faced = _SEEN_IN_FRONT if front is not None and front.face_presence > 0.0 else 0.0
     checks: Mapping[ViewId, Callable[[Proposal, Photo], str]] = {
+        ViewId.BODY_BACK: partial(_trouble_in_body, hidden=faced),
         ViewId.FACE_FRONT: _trouble_in_face_front,
         ViewId.FACE_SIDE: _trouble_in_face_side,
     }
@@ -65,8 +70,8 @@ def weight(value: float, even: float, step: float, most: float) -> float:
     return float(np.clip((value - even) / step, -most, most))
 
 
-def _trouble_in_body(proposal: Proposal, photo: Photo) -> str:
-    """Return what is wrong with a body photo, "" when all is well."""
+def _trouble_in_body(proposal: Proposal, photo: Photo, hidden: float = 0.0) -> str:
+    """Return what is wrong with a body photo, "" when all is well; ``hidden`` adds to the odds of a missing face."""
     pose, view = proposal.pose_px, proposal.view
     height = proposal.mask.shape[0]
     if pose[_KNEES, 1].min() > height:
@@ -80,9 +85,9 @@ def _trouble_in_body(proposal: Proposal, photo: Photo) -> str:
         return f"this photo shows the person from the side, not the {view.value[5:]}"
     forwards = front_odds(proposal)
     if view is ViewId.BODY_FRONT:
-        away = forwards + _face_odds(proposal.face_presence > 0.0) + 1.5 < 0.0
+        away = forwards + (_FACE if proposal.face_presence > 0.0 else _NO_FACE) + 1.5 < 0.0
         return "this photo shows the person's back, not the front" if away else ""
-    if forwards - 1.5 - _NO_FACE > 0.0 and forwards + _face_odds(_sees_face(photo)) - 1.5 > 0.0:
+    if forwards > 0.0 and forwards + (_FACE if _sees_face(photo) else _NO_FACE + hidden) - 1.5 > 0.0:
         return "this photo shows the person's front, not the back"
     return ""
 
@@ -118,10 +123,8 @@ def front_odds(proposal: Proposal) -> float:
 
 #: Hair, hoods and sunglasses hide faces, but nothing at the back of a head looks like one.
 _FACE, _NO_FACE = 4.0, -1.5
-
-
-def _face_odds(sees_face: bool) -> float:
-    return _FACE if sees_face else _NO_FACE
+#: What is added to the second when the set's front photo shows the face.
+_SEEN_IN_FRONT: Final = -2.0
 
 
 def _sees_face(photo: Photo) -> bool:

@@ -35,6 +35,10 @@ LEAST_PERSON = 0.01
 #: people whose faces hair or hoods hide: sharp masks 0.03, torn ones 0.21 to 0.86).
 MOST_UNSURE = 0.1
 
+HIDDEN = (
+    "nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face"
+)
+
 
 class NobodySeen(ClonerError):
     """No net sees a person in a photo."""
@@ -127,13 +131,11 @@ def find_hidden_figure(photo: Photo) -> Figure | None:
     return _figure(pose, np.zeros(33), refine_mask(photo.rgb, mask, None))
 
 
-def settle_hidden(
-    photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Mapping[ViewId, NobodySeen]
-) -> dict[ViewId, Proposal]:
-    """Return proposals of photos in which no net sees anybody, by what the other photos tell; some are left out.
+def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Mapping[ViewId, NobodySeen]) -> Proposals:
+    """Return all proposals, with those of photos in which no net sees anybody, by what the other photos tell.
 
-    A side photo of the face may show hair, a hood or a cap alone. It is kept for what its mask tells, or left out,
-    when its colours are the person's; the front photos must show the person.
+    A side photo of the face may show hair, a hood or a cap alone. When its colours are the person's, it is kept for
+    what its mask tells, or left out.
 
     Raises
     ------
@@ -141,15 +143,17 @@ def settle_hidden(
         Of the first photo that has nothing of the person.
     """
     others = [(photos.photos[view].rgb, proposal.mask > 127) for view, proposal in views.items()]
-    found: dict[ViewId, Proposal] = {}
+    found, left_out = dict(views), dict[ViewId, str]()
     for view, error in unseen.items():
         photo = photos.photos[view]
         if view is not ViewId.FACE_SIDE or shares_colours(photo.rgb, others) < SOMEBODY:
             raise error
         figure = find_hidden_figure(photo)
-        if figure is not None:
+        if figure is None:
+            left_out[view] = HIDDEN
+        else:
             found[view] = propose_within(photo, figure)
-    return found
+    return Proposals({view: found[view] for view in photos.photos if view in found}, left_out)
 
 
 def propose_within(photo: Photo, figure: Figure) -> Proposal:
@@ -219,6 +223,6 @@ def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: np.random.Gener
         else:
             views[view] = found
         tick((len(views) + len(unseen)) / len(photos.photos))
-    views |= settle_hidden(photos, views, unseen)
+    settled = settle_hidden(photos, views, unseen)
     DETECTORS.get("let_nets_go")()  # no later stage asks them
-    return StageResult({"proposals": Proposals({view: views[view] for view in photos.photos if view in views})})
+    return StageResult({"proposals": settled})
