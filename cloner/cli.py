@@ -169,7 +169,9 @@ def _animate(
 
 @app.command("evaluate")
 def _evaluate(
-    visitors: Annotated[list[Path], typer.Argument(help="Folders of visitors with truth, such as samples/anna.")],
+    visitors: Annotated[
+        list[Path], typer.Argument(help="Visitors or generated people with truth, such as samples/anna.")
+    ],
     sets: Annotated[list[str] | None, typer.Option("--set", help="plain, booth or handheld; all by default.")] = None,
     out: Annotated[Path | None, typer.Option("--out", help="Keep the clones in this folder.")] = None,
     seed: SeedOption = 0,
@@ -179,8 +181,13 @@ def _evaluate(
     from cloner.evaluate import evaluate_visitors, format_table
     from cloner.evaluate.truth import SETS
 
+    sentences: list[str] = []
     with ProgressLine() as progress:
-        rows = evaluate_visitors(visitors, tuple(sets or SETS), out, progress=progress, seed=seed)
+        rows = evaluate_visitors(
+            visitors, tuple(sets or SETS), out, progress=progress, told=sentences.append, seed=seed
+        )
+    for sentence in sentences:
+        typer.echo(sentence, err=True)
     typer.echo(json.dumps(rows, indent=1) if as_json else format_table(rows))
 
 

@@ -34,10 +34,11 @@ from cloner.project.stamps import input_stamp, output_digests, stamp_text
 from cloner.records.clones import Clone
 from cloner.records.measures import MeasureSet
 from cloner.records.photos import Person, PhotoSet
-from cloner.records.points import Corrections
+from cloner.records.points import Corrections, Proposals
 from cloner.refitting import still_true
 from cloner.report.agreement import Agreement, agreements
 from cloner.report.build import Run, build_report, warnings_of
+from cloner.report.evidence import contradicted, is_better
 from cloner.report.viewer import write_viewer
 from cloner.report.write import write_report
 from cloner.stages import hair, textures
@@ -112,7 +113,7 @@ def clone_photos(
     """
     values = {**(known or {}), "photos": photos, "person": person, "corrections": corrections}
     check_texture_size(texture_size)
-    values, fresh = pipeline.run(values, seed=seed, progress=progress, found=found, stages=_stages(texture_size))
+    values, fresh = _run_believing(values, seed, progress, found, _stages(texture_size))
     reports = with_earlier(fresh, (known or {}).get("stage_reports", ()))
     measures = cast(MeasureSet, values["measures"]).measures
     values["clone"] = replace(
@@ -121,6 +122,25 @@ def clone_photos(
         measures_mm={name: round(measure.value_mm, 1) for name, measure in measures.items()},
     )
     return {**values, "stage_reports": reports}, list(reports)
+
+
+def _run_believing(
+    values: Mapping[str, Any], seed: int, progress: Progress, found: pipeline.Found, stages: tuple[Stage, ...]
+) -> tuple[dict[str, Any], list[StageReport]]:
+    """Run the stages; when the clone contradicts a photo that it can do without, run them again without it."""
+    given = dict(values)
+    values, reports = pipeline.run(given, seed=seed, progress=progress, found=found, stages=stages)
+    seen = agreements(values["clone"], values["obeyed_silhouettes"])
+    unlike = contradicted(seen)
+    if unlike:
+        log.info("made again without %s", ", ".join(unlike))
+        base = {name: given[name] for name in ("photos", "person", "corrections")}
+        base["proposals"] = cast(Proposals, values["proposals"]).without(unlike)
+        again, fresh = pipeline.run(base, seed=seed, progress=progress, found=found, stages=stages)
+        if is_better(seen, agreements(again["clone"], again["obeyed_silhouettes"])):
+            first = [report for report in reports if report.name == "proposals"]
+            return again, [*first, *fresh]
+    return values, reports
 
 
 def clone_folder(

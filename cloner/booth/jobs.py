@@ -24,9 +24,9 @@ from cloner.project.corrections import no_corrections
 from cloner.project.folder import load_photo
 from cloner.project.values_file import save_values
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposal, Proposals
+from cloner.records.points import Proposal
 from cloner.stages.photo_checks import check_photos
-from cloner.stages.proposals import propose
+from cloner.stages.proposals import NobodySeen, propose, settle_hidden
 
 #: Proposals of so many photos are remembered: two visitors and some retakes, 4 MB each.
 REMEMBERED: Final = 16
@@ -67,16 +67,22 @@ class Jobs:
         progress("photos", 0.0)
         photos = _photos(folder)
         views: dict[ViewId, Proposal] = {}
+        unseen: dict[ViewId, NobodySeen] = {}
         for view, photo in photos.photos.items():
             progress("proposals", len(views) / (1 + len(photos.photos)))
             known = self._proposals.get((photo.digest, view))
-            views[view] = known if known is not None else propose(photo)
+            try:
+                views[view] = known if known is not None else propose(photo)
+            except NobodySeen as error:
+                unseen[view] = error
+                continue
             self._remember(photo.digest, views[view])
-        check_photos(Proposals(views), photos)
+        proposals = settle_hidden(photos, views, unseen)
+        check_photos(proposals, photos)
         stages = tuple(stage for stage in pipeline.STAGES if stage.name == "points")
         values: Mapping[str, object] = {
             "photos": photos,
-            "proposals": Proposals(views),
+            "proposals": proposals,
             "corrections": no_corrections(),
         }
         found, _ = pipeline.run(values, stages=stages)

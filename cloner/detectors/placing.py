@@ -76,6 +76,12 @@ def same_body(first: Box, second: Box) -> bool:
     return near_head(first, second.keypoints_px[3]) or same_place(first, second, 0.7)
 
 
+def stands(body: Box) -> bool:
+    """Whether a detected body's head is above its hips: a pattern on trousers can look like one upside down."""
+    hips, reach = body.keypoints_px[:2]
+    return bool(reach[1] < hips[1])
+
+
 def owns(person: Box, face: Box) -> bool:
     """Whether a face is a body's own, or lies on it (a printed shirt)."""
     x, y = (face.left_px + face.right_px) / 2, (face.top_px + face.bottom_px) / 2

@@ -7,7 +7,7 @@ import multiprocessing
 import time
 from collections.abc import Mapping
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 
@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 
 from cloner.cloning import clone_folder
 from cloner.evaluate.floor import ask_nets, encode_pictures
+from cloner.evaluate.labels import photo_labels
+from cloner.evaluate.origins import Origins, texel_origins
 from cloner.memory import peak_mib
 from cloner.project.folder import load_photos
 from cloner.records.clones import Clone
@@ -52,6 +54,12 @@ class CloneRun:
         Peak resident memory of the process.
     measures : MeasureSet or None
         What the clone says of the body under the clothes.
+    labels : mapping of view name to (H, W) uint8
+        What the product takes every pixel for, places in `LABELS`; empty where nobody asked.
+    origins : Origins or None
+        Where the clone's texels came from; None where nobody asked.
+    warnings : tuple of str
+        What the operator is told.
     """
 
     clone: Clone
@@ -62,9 +70,12 @@ class CloneRun:
     floor_seconds: float
     peak_mib: float
     measures: MeasureSet | None = None
+    labels: Mapping[str, NDArray[np.uint8]] = field(default_factory=dict)
+    origins: Origins | None = None
+    warnings: tuple[str, ...] = ()
 
 
-def clone_apart(photos: Path, stature_m: float, out: Path) -> CloneRun:
+def clone_apart(photos: Path, stature_m: float, out: Path, *, labelled: bool = False) -> CloneRun:
     """Clone the photos of a folder in a fresh process.
 
     Parameters
@@ -75,6 +86,8 @@ def clone_apart(photos: Path, stature_m: float, out: Path) -> CloneRun:
         The height that the visitor told, metres.
     out : Path
         Receives the clone's folder, as ``cloner clone`` writes it.
+    labelled : bool
+        Whether labels and texels' origins are wanted, which takes some seconds more after the clone is measured.
 
     Raises
     ------
@@ -83,10 +96,10 @@ def clone_apart(photos: Path, stature_m: float, out: Path) -> CloneRun:
     """
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(max_workers=1, mp_context=context) as pool:
-        return pool.submit(clone_here, photos, stature_m, out).result()
+        return pool.submit(clone_here, photos, stature_m, out, labelled=labelled).result()
 
 
-def clone_here(photos: Path, stature_m: float, out: Path) -> CloneRun:
+def clone_here(photos: Path, stature_m: float, out: Path, *, labelled: bool = False) -> CloneRun:
     """Clone the photos of a folder in this process; see :func:`clone_apart`."""
     wall, cpu = time.perf_counter(), time.process_time()
     outcome = clone_folder(photos, out, height_cm=100.0 * stature_m)
@@ -96,6 +109,7 @@ def clone_here(photos: Path, stature_m: float, out: Path) -> CloneRun:
     ask_nets(load_photos(photos))
     encode_pictures(clone, outcome.folder)
     floor = time.perf_counter() - before
+    labels = photo_labels(outcome.values["photos"], outcome.values["proposals"]) if labelled else {}
     silhouettes: SilhouetteSet = outcome.values["obeyed_silhouettes"]
     return CloneRun(
         clone=clone,
@@ -106,4 +120,7 @@ def clone_here(photos: Path, stature_m: float, out: Path) -> CloneRun:
         floor_seconds=floor,
         peak_mib=peak,
         measures=outcome.values["measures"],
+        labels={view.value: picture for view, picture in labels.items()},
+        origins=texel_origins(outcome.values) if labelled else None,
+        warnings=outcome.warnings,
     )

@@ -7,22 +7,22 @@ import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.evaluate.baselines import generic_clone
+from cloner.evaluate.kit import is_kit_person, kit_people
+from cloner.evaluate.kit_scores import evaluate_people
 from cloner.evaluate.measuring import CloneRun, clone_apart
+from cloner.evaluate.rows import Row, rows_of, save_held_out
 from cloner.evaluate.scores import Score, score_run, score_subject
 from cloner.evaluate.truth import SETS, read_truth, told_height_m
-from cloner.exporters.files import jpeg_bytes, write_bytes
 from cloner.generic.load import load_generic
 from cloner.project.atomic import write_text
 from cloner.records.clones import Clone
 
-Row = dict[str, Any]
 Progress = Callable[[str, float], None]
 
 
@@ -32,6 +32,7 @@ def evaluate_visitors(
     out: Path | None = None,
     *,
     progress: Progress = lambda what, fraction: None,
+    told: Callable[[str], None] = lambda sentence: None,
     seed: int = 0,
 ) -> list[Row]:
     """Clone visitors from their photos alone, then score the clones against the truth.
@@ -39,7 +40,7 @@ def evaluate_visitors(
     Parameters
     ----------
     paths : sequence of Path
-        Folders laid out like ``samples/anna``.
+        Folders laid out like ``samples/anna``, people of the generator of synthetic people, or folders of such people.
     sets : sequence of str
         Sets of photos to clone: plain, booth, handheld. A set that a visitor
         lacks is left out.
@@ -49,6 +50,8 @@ def evaluate_visitors(
         None keeps nothing.
     progress : callable
         Called with what is done now and the fraction of the whole, 0..1.
+    told : callable
+        Called with a sentence for every person of the generator who was refused, and every warning.
     seed : int
         For the samples drawn on surfaces.
 
@@ -63,6 +66,21 @@ def evaluate_visitors(
     ClonerError
         If a folder is no visitor, or a clone fails.
     """
+    people = kit_people(paths)
+    paths = [path for path in paths if (path / "truth.json").is_file() and not is_kit_person(path)] if people else paths
+    rows: list[Row] = evaluate_people(people, out, progress=progress, told=told, seed=seed) if people else []
+    rows += _evaluate_sets(paths, sets, out, progress, seed) if paths or not people else []
+    if out is not None:
+        out.mkdir(parents=True, exist_ok=True)
+        write_text(out / "scoreboard.json", json.dumps(rows, indent=1) + "\n")
+    progress("done", 1.0)
+    return rows
+
+
+def _evaluate_sets(
+    paths: Sequence[Path], sets: Sequence[str], out: Path | None, progress: Progress, seed: int
+) -> list[Row]:
+    """Return the rows of visitors laid out like the samples."""
     jobs = [(path, name) for path in paths for name in sets if (path / name).is_dir()]
     if not jobs:
         raise ClonerError("there is nothing to evaluate", "Give folders laid out like samples/anna", "evaluate")
@@ -81,10 +99,6 @@ def evaluate_visitors(
         beside = others[path]
         near = None if beside is None else runs.get((beside, name))
         rows += _score_set(path, name, runs[path, name], None if near is None else near.clone, out, seed)
-    if out is not None:
-        out.mkdir(parents=True, exist_ok=True)
-        write_text(out / "scoreboard.json", json.dumps(rows, indent=1) + "\n")
-    progress("done", 1.0)
     return rows
 
 
@@ -147,25 +161,5 @@ def _score_set(path: Path, set_name: str, run: CloneRun, other: Clone | None, ou
         figures[column] = {(score.metric, score.view): score for score in scores}
     own = [*score_run(run, truth), *figures["value"].values()]
     if out is not None:
-        for view, drawn in pictures.items():
-            strip = np.concatenate([truth.views[view].photo, *drawn], axis=1)
-            folder = out / path.name / set_name
-            write_bytes(folder / f"held_out_{view}.jpg", jpeg_bytes(strip))
-    return [_row(path.name, set_name, score, figures) for score in own]
-
-
-def _row(visitor: str, set_name: str, score: Score, figures: dict[str, dict[tuple[str, str], Score]]) -> Row:
-    def baseline(column: str) -> float | None:
-        found = figures.get(column, {}).get((score.metric, score.view))
-        return None if found is None else found.value
-
-    return {
-        "visitor": visitor,
-        "set": set_name,
-        "view": score.view or None,
-        "metric": score.metric,
-        "value": score.value,
-        "unit": score.unit,
-        "generic": baseline("generic"),
-        "other": baseline("other"),
-    }
+        save_held_out(out / path.name / set_name, truth, pictures)
+    return rows_of(path.name, set_name, own, figures)

@@ -116,20 +116,26 @@ def score_subject(
     photographed = bool(subject.views)  # the generic human has its stature and its one colour by construction
     if photographed:
         yield Score("stature_error_mm", "", "mm", abs(mm_from_m(_stature_m(subject, generic) - truth.stature_m)))
-    for name, value in _girths_mm(subject, measures).items():
-        if name in truth.girths_mm:
-            yield Score(f"girth_{name}_error_mm", "", "mm", abs(value - truth.girths_mm[name]))
+    yield from girth_scores(subject, measures, truth)
     # a seam is a matter of one texture alone, not of likeness: nobody else's seams are a baseline
     if photographed and subject is clone:
         photos = {view: truth.views[view].photo for view in clone.views if view in truth.views}
         for where, ratio in seam_ratios(clone, generic, photos).items():
             yield Score(f"seam_{where}_ratio", "", "", ratio)
-        yield from _leak_scores(clone, generic, truth)
+        yield from leak_scores(clone, generic, truth)
     agreement = region_agreement(subject, generic, posed, truth_rotations, truth_from_clone, truth.surface, rng=rng)
     yield Score("region_agreement", "", "", agreement)
 
 
-def _leak_scores(clone: Clone, generic: GenericHuman, truth: Truth) -> Iterator[Score]:
+def girth_scores(subject: Clone, measures: MeasureSet | None, truth: Truth) -> Iterator[Score]:
+    """Yield how far a subject's girths are from the true ones."""
+    for name, value in _girths_mm(subject, measures).items():
+        if name in truth.girths_mm:
+            yield Score(f"girth_{name}_error_mm", "", "mm", abs(value - truth.girths_mm[name]))
+
+
+def leak_scores(clone: Clone, generic: GenericHuman, truth: Truth) -> Iterator[Score]:
+    """Yield how many texels show the room, of every photo."""
     for framing in (BODY_VIEWS, FACE_VIEWS):
         photographed = [view for view in framing if view in clone.views and view in truth.views]
         if not photographed:
@@ -156,6 +162,11 @@ def _surface_scores(posed: Posed, generic: GenericHuman, truth: Truth, rng: np.r
     face = skins.face_surface_mm(posed, generic, truth.surface, rng=rng)
     yield Score("face_surface_similarity_mm", "", "mm", face.similarity.mean)
     yield Score("face_surface_rigid_mm", "", "mm", face.rigid.mean)
+    yield from landmark_scores(posed, truth)
+
+
+def landmark_scores(posed: Posed, truth: Truth) -> Iterator[Score]:
+    """Yield how far the face's named points are from the true ones, rigidly aligned."""
     found, marks = landmarks(posed.features_m), landmarks(truth.surface.marks_m)
     names = [name for name in LANDMARKS if name in found and name in marks]
     away = rulers.landmark_distances(np.array([found[n] for n in names]), np.array([marks[n] for n in names]))

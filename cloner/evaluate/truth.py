@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 SETS: Final = ("plain", "booth", "handheld")
 THREE_QUARTER: Final = ("body_three_quarter", "face_three_quarter")
 #: Truth files count a pixel's centre as +0.5; the project's frame as 0.
-_HALF_PIXEL: Final = 0.5
+HALF_PIXEL: Final = 0.5
 #: MakeHuman's names for eyes ("high-poly"), teeth and tongue: they only block the view inside.
 _ORGANS: Final = ("high-poly", "teeth", "tongue")
 _STRIPS: Final = ("eyebrow", "eyelashes")
@@ -101,7 +101,7 @@ class Truth:
 
 def told_height_m(visitor: Path) -> float:
     """Return the height that the visitor told at the door, metres; all the clone gets to know."""
-    return m_from_mm(float(_read_json(visitor / "truth.json")["stature_mm"]))
+    return m_from_mm(float(read_json(visitor / "truth.json")["stature_mm"]))
 
 
 def read_truth(visitor: Path, set_name: str) -> Truth:
@@ -120,9 +120,9 @@ def read_truth(visitor: Path, set_name: str) -> Truth:
     ClonerError
         If a file of the truth is missing or cannot be read.
     """
-    base = _read_json(visitor / "truth.json")
+    base = read_json(visitor / "truth.json")
     handheld = set_name == "handheld"
-    data = _read_json(visitor / "truth_handheld.json") if handheld else base
+    data = read_json(visitor / "truth_handheld.json") if handheld else base
     views = {name: _read_view(visitor, set_name, name, data) for name in data["cameras"]}
     return Truth(
         visitor=visitor.name,
@@ -135,7 +135,14 @@ def read_truth(visitor: Path, set_name: str) -> Truth:
     )
 
 
-def _read_json(path: Path) -> dict[str, Any]:
+def read_json(path: Path) -> dict[str, Any]:
+    """Return a truth file's content.
+
+    Raises
+    ------
+    ClonerError
+        If it is missing or broken.
+    """
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
@@ -153,11 +160,11 @@ def _read_view(visitor: Path, set_name: str, name: str, data: Mapping[str, Any])
     prefix = "truth_handheld_mask_" if handheld else "truth_mask_"
     return TruthView(
         name=name,
-        camera=_camera(data["cameras"][name]),
-        points_m=_vectors(points[name] if handheld else points),
-        joints_m=_vectors(joints[name] if handheld else joints),
+        camera=truth_camera(data["cameras"][name]),
+        points_m=vectors(points[name] if handheld else points),
+        joints_m=vectors(joints[name] if handheld else joints),
         marks_px={
-            mark: np.array(entry.get("xy_rendered", entry["xy"]), dtype=np.float64) - _HALF_PIXEL
+            mark: np.array(entry.get("xy_rendered", entry["xy"]), dtype=np.float64) - HALF_PIXEL
             for mark, entry in marks.items()
             if entry["visible"] and entry["in_frame"]
         },
@@ -172,7 +179,7 @@ def _photo_path(visitor: Path, set_name: str, name: str) -> Path:
     return visitor / set_name / f"{name}.jpg"
 
 
-def _camera(entry: Mapping[str, Any]) -> Camera:
+def truth_camera(entry: Mapping[str, Any]) -> Camera:
     """Return the project's camera; both put the principal point in the picture's middle."""
     width, height = int(entry["width"]), int(entry["height"])
     if (entry["cx"], entry["cy"]) != (width / 2, height / 2):
@@ -180,7 +187,8 @@ def _camera(entry: Mapping[str, Any]) -> Camera:
     return Camera(width, height, float(entry["fx"]), np.array(entry["world_to_camera"], dtype=np.float64))
 
 
-def _vectors(named: Mapping[str, Any]) -> dict[str, Array]:
+def vectors(named: Mapping[str, Any]) -> dict[str, Array]:
+    """Return named lists of numbers as arrays."""
     return {name: np.array(value, dtype=np.float64) for name, value in named.items()}
 
 
@@ -195,7 +203,7 @@ def _read_surface(path: Path, base: Mapping[str, Any]) -> TruthSurface:
     labels = np.array([_label(name) for name in names])[part]
     kept = kinds != ""
     normals = normals[kept] / np.maximum(np.linalg.norm(normals[kept], axis=1, keepdims=True), 1e-9)
-    marks, joints = _vectors(base["points_3d_m"]), _vectors(base["joints_3d_m"])
+    marks, joints = vectors(base["points_3d_m"]), vectors(base["joints_3d_m"])
     bare = _read_bare(path.with_name("truth_body.npz"))
     return TruthSurface(points[kept], normals, kinds[kept], joints, marks, *bare, labels[kept])
 

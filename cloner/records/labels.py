@@ -29,6 +29,8 @@ class Label(IntEnum):
     BEARD = 10
 
 
+#: Their names, each at its own place.
+LABELS = tuple(label.name.lower() for label in Label)
 SKINS = (Label.BODY_SKIN, Label.FACE_SKIN)
 #: The person's own, nothing worn.
 OWN = (*SKINS, Label.HAIR, Label.EYES, Label.MOUTH, Label.BEARD)

@@ -194,12 +194,26 @@ class Proposal:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Proposals:
-    """One proposal a photo."""
+    """One proposal a photo.
+
+    Attributes
+    ----------
+    views : mapping of ViewId to Proposal
+    left_out : mapping of ViewId to str
+        Photos that nothing is taken from, and why, as the operator reads it.
+    """
 
     views: Mapping[ViewId, Proposal]
+    left_out: Mapping[ViewId, str] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "views", MappingProxyType(dict(self.views)))
+        object.__setattr__(self, "left_out", MappingProxyType(dict(self.left_out)))
+
+    def without(self, reasons: Mapping[ViewId, str]) -> Proposals:
+        """Return the proposals without some photos."""
+        kept = {view: proposal for view, proposal in self.views.items() if view not in reasons}
+        return Proposals(kept, {**self.left_out, **reasons})
 
 
 @dataclass(frozen=True, slots=True)

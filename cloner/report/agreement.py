@@ -33,12 +33,15 @@ class Agreement:
     below_head_mm : float
         The same below the chin: hair says nothing about girths. Equal to
         ``outline_rms_mm`` for face photos.
+    size : float
+        Square root of the clone's area over the person's; 1 where they agree.
     """
 
     iou: float
     outline_rms_px: float
     outline_rms_mm: float
     below_head_mm: float
+    size: float = 1.0
 
 
 def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, Agreement]:
@@ -79,7 +82,8 @@ def compare(drawn: Mask, seen: Mask, mm_per_px: float) -> Agreement:
     union = np.count_nonzero(drawn | seen)
     iou = np.count_nonzero(drawn & seen) / union if union else 0.0
     rms_px = _outline_rms_px(drawn, seen)
-    return Agreement(float(iou), rms_px, rms_px * mm_per_px, rms_px * mm_per_px)
+    size = float(np.sqrt(np.count_nonzero(drawn) / max(np.count_nonzero(seen), 1)))
+    return Agreement(float(iou), rms_px, rms_px * mm_per_px, rms_px * mm_per_px, size)
 
 
 def _outline_rms_px(drawn: Mask, seen: Mask) -> float:

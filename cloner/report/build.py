@@ -22,6 +22,7 @@ from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet
 from cloner.report.agreement import Agreement
 from cloner.report.measures import measures_told
+from cloner.report.standing import standing
 from cloner.report.weak import grouped, weaknesses
 from cloner.stages.measures import UNKNOWN_STATURE_M
 
@@ -105,8 +106,14 @@ def build_report(
         "files": sorted(files),
         "versions": versions(),
         "models": dict(model_digests()),
-        "warnings": list(grouped((*warnings_of(run), *weaknesses(photos, values["proposals"], seen)))),
+        "warnings": list(grouped((*warnings_of(run), *_weak(values, seen)))),
     }
+
+
+def _weak(values: Mapping[str, Any], seen: Mapping[ViewId, Agreement]) -> tuple[str, ...]:
+    """Return what is weak in the clone because of its photos."""
+    told = weaknesses(values["photos"], values["proposals"], seen)
+    return *told, *standing(values["clone"], values["proposals"])
 
 
 def warnings_of(run: Run) -> tuple[str, ...]:

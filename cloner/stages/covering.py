@@ -112,9 +112,9 @@ def ending(share: Array) -> list[bool | None]:
 def _distances(generic: GenericHuman, photos: PhotoSet, proposals: Proposals, joined: Joined) -> Array:
     """Return (V,) distances of the vertices' colours from the skin's, of the photo that sees each best; NaN unseen."""
     best, seen = np.zeros(len(joined.vertices_m)), np.full(len(joined.vertices_m), np.nan)
-    skins = {view: _skin_in(photos, proposals, view) for view in photos.photos}
+    skins = {view: _skin_in(photos, proposals, view) for view in proposals.views}
     for view in photos.body_views:
-        own = skins[view] or _any_skin(skins)
+        own = skins.get(view) or _any_skin(skins)
         if view not in joined.views or own is None:
             continue
         rows, cosine, colours = _seen_colours(generic, photos, proposals, joined, joined.views[view])

@@ -43,6 +43,8 @@ EDGE_LEVEL = 127
 CLOTH_MARGIN = 0.01
 #: What is left of the confidence in a point of the body on the outline of loose clothing.
 CLOTH_TRUST = 0.1
+#: A profile whose nose tip is trusted less is none: hair or a hood hides it.
+LEAST_NOSE_TRUST = 0.05
 
 
 def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: Photo) -> ViewPoints:
@@ -179,12 +181,19 @@ def propose_points(
 
 def face_proposals(photo: Photo, proposal: Proposal, corrections: Corrections) -> ViewPoints:
     """Return the proposed points of a face; where nobody saw one in a face photo, those that corrections tell."""
-    found = DETECTORS.get("face_points")(photo, proposal)
+    found = cast(ViewPoints, DETECTORS.get("face_points")(photo, proposal))
+    if photo.view is ViewId.FACE_SIDE and found.names and not _shows_nose(found):
+        found = ViewPoints(photo.view, (), np.zeros((0, 2)), np.zeros(0), np.zeros(0, dtype=np.bool_))
     if photo.view.is_face and not found.names:
         placed = corrections.points.get(photo.view, {})
         keys = {name: np.array([point.x_px, point.y_px]) for name, point in placed.items()}
-        found = DETECTORS.get("complete_face")(photo.view, keys)
-    return cast(ViewPoints, found)
+        found = cast(ViewPoints, DETECTORS.get("complete_face")(photo.view, keys))
+    return found
+
+
+def _shows_nose(points: ViewPoints) -> bool:
+    """Whether a nose tip is trusted at all: all other points of a profile hang on it."""
+    return FACE_MARK in points.names and bool(points.confidence[points.names.index(FACE_MARK)] > LEAST_NOSE_TRUST)
 
 
 def body_proposals(proposals: Proposals) -> dict[ViewId, ViewPoints]:

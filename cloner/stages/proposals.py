@@ -5,13 +5,14 @@ Runs once a photo; corrections never run it again.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import in_two_steps
+from cloner.detectors.portraits import is_cut_below
 from cloner.detectors.profile_cut import free_profile
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
@@ -21,6 +22,7 @@ from cloner.labels.states import stands_barefoot
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.results import StageResult
+from cloner.stages.hidden import SOMEBODY, shares_colours
 from cloner.vision.masks import refine_mask
 
 #: A face-mesh presence below this is no face (the net's own score, measured on the sample visitors: 1.0).
@@ -29,17 +31,35 @@ FACE_PRESENCE = 0.5
 LEAST_PERSON = 0.01
 
 
+#: A portrait's mask with more pixels between "person" and "room" than this share of the person's is a guess (generated
+#: people whose faces hair or hoods hide: sharp masks 0.03, torn ones 0.21 to 0.86).
+MOST_UNSURE = 0.1
+
+HIDDEN = (
+    "nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face"
+)
+
+
+class NobodySeen(ClonerError):
+    """No net sees a person in a photo."""
+
+    def __init__(self, photo: Photo) -> None:
+        super().__init__("no person found in this photo", "Take it again with one person in full view", photo.name)
+
+
 def check_people(photo: Photo) -> None:
     """Refuse photos without exactly one person.
 
     Raises
     ------
+    NobodySeen
+        If nobody is found.
     ClonerError
-        If nobody, or more than one person, is found.
+        If more than one person is found.
     """
     people = DETECTORS.get("people")(photo.rgb)
     if not people:
-        raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
+        raise NobodySeen(photo)
     if len(people) > 1:
         raise ClonerError(
             f"{len(people)} people found in this photo", "Take it again with one person alone in view", photo.name
@@ -85,12 +105,55 @@ def find_figure(photo: Photo) -> Figure:
     check_people(photo)
     pose = DETECTORS.get("pose")(photo.rgb)
     if pose is None:
-        raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
+        raise NobodySeen(photo)
     mask = refine_mask(photo.rgb, pose.mask, pose.points_px if photo.view.is_body else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
-        raise ClonerError("no person found in this photo", "Take it again with one person in full view", photo.name)
+        raise NobodySeen(photo)
+    return _figure(pose.points_px, np.asarray(pose.visibility, dtype=np.float64), mask)
+
+
+def _figure(pose_px: NDArray[np.float64], visibility: NDArray[np.float64], mask: NDArray[np.floating]) -> Figure:
     probability = np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8)
-    return Figure(pose.points_px, np.asarray(pose.visibility, dtype=np.float64), probability, mask > 0.5)
+    return Figure(pose_px, visibility, probability, mask > 0.5)
+
+
+def find_hidden_figure(photo: Photo) -> Figure | None:
+    """Return a portrait in which no body or face is seen, by its mask alone; None where that is torn.
+
+    Its pose is unknown: all points lie in the mask's middle and none is visible.
+    """
+    mask = DETECTORS.get("portrait_mask")(photo.rgb)
+    person, unsure = float((mask > 0.5).mean()), float(((mask > 0.1) & (mask < 0.9)).mean())
+    if person < LEAST_PERSON or unsure > MOST_UNSURE * person or not is_cut_below(mask):
+        return None
+    rows, columns = np.nonzero(mask > 0.5)
+    pose = np.tile(np.array([columns.mean(), rows.mean()]), (33, 1))
+    return _figure(pose, np.zeros(33), refine_mask(photo.rgb, mask, None))
+
+
+def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Mapping[ViewId, NobodySeen]) -> Proposals:
+    """Return all proposals, with those of photos in which no net sees anybody, by what the other photos tell.
+
+    A side photo of the face may show hair, a hood or a cap alone. When its colours are the person's, it is kept for
+    what its mask tells, or left out.
+
+    Raises
+    ------
+    NobodySeen
+        Of the first photo that has nothing of the person.
+    """
+    others = [(photos.photos[view].rgb, proposal.mask > 127) for view, proposal in views.items()]
+    found, left_out = dict(views), dict[ViewId, str]()
+    for view, error in unseen.items():
+        photo = photos.photos[view]
+        if view is not ViewId.FACE_SIDE or shares_colours(photo.rgb, others) < SOMEBODY:
+            raise error
+        figure = find_hidden_figure(photo)
+        if figure is None:
+            left_out[view] = HIDDEN
+        else:
+            found[view] = propose_within(photo, figure)
+    return Proposals({view: found[view] for view in photos.photos if view in found}, left_out)
 
 
 def propose_within(photo: Photo, figure: Figure) -> Proposal:
@@ -139,11 +202,32 @@ def barefoot(figure: Figure, labels: NDArray[np.uint8]) -> bool:
 
 
 def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: np.random.Generator) -> StageResult:
-    """Give one proposal a photo."""
+    """Give one proposal a photo; a photo in which hair or a hood hides all may be left out.
+
+    Raises
+    ------
+    ClonerError
+        If a photo does not show exactly one person.
+    """
     views: dict[ViewId, Proposal] = {}
-    proposed = in_two_steps(find_figure, propose_within, photos.photos.values())
-    for view, proposal in zip(photos.photos, proposed, strict=True):
-        views[view] = proposal
-        tick(len(views) / len(photos.photos))
+    unseen: dict[ViewId, NobodySeen] = {}
+
+    def figure_of(photo: Photo) -> Figure | NobodySeen:
+        try:
+            return find_figure(photo)
+        except NobodySeen as error:
+            return error
+
+    def proposal_of(photo: Photo, figure: Figure | NobodySeen) -> Proposal | NobodySeen:
+        return figure if isinstance(figure, NobodySeen) else propose_within(photo, figure)
+
+    proposed = in_two_steps(figure_of, proposal_of, photos.photos.values())
+    for view, found in zip(photos.photos, proposed, strict=True):
+        if isinstance(found, NobodySeen):
+            unseen[view] = found
+        else:
+            views[view] = found
+        tick((len(views) + len(unseen)) / len(photos.photos))
+    settled = settle_hidden(photos, views, unseen)
     DETECTORS.get("let_nets_go")()  # no later stage asks them
-    return StageResult({"proposals": Proposals(views)})
+    return StageResult({"proposals": settled})

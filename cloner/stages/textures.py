@@ -27,11 +27,11 @@ from cloner.baking.evened import (
 )
 from cloner.baking.hands import finish_hands, finish_soles
 from cloner.baking.lid_skin import clean_lids
-from cloner.baking.materials import find_materials
+from cloner.baking.materials import Materials, find_materials
 from cloner.baking.nostrils import darken_nostrils
 from cloner.baking.parts import paint_parts
 from cloner.baking.posed import body_triangles
-from cloner.baking.sources import Limits, gather_sources
+from cloner.baking.sources import Limits, Source, gather_sources
 from cloner.baking.tiles import Tile, cut_tiles
 from cloner.baking.tucking import tuck_scalp
 from cloner.baking.undressed import dress_unseen, near_sight, only_faces, plain_beyond
@@ -111,6 +111,28 @@ def run(
     return StageResult({"painted": painted, "surfaces": surfaces}, tuple(residuals), warnings)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Shared:
+    """Photos ready to be laid on the body, and what each may paint.
+
+    Attributes
+    ----------
+    sources : list of Source
+    shares : (K, V) float64
+        Of every source in every vertex.
+    light : (K, V, 3) float64, log gains
+    base : (3, V, 3) float32, levels
+        The fill of skin, hair and cloth.
+    kinds : Materials
+    """
+
+    sources: list[Source]
+    shares: NDArray[np.float64]
+    light: NDArray[np.float64]
+    base: NDArray[np.float32]
+    kinds: Materials
+
+
 def lay_photos(
     generic: GenericHuman,
     photos: PhotoSet,
@@ -125,11 +147,39 @@ def lay_photos(
 
     Returned beside it: (V, 6) shares of ``SURFACES`` that the photos show, and the residuals of painting.
     """
+    shared, residuals = share_photos(generic, photos, proposals, silhouettes, joined, shells, params, tick)
+    if shared is None:
+        return None, np.zeros((len(joined.vertices_m), len(SURFACES))), residuals
+    baked = bake(
+        generic, params.size, shared.sources, shared.shares, shared.light, shared.base, shared.kinds, params.limits,
+        levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
+    )  # fmt: skip
+    claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in shared.sources], axis=0)
+    kinds, surfaces = shared.kinds, shared.kinds.surfaces
+    if only_faces(shared.sources):
+        surfaces = surfaces * near_sight(shared.sources, person_graph(generic, joined.vertices_m))[:, None]
+    del shared  # its pictures would be the larger part of the memory from here on
+    give_back()
+    baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
+    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb))), surfaces, residuals
+
+
+def share_photos(
+    generic: GenericHuman,
+    photos: PhotoSet,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    joined: Joined,
+    shells: tuple[Shell, ...],
+    params: Params,
+    tick: Callable[[float], None],
+) -> tuple[Shared | None, list[Residual]]:
+    """Return what every photo may paint, None where no photo shows the body, and the residuals of finding it."""
     tick(0.15)
     sources, residuals = gather_sources(generic, photos, proposals, silhouettes, joined, shells, params.limits)
     tick(0.4)
     if not sources:
-        return None, np.zeros((len(joined.vertices_m), len(SURFACES))), residuals
+        return None, residuals
     graph = person_graph(generic, joined.vertices_m)
     normals = vertex_normals(joined.vertices_m, body_triangles(generic))
     colours = vertex_colours(sources)
@@ -145,17 +195,7 @@ def lay_photos(
     if only_faces(sources):
         base = plain_beyond(sources, base, kinds, joined.vertices_m[:, 1], graph)
     shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
-    baked = bake(
-        generic, params.size, sources, shares, light, base, kinds, params.limits,
-        levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
-    )  # fmt: skip
-    claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in sources], axis=0)
-    seen = near_sight(sources, graph) if only_faces(sources) else np.ones(len(claim))
-    del sources  # their pictures would be the larger part of the memory from here on
-    give_back()
-    baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
-    told = kinds.surfaces * seen[:, None]
-    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb))), told, residuals
+    return Shared(sources, shares, light, base, kinds), residuals
 
 
 def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:

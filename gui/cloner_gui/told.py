@@ -272,5 +272,29 @@ SENTENCES: Final[tuple[str, ...]] = tuple(
         QT_TRANSLATE_NOOP("told", "the point lies %1 cm off the body, so it was left out: drag it back to the outline"),
         QT_TRANSLATE_NOOP("told", "the skin would fold, so the clone stays %1 px off it"),
         QT_TRANSLATE_NOOP("told", "it contradicts %1, so the clone stays %2 px off it"),
+        QT_TRANSLATE_NOOP("told", "%1: the clone covers the person's outline only to %2 percent"),
+        QT_TRANSLATE_NOOP("told", "%1: the clone covers the head's outline only to %2 percent"),
+        QT_TRANSLATE_NOOP(
+            "told",
+            "%1: nobody can be made out in this photo, so it was left out; "
+            "retake it with hair, hood or scarf away from the face",
+        ),
+        QT_TRANSLATE_NOOP(
+            "told",
+            "%1: the clone would cover only %2 percent of the person in this photo, so it was left out; "
+            "check that it shows the same person in the same clothes, straight from the side or from behind",
+        ),
+        QT_TRANSLATE_NOOP(
+            "told",
+            "%1: the %2 arm of the clone lies %3 cm beside the arm in this photo; "
+            "let the arms hang a little away from the body and retake it",
+        ),
+        QT_TRANSLATE_NOOP(
+            "told",
+            "%1: the head is turned by about %2 degrees from where it should look; "
+            "retake it with the head turned as the body",
+        ),
+        QT_TRANSLATE_NOOP("told", "left"),
+        QT_TRANSLATE_NOOP("told", "right"),
     )
 )

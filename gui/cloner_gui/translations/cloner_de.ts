@@ -2007,6 +2007,38 @@
         <translation>geben Sie die Größe auf der ersten Seite an</translation>
     </message>
     <message>
+        <source>%1: the clone covers the person&apos;s outline only to %2 percent</source>
+        <translation>%1: der Klon deckt den Umriss der Person nur zu %2 Prozent</translation>
+    </message>
+    <message>
+        <source>%1: the clone covers the head&apos;s outline only to %2 percent</source>
+        <translation>%1: der Klon deckt den Umriss des Kopfes nur zu %2 Prozent</translation>
+    </message>
+    <message>
+        <source>%1: nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face</source>
+        <translation>%1: auf diesem Foto ist niemand zu erkennen, daher wurde es ausgelassen; nehmen Sie es noch einmal auf, ohne Haar, Kapuze oder Tuch vor dem Gesicht</translation>
+    </message>
+    <message>
+        <source>%1: the clone would cover only %2 percent of the person in this photo, so it was left out; check that it shows the same person in the same clothes, straight from the side or from behind</source>
+        <translation>%1: der Klon würde nur %2 Prozent der Person auf diesem Foto decken, daher wurde es ausgelassen; prüfen Sie, ob es dieselbe Person in derselben Kleidung zeigt, gerade von der Seite oder von hinten</translation>
+    </message>
+    <message>
+        <source>%1: the %2 arm of the clone lies %3 cm beside the arm in this photo; let the arms hang a little away from the body and retake it</source>
+        <translation>%1: Arm des Klons (%2) liegt %3 cm neben dem Arm auf diesem Foto; lassen Sie die Arme ein wenig vom Körper entfernt hängen und nehmen Sie es noch einmal auf</translation>
+    </message>
+    <message>
+        <source>%1: the head is turned by about %2 degrees from where it should look; retake it with the head turned as the body</source>
+        <translation>%1: der Kopf ist um etwa %2 Grad aus der Blickrichtung gedreht; nehmen Sie es noch einmal auf, den Kopf wie den Körper ausgerichtet</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
         <source>Consent</source>
         <translation>Einwilligung</translation>
     </message>

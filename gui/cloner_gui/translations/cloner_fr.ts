@@ -2007,6 +2007,38 @@
         <translation>donnez la taille sur la première page</translation>
     </message>
     <message>
+        <source>%1: the clone covers the person&apos;s outline only to %2 percent</source>
+        <translation>%1 : le clone ne couvre que %2 pour cent de la silhouette de la personne</translation>
+    </message>
+    <message>
+        <source>%1: the clone covers the head&apos;s outline only to %2 percent</source>
+        <translation>%1 : le clone ne couvre que %2 pour cent de la silhouette de la tête</translation>
+    </message>
+    <message>
+        <source>%1: nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face</source>
+        <translation>%1 : on ne distingue personne sur cette photo, elle a donc été écartée ; reprenez-la sans cheveux, capuche ni foulard devant le visage</translation>
+    </message>
+    <message>
+        <source>%1: the clone would cover only %2 percent of the person in this photo, so it was left out; check that it shows the same person in the same clothes, straight from the side or from behind</source>
+        <translation>%1 : le clone ne couvrirait que %2 pour cent de la personne sur cette photo, elle a donc été écartée ; vérifiez qu&apos;elle montre la même personne dans les mêmes vêtements, bien de côté ou de dos</translation>
+    </message>
+    <message>
+        <source>%1: the %2 arm of the clone lies %3 cm beside the arm in this photo; let the arms hang a little away from the body and retake it</source>
+        <translation>%1 : le bras du clone (%2) se trouve à %3 cm du bras sur cette photo ; laissez pendre les bras un peu écartés du corps et reprenez-la</translation>
+    </message>
+    <message>
+        <source>%1: the head is turned by about %2 degrees from where it should look; retake it with the head turned as the body</source>
+        <translation>%1 : la tête est tournée d&apos;environ %2 degrés par rapport à la direction voulue ; reprenez-la, la tête orientée comme le corps</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
         <source>Consent</source>
         <translation>Accord</translation>
     </message>

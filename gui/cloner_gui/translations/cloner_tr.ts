@@ -2006,6 +2006,38 @@
         <translation>boyu ilk sayfada verin</translation>
     </message>
     <message>
+        <source>%1: the clone covers the person&apos;s outline only to %2 percent</source>
+        <translation>%1: klon, kişinin dış çizgisini yalnızca yüzde %2 oranında örtüyor</translation>
+    </message>
+    <message>
+        <source>%1: the clone covers the head&apos;s outline only to %2 percent</source>
+        <translation>%1: klon, başın dış çizgisini yalnızca yüzde %2 oranında örtüyor</translation>
+    </message>
+    <message>
+        <source>%1: nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face</source>
+        <translation>%1: bu fotoğrafta kimse seçilemiyor, bu yüzden kullanılmadı; saç, kapüşon veya atkı yüzü örtmeden yeniden çekin</translation>
+    </message>
+    <message>
+        <source>%1: the clone would cover only %2 percent of the person in this photo, so it was left out; check that it shows the same person in the same clothes, straight from the side or from behind</source>
+        <translation>%1: klon bu fotoğraftaki kişinin yalnızca yüzde %2 kadarını örterdi, bu yüzden fotoğraf kullanılmadı; aynı kişiyi aynı giysilerle, tam yandan veya arkadan gösterdiğini denetleyin</translation>
+    </message>
+    <message>
+        <source>%1: the %2 arm of the clone lies %3 cm beside the arm in this photo; let the arms hang a little away from the body and retake it</source>
+        <translation>%1: klonun %2 kolu bu fotoğraftaki kolun %3 cm yanında duruyor; kolları gövdeden biraz ayrık sarkıtıp yeniden çekin</translation>
+    </message>
+    <message>
+        <source>%1: the head is turned by about %2 degrees from where it should look; retake it with the head turned as the body</source>
+        <translation>%1: baş, bakması gereken yönden yaklaşık %2 derece dönük; baş gövdeyle aynı yöne dönükken yeniden çekin</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>sol</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>sağ</translation>
+    </message>
+    <message>
         <source>Consent</source>
         <translation>Onay</translation>
     </message>
