@@ -49,8 +49,8 @@ def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[A
     """Return votes (V, S) and weights in which unseen vertices lean to what most of their body part is."""
     segment = generic.vertex_segment
     total = np.bincount(segment, weight)
-    mean = np.stack([np.bincount(segment, weight * column) for column in vote.T], axis=1)
-    mean = mean / np.maximum(total, 1e-9)[:, None]
+    sums = np.stack([np.bincount(segment, weight * column) for column in vote.T], axis=1)
+    mean: Array = sums / np.maximum(total, 1e-9)[:, None]
     clear = (MAJORITY * np.clip(2.0 * mean.max(axis=1) - 1.0, 0.0, 1.0) ** 2 * (total > 0.0))[segment]
     both = weight + clear
     return (weight[:, None] * vote + clear[:, None] * mean[segment]) / np.maximum(both, 1e-12)[:, None], both
@@ -96,8 +96,8 @@ def find_materials(generic: GenericHuman, sources: list[Source], graph: SurfaceG
     a collar ends, because heads turn and cloth moves, and their mean would be a smear.
     """
     shown = shown_surfaces(sources)
-    square = np.stack([np.where(s.sight.cosine > SQUARE, s.score, 0.0) for s in sources])
-    claim = np.where(shown >= 0, square**2, 0.0)
+    # a label at a slant is as sure as one seen squarely, unlike its place: who sees a surface squarely counts more
+    claim = np.where(shown >= 0, np.stack([s.score for s in sources]) ** 2, 0.0)
     total = claim.sum(axis=0)
     vote = np.stack([(claim * (shown == k)).sum(axis=0) for k in range(len(SURFACES))], axis=1)
     vote /= np.maximum(total, 1e-12)[:, None]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from typing import Final
 
 import cv2
@@ -33,7 +34,35 @@ SMALL_BY_NATURE: Final = (Label.EYES, Label.MOUTH)
 RIM: Final = 0.12
 
 
-def label_photo(
+@dataclass(frozen=True, slots=True, eq=False)
+class Looks:
+    """What the label net sees in a photo, before anything is decided.
+
+    Attributes
+    ----------
+    whole : (11, h, w) float32
+        Probabilities over the whole photo, its long side `WORK_PX` at most.
+    near : (11, h, w) float32 or None
+        The same in the head's box, at most `HEAD_PX` a side; None where the photo shows no head.
+    box : pair of slices or None
+        The head's rows and columns in the photo.
+    head : HeadFrame
+    """
+
+    whole: Floats
+    near: Floats | None
+    box: tuple[slice, slice] | None
+    head: HeadFrame
+
+    def person(self, shape: tuple[int, ...]) -> Floats:
+        """Return (H, W) the probability that a pixel of the photo shows the person."""
+        found = 1.0 - _sized(self.whole[Label.BACKGROUND], shape)
+        if self.near is not None and self.box is not None:
+            found[self.box] = 1.0 - _sized(self.near[Label.BACKGROUND], found[self.box].shape)
+        return np.asarray(found, np.float32)
+
+
+def look(
     rgb: Photo,
     person: NDArray[np.bool_],
     view: ViewId,
@@ -41,14 +70,14 @@ def label_photo(
     *,
     face_points: NDArray[np.float64] | None = None,
     pose_points: NDArray[np.float64] | None = None,
-) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
-    """Return what every pixel of a photo shows, and how sure that is.
+) -> Looks:
+    """Return what the label net sees in a photo: the person as a whole, and the head alone.
 
     Parameters
     ----------
     rgb : (H, W, 3) uint8
     person : (H, W) bool
-        The person; everything else is background.
+        Roughly where the person is; some pixel is True.
     view : ViewId
     features : callable
         From a (256, 256, 3) uint8 crop to the features that the decoder reads
@@ -57,6 +86,31 @@ def label_photo(
         Face mesh in px, where the photo shows a face from the front.
     pose_points : (33, 2) float64, optional
         Pose points in px.
+    """
+    crop = person_crop(person, view)
+    whole = _in_photo(_class_shares(rgb, crop, features), crop, person.shape)
+    head = find_head(person, face_points, str(view), pose_points)
+    near = head_crop(head)
+    box = _box(near, person.shape)
+    if box is None:
+        return Looks(whole, None, None, head)
+    return Looks(whole, _blended(_class_shares(rgb, near, features), near, whole, box, person.shape), box, head)
+
+
+def label_photo(
+    rgb: Photo, person: NDArray[np.bool_], looks: Looks, face_points: NDArray[np.float64] | None = None
+) -> tuple[NDArray[np.uint8], NDArray[np.uint8]]:
+    """Return what every pixel of a photo shows, and how sure that is.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    person : (H, W) bool
+        The person; everything else is background.
+    looks : Looks
+        Of the same photo.
+    face_points : (468, 2) float64, optional
+        Face mesh in px.
 
     Returns
     -------
@@ -65,22 +119,13 @@ def label_photo(
     confidence : (H, W) uint8
         Probability of the label, 255 is certain.
     """
-    labels, sure = np.zeros(person.shape, np.uint8), np.full(person.shape, 255, np.uint8)
-    if not person.any():
-        return labels, sure
-    whole = person_crop(person, view)
-    shares = _in_photo(_class_shares(rgb, whole, features), whole, person.shape)
-    labels[:], sure[:] = _decided(shares, person.shape)
-    head = find_head(person, face_points, str(view), pose_points)
-    near = head_crop(head)
-    box = _box(near, person.shape)
-    if box is not None:
-        close = _class_shares(rgb, near, features)
-        part = _blended(close, near, shares, box, person.shape)
-        labels[box], sure[box] = _decided(part, labels[box].shape)
-        _draw_hair(labels, part[Label.HAIR], rgb, person, box, head, face_points)
+    labels, sure = _decided(looks.whole, person.shape)
+    if looks.near is not None and looks.box is not None:
+        box = looks.box
+        labels[box], sure[box] = _decided(looks.near, labels[box].shape)
+        _draw_hair(labels, looks.near[Label.HAIR], rgb, person, box, looks.head, face_points)
     labels[~person] = Label.BACKGROUND
-    return without_specks(labels, SPECK * head.head_px**2), sure
+    return without_specks(labels, SPECK * looks.head.head_px**2), sure
 
 
 def _class_shares(rgb: Photo, crop: Crop, features: Features) -> Floats:
@@ -115,6 +160,10 @@ def _warped(shares: Floats, crop: Crop, box: tuple[float, float, float, float], 
         for plane, outside in zip(shares, [1.0] + [0.0] * (len(shares) - 1), strict=True)
     ]
     return np.stack(planes)
+
+
+def _sized(plane: Floats, shape: tuple[int, ...]) -> Floats:
+    return np.asarray(cv2.resize(plane, (shape[1], shape[0]), interpolation=cv2.INTER_LINEAR), np.float32)
 
 
 def _box(crop: Crop, shape: tuple[int, ...]) -> tuple[slice, slice] | None:
