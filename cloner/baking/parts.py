@@ -21,9 +21,13 @@ def paint_parts(
     vertices_m: NDArray[np.float64],
     iris_rgb: NDArray[np.float64],
     iris_radius_m: float,
+    white_to_skin: NDArray[np.float64] | None,
     rng: np.random.Generator,
 ) -> None:
-    """Paint every part but the skin into the texels (size, size, 3); ``atlas`` is that of the parts."""
+    """Paint every part but the skin into the texels (size, size, 3); ``atlas`` is that of the parts.
+
+    ``white_to_skin`` (3,) is how much lighter the whites are than the skin around the eyes, None for the usual.
+    """
     flat = rgb.reshape(-1, 3)
     skin_rgb = face_rgb(generic, rgb)
     part_of = generic.vertex_part[atlas.triangles[:, 0]]
@@ -41,7 +45,7 @@ def paint_parts(
             spokes /= np.maximum(np.linalg.norm(spokes, axis=1, keepdims=True), 1e-9)
             iris = iris_radius_m if iris_radius_m > 0.0 else USUAL_IRIS_M
             angle = float(np.arcsin(np.clip(iris / radius, 0.2, 0.7)))
-            colour = paint_eye(spokes, iris_rgb, angle, skin_rgb, rng)
+            colour = paint_eye(spokes, iris_rgb, angle, skin_rgb, white_to_skin, rng)
         elif name.startswith("teeth_"):
             along, height = _along_arch(points), points[:, 1] if name == "teeth_upper" else -points[:, 1]
             colour = paint_teeth(height - _edge(along, height), along)

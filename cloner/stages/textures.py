@@ -35,9 +35,11 @@ from cloner.baking.sources import Limits, Source, gather_sources
 from cloner.baking.tiles import Tile, cut_tiles
 from cloner.baking.tucking import tuck_scalp
 from cloner.baking.undressed import dress_unseen, near_sight, only_faces, plain_beyond
+from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.atlas import AtlasMap
+from cloner.geometry.iris import white_to_skin
 from cloner.geometry.wedges import vertex_normals
 from cloner.memory import give_back
 from cloner.records.clones import Clone, Joined, TextureAtlas
@@ -103,12 +105,22 @@ def run(
     seen, charts = int(baked.seen.sum()), int(baked.covered.sum())
     residuals.append(Residual("texels_seen", 100.0 * seen / max(charts, 1), "percent"))
     parts = parts_atlas(generic, params.size)
-    paint_parts(generic, parts, baked.rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, rng)
+    whites = shown_whites(photos, proposals)
+    paint_parts(generic, parts, baked.rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, whites, rng)
     baked = replace(baked, rgb=clean_lids(generic, baked.rgb, joined.vertices_m))
     atlas = TextureAtlas(pad_charts(baked.rgb, baked.covered), baked.seen * np.uint8(255))
     tick(1.0)
     painted = assemble(joined, shells, atlas)
     return StageResult({"painted": painted, "surfaces": surfaces}, tuple(residuals), warnings)
+
+
+def shown_whites(photos: PhotoSet, proposals: Proposals) -> Array | None:
+    """Return how much lighter the face's front photo shows the whites of the eyes than the skin, None without one."""
+    proposal = proposals.views.get(ViewId.FACE_FRONT)
+    if proposal is None or proposal.face_presence == 0.0 or ViewId.FACE_FRONT not in photos.photos:
+        return None
+    rgb = photos.photos[ViewId.FACE_FRONT].rgb
+    return white_to_skin(rgb, proposal.labels, proposal.face_px, proposal.irises_px)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

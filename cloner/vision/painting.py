@@ -9,6 +9,9 @@ Image = NDArray[np.float32]
 
 SCLERA_RGB = (214.0, 204.0, 197.0)  # taste: never white, else the clone stares
 SCLERA_TO_SKIN = 1.02  # taste: the white of the eye is this much lighter than the face around it, in levels
+#: Mean light of the lids' shade on what shows of the white; whites darker or lighter than the usual by more than these
+#: are reflections or lashes (taste); never paper.
+LID_SHADE, WHITE_RANGE, BRIGHTEST = 0.88, (0.6, 1.9), 238.0
 VESSEL_RGB = (196.0, 130.0, 118.0)
 PUPIL_RGB = (14.0, 11.0, 10.0)
 TOOTH_RGB = (222.0, 209.0, 188.0)
@@ -36,6 +39,7 @@ def paint_eye(
     iris_rgb: NDArray[np.floating],
     iris_angle: float,
     skin_rgb: NDArray[np.floating],
+    white_to_skin: NDArray[np.floating] | None,
     rng: np.random.Generator,
 ) -> Image:
     """Return (N, 3) colours, levels, of points on an eyeball.
@@ -48,19 +52,32 @@ def paint_eye(
         Radius of the iris as an angle from the gaze, radians.
     skin_rgb : (3,) levels
         Colour of the face; a dim photo has dim eyes.
+    white_to_skin : (3,) or None
+        How much lighter the photo shows the whites than the skin around them; None where it does not tell.
     rng : numpy Generator, for fibres and vessels
     """
     angle = np.arccos(np.clip(directions[:, 2], -1.0, 1.0)).astype(np.float32)
     around = np.arctan2(directions[:, 1], directions[:, 0]).astype(np.float32)
     share = angle / np.float32(iris_angle)
-    light = np.clip(SCLERA_TO_SKIN * np.mean(skin_rgb) / np.mean(SCLERA_RGB), 0.45, 1.0)
-    colour = _paint_sclera(share, around, rng) * np.float32(light)
+    colour = _paint_sclera(share, around, _white_rgb(np.asarray(skin_rgb, np.float64), white_to_skin), rng)
     iris = _paint_iris(share, around, np.asarray(iris_rgb, np.float32), rng)
     # The limbus is soft: about a tenth of the iris radius in life.
     colour = _mix(iris, colour, _ramp(share, 0.95, 1.10))
     # The upper lid throws a shadow on the ball; without it eyes look pasted on.
     shade = 1.0 - 0.40 * _ramp(directions[:, 1], 0.05, 0.45) - 0.10 * _ramp(-directions[:, 1], 0.15, 0.5)
     return np.clip(colour * shade[:, None], 0.0, 255.0).astype(np.float32)
+
+
+def _white_rgb(skin_rgb: NDArray[np.float64], white_to_skin: NDArray[np.floating] | None) -> Image:
+    """Return (3,) the colour of the whites: as the photo shows them beside this skin, else as usual beside it."""
+    usual = np.array(SCLERA_RGB) * np.clip(SCLERA_TO_SKIN * np.mean(skin_rgb) / np.mean(SCLERA_RGB), 0.45, 1.0)
+    if white_to_skin is None:
+        return usual.astype(np.float32)
+    # what the photo shows lies in the shade of the lids that is painted here once more
+    shown = np.asarray(white_to_skin) * skin_rgb / LID_SHADE
+    grey = shown.mean()
+    light = np.clip(grey, WHITE_RANGE[0] * usual.mean(), WHITE_RANGE[1] * usual.mean())
+    return np.asarray(np.minimum(shown * light / grey, BRIGHTEST), np.float32)
 
 
 def _paint_iris(share: Image, around: Image, rgb: Image, rng: np.random.Generator) -> Image:
@@ -75,8 +92,8 @@ def _paint_iris(share: Image, around: Image, rgb: Image, rng: np.random.Generato
     return _mix(iris, PUPIL_RGB, 1.0 - _ramp(share, PUPIL_SHARE - 0.04, PUPIL_SHARE + 0.05))
 
 
-def _paint_sclera(share: Image, around: Image, rng: np.random.Generator) -> Image:
-    colour = np.tile(np.array(SCLERA_RGB, np.float32), (len(share), 1))
+def _paint_sclera(share: Image, around: Image, white_rgb: Image, rng: np.random.Generator) -> Image:
+    colour = np.tile(white_rgb, (len(share), 1))
     reddening = 0.45 * _ramp(share, 1.35, 2.8)
     vessels = np.zeros_like(share)
     for _ in range(14):
@@ -85,7 +102,8 @@ def _paint_sclera(share: Image, around: Image, rng: np.random.Generator) -> Imag
         gap = np.abs(np.angle(np.exp(1j * (around - path))))
         vessels += np.exp(-((gap / 0.012) ** 2)).astype(np.float32)
     vessels = np.clip(vessels, 0.0, 1.0) * 0.35 * _ramp(share, 1.3, 2.2)
-    return _mix(colour, VESSEL_RGB, np.clip(reddening + vessels, 0.0, 0.6).astype(np.float32))
+    red = np.array(VESSEL_RGB) / np.mean(SCLERA_RGB) * float(white_rgb.mean())
+    return _mix(colour, red, np.clip(reddening + vessels, 0.0, 0.6).astype(np.float32))
 
 
 def paint_teeth(height_m: Image, along_m: Image) -> Image:

@@ -1,0 +1,52 @@
+"""Whites of the eyes as light as the photo shows them beside the skin."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+import pytest
+
+from cloner.geometry.iris import EYE_CORNERS, white_to_skin
+from cloner.records.labels import Label
+from cloner.vision.painting import paint_eye
+
+SKIN, WHITE, IRIS = (60, 40, 30), (150, 140, 135), (50, 35, 25)
+PUPILS = ((100, 100), (200, 100))
+
+
+def eyes(white: tuple[int, int, int] = WHITE) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return a dark face with two open eyes 60 px wide, its labels and its mesh."""
+    rgb = np.full((200, 300, 3), SKIN, np.uint8)
+    labels = np.full((200, 300), Label.FACE_SKIN, np.uint8)
+    mesh = np.zeros((468, 2))
+    for (x, y), corners in zip(PUPILS, EYE_CORNERS, strict=True):
+        cv2.ellipse(rgb, (x, y), (30, 12), 0, 0, 360, white, -1)
+        cv2.ellipse(labels, (x, y), (30, 12), 0, 0, 360, int(Label.EYES), -1)
+        cv2.circle(rgb, (x, y), 12, IRIS, -1)
+        mesh[list(corners)] = (x - 30, y), (x + 30, y)
+    return rgb, labels, mesh
+
+
+def test_the_ratio_is_that_of_the_painted_colours() -> None:
+    found = white_to_skin(*eyes(), np.array(PUPILS, float))
+    assert found == pytest.approx(np.array(WHITE) / np.array(SKIN), rel=0.02)
+
+
+def test_closed_eyes_tell_nothing() -> None:
+    rgb, labels, mesh = eyes()
+    labels[:] = Label.FACE_SKIN
+    assert white_to_skin(rgb, labels, mesh, np.array(PUPILS, float)) is None
+
+
+def test_light_eyes_in_a_dark_face_stay_light() -> None:
+    """Beside the iris, level with the gaze, where no lid shades."""
+    turn = np.radians(40.0)
+    place = np.array([[np.sin(turn), 0.0, np.cos(turn)]], np.float32)
+    ratio = np.array(WHITE) / np.array(SKIN)
+    rng = np.random.default_rng
+    shown, usual = (
+        paint_eye(place, np.array(IRIS, float), 0.45, np.array(SKIN, float), told, rng(0))[0] for told in (ratio, None)
+    )
+    assert np.abs(shown / shown.sum() - np.array(WHITE) / np.sum(WHITE)).max() < 0.05
+    assert shown.mean() > 1.2 * usual.mean()
+    assert shown.max() < 239.0
