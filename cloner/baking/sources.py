@@ -16,8 +16,10 @@ from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
 from cloner.geometry.seeing import Sight, depth_at
+from cloner.labels.glasses import frame_of, wears_glasses
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
+from cloner.records.labels import Label
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.results import Residual
@@ -42,6 +44,7 @@ SQUARE_COSINE = (0.6, 0.8)  # surfaces that face a photo stay its own: features 
 SHELL_SHARE = 0.012  # of the figure, 2 cm: labels this far from any shell are doubted
 BESIDE_M = 0.01  # what stands out of the fitted body by more is room: its colours are the person's, its place is not
 HAIR_RIM_SHARE = 0.0044  # a fringe's rim may lie this much farther out in the photo than in the shell
+FRAME_RIM_SHARE = 0.012  # of a pair of glasses, 1.6 mm: the label ends inside the frame and its shade
 HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
 
 
@@ -116,6 +119,7 @@ def gather_sources(
     residuals: list[Residual] = []
     faces = frozenset(view for view in joined.views if view.is_face and view in photos.photos)
     skins = person_skin(photos, proposals, silhouettes)
+    glasses = wears_glasses(proposals)
 
     def prepared(view: ViewId) -> tuple[Source, float] | None:
         stood = stand(generic, joined, shells, joined.views[view])
@@ -123,7 +127,10 @@ def gather_sources(
         if not view.is_face:  # a face photo's shoulders hang in no known pose
             mask = without_room(mask, stood.shown, BESIDE_M / stood.sight.metres_per_pixel)
             mask = own.without_room(photos.photos[view].rgb, mask)
-        plate = make_plate(view, photos, proposals.views[view], mask, limits, skins.get(view))
+        photo, proposal = photos.photos[view].rgb, proposals.views[view]
+        if glasses:
+            photo, proposal = without_glasses(photo, proposal)
+        plate = make_plate(view, photo, proposal, mask, limits, skins.get(view))
         if not (plate.inside_px > 0.0).any():
             return None
         return make_source(generic, stood, view, plate, limits, faces)
@@ -159,7 +166,7 @@ def person_skin(photos: PhotoSet, proposals: Proposals, silhouettes: SilhouetteS
 
 def make_plate(
     view: ViewId,
-    photos: PhotoSet,
+    rgb: NDArray[np.uint8],
     proposal: Proposal,
     mask: NDArray[np.bool_],
     limits: Limits,
@@ -168,13 +175,32 @@ def make_plate(
     """Return the photo without background; see :func:`prepare_plate`."""
     frontal = proposal.face_presence >= limits.face_presence and view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT)
     return prepare_plate(
-        photos.photos[view].rgb,
+        rgb,
         mask,
         proposal.labels,
         proposal.face_px if frontal else None,
         (proposal.pose_px, proposal.pose_visibility) if view is ViewId.BODY_SIDE else None,
         skin,
     )
+
+
+def without_glasses(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[NDArray[np.uint8], Proposal]:
+    """Return a photo (H, W, 3) and its proposal with the frame of glasses replaced by the skin around it.
+
+    Small holes are filled from their rims (A. Telea, An image inpainting technique based on the fast marching method,
+    2004); the frame is drawn on a shell of its own.
+    """
+    frame = frame_of(proposal)
+    rows, columns = np.flatnonzero(frame.any(axis=1)), np.flatnonzero(frame.any(axis=0))
+    if not rows.size:
+        return rgb, proposal
+    around = max(2, int(FRAME_RIM_SHARE * np.ptp(columns)))
+    wide = cv2.dilate(frame.astype(np.uint8), np.ones((2 * around + 1,) * 2, np.uint8))
+    reach = 4 * around
+    box = np.s_[max(rows[0] - reach, 0) : rows[-1] + reach, max(columns[0] - reach, 0) : columns[-1] + reach]
+    filled = rgb.copy()
+    filled[box] = cv2.inpaint(np.ascontiguousarray(rgb[box]), wide[box], 2.0 * around, cv2.INPAINT_TELEA)
+    return filled, replace(proposal, labels=np.where(frame, np.uint8(Label.FACE_SKIN), proposal.labels))
 
 
 def make_source(

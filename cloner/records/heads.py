@@ -53,12 +53,12 @@ class HeadFit:
 
 
 #: What a shell can be.
-SHELL_KINDS = ("hair", "cloth")
+SHELL_KINDS = ("hair", "cloth", "glasses")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shell:
-    """A loose volume over the body: hair, a skirt, the lower part of a coat.
+    """A surface of its own beside the body: hair, a skirt, the lower part of a coat, glasses.
 
     Attributes
     ----------

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import label, map_coordinates
 from skimage.measure import marching_cubes
 
+from cloner.baking.glasses import glasses_shell
 from cloner.baking.hair_cap import Scalp, covered_share, measure_scalp, settle_shell
 from cloner.baking.hair_edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge
 from cloner.baking.hair_tail import find_tail
@@ -31,6 +32,7 @@ from cloner.geometry.atlas import map_atlas
 from cloner.geometry.graphs import surface_graph
 from cloner.geometry.unwrapping import unwrap
 from cloner.geometry.wedges import vertex_normals
+from cloner.labels.glasses import wears_glasses
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.photos import PhotoSet
@@ -91,16 +93,23 @@ def run(
     rng: np.random.Generator,
     params: Params | None = None,
 ) -> StageResult:
-    """Return the hair's shell, or none with the reason as a warning, then the shells of loose clothing.
+    """Return the hair's shell, or none with the reason as a warning, then those of loose clothing and of glasses.
 
     Residuals: median and largest thickness of the cap, mm.
     """
     hair = grow_hair(photos, proposals, silhouettes, joined, tick, params or Params())
     loose = loose_shells(load_generic(), joined, photos, proposals, silhouettes)
-    if not loose:
-        return hair
-    shells = (*cast(tuple[Shell, ...], hair.values["shells"]), *loose)
-    return StageResult({"shells": shells}, hair.residuals, (*hair.warnings, SAID))
+    shells = (*cast(tuple[Shell, ...], hair.values["shells"]), *loose, *worn_glasses(photos, proposals, joined))
+    return StageResult({"shells": shells}, hair.residuals, (*hair.warnings, *((SAID,) if loose else ())))
+
+
+def worn_glasses(photos: PhotoSet, proposals: Proposals, joined: Joined) -> tuple[Shell, ...]:
+    """Return the glasses that the face's front photo shows, if any."""
+    if ViewId.FACE_FRONT not in joined.views or not wears_glasses(proposals):
+        return ()
+    front = photos.photos[ViewId.FACE_FRONT]
+    found = glasses_shell(load_generic(), joined, front, proposals.views[ViewId.FACE_FRONT])
+    return () if found is None else (found,)
 
 
 def grow_hair(

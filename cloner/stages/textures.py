@@ -98,8 +98,9 @@ def run(
     """
     params = params or Params()
     generic = load_generic()
-    joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, shells))
-    baked, surfaces, residuals = lay_photos(generic, photos, proposals, silhouettes, joined, shells, params, tick)
+    hiding = tuple(shell for shell in shells if shell.kind != "glasses")  # lenses are clear
+    joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, hiding))
+    baked, surfaces, residuals = lay_photos(generic, photos, proposals, silhouettes, joined, hiding, params, tick)
     warnings = () if baked else ("No photo could be laid on the body: it keeps one plain colour",)
     baked = baked or unpainted(generic, params.size)
     seen, charts = int(baked.seen.sum()), int(baked.covered.sum())

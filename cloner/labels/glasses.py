@@ -1,0 +1,73 @@
+"""Where photos show the frame of glasses."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.labels.states import State, read_states
+from cloner.records.labels import Label, shows
+from cloner.records.points import Proposal, Proposals
+
+Flags = NDArray[np.bool_]
+
+#: Outer eye corners in the 468-point face mesh.
+_EYES: Final = (33, 263)
+#: The band around the eyes in which a frame lies, in distances of the outer eye corners: above, below, aside. Frames
+#: are 40 to 60 mm high and up to 150 mm wide, the corners stand 90 mm apart.
+_BAND: Final = (0.35, 0.5, 1.0)
+#: Share of a piece in that band, or of its border on the face's skin, from which it is a frame and no cap or scarf.
+_OWN: Final = 0.6
+
+
+def wears_glasses(proposals: Proposals) -> bool:
+    """Return whether the face's front photo shows glasses."""
+    front = proposals.views.get(ViewId.FACE_FRONT)
+    if front is None or front.face_presence == 0.0:
+        return False
+    return State.GLASSES in read_states({ViewId.FACE_FRONT: front.labels}, front.face_px)
+
+
+def frame_of(proposal: Proposal) -> Flags:
+    """Return (H, W) the pixels of the frame in a photo of somebody who wears glasses."""
+    if proposal.face_presence > 0.0:
+        return _in_front(proposal.labels, proposal.face_px)
+    if proposal.view is ViewId.FACE_SIDE:
+        return _from_aside(proposal.labels)
+    return np.zeros(proposal.labels.shape, np.bool_)
+
+
+def _in_front(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> Flags:
+    corners = face_px[list(_EYES)]
+    apart = float(np.hypot(*(corners[1] - corners[0])))
+    x, y = corners.mean(axis=0)
+    rows, columns = np.ogrid[: labels.shape[0], : labels.shape[1]]
+    above, below, aside = (share * apart for share in _BAND)
+    band = (rows > y - above) & (rows < y + below) & (np.abs(columns - x) < aside)
+    return _pieces(labels == Label.ACCESSORY, band) & band
+
+
+def _from_aside(labels: NDArray[np.uint8]) -> Flags:
+    worn = labels == Label.ACCESSORY
+    own = shows(labels, Label.FACE_SKIN, Label.EYES)
+    rim = (cv2.dilate(worn.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0) & ~worn
+    _, pieces = cv2.connectedComponents((worn | rim).astype(np.uint8), connectivity=8)
+    count = int(pieces.max()) + 1
+    border = np.bincount(pieces[rim], minlength=count)
+    skin = np.bincount(pieces[rim & own], minlength=count)
+    kept = skin > _OWN * np.maximum(border, 1)
+    kept[0] = False
+    return np.asarray(kept[pieces] & worn, np.bool_)
+
+
+def _pieces(worn: Flags, band: Flags) -> Flags:
+    """Return the pieces that lie mostly in a band."""
+    _, pieces, stats, _ = cv2.connectedComponentsWithStats(worn.astype(np.uint8), connectivity=8)
+    inside = np.bincount(pieces[band], minlength=len(stats))
+    kept = inside > _OWN * stats[:, cv2.CC_STAT_AREA]
+    kept[0] = False
+    return np.asarray(kept[pieces], np.bool_)
