@@ -114,5 +114,7 @@ def find_materials(generic: GenericHuman, sources: list[Source], graph: SurfaceG
     bare = surfaces[:, SURFACES.index("skin")] + surfaces[:, SURFACES.index("hair")]
     # Islands are misplaced sights: borders stay, what is smaller than some edges goes.
     bare = np.clip((bare - KIND_STEP[0]) / (KIND_STEP[1] - KIND_STEP[0]), 0.0, 1.0)
-    scalp = graph.smooth(hair_allowed(generic).astype(np.float64), HAIR_ROUNDS)
+    hair = surfaces[:, SURFACES.index("hair")]
+    hairy = hair / np.maximum(hair + surfaces[:, SURFACES.index("skin")], 1e-9)  # a bald scalp is skin like the face
+    scalp = graph.smooth(hair_allowed(generic) * hairy, HAIR_ROUNDS)
     return Materials(bare, scalp, 1.0 - bare, surfaces)

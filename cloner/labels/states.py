@@ -54,7 +54,7 @@ def read_states(labels: Mapping[ViewId, NDArray[np.uint8]], face_px: NDArray[np.
         found.add(State.BEARD)
     front = labels.get(ViewId.FACE_FRONT)
     if front is not None and face_px is not None:
-        if _glasses_share(front, face_px) > GLASSES_SHARE:
+        if min(_glasses_shares(front, face_px)) > GLASSES_SHARE:
             found.add(State.GLASSES)
         if _headwear_share(front, face_px) > HEADWEAR_SHARE:
             found.add(State.HEADWEAR)
@@ -63,13 +63,15 @@ def read_states(labels: Mapping[ViewId, NDArray[np.uint8]], face_px: NDArray[np.
     return frozenset(found)
 
 
-def _glasses_share(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> float:
-    """Return how much of the band of the eyes, brows to cheeks, is something worn."""
+def _glasses_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> tuple[float, float]:
+    """Return how much of the bands above and below the eyes' corners is something worn: heavy brows are above alone."""
     corners = face_px[list(_EYES)]
     apart = float(np.hypot(*(corners[1] - corners[0])))
     middle = corners.mean(axis=0)
-    box = _box(labels, middle - (0.65 * apart, 0.22 * apart), middle + (0.65 * apart, 0.32 * apart))
-    return float((box == Label.ACCESSORY).mean()) if box.size else 0.0
+    upper = _box(labels, middle - (0.65 * apart, 0.22 * apart), middle + (0.65 * apart, 0.0))
+    lower = _box(labels, middle - (0.65 * apart, 0.0), middle + (0.65 * apart, 0.32 * apart))
+    above, below = (float((box == Label.ACCESSORY).mean()) if box.size else 0.0 for box in (upper, lower))
+    return above, below
 
 
 def _headwear_share(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> float:

@@ -46,12 +46,16 @@ def test_a_plain_face_has_no_state() -> None:
     ("extra", "state"),
     [
         ((Label.BEARD, 140, 290, 260, 350), State.BEARD),
-        ((Label.ACCESSORY, 140, 190, 260, 206), State.GLASSES),
+        ((Label.ACCESSORY, 140, 186, 260, 214), State.GLASSES),
         ((Label.ACCESSORY, 80, 20, 320, 130), State.HEADWEAR),
     ],
 )
 def test_a_state_is_told(extra: tuple[int, int, int, int, int], state: State) -> None:
     assert state in states(drawn(extra=extra))
+
+
+def test_heavy_brows_are_no_glasses() -> None:
+    assert states(drawn(brows=(Label.ACCESSORY, 130, 176, 270, 196))) == frozenset()
 
 
 def test_no_hair_is_bald_but_not_under_a_hat() -> None:
