@@ -43,8 +43,10 @@ HIDDEN = (
 class NobodySeen(ClonerError):
     """No net sees a person in a photo."""
 
-    def __init__(self, photo: Photo) -> None:
-        super().__init__("no person found in this photo", "Take it again with one person in full view", photo.name)
+
+def nobody_in(photo: Photo) -> NobodySeen:
+    """Return the refusal of a photo in which no net sees a person."""
+    return NobodySeen("no person found in this photo", "Take it again with one person in full view", photo.name)
 
 
 def check_people(photo: Photo) -> None:
@@ -59,7 +61,7 @@ def check_people(photo: Photo) -> None:
     """
     people = DETECTORS.get("people")(photo.rgb)
     if not people:
-        raise NobodySeen(photo)
+        raise nobody_in(photo)
     if len(people) > 1:
         raise ClonerError(
             f"{len(people)} people found in this photo", "Take it again with one person alone in view", photo.name
@@ -105,10 +107,10 @@ def find_figure(photo: Photo) -> Figure:
     check_people(photo)
     pose = DETECTORS.get("pose")(photo.rgb)
     if pose is None:
-        raise NobodySeen(photo)
+        raise nobody_in(photo)
     mask = refine_mask(photo.rgb, pose.mask, pose.points_px if photo.view.is_body else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
-        raise NobodySeen(photo)
+        raise nobody_in(photo)
     return _figure(pose.points_px, np.asarray(pose.visibility, dtype=np.float64), mask)
 
 

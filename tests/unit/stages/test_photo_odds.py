@@ -1,6 +1,7 @@
 """Photos are refused only for what is certain: one misled sign is outvoted, and what hides a face is no mistake."""
 
 import functools
+import pickle
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +16,7 @@ from cloner.records.points import Corrections, Proposals, ViewPoints
 from cloner.stages import points, proposals
 from cloner.stages.hidden import SOMEBODY, shares_colours
 from cloner.stages.photo_checks import check_photos, front_odds, profile_odds, side_odds
-from cloner.stages.proposals import HIDDEN, NobodySeen, propose, settle_hidden
+from cloner.stages.proposals import HIDDEN, NobodySeen, nobody_in, propose, settle_hidden
 from kit import studio
 from kit.visitors import photo
 
@@ -126,7 +127,7 @@ def test_a_side_photo_of_hair_alone_is_kept_by_its_mask_or_left_out(monkeypatch,
 
     monkeypatch.setattr(proposals, "DETECTORS", Net())
     known = {FACE: studio.empty_proposal(FACE, mask)}
-    unseen = {FACE_SIDE: NobodySeen(pictures.photos[FACE_SIDE])}
+    unseen = {FACE_SIDE: nobody_in(pictures.photos[FACE_SIDE])}
     found = settle_hidden(pictures, known, unseen)
     assert (FACE_SIDE in found.views) is not torn
     assert dict(found.left_out) == ({FACE_SIDE: HIDDEN} if torn else {})
@@ -138,12 +139,18 @@ def test_a_landscape_in_the_side_photo_s_place_is_refused():
     meadow = np.random.default_rng(0).integers((30, 110, 30), (70, 160, 60), (160, 120, 3)).astype(np.uint8)
     given = studio.photo_set({FACE: front, FACE_SIDE: meadow})
     with pytest.raises(NobodySeen, match="no person found"):
-        settle_hidden(
-            given, {FACE: studio.empty_proposal(FACE, mask)}, {FACE_SIDE: NobodySeen(given.photos[FACE_SIDE])}
-        )
+        settle_hidden(given, {FACE: studio.empty_proposal(FACE, mask)}, {FACE_SIDE: nobody_in(given.photos[FACE_SIDE])})
     alone = studio.photo_set({FRONT: front})
     with pytest.raises(NobodySeen, match="no person found"):
-        settle_hidden(alone, {}, {FRONT: NobodySeen(alone.photos[FRONT])})
+        settle_hidden(alone, {}, {FRONT: nobody_in(alone.photos[FRONT])})
+
+
+def test_the_refusal_survives_the_way_between_processes():
+    error = nobody_in(studio.photo_record(FACE_SIDE, np.zeros((4, 4, 3), np.uint8)))
+    again = pickle.loads(pickle.dumps(error))
+    assert isinstance(again, NobodySeen)
+    assert str(again) == str(error)
+    assert "no person found" in str(again)
 
 
 def test_a_profile_without_a_trusted_nose_is_none(monkeypatch):
