@@ -35,6 +35,7 @@ from cloner.records.clones import Clone
 from cloner.records.measures import MeasureSet
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, Proposals
+from cloner.records.silhouettes import SilhouetteSet
 from cloner.refitting import still_true
 from cloner.report.agreement import Agreement, agreements
 from cloner.report.build import Run, build_report, warnings_of
@@ -130,17 +131,21 @@ def _run_believing(
     """Run the stages; when the clone contradicts a photo that it can do without, run them again without it."""
     given = dict(values)
     values, reports = pipeline.run(given, seed=seed, progress=progress, found=found, stages=stages)
-    seen = agreements(values["clone"], values["obeyed_silhouettes"])
+    seen = _seen_whole(values)
     unlike = contradicted(seen)
     if unlike:
         log.info("made again without %s", ", ".join(unlike))
         base = {name: given[name] for name in ("photos", "person", "corrections")}
         base["proposals"] = cast(Proposals, values["proposals"]).without(unlike)
         again, fresh = pipeline.run(base, seed=seed, progress=progress, found=found, stages=stages)
-        if is_better(seen, agreements(again["clone"], again["obeyed_silhouettes"])):
+        if is_better(seen, _seen_whole(again)):
             first = [report for report in reports if report.name == "proposals"]
             return again, [*first, *fresh]
     return values, reports
+
+
+def _seen_whole(values: Mapping[str, object]) -> dict[ViewId, Agreement]:
+    return agreements(cast(Clone, values["clone"]), cast(SilhouetteSet, values["obeyed_silhouettes"]))
 
 
 def clone_folder(

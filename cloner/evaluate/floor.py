@@ -6,6 +6,7 @@ the nets, and of the pictures only the atlas (and, in ``make bench``, the shells
 
 from __future__ import annotations
 
+from contextlib import suppress
 from functools import partial
 from pathlib import Path
 
@@ -19,7 +20,7 @@ from cloner.generic.surfaces import load_surfaces
 from cloner.previews import FOLDER
 from cloner.records.clones import Clone
 from cloner.records.photos import Photo, PhotoSet
-from cloner.stages.proposals import check_people, face_in
+from cloner.stages.proposals import NobodySeen, check_people, face_in
 
 
 def ask_nets(photos: PhotoSet) -> None:
@@ -28,11 +29,12 @@ def ask_nets(photos: PhotoSet) -> None:
     Raises
     ------
     ClonerError
-        If a photo does not show exactly one person.
+        If a photo shows more than one person.
     """
 
     def ask(photo: Photo) -> None:
-        check_people(photo)
+        with suppress(NobodySeen):  # a photo that the clone was made without
+            check_people(photo)
         DETECTORS.get("pose")(photo.rgb)
         face_in(photo)
 

@@ -110,7 +110,11 @@ def read_kit(person: Path) -> KitTruth:
         views={ours: _read_view(person, view, ours, data, labels[view]) for view, ours in named.items()},
         surface=_surface(data, bodies[str(data["measured_in_pose_of"])], quads),
     )
-    return KitTruth(truth, *({named[view]: held[view] for view in held} for held in (labels, bodies)))
+    return KitTruth(
+        truth,
+        {named[view]: picture for view, picture in labels.items()},
+        {named[view]: body for view, body in bodies.items()},
+    )
 
 
 def _read_labels(path: Path) -> Labels:

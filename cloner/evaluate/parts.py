@@ -48,7 +48,7 @@ def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> 
         None when nothing could be judged.
     """
     body = len(next(iter(kit.bodies_m.values())))
-    on_body = (origins.vertices < body).all(axis=1)
+    on_body: Flags = np.asarray((origins.vertices < body).all(axis=1), bool)
     pixel = np.rint(origins.pixel_px).astype(int)
     allowed, judged = _true_labels(origins, generic, kit, on_body)
     wrong = np.zeros(len(pixel), bool)

@@ -82,7 +82,7 @@ def compare(drawn: Mask, seen: Mask, mm_per_px: float) -> Agreement:
     union = np.count_nonzero(drawn | seen)
     iou = np.count_nonzero(drawn & seen) / union if union else 0.0
     rms_px = _outline_rms_px(drawn, seen)
-    size = float(np.sqrt(np.count_nonzero(drawn) / max(np.count_nonzero(seen), 1)))
+    size = float(np.sqrt(float(np.count_nonzero(drawn)) / max(float(np.count_nonzero(seen)), 1.0)))
     return Agreement(float(iou), rms_px, rms_px * mm_per_px, rms_px * mm_per_px, size)
 
 

@@ -55,13 +55,13 @@ def _arms(clone: Clone, side: PosedView, proposal: Proposal) -> Iterator[str]:
     generic = load_generic()
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), side.rotations)
     placed = np.einsum("jab,jb->ja", transforms[:, :3, :3], clone.joints_m) + transforms[:, :3, 3]
-    size = side.camera.metres_per_pixel(placed.mean(axis=0))
     for number, name in enumerate(net.SIDES):
         away = []
         for joint, pair in (("elbow", net.ELBOWS), ("wrist", net.WRISTS)):
             if proposal.pose_visibility[pair[number]] > _VISIBLE:
-                place = side.camera.project(placed[generic.joint(f"{name[0]}_{joint}")][None])[0]
-                away.append(size * float(np.linalg.norm(place - proposal.pose_px[pair[number]])))
+                place_m = placed[generic.joint(f"{name[0]}_{joint}")]
+                gap_px = side.camera.project(place_m[None])[0] - proposal.pose_px[pair[number]]
+                away.append(side.camera.metres_per_pixel(place_m) * float(np.linalg.norm(gap_px)))
         if max(away, default=0.0) > MOST_BESIDE_M:
             yield (
                 f"{ViewId.BODY_SIDE}: the {name} arm of the clone lies {100.0 * max(away):.0f} cm beside the arm in "

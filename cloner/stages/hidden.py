@@ -63,12 +63,14 @@ def _small(rgb: Picture) -> Picture:
 
 def _small_mask(rgb: Picture, mask: Bools) -> Bools:
     height, width = _small(rgb).shape[:2]
-    return cv2.resize(mask.astype(np.uint8), (width, height), interpolation=cv2.INTER_NEAREST) > 0
+    small = cv2.resize(mask.astype(np.uint8), (width, height), interpolation=cv2.INTER_NEAREST)
+    return np.asarray(small > 0, np.bool_)
 
 
 def _lab(rgb: Picture) -> NDArray[np.float32]:
     """Return 8-bit Lab with its lightness weighed."""
-    return cv2.cvtColor(rgb, cv2.COLOR_RGB2Lab).astype(np.float32) * np.float32(_WEIGHTS)
+    lab = cv2.cvtColor(rgb, cv2.COLOR_RGB2Lab).astype(np.float32)
+    return np.asarray(lab * np.array(_WEIGHTS, np.float32), np.float32)
 
 
 def _centres(lab: NDArray[np.float32], count: int) -> NDArray[np.float32]:

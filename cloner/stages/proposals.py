@@ -47,8 +47,10 @@ Face = tuple[NDArray[np.float64], NDArray[np.float64], float, NDArray[np.float64
 class NobodySeen(ClonerError):
     """No net sees a person in a photo."""
 
-    def __init__(self, photo: Photo) -> None:
-        super().__init__("no person found in this photo", "Take it again with one person in full view", photo.name)
+
+def nobody_in(photo: Photo) -> NobodySeen:
+    """Return the refusal of a photo in which no net sees a person."""
+    return NobodySeen("no person found in this photo", "Take it again with one person in full view", photo.name)
 
 
 def check_people(photo: Photo) -> None:
@@ -63,7 +65,7 @@ def check_people(photo: Photo) -> None:
     """
     people = DETECTORS.get("people")(photo.rgb)
     if not people:
-        raise NobodySeen(photo)
+        raise nobody_in(photo)
     if len(people) > 1:
         raise ClonerError(
             f"{len(people)} people found in this photo", "Take it again with one person alone in view", photo.name
@@ -114,9 +116,9 @@ def find_figure(photo: Photo) -> Figure:
     check_people(photo)
     pose = DETECTORS.get("pose")(photo.rgb)
     if pose is None:
-        raise NobodySeen(photo)
+        raise nobody_in(photo)
     if float((pose.mask > 0.5).mean()) < LEAST_PERSON:
-        raise NobodySeen(photo)
+        raise nobody_in(photo)
     return _figure(photo, pose.points_px, np.asarray(pose.visibility, dtype=np.float64), pose.mask)
 
 
@@ -139,7 +141,7 @@ def _figure(
         rough = both_masks(rough, looks.person(rough.shape))
     mask = refine_mask(photo.rgb, rough, pose_px if photo.view.is_body and visibility.any() else None)
     if float((mask > 0.5).mean()) < LEAST_PERSON:
-        raise NobodySeen(photo)
+        raise nobody_in(photo)
     labels, _ = label_photo(photo.rgb, mask > 0.5, looks, shown)
     probability = np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8)
     return Figure(pose_px, visibility, probability, mask > 0.5, labels, face)

@@ -1,0 +1,174 @@
+"""Photos are refused only for what is certain: one misled sign is outvoted, and what hides a face is no mistake."""
+
+import functools
+import pickle
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from cloner.detectors.placing import stands
+from cloner.detectors.results import Box
+from cloner.errors import ClonerError
+from cloner.frames import ViewId
+from cloner.records.photos import Photo, PhotoSet
+from cloner.records.points import Corrections, Proposals, ViewPoints
+from cloner.stages import points, proposals
+from cloner.stages.hidden import SOMEBODY, shares_colours
+from cloner.stages.photo_checks import check_photos, front_odds, profile_odds, side_odds
+from cloner.stages.proposals import HIDDEN, NobodySeen, nobody_in, propose, settle_hidden
+from kit import studio
+from kit.visitors import photo
+
+FRONT, SIDE, BACK, FACE, FACE_SIDE = ViewId
+
+
+@functools.cache
+def seen(view):
+    rgb = photo("anna", "plain", view.value).rgb
+    given = Photo(view, rgb, 79.0, view.value, f"{view}.jpg")
+    return propose(given), given
+
+
+def checked(proposal, given, view):
+    check_photos(Proposals({view: replace(proposal, view=view)}), PhotoSet({view: replace(given, view=view)}))
+
+
+def test_a_profile_whose_ears_the_net_misplaces_is_a_profile():
+    proposal, given = seen(FACE_SIDE)
+    pose = proposal.pose_px.copy()
+    nose, up = pose[0].copy(), float(pose[[11, 12], 1].mean() - pose[0, 1])
+    pose[7], pose[8] = nose - [0.2 * up, 0.0], nose + [0.2 * up, 0.0]  # as beards and long hair mislead it
+    misled = replace(proposal, pose_px=pose)
+    assert profile_odds(misled) < profile_odds(proposal) - 3.0
+    checked(misled, given, FACE_SIDE)
+
+
+@pytest.mark.parametrize(
+    ("shown", "name", "complaint"),
+    [
+        (FACE, FACE_SIDE, "from the front or back, not from the side"),
+        (FRONT, SIDE, "from the front or back, not from the side"),
+        (SIDE, FRONT, "from the side, not the front"),
+        (SIDE, BACK, "from the side, not the back"),
+        (BACK, FRONT, "back, not the front"),
+        (FRONT, BACK, "front, not the back"),
+    ],
+)
+def test_photos_under_another_name_are_refused(shown, name, complaint):
+    proposal, given = seen(shown)
+    faced = proposal.face_presence if name in (FRONT, FACE) else 0.0
+    checked(proposal, given, shown)
+    with pytest.raises(ClonerError, match=complaint):
+        checked(replace(proposal, face_presence=faced), given, name)
+
+
+def test_a_back_that_the_net_takes_for_a_front_passes_beside_a_front_with_a_face():
+    proposal, given = seen(BACK)
+    pose, visible = proposal.pose_px.copy(), proposal.pose_visibility.copy()
+    pose[[11, 12]] = pose[[12, 11]]
+    visible[[29, 30]], visible[[31, 32]] = 0.3, 0.8
+    misled = replace(proposal, pose_px=pose, pose_visibility=visible)
+    assert front_odds(misled) == pytest.approx(4.0)
+    front, front_photo = seen(FRONT)
+    check_photos(Proposals({FRONT: front, BACK: misled}), PhotoSet({FRONT: front_photo, BACK: given}))
+    with pytest.raises(ClonerError, match="front, not the back"):
+        checked(misled, given, BACK)
+
+
+def test_shoulders_alone_do_not_turn_a_front_photo():
+    proposal, given = seen(FRONT)
+    pose = proposal.pose_px.copy()
+    pose[[11, 12], 0] = pose[[11, 12], 0].mean() + np.array([0.4, -0.4]) * np.ptp(pose[[11, 12], 0]) * 0.9
+    narrow = replace(proposal, pose_px=pose)
+    assert side_odds(narrow) > side_odds(proposal)
+    checked(narrow, given, FRONT)
+
+
+def test_a_body_upside_down_is_a_pattern():
+    keys = np.array([[50.0, 60.0], [50.0, 10.0], [50.0, 30.0], [50.0, 15.0]])
+    assert stands(Box("person", 0, 0, 100, 120, 0.6, keys))
+    assert not stands(Box("person", 0, 0, 100, 120, 0.6, keys[[1, 0, 3, 2]]))
+
+
+def portrait(colour, wall=(90, 140, 190)):
+    """Return a picture of a blob of one colour that the lower edge cuts, and the blob."""
+    rgb = np.empty((160, 120, 3), np.uint8)
+    rgb[:] = wall
+    mask = np.zeros((160, 120), bool)
+    mask[30:, 30:95] = True
+    rgb[mask] = colour
+    return rgb, mask
+
+
+def test_a_portrait_in_the_person_s_colours_is_the_person():
+    hair, clothes = (70, 45, 30), (160, 40, 60)
+    body, mask = portrait(clothes)
+    body[30:60][mask[30:60]] = hair
+    others = [(body, mask)]
+    assert shares_colours(portrait(hair, wall=(200, 200, 190))[0], others) > 0.9
+    assert shares_colours(portrait((40, 120, 60), wall=(200, 200, 190))[0], others) == pytest.approx(0.0)
+    assert shares_colours(np.full((160, 120, 3), hair, np.uint8), others) < SOMEBODY, "a wall of the hair's colour"
+
+
+@pytest.mark.parametrize("torn", [True, False])
+def test_a_side_photo_of_hair_alone_is_kept_by_its_mask_or_left_out(monkeypatch, torn):
+    hair = (70, 45, 30)
+    front, mask = portrait(hair)
+    side, inside = portrait(hair, wall=(200, 200, 190))
+    pictures = studio.photo_set({FACE: front, FACE_SIDE: side})
+
+    class Net:
+        def get(self, name):
+            assert name == "portrait_mask"
+            soft = np.where(inside, 0.5 if torn else 1.0, 0.0).astype(np.float32)
+            soft[:40] = np.where(inside[:40], 1.0, 0.0)
+            return lambda rgb: soft
+
+    monkeypatch.setattr(proposals, "DETECTORS", Net())
+    known = {FACE: studio.empty_proposal(FACE, mask)}
+    unseen = {FACE_SIDE: nobody_in(pictures.photos[FACE_SIDE])}
+    found = settle_hidden(pictures, known, unseen)
+    assert (FACE_SIDE in found.views) is not torn
+    assert dict(found.left_out) == ({FACE_SIDE: HIDDEN} if torn else {})
+    check_photos(found, pictures)  # an unseen pose is no reason to refuse
+
+
+def test_a_landscape_in_the_side_photo_s_place_is_refused():
+    front, mask = portrait((70, 45, 30))
+    meadow = np.random.default_rng(0).integers((30, 110, 30), (70, 160, 60), (160, 120, 3)).astype(np.uint8)
+    given = studio.photo_set({FACE: front, FACE_SIDE: meadow})
+    with pytest.raises(NobodySeen, match="no person found"):
+        settle_hidden(given, {FACE: studio.empty_proposal(FACE, mask)}, {FACE_SIDE: nobody_in(given.photos[FACE_SIDE])})
+    alone = studio.photo_set({FRONT: front})
+    with pytest.raises(NobodySeen, match="no person found"):
+        settle_hidden(alone, {}, {FRONT: nobody_in(alone.photos[FRONT])})
+
+
+def test_the_refusal_survives_the_way_between_processes():
+    error = nobody_in(studio.photo_record(FACE_SIDE, np.zeros((4, 4, 3), np.uint8)))
+    again = pickle.loads(pickle.dumps(error))
+    assert isinstance(again, NobodySeen)
+    assert str(again) == str(error)
+    assert "no person found" in str(again)
+
+
+def test_a_profile_without_a_trusted_nose_is_none(monkeypatch):
+    class Net:
+        trust = 0.02
+
+        def get(self, name):
+            names = ("nose_tip", "chin_front")
+            if name == "face_points":
+                places = np.array([[10.0, 10.0], [10.0, 20.0]])
+                return lambda photo, given: ViewPoints(
+                    FACE_SIDE, names, places, np.array([Net.trust, 0.5]), np.zeros(2, bool)
+                )
+            return lambda view, keys: ViewPoints(view, (), np.zeros((0, 2)), np.zeros(0), np.zeros(0, bool))
+
+    monkeypatch.setattr(points, "DETECTORS", Net())
+    rgb, mask = portrait((70, 45, 30))
+    given = Photo(FACE_SIDE, rgb, None, "", ""), studio.empty_proposal(FACE_SIDE, mask), Corrections({})
+    assert points.face_proposals(*given).names == ()
+    Net.trust = 0.3
+    assert points.face_proposals(*given).names == ("nose_tip", "chin_front")
