@@ -104,7 +104,7 @@ class Params:
 class Model:
     """The generic head of the phenotype: rest vertices (V, 3), basis (F, H, 3) and where head rows are.
 
-    ``modes`` tells how the net sees the basis; the last of its directions are those beyond the generic's family.
+    ``modes`` tells how the net sees the basis.
     """
 
     generic: GenericHuman
@@ -192,7 +192,7 @@ def make_model(phenotype: Phenotype) -> Model:
     row[generic.head_vertices] = np.arange(len(generic.head_vertices))
     modes, scale = load_head_modes(), phenotype.stature_m / GENERIC_STATURE_M
     vertices[generic.head_vertices] += scale * modes.mean_m
-    basis = scale * np.concatenate([generic.face_basis.astype(np.float64), modes.basis_m])
+    basis = scale * modes.basis_m
     return Model(generic, load_face_net(), modes, vertices, joints, basis, row)
 
 

@@ -23,7 +23,7 @@ from cloner.detectors.table import DETECTORS
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.sockets import similarity
 from cloner.records.views import Camera
-from cloner.stages.head_modes import head_shapes, turned_from
+from cloner.stages.head_modes import bent_shapes, head_shapes, turned_from
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "head_net.npz"
@@ -59,9 +59,8 @@ class Shapes:
 
 def fitted_shapes() -> Shapes:
     """Return the shapes that the head's fit knows, at the generic's stature."""
-    generic, (mean, beyond) = load_generic(), head_shapes()
+    generic, (mean, basis) = load_generic(), head_shapes()
     rows = generic.head_vertices
-    basis = np.concatenate([generic.face_basis.astype(np.float64), beyond])
     return Shapes(generic, generic.vertices_m[rows] + mean, basis, generic.region("face")[rows])
 
 
@@ -184,7 +183,7 @@ def calibrate(samples: list[Sample]) -> dict[str, NDArray[np.generic]]:
 
 def beyond_family(seed: int) -> Array:
     """Return how a head (H, 3) departs from the family, as the fit's prior expects it; metres."""
-    mean, basis = head_shapes()
+    mean, basis = bent_shapes()
     return mean + np.tensordot(np.random.default_rng([seed, 77]).normal(size=len(basis)), basis, axes=1)
 
 

@@ -13,13 +13,14 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from painted_faces import Light, _lit
+from painted_faces import LIGHTS, SIZE_PX, Light, _lit, _portrait_camera
 from painted_heads import Head, midpoint_subdivision
-from painted_people_pictures import Background, developed, rendered, room
+from painted_people_pictures import BACKGROUNDS, Background, developed, rendered, room
 from scan_heads import EYES, SKIN, laid_generic, read_family, twin_vertices
 from scipy.sparse import csr_matrix
 from scipy.spatial import cKDTree
 
+from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.records.views import Camera
@@ -111,6 +112,11 @@ class ScanSitter:
     colours: Array
     hair_m: float
 
+    @property
+    def naked_m(self) -> Array:
+        """The generic's vertices, by the name that painted people have them."""
+        return self.twin_m
+
 
 def scan_sitter(path: Path, seed: int, scale: float = 1.0) -> ScanSitter:
     """Return the random head of a seed, larger by ``scale``."""
@@ -154,3 +160,13 @@ def photograph_scan(
     person = rendered(sitter.worn_m, sitter.triangles, colours, camera)
     behind = room(background, camera, -1.5, np.median(colours, axis=0), person, rng)
     return developed(person, behind, rng)
+
+
+def scan_portrait(path: Path, seed: int, view: ViewId = ViewId.FACE_FRONT) -> tuple[ScanSitter, Camera, NDArray[np.uint8]]:
+    """Return a random sitter with one portrait, as calibrations take them: turned, tipped and lit as a painted face's."""
+    sitter = scan_sitter(path, seed)
+    rng = np.random.default_rng([seed, 70 + (view is ViewId.FACE_SIDE)])
+    azimuth = 0.0 if view is ViewId.FACE_FRONT else float(rng.choice([-90.0, 90.0]))
+    camera = _portrait_camera(sitter, azimuth, None, SIZE_PX, rng)  # type: ignore[arg-type]
+    light, background = LIGHTS[int(rng.integers(3))], BACKGROUNDS[seed % len(BACKGROUNDS)]
+    return sitter, camera, photograph_scan(sitter, camera, light, background, rng)
