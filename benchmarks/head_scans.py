@@ -87,7 +87,7 @@ def scan_truth(head_m: Array, twin_m: Array, path: Path) -> TruthSurface:
     points, normals, _ = sample_surface(head_m, skin, SURFACE_POINTS, rng=np.random.default_rng(0))
     organs = np.vstack([head_m[low:high] for low, high in EYES.values()])
     marks = marks_of(family, head_m)
-    marks |= {name: twin_m[generic.feature(name)] for name in ("chin_front", "ala_L", "ala_R")}
+    marks |= {name: twin_m[generic.feature(name)] for name in ("ala_L", "ala_R")}
     return TruthSurface(
         np.vstack([points, organs]),
         np.vstack([normals, np.tile([0.0, 0.0, 1.0], (len(organs), 1))]),

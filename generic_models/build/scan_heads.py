@@ -8,6 +8,7 @@ generic's vertices: named points for rulers, masks for painting, and shapes to l
 from __future__ import annotations
 
 import functools
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -31,9 +32,16 @@ SKIN: Final = 14062
 EYES: Final = {"eye_left": (21451, 22221), "eye_right": (23021, 23791)}
 #: Rows of the 68 landmarks that are points of ours; the stomion is the middle of the two inner lips.
 LANDMARKS: Final = {
-    "nasion": 27, "nose_tip": 30, "subnasale": 33, "lip_top": 51, "lip_bottom": 57, "chin_bottom": 8,
+    "subnasale": 33, "lip_top": 51, "lip_bottom": 57,
     "eye_outer_R": 36, "eye_inner_R": 39, "eye_inner_L": 42, "eye_outer_L": 45, "mouth_corner_R": 48,
     "mouth_corner_L": 54,
+}  # fmt: skip
+#: Points of the mean head's profile defined as ours are, height and depth, metres: forehead's and chin's foremost,
+#: bridge's deepest, just below the nose's foremost, and 12 mm behind the chin's front under it. The 68 landmarks of
+#: those names lie 2 to 6 mm beside them.
+PROFILE: Final = {
+    "glabella": (0.0565, 0.1077), "nasion": (0.0429, 0.1064), "nose_tip": (0.0022, 0.1307),
+    "chin_front": (-0.0609, 0.1105), "chin_bottom": (-0.0788, 0.0985),
 }  # fmt: skip
 INNER_LIPS: Final = (62, 66)
 LIDS: Final = {
@@ -41,6 +49,8 @@ LIDS: Final = {
 }  # fmt: skip
 #: Rounds of laying, from stiff to soft: weight of smoothness against nearness.
 STIFFNESS: Final = (30.0, 10.0, 3.0, 1.0, 0.4, 0.2)
+#: Weight of a named point against a vertex.
+PINNED: Final = 20.0
 #: Skin is laid on skin that faces alike (cosine) and is no farther than this, metres.
 ALIKE, NEAR_M = 0.5, 0.02
 
@@ -81,10 +91,12 @@ def read_family(path: Path) -> Family:
 
 
 @functools.cache
-def _ears(mean_bytes: bytes) -> dict[str, int]:
-    """Return the mean head's vertices of ear tops, lobes and outermost points: where skin stands out from the skull."""
+def _vertices(mean_bytes: bytes) -> dict[str, int]:
+    """Return vertices of the mean head: its profile's points, and ears where skin stands out from the skull."""
     mean = np.frombuffer(mean_bytes).reshape(-1, 3)
     out = {}
+    for name, (height, depth) in PROFILE.items():
+        out[name] = int(np.linalg.norm(mean[:SKIN] - [0.0, height, depth], axis=1).argmin())
     for side, sign in (("L", 1.0), ("R", -1.0)):
         skin = mean[:SKIN] * [sign, 1.0, 1.0]
         near = (np.abs(skin[:, 1] - 0.01) < 0.05) & (np.abs(skin[:, 2]) < 0.03)
@@ -102,7 +114,7 @@ def marks_of(family: Family, head_m: Array) -> dict[str, Array]:
     out = {name: head_m[rows[row]] for name, row in LANDMARKS.items()}
     out["stomion"] = head_m[rows[list(INNER_LIPS)]].mean(axis=0)
     out |= {name: head_m[rows[list(pair)]].mean(axis=0) for name, pair in LIDS.items()}
-    return out | {name: head_m[row] for name, row in _ears(family.mean_m.tobytes()).items()}
+    return out | {name: head_m[row] for name, row in _vertices(family.mean_m.tobytes()).items()}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -158,7 +170,8 @@ def laid_generic(path: Path) -> Laid:
     local[rows] = np.arange(len(rows))
     triangles = local[generic.triangles()[0]]
     triangles = triangles[(triangles >= 0).all(axis=1)]
-    found = _laid_softly(start, triangles, family.mean_m, skin)
+    pins = {int(local[generic.feature(name)]): place for name, place in marks.items()}
+    found = _laid_softly(start, triangles, family.mean_m, skin, pins)
     places = nearest_points(found, family.mean_m, skin, candidates=40)
     vertices = first.copy()
     carried = RBFInterpolator(anchors, goal - anchors, kernel="linear", smoothing=1e-5)(first)
@@ -169,8 +182,10 @@ def laid_generic(path: Path) -> Laid:
     return Laid(vertices, rows, places, gap)
 
 
-def _laid_softly(start: Array, triangles: NDArray[np.int64], goal: Array, skin: NDArray[np.int64]) -> Array:
-    """Return points (R, 3) drawn to the nearest skin that faces alike, neighbours moving alike."""
+def _laid_softly(
+    start: Array, triangles: NDArray[np.int64], goal: Array, skin: NDArray[np.int64], pins: Mapping[int, Array]
+) -> Array:
+    """Return points (R, 3) drawn to the nearest skin that faces alike, neighbours moving alike; pins have places."""
     count, edges = len(start), edges_of(triangles)[0]
     ones = np.ones(len(edges))
     near = coo_matrix((ones, (edges[:, 0], edges[:, 1])), shape=(count, count))
@@ -187,9 +202,11 @@ def _laid_softly(start: Array, triangles: NDArray[np.int64], goal: Array, skin: 
             away = places.at(goal) - here
             normals = places.at(goal_normals)
             alike = (normals * vertex_normals(here, triangles)).sum(axis=1)
-            kept = (alike > ALIKE) & (np.linalg.norm(away, axis=1) < NEAR_M)
-            system = csr_matrix(diags(kept.astype(np.float64)) + stiff * smooth + 1e-6 * identity(count))
-            moved = splu(system.tocsc()).solve(kept[:, None] * (away + moved))
+            weight = ((alike > ALIKE) & (np.linalg.norm(away, axis=1) < NEAR_M)).astype(np.float64)
+            for row, place in pins.items():
+                away[row], weight[row] = place - here[row], PINNED
+            system = csr_matrix(diags(weight) + stiff * smooth + 1e-6 * identity(count))
+            moved = splu(system.tocsc()).solve(weight[:, None] * (away + moved))
     return np.asarray(start + moved)
 
 
