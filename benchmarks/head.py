@@ -4,8 +4,8 @@ Random heads, every second one bent out of the generic's family, are photographe
 to 10 degrees, 0.6 to 2 m away, three lights), fitted by the product's own stages and scored with the rulers of
 goals.md, with proposed and with true features. Every finished head is one JSON and one .npz in the folder, so a kill
 loses nothing; ``--page`` turns what is there into ``docs/head_benchmark.md``. ``--foreign FOLDER`` scores a head from
-outside the family (shared/foreign/ict; not ours to ship). ``--family ict`` draws the heads from the scan-based family in
-``--scans`` instead; the page has a column a family.
+outside the family (shared/foreign/ict; not ours to ship). ``--family ict`` draws the heads from the scan-based family
+in ``--scans`` instead; the page has a column a family.
 """
 
 from __future__ import annotations
@@ -74,7 +74,8 @@ def told(row: dict[str, Any]) -> str:
     turned = "".join(f", {view} yaw {deg:+.1f}" for view, deg in row["yaw_deg"].items())
     return (
         f"{row['name']}: {last['similarity_mm']:.2f} / {last['rigid_mm']:.2f}, generic {first['similarity_mm']:.2f}; "
-        f"landmarks {last['landmarks_mean_mm']:.1f} / {last['landmarks_worst_mm']:.1f}; {row['seconds']['all']:.0f} s{turned}"
+        f"landmarks {last['landmarks_mean_mm']:.1f} / {last['landmarks_worst_mm']:.1f}; {row['seconds']['all']:.0f} s"
+        + turned
     )
 
 

@@ -94,8 +94,9 @@ def _families(rows: Sequence[Row], scans: Sequence[Row]) -> str:
     lines = [
         "## Families", "",
         f"`--family ict --heads {len(scans)} --first {_first(scans)}`: heads drawn from a scan-based family "
-        "(ICT-FaceKit), painted alike, bald or in caps of hair, before plain and furnished walls, every third front photo "
-        "turned by up to 15 degrees. What the fit learned of this family it learned of other seeds (20,000 on). Means.", "",
+        "(ICT-FaceKit), painted alike, bald or in caps of hair, before plain and furnished walls, every third front "
+        "photo turned by up to 15 degrees. What the fit learned of this family it learned of other seeds (20,000 on). "
+        "Means.", "",
         "| what | MakeHuman | ICT |", "| --- | --- | --- |",
     ]  # fmt: skip
     for metric, title in zip(METRICS, TITLES.split(" | "), strict=True):
@@ -103,7 +104,9 @@ def _families(rows: Sequence[Row], scans: Sequence[Row]) -> str:
             cells = [f"{np.mean([row['steps'][step][metric] for row in group]):.2f}" for group in groups]
             lines.append(f"| {title}, {step} | {' | '.join(cells)} |")
     shares = [np.array(_ratios(group)) for group in groups]
-    lines.append("| below 55 % of the generic | " + " | ".join(f"{(s < 0.55).sum()} of {len(s)}" for s in shares) + " |")
+    lines.append(
+        "| below 55 % of the generic | " + " | ".join(f"{(s < 0.55).sum()} of {len(s)}" for s in shares) + " |"
+    )
     for view in ("face_front", "face_side"):
         cells = [f"{np.mean([abs(row['yaw_deg'].get(view, np.nan)) for row in group]):.1f}" for group in groups]
         lines.append(f"| error of {view}'s yaw, degrees | {' | '.join(cells)} |")

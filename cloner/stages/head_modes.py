@@ -18,7 +18,6 @@ from scipy.spatial.transform import Rotation
 from cloner.detectors.face_net import load_face_net
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.dffd import deform
 from cloner.geometry.sockets import similarity
 from cloner.records.views import Camera
 from cloner.stages.head_ears import ear_fields

@@ -1,10 +1,10 @@
-"""Learn how the face net errs with the face's shape: ``python generic_models/build/calibrate_head_net.py ICT_FAMILY.npz``.
+"""Learn how the face net errs with a face's shape: ``python generic_models/build/calibrate_head_net.py FAMILY.npz``.
 
 The net draws every face towards the faces it learned from, and as looking straighter at the camera than it does: a
 third of the nod is lost. Half of the variance of its errors follows from shape and turn; told to the head's fit, they
 stop pulling it towards the mean head. Half of the people are like those of ``calibrate_face_net.py``, but reach beyond
-the generic's family; the other half are heads of a scan-based family (``scan_portraits.py``), of seeds that no benchmark
-judges. To be repeated when ``head_shapes.npz`` changes; the result is ``cloner_models/head_net.npz``.
+the generic's family; the others are heads of a scan-based family (``scan_portraits.py``), of seeds that no
+benchmark judges. To be repeated when ``head_shapes.npz`` changes; the result is ``cloner_models/head_net.npz``.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
 """Learn what heads are expected of people: ``python generic_models/build/learn_head_shapes.py ICT_FAMILY.npz``.
 
 One family of heads is one artist's or one laboratory's. The fit's prior is therefore a mixture of two as one Gaussian:
-the generic's own face shapes with smooth bends (``family_shapes``), and random heads of a scan-based family, told in the
-generic's own parameters: its face shapes and the DFFD controls. Half of the variance comes from either, and the way
+the generic's own face shapes with smooth bends (``family_parameters``), and random heads of a scan-based family, in
+the generic's own parameters: its face shapes and the DFFD controls. Half of the variance comes from either, and the way
 between their means is a direction too. ``cloner_models/head_shapes.npz`` holds the mean and the leading directions in
 those parameters; no vertex of the scan-based family is kept. Its heads are drawn from seeds that no benchmark judges.
 """

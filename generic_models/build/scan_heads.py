@@ -1,7 +1,7 @@
 """Heads of a scan-based family (ICT-FaceKit's identity modes) laid into the generic human's numbering.
 
-The family is told by a file outside this project (``ict_family.npz``: mean, modes, quads, 68 landmarks); nothing of it is
-copied here. The generic head is laid on its mean once (``laid_generic``), so that every drawn head has a twin in the
+The family is told by a file outside this project (``ict_family.npz``: mean, modes, quads, 68 landmarks); nothing of it
+is copied here. The generic head is laid on its mean once (``laid_generic``), so that every drawn head has a twin in the
 generic's vertices: named points for rulers, masks for painting, and shapes to learn variances from.
 """
 

@@ -1,4 +1,4 @@
-"""Face photographs of random heads of a scan-based family (``scan_heads.py``), painted as the benchmark's own heads are.
+"""Face photographs of random heads of a scan-based family (``scan_heads.py``), painted as the benchmark's own are.
 
 Skin, brows, lips, lids and nostrils are taken over from the painter of generic heads through the laid generic; hair is
 a coloured cap of some thickness or none; a plain shirt hides the bust's cut. Nobody of them lives.
@@ -162,8 +162,10 @@ def photograph_scan(
     return developed(person, behind, rng)
 
 
-def scan_portrait(path: Path, seed: int, view: ViewId = ViewId.FACE_FRONT) -> tuple[ScanSitter, Camera, NDArray[np.uint8]]:
-    """Return a random sitter with one portrait, as calibrations take them: turned, tipped and lit as a painted face's."""
+def scan_portrait(
+    path: Path, seed: int, view: ViewId = ViewId.FACE_FRONT
+) -> tuple[ScanSitter, Camera, NDArray[np.uint8]]:
+    """Return a random sitter with one portrait as calibrations take them."""
     sitter = scan_sitter(path, seed)
     rng = np.random.default_rng([seed, 70 + (view is ViewId.FACE_SIDE)])
     azimuth = 0.0 if view is ViewId.FACE_FRONT else float(rng.choice([-90.0, 90.0]))
