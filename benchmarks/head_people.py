@@ -152,9 +152,10 @@ def _bend(generic: GenericHuman, vertices: Array, rng: np.random.Generator) -> N
     vertices[head] += moved
 
 
-def towards(target: Array, azimuth_deg: float, distance_m: float, focal_px: float, rng: np.random.Generator) -> Camera:
-    """Return a camera about the head at an azimuth (positive: the person's left), turned by up to ``TURN_DEG``."""
-    yaw, nod, tilt = np.radians(rng.uniform(-1.0, 1.0, 3) * TURN_DEG)
+def towards(target: Array, azimuth_deg: float, distance_m: float, focal_px: float, rng: np.random.Generator,
+            turn_deg: tuple[float, float, float] = TURN_DEG) -> Camera:  # fmt: skip
+    """Return a camera about the head at an azimuth (positive: the person's left), turned by up to ``turn_deg``."""
+    yaw, nod, tilt = np.radians(rng.uniform(-1.0, 1.0, 3) * turn_deg)
     yaw += np.radians(azimuth_deg)
     c, s, cn, sn = np.cos(yaw), np.sin(yaw), np.cos(nod), np.sin(nod)
     ct, st = np.cos(tilt), np.sin(tilt)

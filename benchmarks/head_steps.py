@@ -9,17 +9,21 @@ from typing import Any, Final
 
 import numpy as np
 from head_people import KnownHead
+from head_scans import azimuth_error_deg
 from head_scores import Ruler, ruler, score, worst_landmark
 from numpy.typing import NDArray
 from scipy.interpolate import RBFInterpolator
 
 from cloner import pipeline
 from cloner.errors import ClonerError
+from cloner.evaluate.posing import LANDMARKS
+from cloner.evaluate.rulers import fit_similarity
 from cloner.frames import ViewId
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.dffd import deform
 from cloner.project.corrections import no_corrections
+from cloner.records.heads import HeadFit
 from cloner.records.points import PointSet, Proposals, ViewPoints
 from cloner.stages import head
 from cloner.stages.head_evidence import Log, Params, make_model, read_front, read_side
@@ -123,8 +127,8 @@ def _carried(generic: GenericHuman, start: Array, goal: Array) -> dict[str, Arra
     return out
 
 
-def finished(values: Values) -> tuple[Array, float, tuple[str, ...]]:
-    """Return the head stage's own result as a person's vertices, its CPU seconds and its warnings."""
+def finished(values: Values) -> tuple[Array, float, tuple[str, ...], HeadFit]:
+    """Return the head stage's own result as a person's vertices, its CPU seconds, its warnings and the result."""
     stage = next(stage for stage in pipeline.STAGES if stage.name == "head")
     begin = time.process_time()
     result = stage.run(
@@ -132,7 +136,20 @@ def finished(values: Values) -> tuple[Array, float, tuple[str, ...]]:
     )
     vertices, _ = load_generic().shape(values["phenotype"].coefficients, values["phenotype"].stature_m)
     vertices[load_generic().head_vertices] = result.values["head"].vertices_m
-    return vertices, time.process_time() - begin, result.warnings
+    return vertices, time.process_time() - begin, result.warnings, result.values["head"]
+
+
+def yaw_errors(known: KnownHead, vertices: Array, fit: HeadFit) -> dict[str, float]:
+    """Return by how much each face photo's camera stands too far round the person's left, degrees."""
+    names = [name for name in LANDMARKS if name in known.truth.marks_m and not name.startswith("ear")]
+    own = vertices[[load_generic().feature(name) for name in names]]
+    true = np.array([known.truth.marks_m[name] for name in names])
+    turn = fit_similarity(true, own, scale=False)[:3, :3]
+    return {
+        view.value: azimuth_error_deg(turn, fit.cameras[view], camera)
+        for view, camera in known.views.items()
+        if view in fit.cameras
+    }
 
 
 def measure_head(known: KnownHead) -> tuple[dict[str, Any], dict[str, Array], Ruler]:
@@ -143,7 +160,7 @@ def measure_head(known: KnownHead) -> tuple[dict[str, Any], dict[str, Array], Ru
         values, seconds = fit_head(known)
     except ClonerError as error:
         return row | {"error": f"{error.message} ({error.where})"}, {}, measure
-    proposed, cpu, warnings = finished(values)
+    proposed, cpu, warnings, fit = finished(values)
     clones = {"proposed": proposed, "corrected": finished(with_true_features(values, known))[0]}
     if known.vertices_m is not None:
         clones["true"] = finished(with_true_net(with_true_features(values, known), known))[0]
@@ -151,6 +168,7 @@ def measure_head(known: KnownHead) -> tuple[dict[str, Any], dict[str, Array], Ru
     row |= {
         "steps": {name: score(made[name], measure, generic) for name in (*STEPS, *WAYS)},
         "features": {name: score(clone, measure, generic) for name, clone in clones.items()},
+        "yaw_deg": yaw_errors(known, proposed, fit),
         "landmarks": worst_landmark(proposed, measure, generic),
         "seconds": {**seconds, "head": cpu, "all": time.process_time() - begin},
         "warnings": list(warnings),

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +13,10 @@ from cloner.geometry.resection import moved_camera, projection_derivatives
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
+
+
+#: A camera turned beyond so many expected turns is held ever less: most people stand as they were asked, some do not.
+TURN_OUTLIER: Final = 1.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -137,7 +142,8 @@ def fit_shape(
     prior_sigma : float or (F,)
         Expected size of the coefficients around zero.
     turn_sigma : (K, 3), optional
-        Expected turn of each camera from its start, radians; infinite where the evidence alone decides.
+        Expected turn of each camera from its start, radians, with heavy tails (Cauchy beyond ``TURN_OUTLIER``);
+        infinite where the evidence alone decides.
     zoom_sigma : float
         Expected relative error of the cameras' common focal length; 0 keeps it.
     """
@@ -152,8 +158,9 @@ def fit_shape(
         right[:count] -= prior * fit.coefficients
         for index in range(len(fit.cameras)):
             turn = slice(count + 6 * index, count + 6 * index + 3)
-            normal[turn, turn] += np.diag(pull[index])
-            right[turn] -= pull[index] * fit.turned[index]
+            held = pull[index] / (1.0 + pull[index] * fit.turned[index] ** 2 / TURN_OUTLIER**2)
+            normal[turn, turn] += np.diag(held)
+            right[turn] -= held * fit.turned[index]
         normal[-1, -1] += 1.0 / max(zoom_sigma, 1e-6) ** 2
         right[-1] -= fit.zoomed / max(zoom_sigma, 1e-6) ** 2
         found = gather(fit, iteration)
@@ -193,7 +200,8 @@ def misfit(fit: ShapeFit, evidence: Sequence[Evidence], turn_sigma: Array) -> fl
 
     Comparable only among fits to the same places and targets, as when several starts are tried.
     """
-    total = float((fit.coefficients**2).sum() + ((fit.turned / turn_sigma) ** 2).sum())
+    turns = np.log1p((fit.turned / turn_sigma) ** 2 / TURN_OUTLIER**2)
+    total = float((fit.coefficients**2).sum() + TURN_OUTLIER**2 * turns.sum())
     for item in evidence:
         _, _, _, weight = _rows(item, fit.coefficients, fit.cameras[item.camera])
         group = 2 if item.normal_px is None else 1

@@ -1,8 +1,8 @@
-"""Shapes that a face may have beyond the generic's own family, and what they do to the face net's points.
+"""Shapes that heads may have, and what they do to the face net's points.
 
-The generic's face targets are one artist's family. Two things are added, so that faces from outside are not bent into
-it: the way from the generic's mean face to the canonical face of the face net, which is nearer to scanned people (on
-a scan-based head without any photo 2.2 -> 1.9 mm), and smooth random bends of the DFFD control points.
+The generic's face targets are one artist's family; the way from its mean face to the canonical face of the face net,
+which is nearer to scanned people, and smooth random bends of the DFFD control points widen it. Half of what is expected
+comes from it, half from a scan-based family, told in the same parameters (``learn_head_shapes.py``).
 """
 
 from __future__ import annotations
@@ -18,7 +18,6 @@ from scipy.spatial.transform import Rotation
 from cloner.detectors.face_net import load_face_net
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.dffd import deform
 from cloner.geometry.sockets import similarity
 from cloner.records.views import Camera
 from cloner.stages.head_ears import ear_fields
@@ -41,21 +40,21 @@ TOWARDS, TOWARDS_SPREAD = 0.5, 0.5
 
 @dataclass(frozen=True, slots=True, eq=False)
 class HeadModes:
-    """What is added to the generic head's family, at 1.70 m stature.
+    """How heads differ from the generic's mean head, at 1.70 m stature.
 
     Attributes
     ----------
     mean_m : (H, 3) float64
         What is expected of everybody, on ``generic.head_vertices``, metres.
     basis_m : (E, H, 3) float64
-        Further directions, metres per standard deviation.
+        Directions in which heads differ, metres per standard deviation.
     bias_m : (468, 2) float64
         Mean errors of the net's points, right and down in the picture, metres.
     turn_m : (2, 468, 2) float64
         What a head that nods and turns adds to the errors, metres a radian: the net draws every face as if it looked
         more straight at the camera than it does.
-    skew_m : (F + E, 468, 2) float64
-        What each coefficient, the family's first, adds to the errors.
+    skew_m : (E, 468, 2) float64
+        What each coefficient adds to the errors.
     drift_m : (M, 468, 2), alone_m : (468,) float64
         Joint errors that the shape does not tell, and each point's own.
     """
@@ -146,21 +145,63 @@ def smooth_bends(controls_m: Array) -> Array:
     return out.reshape(-1, len(controls_m), 3)
 
 
+def parameter_fields() -> Array:
+    """Return what each of the head's parameters does to it, (P, H, 3) metres (200 MB: for learning only)."""
+    return fields_of(np.eye(len(load_generic().face_basis) + 3 * len(load_head_controls().names)))
+
+
+def fields_of(parameters: Array) -> Array:
+    """Return how heads (N, H, 3) of parameters (N, P) lie off the mean head: face shapes, then each control's x, y, z.
+
+    Controls fade out towards the neck's base, where the head is joined to the body; eyeballs move whole.
+    """
+    generic, controls = load_generic(), load_head_controls()
+    shapes, count = len(generic.face_basis), len(controls.names)
+    moves = parameters[:, shapes:].reshape(len(parameters), count, 3).transpose(1, 0, 2)
+    carried = (controls.weights[:, :count] @ moves.reshape(count, -1)).reshape(-1, len(parameters), 3)
+    fields = carried.transpose(1, 0, 2) * generic.head_blend[generic.head_vertices].astype(np.float64)[:, None]
+    for part in ("eye_left", "eye_right"):
+        eye = np.flatnonzero(np.isin(generic.head_vertices, generic.part(part)))
+        fields[:, eye] = fields[:, eye].mean(axis=1, keepdims=True)
+    return np.asarray(fields + np.tensordot(parameters[:, :shapes], generic.face_basis.astype(np.float64), axes=1))
+
+
+def family_parameters() -> tuple[Array, Array]:
+    """Return mean (P,) and directions (D, P) of the generic's own family, bent: one of the two that heads mix.
+
+    The generic's face targets, half the way to the canonical face of the face net, and smooth random bends.
+    """
+    generic, controls = load_generic(), load_head_controls()
+    shapes, movable = len(generic.face_basis), np.flatnonzero(controls.movable)
+    bends = smooth_bends(controls.controls_m[movable])
+    moves = np.zeros((1 + len(bends), len(controls.names), 3))
+    moves[0, movable], moves[1:, movable] = canonical_way(generic), bends
+    flat = moves.reshape(len(moves), -1)
+    mean = np.r_[np.zeros(shapes), TOWARDS * flat[0]]
+    flat[0] *= TOWARDS_SPREAD
+    directions = np.zeros((shapes + len(flat), shapes + flat.shape[1]))
+    directions[:shapes, :shapes], directions[shapes:, shapes:] = np.eye(shapes), flat
+    return mean, directions
+
+
+def bent_shapes() -> tuple[Array, Array]:
+    """Return the mean (H, 3) and directions (E, H, 3) in which painted people depart from the generic's face shapes."""
+    mean, directions = family_parameters()
+    beyond = fields_of(directions[len(load_generic().face_basis) :])
+    return fields_of(mean[None])[0], np.concatenate([beyond, ear_fields(load_generic())])
+
+
 @functools.cache
 def head_shapes() -> tuple[Array, Array]:
-    """Return what is expected of everybody (H, 3) and further directions (E, H, 3), made once per process (0.2 s)."""
-    generic, controls = load_generic(), load_head_controls()
-    movable = np.flatnonzero(controls.movable)
-    moves = np.concatenate([canonical_way(generic)[None], smooth_bends(controls.controls_m[movable])])
-    carried = controls.weights[:, movable]
-    fields = np.stack([deform(carried, move) for move in moves])
-    for eye in (
-        np.flatnonzero(np.isin(generic.head_vertices, generic.part(f"eye_{side}"))) for side in ("left", "right")
-    ):
-        fields[:, eye] = fields[:, eye].mean(axis=1, keepdims=True)  # eyeballs move whole
-    mean = TOWARDS * fields[0]
-    fields[0] *= TOWARDS_SPREAD
-    return mean, np.concatenate([fields, ear_fields(generic)])
+    """Return what is expected of everybody (H, 3) and the directions heads differ in (E, H, 3), the ears' last.
+
+    Made once a process; the parameters come from ``learn_head_shapes.py``.
+    """
+    place = importlib.resources.files("cloner_models") / "head_shapes.npz"
+    with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
+        mean, directions = (archive[name].astype(np.float64) for name in ("mean", "directions"))
+    moved = fields_of(np.vstack([mean, directions]))
+    return moved[0], np.concatenate([moved[1:], ear_fields(load_generic())])
 
 
 @functools.cache

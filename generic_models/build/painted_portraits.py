@@ -30,7 +30,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.records.views import Camera
 from cloner.stages.head_ears import ear_fields
-from cloner.stages.head_modes import head_shapes
+from cloner.stages.head_modes import bent_shapes
 
 Array = NDArray[np.float64]
 Picture = NDArray[np.float32]
@@ -176,7 +176,7 @@ def random_head(rng: np.random.Generator) -> Array:
     """Return the vertices of a random head within and beyond the generic's family, with ears of many kinds."""
     generic = load_generic()
     vertices = random_face(generic, rng)
-    mean, basis = head_shapes()
+    mean, basis = bent_shapes()
     rows = generic.head_vertices
     vertices[rows] += mean + np.tensordot(0.8 * rng.normal(size=len(basis)), basis, axes=1)
     fields = ear_fields(generic)
