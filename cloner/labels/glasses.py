@@ -48,7 +48,7 @@ def _in_front(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> Flags:
     rows, columns = np.ogrid[: labels.shape[0], : labels.shape[1]]
     above, below, aside = (share * apart for share in _BAND)
     band = (rows > y - above) & (rows < y + below) & (np.abs(columns - x) < aside)
-    return _pieces(labels == Label.ACCESSORY, band) & band
+    return np.asarray(_pieces(labels == Label.ACCESSORY, band) & band, np.bool_)
 
 
 def _from_aside(labels: NDArray[np.uint8]) -> Flags:

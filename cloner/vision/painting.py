@@ -72,7 +72,7 @@ def _white_rgb(skin_rgb: NDArray[np.float64], white_to_skin: NDArray[np.floating
     """Return (3,) the colour of the whites: as the photo shows them beside this skin, else as usual beside it."""
     usual = np.array(SCLERA_RGB) * np.clip(SCLERA_TO_SKIN * np.mean(skin_rgb) / np.mean(SCLERA_RGB), 0.45, 1.0)
     if white_to_skin is None:
-        return usual.astype(np.float32)
+        return np.asarray(usual, np.float32)
     # what the photo shows lies in the shade of the lids that is painted here once more
     shown = np.asarray(white_to_skin) * skin_rgb / LID_SHADE
     grey = shown.mean()
