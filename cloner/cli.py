@@ -26,6 +26,7 @@ if TYPE_CHECKING:
 __all__ = ["EXIT_CANCELLED", "EXIT_INPUT", "app", "main"]
 DEFAULT_FORMATS: Final = "glb,wrl"
 DEFAULT_TEXTURE_SIZE: Final = 2048
+UNPROTECTED: Final = "--unprotected-cluster-lets-anybody-on-the-network-run-code"
 
 app = typer.Typer(
     name="cloner",
@@ -105,6 +106,13 @@ def _batch(
     again: Annotated[bool, typer.Option("--again", help="Clone those with a current result once more.")] = False,
     workers: Annotated[int, typer.Option("--workers", min=1, help="Processes on this machine.")] = 1,
     scheduler: Annotated[str, typer.Option("--scheduler", help="Address of a Dask cluster that clones instead.")] = "",
+    cluster_keys: Annotated[
+        Path | None, typer.Option("--cluster-keys", help="Folder that `cloner cluster keys` made.")
+    ] = None,
+    unprotected: Annotated[
+        bool,
+        typer.Option(UNPROTECTED, help="Use a cluster without certificates: whoever reaches it reads everything."),
+    ] = False,
     shard: Annotated[str, typer.Option("--shard", help="i/n: only every n-th visitor from the i-th (0..n-1) on.")] = "",
     retries: Annotated[int, typer.Option("--retries", min=0, help="Tries more when a worker dies.")] = 1,
     timeout: Annotated[float, typer.Option("--timeout", min=0, help="Seconds a visitor may take; 0: any.")] = 0.0,
@@ -112,7 +120,8 @@ def _batch(
     """Clone every visitor below a folder; one failure does not stop the rest."""
     from cloner.batch import BatchOptions, batch_folder, summary_table
 
-    options = BatchOptions(split_formats(formats), seed, size, again, workers, scheduler, shard, retries, timeout)
+    cluster = (scheduler, cluster_keys, unprotected)
+    options = BatchOptions(split_formats(formats), seed, size, again, workers, *cluster, shard, retries, timeout)
     start = time.monotonic()
 
     def tell(row: BatchRow, done: int, total: int) -> None:
@@ -262,6 +271,27 @@ def _doctor(
         typer.echo("Everything Cloner needs is here.")
     elif any(finding.needed and not finding.fine for finding in findings):
         raise typer.Exit(EXIT_SOME_FAILED)
+
+
+clusters = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="What a cluster of machines needs.")
+app.add_typer(clusters, name="cluster")
+
+
+@clusters.command("keys")
+def _cluster_keys(folder: Annotated[Path, typer.Argument(help="New folder for certificates and settings.")]) -> None:
+    """Make certificates: only who holds them speaks with scheduler and workers, and encrypted."""
+    from cloner.cluster_keys import DAYS, SETTINGS, make_keys
+
+    settings = next(path for path in make_keys(folder) if path.name == SETTINGS)
+    typer.echo(f"{folder}: certificates for {DAYS} days. Copy the folder to the same place on every machine, then:")
+    typer.echo(f"  DASK_CONFIG={settings} dask scheduler --protocol tls --dashboard-address 127.0.0.1:0")
+    typer.echo(f"  DASK_CONFIG={settings} dask worker tls://HOST:8786 --nthreads 1")
+    typer.echo(f"  cloner batch ... --scheduler tls://HOST:8786 --cluster-keys {folder}")
+
+
+@clusters.callback()
+def _cluster() -> None:
+    """Keep "keys" a word of its own: a group of one command would swallow it."""
 
 
 def split_formats(text: str) -> tuple[str, ...]:
