@@ -21,7 +21,7 @@ from cloner.cloning import (
 )
 from cloner.errors import Cancelled, ClonerError
 from cloner.farm import Task, run_tasks, watchdog
-from cloner.project.atomic import check_writable
+from cloner.project.atomic import check_writable, sweep
 from cloner.project.claims import claimed
 from cloner.project.manifest import Visitor, find_visitors, shard
 from cloner.project.stamps import input_stamp, why_not_current
@@ -105,6 +105,8 @@ def batch_folder(
                 rows.append(row)
                 told(row, len(rows), len(visitors))
     finally:
+        if out.is_dir():
+            sweep(out)  # what a worker that was killed here left
         rows.sort(key=lambda row: row.identifier)
         if out.is_dir():
             suffix = f"-{options.shard.replace('/', '-of-')}" if options.shard else ""

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 import cloner
-from cloner.errors import ClonerError
+from cloner.errors import ClonerError, plain
 from cloner.terminal import EXIT_CANCELLED, EXIT_INPUT, EXIT_SOME_FAILED, ProgressLine, ended
 
 # The commands import their part when they run: `doctor` must work where a library is missing.
@@ -202,7 +202,7 @@ ResultsOption = Annotated[Path | None, typer.Option("--out", help="Folder that h
 @app.command("list")
 def _list(photos: PhotosRootOption = None, out: ResultsOption = None) -> None:
     """Say what is held of whom."""
-    from cloner.privacy import holdings, table
+    from cloner.holdings import holdings, table
 
     typer.echo(table(holdings(photos, out)))
 
@@ -215,7 +215,8 @@ def _export_data(
     out: ResultsOption = None,
 ) -> None:
     """Hand out everything that is held of a visitor."""
-    from cloner.privacy import export_data, find_holding, holdings
+    from cloner.holdings import find_holding, holdings
+    from cloner.privacy import export_data
 
     typer.echo(str(export_data(find_holding(identifier, holdings(photos, out)), to)))
 
@@ -230,7 +231,8 @@ def _forget(
     out: ResultsOption = None,
 ) -> None:
     """Delete photos, results and batch rows of visitors, for good."""
-    from cloner.privacy import find_holding, forget, holdings, older_than
+    from cloner.holdings import find_holding, holdings, older_than
+    from cloner.privacy import forget
 
     held = holdings(photos, out)
     gone = [find_holding(name, held) for name in identifiers or []]
@@ -239,10 +241,12 @@ def _forget(
         raise ClonerError("nobody is to be forgotten", "Name visitors, or give --older-than DAYS", "cloner forget")
     left: list[str] = []
     for holding in gone:
-        left += forget(holding, photos, out)
-        typer.echo(f"{holding.identifier}: {holding.files} files deleted")
+        found = forget(holding, photos, out)
+        left += found
+        typer.echo(f"{holding.identifier}: {'not all is gone' if found else f'{holding.files} files deleted'}")
     if left:
-        typer.echo(f"still told of in: {', '.join(sorted(set(left)))}", err=True)
+        told = ", ".join(plain(one) for one in sorted(set(left)))
+        typer.echo(f"still there, or telling of them: {told}", err=True)
         raise typer.Exit(EXIT_SOME_FAILED)
 
 

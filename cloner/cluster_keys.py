@@ -50,7 +50,8 @@ def make_keys(folder: Path) -> tuple[Path, ...]:
     try:
         folder.mkdir(mode=0o700, parents=True)
     except FileExistsError as error:
-        raise ClonerError("this is there already", "Choose a new folder: keys are never replaced", folder.name) from error
+        hint = "Choose a new folder: keys are never replaced"
+        raise ClonerError("this is there already", hint, folder.name) from error
     except OSError as error:
         raise ClonerError("the folder cannot be made", "Check permissions", folder.name) from error
     contents = _contents(folder)
@@ -77,9 +78,7 @@ def _contents(folder: Path) -> dict[str, bytes]:
         contents[certificate(role)] = _signed(role, own.public_key(), authority, authority_key).public_bytes(
             told.Encoding.PEM
         )
-        contents[key(role)] = own.private_bytes(
-            told.Encoding.PEM, told.PrivateFormat.PKCS8, told.NoEncryption()
-        )
+        contents[key(role)] = own.private_bytes(told.Encoding.PEM, told.PrivateFormat.PKCS8, told.NoEncryption())
     return {**contents, SETTINGS: _settings(folder).encode()}
 
 
@@ -111,6 +110,7 @@ def _signed(
 
 def _settings(folder: Path) -> str:
     """Return Dask's settings: certificates on both sides, nothing plain, and no page that tells of the work."""
+
     def path(name: str) -> str:
         return json.dumps(str(folder / name))  # JSON's strings are YAML's
 

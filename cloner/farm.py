@@ -8,6 +8,7 @@ costs nobody a try.
 from __future__ import annotations
 
 import contextlib
+import logging
 import multiprocessing as mp
 import os
 import pickle
@@ -24,6 +25,8 @@ from types import FrameType
 from typing import Any, Final
 
 from cloner.errors import ClonerError
+
+log = logging.getLogger(__name__)
 
 #: Exit code of a worker that the watchdog ended.
 TIMED_OUT: Final = 75
@@ -138,8 +141,10 @@ def _one_thread_each() -> Iterator[None]:
 
 def _heard(crew: Sequence[_Worker]) -> list[_Worker]:
     """Return the workers that have said something or are gone, after at most `PAUSE_S`."""
-    pipes: Any = wait([one.pipe for one in crew], PAUSE_S) if crew else time.sleep(PAUSE_S)
-    return [one for one in crew if one.pipe in (pipes or ())]
+    if not crew:
+        time.sleep(PAUSE_S)
+    pipes = wait([one.pipe for one in crew], PAUSE_S)
+    return [one for one in crew if one.pipe in pipes]
 
 
 def _said(worker: _Worker) -> tuple[Any, bool]:
@@ -148,7 +153,7 @@ def _said(worker: _Worker) -> tuple[Any, bool]:
         return worker.pipe.recv(), True
     except (EOFError, OSError):
         return None, False
-    except Exception as error:  # an answer that this process cannot read is the task's own trouble
+    except (pickle.UnpicklingError, AttributeError, ImportError, TypeError) as error:  # its class cannot be made here
         return error, True
 
 
@@ -185,6 +190,7 @@ def _serve(pipe: Connection) -> None:
             try:
                 answer = function(*arguments, **keywords)
             except Exception as error:  # becomes the task's result
+                log.info("a task failed", exc_info=True)
                 answer = error
             _tell(pipe, answer)
 

@@ -138,7 +138,9 @@ def test_keys_are_the_owners_alone_and_the_authoritys_own_is_nowhere(tmp_path: P
     yaml = pytest.importorskip("yaml")
     told = yaml.safe_load((tmp_path / "a b: 'keys'" / "dask.yaml").read_text())["distributed"]
     assert told["comm"]["require-encryption"] is True
-    assert all(Path(told["comm"]["tls"][role][what]).is_file() for role in ("worker", "client") for what in ("cert", "key"))
+    assert all(
+        Path(told["comm"]["tls"][role][what]).is_file() for role in ("worker", "client") for what in ("cert", "key")
+    )
     with pytest.raises(ClonerError, match="there already"):
         make_keys(tmp_path / "a b: 'keys'")
 
@@ -191,9 +193,7 @@ def test_an_unprotected_cluster_wants_to_be_asked_for_and_sees_no_names(
                 seen.update(other.run_on_scheduler(lambda dask_scheduler: [*dask_scheduler.tasks]))
                 seen.update(str(one) for one in other.get_task_stream())
 
-        rows = batch_folder(
-            root, tmp_path / "out", BatchOptions(scheduler=place, unprotected=True), told=told
-        )
+        rows = batch_folder(root, tmp_path / "out", BatchOptions(scheduler=place, unprotected=True), told=told)
         assert {row.status for row in rows} == {"cloned"}
         assert seen
         assert not [name for name in seen if "secret" in str(name)]

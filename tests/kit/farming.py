@@ -39,7 +39,7 @@ def pretend(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
         if name.startswith("hang"):
             time.sleep(600)
         with result_folder(out, name) as folder:
-            (folder / "report.json").write_text("{}")
+            (folder / "report.json").write_text('{"format": 3, "stamp": {}, "outputs": {}}')
         return BatchRow(name, CLONED, 0.0, 0, f"by {os.getpid()}")
 
 
@@ -115,7 +115,7 @@ def clone_pretended(visitor: Visitor, out: Path, options: BatchOptions) -> Batch
     return batch.clone_visitor(visitor, out, options)
 
 
-#: A cluster of two workers that says where it is and stays until it is killed; with certificates where a folder is given.
+#: A cluster of two workers that says where it is and stays until it is killed; with a folder's certificates if given.
 CLUSTER = """
 import sys, time
 from distributed import LocalCluster

@@ -248,5 +248,3 @@ def test_workers_killed_while_they_start_are_started_again(
     assert statuses(rows) == [("anna", "cloned"), ("boris", "cloned"), ("zoe", "cloned")]
     assert len(shot) > 2, "also workers started in place of others were killed"
     assert not capfd.readouterr().err, "an operator sees no trace"
-
-

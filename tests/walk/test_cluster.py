@@ -76,6 +76,9 @@ def test_two_clusters_give_what_one_process_gives_and_a_vanished_one_loses_nothi
         batch_folder(root, second, BatchOptions(scheduler=places[1], cluster_keys=keys), told=told)
     assert "finished visitors are kept" in caught.value.hint
     assert 2 <= len(done) < len(NAMES)
-    again = {row.identifier: row.status for row in batch_folder(root, second, BatchOptions(scheduler=places[0], cluster_keys=keys))}
+    again = {
+        row.identifier: row.status
+        for row in batch_folder(root, second, BatchOptions(scheduler=places[0], cluster_keys=keys))
+    }
     assert all(again[name] == "skipped" for name in done)
     assert contents(second) == contents(alone)
