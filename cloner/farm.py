@@ -8,6 +8,7 @@ costs nobody a try.
 from __future__ import annotations
 
 import contextlib
+import importlib
 import logging
 import multiprocessing as mp
 import os
@@ -79,13 +80,14 @@ def run_tasks(tasks: Sequence[Task], workers: int, retries: int = 1) -> Iterator
         If no process starts on this machine.
     """
     waiting = deque(_Try(task) for task in tasks)
+    modules = tuple({task[1].__module__ for task in tasks})
     crew: list[_Worker] = []
     sign_of_life, not_before = time.monotonic(), 0.0
     try:
         while waiting or any(one.doing for one in crew):
             busy = sum(one.doing is not None for one in crew)
             if len(crew) < min(workers, len(waiting) + busy) and time.monotonic() >= not_before:
-                crew.append(_started())
+                crew.append(_started(modules))
                 continue
             for one in crew:
                 if waiting and one.ready and one.doing is None:
@@ -114,10 +116,10 @@ def run_tasks(tasks: Sequence[Task], workers: int, retries: int = 1) -> Iterator
         _end(crew)
 
 
-def _started() -> _Worker:
+def _started(modules: tuple[str, ...]) -> _Worker:
     context = mp.get_context("spawn")
     ours, theirs = context.Pipe()
-    process = context.Process(target=_serve, args=(theirs,), daemon=True)
+    process = context.Process(target=_serve, args=(theirs, modules), daemon=True)
     with _one_thread_each():
         process.start()
     theirs.close()
@@ -178,12 +180,14 @@ def _end(crew: Sequence[_Worker]) -> None:
         one.process.close()
 
 
-def _serve(pipe: Connection) -> None:
-    """Do tasks until the other side closes the pipe; runs in the worker."""
+def _serve(pipe: Connection, modules: tuple[str, ...]) -> None:
+    """Load what the tasks need, then do tasks until the other side closes the pipe; runs in the worker."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal's Ctrl-C reaches the batch, which ends its workers
     signal.signal(signal.SIGTERM, _stop)
     threading.Thread(target=_end_with_parent, daemon=True).start()
     with contextlib.suppress(EOFError, OSError, KeyboardInterrupt):
+        for module in modules:
+            importlib.import_module(module)
         pipe.send(_READY)
         while True:
             function, arguments, keywords = pipe.recv()

@@ -16,6 +16,11 @@ def refuse(text: str) -> None:
     raise ValueError(text)
 
 
+def refuse_to_serve(pipe: object, modules: tuple[str, ...]) -> None:
+    """Die at once, as a worker that cannot start does."""
+    os._exit(3)
+
+
 def give_a_lock() -> object:
     return threading.Lock()
 

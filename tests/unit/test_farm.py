@@ -47,7 +47,7 @@ def test_a_worker_that_dies_late_is_not_one_that_never_started(tmp_path: Path, m
 
 def test_workers_that_cannot_start_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(farm, "START_S", 1.0)
-    monkeypatch.setattr(farm, "_serve", chores.refuse)
+    monkeypatch.setattr(farm, "_serve", chores.refuse_to_serve)
     with pytest.raises(ClonerError, match="do not start"):
         list(run_tasks([("t", chores.doubled, (1,), {})], workers=1))
 

@@ -245,6 +245,6 @@ def test_workers_killed_while_they_start_are_started_again(
     shot: list[int] = []
     with farming.shooting(shot, seconds=6.0):
         rows = batch_folder(root, out, BatchOptions(workers=2, retries=20))
-    assert statuses(rows) == [("anna", "cloned"), ("boris", "cloned"), ("zoe", "cloned")]
+    assert statuses(rows) == [("anna", "cloned"), ("boris", "cloned"), ("zoe", "cloned")], rows
     assert len(shot) > 2, "also workers started in place of others were killed"
     assert not capfd.readouterr().err, "an operator sees no trace"
