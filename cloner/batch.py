@@ -27,7 +27,7 @@ from cloner.project.manifest import Visitor, find_visitors, shard
 from cloner.project.stamps import input_stamp, why_not_current
 from cloner.records.batches import CLONED, FAILED, SKIPPED, BatchRow
 from cloner.report.batch import write_summary
-from cloner.terminal import defect
+from cloner.terminal import sentence_of
 
 log = logging.getLogger(__name__)
 
@@ -159,7 +159,7 @@ def clone_visitor(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRo
         raise
     except Exception as error:  # one visitor's defect must not end a night's batch
         log.info("%s failed", identifier, exc_info=True)  # a trace is for --verbose
-        return BatchRow(identifier, FAILED, time.perf_counter() - start, 0, defect(error))
+        return BatchRow(identifier, FAILED, time.perf_counter() - start, 0, sentence_of(error))
 
 
 def _clone(visitor: Visitor, out: Path, options: BatchOptions, start: float) -> BatchRow:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import logging
 import os
@@ -306,10 +305,11 @@ def split_formats(text: str) -> tuple[str, ...]:
 
 def main() -> None:
     """Run the command line and exit with its code."""
-    signal.signal(signal.SIGTERM, _stop)
+    for name in ("SIGTERM", "SIGHUP"):  # a closed terminal ends a command as tidily as Ctrl-C; Windows has no SIGHUP
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # nohup is obeyed
+            signal.signal(number, _stop)
     os.umask(0o077)  # results hold a person's likeness: nobody else's business on a shared machine
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="backslashreplace")  # names of folders need not be text
     sys.exit(ended(lambda: app(standalone_mode=False)))
 
 
