@@ -262,11 +262,15 @@ def _gui(
 @app.command("doctor")
 def _doctor(
     brief: Annotated[bool, typer.Option("--brief", help="Say only what is missing.")] = False,
+    folders: Annotated[
+        list[Path] | None, typer.Option("--folder", help="A folder of photos or results: who else may read it?")
+    ] = None,
 ) -> None:
     """Say what is missing on this machine and the line that fixes it."""
     from cloner.doctor import examine
+    from cloner.permissions import examine_folder
 
-    findings = examine()
+    findings = (*examine(), *(finding for folder in folders or () for finding in examine_folder(folder)))
     for finding in findings:
         if not brief or not finding.fine:
             typer.echo(finding.line())
