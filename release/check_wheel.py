@@ -37,11 +37,10 @@ def main() -> None:
         python, cloner = folder / "venv" / "bin" / "python", folder / "venv" / "bin" / "cloner"
         lines = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
         pins = [line.removesuffix("\\").strip() for line in lines if "==" in line and not line.startswith((" ", "#"))]
-        (folder / "pins.txt").write_text(
-            "\n".join(pins) + "\n", encoding="utf-8"
-        )  # a wheel of our own has no hash there
+        (folder / "pins.txt").write_text("\n".join(pins) + "\n", encoding="utf-8")  # our own wheel has no hash there
         run([python, "-m", "pip", "install", "--quiet", "--constraint", folder / "pins.txt", wheel], folder)
-        bill = "import importlib.metadata as m; print([f for f in m.files('photo-cloner') if 'sboms/' in str(f)][0].read_text())"
+        bill = "import importlib.metadata as told; files = told.files('photo-cloner')\n"
+        bill += "print(next(file for file in files if 'sboms/' in str(file)).read_text())"
         if json.loads(run([python, "-c", bill], folder))["bomFormat"] != "CycloneDX":
             sys.exit("the wheel lacks its bill of materials")
         print(run([cloner, "--version"], folder).strip())

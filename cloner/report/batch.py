@@ -74,7 +74,8 @@ def _sheet(rows: Sequence[BatchRow], wanted: int, out: Path) -> str:
     failed = sum(row.status == FAILED for row in rows)
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
-        f"{policy(PAGE)}<title>Batch</title><style>{_STYLE}</style></head>\n<body><h1>{len(rows)} of {wanted} visitors, {failed} failed</h1>\n"
+        f"{policy(PAGE)}<title>Batch</title><style>{_STYLE}</style></head>\n"
+        f"<body><h1>{len(rows)} of {wanted} visitors, {failed} failed</h1>\n"
         f"<ul>\n{cards}\n</ul></body></html>\n"
     )
 

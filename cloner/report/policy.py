@@ -11,8 +11,8 @@ from typing import Final
 
 #: The viewer runs the script inside it; textures of the clone are blobs of the page.
 VIEWER: Final = (
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src blob:; "
-    "base-uri 'none'; form-action 'none'"
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; "
+    "connect-src blob:; base-uri 'none'; form-action 'none'"
 )
 #: Pages to read run no script at all; pictures lie beside them. "file:" because 'self' means nothing on the disk.
 PAGE: Final = (
