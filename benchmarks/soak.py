@@ -5,7 +5,7 @@
 PEOPLE holds one folder of photos a visitor (any; a generator of people gives as many as wanted). They are copied, at
 most ``--longest-px`` long, and cloned in peace once. Then everybody again while a random worker is killed every
 ``--kill-every`` seconds, the whole batch ``--parents`` times, the disk is filled once (where this user may mount one of
-its own) and the files' times are set to 1971 and 2100. At the end nobody may be lost, no byte may differ, nothing may be
+its own) and the files' times are set to 1971 and 2100. At the end nobody may be lost, no byte differ, nothing be
 left over, and a worker's memory in the last quarter may be 1.05 times that of the first.
 
 Prints what it found, writes FOLDER/soak.json, and ends with 1 where a bar is missed. Linux only: it reads /proc.
