@@ -12,12 +12,13 @@ export CLONER_NODE_MODULES ?= $(CURDIR)/.cache/npm
 
 environment: $(STAMP)
 
+# Exact versions whose bytes are known (constraints.txt), then this project itself, built with what is there.
 # PYTHONWARNINGS: setuptools lectures at length on what an editable install is.
-$(STAMP): pyproject.toml
+$(STAMP): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] < (3, 14) and "Cloner wants Python 3.11 to 3.13: run make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --upgrade "pip>=25"
-	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check -e ".[dev]"
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r constraints.txt
+	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $(STAMP)
 
 demo: $(STAMP)
@@ -54,10 +55,13 @@ fuzz: $(STAMP)
 wheel: $(STAMP)
 	rm -rf dist
 	$(BIN)/python -m build
+	$(BIN)/python release/sbom.py > sbom.json
+	$(BIN)/python release/add_sbom.py dist/*.whl sbom.json
 	$(BIN)/python release/check_wheel.py dist/*.whl
 
 constraints: $(STAMP)
-	$(BIN)/python release/constraints.py > constraints.txt.new && mv constraints.txt.new constraints.txt
+	$(BIN)/uv pip compile --quiet --universal --python-version 3.11 --extra dev --generate-hashes --no-annotate \
+		--custom-compile-command "make constraints" --output-file constraints.txt pyproject.toml
 
 sbom: $(STAMP)
 	$(BIN)/python release/sbom.py > sbom.json

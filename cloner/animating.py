@@ -23,6 +23,7 @@ from cloner.motion.score import SILENT, Score, emotion_score, read_score
 from cloner.motion.speech import STEP_S
 from cloner.motion.talk import FRAMES_PER_S, scored, spoken_visemes, talk
 from cloner.picture import clone_of
+from cloner.project.atomic import safe_output
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
@@ -59,10 +60,13 @@ def animate_file(
     Raises
     ------
     ClonerError
-        If there is no clone, a source cannot be read or laid on, or ``out`` cannot be written.
+        If there is no clone, a source cannot be read or laid on, or a file to write exists or cannot be written.
     """
     if out.suffix.lower() != ".glb":
         raise ClonerError("animations are written as glTF", "Give --out a name that ends with .glb", out.name)
+    beside = {path: out.with_name(f"{out.stem}_{path.stem}.fap") for path in sources if path.suffix.lower() in SPEECH}
+    for file in (out, *beside.values()):
+        safe_output(file)
     clone = clone_of(clone_path)
     body = body_of(centred(clone))
     motions = [_motion(clone, body, path, cycles=cycles, emotion=emotion) for path in sources]
@@ -70,7 +74,7 @@ def animate_file(
     written = list(export(clone, out.parent, name=out.stem, motions=motions))
     for path, motion in zip(sources, motions, strict=True):
         if path.suffix.lower() in SPEECH:
-            written.append(out.with_name(f"{out.stem}_{path.stem}.fap"))
+            written.append(beside[path])
             write_bytes(written[-1], fap_text(stream_of(clone, motion.weights, FRAMES_PER_S), path.stem).encode())
     return tuple(written)
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from cloner.cloning import (
     DEFAULT_FORMATS,
@@ -19,18 +20,18 @@ from cloner.cloning import (
     stamp_options,
 )
 from cloner.errors import Cancelled, ClonerError
-from cloner.farm import Task, farm, run_tasks, watchdog
-from cloner.project.atomic import check_writable
+from cloner.farm import Task, run_tasks, watchdog
+from cloner.project.atomic import check_writable, sweep
 from cloner.project.claims import claimed
 from cloner.project.manifest import Visitor, find_visitors, shard
 from cloner.project.stamps import input_stamp, why_not_current
 from cloner.records.batches import CLONED, FAILED, SKIPPED, BatchRow
 from cloner.report.batch import write_summary
-from cloner.terminal import defect
+from cloner.terminal import sentence_of
 
 log = logging.getLogger(__name__)
 
-#: People who fewer than this many are not worth a cluster's start.
+#: So few people are not worth a worker's start.
 ALONE: Final = 1
 
 
@@ -49,6 +50,10 @@ class BatchOptions:
         Processes on this machine; 1 clones in this very process, so a crash there ends the batch.
     scheduler : str
         Address of a Dask cluster that clones instead; its workers must see photos and results under the same paths.
+    cluster_keys : Path or None
+        Folder of the cluster's certificates; see `cloner.cluster_keys`.
+    unprotected : bool
+        Whether the cluster may be one to which anybody on its network can speak.
     shard : str
         "i/n": only every n-th visitor, from the i-th on, counted from 0.
     retries : int
@@ -63,6 +68,8 @@ class BatchOptions:
     again: bool = False
     workers: int = 1
     scheduler: str = ""
+    cluster_keys: Path | None = None
+    unprotected: bool = False
     shard: str = ""
     retries: int = 1
     timeout_s: float = 0.0
@@ -93,10 +100,13 @@ def batch_folder(
     check_writable(out)
     rows: list[BatchRow] = []
     try:
-        for row in _rows(visitors, out.resolve(), options):
-            rows.append(row)
-            told(row, len(rows), len(visitors))
+        with contextlib.closing(_rows(visitors, out.resolve(), options)) as made:
+            for row in made:
+                rows.append(row)
+                told(row, len(rows), len(visitors))
     finally:
+        if out.is_dir():
+            sweep(out)  # what a worker that was killed here left
         rows.sort(key=lambda row: row.identifier)
         if out.is_dir():
             suffix = f"-{options.shard.replace('/', '-of-')}" if options.shard else ""
@@ -104,15 +114,27 @@ def batch_folder(
     return tuple(rows)
 
 
-def _rows(visitors: Sequence[Visitor], out: Path, options: BatchOptions) -> Iterator[BatchRow]:
+def _rows(visitors: Sequence[Visitor], out: Path, options: BatchOptions) -> Generator[BatchRow]:
     if not options.scheduler and (options.workers <= ALONE or len(visitors) <= ALONE):
         for visitor in visitors:
             yield clone_visitor(visitor, out, options)
         return
     tasks: list[Task] = [(visitor.identifier, clone_in_worker, (visitor, out, options), {}) for visitor in visitors]
-    with farm(min(options.workers, len(visitors)), options.scheduler, options.retries) as client:
-        for name, result in run_tasks(client, tasks):
-            yield result if isinstance(result, BatchRow) else BatchRow(name, FAILED, 0.0, 0, str(result))
+    for name, result in _results(tasks, options):
+        yield result if isinstance(result, BatchRow) else BatchRow(name, FAILED, 0.0, 0, str(result))
+
+
+def _results(tasks: Sequence[Task], options: BatchOptions) -> Iterator[tuple[str, Any]]:
+    """Yield what became of every task, on this machine or on a cluster."""
+    if not options.scheduler:
+        yield from run_tasks(tasks, options.workers, options.retries)
+        return
+    from cloner.cluster import cluster, run_on
+
+    with cluster(
+        options.scheduler, options.retries, keys=options.cluster_keys, unprotected=options.unprotected
+    ) as client:
+        yield from run_on(client, tasks)
 
 
 def clone_in_worker(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
@@ -137,7 +159,7 @@ def clone_visitor(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRo
         raise
     except Exception as error:  # one visitor's defect must not end a night's batch
         log.info("%s failed", identifier, exc_info=True)  # a trace is for --verbose
-        return BatchRow(identifier, FAILED, time.perf_counter() - start, 0, defect(error))
+        return BatchRow(identifier, FAILED, time.perf_counter() - start, 0, sentence_of(error))
 
 
 def _clone(visitor: Visitor, out: Path, options: BatchOptions, start: float) -> BatchRow:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import io
 import json
 import logging
 import os
@@ -16,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 import cloner
-from cloner.errors import ClonerError
+from cloner.errors import ClonerError, plain
 from cloner.terminal import EXIT_CANCELLED, EXIT_INPUT, EXIT_SOME_FAILED, ProgressLine, ended
 
 # The commands import their part when they run: `doctor` must work where a library is missing.
@@ -26,6 +25,7 @@ if TYPE_CHECKING:
 __all__ = ["EXIT_CANCELLED", "EXIT_INPUT", "app", "main"]
 DEFAULT_FORMATS: Final = "glb,wrl"
 DEFAULT_TEXTURE_SIZE: Final = 2048
+UNPROTECTED: Final = "--unprotected-cluster-lets-anybody-on-the-network-run-code"
 
 app = typer.Typer(
     name="cloner",
@@ -105,6 +105,13 @@ def _batch(
     again: Annotated[bool, typer.Option("--again", help="Clone those with a current result once more.")] = False,
     workers: Annotated[int, typer.Option("--workers", min=1, help="Processes on this machine.")] = 1,
     scheduler: Annotated[str, typer.Option("--scheduler", help="Address of a Dask cluster that clones instead.")] = "",
+    cluster_keys: Annotated[
+        Path | None, typer.Option("--cluster-keys", help="Folder that `cloner cluster keys` made.")
+    ] = None,
+    unprotected: Annotated[
+        bool,
+        typer.Option(UNPROTECTED, help="Use a cluster without certificates: whoever reaches it reads everything."),
+    ] = False,
     shard: Annotated[str, typer.Option("--shard", help="i/n: only every n-th visitor from the i-th (0..n-1) on.")] = "",
     retries: Annotated[int, typer.Option("--retries", min=0, help="Tries more when a worker dies.")] = 1,
     timeout: Annotated[float, typer.Option("--timeout", min=0, help="Seconds a visitor may take; 0: any.")] = 0.0,
@@ -112,7 +119,8 @@ def _batch(
     """Clone every visitor below a folder; one failure does not stop the rest."""
     from cloner.batch import BatchOptions, batch_folder, summary_table
 
-    options = BatchOptions(split_formats(formats), seed, size, again, workers, scheduler, shard, retries, timeout)
+    cluster = (scheduler, cluster_keys, unprotected)
+    options = BatchOptions(split_formats(formats), seed, size, again, workers, *cluster, shard, retries, timeout)
     start = time.monotonic()
 
     def tell(row: BatchRow, done: int, total: int) -> None:
@@ -200,7 +208,7 @@ ResultsOption = Annotated[Path | None, typer.Option("--out", help="Folder that h
 @app.command("list")
 def _list(photos: PhotosRootOption = None, out: ResultsOption = None) -> None:
     """Say what is held of whom."""
-    from cloner.privacy import holdings, table
+    from cloner.holdings import holdings, table
 
     typer.echo(table(holdings(photos, out)))
 
@@ -213,7 +221,8 @@ def _export_data(
     out: ResultsOption = None,
 ) -> None:
     """Hand out everything that is held of a visitor."""
-    from cloner.privacy import export_data, find_holding, holdings
+    from cloner.holdings import find_holding, holdings
+    from cloner.privacy import export_data
 
     typer.echo(str(export_data(find_holding(identifier, holdings(photos, out)), to)))
 
@@ -228,7 +237,8 @@ def _forget(
     out: ResultsOption = None,
 ) -> None:
     """Delete photos, results and batch rows of visitors, for good."""
-    from cloner.privacy import find_holding, forget, holdings, older_than
+    from cloner.holdings import find_holding, holdings, older_than
+    from cloner.privacy import forget
 
     held = holdings(photos, out)
     gone = [find_holding(name, held) for name in identifiers or []]
@@ -237,10 +247,12 @@ def _forget(
         raise ClonerError("nobody is to be forgotten", "Name visitors, or give --older-than DAYS", "cloner forget")
     left: list[str] = []
     for holding in gone:
-        left += forget(holding, photos, out)
-        typer.echo(f"{holding.identifier}: {holding.files} files deleted")
+        found = forget(holding, photos, out)
+        left += found
+        typer.echo(f"{holding.identifier}: {'not all is gone' if found else f'{holding.files} files deleted'}")
     if left:
-        typer.echo(f"still told of in: {', '.join(sorted(set(left)))}", err=True)
+        told = ", ".join(plain(one) for one in sorted(set(left)))
+        typer.echo(f"still there, or telling of them: {told}", err=True)
         raise typer.Exit(EXIT_SOME_FAILED)
 
 
@@ -257,11 +269,15 @@ def _gui(
 @app.command("doctor")
 def _doctor(
     brief: Annotated[bool, typer.Option("--brief", help="Say only what is missing.")] = False,
+    folders: Annotated[
+        list[Path] | None, typer.Option("--folder", help="A folder of photos or results: who else may read it?")
+    ] = None,
 ) -> None:
     """Say what is missing on this machine and the line that fixes it."""
     from cloner.doctor import examine
+    from cloner.permissions import examine_folder
 
-    findings = examine()
+    findings = (*examine(), *(finding for folder in folders or () for finding in examine_folder(folder)))
     for finding in findings:
         if not brief or not finding.fine:
             typer.echo(finding.line())
@@ -269,6 +285,27 @@ def _doctor(
         typer.echo("Everything Cloner needs is here.")
     elif any(finding.needed and not finding.fine for finding in findings):
         raise typer.Exit(EXIT_SOME_FAILED)
+
+
+clusters = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="What a cluster of machines needs.")
+app.add_typer(clusters, name="cluster")
+
+
+@clusters.command("keys")
+def _cluster_keys(folder: Annotated[Path, typer.Argument(help="New folder for certificates and settings.")]) -> None:
+    """Make certificates: only who holds them speaks with scheduler and workers, and encrypted."""
+    from cloner.cluster_keys import DAYS, SETTINGS, make_keys
+
+    settings = next(path for path in make_keys(folder) if path.name == SETTINGS)
+    typer.echo(f"{folder}: certificates for {DAYS} days. Copy the folder to the same place on every machine, then:")
+    typer.echo(f"  DASK_CONFIG={settings} dask scheduler --protocol tls --dashboard-address 127.0.0.1:0")
+    typer.echo(f"  DASK_CONFIG={settings} dask worker tls://HOST:8786 --nthreads 1")
+    typer.echo(f"  cloner batch ... --scheduler tls://HOST:8786 --cluster-keys {folder}")
+
+
+@clusters.callback()
+def _cluster() -> None:
+    """Keep "keys" a word of its own: a group of one command would swallow it."""
 
 
 def split_formats(text: str) -> tuple[str, ...]:
@@ -279,10 +316,11 @@ def split_formats(text: str) -> tuple[str, ...]:
 
 def main() -> None:
     """Run the command line and exit with its code."""
-    signal.signal(signal.SIGTERM, _stop)
+    for name in ("SIGTERM", "SIGHUP"):  # a closed terminal ends a command as tidily as Ctrl-C; Windows has no SIGHUP
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:  # nohup is obeyed
+            signal.signal(number, _stop)
     os.umask(0o077)  # results hold a person's likeness: nobody else's business on a shared machine
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        sys.stdout.reconfigure(errors="backslashreplace")  # names of folders need not be text
     sys.exit(ended(lambda: app(standalone_mode=False)))
 
 

@@ -19,7 +19,7 @@ from cloner.generic.load import load_generic
 from cloner.memory import peak_mib
 from cloner.pipeline import Progress, Stage, StageReport, quiet
 from cloner.previews import write_previews
-from cloner.project.atomic import RESULT_MARK, result_folder
+from cloner.project.atomic import result_folder
 from cloner.project.clone_file import CLONE_FILE, save_clone
 from cloner.project.corrections import check_against
 from cloner.project.folder import (
@@ -30,7 +30,8 @@ from cloner.project.folder import (
     read_corrections,
     read_person,
 )
-from cloner.project.stamps import input_stamp, output_digests, stamp_text
+from cloner.project.results import RESULT_MARK, place_digest
+from cloner.project.stamps import beside_digests, output_digests, stamp_of, stamp_text
 from cloner.records.clones import Clone
 from cloner.records.measures import MeasureSet
 from cloner.records.photos import Person, PhotoSet
@@ -41,7 +42,7 @@ from cloner.report.agreement import Agreement, agreements
 from cloner.report.build import Run, build_report, warnings_of
 from cloner.report.evidence import contradicted, is_better
 from cloner.report.viewer import write_viewer
-from cloner.report.write import write_report
+from cloner.report.write import write_page, write_report
 from cloner.stages import hair, textures
 
 log = logging.getLogger(__name__)
@@ -119,7 +120,7 @@ def clone_photos(
     measures = cast(MeasureSet, values["measures"]).measures
     values["clone"] = replace(
         cast(Clone, values["clone"]),
-        stamp=stamp_text(seed, texture_size),
+        stamp=stamp_text(seed, texture_size, [photo.digest for photo in photos.photos.values()]),
         measures_mm={name: round(measure.value_mm, 1) for name, measure in measures.items()},
     )
     return {**values, "stage_reports": reports}, list(reports)
@@ -196,9 +197,12 @@ def clone_folder(
     check_formats(formats)
     check_texture_size(texture_size)
     progress("photos", 0.0)
+    beside = beside_digests(photos_dir)
     person = read_person(photos_dir, height_cm, identifier)
-    corrections = read_corrections(photos_dir)
-    with result_folder(out_dir, person.identifier) as folder:
+    corrections, consent = read_corrections(photos_dir), bool(read_consent(photos_dir))
+    if beside_digests(photos_dir) != beside:
+        raise ClonerError("its files were changed while they were read", "Clone again", photos_dir.name)
+    with result_folder(out_dir, person.identifier, photos_dir) as folder:
         photos = load_photos(photos_dir)
         warnings = *person_warnings(person), *photo_warnings(photos), *check_against(corrections, photos, point_names())
         values, stages = clone_photos(
@@ -211,7 +215,7 @@ def clone_folder(
             known=still_true(known or {}, photos, person, corrections),
             progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
-        values["clone"] = replace(values["clone"], consent=bool(read_consent(photos_dir)))
+        values["clone"] = replace(values["clone"], consent=consent)
         seen = _write_clone(values, formats, folder, progress)
         if (folder / GLB_FILE).is_file():
             write_viewer(f"Clone of {person.name or person.identifier}", folder / GLB_FILE)
@@ -219,9 +223,15 @@ def clone_folder(
         progress("report", 0.97)
         report = build_report(values, run, seen, sorted({*_files(folder), RESULT_MARK})) | {
             "made_by": values["clone"].stamp,
-            "stamp": input_stamp(photos_dir, stamp_options(height_cm, formats, seed, texture_size)),
-            "outputs": output_digests(folder, _files(folder)),
+            "stamp": stamp_of(
+                {str(view): photo.digest for view, photo in photos.photos.items()},
+                beside,
+                stamp_options(height_cm, formats, seed, texture_size),
+            ),
+            "source": place_digest(photos_dir),
         }
+        write_page(report, folder)
+        report |= {"outputs": output_digests(folder, _files(folder))}
         write_report(report, folder)
     progress("done", 1.0)
     log.info("%s: %.1f s, %d warnings", person.identifier, run.seconds, len(warnings_of(run)))

@@ -1,24 +1,29 @@
-"""Many visitors on many processes: this machine's, or those of a running Dask cluster. Only home of dask.
+"""Many visitors on many processes of this machine: plain children, spoken to over pipes. No port, no socket file.
 
 A visitor is one task. A worker that dies (crash, memory, or the watchdog that ends a hang) costs its visitor one try
-and nobody else anything: the cluster starts another worker and gives the task again. Dask gives up a worker that dies
-before it has started; a local cluster is therefore tended: what is missing is started again.
+and nobody else anything: another worker is started and the task given again. A worker that dies before it has begun
+costs nobody a try.
 """
 
 from __future__ import annotations
 
-import asyncio
+import contextlib
+import importlib
 import logging
+import multiprocessing as mp
 import os
+import pickle
+import signal
 import threading
+import time
 from collections import deque
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
+from multiprocessing.connection import Connection, wait
+from multiprocessing.context import SpawnProcess
+from types import FrameType
 from typing import Any, Final
-
-import dask
-from distributed import Client, LocalCluster, Status, as_completed
-from distributed.scheduler import KilledWorker
 
 from cloner.errors import ClonerError
 
@@ -26,152 +31,191 @@ log = logging.getLogger(__name__)
 
 #: Exit code of a worker that the watchdog ended.
 TIMED_OUT: Final = 75
-#: A scheduler that does not answer is not there, seconds.
-PATIENCE_S: Final = 20
-#: Workers of this machine that are not there after so long never will be, seconds.
-START_S: Final = 120
-#: How often a local cluster's lost workers are looked for, seconds.
-TEND_S: Final = 1.0
+#: When no worker has come up for so long none ever will, seconds.
+START_S: Final = 120.0
+#: After a worker that died while it started the next one waits, seconds: one that cannot start must not eat a core.
+PAUSE_S: Final = 0.5
+#: So long a worker may take to tidy up when the batch ends, seconds.
+TIDY_S: Final = 10.0
 #: Of every worker, before its libraries load: one thread each, as there is one process a core.
 _ENVIRONMENT: Final = {
-    "OMP_NUM_THREADS": 1, "OPENBLAS_NUM_THREADS": 1, "MKL_NUM_THREADS": 1,
-    "LP_NUM_THREADS": 1, "OPENCV_FOR_THREADS_NUM": 1,
+    "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1",
+    "LP_NUM_THREADS": "1", "OPENCV_FOR_THREADS_NUM": "1",
 }  # fmt: skip
-#: Loggers of Dask with a level of their own.
-_TALKERS: Final = ("distributed", "distributed.client", "distributed.gc", "tornado.application")
-_OVER: Final = (Status.closed, Status.failed)
 LOST: Final = "its worker died: a crash, no memory left, or longer than --timeout allows"
+_READY: Final = "ready"
 
 Task = tuple[str, Callable[..., Any], tuple[Any, ...], Mapping[str, Any]]
-"""Name, function, arguments and keywords; all must travel to another process."""
+"""Name, function, arguments and keywords; the last three must travel to another process, the name stays here."""
 
 
-@contextmanager
-def farm(workers: int, scheduler: str = "", retries: int = 1) -> Iterator[Client]:
-    """Give a client of a local cluster of so many processes, or of the cluster at an address.
+@dataclass(slots=True)
+class _Try:
+    task: Task
+    deaths: int = 0
+
+
+@dataclass(slots=True)
+class _Worker:
+    process: SpawnProcess
+    pipe: Connection
+    ready: bool = False
+    doing: _Try | None = None
+
+
+def run_tasks(tasks: Sequence[Task], workers: int, retries: int = 1) -> Iterator[tuple[str, Any]]:
+    """Yield (name, result) of every task as it ends; one whose workers died, or that raised, gives the exception.
 
     Parameters
     ----------
+    tasks : sequence of Task
     workers : int
-        Processes of the local cluster.
-    scheduler : str
-        Address of a running cluster, "tcp://host:8786"; "" starts a local one.
+        Processes at once.
     retries : int
-        How many workers may die over one visitor before it counts as failed.
+        How many workers more may die over one task before it counts as failed.
 
     Raises
     ------
     ClonerError
-        If there is no cluster at the address, or no worker starts on this machine.
+        If no process starts on this machine.
     """
-    settings = {
-        "distributed.scheduler.allowed-failures": retries,
-        "distributed.worker.daemon": False,
-        "distributed.nanny.pre-spawn-environ": _ENVIRONMENT,
-        "distributed.worker.profile.enabled": False,  # it wakes every worker a hundred times a second
-        "distributed.comm.timeouts.connect": f"{PATIENCE_S}s",
-    }
-    with dask.config.set(settings), _speechless():
-        if scheduler:
-            try:
-                client = Client(scheduler, timeout=PATIENCE_S)
-            except (OSError, TimeoutError, ValueError) as error:
-                hint = "Start it with: dask scheduler, and its workers with: dask worker ADDRESS"
-                raise ClonerError("no scheduler answers there", hint, scheduler) from error
-            with client:
-                yield client
-            return
-        cluster = LocalCluster(
-            n_workers=0, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
-        )
-        with cluster, Client(cluster) as client, _tended(cluster, workers):
-            try:
-                client.wait_for_workers(workers, timeout=START_S)
-            except TimeoutError as error:
+    waiting = deque(_Try(task) for task in tasks)
+    modules = tuple({task[1].__module__ for task in tasks})
+    crew: list[_Worker] = []
+    sign_of_life, not_before = time.monotonic(), 0.0
+    try:
+        while waiting or any(one.doing for one in crew):
+            busy = sum(one.doing is not None for one in crew)
+            if len(crew) < min(workers, len(waiting) + busy) and time.monotonic() >= not_before:
+                crew.append(_started(modules))
+                continue
+            for one in crew:
+                if waiting and one.ready and one.doing is None:
+                    _give(one, waiting.popleft())
+            for one in _heard(crew):
+                said, alive = _said(one)
+                ended, one.doing = one.doing, None
+                if alive or one.ready:
+                    sign_of_life = time.monotonic()
+                if alive:
+                    one.ready = True
+                else:
+                    crew.remove(one)
+                    _end([one])
+                    not_before = 0.0 if one.ready else time.monotonic() + PAUSE_S
+                if ended is not None and (alive or ended.deaths >= retries):
+                    name = ended.task[0]
+                    yield name, said if alive else ClonerError(LOST, "Clone it alone with --verbose", name)
+                elif ended is not None:
+                    ended.deaths += 1
+                    waiting.appendleft(ended)
+            if time.monotonic() - sign_of_life > START_S and not any(one.ready for one in crew):
                 hint = "Look for what ends them, such as a limit on memory, or use --workers 1"
-                raise ClonerError("its processes do not start", hint, "batch") from error
-            yield client
+                raise ClonerError("its processes do not start", hint, "batch")
+    finally:
+        _end(crew)
+
+
+def _started(modules: tuple[str, ...]) -> _Worker:
+    context = mp.get_context("spawn")
+    ours, theirs = context.Pipe()
+    process = context.Process(target=_serve, args=(theirs, modules), daemon=True)
+    with _one_thread_each():
+        process.start()
+    theirs.close()
+    return _Worker(process, ours)
 
 
 @contextmanager
-def _speechless() -> Iterator[None]:
-    """Keep Dask's talk and traces off the terminal: rows and sentences tell an operator what there is to do."""
-    levels = {logger: logger.level for logger in map(logging.getLogger, _TALKERS)}
+def _one_thread_each() -> Iterator[None]:
+    """Set the environment that a process inherits; this process has read its own already."""
+    before = {name: os.environ.get(name) for name in _ENVIRONMENT}
+    os.environ.update(_ENVIRONMENT)
     try:
-        for logger in levels:
-            logger.setLevel(logging.CRITICAL)
         yield
     finally:
-        for logger, level in levels.items():
-            logger.setLevel(level)
+        for name, value in before.items():
+            if value is None:
+                del os.environ[name]
+            else:
+                os.environ[name] = value
 
 
-@contextmanager
-def _tended(cluster: LocalCluster, workers: int) -> Iterator[None]:
-    """Keep so many workers in a local cluster: its own restart ends with a worker killed while it starts."""
+def _heard(crew: Sequence[_Worker]) -> list[_Worker]:
+    """Return the workers that have said something or are gone, after at most `PAUSE_S`."""
+    if not crew:
+        time.sleep(PAUSE_S)
+    pipes = wait([one.pipe for one in crew], PAUSE_S)
+    return [one for one in crew if one.pipe in pipes]
 
-    async def tend() -> None:
+
+def _said(worker: _Worker) -> tuple[Any, bool]:
+    """Return what a worker said, and whether it lives."""
+    try:
+        return worker.pipe.recv(), True
+    except (EOFError, OSError):
+        return None, False
+    except (pickle.UnpicklingError, AttributeError, ImportError, TypeError) as error:  # its class cannot be made here
+        return error, True
+
+
+def _give(worker: _Worker, one: _Try) -> None:
+    worker.doing = one
+    with contextlib.suppress(OSError):  # it has just died: heard of next
+        worker.pipe.send(one.task[1:])
+
+
+def _end(crew: Sequence[_Worker]) -> None:
+    """End workers; those at work are asked first, so that they leave nothing half-written."""
+    for one in crew:
+        one.pipe.close()
+        if one.doing is not None:
+            one.process.terminate()
+    over = time.monotonic() + TIDY_S
+    for one in crew:
+        one.process.join(max(over - time.monotonic(), 0.1))
+        if one.process.is_alive():
+            one.process.kill()
+            one.process.join()
+        one.process.close()
+
+
+def _serve(pipe: Connection, modules: tuple[str, ...]) -> None:
+    """Load what the tasks need, then do tasks until the other side closes the pipe; runs in the worker."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal's Ctrl-C reaches the batch, which ends its workers
+    signal.signal(signal.SIGTERM, _stop)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    with contextlib.suppress(EOFError, OSError, KeyboardInterrupt):
+        for module in modules:
+            importlib.import_module(module)
+        pipe.send(_READY)
         while True:
-            for name in [name for name, one in cluster.workers.items() if one.status in _OVER]:
-                del cluster.workers[name]
-            cluster.scale(workers)  # starts what is wanted and not there
-            await asyncio.sleep(TEND_S)
+            function, arguments, keywords = pipe.recv()
+            try:
+                answer = function(*arguments, **keywords)
+            except Exception as error:  # becomes the task's result
+                log.info("a task failed", exc_info=True)
+                answer = error
+            _tell(pipe, answer)
 
-    async def start() -> asyncio.Task[None]:
-        return asyncio.create_task(tend())
 
-    tending = cluster.sync(start)
+def _tell(pipe: Connection, answer: object) -> None:
     try:
-        yield
-    finally:
-        cluster.loop.add_callback(tending.cancel)
+        pipe.send(answer)
+    except (pickle.PicklingError, TypeError, AttributeError):
+        pipe.send(RuntimeError(f"its result, a {type(answer).__name__}, cannot travel"))
 
 
-def run_tasks(client: Client, tasks: Sequence[Task]) -> Iterator[tuple[str, Any]]:
-    """Yield (name, result) of every task as it ends; a task whose workers died gives an exception instead.
-
-    Only as many tasks are given as there are workers: what waits on a worker that dies would count as guilty too.
-
-    Raises
-    ------
-    ClonerError
-        If the scheduler disappears; what is finished stays finished.
-    """
-    waiting, running = deque(enumerate(tasks)), as_completed()
-    names: dict[Any, str] = {}
-
-    def give() -> None:
-        while waiting and len(names) < max(len(client.scheduler_info(n_workers=-1)["workers"]), 1):
-            number, (name, function, arguments, keywords) = waiting.popleft()
-            future = client.submit(function, *arguments, **keywords, pure=False, key=f"cloner-{number}-{name}")
-            names[future.key] = name
-            running.add(future)
-
-    try:
-        give()
-        for future in running:
-            name = names.pop(future.key)
-            if future.cancelled():
-                raise _gone()
-            yield name, _outcome(future, name)
-            future.release()
-            give()
-    except (OSError, TimeoutError, KeyError) as error:
-        raise _gone() from error
-    if waiting or names:
-        raise _gone()
+def _stop(number: int, frame: FrameType | None) -> None:
+    raise KeyboardInterrupt
 
 
-def _outcome(future: Any, name: str) -> Any:
-    error = future.exception()
-    if isinstance(error, KilledWorker):
-        return ClonerError(LOST, "Clone it alone with --verbose", name)
-    return future.result() if error is None else error
-
-
-def _gone() -> ClonerError:
-    hint = "Start it again and repeat the command: finished visitors are kept"
-    return ClonerError("the scheduler has disappeared", hint, "cluster")
+def _end_with_parent() -> None:
+    """End this process when the batch's does, even in the middle of a stage."""
+    parent = mp.parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 @contextmanager

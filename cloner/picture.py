@@ -11,9 +11,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
+from PIL.PngImagePlugin import PngInfo
 
 from cloner.errors import ClonerError
 from cloner.geometry.viewpoints import framing_cameras
+from cloner.project.atomic import safe_output
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.records.clones import Clone
 from cloner.render import clone_layers, draw, render, standard_camera
@@ -45,18 +47,21 @@ def draw_file(clone_path: Path, view: str, out: Path, size: str = "800x1200") ->
     Raises
     ------
     ClonerError
-        If there is no clone, the view, size or film's format is unknown, or ``out`` cannot be written.
+        If there is no clone, the view, size or film's format is unknown, or ``out`` exists or cannot be written.
     """
     width, height = _size(size)
     if view == TURNTABLE and out.suffix.lower() not in FORMATS:
         raise ClonerError("a turntable is a film", f"Give --out one of {', '.join(FORMATS)}", out.name)
+    safe_output(out)
     clone = clone_of(clone_path)
     temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
     try:
         if view == TURNTABLE:
             write_film(turntable(clone, width, height), TURN_FRAMES / TURN_SECONDS, temporary)
         else:
-            Image.fromarray(_still(clone, view, width, height)).save(temporary, format="PNG")
+            told = PngInfo()
+            told.add_text("Software", clone.stamp)  # as every other output: what made it, and of which photos
+            Image.fromarray(_still(clone, view, width, height)).save(temporary, format="PNG", pnginfo=told)
         temporary.replace(out)
     except OSError as error:
         raise ClonerError("the picture cannot be written", "Choose another --out file", out.name) from error

@@ -1,7 +1,8 @@
-"""What is held of whom: listed, handed out, and forgotten.
+"""What is held of a visitor, handed out or forgotten.
 
-Of a visitor there are the photo folder (with what was typed and corrected), the result folder, and a row in each batch
-summary. Nothing else is ever written: no cache, no log file, no copy of a photo.
+Of a visitor there are the photo folder (with what was typed and corrected), the result folders, what killed runs left
+of them, and a row in each batch summary. Nothing else is ever written: no cache, no log file, no copy of a photo.
+Photos and results belong together by what a result's manifest says it was made from, whatever they are called.
 """
 
 from __future__ import annotations
@@ -11,119 +12,32 @@ import json
 import os
 import re
 import shutil
+import stat
 import time
 import zipfile
-from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
-from datetime import UTC, datetime
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.errors import ClonerError, plain
-from cloner.project.atomic import RESULT_MARK, interrupted
+from cloner.errors import ClonerError
+from cloner.holdings import Holding, photo_digests
+from cloner.leftovers import Traces, left_of
+from cloner.outside import read_outside
+from cloner.project.atomic import interrupted, safe_output
 from cloner.project.claims import claimed
-from cloner.project.folder import SUFFIXES, read_consent, read_person, safe_identifier
-from cloner.project.manifest import DEEPEST, photo_folders
-from cloner.project.stamps import file_digest
+from cloner.project.corrections import WHERE as CORRECTIONS_FILE
+from cloner.project.folder import PERSON_FILE, SUFFIXES, read_person
+from cloner.project.results import RESULT_MARK, file_digest, foreign_files, read_manifest
+from cloner.project.stamps import photos_token
+from cloner.project.texts import LARGEST_BYTES
 from cloner.records.batches import BatchRow
 from cloner.report.batch import write_summary
 
-SHORTEST_NAME: Final = 2  # letters; shorter ones stand in every file
-_DAY_S: Final = 86_400.0
 _FORGOTTEN: Final = ".forgotten-"
-_SCANNED_SUFFIXES: Final = (".json", ".csv", ".html", ".toml", ".txt", ".log", ".wrl", ".x3d", ".gltf", ".md")
+_ASIDE: Final = re.compile(r"\.forgotten-\d+-\d+")
 _SUMMARIES: Final = "batch*.json"
-
-
-@dataclass(frozen=True, slots=True)
-class Holding:
-    """All that is held of one visitor.
-
-    Attributes
-    ----------
-    identifier : str
-    photos, result : Path or None
-    files : int
-    size_bytes : int
-    newest : datetime
-        Last change of any file, UTC.
-    consent : str
-        As written in ``person.toml``; "" where nothing is.
-    """
-
-    identifier: str
-    photos: Path | None
-    result: Path | None
-    files: int
-    size_bytes: int
-    newest: datetime
-    consent: str
-
-    @property
-    def folders(self) -> tuple[Path, ...]:
-        """The folders that exist."""
-        return tuple(folder for folder in (self.photos, self.result) if folder is not None)
-
-
-def holdings(photos_root: Path | None, out: Path | None) -> tuple[Holding, ...]:
-    """Return what is held below a root of photos and a folder of results, by identifier.
-
-    Raises
-    ------
-    ClonerError
-        If neither is given or a given folder is missing.
-    """
-    for folder in (photos_root, out):
-        if folder is not None and not folder.is_dir():
-            raise ClonerError(
-                "there is no such folder", "Give --photos and --out as you gave them to batch", folder.name
-            )
-    if photos_root is None and out is None:
-        raise ClonerError("there is nowhere to look", "Give --photos, --out or both", "cloner")
-    photos = (
-        {} if photos_root is None else {_name(photos_root, one): one for one in photo_folders(photos_root, DEEPEST)}
-    )
-    results = {} if out is None else {one.parent.name: one.parent for one in sorted(out.glob(f"*/{RESULT_MARK}"))}
-    return tuple(holding_of(name, photos.get(name), results.get(name)) for name in sorted({*photos, *results}))
-
-
-def _name(root: Path, folder: Path) -> str:
-    parts = folder.relative_to(root).parts
-    return safe_identifier("-".join(parts) if parts else root.resolve().name)
-
-
-def holding_of(name: str, photos: Path | None, result: Path | None) -> Holding:
-    """Return what is held of one visitor in a folder of photos and a folder of results."""
-    files = [path for folder in (photos, result) if folder is not None for path in _files(folder)]
-    newest = max((path.stat().st_mtime for path in files), default=0.0)
-    size = sum(path.stat().st_size for path in files)
-    consent = _consent(photos) if photos is not None else ""
-    return Holding(name, photos, result, len(files), size, datetime.fromtimestamp(newest, UTC), consent)
-
-
-def _consent(photos: Path) -> str:
-    try:
-        return plain(read_consent(photos))
-    except ClonerError as error:  # who is held must be told even where a file is broken
-        return f"unreadable: {error.message}"
-
-
-def _files(folder: Path) -> Iterator[Path]:
-    return (path for path in sorted(folder.rglob("*")) if path.is_file() and not path.is_symlink())
-
-
-def find_holding(identifier: str, held: Sequence[Holding]) -> Holding:
-    """Return what is held of one visitor.
-
-    Raises
-    ------
-    ClonerError
-        If nothing is.
-    """
-    for one in held:
-        if one.identifier == identifier:
-            return one
-    raise ClonerError("nothing is held under this name", "cloner list shows the names", identifier)
+#: What is typed or counted may be the same of two visitors: its digest tells of nobody.
+_TYPED: Final = (".json", ".toml", ".txt", ".csv")
 
 
 def export_data(holding: Holding, to: Path) -> Path:
@@ -134,14 +48,13 @@ def export_data(holding: Holding, to: Path) -> Path:
     ClonerError
         If the file exists or cannot be written.
     """
-    if to.exists():
-        raise ClonerError("the file exists", "Choose another name", to.name)
+    safe_output(to)
     temporary = to.with_name(f".{to.name}.partial-{os.getpid()}")
     try:
         with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
-            for folder, label in ((holding.photos, "photos"), (holding.result, "result")):
-                for path in _files(folder) if folder is not None else ():
-                    archive.write(path, f"{holding.identifier}/{label}/{path.relative_to(folder).as_posix()}")  # type: ignore[arg-type]
+            for folder, label in _labelled(holding):
+                for path in holding.files_in(folder):
+                    archive.write(path, f"{holding.identifier}/{label}/{path.relative_to(folder).as_posix()}")
         temporary.replace(to)
     except OSError as error:
         raise ClonerError("the zip file cannot be written", "Check the folder and its space", to.name) from error
@@ -150,143 +63,164 @@ def export_data(holding: Holding, to: Path) -> Path:
     return to
 
 
+def _labelled(holding: Holding) -> Iterator[tuple[Path, str]]:
+    """Yield the folders of a visitor and what they are called in a zip file."""
+    for folders, label in ((holding.photos, "photos"), (holding.results, "result"), (holding.rests, "interrupted")):
+        for number, folder in enumerate(folders):
+            yield folder, label if number == 0 else f"{label}-{number + 1}"
+
+
 def forget(holding: Holding, photos_root: Path | None, out: Path | None) -> tuple[str, ...]:
     """Delete everything that is held of a visitor and return the files that still speak of it: none if all is well.
 
     Folders are renamed before they are deleted, so a kill half-way leaves nothing that would still be cloned or listed;
-    the next call deletes such rests too. Every text below both folders is then searched for the visitor's identifier,
-    name and photo digests, and every picture compared with the visitor's own.
+    the next call deletes such rests too. What cannot be deleted, and what a result's manifest does not list, stays and
+    is told. Everything below both folders is then searched; see `cloner.leftovers`.
 
     Raises
     ------
     ClonerError
-        If something cannot be deleted, or a run is at work on the visitor.
+        If a run is at work on the visitor; nothing is deleted then.
     """
-    traces, sizes = _traces(holding), {path.stat().st_size for path in _pictures(holding)}
+    traces = _traces(holding)
     roots = [root for root in (photos_root, out) if root is not None]
     with contextlib.ExitStack() as stack:
-        if out is not None and not stack.enter_context(claimed(out, holding.identifier)):
+        if out is not None and not all(stack.enter_context(claimed(out, name)) for name in holding.names):
             raise _busy(holding)
-        try:
-            _delete(holding, roots, out)
-        except OSError as error:
-            raise ClonerError(
-                "not everything could be deleted", "Check permissions and repeat", holding.identifier
-            ) from error
-    return tuple(still_told(traces, sizes, roots))
+        left = list(_delete(holding, roots, out))
+    told = {one.partition(" (")[0] for one in left}
+    left += [one for one in left_of(traces, roots) if one not in told]
+    return tuple(dict.fromkeys(left))
 
 
-def _delete(holding: Holding, roots: Sequence[Path], out: Path | None) -> None:
-    """Delete folders, rows, and what killed runs left of a visitor."""
-    rests = interrupted(out, holding.identifier) if out is not None else []
-    if rests is None:
-        raise _busy(holding)
-    for folder in (*holding.folders, *rests):
-        _remove(folder)
+def _delete(holding: Holding, roots: Sequence[Path], out: Path | None) -> Iterator[str]:
+    """Delete folders, rows, and what killed runs left of a visitor; yield what stays."""
+    for name in holding.names if out is not None else ():
+        if interrupted(out, name) is None:  # type: ignore[arg-type]
+            raise _busy(holding)
+    for folder in (*holding.results, *holding.rests):
+        yield from _delete_result(folder) if folder in holding.results else _remove(folder)
+    for folder in holding.photos:
+        yield from _delete_photos(folder, roots, out)
     for root in roots:
-        for rest in root.glob(f"**/{_FORGOTTEN}*"):
-            shutil.rmtree(rest)
+        for rest in [path for path in root.glob(f"**/{_FORGOTTEN}*") if _ASIDE.fullmatch(path.name)]:
+            yield from _remove(rest)
         for path in root.glob("*.log*"):
-            _forget_lines(path, holding.identifier)
+            yield from _forget_lines(path, holding.names)
     if out is not None:
-        _forget_rows(out, holding.identifier)
+        yield from _forget_rows(out, holding.names)
 
 
-def _forget_lines(path: Path, identifier: str) -> None:
-    """Take the lines about a visitor out of a log; in place, because a running window goes on writing into it."""
-    told = re.compile(rf"(?<![\w.-]){re.escape(identifier)}(?![\w-])")
-    with path.open("r+", encoding="utf-8", errors="replace") as stream:
-        lines = stream.readlines()
-        kept = [line for line in lines if not told.search(line)]
-        if len(kept) < len(lines):
-            stream.seek(0)
-            stream.writelines(kept)
-            stream.truncate()
+def _delete_result(folder: Path) -> Iterator[str]:
+    """Delete a result; of one that holds files of somebody's own only what is listed, the rest is told."""
+    foreign, manifest = foreign_files(folder), read_manifest(folder)
+    if not foreign:
+        yield from _remove(folder)
+        return
+    for name in (*manifest.outputs, RESULT_MARK) if manifest is not None else ():
+        if name not in foreign:
+            with contextlib.suppress(FileNotFoundError):
+                (folder / name).unlink()
+    yield from (f"{folder.name}/{name} (no part of a result)" for name in foreign if not (folder / name).is_dir())
+
+
+def _delete_photos(folder: Path, roots: Sequence[Path], out: Path | None) -> Iterator[str]:
+    """Delete a visitor's folder; where others lie below it, only the visitor's own files."""
+    own = folder.resolve()
+    above = [one for one in (*roots, *([out] if out is not None else [])) if one.resolve().is_relative_to(own)]
+    if not above:
+        yield from _remove(folder)
+        return
+    for path in sorted(folder.iterdir()):
+        is_photo = path.suffix.lower() in SUFFIXES and not path.is_dir()
+        if is_photo or path.name in (PERSON_FILE, CORRECTIONS_FILE):
+            try:
+                path.unlink()
+            except OSError as error:
+                yield _stays(path, error)
+
+
+def _remove(folder: Path) -> Iterator[str]:
+    """Delete a folder; yield it where that cannot be."""
+    aside = folder.with_name(f"{_FORGOTTEN}{os.getpid()}-{time.monotonic_ns()}")
+    try:
+        folder.rename(aside)
+    except FileNotFoundError:
+        return
+    except OSError as error:
+        yield _stays(folder, error)
+        return
+    try:
+        shutil.rmtree(aside)
+    except OSError as error:
+        with contextlib.suppress(OSError):  # what cannot be deleted keeps its name
+            aside.rename(folder)
+        yield _stays(folder, error)
+
+
+def _stays(path: Path, error: OSError) -> str:
+    return f"{path.name} (cannot be deleted: {error.strerror or type(error).__name__})"
+
+
+def _forget_lines(path: Path, names: Iterable[str]) -> Iterator[str]:
+    """Take the lines about a visitor out of a log; in place, because a running window goes on writing into it.
+
+    A link is left alone: what it leads to is somebody else's; so is what is no file.
+    """
+    told = re.compile("|".join(rf"(?<![\w.-]){re.escape(name)}(?![\w-])" for name in names))
+    try:
+        if not stat.S_ISREG(path.lstat().st_mode):
+            return
+        descriptor = os.open(path, os.O_RDWR | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_NONBLOCK", 0))
+        with os.fdopen(descriptor, "r+", encoding="utf-8", errors="surrogateescape") as stream:
+            lines = stream.readlines()
+            kept = [line for line in lines if not told.search(line)]
+            if len(kept) < len(lines):
+                stream.seek(0)
+                stream.writelines(kept)
+                stream.truncate()
+    except OSError as error:
+        yield _stays(path, error)
 
 
 def _busy(holding: Holding) -> ClonerError:
     return ClonerError("somebody is cloning this visitor just now", "Wait or stop that, and repeat", holding.identifier)
 
 
-def _traces(holding: Holding) -> tuple[str, ...]:
-    """Return the texts that would tell of a visitor."""
-    found = {f'"{holding.identifier}"', f"/{holding.identifier}/"}
-    if holding.photos is not None:
-        found |= {file_digest(path) for path in _pictures(holding)}
+def _traces(holding: Holding) -> Traces:
+    """Return what would tell of a visitor."""
+    digests: dict[str, int | None] = {}
+    names, tokens = set(holding.names), set()
+    for folder in holding.results:
+        manifest = read_manifest(folder)
+        if manifest is not None:
+            photos = [digest for name, digest in manifest.inputs.items() if "." not in name]
+            digests |= dict.fromkeys((*photos, *manifest.outputs.values()))
+            tokens.add(photos_token(photos))
+    digests.pop("", None)
+    for folder in holding.photos:
+        tokens.add(photos_token(photo_digests(folder)))
         with contextlib.suppress(ClonerError):  # a broken file tells no name
-            name = read_person(holding.photos).name.strip()
-            found |= {name} if len(name) > SHORTEST_NAME else set()
-    if holding.result is not None:
-        found |= set(_photo_digests(holding.result))
-    return tuple(found)
+            names |= {read_person(folder).name.strip()} - {""}
+    for path in [path for folder in holding.folders for path in holding.files_in(folder)]:
+        with contextlib.suppress(OSError):
+            if path.stat().st_size and path.suffix.lower() not in _TYPED:
+                digests[file_digest(path)] = path.stat().st_size
+    return Traces(digests, names, tokens)
 
 
-def _photo_digests(result: Path) -> Iterator[str]:
-    """Yield the digests of the photos a result was made from, as far as its report can be read."""
-    try:
-        photos = json.loads((result / RESULT_MARK).read_text(encoding="utf-8"))["photos"]
-        yield from (str(photo["sha256"]) for photo in photos.values())
-    except (OSError, ValueError, LookupError, TypeError, AttributeError):
-        return
-
-
-def _pictures(holding: Holding) -> list[Path]:
-    """Return the visitor's photos and the previews made of them."""
-    folders = (holding.photos, holding.result / "previews" if holding.result is not None else None)
-    return [path for folder in folders if folder is not None for path in _files(folder) if _is_picture(path)]
-
-
-def _is_picture(path: Path) -> bool:
-    return path.suffix.lower() in SUFFIXES
-
-
-def still_told(traces: Sequence[str], sizes: Collection[int], roots: Sequence[Path]) -> Iterator[str]:
-    """Yield the files below the roots that hold one of the texts, and pictures with one of them as their digest."""
-    for root in roots:
-        for path in _files(root):
-            if _is_picture(path):
-                text = file_digest(path) if path.stat().st_size in sizes else ""
-            elif path.suffix.lower() in _SCANNED_SUFFIXES:
-                text = path.read_text(encoding="utf-8", errors="replace")
-            else:
-                continue
-            if any(trace in text for trace in traces):
-                yield path.relative_to(root).as_posix()
-
-
-def _remove(folder: Path) -> None:
-    aside = folder.with_name(f"{_FORGOTTEN}{os.getpid()}-{time.monotonic_ns()}")
-    folder.rename(aside)
-    shutil.rmtree(aside)
-
-
-def _forget_rows(out: Path, identifier: str) -> None:
-    """Write the batch summaries anew without one visitor."""
+def _forget_rows(out: Path, names: Iterable[str]) -> Iterator[str]:
+    """Write the batch summaries anew without one visitor; yield those that cannot be written."""
+    gone = set(names)
     for path in out.glob(_SUMMARIES):
         try:
-            told: dict[str, Any] = json.loads(path.read_text(encoding="utf-8"))
+            told: dict[str, Any] = json.loads(read_outside(path, LARGEST_BYTES))
             rows = [BatchRow(**row) for row in told["rows"]]
-        except (ValueError, LookupError, TypeError):
-            continue  # no summary of ours; the scan afterwards tells whether it speaks of the visitor
-        kept = [row for row in rows if row.identifier != identifier]
+        except (OSError, ValueError, LookupError, TypeError):
+            continue  # no summary of ours; the search afterwards tells whether it speaks of the visitor
+        kept = [row for row in rows if row.identifier not in gone]
         if len(kept) != len(rows):
-            write_summary(kept, int(told["visitors"]) - 1, out, path.stem)
-
-
-def older_than(held: Sequence[Holding], days: float, now: datetime | None = None) -> tuple[Holding, ...]:
-    """Return what was last changed more than so many days ago."""
-    limit = (now or datetime.now(UTC)).timestamp() - days * _DAY_S
-    return tuple(one for one in held if one.newest.timestamp() < limit)
-
-
-def table(held: Sequence[Holding]) -> str:
-    """Return the holdings as a table of text."""
-    width = max((len(one.identifier) for one in held), default=7)
-    lines = [f"{'visitor':{width}}  photos  result  files      MB  last change (UTC)  consent"]
-    for one in held:
-        has = [("yes" if folder is not None else "-") for folder in (one.photos, one.result)]
-        lines.append(
-            f"{one.identifier:{width}}  {has[0]:6}  {has[1]:6}  {one.files:5}  {one.size_bytes / 1e6:6.1f}  "
-            f"{one.newest:%Y-%m-%d %H:%M}   {one.consent or 'not recorded'}"
-        )
-    return "\n".join(lines)
+            try:
+                write_summary(kept, int(told["visitors"]) - 1, out, path.stem)
+            except ClonerError as error:
+                yield f"{path.name} ({error.message})"

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import contextlib
+import errno
+import io
 import logging
 import os
 import sys
 import time
 from collections.abc import Callable
+from pathlib import Path
 from types import TracebackType
 from typing import Final, Self, TextIO
 
 import typer
 
-from cloner.errors import Cancelled, ClonerError
+from cloner.errors import Cancelled, ClonerError, plain
 
 log = logging.getLogger(__name__)
 
@@ -20,6 +24,17 @@ EXIT_INPUT: Final = 2
 EXIT_SOME_FAILED: Final = 1
 EXIT_DEFECT: Final = 70  # sysexits.h: internal software error
 EXIT_CANCELLED: Final = 130  # 128 + SIGINT, as shells have it
+_CHECK: Final = "Check the path, its permissions and the space there"
+_HINTS: Final = {
+    errno.ENAMETOOLONG: "Give a shorter path", errno.ELOOP: "Its links lead in a circle: give the place itself",
+    errno.ENOSPC: "Free some space there", errno.EDQUOT: "Free some space there",
+    errno.EMFILE: "Close other programs, or raise the limit of open files (ulimit -n)",
+}  # fmt: skip
+#: How libraries in C say it.
+_NO_MEMORY: Final = (
+    "bad_alloc", "Insufficient memory", "annot allocate memory", "can't start new thread", "failed to allocate",
+    "ailed to map segment",
+)  # fmt: skip
 REDRAW_S: Final = 0.1  # taste: often enough to look alive, seldom enough to cost nothing
 
 
@@ -71,12 +86,48 @@ class ProgressLine:
         self._step = ""
 
 
+class Unheard(io.TextIOWrapper):
+    """Standard error that never ends a command: nobody may listen any more, and the work goes on."""
+
+    def write(self, text: str) -> int:
+        """Write what can be written."""
+        with contextlib.suppress(OSError, ValueError):
+            super().write(text)
+        return len(text)
+
+    def flush(self) -> None:
+        """Flush what can be flushed."""
+        with contextlib.suppress(OSError, ValueError):
+            super().flush()
+
+
+def prepare_streams() -> None:
+    """Make both standard streams such that names which are no text can be shown, and that a deaf reader ends nothing.
+
+    Raises
+    ------
+    ClonerError
+        If standard output is closed: what is asked for would be lost.
+    """
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")
+    elif sys.stderr is sys.__stderr__ and isinstance(sys.stderr, io.TextIOWrapper):
+        encoding = sys.stderr.encoding
+        sys.stderr = Unheard(sys.stderr.detach(), encoding, "backslashreplace", line_buffering=True)
+    if sys.stdout is None:
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")
+        raise ClonerError("it is closed", "Give it a place, for example > /dev/null", "standard output")
+    if isinstance(sys.stdout, io.TextIOWrapper):
+        sys.stdout.reconfigure(errors="backslashreplace")  # names of folders need not be text
+
+
 def ended(work: Callable[[], object]) -> int:
     """Do the work of a command and return its exit code; what went wrong is said in one line, never as a trace.
 
     The only place beside the batch and the window that catches everything.
     """
     try:
+        prepare_streams()
         code = work()
         if code == EXIT_CANCELLED:  # typer turns Ctrl-C into this code before we see it
             raise KeyboardInterrupt
@@ -89,20 +140,47 @@ def ended(work: Callable[[], object]) -> int:
     except typer.TyperException as error:  # a wrong option or argument
         return _said(error.format_message(), error.exit_code)
     except BrokenPipeError:  # the reader of our output, say "head", has seen enough
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _to_nowhere()
         return 0
     except Exception as error:
         log.info("the command failed", exc_info=True)
-        return _said(defect(error), EXIT_DEFECT)
+        mendable = isinstance(error, OSError) or out_of_memory(error)
+        return _said(sentence_of(error), EXIT_INPUT if mendable else EXIT_DEFECT)
 
 
-def defect(error: BaseException) -> str:
+def _to_nowhere() -> None:
+    """Let nothing more be written to standard output: Python would fail over it once more when it ends."""
+    with contextlib.suppress(OSError, ValueError, AttributeError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
+def sentence_of(error: BaseException) -> str:
     """Return what to say of an error that nobody expected."""
-    if isinstance(error, MemoryError):
+    if out_of_memory(error):
         return "there is not enough memory. Close other programs, or ask for a smaller --size"
+    if isinstance(error, OSError):
+        where = plain(Path(os.fsdecode(error.filename)).name) if isinstance(error.filename, str | bytes) else "system"
+        return f"{where}: {error.strerror or 'it cannot be used'}. {_HINTS.get(error.errno or 0, _CHECK)}"
     return f"a defect of Cloner ({type(error).__name__}). Run it again with --verbose and report what it says"
 
 
+def out_of_memory(error: BaseException) -> bool:
+    """Return whether an error means that the memory is at its end, whichever library says so."""
+    if isinstance(error, MemoryError) or (isinstance(error, OSError) and error.errno == errno.ENOMEM):
+        return True
+    may = isinstance(error, RuntimeError | ImportError | SystemError) or type(error).__module__ == "cv2"
+    return may and any(words in str(error) for words in _NO_MEMORY)
+
+
 def _said(text: str, code: int) -> int:
+    _to_nowhere_if_full()
     sys.stderr.write(f"cloner: {text}\n")
+    sys.stderr.flush()
     return code
+
+
+def _to_nowhere_if_full() -> None:
+    try:
+        sys.stdout.flush()
+    except (OSError, ValueError, AttributeError):
+        _to_nowhere()

@@ -7,6 +7,7 @@ Fails with a line that says what is missing.
 
 from __future__ import annotations
 
+import json
 import os
 import shutil
 import subprocess
@@ -34,8 +35,14 @@ def main() -> None:
         folder = Path(name)
         run([sys.executable, "-m", "venv", folder / "venv"], folder)
         python, cloner = folder / "venv" / "bin" / "python", folder / "venv" / "bin" / "cloner"
-        constraints = ("--constraint", ROOT / "constraints.txt")
-        run([python, "-m", "pip", "install", "--quiet", *constraints, wheel], folder)
+        lines = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
+        pins = [line.removesuffix("\\").strip() for line in lines if "==" in line and not line.startswith((" ", "#"))]
+        (folder / "pins.txt").write_text("\n".join(pins) + "\n", encoding="utf-8")  # our own wheel has no hash there
+        run([python, "-m", "pip", "install", "--quiet", "--constraint", folder / "pins.txt", wheel], folder)
+        bill = "import importlib.metadata as told; files = told.files('photo-cloner')\n"
+        bill += "print(next(file for file in files if 'sboms/' in str(file)).read_text())"
+        if json.loads(run([python, "-c", bill], folder))["bomFormat"] != "CycloneDX":
+            sys.exit("the wheel lacks its bill of materials")
         print(run([cloner, "--version"], folder).strip())
         where = run([python, "-c", "import cloner, cloner_gui, cloner_models; print(cloner.__file__)"], folder)
         if str(folder) not in where:

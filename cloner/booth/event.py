@@ -10,8 +10,10 @@ from typing import Any, Final
 
 from cloner.booth.visits import VISIT_FILE, Visit, read_visit, write_visit
 from cloner.errors import ClonerError
+from cloner.outside import read_outside
 from cloner.project.atomic import write_text
 from cloner.project.folder import holds_photos
+from cloner.project.texts import LARGEST_BYTES
 
 EVENT_FILE: Final = "event.json"
 LOG_FILE: Final = "cloner.log"
@@ -74,7 +76,7 @@ def read_event(folder: Path) -> Event:
     if not path.exists():
         return Event()
     try:
-        told = json.loads(path.read_text(encoding="utf-8"))
+        told = json.loads(read_outside(path, LARGEST_BYTES))
     except (OSError, ValueError, RecursionError) as error:
         raise ClonerError("the event's settings cannot be read", _HINT, EVENT_FILE) from error
     if not isinstance(told, dict) or told.pop("format", None) != FORMAT:

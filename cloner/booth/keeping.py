@@ -6,7 +6,8 @@ from datetime import datetime
 from pathlib import Path
 
 from cloner.booth.event import visitor_folders
-from cloner.privacy import Holding, forget, holding_of, older_than
+from cloner.holdings import Holding, holding_of, older_than
+from cloner.privacy import forget
 
 
 def held(root: Path) -> tuple[Holding, ...]:

@@ -10,7 +10,9 @@ from typing import Final
 from cloner.booth.kept import WORK
 from cloner.booth.looking_table import Look, Trouble
 from cloner.frames import ViewId
+from cloner.outside import read_outside
 from cloner.project.atomic import write_text
+from cloner.project.texts import LARGEST_BYTES
 
 LOOKS_FILE: Final = "looks.json"
 
@@ -18,7 +20,7 @@ LOOKS_FILE: Final = "looks.json"
 def read_looks(folder: Path) -> dict[str, Look]:
     """Return what was found, by digest; nothing where the file is missing or broken: it is found again."""
     try:
-        told = json.loads((folder / WORK / LOOKS_FILE).read_text(encoding="utf-8"))
+        told = json.loads(read_outside(folder / WORK / LOOKS_FILE, LARGEST_BYTES))
         return {digest: _look(digest, one) for digest, one in told.items()}
     except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return {}

@@ -21,10 +21,11 @@ from cloner.booth.photo_files import placed_photos, tray_photos
 from cloner.booth.takeaway import has_result
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.project.atomic import RESULT_MARK
 from cloner.project.clone_file import load_clone
 from cloner.project.corrections import check_against, no_corrections
 from cloner.project.folder import read_corrections, read_person, safe_identifier
+from cloner.project.results import RESULT_MARK
+from cloner.project.texts import read_text
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
 from cloner.vision.pictures import read_picture
@@ -171,7 +172,7 @@ def read_cloned(folder: Path, photos: PhotoSet) -> Cloned | None:
     if not has_result(result):
         return None
     try:
-        report = json.loads((result / RESULT_MARK).read_text(encoding="utf-8"))
+        report = json.loads(read_text(result / RESULT_MARK))
         if report[_STAMP]["photos"] != digests(photos):
             return None
         values = {**known_values(folder, photos), "clone": load_clone(result / CLONE_FILE)}

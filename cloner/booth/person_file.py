@@ -14,6 +14,7 @@ from cloner.errors import ClonerError
 from cloner.frames import cm_from_m
 from cloner.project.atomic import write_text
 from cloner.project.folder import PERSON_FILE, read_consent, read_person
+from cloner.project.texts import read_text
 
 CENTIMETRES_PER_INCH: Final = 2.54
 INCHES_PER_FOOT: Final = 12
@@ -40,7 +41,7 @@ def write_person(folder: Path, *, name: str, height_cm: float | None, consent: s
     """
     read_person(folder, height_cm)  # refuses absurd heights and malformed files
     path = folder / PERSON_FILE
-    told: dict[str, Any] = tomllib.loads(path.read_text(encoding="utf-8-sig")) if path.exists() else {}
+    told: dict[str, Any] = tomllib.loads(read_text(path)) if path.exists() else {}
     told |= {"name": name, "height_cm": height_cm, "consent": consent}
     tables = {key: value for key, value in told.items() if isinstance(value, Mapping)}
     lines = [_line(key, value) for key, value in told.items() if key not in tables and value not in ("", None)]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from cloner.booth.kept import CLONE_FILE
 from cloner.errors import ClonerError
-from cloner.project.atomic import RESULT_MARK
+from cloner.project.results import RESULT_MARK
 
 #: Characters a code may hold and still be read from a screen by any telephone (taste; the standard allows 2953).
 LONGEST_CODE: Final = 600

@@ -9,7 +9,9 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Final
 
+from cloner.outside import read_outside
 from cloner.project.atomic import write_text
+from cloner.project.texts import LARGEST_BYTES
 
 log = logging.getLogger(__name__)
 
@@ -66,7 +68,7 @@ def read_visit(folder: Path) -> Visit:
     The file is the window's own memory: losing it costs a click, so it never stands in the way of the photos.
     """
     try:
-        told = json.loads((folder / VISIT_FILE).read_text(encoding="utf-8"))
+        told = json.loads(read_outside(folder / VISIT_FILE, LARGEST_BYTES))
         usual = asdict(Visit())
         return Visit(**{key: type(usual[key])(value) for key, value in told.items() if key in usual})
     except FileNotFoundError:

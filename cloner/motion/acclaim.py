@@ -22,6 +22,7 @@ from scipy.spatial.transform import Rotation
 
 from cloner.errors import ClonerError
 from cloner.motion.bvh import LARGEST_BYTES, MOST_JOINTS, Capture
+from cloner.outside import text_outside
 
 Array = NDArray[np.float64]
 
@@ -81,12 +82,7 @@ def _skeleton_of(path: Path) -> Path:
 
 
 def _text(path: Path) -> str:
-    try:
-        if path.stat().st_size > LARGEST_BYTES:
-            raise ClonerError("the capture is too large", "Cut it into shorter takes", path.name)
-        return path.read_text(encoding="utf-8", errors="replace")
-    except OSError as error:
-        raise ClonerError("the capture cannot be read", "Give a .amc file with its .asf", path.name) from error
+    return text_outside(path, "the capture", "Give a .amc file with its .asf", LARGEST_BYTES, errors="replace")
 
 
 def parse_acclaim(skeleton: str, motion: str) -> Capture:

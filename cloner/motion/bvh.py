@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.motion import turns
+from cloner.outside import text_outside
 from cloner.records.arrays import freeze
 
 Array = NDArray[np.float64]
@@ -84,12 +85,7 @@ def read_bvh(path: Path) -> Capture:
     ClonerError
         If the file is missing, too large, or no BVH.
     """
-    try:
-        if path.stat().st_size > LARGEST_BYTES:
-            raise ClonerError("the capture is too large", "Cut it into shorter takes", path.name)
-        text = path.read_text(encoding="utf-8", errors="replace")
-    except OSError as error:
-        raise ClonerError("the capture cannot be read", "Give a .bvh file", path.name) from error
+    text = text_outside(path, "the capture", "Give a .bvh file", LARGEST_BYTES, errors="replace")
     try:
         return parse_bvh(text)
     except (ValueError, IndexError) as error:

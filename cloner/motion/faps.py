@@ -23,6 +23,7 @@ from scipy.optimize import lsq_linear
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
+from cloner.outside import text_outside
 from cloner.records.arrays import freeze
 from cloner.records.clones import Clone
 
@@ -159,12 +160,8 @@ def read_fap(path: Path) -> FapStream:
     ClonerError
         If the file is missing, too large or no FAP file.
     """
-    try:
-        if path.stat().st_size > LARGEST_BYTES:
-            raise ClonerError("the FAP file is too large", "Cut it into shorter pieces", path.name)
-        lines = [line for line in path.read_text(encoding="utf-8", errors="replace").splitlines() if line.strip()]
-    except OSError as error:
-        raise ClonerError("the FAP file cannot be read", "Give a .fap file", path.name) from error
+    text = text_outside(path, "the FAP file", "Give a .fap file", LARGEST_BYTES, errors="replace")
+    lines = [line for line in text.splitlines() if line.strip()]
     try:
         return _parsed(lines)
     except (ValueError, IndexError, OverflowError) as error:

@@ -34,12 +34,14 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.motion.expressions import EXPRESSIONS, Beat, Envelope, play
+from cloner.outside import text_outside
 
 Array = NDArray[np.float64]
 
 FACE_TRACKS: Final = ("eyes", "brows", "mouth", "emotion")
 HEAD: Final = "head"
 LONGEST_S: Final = 600.0
+LARGEST_BYTES: Final = 10_000_000  # taste: a thousand times what a person types
 #: Small expressions beside the six of the standard; taste. Any target's own name is one too.
 GESTURES: Final[Mapping[str, Mapping[str, float]]] = MappingProxyType({
     "blink": {"eyeBlinkLeft": 1.0, "eyeBlinkRight": 1.0},
@@ -145,10 +147,9 @@ def read_score(path: Path, targets: Sequence[str]) -> Score:
     ClonerError
         If the file is missing, no TOML, or names what is not known.
     """
+    text = text_outside(path, "the score", "Give a .toml file", LARGEST_BYTES)
     try:
-        tracks = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError) as error:
-        raise ClonerError("the score cannot be read", "Give a .toml file", path.name) from error
+        tracks = tomllib.loads(text)
     except (ValueError, RecursionError) as error:  # endless numbers and brackets are no TOMLDecodeError
         raise ClonerError(f"the score is no TOML: {error}", "Write tables like [[emotion]]", path.name) from error
     found: dict[str, list[Beat]] = {}

@@ -11,6 +11,7 @@ Tutorial "Inhabited Virtual Heritage", Eurographics 2001, speech. G. Peterson, H
 
 from __future__ import annotations
 
+import io
 import struct
 import warnings
 from collections.abc import Mapping, Sequence
@@ -28,6 +29,7 @@ from scipy.signal import resample_poly
 
 from cloner.errors import ClonerError
 from cloner.motion.contact import runs
+from cloner.outside import UnfitFile, read_outside, text_outside
 from cloner.records.arrays import freeze
 
 Array = NDArray[np.float64]
@@ -44,6 +46,7 @@ _BROKEN: Final = (
 )  # fmt: skip
 RATES_HZ: Final = (1_000, 400_000)  # of any microphone
 LARGEST_BYTES: Final = 10_000_000  # of a list of phonemes
+LARGEST_SOUND_BYTES: Final = 500_000_000  # ten minutes of two channels of 32 bits at 96 kHz
 VISEMES: Final = ("sil", "PP", "FF", "TH", "DD", "kk", "CH", "SS", "nn", "RR", "aa", "E", "I", "O", "U")
 #: First and second formant of the vowels, hertz, between men's and women's.
 _VOWELS: Final[Mapping[str, tuple[float, float]]] = MappingProxyType({
@@ -115,9 +118,12 @@ def read_wav(path: Path) -> Array:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", wavfile.WavFileWarning)  # of chunks nobody needs
-            rate, data = wavfile.read(path)
+            rate, data = wavfile.read(io.BytesIO(read_outside(path, LARGEST_SOUND_BYTES)))
         if not RATES_HZ[0] <= rate <= RATES_HZ[1] or data.dtype.kind not in "uif" or data.dtype.itemsize > 8:
             raise ValueError(f"{rate} samples a second of {data.dtype}")
+    except UnfitFile as error:
+        told = f"the sound cannot be read: {error.strerror}"
+        raise ClonerError(told, "Give a .wav file with 16-bit samples, cut into pieces", path.name) from error
     except _BROKEN as error:
         raise ClonerError("the sound cannot be read", "Give a .wav file with 16-bit samples", path.name) from error
     if len(data) / rate > LONGEST_S:
@@ -277,13 +283,10 @@ def read_phonemes(path: Path) -> list[tuple[str, float]]:
     ClonerError
         If the file is missing or a line is not that.
     """
+    text = text_outside(path, "the phonemes", "Give a text file", LARGEST_BYTES)
     try:
-        if path.stat().st_size > LARGEST_BYTES:
-            raise ClonerError("the file is too large", "Cut it into pieces", path.name)
-        lines = [line.split() for line in path.read_text(encoding="utf-8").splitlines() if line.strip()]
+        lines = [line.split() for line in text.splitlines() if line.strip()]
         return [(line[0], float(line[1])) for line in lines]
-    except (OSError, UnicodeDecodeError) as error:
-        raise ClonerError("the phonemes cannot be read", "Give a text file", path.name) from error
     except (ValueError, IndexError) as error:
         raise ClonerError(
             "a line holds no phoneme with its seconds", 'Write lines like "AA1 0.12"', path.name

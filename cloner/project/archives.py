@@ -2,35 +2,55 @@
 
 from __future__ import annotations
 
+import lzma
 import math
 import struct
+import tokenize
 import zipfile
 import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
-from typing import Final
+from typing import Any, BinaryIO, Final
 
 import numpy as np
 from PIL import Image
 
+from cloner.outside import open_outside
+
 #: What numpy, zipfile, zlib and pillow raise over files that are none of ours, damaged, or made to hurt.
 BROKEN: Final = (
     OSError, ValueError, LookupError, AttributeError, TypeError, ArithmeticError, EOFError, SyntaxError, MemoryError,
-    RuntimeError, struct.error, zlib.error, zipfile.BadZipFile, Image.DecompressionBombError,
+    RuntimeError, struct.error, zlib.error, lzma.LZMAError, zipfile.BadZipFile, zipfile.LargeZipFile,
+    tokenize.TokenError, Image.DecompressionBombError,
 )  # fmt: skip
-LARGEST_BYTES: Final = 1_000_000_000  # taste: twenty times a clone with the largest texture
+MOST_ARRAYS: Final = 10_000  # taste: a hundred times what a clone holds
 
 
-def check_sizes(path: Path) -> None:
-    """Refuse archives that would fill the memory: every array inside is as large as it says, and not larger.
+@contextmanager
+def opened(path: Path, largest_bytes: int) -> Iterator[Any]:
+    """Give the arrays of an archive, none read yet; refuse one that would fill the memory.
+
+    Every array inside is as large as it says, and all together are at most so many bytes.
 
     Raises
     ------
     One of `BROKEN`
-        If it is one of those, or no archive.
+        If it is one of those, no ordinary file, or no archive.
     """
-    with zipfile.ZipFile(path) as archive:
-        if sum(part.file_size for part in archive.infolist()) > LARGEST_BYTES:
+    with open_outside(path) as stream:
+        _check_sizes(stream, largest_bytes)
+        stream.seek(0)
+        with np.load(stream, allow_pickle=False) as archive:
+            yield archive
+
+
+def _check_sizes(file: BinaryIO, largest_bytes: int) -> None:
+    with zipfile.ZipFile(file) as archive:
+        if sum(part.file_size for part in archive.infolist()) > largest_bytes:
             raise ValueError("larger than any clone")
+        if len(archive.infolist()) > MOST_ARRAYS:
+            raise ValueError("more arrays than any clone has")
         for part in archive.infolist():
             with archive.open(part) as stream:
                 version = np.lib.format.read_magic(stream)

@@ -6,6 +6,7 @@ import contextlib
 import errno
 import logging
 import os
+import re
 import shutil
 import tempfile
 from collections.abc import Iterator
@@ -14,15 +15,16 @@ from typing import Final
 
 from cloner.errors import ClonerError
 from cloner.project.locks import lock
+from cloner.project.results import check_replaceable
 
 log = logging.getLogger(__name__)
 
-#: A folder with this file is one of our results and may be replaced by a newer one.
-RESULT_MARK: Final = "report.json"
 _DISK_TROUBLE: Final = {
     errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EACCES, errno.EPERM, errno.EFBIG,
 }  # fmt: skip
 _LOCK: Final = ".lock"
+_REPLACED: Final = "replaced"
+_REST: Final = re.compile(r"\.(?P<identifier>.+)\.partial-\d+-\w+")
 _TRIES: Final = 3
 
 
@@ -46,7 +48,7 @@ def write_text(path: Path, text: str) -> None:
 
 
 @contextlib.contextmanager
-def result_folder(out: Path, identifier: str) -> Iterator[Path]:
+def result_folder(out: Path, identifier: str, photos: Path | None = None) -> Iterator[Path]:
     """Give a temporary folder that becomes ``out/identifier`` when the block ends well.
 
     Whatever ends the block otherwise (an error, Ctrl-C) removes the temporary
@@ -60,24 +62,26 @@ def result_folder(out: Path, identifier: str) -> Iterator[Path]:
         Folder of all results; made if missing.
     identifier : str
         Name of this result, safe as a path component.
+    photos : Path or None
+        The folder that is cloned from; never replaced.
 
     Raises
     ------
     ClonerError
-        If ``out`` cannot be written, or holds something else of that name.
+        If ``out`` cannot be written, or holds of that name anything but a whole result.
     """
     made = _make_folders(out)
     final = out / identifier
     held = -1
     partial: Path | None = None
     try:
-        _restore_and_sweep(out, identifier)
-        _check_replaceable(final)
+        sweep(out)
+        check_replaceable(final, photos)
         partial, held = _partial_folder(out, identifier)
         inside = partial / identifier  # mkdtemp is private (0700); the result gets ordinary permissions
         inside.mkdir()
         yield inside
-        _swap_in(inside, final)
+        _swap_in(inside, final, photos)
     except OSError as error:
         if error.errno in _DISK_TROUBLE:
             raise unwritable(out) from error
@@ -142,11 +146,28 @@ def partial_prefix(identifier: str) -> str:
     return f".{identifier}.partial-"
 
 
+def rests(out: Path) -> dict[Path, str]:
+    """Return the temporary folders of results in a folder, running ones too, with their visitors' identifiers."""
+    found = {}
+    for path in sorted(out.iterdir()):
+        match = _REST.fullmatch(path.name)
+        if match is None or path.is_symlink() or not path.is_dir():
+            continue
+        with contextlib.suppress(FileNotFoundError):  # its own run has just removed it
+            identifier = match["identifier"]
+            if {inner.name for inner in path.iterdir()} <= {_LOCK, _REPLACED, identifier}:
+                found[path] = identifier
+    return found
+
+
 def interrupted(out: Path, identifier: str) -> list[Path] | None:
     """Return the temporary folders that killed runs left of a result; None where a run is at work in one."""
     found = []
-    for partial in _partials(out, identifier):
-        held = lock(partial / _LOCK)
+    for partial in [path for path, name in rests(out).items() if name == identifier]:
+        try:
+            held = lock(partial / _LOCK)
+        except FileNotFoundError:
+            continue
         if held is None:
             return None
         os.close(held)
@@ -154,47 +175,58 @@ def interrupted(out: Path, identifier: str) -> list[Path] | None:
     return found
 
 
-def _partials(out: Path, identifier: str) -> list[Path]:
-    return sorted(path for path in out.iterdir() if path.name.startswith(partial_prefix(identifier)))
+def sweep(out: Path) -> tuple[str, ...]:
+    """Undo what killed runs left in a folder: put back a result they had moved aside, drop their rest.
 
-
-def _restore_and_sweep(out: Path, identifier: str) -> None:
-    """Undo what a killed run left: put back a result it had moved aside, drop its rest."""
-    for partial in _partials(out, identifier):
+    Never touches another running one's: a lock tells. Returns the identifiers whose rests are gone.
+    """
+    gone = []
+    for partial, identifier in rests(out).items():
         try:
             held = lock(partial / _LOCK)
         except OSError:
             continue  # its own run has just removed it
         if held is None:
             continue  # another run is at work in it
-        older = partial / "replaced"
+        older = partial / _REPLACED
         try:
             if older.is_dir() and not (out / identifier).exists():
                 older.rename(out / identifier)
         finally:
             os.close(held)
         shutil.rmtree(partial, ignore_errors=True)
+        gone.append(identifier)
         log.info("removed what an interrupted run left behind")
+    return tuple(gone)
 
 
-def _check_replaceable(final: Path) -> None:
-    """Refuse to replace anything that is not one of our results, above all photos."""
-    if not final.exists() and not final.is_symlink():
-        return
-    if final.is_dir() and not final.is_symlink() and ((final / RESULT_MARK).is_file() or not any(final.iterdir())):
-        return
-    message = "something that is no earlier result is in the way and will not be replaced"
-    raise ClonerError(message, "Choose another --out folder or --id", final.name)
-
-
-def _swap_in(inside: Path, final: Path) -> None:
-    """Rename the finished result into place, an older one out of it first."""
-    older = inside.parent / "replaced"
-    if final.exists():
+def _swap_in(inside: Path, final: Path, photos: Path | None) -> None:
+    """Rename the finished result into place, an older one out of it first; one that gained files meanwhile stays."""
+    older = inside.parent / _REPLACED
+    if final.exists() or final.is_symlink():
+        check_replaceable(final, photos)
         final.rename(older)
     try:
+        check_replaceable(final, photos, whole=older)  # again: nobody reaches it by its name now
         inside.rename(final)
     except BaseException:
         if older.exists():
             older.rename(final)
         raise
+
+
+def safe_output(path: Path) -> Path:
+    """Return a path that a single file may be written to: nothing has this name yet.
+
+    Raises
+    ------
+    ClonerError
+        If anything has this name: a photo, a clone or a picture is never replaced by a command.
+    """
+    try:
+        taken = path.is_symlink() or path.exists()
+    except (OSError, ValueError) as error:  # longer than any file system takes, or with characters that none takes
+        raise ClonerError("no file can be called that", "Choose another --out file", path.name or "--out") from error
+    if taken:
+        raise ClonerError("the file exists and is not replaced", "Choose another --out file, or delete it", path.name)
+    return path

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Final
 
 from cloner.project.atomic import unwritable
 from cloner.project.locks import lock, release
+
+_SUFFIX: Final = ".claim"
+_LOOKS: Final = 3  # others hold a claim for a moment when they look whether it is one
+_LOOK_S: Final = 0.05
 
 
 @contextmanager
@@ -22,7 +28,7 @@ def claimed(out: Path, identifier: str) -> Iterator[bool]:
     path = claim_path(out, identifier)
     try:
         out.mkdir(parents=True, exist_ok=True)
-        descriptor = lock(path)
+        descriptor = _patient_lock(path)
     except OSError as error:
         raise unwritable(out) from error
     if descriptor is None:
@@ -34,6 +40,21 @@ def claimed(out: Path, identifier: str) -> Iterator[bool]:
         release(descriptor, path)
 
 
+def _patient_lock(path: Path) -> int | None:
+    """Return the lock of a path, None where somebody holds it for longer than a look at it takes."""
+    for _ in range(_LOOKS):
+        descriptor = lock(path)
+        if descriptor is not None:
+            return descriptor
+        time.sleep(_LOOK_S)
+    return None
+
+
+def claimants(out: Path) -> tuple[str, ...]:
+    """Return the identifiers of all claims in a folder, of killed runs too."""
+    return tuple(path.name[1 : -len(_SUFFIX)] for path in sorted(out.glob(f".*{_SUFFIX}")))
+
+
 def claim_path(out: Path, identifier: str) -> Path:
     """Return the lock file of a visitor."""
-    return out / f".{identifier}.claim"
+    return out / f".{identifier}{_SUFFIX}"

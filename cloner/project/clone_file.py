@@ -15,7 +15,7 @@ from cloner.errors import ClonerError
 from cloner.exporters.files import png_bytes, write_bytes
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.project.archives import BROKEN, check_sizes
+from cloner.project.archives import BROKEN, opened
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.heads import Shell
@@ -26,9 +26,11 @@ CLONE_FILE: Final = "clone.npz"
 FORMAT: Final = "cloner-clone"
 VERSION: Final = 1
 _PLAIN: Final = ("vertices_m", "joints_m", "morph_index", "morph_delta_m", "morph_start", "triangle_regions")
+_PICTURE: Final = "_png"
 _SHELL: Final = ("vertices_m", "triangles", "uv", "skin_joints", "skin_weights")
 LARGEST_STATURE_M: Final = 3.0
-LARGEST_PICTURE_PX: Final = 8192 * 8192
+LARGEST_BYTES: Final = 250_000_000  # PNG of noise at the largest texture size, twice over
+PICTURES_PX: Final = 8192 * 8192  # all pictures together: the largest texture, its coverage and as much of hair, twice
 _AGAIN: Final = "Clone the person again with this version of Cloner"
 
 
@@ -79,10 +81,10 @@ def load_clone(path: Path) -> Clone:
         If the file is missing, is no clone, or was written by a newer version.
     """
     try:
-        check_sizes(path)
-        with np.load(path, allow_pickle=False) as archive:
+        with opened(path, LARGEST_BYTES) as archive:
             arrays = {"triangle_regions": np.zeros(0, np.uint8), **{name: archive[name] for name in archive.files}}
         facts = json.loads(arrays["facts_json"].tobytes())
+        _check_pictures(arrays)
         if facts.get("format") != FORMAT:
             raise ValueError("another program's")
         if facts["version"] > VERSION:
@@ -164,8 +166,21 @@ def _packed(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.frombuffer(png_bytes(pixels), dtype=np.uint8)
 
 
+def _check_pictures(arrays: dict[str, NDArray[Any]]) -> None:
+    """Refuse pictures larger than any textures, all together, before one is decoded: a few bytes may promise much."""
+    pixels = 0
+    for name, data in arrays.items():
+        if name.endswith(_PICTURE):
+            with _opened_picture(data) as image:
+                pixels += image.width * image.height
+    if pixels > PICTURES_PX:
+        raise ValueError("its pictures are larger than any textures")
+
+
+def _opened_picture(data: NDArray[np.uint8]) -> Image.Image:
+    return Image.open(io.BytesIO(data.tobytes()), formats=["PNG"])
+
+
 def _unpacked(data: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    with Image.open(io.BytesIO(data.tobytes()), formats=["PNG"]) as image:
-        if image.width * image.height > LARGEST_PICTURE_PX:
-            raise ValueError("a picture larger than any texture")
+    with _opened_picture(data) as image:
         return np.asarray(image)

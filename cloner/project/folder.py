@@ -76,6 +76,9 @@ def view_files(folder: Path) -> dict[ViewId, Path]:
             message = f"there are two photos for {view}: {found[view].name} and {path.name}"
             raise ClonerError(message, "Keep one of them", folder.name)
         check_own(path)
+        if not path.is_file():
+            told = "this is no photo but a folder, a pipe or the like"
+            raise ClonerError(told, "Put the photo itself there", path.name)
         found[view] = path
     return {view: found[view] for view in ViewId if view in found}
 
@@ -252,7 +255,7 @@ def _is_folder(path: Path) -> bool:
 
 def _entries(folder: Path) -> list[Path]:
     try:
-        return [path for path in folder.iterdir() if path.is_file()]
+        return list(folder.iterdir())
     except OSError as error:
         raise ClonerError("the folder cannot be read", "Check its permissions", folder.name) from error
 

@@ -8,7 +8,8 @@ import os
 import sys
 from pathlib import Path
 
-_TAKEN = {errno.EWOULDBLOCK, errno.EAGAIN, errno.EACCES, errno.EDEADLK, errno.ENOENT}
+_TAKEN = {errno.EWOULDBLOCK, errno.EAGAIN, errno.EACCES, errno.EDEADLK}
+_TRIES = 5  # taste: files that others hold for a moment
 
 if sys.platform == "win32":
     import msvcrt
@@ -30,16 +31,18 @@ def lock(path: Path) -> int | None:
     OSError
         If the file cannot be made, or this file system knows no locks.
     """
-    descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o600)
-    try:
-        _take(descriptor)
-        if sys.platform == "win32" or _is_still(descriptor, path):
-            return descriptor
-    except OSError as error:
-        if error.errno not in _TAKEN:  # removed between the two lines above: its holder was there a moment ago
+    for _ in range(_TRIES):
+        descriptor = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0), 0o600)
+        try:
+            _take(descriptor)
+            if sys.platform == "win32" or _is_still(descriptor, path):
+                return descriptor
+        except OSError as error:
             os.close(descriptor)
-            raise
-    os.close(descriptor)
+            if error.errno not in _TAKEN:
+                raise
+            return None
+        os.close(descriptor)  # its holder removed it between the two lines above: make another
     return None
 
 
@@ -56,5 +59,8 @@ def release(descriptor: int, path: Path) -> None:
 
 def _is_still(descriptor: int, path: Path) -> bool:
     """Return whether a locked file is the one under its name: a holder may have removed it before we had the lock."""
-    mine, named = os.fstat(descriptor), path.stat()
+    try:
+        mine, named = os.fstat(descriptor), path.stat()
+    except FileNotFoundError:
+        return False
     return (mine.st_dev, mine.st_ino) == (named.st_dev, named.st_ino)

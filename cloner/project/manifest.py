@@ -11,8 +11,8 @@ from pathlib import Path
 from typing import Any, Final
 
 from cloner.errors import ClonerError
-from cloner.project.atomic import RESULT_MARK
 from cloner.project.folder import holds_photos, safe_identifier
+from cloner.project.results import is_result
 from cloner.project.texts import read_text
 
 log = logging.getLogger(__name__)
@@ -93,7 +93,7 @@ def shard(visitors: tuple[Visitor, ...], text: str) -> tuple[Visitor, ...]:
 
 def photo_folders(folder: Path, depth: int) -> list[Path]:
     """Return the folders below one that hold photos; none below a folder that holds some itself."""
-    if depth < 0 or (folder / RESULT_MARK).is_file():
+    if depth < 0 or is_result(folder):
         return []
     if holds_photos(folder):
         return [folder]

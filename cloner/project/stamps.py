@@ -6,22 +6,22 @@ import functools
 import hashlib
 import importlib.resources
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from importlib.resources.abc import Traversable
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any, Final
+from typing import Any
 
 import cloner
+from cloner.outside import read_outside
 from cloner.project import corrections as corrections_json
-from cloner.project.atomic import RESULT_MARK
 from cloner.project.folder import PERSON_FILE, find_photos
-
-_BLOCK: Final = 1 << 20
+from cloner.project.results import RESULT_MARK, file_digest
+from cloner.project.texts import LARGEST_BYTES
 
 
 def input_stamp(photos_dir: Path, options: Mapping[str, Any]) -> dict[str, Any]:
-    """Return everything that decides what a clone looks like, as JSON values.
+    """Return everything that decides what a clone of the files of now looks like, as JSON values.
 
     Parameters
     ----------
@@ -35,14 +35,35 @@ def input_stamp(photos_dir: Path, options: Mapping[str, Any]) -> dict[str, Any]:
     ClonerError
         If the folder holds no usable photos.
     """
-    beside = (PERSON_FILE, corrections_json.WHERE)
+    photos = {str(view): file_digest(path) for view, path in find_photos(photos_dir).items()}
+    return stamp_of(photos, beside_digests(photos_dir), options)
+
+
+def stamp_of(photos: Mapping[str, str], beside: Mapping[str, str], options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return everything that decides what a clone looks like, as JSON values.
+
+    Parameters
+    ----------
+    photos : mapping of str to str
+        sha256 by view of the bytes that were decoded.
+    beside : mapping of str to str
+        As :func:`beside_digests`.
+    options : mapping
+        As in :func:`input_stamp`.
+    """
     return {
         "cloner": cloner.__version__,
         "models": digest_of_models(),
-        "photos": {str(view): file_digest(path) for view, path in find_photos(photos_dir).items()},
-        "beside": {name: file_digest(photos_dir / name) for name in beside if (photos_dir / name).is_file()},
+        "photos": dict(photos),
+        "beside": dict(beside),
         "options": dict(options),
     }
+
+
+def beside_digests(photos_dir: Path) -> dict[str, str]:
+    """Return the sha256 of the files beside the photos that count, by name."""
+    beside = (PERSON_FILE, corrections_json.WHERE)
+    return {name: file_digest(photos_dir / name) for name in beside if (photos_dir / name).is_file()}
 
 
 def output_digests(folder: Path, files: Sequence[str]) -> dict[str, str]:
@@ -53,7 +74,7 @@ def output_digests(folder: Path, files: Sequence[str]) -> dict[str, str]:
 def why_not_current(result: Path, stamp: Mapping[str, Any]) -> str:
     """Return why a result has to be made again, "" if it is complete, undamaged and of this very input."""
     try:
-        report = json.loads((result / RESULT_MARK).read_text(encoding="utf-8"))
+        report = json.loads(read_outside(result / RESULT_MARK, LARGEST_BYTES))
         stored, outputs = dict(report["stamp"]), dict(report["outputs"])
     except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return "there is no complete result"
@@ -67,15 +88,6 @@ def why_not_current(result: Path, stamp: Mapping[str, Any]) -> str:
     return ""
 
 
-def file_digest(path: Path) -> str:
-    """Return the sha256 of a file."""
-    digest = hashlib.sha256()
-    with path.open("rb") as stream:
-        while block := stream.read(_BLOCK):
-            digest.update(block)
-    return digest.hexdigest()
-
-
 @functools.cache
 def model_digests() -> Mapping[str, str]:
     """Return the sha256 of every shipped model file, by path inside ``cloner_models``; read once a process."""
@@ -87,12 +99,21 @@ def digest_of_models() -> str:
     return hashlib.sha256(json.dumps(dict(model_digests()), sort_keys=True).encode()).hexdigest()
 
 
-def stamp_text(seed: int, texture_size: int) -> str:
-    """Return what every output says of how it was made: version, models, generic human, and options of its looks."""
+def photos_token(photos: Iterable[str]) -> str:
+    """Return what every output of a clone carries of its photos' digests: enough to find it, not to tell who it is."""
+    return hashlib.sha256(" ".join(sorted(photos)).encode()).hexdigest()[:32]
+
+
+def stamp_text(seed: int, texture_size: int, photos: Iterable[str] = ()) -> str:
+    """Return what every output says of how it was made: version, models, generic human, options of its looks, photos.
+
+    ``photos`` are the digests of the photos, in any order.
+    """
     generic = "".join(model_digests()[name] for name in ("body.npz", "head.npz"))
     return (
         f"Cloner {cloner.__version__}, models {digest_of_models()[:16]}, "
-        f"generic {hashlib.sha256(generic.encode()).hexdigest()[:16]}, seed {seed}, texture {texture_size}"
+        f"generic {hashlib.sha256(generic.encode()).hexdigest()[:16]}, seed {seed}, texture {texture_size}, "
+        f"photos {photos_token(photos)}"
     )
 
 

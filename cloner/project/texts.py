@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from cloner.errors import ClonerError
+from cloner.outside import UnfitFile, read_outside
 
 LARGEST_BYTES: Final = 10_000_000  # taste: a thousand times what a person types
 
@@ -54,11 +55,9 @@ def read_text(path: Path) -> str:
     """
     hint = "Check it or move it away"
     check_own(path)
-    if not path.is_file():  # reading a pipe or a device would wait for ever
-        raise ClonerError("this is no ordinary file", hint, path.name)
     try:
-        if path.stat().st_size > LARGEST_BYTES:
-            raise ClonerError(f"the file is larger than {LARGEST_BYTES / 1e6:.0f} MB", hint, path.name)
-        return path.read_text(encoding="utf-8-sig")
+        return read_outside(path, LARGEST_BYTES).decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
+    except UnfitFile as error:
+        raise ClonerError(f"this cannot be read: {error.strerror}", hint, path.name) from error
     except (OSError, UnicodeDecodeError) as error:
         raise ClonerError("the file cannot be read as text", hint, path.name) from error

@@ -19,9 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.project.archives import BROKEN, check_sizes
+from cloner.project.archives import BROKEN, opened
 
 FORMAT: Final = 1
+LARGEST_BYTES: Final = 1_000_000_000  # taste: many times the values of five large photos
 _HOMES: Final = ("cloner.records.", "cloner.frames", "cloner.pipeline")
 _SKELETON: Final = "skeleton_json"
 
@@ -57,8 +58,7 @@ def load_values(path: Path) -> dict[str, Any]:
     What is kept here can always be found again, so an unreadable file is no error.
     """
     try:
-        check_sizes(path)
-        with np.load(path, allow_pickle=False) as archive:
+        with opened(path, LARGEST_BYTES) as archive:
             arrays = [archive[f"a{number}"] for number in range(len(archive.files) - 1)]
             told = json.loads(archive[_SKELETON].tobytes())
         return dict(_made(told["values"], arrays)) if told["format"] == FORMAT else {}

@@ -15,6 +15,7 @@ from urllib.parse import quote
 from cloner.errors import plain
 from cloner.project.atomic import write_text
 from cloner.records.batches import FAILED, BatchRow
+from cloner.report.policy import PAGE, policy
 
 _STYLE: Final = """
 :root { color-scheme: light dark; } body { font: 16px/1.4 system-ui, sans-serif; margin: 1.5rem; }
@@ -72,8 +73,9 @@ def _sheet(rows: Sequence[BatchRow], wanted: int, out: Path) -> str:
     cards = "\n".join(_card(row, out) for row in worst_first(rows))
     failed = sum(row.status == FAILED for row in rows)
     return (
-        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8"><title>Batch</title>'
-        f"<style>{_STYLE}</style></head>\n<body><h1>{len(rows)} of {wanted} visitors, {failed} failed</h1>\n"
+        '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
+        f"{policy(PAGE)}<title>Batch</title><style>{_STYLE}</style></head>\n"
+        f"<body><h1>{len(rows)} of {wanted} visitors, {failed} failed</h1>\n"
         f"<ul>\n{cards}\n</ul></body></html>\n"
     )
 

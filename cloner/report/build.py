@@ -26,7 +26,7 @@ from cloner.report.standing import standing
 from cloner.report.weak import grouped, weaknesses
 from cloner.stages.measures import UNKNOWN_STATURE_M
 
-FORMAT: Final = 2  # 2: "measures_mm" instead of "girths_mm"
+FORMAT: Final = 3  # 2: "measures_mm" instead of "girths_mm"
 LIBRARIES: Final = (
     "numpy",
     "scipy",

@@ -7,6 +7,7 @@ from html import escape
 from typing import Any, Final
 
 from cloner.frames import ViewId
+from cloner.report.policy import PAGE, policy
 from cloner.report.viewer import FILE as VIEWER
 
 _STYLE: Final = """
@@ -83,7 +84,7 @@ def page(report: Mapping[str, Any]) -> str:
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f"<title>Clone of {escape(title)}</title><style>{_STYLE}</style></head>\n<body>\n"
+        f"{policy(PAGE)}<title>Clone of {escape(title)}</title><style>{_STYLE}</style></head>\n<body>\n"
         + "\n".join(part for part in parts if part)
         + "\n</body></html>\n"
     )

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from cloner.exporters.files import write_bytes
+from cloner.report.policy import VIEWER, policy
 
 FILE: Final = "viewer.html"
 _STYLE: Final = """
@@ -19,10 +20,6 @@ canvas { display: block; width: 100%; height: 100%; touch-action: none; outline-
 button { font: inherit; padding: .25rem .7rem; border: 1px solid #8888; border-radius: .5rem; background: #fffc;
   color: #222; cursor: pointer; } button[aria-pressed=true] { background: #357; color: #fff; }
 """
-#: The browser itself refuses every connection; textures inside the clone are blobs of the page.
-_NOTHING_FROM_OUTSIDE: Final = (
-    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src blob:"
-)
 
 
 def viewer_page(title: str, glb: bytes) -> str:
@@ -40,7 +37,7 @@ def viewer_page(title: str, glb: bytes) -> str:
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width, initial-scale=1">'
-        f'<meta http-equiv="Content-Security-Policy" content="{_NOTHING_FROM_OUTSIDE}">'
+        f"{policy(VIEWER)}"
         f"<title>{escape(title)}</title><style>{_STYLE}</style></head>\n<body>\n"
         f'<canvas tabindex="0" aria-label="{escape(title)}, in three dimensions"></canvas>'
         '<div class="bar" id="views"></div><div class="bar" id="moods"></div><p id="status">Loading…</p>\n'

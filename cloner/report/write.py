@@ -1,4 +1,4 @@
-"""Put a report into a result's folder."""
+"""Put a report into a result's folder, as a page and as numbers."""
 
 from __future__ import annotations
 
@@ -10,9 +10,15 @@ from typing import Any
 from cloner.report.page import page
 
 
-def write_report(report: Mapping[str, Any], folder: Path) -> tuple[Path, ...]:
-    """Write ``report.json`` and ``report.html`` into a folder and return their paths."""
-    told, shown = folder / "report.json", folder / "report.html"
+def write_report(report: Mapping[str, Any], folder: Path) -> Path:
+    """Write ``report.json``, the manifest of a result, into its folder and return the path; the last file of all."""
+    told = folder / "report.json"
     told.write_text(json.dumps(report, indent=1, ensure_ascii=False, allow_nan=False) + "\n", encoding="utf-8")
+    return told
+
+
+def write_page(report: Mapping[str, Any], folder: Path) -> Path:
+    """Write ``report.html`` into a folder and return its path."""
+    shown = folder / "report.html"
     shown.write_text(page(report), encoding="utf-8")
-    return told, shown
+    return shown

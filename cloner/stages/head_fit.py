@@ -69,7 +69,7 @@ def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, floa
     sigma = side.sigma_m * focal / first.to_camera(points)[:, 2].mean()
     tight = np.array([0.02, 0.02, 0.3])
     named = resect(points, side.points_px, first, sigma_px=sigma, turn_sigma=tight, outlier=1.5, iterations=40).camera
-    if len(side.contour_px) == 0:
+    if len(side.contour_px) == 0 or "nose_tip" not in side.names:  # no found point is certain to be there
         return [named]
     whole = model.whole(head)
     vertices = outline_vertices(whole, profile_candidates(model), first, side.facing)

@@ -5,7 +5,9 @@ from __future__ import annotations
 import hashlib
 import io
 import logging
+import struct
 import warnings
+import zlib
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
@@ -16,6 +18,7 @@ from numpy.typing import NDArray
 from PIL import ExifTags, Image, ImageCms, UnidentifiedImageError
 
 from cloner.errors import ClonerError
+from cloner.outside import UnfitFile, read_outside
 
 if find_spec("pillow_heif") is not None:  # optional: photos as iPhones store them
     import pillow_heif
@@ -27,6 +30,7 @@ log = logging.getLogger(__name__)
 LONGEST_SIDE_PX: Final = 2600  # taste: 2000 px photos stay whole, 100 MP ones shrink
 LARGEST_PIXELS: Final = 400_000_000  # taste: no camera gives more; guards the memory
 LARGEST_WHOLE_PIXELS: Final = 120_000_000  # measured: 3 bytes each stay under 600 MB
+LARGEST_BYTES: Final = 1_000_000_000  # taste: above any camera's uncompressed TIFF
 SMALLEST_SIDE_PX: Final = 64  # taste: below this there is no face to find
 _FORMATS: Final = ("JPEG", "MPO", "PNG", "WEBP", "TIFF", "BMP", "GIF", "HEIF", "AVIF")
 _RETAKE: Final = "Copy the photo from the camera again, or retake it"
@@ -41,6 +45,11 @@ _TURNS: Final = {
     7: Image.Transpose.TRANSVERSE,
     8: Image.Transpose.ROTATE_90,
 }
+#: What decoders raise over files that are damaged or made to hurt.
+_BROKEN: Final = (
+    OSError, SyntaxError, ValueError, EOFError, LookupError, TypeError, AttributeError, ArithmeticError, RuntimeError,
+    struct.error, zlib.error,
+)  # fmt: skip
 _SRGB: Final = ImageCms.createProfile("sRGB")
 
 
@@ -101,6 +110,7 @@ def read_picture(path: Path) -> Picture:
             warnings.simplefilter("ignore")  # our own size check replaces pillow's
             with Image.open(io.BytesIO(data), formats=_known_formats()) as image:
                 _check_size(image, where)
+                _check_whole(image.format, data)
                 focal_35mm = _read_focal(image)
                 rgb, size = _decode(image)
     except Image.DecompressionBombError as error:  # beyond twice our limit
@@ -108,7 +118,7 @@ def read_picture(path: Path) -> Picture:
         raise ClonerError(message, _SMALLER, where) from error
     except UnidentifiedImageError as error:
         raise ClonerError("this file is not a photo that can be read", _hint(path), where) from error
-    except (OSError, SyntaxError, ValueError, EOFError, KeyError, IndexError) as error:
+    except _BROKEN as error:
         log.debug("decoding failed: %s", error)
         raise ClonerError("the photo is damaged or cut short", _RETAKE, where) from error
     return Picture(rgb=rgb, focal_35mm=focal_35mm, digest=digest, original_size=size)
@@ -127,15 +137,25 @@ def _hint(path: Path) -> str:
 
 def _read_bytes(path: Path, where: str) -> bytes:
     """Return the file's bytes, or say why there are none."""
-    if not path.is_file():
-        raise ClonerError("the photo is missing", "Put it into the photos folder", where)
     try:
-        data = path.read_bytes()
+        data = read_outside(path, LARGEST_BYTES)
+    except FileNotFoundError as error:
+        raise ClonerError("the photo is missing", "Put it into the photos folder", where) from error
+    except UnfitFile as error:
+        told = f"the photo cannot be opened: {error.strerror}"
+        raise ClonerError(told, "Put the photo itself there", where) from error
     except OSError as error:
         raise ClonerError("the photo cannot be opened", "Check its permissions", where) from error
     if not data:
         raise ClonerError("the photo is empty (0 bytes)", _RETAKE, where)
     return data
+
+
+def _check_whole(kind: str | None, data: bytes) -> None:
+    """Refuse a PNG whose checksums are wrong: decoding alone would fill the damaged rows with anything."""
+    if kind == "PNG":
+        with Image.open(io.BytesIO(data), formats=["PNG"]) as image:
+            image.verify()
 
 
 def _check_size(image: Image.Image, where: str) -> None:

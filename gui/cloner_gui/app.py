@@ -7,6 +7,8 @@ import signal
 import sys
 import threading
 from pathlib import Path
+from types import FrameType
+from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
 from PySide6.QtWidgets import QApplication
@@ -19,6 +21,9 @@ from cloner_gui.services import Services, process_services
 from cloner_gui.session import Session
 from cloner_gui.tidying import Tidier
 from cloner_gui.worker import stop_all_tasks
+
+#: Exit code of a program that was asked to end, 128 + SIGINT as shells have it.
+STOPPED: Final = 130
 
 
 def run_app(folder: Path | None = None, services: Services | None = None) -> int:
@@ -33,7 +38,7 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     """
     app = QApplication.instance() or QApplication(sys.argv[:1])
     app.setApplicationName("Cloner")
-    signal.signal(signal.SIGINT, lambda *_: app.quit())
+    stopped = _quit_on_signals(app)
     waker = QTimer()  # Python sees signals only while its own code runs
     waker.timeout.connect(lambda: None)
     waker.start(200)
@@ -58,7 +63,24 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     tidier.stop()
     app.removeEventFilter(counter)
     _delete(window, session, counter, tidier)
-    return int(code)
+    return STOPPED if stopped else int(code)
+
+
+def _quit_on_signals(app: QCoreApplication) -> list[int]:
+    """Close the window tidily when the system or a terminal asks for it; the list gets the signals that came.
+
+    An exception instead would be raised in whichever slot or event filter runs just then, and be lost there.
+    """
+    came: list[int] = []
+
+    def close(number: int, frame: FrameType | None) -> None:
+        came.append(number)
+        app.quit()
+
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        if hasattr(signal, name):  # Windows has no SIGHUP
+            signal.signal(getattr(signal, name), close)
+    return came
 
 
 def load_the_rest() -> None:

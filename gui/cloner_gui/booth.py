@@ -18,7 +18,7 @@ from cloner.booth.person_file import consent_given, person_facts, write_person
 from cloner.booth.visits import KnownVisits, Visit, read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.privacy import Holding
+from cloner.holdings import Holding
 from cloner_gui.clone_queue import now_text, update_visit
 from cloner_gui.intake import Intake
 from cloner_gui.session import Session

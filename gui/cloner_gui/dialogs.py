@@ -12,7 +12,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from cloner.errors import ClonerError
-from cloner.privacy import export_data, holding_of
+from cloner.holdings import holding_of
+from cloner.privacy import export_data
 from cloner_gui.booth import Booth
 from cloner_gui.words import translate
 

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import io
 import tempfile
+import zipfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+
+from PIL import features
 
 from cloner.booth.event import Event, read_event, write_event
 from cloner.booth.looks import read_looks
 from cloner.booth.visits import read_visit
 from cloner.errors import ClonerError, plain
 from cloner.frames import ViewId
+from cloner.leftovers import Traces, tells
 from cloner.motion.acclaim import read_acclaim
 from cloner.motion.bvh import read_bvh
 from cloner.motion.faps import read_fap
@@ -22,6 +28,7 @@ from cloner.motion.speech import frame_features, phoneme_visemes, read_phonemes,
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.project.folder import read_corrections, read_person
 from cloner.project.manifest import find_visitors
+from cloner.project.results import foreign_files
 from cloner.project.stamps import why_not_current
 from cloner.project.values_file import load_values, save_values
 from cloner.records.points import Correction, Corrections
@@ -72,6 +79,9 @@ SCORE = b'[[emotion]]\nexpression = "joy"\nstart = 0.5\nattack = 0.2\nstrength =
 VISIT = b'{"name": "Anna", "state": "cloned"}'
 LOOKS = b'{"ab": {"view": "body_front", "troubles": []}}'
 REPORT = b'{"stamp": {"cloner": "0.1.0", "photos": {"body_front": "ab"}}, "outputs": {"clone.npz": "cd"}}'
+NEWER = b"""{"format": 3, "stamp": {"photos": {"body_front": "ab"}, "beside": {"person.toml": "ef"}}, "source": "01",
+"outputs": {"clone.npz": "cd", "previews/face.jpg": "cd"}}"""
+TRACES = Traces({"ab": 3, "cd": None}, ("zacharias",), ("0123456789abcdef",))
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,8 +123,27 @@ def kept_bytes() -> tuple[bytes, bytes]:
 
 
 def pictures() -> tuple[bytes, ...]:
-    small = [cases_photos.encoded(kind, (70, 80)) for kind in ("JPEG", "PNG", "TIFF", "WEBP")]
-    return (*small, cases_photos.heic(), cases_photos.animated())
+    small = [cases_photos.encoded(kind, (70, 80)) for kind in ("JPEG", "PNG", "TIFF", "WEBP", "BMP", "GIF")]
+    return (*small, cases_photos.heic(), cases_photos.animated(), *modern())
+
+
+def modern() -> tuple[bytes, ...]:
+    """Return small AVIF and HEIF photos, as far as this machine can write them."""
+    found = []
+    for kind, there in (("AVIF", features.check("avif")), ("HEIF", find_spec("pillow_heif") is not None)):
+        if there:
+            found.append(cases_photos.encoded(kind, (70, 80)))
+    return tuple(found)
+
+
+@cache
+def pack_bytes() -> bytes:
+    """Return a pack as a visitor takes it home or is handed out."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as pack:
+        pack.writestr("anna/photos/body_front.jpg", cases_photos.JPEG)
+        pack.writestr("anna/result/report.json", REPORT)
+    return stream.getvalue()
 
 
 def _beside(name: str, content: bytes) -> Callable[[Path], Any]:
@@ -156,6 +185,9 @@ TARGETS: Mapping[str, Target] = {
     "visit": Target("visit.json", lambda: (VISIT,), lambda path: read_visit(path.parent)),
     "looks": Target("looks.json", lambda: (LOOKS,), _looks),
     "values": Target("values.npz", lambda: (kept_bytes()[0],), load_values),
+    "avif": Target("body_front.avif", lambda: modern() or (cases_photos.heic(),), read_picture),
+    "pack": Target("pack.zip", lambda: (pack_bytes(),), lambda path: tells(path, TRACES)),
+    "manifest": Target("report.json", lambda: (REPORT, NEWER), lambda path: foreign_files(path.parent)),
     "photo": Target("body_front.jpg", pictures, read_picture),
     "clone": Target("clone.npz", lambda: (clone_bytes(),), load_clone),
 }  # fmt: skip

@@ -14,6 +14,7 @@ from cloner.booth.visits import State, read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.folder import read_consent, read_person, view_files
+from cloner.project.results import file_digest
 from cloner_gui.main_window import MainWindow
 from cloner_gui.session import Session
 
@@ -119,7 +120,6 @@ def test_dropped_photos_find_their_places_and_troubles_are_told(event, jobs, qtb
     for number, view in enumerate(ViewId):
         target = folder.parent.parent / f"DSC{number:04d}.jpg"
         target.write_bytes((source / f"{view}.jpg").read_bytes())
-        from cloner.project.stamps import file_digest
 
         jobs.looks[file_digest(target)] = (view, (Trouble.BLURRED,) if view is ViewId.BODY_SIDE else ())
     drop(event.photos, *sorted(folder.parent.parent.glob("DSC*.jpg")))

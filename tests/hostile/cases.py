@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from cloner.cloning import point_names
+from cloner.holdings import holdings
 from cloner.motion.bvh import read_bvh
 from cloner.motion.faps import read_fap
 from cloner.motion.speech import phoneme_visemes, read_phonemes, read_wav
 from cloner.picture import clone_of
-from cloner.privacy import holdings
 from cloner.project.corrections import check_against
 from cloner.project.folder import load_photos, read_corrections, read_person
 from cloner.project.manifest import find_visitors, shard

@@ -108,6 +108,19 @@ def test_folders_with_such_names_become_harmless_identifiers(tmp_path: Path, tex
     assert all(letter.isalnum() or letter in "_.-" for letter in one.identifier)
 
 
+def test_every_page_forbids_what_it_does_not_need(cloned_anna: CloneOutcome, tmp_path: Path) -> None:
+    write_summary([BatchRow("a", CLONED, 1.0, 0, "fine", 0.9)], 1, tmp_path)
+    pages = [cloned_anna.folder / "report.html", cloned_anna.folder / "viewer.html", tmp_path / "batch.html"]
+    for path in pages:
+        text = path.read_text(encoding="utf-8")
+        told = text.index('http-equiv="Content-Security-Policy"')
+        assert told < text.index("<style>"), "a policy holds for what comes after it"
+        assert "default-src 'none'" in text[told:]
+        if path.name != "viewer.html":
+            assert "script-src" not in text, "no script at all"
+            assert "<script" not in text
+
+
 def test_names_of_captures_stay_strings_in_gltf(tmp_path: Path) -> None:
     clone = toy_clone(hair=False)
     walk = own_motions(clone)[0]

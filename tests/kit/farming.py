@@ -5,6 +5,9 @@ from __future__ import annotations
 import json
 import multiprocessing
 import os
+import signal
+import subprocess
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -36,8 +39,16 @@ def pretend(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
         if name.startswith("hang"):
             time.sleep(600)
         with result_folder(out, name) as folder:
-            (folder / "report.json").write_text("{}")
+            (folder / "report.json").write_text('{"format": 3, "stamp": {}, "outputs": {}}')
         return BatchRow(name, CLONED, 0.0, 0, f"by {os.getpid()}")
+
+
+def dawdle(visitor: Visitor, out: Path, options: BatchOptions) -> BatchRow:
+    """Be at work for a minute, so that somebody can look."""
+    out.mkdir(parents=True, exist_ok=True)
+    (out / f".{visitor.identifier}.dawdling").touch()
+    time.sleep(60)
+    return BatchRow(visitor.identifier, CLONED, 0.0, 0, "")
 
 
 @contextmanager
@@ -104,12 +115,38 @@ def clone_pretended(visitor: Visitor, out: Path, options: BatchOptions) -> Batch
     return batch.clone_visitor(visitor, out, options)
 
 
-#: A cluster of two workers that says where it is and stays until it is killed.
+#: A cluster of two workers that says where it is and stays until it is killed; with a folder's certificates if given.
 CLUSTER = """
 import sys, time
-from cloner.farm import farm
+from distributed import LocalCluster
+from distributed.security import Security
 if __name__ == "__main__":
-    with farm(2) as client:
-        print(client.scheduler.address, flush=True)
+    keys = sys.argv[1] if len(sys.argv) > 1 else ""
+    pairs = {
+        f"tls_{role}_{what}": f"{keys}/{role}{end}.pem"
+        for role in ("scheduler", "worker", "client") for what, end in (("cert", ""), ("key", "-key"))
+    }
+    security = Security(tls_ca_file=f"{keys}/ca.pem", require_encryption=True, **pairs) if keys else None
+    with LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address="127.0.0.1:0", security=security) as cluster:
+        print(cluster.scheduler_address, flush=True)
         time.sleep(600)
 """
+
+
+def start_cluster(*arguments: str) -> subprocess.Popen[str]:
+    """Start `CLUSTER` as a process group of its own; its first line is its address."""
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
+    return subprocess.Popen(
+        [sys.executable, "-c", CLUSTER, *arguments], env=environment, stdout=subprocess.PIPE,
+        stderr=subprocess.DEVNULL, text=True, start_new_session=True,
+    )  # fmt: skip
+
+
+def end_cluster(cluster: subprocess.Popen[str]) -> None:
+    os.killpg(cluster.pid, signal.SIGKILL)
+    cluster.wait()
+
+
+def address(cluster: subprocess.Popen[str]) -> str:
+    assert cluster.stdout is not None
+    return cluster.stdout.readline().strip()

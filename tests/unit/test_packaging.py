@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import base64
 import fnmatch
+import hashlib
 import json
 import os
 import subprocess
 import sys
 import tomllib
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -43,10 +46,50 @@ def test_the_versions_are_one() -> None:
     assert PROJECT["project"]["version"] == __version__
 
 
+def pins() -> dict[str, str]:
+    """Return the versions of constraints.txt by name."""
+    lines = [line for line in (ROOT / "constraints.txt").read_text().splitlines() if line and line[0] not in "# "]
+    return dict(line.partition(" ")[0].split("==") for line in lines)
+
+
+def test_every_pinned_package_is_known_by_its_bytes() -> None:
+    entries = (ROOT / "constraints.txt").read_text().replace("\\\n", " ").splitlines()
+    assert len(pins()) > 50
+    for entry in entries:
+        assert entry.startswith("#") or "--hash=sha256:" in entry, entry[:60]
+    assert "--require-hashes -r constraints.txt" in (ROOT / "Makefile").read_text()
+
+
+def test_the_tools_of_npm_are_locked() -> None:
+    folder = ROOT / ".ci" / "npm"
+    wanted = json.loads((folder / "package.json").read_text())["dependencies"]
+    locked = json.loads((folder / "package-lock.json").read_text())["packages"]
+    assert all(locked[f"node_modules/{name}"]["version"] == version for name, version in wanted.items())
+    assert all("integrity" in told for name, told in locked.items() if name)
+    assert "npm ci" in (ROOT / ".ci" / "run").read_text()
+
+
+def test_a_wheel_carries_its_bill_of_materials(tmp_path: Path) -> None:
+    wheel, bill = tmp_path / "x-1-py3-none-any.whl", tmp_path / "sbom.json"
+    bill.write_text('{"bomFormat": "CycloneDX"}')
+    with zipfile.ZipFile(wheel, "w") as archive:
+        archive.writestr("x.py", "")
+        archive.writestr("x-1.dist-info/RECORD", "x.py,,\nx-1.dist-info/RECORD,,\n")
+    subprocess.run([sys.executable, ROOT / "release" / "add_sbom.py", wheel, bill], check=True)
+    with zipfile.ZipFile(wheel) as archive:
+        name = "x-1.dist-info/sboms/photo-cloner.cdx.json"
+        assert archive.read(name) == bill.read_bytes()
+        digest = base64.urlsafe_b64encode(hashlib.sha256(bill.read_bytes()).digest()).rstrip(b"=").decode()
+        assert f"{name},sha256={digest},{bill.stat().st_size}" in archive.read("x-1.dist-info/RECORD").decode()
+        assert archive.namelist().count("x-1.dist-info/RECORD") == 1
+
+
 def test_the_constraints_are_within_what_the_project_asks_for() -> None:
-    lines = [line for line in (ROOT / "constraints.txt").read_text().splitlines() if line and line[0] != "#"]
-    pinned = dict(line.split("==") for line in lines)
-    for requirement in map(Requirement, PROJECT["project"]["dependencies"]):
+    pinned = pins()
+    extras = PROJECT["project"]["optional-dependencies"]
+    for requirement in map(Requirement, (*PROJECT["project"]["dependencies"], *extras["cluster"], *extras["dev"])):
+        if requirement.marker is not None and not requirement.marker.evaluate():
+            continue
         name = canonicalize_name(requirement.name)
         assert name in pinned, f"{name} is not in constraints.txt: make constraints"
         assert requirement.specifier.contains(pinned[name]), name

@@ -6,7 +6,6 @@ import csv
 import json
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -246,25 +245,6 @@ def test_workers_killed_while_they_start_are_started_again(
     shot: list[int] = []
     with farming.shooting(shot, seconds=6.0):
         rows = batch_folder(root, out, BatchOptions(workers=2, retries=20))
-    assert statuses(rows) == [("anna", "cloned"), ("boris", "cloned"), ("zoe", "cloned")]
+    assert statuses(rows) == [("anna", "cloned"), ("boris", "cloned"), ("zoe", "cloned")], rows
     assert len(shot) > 2, "also workers started in place of others were killed"
-    assert not capfd.readouterr().err, "an operator sees no trace of Dask's"
-
-
-@pytest.mark.slow
-def test_a_running_cluster_gives_the_same_and_a_missing_one_a_sentence(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from cloner import farm
-
-    root, out = tmp_path / "photos", tmp_path / "out"
-    visit(root, "anna", "boris", "zoe")
-    monkeypatch.setattr(batch, "clone_in_worker", farming.pretend)
-    with farm.farm(2) as client:
-        address = client.scheduler.address
-        rows = batch_folder(root, out, BatchOptions(scheduler=address))
-    assert statuses(rows) == [("anna", "cloned"), ("boris", "cloned"), ("zoe", "cloned")]
-    monkeypatch.setattr(farm, "PATIENCE_S", 1)
-    with pytest.raises(ClonerError, match="no scheduler answers") as caught:
-        batch_folder(root, out, replace(BatchOptions(), scheduler="tcp://127.0.0.1:9"))
-    assert "dask scheduler" in caught.value.hint
+    assert not capfd.readouterr().err, "an operator sees no trace"

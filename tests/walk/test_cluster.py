@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import signal
 import subprocess
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -14,6 +13,7 @@ from PIL import Image
 
 from cloner import batch
 from cloner.batch import BatchOptions, batch_folder
+from cloner.cluster_keys import make_keys
 from cloner.errors import ClonerError
 from kit import farming
 
@@ -33,27 +33,19 @@ def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 @pytest.fixture
-def clusters(tmp_path: Path) -> Iterator[list[subprocess.Popen[str]]]:
-    """Start two clusters of two workers each, in processes of their own."""
-    script = tmp_path / "cluster.py"
-    script.write_text(farming.CLUSTER)
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    started = [
-        subprocess.Popen(
-            [sys.executable, str(script)], env=environment, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
-            text=True, start_new_session=True,
-        )
-        for _ in range(2)
-    ]  # fmt: skip
+def keys(tmp_path: Path) -> Path:
+    pytest.importorskip("cryptography", reason="certificates need the extra cluster")
+    make_keys(tmp_path / "keys")
+    return tmp_path / "keys"
+
+
+@pytest.fixture
+def clusters(keys: Path) -> Iterator[list[subprocess.Popen[str]]]:
+    """Start two clusters of two workers each with certificates, in processes of their own."""
+    started = [farming.start_cluster(str(keys)) for _ in range(2)]
     yield started
     for one in started:
-        os.killpg(one.pid, signal.SIGKILL)
-        one.wait()
-
-
-def address(cluster: subprocess.Popen[str]) -> str:
-    assert cluster.stdout is not None
-    return cluster.stdout.readline().strip()
+        farming.end_cluster(one)
 
 
 def contents(out: Path) -> dict[str, bytes]:
@@ -61,14 +53,14 @@ def contents(out: Path) -> dict[str, bytes]:
 
 
 def test_two_clusters_give_what_one_process_gives_and_a_vanished_one_loses_nothing(
-    root: Path, tmp_path: Path, clusters: list[subprocess.Popen[str]]
+    root: Path, tmp_path: Path, keys: Path, clusters: list[subprocess.Popen[str]]
 ) -> None:
-    places = [address(cluster) for cluster in clusters]
+    places = [farming.address(cluster) for cluster in clusters]
     alone = tmp_path / "alone"
     assert {row.status for row in batch_folder(root, alone)} == {"cloned"}
 
     first = tmp_path / "first"
-    rows = batch_folder(root, first, BatchOptions(scheduler=places[0]))
+    rows = batch_folder(root, first, BatchOptions(scheduler=places[0], cluster_keys=keys))
     assert [(row.identifier, row.status) for row in rows] == [(name, "cloned") for name in NAMES]
     assert contents(first) == contents(alone)
 
@@ -81,9 +73,12 @@ def test_two_clusters_give_what_one_process_gives_and_a_vanished_one_loses_nothi
             os.killpg(clusters[1].pid, signal.SIGKILL)
 
     with pytest.raises(ClonerError, match="scheduler has disappeared") as caught:
-        batch_folder(root, second, BatchOptions(scheduler=places[1]), told=told)
+        batch_folder(root, second, BatchOptions(scheduler=places[1], cluster_keys=keys), told=told)
     assert "finished visitors are kept" in caught.value.hint
     assert 2 <= len(done) < len(NAMES)
-    again = {row.identifier: row.status for row in batch_folder(root, second, BatchOptions(scheduler=places[0]))}
+    again = {
+        row.identifier: row.status
+        for row in batch_folder(root, second, BatchOptions(scheduler=places[0], cluster_keys=keys))
+    }
     assert all(again[name] == "skipped" for name in done)
     assert contents(second) == contents(alone)

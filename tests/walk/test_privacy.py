@@ -16,12 +16,22 @@ import pytest
 from PIL import Image
 
 from cloner.errors import ClonerError
-from cloner.privacy import export_data, find_holding, forget, holdings, older_than, table
+from cloner.holdings import find_holding, holdings, older_than, table
+from cloner.privacy import export_data, forget
 from cloner.project.atomic import result_folder
 from cloner.project.claims import claimed
-from cloner.project.stamps import file_digest
+from cloner.project.results import file_digest, place_digest
+from cloner.project.stamps import output_digests
 from cloner.records.batches import BatchRow
 from cloner.report.batch import write_summary
+
+
+def write_manifest(result: Path, photos: Path, digests: dict[str, str], person: str = "") -> None:
+    """Write the manifest of a result as clones have it, listing what is there."""
+    files = [path.relative_to(result).as_posix() for path in result.rglob("*") if path.is_file()]
+    told = {"format": 3, "person": person, "photos": digests, "stamp": {"photos": digests}}
+    told |= {"outputs": output_digests(result, files), "source": place_digest(photos)}
+    (result / "report.json").write_text(json.dumps(told))
 
 
 @pytest.fixture
@@ -38,9 +48,9 @@ def held(tmp_path: Path) -> tuple[Path, Path]:
         result = out / name / "previews"
         result.mkdir(parents=True)
         digest = file_digest(root / name / "body_front.jpg")
-        (out / name / "report.json").write_text(json.dumps({"person": person, "photos": {"body_front": digest}}))
         (out / name / "report.html").write_text(f"<h1>Clone of {person}</h1>")
         (result / "face.jpg").write_bytes(f"picture {number}".encode())
+        write_manifest(out / name, root / name, {"body_front": digest}, person)
         (out / f".{name}.claim").touch()
         rows.append(BatchRow(name, "cloned", 1.0, 0, "fine", 0.98))
     write_summary(rows, 2, out)
@@ -102,10 +112,19 @@ def test_broken_files_do_not_keep_anybody(held: tuple[Path, Path]) -> None:
     root, out = held
     (root / "anna" / "person.toml").write_text("name = [[[")
     (root / "anna" / "body_front.png").write_bytes(b"a second one")
-    (out / "anna" / "report.json").write_text("{")
     (out / "batch-other.json").write_text("[]")
     assert "unreadable" in table(holdings(root, out))
     assert forget(find_holding("anna", holdings(root, out)), root, out) == ()
+    assert not (root / "anna").exists()
+
+
+def test_a_result_whose_manifest_is_broken_is_told_not_deleted(held: tuple[Path, Path]) -> None:
+    """Nobody can tell which of its files are Cloner's."""
+    root, out = held
+    (out / "anna" / "report.json").write_text("{")
+    told = forget(find_holding("anna", holdings(root, out)), root, out)
+    assert {one.split(" ")[0] for one in told} >= {"anna/report.json", "anna/previews/face.jpg"}
+    assert (out / "anna" / "previews" / "face.jpg").is_file()
     assert not (root / "anna").exists()
 
 
@@ -150,7 +169,7 @@ def test_files_of_the_future_are_kept_until_somebody_looks(held: tuple[Path, Pat
 def test_a_kill_half_way_is_finished_by_the_next_call(held: tuple[Path, Path]) -> None:
     root, out = held
     (root / "anna").rename(root / ".forgotten-1-2")
-    assert find_holding("anna", holdings(root, out)).photos is None
+    assert find_holding("anna", holdings(root, out)).photos == ()
     forget(find_holding("anna", holdings(root, out)), root, out)
     assert not list(root.glob(".forgotten*"))
 

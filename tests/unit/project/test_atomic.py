@@ -3,22 +3,26 @@
 from __future__ import annotations
 
 import errno
+import json
 import os
 import shutil
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from cloner.errors import ClonerError
-from cloner.project.atomic import result_folder, write_text
+from cloner.project.atomic import result_folder, safe_output, write_text
+from cloner.project.stamps import output_digests
 
 
-def finish(out: Path, text: str = "new") -> None:
-    with result_folder(out, "anna") as folder:
-        (folder / "report.json").write_text(text)
+def finish(out: Path, text: str = "new", photos: Path | None = None) -> None:
+    with result_folder(out, "anna", photos) as folder:
         (folder / "clone.glb").write_text(text)
+        told = {"format": 3, "stamp": {"photos": {}}, "outputs": output_digests(folder, ["clone.glb"])}
+        (folder / "report.json").write_text(json.dumps(told))
 
 
 def test_a_result_appears_only_at_the_end(tmp_path: Path) -> None:
@@ -53,7 +57,6 @@ def test_failure_keeps_the_older_result(tmp_path: Path) -> None:
 
 def test_a_newer_result_replaces_the_older_wholly(tmp_path: Path) -> None:
     finish(tmp_path, "old")
-    (tmp_path / "anna" / "leftover.txt").write_text("of the old one")
     finish(tmp_path, "new")
     assert sorted(path.name for path in (tmp_path / "anna").iterdir()) == ["clone.glb", "report.json"]
     assert (tmp_path / "anna" / "clone.glb").read_text() == "new"
@@ -67,6 +70,72 @@ def test_photos_are_never_replaced(tmp_path: Path) -> None:
         pytest.fail("must not start")
     assert caught.value.where == "anna"
     assert (photos / "body_front.jpg").read_bytes() == b"precious"
+
+
+def add_a_note(result: Path) -> None:
+    (result / "notes.txt").write_text("precious")
+
+
+def add_a_photo(result: Path) -> None:
+    (result / "body_front.jpg").write_bytes(b"precious")
+
+
+def add_a_hidden_folder(result: Path) -> None:
+    (result / ".raw").mkdir()
+
+
+def add_a_link(result: Path) -> None:
+    (result / "clone.glb").unlink()
+    (result / "clone.glb").symlink_to(result.parent)
+
+
+@pytest.mark.parametrize("add", [add_a_note, add_a_photo, add_a_hidden_folder, add_a_link])
+def test_what_somebody_put_into_a_result_is_never_replaced(tmp_path: Path, add: Callable[[Path], None]) -> None:
+    finish(tmp_path, "old")
+    add(tmp_path / "anna")
+    before = sorted(path.name for path in (tmp_path / "anna").iterdir())
+    with pytest.raises(ClonerError, match="somebody's own"):
+        finish(tmp_path, "new")
+    assert sorted(path.name for path in (tmp_path / "anna").iterdir()) == before
+
+
+def test_what_somebody_puts_into_a_result_while_it_is_made_again_stays(tmp_path: Path) -> None:
+    finish(tmp_path, "old")
+    making = result_folder(tmp_path, "anna")
+    (making.__enter__() / "report.json").write_text("{}")
+    add_a_photo(tmp_path / "anna")
+    with pytest.raises(ClonerError, match="somebody's own"):
+        making.__exit__(None, None, None)
+    assert (tmp_path / "anna" / "body_front.jpg").read_bytes() == b"precious"
+    assert (tmp_path / "anna" / "clone.glb").read_text() == "old"
+
+
+def test_photos_with_a_manifest_beside_them_are_photos(tmp_path: Path) -> None:
+    """Somebody copied a report.json beside the photos; in one case it even lists them."""
+    photos = tmp_path / "anna"
+    photos.mkdir()
+    (photos / "body_front.jpg").write_bytes(b"precious")
+    for outputs in ({}, {"body_front.jpg": "ab"}):
+        (photos / "report.json").write_text(json.dumps({"format": 3, "stamp": {"photos": {}}, "outputs": outputs}))
+        for told in (photos, None):
+            with pytest.raises(ClonerError):
+                finish(tmp_path, photos=told)
+        assert (photos / "body_front.jpg").read_bytes() == b"precious"
+
+
+def test_photos_inside_the_result_are_never_replaced(tmp_path: Path) -> None:
+    finish(tmp_path, "old")
+    with pytest.raises(ClonerError, match="photos lie where"):
+        finish(tmp_path, "new", photos=tmp_path / "anna" / "photos")
+
+
+def test_single_files_are_never_replaced(tmp_path: Path) -> None:
+    (tmp_path / "a.png").write_bytes(b"precious")
+    (tmp_path / "link.png").symlink_to("nowhere")
+    for name, words in (("a.png", "exists"), ("link.png", "exists"), ("n" * 300, "called")):
+        with pytest.raises(ClonerError, match=words):
+            safe_output(tmp_path / name)
+    assert safe_output(tmp_path / "b.png") == tmp_path / "b.png"
 
 
 def test_output_below_a_file_is_refused_before_any_work(tmp_path: Path) -> None:
@@ -92,6 +161,7 @@ def killed_run(out: Path, code: str) -> None:
     """Start a run in another process that is killed in its middle."""
     script = f"""
 import os, signal
+from collections.abc import Callable
 from pathlib import Path
 from cloner.project.atomic import result_folder
 with result_folder(Path({str(out)!r}), "anna") as folder:

@@ -25,7 +25,7 @@ from cloner.report.agreement import Agreement, agreements, compare
 from cloner.report.build import Run, build_report
 from cloner.report.page import page
 from cloner.report.weak import grouped, is_grey, weaknesses
-from cloner.report.write import write_report
+from cloner.report.write import write_page, write_report
 from cloner.stages.measures import measured, unseen
 from kit.clones import toy_clone
 
@@ -174,7 +174,7 @@ def test_the_page_escapes_what_people_wrote(report: dict) -> None:
 
 
 def test_files_are_json_and_html(report: dict, tmp_path: Path) -> None:
-    told, shown = write_report(report, tmp_path)
+    shown, told = write_page(report, tmp_path), write_report(report, tmp_path)
     assert json.loads(told.read_text(encoding="utf-8"))["person"]["name"] == "<b>Tö & y</b>"
     assert shown.read_text(encoding="utf-8").startswith("<!doctype html>")
 
