@@ -116,8 +116,8 @@ class GltfBuffer:
     def sparse(self, count: int, index: NDArray[Any], values: NDArray[Any]) -> int:
         """Add a (count, 3) attribute that is zero except in the rows ``index`` (ascending, may be empty).
 
-        One that is zero everywhere still names its first row: the specification allows an accessor without any data, but
-        Assimp 5 and Open3D refuse the whole file over it.
+        One that is zero everywhere still names its first row: the specification allows an accessor without any data,
+        but Assimp 5 and Open3D refuse the whole file over it.
         """
         if not len(index):
             index, values = np.zeros(1, dtype=np.int64), np.zeros((1, 3), dtype=values.dtype)
