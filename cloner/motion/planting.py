@@ -8,6 +8,7 @@ to the other, and high enough that nothing scuffs. Hips, knees and, where a leg 
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -22,7 +23,7 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 
 #: A foot that leaves the ground or comes to it does so at this speed upright, metres a second, up to this height, m:
-#: a sixtieth of a second after it left it is higher than the 4 mm below which it would touch; walkers clear 10 to 20 mm.
+#: a sixtieth of a second after it left it is higher than the 4 mm below which it would touch; walkers clear 10-20 mm.
 RISES_M_S: Final = 0.36
 CLEARS_M: Final = 0.014
 #: A leg is never straightened farther than this share of its length: knees must not snap.
@@ -92,7 +93,7 @@ def _slips(motion: Motion, sole: Array) -> Array:
 def _joined(motion: Motion, ends: list[tuple[int, int, Array]], count: int) -> Array:
     """Return (count, 3) corrections: those of the stands, and between them smooth ways from one to the next."""
     result = np.zeros((count, 3))
-    pairs = list(zip(ends, ends[1:], strict=False))
+    pairs = list(pairwise(ends))
     if motion.cyclic:
         first, last, undone = ends[0]
         pairs.append((ends[-1], (first + count, last + count, undone)))
@@ -123,7 +124,7 @@ def _hermite(share: Array, first: Array, last: Array, begins: Array, arrives: Ar
 
 
 def _lift(motion: Motion, stands: Mask, low: Array) -> Array:
-    """Return (F,) by how much a foot whose lowest point is at ``low`` is to be lifted: off the floor unless it stands."""
+    """Return (F,) by how much a foot whose lowest point is at ``low`` is to be lifted unless it stands, metres."""
     step = float(np.diff(motion.times_s).mean())
     far = np.full(len(stands), len(stands))
     if stands.any():

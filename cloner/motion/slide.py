@@ -1,11 +1,12 @@
 """The strict ruler of feet: how far a sole goes over the ground while it touches it, however fast.
 
-Unlike what plants the feet, this asks nothing about speed or about which foot ought to stand: a toe that scuffs before it
-lifts counts as much as a heel that skids.
+Unlike what plants the feet, this asks nothing about speed or about which foot ought to stand: a toe that scuffs before
+it lifts counts as much as a heel that skids.
 """
 
 from __future__ import annotations
 
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -17,7 +18,7 @@ from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
-#: A sole's lowest point touches below this height, metres, and is looked at so often a second: the project's definition.
+#: A sole's lowest point touches below this height, metres, and is looked at so often a second: the ruler's definition.
 TOUCHES_M: Final = 0.004
 RULER_HZ: Final = 60.0
 #: Between two steps a foot is lifted by more than this, metres: half of what walkers clear the ground by.
@@ -72,7 +73,7 @@ def _apexes(height: Array) -> NDArray[np.bool_]:
     """Return (F,) the frames at which a lifted foot is highest between two touches."""
     found, lifted = np.zeros(len(height), dtype=np.bool_), height > LIFTED_M
     touches = np.flatnonzero(height < TOUCHES_M)
-    for first, last in zip(touches[:-1], touches[1:], strict=True):
+    for first, last in pairwise(touches):
         if lifted[first:last].any():
             found[first + int(height[first:last].argmax())] = True
     return found
