@@ -23,11 +23,14 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 
 #: A foot that leaves the ground or comes to it does so at this speed upright, metres a second, up to this height, m:
-#: a sixtieth of a second after it left it is higher than the 4 mm below which it would touch; walkers clear 10-20 mm.
+#: a sixtieth of a second after it left it is higher than the 4 mm below which it would touch. Walkers clear 10 to 20 mm;
+#: every millimetre more bends the knees of a leg that was captured straight, by 13 degrees for the first nine.
 RISES_M_S: Final = 0.36
-CLEARS_M: Final = 0.014
+CLEARS_M: Final = 0.009
 #: A leg is never straightened farther than this share of its length: knees must not snap.
-REACH: Final = 0.998
+#: What a stand's last correction adds to the way of the swing after it, metres: not more than a foot would swerve.
+SWERVE_M: Final = 0.03
+REACH: Final = 0.9995
 #: The pelvis comes down over this time before a leg would be too short, seconds; taste.
 LOWERS_S: Final = 0.08
 #: The knee stands before the line from hip to ankle by this share of the thigh at least: that tells which way it bends.
@@ -107,7 +110,10 @@ def _joined(motion: Motion, ends: list[tuple[int, int, Array]], count: int) -> A
             continue
         share = np.arange(1, length)[:, None] / length
         begins, arrives = (undone[1] - undone[0] if len(undone) > 1 else np.zeros(3) for undone in (before[-2:], after))
-        way = _hermite(share, before[-1], after[0], begins * length, arrives * length)
+        slopes = [
+            slope * min(length, SWERVE_M / max(float(np.linalg.norm(slope)), 1e-9)) for slope in (begins, arrives)
+        ]
+        way = _hermite(share, before[-1], after[0], *slopes)
         result[np.arange(start + 1, end) % count] = way
     return result
 

@@ -53,7 +53,7 @@ def retarget(capture: Capture, body: Body, *, name: str, frames_per_s: float = 6
     body : Body
     name : str
     frames_per_s : float
-        Frames nearest to the wanted times are taken.
+        Places between two captured frames are interpolated.
 
     Raises
     ------
@@ -78,11 +78,17 @@ def retarget(capture: Capture, body: Body, *, name: str, frames_per_s: float = 6
 
 def _in_our_axes(capture: Capture, anatomy: Anatomy, times_s: Array) -> tuple[Array, Array, Array]:
     """Return (F, J, 3, 3) orientations, (J, 3) offsets and (F, J, 3) places of a capture at some times, our axes."""
-    rows = np.minimum(np.rint(times_s / capture.frame_s).astype(int), len(capture.root) - 1)
+    place = np.clip(times_s / capture.frame_s, 0.0, len(capture.root) - 1.0)
+    before = np.minimum(place.astype(int), max(len(capture.root) - 2, 0))
+    after, part = np.minimum(before + 1, len(capture.root) - 1), place - before
+    world = capture.world()
+    step = turns.vectors(np.swapaxes(world[before], -1, -2) @ world[after])
+    world = world[before] @ turns.matrices(part[:, None, None] * step)
+    root = capture.root[before] + part[:, None] * (capture.root[after] - capture.root[before])
     model = facing_front(capture, anatomy, model_from_file(capture, anatomy))
-    source = np.einsum("ab,fjbc,dc->fjad", model, capture.world()[rows], model)  # turns of our axes
+    source = np.einsum("ab,fjbc,dc->fjad", model, world, model)  # turns of our axes
     offsets = capture.offsets @ model.T
-    return source, offsets, _places(capture, source, offsets, capture.root[rows] @ model.T)
+    return source, offsets, _places(capture, source, offsets, root @ model.T)
 
 
 def captured_directions(capture: Capture, anatomy: Anatomy, times_s: Array) -> dict[tuple[str, str], Array]:
