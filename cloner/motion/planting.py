@@ -23,7 +23,7 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 
 #: A foot that leaves the ground or comes to it does so at this speed upright, metres a second, up to this height, m:
-#: a sixtieth of a second after it left it is higher than the 4 mm below which it would touch. Walkers clear 10 to 20 mm;
+#: a sixtieth of a second after it left it is higher than the 4 mm below which it would touch. Walkers clear 10 to 20;
 #: every millimetre more bends the knees of a leg that was captured straight, by 13 degrees for the first nine.
 RISES_M_S: Final = 0.36
 CLEARS_M: Final = 0.009
