@@ -21,6 +21,7 @@ from cloner.motion.speech import (
     phoneme_visemes,
     read_phonemes,
     read_wav,
+    smoothed,
     sound_visemes,
 )
 from cloner.records.motions import Motion
@@ -42,7 +43,7 @@ def spoken_visemes(path: Path) -> Array:
         If the file cannot be read.
     """
     if path.suffix.lower() == ".wav":
-        return sound_visemes(frame_features(read_wav(path)))
+        return smoothed(sound_visemes(frame_features(read_wav(path))))
     return phoneme_visemes(read_phonemes(path))
 
 
