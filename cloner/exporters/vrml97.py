@@ -42,7 +42,7 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 
 #: Pictures of the whole skin a second of a motion, and of one that hardly moves. Between two of them the straight ways
-#: of the skin leave its arcs by 1.2 mm on average and 13 mm at most, on a swinging foot (anna's walk; with 12: 3.5, 40).
+#: of the skin leave its arcs by 1.2 mm on average and 13 mm at most, on a swinging foot (with 12: 3.5 and 40).
 PICTURES_PER_S: Final = 20.0
 SLOW_PICTURES_PER_S: Final = 1.5
 #: The unit of written lengths, metres: no number of a grown person has more than four digits.

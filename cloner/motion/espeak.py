@@ -98,7 +98,7 @@ def spoken(
 def _lasting(events: list[tuple[float, str]], end_ms: float) -> list[tuple[str, float]]:
     """Return phonemes with their seconds from events with their beginnings, milliseconds; silence has no name."""
     found: list[tuple[str, float]] = []
-    starts = [(start, name or "sil") for start, name in events]
+    starts = [(start, name or "sil") for start, name in events if not name.startswith("(")]  # "(en)": another language
     if not starts or starts[0][0] > 0:
         starts.insert(0, (0.0, "sil"))
     for (start, name), (after, _) in zip(starts, [*starts[1:], (end_ms, "")], strict=True):

@@ -63,11 +63,12 @@ FAINT: Final = 0.09
 BURST_HZ: Final = 2600.0
 _QUIET: Final = 0.02  # of the loudest frames: silence
 _CLOSURE_S: Final = 0.16  # shorter silences between sounds are closed lips or a stopped tongue
-_COARTICULATION_S: Final = 0.035  # mouths move ahead of sounds and lag behind them; what sound tells is as uncertain
-#: From one phoneme's shape to the next a mouth goes within this time of their border, seconds, or from middle to middle.
+_HEARD_S: Final = 0.015  # what a net hears from one hundredth second to the next is evened over this time
+_MUST_MEET: Final = 2.0
+#: From one phoneme's shape to the next a mouth goes within this time of their border, seconds, or middle to middle.
 _GLIDE_S: Final = 0.08
 #: Lips stay shut for a p, b or m from this long before its middle to this long after, seconds, so that 30 pictures a
-#: second show it, and lower lip and teeth meet for an f or v; they come and go in a third of a tenth of a second.
+#: second show it, and lower lip and teeth meet for an f or v; they come and go within `_SHUTS_S`.
 _SHUT_S: Final = MappingProxyType({"PP": 0.03, "FF": 0.015})
 _SHUTS_S: Final = 0.04
 #: Consonants that leave the lips free take so much of the rounding of a vowel beside them; taste.
@@ -82,7 +83,7 @@ _PHONEMES: Final[Mapping[str, str]] = MappingProxyType({
 _VISEME_OF: Final = {phoneme: viseme for viseme, row in _PHONEMES.items() for phoneme in row.split()}
 #: The alphabet of phonetics (IPA), without length and stress; what has two letters goes before its first letter.
 _IPA: Final[Mapping[str, str]] = MappingProxyType({
-    "PP": "p b m ɱ", "FF": "f v pf ʋ", "TH": "θ ð", "DD": "t d ɾ ʈ ɖ", "kk": "k ɡ g ŋ x ç h ɦ ɣ χ ʔ q c",
+    "PP": "p b m ɱ", "FF": "f v pf ʋ", "TH": "θ ð", "DD": "t d ɾ ʈ ɖ", "kk": "k ɡ g ŋ x ç h ɦ ɣ χ ʔ q c ɟ",
     "CH": "tʃ dʒ ʃ ʒ tɕ ɕ", "SS": "s z ts dz", "nn": "n l ɫ ɲ ʎ ɬ", "RR": "r ɹ ɻ ʁ ʀ ɚ ɝ ɜ", "aa": "a ɑ æ ʌ ɐ ä",
     "E": "e ɛ ə ɘ", "I": "i ɪ ᵻ j ɨ ɯ", "O": "o ɔ ɒ ø œ ɵ ɤ", "U": "u ʊ w y ʏ ʉ ɥ",
 })  # fmt: skip
@@ -363,5 +364,7 @@ def _shut(shares: Array) -> Array:
 
 
 def smoothed(shares: Array) -> Array:
-    """Return shares that were heard, as smooth as mouths move."""
-    return np.asarray(gaussian_filter1d(shares, _COARTICULATION_S / STEP_S, axis=0, mode="nearest"))
+    """Return shares that were heard, as smooth as mouths move; lips that may meet count double: they must not gape."""
+    weighed = shares * np.where(np.isin(VISEMES, list(_SHUT_S)), _MUST_MEET, 1.0)
+    weighed /= weighed.sum(axis=1, keepdims=True)
+    return np.asarray(gaussian_filter1d(weighed, _HEARD_S / STEP_S, axis=0, mode="nearest"))

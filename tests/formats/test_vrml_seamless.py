@@ -64,9 +64,14 @@ def test_edges_keep_their_length_while_it_walks(wrl) -> None:
     corners = re.search(r"coordIndex \[\n(.*?)\]", text, re.S)[1]
     triangles = np.array(corners.split(), dtype=int).reshape(-1, 4)[:, :3]
     halfway = (points[:-1] + points[1:]) / 2.0  # what a browser shows between two pictures
+    unit = float(re.search(r"DEF skin Transform { scale (\S+)", text)[1])
+    rest = unit * numbers(re.search(r"DEF skin_0 Coordinate { point \[\n(.*?)\]", text, re.S)[1], 3)
+
+    def edges(shown: np.ndarray) -> np.ndarray:
+        return np.linalg.norm(shown[triangles] - shown[np.roll(triangles, 1, axis=1)], axis=2)
+
     for shown in (*points[::5], *halfway[::5]):
-        edges = np.linalg.norm(shown[triangles] - shown[np.roll(triangles, 1, axis=1)], axis=2)
-        assert edges.max() < 0.06
+        assert (edges(shown) - edges(rest)).max() < 0.04, "metres"
     assert np.abs(points[0] - points[-1]).max() < 0.001, "the walk closes"
 
 
