@@ -16,6 +16,7 @@ from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import write_bytes
 from cloner.exporters.gltf import build
 from cloner.generic.load import load_generic
+from cloner.motion.own import Moves, own_motions
 from cloner.motion.rest import in_t_pose
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
@@ -50,7 +51,7 @@ EXPRESSIONS: Final[Mapping[str, Mapping[str, float]]] = MappingProxyType({
 })  # fmt: skip
 
 
-def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
+def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = own_motions) -> tuple[Path, ...]:
     """Write ``<name>.vrm`` and return its path.
 
     The terms say what holds for a person's likeness unless that person says otherwise: only they and those they allow
@@ -62,7 +63,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
         If the folder cannot be written to.
     """
     posed = in_t_pose(centred(clone))
-    gltf = build(posed)
+    gltf = build(posed, moves=moves)
     gltf.extensionsUsed = [*gltf.extensionsUsed, EXTENSION]
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
     gltf.extensions = {EXTENSION: _vrm(posed, nodes, name)}

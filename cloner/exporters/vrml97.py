@@ -14,7 +14,7 @@ ISO/IEC 14772-1:1997 (VRML97), 6.13 (CoordinateInterpolator), 6.50 (TimeSensor),
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.exporters.credits import GENERIC_CREDITS
 from cloner.exporters.files import write_bytes
-from cloner.exporters.hanim_names import segment_name
+from cloner.exporters.hanim_names import node_name, segment_name
 from cloner.exporters.pictures import write_pictures
 from cloner.exporters.vrml_motion import motion_nodes, motion_routes
 from cloner.exporters.vrml_segments import SkinMesh, appearance_text, quoted, row_text, site_texts, skin_meshes
@@ -33,7 +33,7 @@ from cloner.exporters.vrml_views import viewpoints
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.geometry.skinning import joint_transforms, skin
-from cloner.motion.own import own_motions
+from cloner.motion.own import Moves, own_motions
 from cloner.motion.rest import in_hanging_pose
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
@@ -65,7 +65,7 @@ def export(
     folder: Path,
     *,
     name: str = "clone",
-    moves: Callable[[Clone], Sequence[Motion]] = own_motions,
+    moves: Moves = own_motions,
 ) -> tuple[Path, ...]:
     """Write ``<name>.wrl`` and its pictures in ``textures/``, and return all paths.
 
@@ -89,7 +89,7 @@ def export(
     return (scene, *pictures)
 
 
-def _scene(clone: Clone, name: str, moves: Callable[[Clone], Sequence[Motion]]) -> Iterator[str]:
+def _scene(clone: Clone, name: str, moves: Moves) -> Iterator[str]:
     """Yield the file's text; routes come last."""
     generic, hanging = load_generic(), in_hanging_pose(clone)
     yield f"#VRML V2.0 utf8\n# Written by Cloner {__version__}. {GENERIC_CREDITS}.\n\n"
@@ -158,6 +158,7 @@ def _thinned(*motions: Motion) -> tuple[Motion, ...]:
     return tuple(
         replace(
             motion,
+            name=node_name(motion.name),
             times_s=motion.times_s[rows],
             root_m=motion.root_m[rows],
             rotations=motion.rotations[rows],

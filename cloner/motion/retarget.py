@@ -36,6 +36,8 @@ SMOOTH_S: Final = 0.04
 ASKEW_RAD: Final = 0.26
 #: Tilts below this of a sole near to the floor are taken off whole, those of twice as much not at all, radians.
 FLAT_RAD: Final = 0.07
+#: Heads that are carried farther off the upright than this do so on purpose, radians (45 degrees).
+CARRIED_RAD: Final = 0.8
 #: On a treadmill people stay within this, metres, and soles rest on the laboratory's floor for less than this share.
 ON_THE_SPOT_M: Final = 0.6
 RESTS: Final = 0.25
@@ -142,6 +144,7 @@ def _places(capture: Capture, world: Array, offsets: Array, root: Array) -> Arra
 
 def _trunk(body: Body, anatomy: Anatomy, capture: Capture, source: Array) -> Array:
     """Return orientations of all joints with the trunk's, neck's and head's set; limbs as the trunk."""
+    source = _levelled(capture, source, anatomy.neck[1:])
     world = np.tile(np.eye(3), (len(source), len(body.names), 1, 1))
     world[:] = source[:, [anatomy.pelvis]]
     for names, knots in ((SPINE, anatomy.spine), (NECK, anatomy.neck)):
@@ -154,6 +157,21 @@ def _trunk(body: Body, anatomy: Anatomy, capture: Capture, source: Array) -> Arr
             turned = turns.shared(turns_of[low], turns_of[high], place - low)
             world[:, below(body, body.joint(joint))] = turned[:, None]
     return world
+
+
+def _levelled(capture: Capture, source: Array, joints: tuple[int, ...]) -> Array:
+    """Return the orientations with neck and head upright as they are carried in the capture's calm stretches.
+
+    What a marker set calls a head at rest may look up by 20 degrees; people who walk or stand look ahead.
+    """
+    out = source.copy()
+    for joint in joints:
+        tilt = _tilt(source[:, joint])
+        speed = np.linalg.norm(np.diff(tilt, axis=0, append=tilt[-1:]), axis=1)
+        usual = np.median(tilt[speed <= np.median(speed)], axis=0)
+        if np.linalg.norm(usual) < CARRIED_RAD:
+            out[:, joint] = source[:, joint] @ turns.matrices(-usual)
+    return out
 
 
 def _aimed(body: Body, names: tuple[str, str], source: Array, joint: int, direction: Array) -> Array:

@@ -1,4 +1,4 @@
-"""clone.wrl, the default world: one skin that walks without a seam, readable by anybody, H-Anim's names on its joints."""
+"""clone.wrl, the default world: one skin that walks without a seam, with H-Anim's names on its joints."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def pictures(text: str, name: str) -> tuple[np.ndarray, np.ndarray]:
 
 
 def test_every_picture_is_the_skin_that_the_joints_bend(wrl, clone) -> None:
-    """Skinned here, by the library's linear blending: the first and a middle picture of the walk, within a millimetre."""
+    """Skinned here, by the library's linear blending: the first and a middle picture of the walk, within 1 mm."""
     generic, own = load_generic(), centred(clone)
     motion = own_motions(own)[0]
     keys, points = pictures(wrl.read_text(), "walk_skin_0")
@@ -53,14 +53,15 @@ def test_every_picture_is_the_skin_that_the_joints_bend(wrl, clone) -> None:
     for row in (0, len(keys) // 2):
         frame = int(np.abs(motion.times_s - keys[row] * motion.times_s[-1]).argmin())
         transforms = joint_transforms(own.joints_m, generic.joint_parents, motion.rotations[frame])
-        wanted = skin(own.vertices_m, transforms, generic.skin_joints.astype(np.int32), generic.skin_weights.astype(float))
+        joints, weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(float)
+        wanted = skin(own.vertices_m, transforms, joints, weights)
         assert np.abs(points[row] - wanted[body] - motion.root_m[frame]).max() < 0.001
 
 
 def test_edges_keep_their_length_while_it_walks(wrl) -> None:
     """Rigid pieces gaped by centimetres at hem and groin; here no edge of the body is torn."""
     text = wrl.read_text()
-    keys, points = pictures(text, "walk_skin_0")
+    _, points = pictures(text, "walk_skin_0")
     corners = re.search(r"coordIndex \[\n(.*?)\]", text, re.S)[1]
     triangles = np.array(corners.split(), dtype=int).reshape(-1, 4)[:, :3]
     halfway = (points[:-1] + points[1:]) / 2.0  # what a browser shows between two pictures
