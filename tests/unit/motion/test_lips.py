@@ -15,6 +15,7 @@ from cloner.motion import espeak, speech
 from cloner.motion.body import body_of
 from cloner.motion.limits import limited
 from cloner.motion.talk import spoken_visemes, talk
+from cloner.stages.face_targets import face_targets
 from kit.clones import toy_clone
 
 SPEECH = Path(__file__).resolve().parents[2] / "kit" / "speech"
@@ -99,3 +100,26 @@ def test_words_without_espeak_are_refused_in_words(tmp_path: Path, monkeypatch) 
     with pytest.raises(ClonerError) as caught:
         spoken_visemes(path)
     assert "espeak-ng" in caught.value.message
+
+
+def test_an_open_mouth_is_an_oval_and_a_tongue_passes_between_the_lips(clone) -> None:
+    """Half way to a corner an ellipse stands 87 % as open as in the middle, a V 50 %; a tongue needs 5 mm."""
+    grid, rest = mouth_grid(), clone.vertices_m
+    names, index, delta, start = face_targets(rest)
+
+    def shape(name: str) -> np.ndarray:
+        moved, k = rest.copy(), names.index(name)
+        rows = slice(int(start[k]), int(start[k + 1]))
+        moved[index[rows]] += delta[rows]
+        return moved
+
+    for name in ("jawOpen", "viseme_O", "mouthFunnel"):
+        moved = shape(name)[grid.rings]
+        gap, aside = lips_apart(grid, moved), np.abs(moved[grid.margin, :, 0])
+        half = aside.max() / 2.0
+        order = np.argsort(aside[grid.upper])
+        at_half = np.interp(half, aside[grid.upper][order], gap[grid.upper][order])
+        assert at_half > 0.7 * gap.max(), name
+    out = shape("tongueOut")
+    gap = lips_apart(grid, out[grid.rings])[np.abs(rest[grid.ring(0), 0]) < MIDLINE_M]
+    assert gap.max() > 0.005
