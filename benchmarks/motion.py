@@ -5,8 +5,9 @@
 RESULT is a result's folder or its clone.npz; besides them random bodies of the generic family walk, the first of them
 a child of 1.10 m. Captures are .bvh or .amc files (their .asf beside them); without any, those of ../shared/mocap.
 
-Walk: how far the first frame lies from the last one (joints, mm), how far standing soles slide per step (mm), the
-least bend of a knee (degrees; below zero it would bend forwards), speed. Captures: sliding of standing soles, and the
+Walk: how far the first frame lies from the last one (joints, mm), how far soles slide a step by the strict ruler
+(`cloner.motion.slide`: whatever is below 4 mm, however fast, at 60 Hz; mm, mean and worst), the
+least bend of a knee (degrees; below zero it would bend forwards), speed. Captures: the same slides, and the
 angle between the captured bone and ours (upper arm, forearm, thigh, shin, all frames).
 """
 
@@ -25,10 +26,10 @@ from cloner.generic.load import load_generic
 from cloner.motion.anatomy import find_anatomy
 from cloner.motion.body import SIDES, Body, body_of
 from cloner.motion.bvh import Capture
-from cloner.motion.contact import sliding_m
 from cloner.motion.gait import walk
 from cloner.motion.retarget import captured_directions, retarget
 from cloner.motion.rig import centred
+from cloner.motion.slide import step_slides_m
 from cloner.picture import clone_of
 from cloner.records.motions import Motion
 
@@ -69,7 +70,8 @@ def walk_row(name: str, body: Body) -> str:
     motion = walk(body)
     places = body.places(motion)
     gap = 1000.0 * np.abs(places[0] - places[-1]).max()
-    mean, worst = (1000.0 * slid for slid in sliding_m(body, motion))
+    slid = 1000.0 * step_slides_m(body, motion)
+    mean, worst = slid.mean(), slid.max()
     bends = knee_bends(body, motion)
     return (
         f"| {name} | {gap:.3f} | {mean:.1f} | {worst:.1f} | {bends.min():.0f} | {bends.max():.0f} | "
@@ -80,7 +82,8 @@ def walk_row(name: str, body: Body) -> str:
 def capture_row(name: str, capture: Capture, who: str, body: Body) -> str:
     """Return one row of the captures' table."""
     motion = retarget(capture, body, name="x")
-    mean, worst = (1000.0 * slid for slid in sliding_m(body, motion))
+    slid = 1000.0 * step_slides_m(body, motion)
+    mean, worst = slid.mean(), slid.max()
     angle = _angles(capture, body, motion)
     return (
         f"| {name} | {who} | {len(capture.root) * capture.frame_s:.1f} | {mean:.1f} | {worst:.1f} | "

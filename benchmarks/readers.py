@@ -35,14 +35,16 @@ ROWS: Final[tuple[tuple[str, str, Callable[[Path], Picture], bool], ...]] = (
     ("three.js", "clone_flat.wrl", readers.three, readers.HAS_THREE),
     ("X_ITE", "clone.wrl", readers.x_ite, readers.HAS_X_ITE),
     ("X_ITE", "clone.x3d", readers.x_ite, readers.HAS_X_ITE),
-    ("view3dscene", "clone.wrl", readers.view3dscene_without_prototypes, readers.HAS_VIEW3DSCENE),
+    ("view3dscene", "clone.wrl", readers.view3dscene, readers.HAS_VIEW3DSCENE),
+    ("view3dscene", "clone_hanim.wrl", readers.view3dscene_without_prototypes, readers.HAS_VIEW3DSCENE),
+    ("X_ITE", "clone_hanim.wrl", readers.x_ite, readers.HAS_X_ITE),
     ("view3dscene", "clone.x3d", readers.view3dscene, readers.HAS_VIEW3DSCENE),
     ("view3dscene", "clone.glb", readers.view3dscene, readers.HAS_VIEW3DSCENE),
     ("Blender", "clone.glb", readers.blender, readers.HAS_BLENDER),
     ("Blender", "clone_flat.wrl", readers.blender, readers.HAS_BLENDER),
     ("Blender", "clone.obj", readers.blender, readers.HAS_BLENDER),
 )
-FORMATS: Final = ("glb", "small", "mixamo", "vrm", "flat", "wrl", "x3d", "obj")
+FORMATS: Final = ("glb", "small", "mixamo", "vrm", "flat", "wrl", "hanim", "x3d", "obj")
 
 
 def main() -> None:

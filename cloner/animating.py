@@ -5,18 +5,20 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Final
 
 import numpy as np
 
 from cloner.errors import ClonerError
 from cloner.exporters.files import write_bytes
-from cloner.exporters.gltf import export
+from cloner.exporters.table import EXPORTERS
 from cloner.motion.acclaim import read_acclaim
 from cloner.motion.body import Body, body_of
 from cloner.motion.bvh import read_bvh
 from cloner.motion.cycle import walk_cycle
 from cloner.motion.faps import fap_text, read_fap, rotations_of, stream_of, weights_of
 from cloner.motion.limits import limited
+from cloner.motion.own import own_motions
 from cloner.motion.retarget import retarget
 from cloner.motion.rig import centred
 from cloner.motion.score import SILENT, Score, emotion_score, read_score
@@ -29,13 +31,15 @@ from cloner.records.motions import Motion
 
 SPEECH = (".wav", ".txt")
 SCORE = ".toml"
+#: How an animated clone may leave; every one holds the sources' motions before the clone's own.
+FORMATS: Final = {".glb": "glb", ".vrm": "vrm", ".wrl": "wrl", ".x3d": "x3d", ".usdz": "usdz"}
 CAPTURES = {".bvh": read_bvh, ".amc": read_acclaim}
 
 
 def animate_file(
     clone_path: Path, sources: Sequence[Path], out: Path, *, cycles: bool = False, emotion: str = ""
 ) -> tuple[Path, ...]:
-    """Write a clone with further animations as a binary glTF file, and the speech's face as FAP files beside it.
+    """Write a clone with further animations, the first one first, and the speech's face as FAP files beside it.
 
     Parameters
     ----------
@@ -43,10 +47,11 @@ def animate_file(
         ``clone.npz`` or the folder that holds it.
     sources : sequence of Path
         Each becomes an animation with the file's name: .bvh and .amc (its .asf beside it) are laid on the body, .wav
-        and .txt (phonemes) are spoken, .fap moves the face, .toml is a score of expressions on tracks. A .toml of a
-        speech's name beside it is played with the speech.
+        and .txt (phonemes, or words) are spoken, .fap moves the face, .toml is a score of expressions on tracks. A
+        .toml of a speech's name beside it is played with the speech.
     out : Path
-        Ends with .glb.
+        Ends with one of `FORMATS`. A .wrl plays the first animation and, at a click, the second; .x3d and .usdz hold
+        the first one alone.
     cycles : bool
         Cut every capture down to two steps of walking on the spot, closed into a circle.
     emotion : str
@@ -62,20 +67,27 @@ def animate_file(
     ClonerError
         If there is no clone, a source cannot be read or laid on, or a file to write exists or cannot be written.
     """
-    if out.suffix.lower() != ".glb":
-        raise ClonerError("animations are written as glTF", "Give --out a name that ends with .glb", out.name)
+    if out.suffix.lower() not in FORMATS:
+        hint = f"Give --out a name that ends with {', '.join(FORMATS)}"
+        raise ClonerError(f"no animation is written as {out.suffix or 'this'}", hint, out.name)
     beside = {path: out.with_name(f"{out.stem}_{path.stem}.fap") for path in sources if path.suffix.lower() in SPEECH}
     for file in (out, *beside.values()):
         safe_output(file)
     clone = clone_of(clone_path)
-    body = body_of(centred(clone))
-    motions = [_motion(clone, body, path, cycles=cycles, emotion=emotion) for path in sources]
-    motions = [replace(motion, weights=limited(clone, motion.weights)) for motion in motions]
-    written = list(export(clone, out.parent, name=out.stem, motions=motions))
-    for path, motion in zip(sources, motions, strict=True):
+    made = [_motion(clone, body_of(centred(clone)), path, cycles=cycles, emotion=emotion) for path in sources]
+
+    def moves(posed: Clone) -> Sequence[Motion]:
+        """Return the sources' motions, the first one first, and the clone's own, for any rest pose."""
+        body = body_of(posed)
+        laid = [_motion(clone, body, path, cycles=cycles, emotion=emotion) for path in sources]
+        return *(replace(motion, weights=limited(clone, motion.weights)) for motion in laid), *own_motions(posed)
+
+    written = list(EXPORTERS.get(FORMATS[out.suffix.lower()])(clone, out.parent, name=out.stem, moves=moves))
+    for path, motion in zip(sources, made, strict=True):
         if path.suffix.lower() in SPEECH:
             written.append(beside[path])
-            write_bytes(written[-1], fap_text(stream_of(clone, motion.weights, FRAMES_PER_S), path.stem).encode())
+            weights = limited(clone, motion.weights)
+            write_bytes(written[-1], fap_text(stream_of(clone, weights, FRAMES_PER_S), path.stem).encode())
     return tuple(written)
 
 

@@ -161,10 +161,10 @@ def _animate(
     sources: Annotated[
         list[Path],
         typer.Argument(
-            metavar="SOURCE...", help="Captures (.bvh, .amc), speech (.wav, phonemes .txt), face (.fap, .toml)."
+            metavar="SOURCE...", help="Captures (.bvh, .amc), speech (.wav, text, phonemes: .txt), face (.fap, .toml)."
         ),
     ],
-    out: Annotated[Path, typer.Option("--out", help="The .glb file to write.")],
+    out: Annotated[Path, typer.Option("--out", help="The file to write: .glb, .vrm, .wrl, .x3d or .usdz.")],
     cycles: Annotated[bool, typer.Option("--cycle", help="Make an endless walk on the spot of each capture.")] = False,
     emotion: Annotated[str, typer.Option(help="Mood of a speech: joy, sadness, anger, fear, disgust, surprise.")] = "",
 ) -> None:

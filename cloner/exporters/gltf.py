@@ -12,7 +12,7 @@ Khronos Group 2021, glTF 2.0 specification, sections 3.6 (accessors), 3.7
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, Final
 
@@ -31,11 +31,10 @@ from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import Surface, load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
-from cloner.motion.own import own_motions
+from cloner.motion.own import Moves, own_motions
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
 from cloner.records.heads import SHELL_KINDS, Shell
-from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
@@ -46,8 +45,16 @@ _HAIR_CUTOFF: Final = 0.4  # taste: strands stay closed when seen from afar
 _REPEAT, _LINEAR, _TRILINEAR = 10497, 9729, 9987  # the numbers GL gives them
 
 
-def export(clone: Clone, folder: Path, *, name: str = "clone", motions: Sequence[Motion] = ()) -> tuple[Path, ...]:
-    """Write ``<name>.glb`` with walk, idle and the given motions, and return its path.
+def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = own_motions) -> tuple[Path, ...]:
+    """Write ``<name>.glb`` with its motions, and return its path.
+
+    Parameters
+    ----------
+    clone : Clone
+    folder : Path
+    name : str
+    moves : callable
+        Makes the file's motions for the clone with the joints and rest pose that it leaves with, the first one first.
 
     Raises
     ------
@@ -55,14 +62,14 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", motions: Sequence
         If the folder cannot be written to.
     """
     path = folder / f"{name}.glb"
-    write_bytes(path, b"".join(build(centred(clone), motions).save_to_bytes()))
+    write_bytes(path, b"".join(build(centred(clone), moves=moves).save_to_bytes()))
     return (path,)
 
 
 def build(
     clone: Clone,
-    motions: Sequence[Motion] = (),
     *,
+    moves: Moves = own_motions,
     bones: Bones | None = None,
     buffer_type: Callable[[Any, Array], GltfBuffer] = GltfBuffer,
 ) -> Any:
@@ -72,8 +79,8 @@ def build(
     ----------
     clone : Clone
         With the joints it is to leave with.
-    motions : sequence of Motion
-        Come after the clone's own walk and idle.
+    moves : callable
+        Makes the motions of this clone; walk and idle unless told otherwise.
     bones : Bones or None
         The file's skeleton; None takes all H-Anim joints.
     buffer_type : callable
@@ -98,7 +105,7 @@ def build(
             gltf.nodes.append(pygltflib.Node(name=mesh.name, mesh=len(gltf.meshes) - 1, skin=skin))
             roots.append(len(gltf.nodes) - 1)
     body = next(number for number, node in enumerate(gltf.nodes) if node.mesh == 0)
-    for motion in (*own_motions(clone), *motions):
+    for motion in moves(clone):
         gltf.animations.append(animation(gltf, buffer, clone, motion, bones, body))
     gltf.scenes.append(pygltflib.Scene(name="clone", nodes=roots, extras=_facts(clone, bones)))
     data = buffer.data()

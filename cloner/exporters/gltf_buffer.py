@@ -114,7 +114,14 @@ class GltfBuffer:
         return self.sparse(count, index, np.asarray(values, dtype=np.float32))
 
     def sparse(self, count: int, index: NDArray[Any], values: NDArray[Any]) -> int:
-        """Add a (count, 3) attribute that is zero except in the rows ``index`` (ascending, may be empty)."""
+        """Add a (count, 3) attribute that is zero except in the rows ``index`` (ascending, may be empty).
+
+        One that is zero everywhere still names its first row: the specification allows an accessor without any data,
+        but Assimp 5 and Open3D refuse the whole file over it.
+        """
+        if not len(index):
+            index, values = np.zeros(1, dtype=np.int64), np.zeros((1, 3), dtype=values.dtype)
+        rows = index.astype(np.uint16 if count < 65535 else np.uint32)
         accessor = pygltflib.Accessor(
             byteOffset=None,
             componentType=_COMPONENT[values.dtype],
@@ -124,15 +131,13 @@ class GltfBuffer:
             min=np.minimum(values.min(axis=0, initial=0.0), 0.0).astype(float).tolist(),
             max=np.maximum(values.max(axis=0, initial=0.0), 0.0).astype(float).tolist(),
         )
-        if len(index):
-            rows = index.astype(np.uint16 if count < 65535 else np.uint32)
-            accessor.sparse = pygltflib.Sparse(
-                count=len(rows),
-                indices=pygltflib.AccessorSparseIndices(
-                    bufferView=self.view(rows.tobytes()), componentType=_COMPONENT[rows.dtype]
-                ),
-                values=pygltflib.AccessorSparseValues(bufferView=self.view(values.tobytes())),
-            )
+        accessor.sparse = pygltflib.Sparse(
+            count=len(rows),
+            indices=pygltflib.AccessorSparseIndices(
+                bufferView=self.view(rows.tobytes()), componentType=_COMPONENT[rows.dtype]
+            ),
+            values=pygltflib.AccessorSparseValues(bufferView=self.view(values.tobytes())),
+        )
         self._gltf.accessors.append(accessor)
         return len(self._gltf.accessors) - 1
 

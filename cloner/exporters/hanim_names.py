@@ -106,6 +106,11 @@ def joint_name_2(joint: str) -> str:
     return f"{side}_{_JOINTS_2.get(bare, bare)}"
 
 
+def node_name(name: str) -> str:
+    """Return any text as the name of a node: an identifier that begins with a letter."""
+    return identifier(name) if re.match(r"[A-Za-z]", name) else f"m_{identifier(name)}"
+
+
 def identifier(name: str) -> str:
     """Return a name with everything but letters, digits and _ replaced: "fdp_2.1" gives "fdp_2_1"."""
     return re.sub(r"[^A-Za-z0-9_]", "_", name)

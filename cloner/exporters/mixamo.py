@@ -17,6 +17,7 @@ from typing import Final
 from cloner.exporters.bones import Bones, kept_bones
 from cloner.exporters.files import write_bytes
 from cloner.exporters.gltf import build
+from cloner.motion.own import Moves, own_motions
 from cloner.motion.rest import in_t_pose
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
@@ -45,7 +46,7 @@ def mixamo_bones() -> Bones:
     return kept_bones("Mixamo", {joint: PREFIX + bone for joint, bone in names.items()})
 
 
-def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
+def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = own_motions) -> tuple[Path, ...]:
     """Write ``<name>_mixamo.glb`` and return its path.
 
     Raises
@@ -54,5 +55,5 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
         If the folder cannot be written to.
     """
     path = folder / f"{name}_mixamo.glb"
-    write_bytes(path, b"".join(build(in_t_pose(centred(clone)), bones=mixamo_bones()).save_to_bytes()))
+    write_bytes(path, b"".join(build(in_t_pose(centred(clone)), moves=moves, bones=mixamo_bones()).save_to_bytes()))
     return (path,)

@@ -2,7 +2,8 @@
 
 ``export(clone, folder, *, name="clone") -> tuple[Path, ...]`` writes the
 files and returns their paths. ``small`` is a quantised glTF, ``mixamo`` one
-with Mixamo's bones, ``flat`` a VRML without prototypes.
+with Mixamo's bones, ``wrl`` a seamless VRML, ``hanim`` one of rigid pieces
+on H-Anim 1.1's prototypes, ``flat`` one that stands still.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ EXPORTERS.add("glb", "cloner.exporters.gltf:export")
 EXPORTERS.add("small", "cloner.exporters.gltf_small:export")
 EXPORTERS.add("mixamo", "cloner.exporters.mixamo:export")
 EXPORTERS.add("wrl", "cloner.exporters.vrml97:export")
+EXPORTERS.add("hanim", "cloner.exporters.vrml_hanim:export")
 EXPORTERS.add("flat", "cloner.exporters.vrml_flat:export")
 EXPORTERS.add("x3d", "cloner.exporters.x3d:export")
 EXPORTERS.add("vrm", "cloner.exporters.vrm:export")

@@ -15,7 +15,8 @@ import importlib
 import io
 import tempfile
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -26,13 +27,12 @@ from cloner.errors import ClonerError
 from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import write_bytes
 from cloner.exporters.gltf_motion import quaternions
-from cloner.exporters.hanim_names import identifier
+from cloner.exporters.hanim_names import identifier, node_name
 from cloner.exporters.pictures import picture_bytes
 from cloner.exporters.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import target_offsets
-from cloner.motion.body import body_of
-from cloner.motion.gait import idle
+from cloner.motion.own import Moves, own_motions
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -40,12 +40,17 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 
 ALIGNMENT: Final = 64
-FRAMES_PER_S: Final = 30.0
 _EPOCH: Final = (1980, 1, 1, 0, 0, 0)  # the oldest date that a zip can tell: the same clone gives the same bytes
 _ROOT, _SKELETON = "/clone", "/clone/skeleton"
 
 
-def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
+def idle_first(clone: Clone) -> Sequence[Motion]:
+    """Return the clone's own motions, the idle before the walk: what stands in a room does not walk on the spot."""
+    walk, idle = own_motions(clone)
+    return idle, walk
+
+
+def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = idle_first) -> tuple[Path, ...]:
     """Write ``<name>.usdz`` and return its path.
 
     Raises
@@ -59,7 +64,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     pictures[atlas] = commented(pictures[atlas], clone.stamp)  # layers are compressed: here anybody can read it
     with tempfile.TemporaryDirectory() as scratch:
         layer = Path(scratch) / f"{name}.usdc"
-        _stage(pxr, centred(clone), name, layer)
+        _stage(pxr, centred(clone), name, layer, moves)
         content = layer.read_bytes()
     path = folder / f"{name}.usdz"
     write_bytes(path, packed({layer.name: content, **pictures}))
@@ -100,19 +105,20 @@ def packed(files: Mapping[str, bytes]) -> bytes:
     return stream.getvalue()
 
 
-def _stage(pxr: Any, clone: Clone, name: str, path: Path) -> None:
+def _stage(pxr: Any, clone: Clone, name: str, path: Path, moves: Moves) -> None:
     """Write the layer with everything but the pictures."""
-    generic, motion = load_generic(), idle(body_of(clone))
+    generic, motion = load_generic(), moves(clone)[0]
+    motion = replace(motion, name=node_name(motion.name))
     stage = pxr.Usd.Stage.CreateNew(str(path))
     pxr.UsdGeom.SetStageUpAxis(stage, pxr.UsdGeom.Tokens.y)
     pxr.UsdGeom.SetStageMetersPerUnit(stage, 1.0)
-    stage.SetTimeCodesPerSecond(FRAMES_PER_S)
+    stage.SetTimeCodesPerSecond(round(1.0 / float(np.diff(motion.times_s).mean()), 3))
     stage.SetStartTimeCode(0.0)
     stage.SetEndTimeCode(len(motion.times_s) - 1.0)
     stage.GetRootLayer().comment = f"{CREDITS} {clone.stamp}"
     stage.SetDefaultPrim(pxr.UsdSkel.Root.Define(stage, _ROOT).GetPrim())
     paths = _joint_paths(generic)
-    _skeleton(pxr, stage, clone, paths)
+    _skeleton(pxr, stage, clone, paths, motion.name)
     _animation(pxr, stage, clone, motion, paths)
     for number, mesh in enumerate(skin_meshes(clone, generic, name)):
         _mesh(pxr, stage, clone, mesh, f"{mesh.name}_{number}")
@@ -127,7 +133,7 @@ def _joint_paths(generic: GenericHuman) -> list[str]:
     return paths
 
 
-def _skeleton(pxr: Any, stage: Any, clone: Clone, paths: list[str]) -> None:
+def _skeleton(pxr: Any, stage: Any, clone: Clone, paths: list[str], plays: str) -> None:
     skeleton = pxr.UsdSkel.Skeleton.Define(stage, _SKELETON)
     parents = load_generic().joint_parents
     origin = np.where((parents >= 0)[:, None], clone.joints_m[parents], 0.0)
@@ -135,7 +141,7 @@ def _skeleton(pxr: Any, stage: Any, clone: Clone, paths: list[str]) -> None:
     skeleton.CreateBindTransformsAttr(_moves(pxr, clone.joints_m))
     skeleton.CreateRestTransformsAttr(_moves(pxr, clone.joints_m - origin))
     binding = pxr.UsdSkel.BindingAPI.Apply(skeleton.GetPrim())
-    binding.CreateAnimationSourceRel().SetTargets([pxr.Sdf.Path(f"{_SKELETON}/idle")])
+    binding.CreateAnimationSourceRel().SetTargets([pxr.Sdf.Path(f"{_SKELETON}/{plays}")])
 
 
 def _moves(pxr: Any, places_m: Array) -> Any:

@@ -16,6 +16,7 @@ from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import write_bytes
 from cloner.exporters.gltf import build
 from cloner.generic.load import load_generic
+from cloner.motion.own import Moves, own_motions
 from cloner.motion.rest import in_t_pose
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
@@ -33,6 +34,10 @@ _SIDED: Final = {
 }  # fmt: skip
 _FINGERS: Final = {"Index": "index", "Middle": "middle", "Ring": "ring", "Little": "pinky"}
 _KNUCKLES: Final = {"Proximal": "1", "Intermediate": "2", "Distal": "3"}
+#: How far eyes turn when something stands so far aside of the head, degrees: eyes turn by 35 degrees at most, the head
+#: does the rest; towards the nose and up a little less. At 45 degrees the gaze is then 15 to 22 degrees off.
+GAZE_INPUT_DEG: Final = 60.0
+GAZE_DEG: Final = {"HorizontalInner": 26.0, "HorizontalOuter": 30.0, "VerticalDown": 22.0, "VerticalUp": 20.0}
 #: VRM's expressions as sums of the clone's targets.
 EXPRESSIONS: Final[Mapping[str, Mapping[str, float]]] = MappingProxyType({
     "happy": {"mouthSmileLeft": 0.8, "mouthSmileRight": 0.8, "cheekSquintLeft": 0.5, "cheekSquintRight": 0.5},
@@ -50,11 +55,11 @@ EXPRESSIONS: Final[Mapping[str, Mapping[str, float]]] = MappingProxyType({
 })  # fmt: skip
 
 
-def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
+def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = own_motions) -> tuple[Path, ...]:
     """Write ``<name>.vrm`` and return its path.
 
-    The terms say what holds for a person's likeness unless that person says otherwise: only they and those they allow
-    may use it, and it is not to be passed on.
+    The terms say what holds for a person's likeness unless that person says otherwise: only they may use it or, where
+    their consent was recorded, those they allow; it is not to be passed on.
 
     Raises
     ------
@@ -62,7 +67,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
         If the folder cannot be written to.
     """
     posed = in_t_pose(centred(clone))
-    gltf = build(posed)
+    gltf = build(posed, moves=moves)
     gltf.extensionsUsed = [*gltf.extensionsUsed, EXTENSION]
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
     gltf.extensions = {EXTENSION: _vrm(posed, nodes, name)}
@@ -75,7 +80,6 @@ def _vrm(clone: Clone, nodes: Mapping[str, int], name: str) -> dict[str, Any]:
     generic = load_generic()
     head = clone.joints_m[generic.joint("skullbase")]
     eyes = (clone.joints_m[generic.joint("l_eyeball_joint")] + clone.joints_m[generic.joint("r_eyeball_joint")]) / 2.0
-    turn = {"inputMaxValue": 90.0, "outputScale": 10.0}
     return {
         "specVersion": "1.0",
         "meta": {
@@ -84,7 +88,7 @@ def _vrm(clone: Clone, nodes: Mapping[str, int], name: str) -> dict[str, Any]:
             "authors": ["Cloner"],
             "copyrightInformation": CREDITS,
             "licenseUrl": _LICENCE,
-            "avatarPermission": "onlyAuthor",
+            "avatarPermission": "onlySeparatelyLicensedPerson" if clone.consent else "onlyAuthor",
             "allowExcessivelyViolentUsage": False,
             "allowExcessivelySexualUsage": False,
             "commercialUsage": "personalNonProfit",
@@ -99,10 +103,10 @@ def _vrm(clone: Clone, nodes: Mapping[str, int], name: str) -> dict[str, Any]:
         "lookAt": {
             "type": "bone",
             "offsetFromHeadBone": [round(float(x), 5) for x in eyes - head],
-            **dict.fromkeys(
-                ("rangeMapHorizontalInner", "rangeMapHorizontalOuter", "rangeMapVerticalDown", "rangeMapVerticalUp"),
-                turn,
-            ),
+            **{
+                f"rangeMap{way}": {"inputMaxValue": GAZE_INPUT_DEG, "outputScale": most}
+                for way, most in GAZE_DEG.items()
+            },
         },
     }
 

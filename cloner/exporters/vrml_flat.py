@@ -17,6 +17,7 @@ from cloner.exporters.credits import GENERIC_CREDITS
 from cloner.exporters.files import write_bytes
 from cloner.exporters.pictures import write_pictures
 from cloner.exporters.vrml_segments import appearance_text, face_rows, number_rows, quoted, skin_meshes
+from cloner.exporters.vrml_views import viewpoints
 from cloner.generic.load import load_generic
 from cloner.records.clones import Clone
 
@@ -40,6 +41,7 @@ def _scene(clone: Clone, name: str) -> Iterator[str]:
     info = (GENERIC_CREDITS, "units=metre up=+Y front=+Z", f"stamp={clone.stamp}")
     yield f'WorldInfo {{ title "clone" info [ {" ".join(map(quoted, info))} ] }}\n'
     yield 'NavigationInfo { type [ "EXAMINE" "ANY" ] }\nBackground { skyColor 0.88 0.89 0.9 }\n'
+    yield from viewpoints(clone)
     yield "Transform { children [\n"
     seen: set[str] = set()
     for mesh in skin_meshes(clone, load_generic(), name):

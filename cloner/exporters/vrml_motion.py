@@ -31,22 +31,29 @@ def motion_text(motion: Motion, joint_names: Sequence[str], root: str) -> Iterat
     root : str
         The joint that moves in space.
     """
+    yield from motion_nodes(motion, joint_names, root)
+    yield from motion_routes(motion, joint_names, root)
+
+
+def motion_nodes(motion: Motion, joint_names: Sequence[str], root: str, *, loop: bool = True) -> Iterator[str]:
+    """Yield the clock and the interpolators; a clock that is not ``loop`` goes from its first start on, for ever."""
     duration = float(motion.times_s[-1])
     keys = " ".join(f"{time / duration:.4f}" for time in motion.times_s)
-    yield f"DEF {motion.name}_clock TimeSensor {{ cycleInterval {duration:.4f} loop TRUE }}\n"
-    routes = []
+    waits = "" if loop else "startTime -1 stopTime 0 "  # it has stopped, until a later start
+    yield f"DEF {motion.name}_clock TimeSensor {{ cycleInterval {duration:.4f} loop TRUE {waits}}}\n"
     for name, turns in joint_turns(motion, joint_names):
-        node = f"{motion.name}_{name}_rotation"
         values = ", ".join(f"{row_text(row[:3])} {row[3]:.4f}" for row in turns)
-        yield f"DEF {node} OrientationInterpolator {{ key [ {keys} ] keyValue [ {values} ] }}\n"
-        routes.append((node, f"hanim_{name}.set_rotation"))
-    node = f"{motion.name}_{root}_translation"
+        yield f"DEF {motion.name}_{name}_rotation OrientationInterpolator {{ key [ {keys} ] keyValue [ {values} ] }}\n"
     values = ", ".join(row_text(row) for row in motion.root_m)
-    yield f"DEF {node} PositionInterpolator {{ key [ {keys} ] keyValue [ {values} ] }}\n"
-    routes.append((node, f"hanim_{root}.set_translation"))
-    for node, target in routes:
-        yield f"ROUTE {motion.name}_clock.fraction_changed TO {node}.set_fraction\n"
-        yield f"ROUTE {node}.value_changed TO {target}\n"
+    yield f"DEF {motion.name}_{root}_translation PositionInterpolator {{ key [ {keys} ] keyValue [ {values} ] }}\n"
+
+
+def motion_routes(motion: Motion, joint_names: Sequence[str], root: str) -> Iterator[str]:
+    """Yield the routes from the clock through the interpolators to the joints."""
+    routes = [(f"{name}_rotation", f"{name}.set_rotation") for name, _ in joint_turns(motion, joint_names)]
+    for node, target in (*routes, (f"{root}_translation", f"{root}.set_translation")):
+        yield f"ROUTE {motion.name}_clock.fraction_changed TO {motion.name}_{node}.set_fraction\n"
+        yield f"ROUTE {motion.name}_{node}.value_changed TO hanim_{target}\n"
 
 
 def joint_turns(motion: Motion, joint_names: Sequence[str]) -> Iterator[tuple[str, NDArray[np.float64]]]:

@@ -107,7 +107,7 @@ def segment_texts(clone: Clone, generic: GenericHuman, name: str) -> list[str]:
         parents = generic.joint_parents
         for piece in partition(mesh.triangles, mesh.skin_joints, mesh.skin_weights, parents, overlap=rings):
             held[piece.joint].append((mesh, piece))
-    sites = _sites(clone, generic)
+    sites = site_texts(clone, generic, "Site")
     seen: set[str] = set()
     targets = _moving(clone)
     return [
@@ -198,8 +198,8 @@ def _displacers(targets: Targets, name: str, vertex: NDArray[np.int32]) -> Itera
             )
 
 
-def _sites(clone: Clone, generic: GenericHuman) -> list[list[str]]:
-    """Return the Site nodes of every joint: each feature on the segment of the nearest skin."""
+def site_texts(clone: Clone, generic: GenericHuman, node: str) -> list[list[str]]:
+    """Return the sites of every joint, "Site" or "Transform" nodes: each feature on the segment of the nearest skin."""
     texts: list[list[str]] = [[] for _ in generic.joint_names]
     if not clone.features_m:
         return texts
@@ -207,7 +207,8 @@ def _sites(clone: Clone, generic: GenericHuman) -> list[list[str]]:
     _, nearest = cKDTree(clone.vertices_m).query(np.array(list(clone.features_m.values())))
     for (feature, point), vertex in zip(clone.features_m.items(), nearest, strict=True):
         site = site_name(feature)
-        texts[dominant[vertex]].append(f'DEF hanim_{site} Site {{ name "{site}" translation {row_text(point)} }}\n')
+        own = f'name "{site}" ' if node == "Site" else ""
+        texts[dominant[vertex]].append(f"DEF hanim_{site} {node} {{ {own}translation {row_text(point)} }}\n")
     return texts
 
 

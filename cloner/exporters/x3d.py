@@ -11,6 +11,7 @@ ISO/IEC 19775-1:2023 (X3D 4), clause 26; ISO/IEC 19774-1:2019 (H-Anim 2).
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -19,14 +20,13 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.exporters.credits import GENERIC_CREDITS
 from cloner.exporters.files import write_bytes
-from cloner.exporters.hanim_names import identifier, joint_name_2, segment_name
+from cloner.exporters.hanim_names import identifier, joint_name_2, node_name, segment_name
 from cloner.exporters.pictures import write_pictures
 from cloner.exporters.vrml_motion import joint_turns
 from cloner.exporters.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, row_text, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import target_offsets
-from cloner.motion.body import body_of
-from cloner.motion.gait import walk
+from cloner.motion.own import Moves, own_motions
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -34,7 +34,7 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 
 
-def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
+def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = own_motions) -> tuple[Path, ...]:
     """Write ``<name>.x3d`` and its pictures in ``textures/``, and return all paths.
 
     Raises
@@ -45,11 +45,11 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     clone = centred(clone)
     pictures = write_pictures(clone, folder, name)
     scene = folder / f"{name}.x3d"
-    write_bytes(scene, "".join(_document(clone, name)).encode())
+    write_bytes(scene, "".join(_document(clone, name, moves(clone)[0])).encode())
     return (scene, *pictures)
 
 
-def _document(clone: Clone, name: str) -> Iterator[str]:
+def _document(clone: Clone, name: str, motion: Motion) -> Iterator[str]:
     generic = load_generic()
     meshes = skin_meshes(clone, generic, name)
     joints = tuple(joint_name_2(joint) for joint in generic.joint_names)
@@ -76,7 +76,7 @@ def _document(clone: Clone, name: str) -> Iterator[str]:
     yield from (f'<HAnimSegment USE="hanim_{segment_name(joint)}" containerField="segments"/>\n'
                 for joint in generic.joint_names)  # fmt: skip
     yield "</HAnimHumanoid>\n"
-    yield from _motion(walk(body_of(clone)), joints)
+    yield from _motion(replace(motion, name=node_name(motion.name)), joints)
     yield "</Scene>\n</X3D>\n"
 
 

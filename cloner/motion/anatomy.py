@@ -1,7 +1,8 @@
 """Find the parts of a body in a captured skeleton, whatever its joints are called.
 
-Knees and elbows are told by name, in the dialects of CMU, Mixamo, MakeHuman, Unreal, VRM and H-Anim; everything else
-follows from the hierarchy: what lies above a knee is the thigh, below it the foot, and the spine joins the two pairs.
+Knees and elbows are told by name, in the dialects of CMU, Mixamo, MakeHuman, Unreal, VRM, 3ds Max and H-Anim;
+everything else follows from the hierarchy: what lies above a knee is the thigh, below it the foot, and the spine joins
+the two pairs.
 """
 
 from __future__ import annotations
@@ -98,10 +99,10 @@ def find_anatomy(capture: Capture) -> Anatomy:
 def plain(name: str) -> tuple[str, str]:
     """Return a joint's name without prefix and side, in small letters, and its side "l", "r" or ""."""
     name = re.split(r"[:|]", name)[-1]
-    name = re.sub(r"^mixamorig\d*", "", name)
+    name = re.sub(r"^mixamorig\d*|^bip\d*[ _\-.]+", "", name, flags=re.IGNORECASE)
     for pattern, side in (
         (r"^left[_\-. ]?(.+)$", "l"), (r"^right[_\-. ]?(.+)$", "r"),
-        (r"^l[_\-.](.+)$", "l"), (r"^r[_\-.](.+)$", "r"),
+        (r"^l[_\-. ](.+)$", "l"), (r"^r[_\-. ](.+)$", "r"),
         (r"^(.+)[_\-.](?:l|left)$", "l"), (r"^(.+)[_\-.](?:r|right)$", "r"),
     ):  # fmt: skip
         match = re.match(pattern, name, re.IGNORECASE)

@@ -135,12 +135,13 @@ def _hierarchy(
             if (word == "ROOT") == bool(open_joints or names):
                 raise ValueError(f"{word} {words[at + 1]} stands in the wrong place")
             parents.append(open_joints[-1] if open_joints else -1)
-            names.append(words[at + 1])
+            begin = words.index("{", at)  # names of 3ds Max have blanks
+            names.append(" ".join(words[at + 1 : begin]))
             offsets.append([0.0] * 3)
             ends.append([0.0] * 3)
             channels.append([])
             open_joints.append(len(names) - 1)
-            at += 3
+            at = begin + 1
         elif word == "End":
             open_joints.append(-1)
             at += 3

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from cloner.errors import ClonerError
 from cloner.motion import turns
 from cloner.motion.body import Body
-from cloner.motion.contact import planted, runs, standing
+from cloner.motion.contact import runs, standing
+from cloner.motion.planting import planted
 from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
@@ -19,6 +20,8 @@ Array = NDArray[np.float64]
 #: People take two steps in this time, seconds.
 SHORTEST_S: Final = 0.6
 LONGEST_S: Final = 2.0
+#: Slower than this nobody walks, metres a second: it is standing with shifting feet.
+SLOWEST_M_S: Final = 0.4
 
 
 def walk_cycle(body: Body, motion: Motion) -> Motion:
@@ -56,7 +59,9 @@ def walk_cycle(body: Body, motion: Motion) -> Motion:
         cyclic=True,
         speed_m_s=float(np.hypot(travel[0], travel[2]) / times[-1]),
     )
-    return planted(body, made)
+    # Which foot stands when is told by the whole capture: the short piece, closed, says it less clearly.
+    left, right = (flags[rows] for flags in standing(body, motion))
+    return planted(body, made, (left, right))
 
 
 def _best_cut(body: Body, motion: Motion) -> tuple[int, int]:
@@ -68,7 +73,8 @@ def _best_cut(body: Body, motion: Motion) -> tuple[int, int]:
         strikes = [first for first, last in runs(flags) if first > 0 and last - first >= 2]
         for first in strikes:
             for last in strikes:
-                if SHORTEST_S <= (last - first) * step <= LONGEST_S:
+                way = np.hypot(*(motion.root_m[last] - motion.root_m[first])[[0, 2]])
+                if SHORTEST_S <= (last - first) * step <= LONGEST_S and way >= SLOWEST_M_S * (last - first) * step:
                     away = np.linalg.norm(motion.rotations[first] - motion.rotations[last])
                     away += np.linalg.norm(pace[first] - pace[last])
                     if away < best:

@@ -12,17 +12,17 @@ ISO/IEC 14496-2 (Visual), annex C: FAP definitions, FAPU, feature points.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import lsq_linear
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
+from cloner.motion.fap_faces import FULL, LIDS, expression_weights, frame_weights, viseme_weights
 from cloner.outside import text_outside
 from cloner.records.arrays import freeze
 from cloner.records.clones import Clone
@@ -55,8 +55,13 @@ TURNS: Final[Mapping[int, tuple[str, tuple[int, int, int]]]] = {
     50: ("skullbase", (0, 0, 1)),
 }  # fmt: skip
 ANGLE_UNIT: Final = 1e-5
-#: Weight of doing nothing against a parameter; keeps targets at rest that no parameter asks for.
-RIDGE: Final = 0.02
+#: How many numbers the two compound parameters have in a frame, by how many both have together: some writers leave out
+#: the last ones, which say that a frame defines a shape for later ones.
+COMPOUND: Final[Mapping[tuple[bool, bool, int], tuple[int, int]]] = {
+    (True, False, 3): (3, 0), (True, False, 4): (4, 0), (False, True, 4): (0, 4), (False, True, 5): (0, 5),
+    (False, True, 6): (0, 6), (True, True, 7): (3, 4), (True, True, 8): (4, 4), (True, True, 9): (3, 6),
+    (True, True, 10): (4, 6),
+}  # fmt: skip
 LARGEST_BYTES: Final = 50_000_000
 
 
@@ -71,14 +76,30 @@ class FapStream:
         In the parameters' own units; column k is parameter k + 1.
     given : (F, 68) bool
         Which of them a frame names.
+    viseme : (F, 3) float64
+        Of FAP 1: first and second viseme, 0 to 14, and how much the first one counts, 0 to 63.
+    expression : (F, 4) float64
+        Of FAP 2: two expressions, 0 to 6, each with its intensity, 0 to 63.
     """
 
     frames_per_s: float
     values: Array
     given: NDArray[np.bool_]
+    viseme: Array = field(default_factory=lambda: np.zeros((0, 3)))
+    expression: Array = field(default_factory=lambda: np.zeros((0, 4)))
 
     def __post_init__(self) -> None:
-        freeze(self, values=(np.float64, (None, COUNT)), given=(np.bool_, (len(self.values), COUNT)))
+        count = len(self.values)
+        for name, width in (("viseme", 3), ("expression", 4)):
+            if not len(getattr(self, name)):
+                object.__setattr__(self, name, np.zeros((count, width)))
+        freeze(
+            self,
+            values=(np.float64, (None, COUNT)),
+            given=(np.bool_, (count, COUNT)),
+            viseme=(np.float64, (count, 3)),
+            expression=(np.float64, (count, 4)),
+        )
 
 
 def face_units(clone: Clone) -> dict[str, float]:
@@ -106,24 +127,27 @@ def target_moves(clone: Clone, names: tuple[str, ...]) -> Array:
         for number, (unit, direction, point) in MOVES.items():
             own = offsets[vertex[point]].astype(np.float64)
             moves[number - 1, names.index(name)] = own @ np.array(direction) / units[unit]
+    # The unit of lids is their distance over 1024, and a blink takes away all of it: what its points tell is stretched.
+    for upper, lower, side in LIDS:
+        if f"eyeBlink{side}" in names:
+            blink = moves[[upper - 1, lower - 1], names.index(f"eyeBlink{side}")].sum()
+            moves[[upper - 1, lower - 1]] *= FULL / max(float(blink), 1.0)
     return moves
 
 
 def weights_of(clone: Clone, stream: FapStream) -> dict[str, Array]:
-    """Return the weights 0..1 (F,) of the face's ARKit targets that play a stream on this clone."""
+    """Return the weights 0..1 (F,) of the face's targets that play a stream on this clone."""
     names = tuple(name for name in load_generic().arkit_names if name in clone.morph_names)
     moves = target_moves(clone, names)
-    size = np.maximum(np.abs(moves).max(axis=1), 1e-9)  # parameters of large and small motion count alike
-    reachable = np.abs(moves).max(axis=1) > 1.0
     weights = np.zeros((len(stream.values), len(names)))
     for row, (values, given) in enumerate(zip(stream.values, stream.given, strict=True)):
-        used = given & reachable
-        if not (np.abs(values[used]) > 0.0).any():
-            continue
-        system = np.vstack([moves[used] / size[used, None], RIDGE * np.eye(len(names))])
-        wanted = np.concatenate([values[used] / size[used], np.zeros(len(names))])
-        weights[row] = lsq_linear(system, wanted, bounds=(0.0, 1.0)).x
-    return {name: weights[:, column] for column, name in enumerate(names) if weights[:, column].any()}
+        weights[row] = frame_weights(moves, names, np.where(given, values, 0.0), given)
+    found = {name: weights[:, column] for column, name in enumerate(names) if weights[:, column].any()}
+    for own in (viseme_weights(stream.viseme), expression_weights(stream.expression)):
+        for name, values in own.items():
+            if name in clone.morph_names:
+                found[name] = 1.0 - (1.0 - found.get(name, np.zeros(len(values)))) * (1.0 - values)
+    return found
 
 
 def rotations_of(stream: FapStream, joint_names: tuple[str, ...]) -> Array:
@@ -176,11 +200,17 @@ def _parsed(lines: list[str]) -> FapStream:
     if not (0.0 < frames_per_s <= 1000.0 and 0 < count <= 10_000_000) or len(lines) < 1 + 2 * count:
         raise ValueError(f"{count} frames are promised")
     values, given = np.zeros((count, COUNT)), np.zeros((count, COUNT), dtype=bool)
+    viseme, expression = np.zeros((count, 3)), np.zeros((count, 4))
     for number in range(count):
         mask = np.array(lines[1 + 2 * number].split(), dtype=int)
         row = np.array(lines[2 + 2 * number].split(), dtype=float)[1:]
-        if len(mask) != COUNT or len(row) != int((mask != 0).sum()):
+        single = int((mask[2:] != 0).sum())
+        has = (bool(mask[0]), bool(mask[1])) if len(mask) == COUNT else (False, False)
+        first, second = COMPOUND.get((*has, len(row) - single), (0, 0))
+        if len(mask) != COUNT or len(row) != first + second + single:
             raise ValueError(f"frame {number} has {len(mask)} marks and {len(row)} values")
-        given[number] = mask != 0
-        values[number, given[number]] = row
-    return FapStream(frames_per_s, values, given)
+        viseme[number] = row[:3] if first else 0.0
+        expression[number] = row[first : first + 4] if second else 0.0
+        given[number, 2:] = mask[2:] != 0
+        values[number, given[number]] = row[first + second :]
+    return FapStream(frames_per_s, values, given, viseme, expression)

@@ -21,7 +21,8 @@ from scipy.interpolate import CubicSpline
 
 from cloner.motion import turns
 from cloner.motion.body import FOOT, NECK, SIDES, SPINE, Body, below
-from cloner.motion.contact import grounded, planted
+from cloner.motion.contact import grounded
+from cloner.motion.planting import planted
 from cloner.motion.twist import shared_twist
 from cloner.records.motions import Motion
 
@@ -29,14 +30,23 @@ Array = NDArray[np.float64]
 
 X, Y, Z = 0, 1, 2
 FRAMES_PER_S: Final = 30
+#: Feet roll over the ground between two frames of a walk; at half as many they slide by millimetres in between.
+WALK_FRAMES_PER_S: Final = 60
 WALK_S: Final = 1.0  # one left and one right step
+STANCE: Final = 0.60  # of a foot's own cycle, from heel strike to toe off (Winter)
+#: Steps are this share of what the free swing of the legs would make: the pelvis then goes up and down by 44 mm, as
+#: people's does at this speed, instead of 52.
+STEP_SHARE: Final = 0.95
+#: Waves of the pelvis' height a cycle that are kept: one a step and its first overtone; the body's weight has no more.
+HEIGHT_WAVES: Final = (0, 2, 4)
 IDLE_S: Final = 6.0
-#: Angles of a leg over its own cycle from heel strike on, degrees: thigh forward, knee bent, foot pitched up, toes up.
+#: Angles of a leg over its own cycle from heel strike on, degrees: thigh forward of the vertical, knee bent, foot
+#: pitched up, toes up.
 _LEG: Final[Mapping[str, tuple[tuple[float, float], ...]]] = MappingProxyType({
-    "thigh": ((0.0, 27.0), (0.12, 22.0), (0.3, 4.0), (0.5, -13.0), (0.62, -4.0), (0.75, 18.0), (0.88, 29.0)),
-    "knee": ((0.0, 4.0), (0.12, 16.0), (0.3, 7.0), (0.42, 5.0), (0.52, 14.0), (0.62, 40.0), (0.72, 60.0), (0.85, 28.0),
+    "thigh": ((0.0, 21.0), (0.12, 16.0), (0.3, -2.0), (0.5, -19.0), (0.62, -10.0), (0.75, 16.0), (0.88, 25.0)),
+    "knee": ((0.0, 4.0), (0.12, 16.0), (0.3, 7.0), (0.42, 5.0), (0.52, 14.0), (0.62, 42.0), (0.72, 64.0), (0.85, 30.0),
              (0.95, 3.0)),
-    "foot": ((0.0, 18.0), (0.08, 2.0), (0.15, 0.0), (0.38, 0.0), (0.5, -18.0), (0.62, -55.0), (0.75, -22.0),
+    "foot": ((0.0, 18.0), (0.08, 2.0), (0.15, 0.0), (0.38, 0.0), (0.5, -26.0), (0.62, -58.0), (0.75, -22.0),
              (0.88, 8.0), (0.95, 17.0)),
     "toes": ((0.0, 8.0), (0.12, 0.0), (0.38, 0.0), (0.5, 16.0), (0.6, 32.0), (0.7, 4.0), (0.85, 4.0)),
 })  # fmt: skip
@@ -59,7 +69,7 @@ def walk(body: Body) -> Motion:
 
     The ground's speed is in ``speed_m_s``; standing feet follow it without sliding.
     """
-    times = np.linspace(0.0, WALK_S, round(WALK_S * FRAMES_PER_S) + 1)
+    times = np.linspace(0.0, WALK_S, round(WALK_S * WALK_FRAMES_PER_S) + 1)
     phase = times / WALK_S
     turn = 2.0 * np.pi * phase
     pelvis = turns.about(Y, np.radians(-PELVIS_TURN_DEG) * np.cos(turn)) @ turns.about(
@@ -74,8 +84,20 @@ def walk(body: Body) -> Motion:
     root[:, 0] = SWAY_M * np.sin(turn)
     rotations = shared_twist(body, turns.local_from_world(world, body.parents))
     motion = Motion("walk", times, root, rotations, cyclic=True)
-    motion = grounded(body, motion)
-    return grounded(body, planted(body, replace(motion, speed_m_s=_ground_speed(body, motion))))
+    motion = _evenly_high(grounded(body, motion))
+    stands = tuple(np.mod(own + 1e-9, 1.0) < STANCE for own in (phase, phase + 0.5))
+    return planted(body, replace(motion, speed_m_s=_ground_speed(body, motion)), (stands[0], stands[1]))
+
+
+def _evenly_high(motion: Motion) -> Motion:
+    """Return a cyclic motion whose root goes up and down in the slow waves of `HEIGHT_WAVES` alone."""
+    waves = np.fft.rfft(motion.root_m[:-1, 1])
+    kept = np.zeros_like(waves)
+    kept[list(HEIGHT_WAVES)] = waves[list(HEIGHT_WAVES)]
+    root = motion.root_m.copy()
+    root[:-1, 1] = np.fft.irfft(kept, len(root) - 1)
+    root[-1] = root[0]
+    return replace(motion, root_m=root)
 
 
 def idle(body: Body) -> Motion:
@@ -209,4 +231,4 @@ def _ground_speed(body: Body, motion: Motion) -> float:
         back = -np.diff(ball[:, 2]) / step
         stands = (np.abs(flat) < 0.15) & (back > 0.2) & (ball[1:, 1] < 0.03)
         speeds.append(back[stands])
-    return float(np.median(np.concatenate(speeds)))
+    return STEP_SHARE * float(np.median(np.concatenate(speeds)))

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+
 from cloner.motion.body import body_of
 from cloner.motion.gait import idle, walk
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
+
+#: Makes the motions of a clone as it is given: with its joints, in its rest pose.
+Moves = Callable[[Clone], Sequence[Motion]]
 
 
 def own_motions(clone: Clone) -> tuple[Motion, ...]:

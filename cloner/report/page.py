@@ -45,7 +45,8 @@ _WIDE: Final = ("three_quarter", "face", "head")
 _FILES: Final = {
     "clone.glb": "for Blender, Unity, Unreal, web pages",
     VIEWER: "the clone to look at in any browser, alone in one file",
-    "clone.wrl": "VRML97 with H-Anim 1.1",
+    "clone.wrl": "VRML97, one seamless skin that walks",
+    "clone_hanim.wrl": "VRML97 with H-Anim 1.1",
     "clone.obj": "rest pose",
     "clone.ply": "rest pose",
     "clone.npz": "for cloner render",

@@ -34,6 +34,8 @@ CLOSED = ("viseme_sil", "viseme_PP", "mouthPressLeft", "mouthPressRight", "mouth
 WIDE_M, FLAT = 0.025, 0.5
 #: A tongue that comes out this far, metres, is narrower by this share (taste).
 OUT_M, NARROW = 0.02, 0.35
+#: No tongue passes closed lips: one that is out opens the jaw by this share, which lets it through (7 mm).
+TONGUE_OPENS = 0.35
 #: Share of a target that ears and scalp take, and how far outside them skin takes all of it, metres: they hardly move.
 STILL, FADE_M = 0.3, 0.015
 SIDES = ("left", "right")
@@ -136,6 +138,8 @@ class _Face:
         elif np.abs(out[grid.rings]).max() < SMALLEST_M:
             return
         moved = rest + out[grid.rings]
+        if name != "mouthClose" and name not in CLOSED:
+            moved = lips.rounded(grid, rest, moved)
         for part in ("teeth_upper", "teeth_lower"):
             rows = self.generic.part(part)
             moved = lips.before_teeth(grid, moved, self.rest_m[rows] + out[rows])
@@ -162,7 +166,8 @@ def _targets(face: _Face) -> Iterator[tuple[str, Array]]:
     generic = face.generic
     jaw_open = face.target("jawOpen", _raw(generic, "jawOpen"), np.zeros_like(face.rest_m))
     for name in (*generic.arkit_names, *generic.viseme_names):
-        yield name, face.target(name, _raw(generic, name), jaw_open)
+        own = face.target(name, _raw(generic, name), jaw_open)
+        yield name, own + TONGUE_OPENS * jaw_open if name == "tongueOut" else own
 
 
 def _raw(generic: GenericHuman, name: str) -> Array:

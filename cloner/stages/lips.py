@@ -23,6 +23,9 @@ PRESS_M = 0.0001
 TURNS = 3
 #: Teeth within this reach aside hold a lip back, and lips stay so far before them, metres.
 TOOTH_M, BEFORE_M = 0.004, 0.001
+#: An open mouth is an oval: each lip hangs between the corners like ``(1 - u^2)`` to this power, u from the middle to a
+#: corner; a half is an ellipse. What opens a lip by less than the first of these, metres, stays, by the second changes.
+OVAL, OVAL_FROM_M, OVAL_TO_M = 0.6, 0.002, 0.005
 
 
 def closed(grid: Grid, points: Array) -> Array:
@@ -48,6 +51,31 @@ def sealed(grid: Grid, points: Array) -> Array:
     step[grid.corners] = 0.0
     out[: grid.margin, :, 1:] += SEAL_SHARE[:, None, None] * step
     return out
+
+
+def rounded(grid: Grid, rest: Array, moved: Array) -> Array:
+    """Return lips that hang in ovals where a face draws them open in a V: as low in the middle, and fuller beside it.
+
+    Parameters
+    ----------
+    rest, moved : (K, N, 3)
+        Before and after the motion, metres.
+    """
+    out, margin = moved.copy(), moved[grid.margin]
+    drop = moved[grid.margin, :, 1] - rest[grid.margin, :, 1]
+    left, right = (int(corner) for corner in grid.corners)
+    middle, half = (margin[left, 0] + margin[right, 0]) / 2.0, max((margin[left, 0] - margin[right, 0]) / 2.0, 1e-6)
+    across = np.clip((margin[:, 0] - middle) / half, -1.0, 1.0)
+    base = drop[right] + (drop[left] - drop[right]) * (across + 1.0) / 2.0
+    step = np.zeros(len(drop))
+    for lip in (grid.upper, grid.lower):
+        own = drop - base
+        centre = float(own[lip][np.abs(across[lip]).argmin()])
+        share = np.clip((abs(centre) - OVAL_FROM_M) / (OVAL_TO_M - OVAL_FROM_M), 0.0, 1.0)
+        fuller = centre * (1.0 - across**2) ** OVAL - own
+        step[lip] = share * np.where(fuller[lip] * centre > 0.0, fuller[lip], 0.0)
+    out[:, :, 1] += SHARE[:, None] * step
+    return np.asarray(out)
 
 
 def before_teeth(grid: Grid, points: Array, teeth: Array) -> Array:

@@ -31,7 +31,7 @@ VIEW3DSCENE = pytest.mark.skipif(
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory) -> Path:
     made = tmp_path_factory.mktemp("readers")
-    for name in ("glb", "small", "mixamo", "flat", "wrl", "x3d"):
+    for name in ("glb", "small", "mixamo", "flat", "wrl", "hanim", "x3d"):
         EXPORTERS.get(name)(toy_clone(STATURE_M), made)
     return made
 
@@ -72,10 +72,21 @@ def test_view3dscene_draws_the_skin_without_a_warning(folder: Path) -> None:
 
 
 @VIEW3DSCENE
+def test_view3dscene_opens_the_default_world_as_it_is_and_it_walks(folder: Path) -> None:
+    first, told = readers.view3dscene(folder / "clone.wrl", 0.1)
+    second, _ = readers.view3dscene(folder / "clone.wrl", 0.35)
+    assert told.get("error") is None
+    assert told["warnings"] == []
+    upright(first)
+    changed = np.abs(first.astype(int) - second.astype(int)).max(axis=2) > 24
+    assert changed.sum() > 0.1 * person(first).sum(), "it stands still"
+
+
+@VIEW3DSCENE
 def test_view3dscene_s_own_h_anim_nodes_take_our_joints_and_walk(folder: Path) -> None:
     """A foreign declaration of Humanoid, Joint, Segment, Site and Displacer knows every field that the file uses."""
-    first, told = readers.view3dscene_without_prototypes(folder / "clone.wrl", 0.1)
-    second, _ = readers.view3dscene_without_prototypes(folder / "clone.wrl", 0.35)
+    first, told = readers.view3dscene_without_prototypes(folder / "clone_hanim.wrl", 0.1)
+    second, _ = readers.view3dscene_without_prototypes(folder / "clone_hanim.wrl", 0.35)
     assert told.get("error") is None
     assert told["warnings"] == []
     upright(first)

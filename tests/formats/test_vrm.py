@@ -6,6 +6,7 @@ import json
 import os
 import shutil
 import subprocess
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -95,6 +96,20 @@ def test_terms_protect_the_person(gltf) -> None:
     assert meta["avatarPermission"] == "onlyAuthor"
     assert meta["allowRedistribution"] is False
     assert {"name", "authors", "licenseUrl"} <= set(meta)
+
+
+def test_recorded_consent_lets_those_use_it_whom_the_person_allows(clone, tmp_path: Path) -> None:
+    (path,) = export(replace(clone, consent=True), tmp_path)
+    meta = pygltflib.GLTF2().load_binary(str(path)).extensions["VRMC_vrm"]["meta"]
+    assert meta["avatarPermission"] == "onlySeparatelyLicensedPerson"
+
+
+def test_eyes_turn_so_that_it_is_seen(gltf) -> None:
+    """By the format: a target at 45 degrees turns an eye by outputScale * 45 / inputMaxValue; iris edges move 4 mm."""
+    look = gltf.extensions["VRMC_vrm"]["lookAt"]
+    for way in ("HorizontalInner", "HorizontalOuter", "VerticalDown", "VerticalUp"):
+        turned = look[f"rangeMap{way}"]["outputScale"] * min(45.0 / look[f"rangeMap{way}"]["inputMaxValue"], 1.0)
+        assert 15.0 <= turned <= 35.0, way
 
 
 @pytest.mark.skipif(

@@ -1,4 +1,4 @@
-"""clone.wrl through Coin, the strictest parser, and as text."""
+"""clone_hanim.wrl through Coin, the strictest parser, and as text."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from PIL import Image
 
 from cloner.exporters.hanim_names import segment_name
 from cloner.exporters.partition import partition
-from cloner.exporters.vrml97 import export
+from cloner.exporters.vrml_hanim import export
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
 from cloner.motion.rest import in_hanging_pose

@@ -124,7 +124,7 @@ def test_every_page_forbids_what_it_does_not_need(cloned_anna: CloneOutcome, tmp
 def test_names_of_captures_stay_strings_in_gltf(tmp_path: Path) -> None:
     clone = toy_clone(hair=False)
     walk = own_motions(clone)[0]
-    (written,) = gltf.export(clone, tmp_path, motions=[replace(walk, name=text) for text in HOSTILE])
+    (written,) = gltf.export(clone, tmp_path, moves=lambda _: [replace(walk, name=text) for text in HOSTILE])
     names = [animation.name for animation in pygltflib.GLTF2().load_binary(str(written)).animations]
     assert tuple(names[-len(HOSTILE) :]) == HOSTILE
 

@@ -7,6 +7,7 @@ import os
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import time
 from pathlib import Path
@@ -28,6 +29,9 @@ AT_S = 0.1
 HAS_THREE = CHROMIUM is not None and all((NODE / name).is_dir() for name in ("three", "@pixiv/three-vrm", "esbuild"))
 HAS_X_ITE = CHROMIUM is not None and X_ITE.is_dir()
 HAS_BLENDER = shutil.which("blender") is not None
+HAS_ASSIMP = shutil.which("assimp") is not None
+#: A Python that has readers which the product does not need: assimp-py and open3d from the package index.
+FOREIGN_PYTHON = os.environ.get("CLONER_READERS_PYTHON", sys.executable)
 HAS_VIEW3DSCENE = shutil.which("view3dscene") is not None and shutil.which("xvfb-run") is not None
 
 #: The background of our own worlds, sRGB: there it is the file's, before it the program's.
@@ -137,3 +141,30 @@ def view3dscene_without_prototypes(path: Path, at_s: float = AT_S) -> Picture:
 def person(picture: np.ndarray) -> np.ndarray:
     """Return the (H, W) pixels that differ from the picture's corner."""
     return np.asarray(np.abs(picture.astype(int) - picture[2, 2].astype(int)).max(axis=2) > 24)
+
+
+def assimp(path: Path) -> dict[str, float]:
+    """Return what Assimp's own command tells of a file: counts of its parts and the corners of its box, metres."""
+    done = subprocess.run(["assimp", "info", path], capture_output=True, text=True, timeout=120, check=False)
+    text = done.stdout
+    told = {key.lower(): float(value) for key, value in re.findall(r"^(\w+):\s+(\d+)$", text, flags=re.M)}
+    for word in ("Minimum", "Maximum"):
+        if found := re.search(rf"{word} point\s+\(([^)]*)\)", text):
+            told |= {f"{word.lower()}_{axis}": float(v) for axis, v in zip("xyz", found[1].split(), strict=True)}
+    return told
+
+
+def foreign(program: str, path: Path) -> dict[str, float]:
+    """Return the meshes, vertices and height that a Python reader, "assimp_py" or "open3d", sees in a file."""
+    done = subprocess.run([FOREIGN_PYTHON, HERE / "count_foreign.py", program, path],
+                          capture_output=True, text=True, timeout=120, check=False)  # fmt: skip
+    counts = re.search(r"^SEEN (\d+) (\d+) (\S+)$", done.stdout, flags=re.M)
+    if counts is None:
+        return {"meshes": 0.0, "vertices": 0.0, "height_m": 0.0}
+    return {"meshes": float(counts[1]), "vertices": float(counts[2]), "height_m": float(counts[3])}
+
+
+def has_foreign(program: str) -> bool:
+    """Return whether a Python reader can be imported there."""
+    done = subprocess.run([FOREIGN_PYTHON, "-c", f"import {program}"], capture_output=True, check=False)
+    return done.returncode == 0

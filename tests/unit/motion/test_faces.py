@@ -88,7 +88,9 @@ def test_a_spoken_file_moves_mouth_and_lids_but_not_the_feet(clone, tmp_path: Pa
     body = body_of(clone)
     motion = talk(body, "hello", spoken_visemes(path))
     assert motion.name == "hello"
-    assert motion.weights["viseme_aa"].max() > 0.6
+    assert motion.weights["viseme_aa"].max() > 0.35
+    spoken = {name: values[15] for name, values in motion.weights.items() if name.startswith("viseme_")}
+    assert max(spoken, key=spoken.get) == "viseme_aa"
     assert motion.weights["eyeBlinkLeft"].max() > 0.8
     assert np.ptp(body.places(motion)[:, body.joint("l_ankle")], axis=0).max() < 1e-3
 

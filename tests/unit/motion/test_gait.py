@@ -12,6 +12,7 @@ from cloner.motion import contact
 from cloner.motion.body import SIDES, Body, body_of
 from cloner.motion.gait import idle, walk
 from cloner.motion.rig import centred
+from cloner.motion.slide import step_slides_m
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from kit.clones import toy_clone
@@ -53,9 +54,10 @@ def test_a_sole_is_always_on_the_floor_and_none_below_it(body: Body, walking: Mo
 
 def test_standing_feet_go_with_the_ground_at_the_speed_of_a_walk(body: Body, walking: Motion) -> None:
     assert 0.75 < walking.speed_m_s < 2.1
-    mean, worst = contact.sliding_m(body, walking)
-    assert mean < 0.004
-    assert worst < 0.01
+    slid = step_slides_m(body, walking)
+    assert len(slid) == 2, "a left and a right step"
+    assert slid.mean() < 0.005
+    assert slid.max() < 0.015
     for stands in contact.standing(body, walking):
         assert 0.4 < stands.mean() < 0.75, "a foot stands for about six tenths of the cycle"
 
@@ -63,7 +65,7 @@ def test_standing_feet_go_with_the_ground_at_the_speed_of_a_walk(body: Body, wal
 def test_left_and_right_do_the_same_half_a_cycle_apart(body: Body, walking: Motion) -> None:
     places = body.places(walking)
     left, right = (places[:-1, body.joint(f"{side}_ankle")] for side in SIDES)
-    assert np.abs(left - np.roll(right, 15, axis=0) * (-1.0, 1.0, 1.0)).max() < 0.02
+    assert np.abs(left - np.roll(right, 30, axis=0) * (-1.0, 1.0, 1.0)).max() < 0.02
 
 
 def test_arms_swing_against_the_legs_and_hang_at_the_sides(body: Body, walking: Motion) -> None:
@@ -93,3 +95,19 @@ def test_idle_closes_breathes_and_blinks(body: Body) -> None:
     assert 0.001 < np.ptp(chest, axis=0).max() < 0.05
     feet = body.places(motion)[:, body.joint("l_ankle")]
     assert np.ptp(feet, axis=0).max() < 1e-3
+
+
+def test_the_ruler_of_slides_counts_a_scuffing_toe_that_nobody_calls_standing(body: Body, walking: Motion) -> None:
+    """Told by hand: over ground that runs 10 mm a second faster, each foot's .6 s on it are 6 mm longer."""
+    off = step_slides_m(body, replace(walking, speed_m_s=walking.speed_m_s + 0.01))
+    assert off == pytest.approx(step_slides_m(body, walking) + 0.006, abs=0.0015)
+
+
+def test_a_lifted_foot_clears_the_ground(body: Body, walking: Motion) -> None:
+    for sole, stands in zip(
+        body.sole_points(body.world(walking), walking.root_m), contact.standing(body, walking), strict=True
+    ):
+        height = sole[..., 1].min(axis=1)
+        between = (height > 0.0041) & ~stands
+        assert height[between].min() > 0.005
+        assert (height < 0.0001).mean() == pytest.approx(0.6, abs=0.03), "exactly on the floor while it stands"
