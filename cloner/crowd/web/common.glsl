@@ -1,0 +1,53 @@
+// What every shader of the crowd knows: one person's place, pose and looks at a time. Frames: metres, Y up; heading 0
+// faces +Z. The same text runs in the player (GLSL ES 3.00) and in the offscreen painter (GLSL 3.30).
+uniform sampler2D people;    // PERSON texels a person, ROW persons a row
+uniform sampler2D clones;    // one row a clone: see cloner/crowd/stock.py
+uniform float now;           // seconds
+uniform float laneLength;    // metres
+
+const int PERSON = 5, ROW = 256;
+const float PI = 3.14159265;
+
+struct Person {
+  vec3 place; float heading;
+  int clone; float scale; float shown;
+  int clip; int frame; int frames;
+  ivec3 donors;   // whose top, bottom and shoes are worn
+  vec4 dyes;      // top, bottom, shoes, hair: 0xRRGGBB or -1
+};
+
+vec4 personTexel(int who, int k) { return texelFetch(people, ivec2((who % ROW) * PERSON + k, who / ROW), 0); }
+vec4 cloneTexel(int clone, int k) { return texelFetch(clones, ivec2(k, clone), 0); }
+
+Person personOf(int who) {
+  vec4 path = personTexel(who, 0), pace = personTexel(who, 1), worn = personTexel(who, 2), where = personTexel(who, 4);
+  Person p;
+  p.dyes = personTexel(who, 3);
+  p.clone = int(pace.z + 0.5);
+  p.scale = pace.w;
+  p.donors = ivec3(worn.xyz + 0.5);
+  p.clip = int(worn.w + 0.5);
+  p.shown = 1.0;
+  p.place = vec3(path.y, where.x, path.z);
+  p.heading = path.w;
+  if (path.x > 1.5) {         // a ring: radius, first angle, turning way
+    float angle = path.z + path.w * pace.x * now / path.y;
+    p.place = vec3(path.y * sin(angle), where.x, path.y * cos(angle));
+    p.heading = angle + path.w * PI * 0.5;
+  } else if (path.x > 0.5) {  // a lane along Z: x, start, way
+    float along = mod(path.z + pace.x * now, laneLength);
+    p.place = vec3(path.y, where.x, path.w * (along - 0.5 * laneLength));
+    p.heading = path.w > 0.0 ? 0.0 : PI;
+    p.shown = clamp(min(along, laneLength - along) / 2.0, 0.0, 1.0);
+  }
+  vec4 clip = cloneTexel(p.clone, 1 + p.clip);  // first row of bones, frames, seconds, metres a cycle
+  float cycles = clip.w > 0.0 ? pace.x / (clip.w * p.scale) : 1.0 / clip.z;
+  p.frames = int(clip.y + 0.5);
+  p.frame = min(int(fract(pace.y + cycles * now) * clip.y), p.frames - 1);
+  return p;
+}
+
+vec3 unpacked(float dye) {
+  int whole = int(dye + 0.5);
+  return vec3(float(whole / 65536), float((whole / 256) % 256), float(whole % 256)) / 255.0;
+}
