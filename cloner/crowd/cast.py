@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 
 ATLAS_PX: Final = 512  # taste: 330 texels a metre, a screen pixel at 2.6 m through a 50 degree lens of 720 lines
-SHELL_PX: Final = 256
+SHELL_PX: Final = 192  # hair's density is then that of the body's
 #: Heights from the chest's middle count as chest, share of the stature either way; taste.
 CHEST: Final = (0.68, 0.80)
 

@@ -54,6 +54,8 @@ class Clip:
         At which the ground runs back under the feet.
     frames : (F, J, 3, 4) float64
         Posed-from-rest transforms of the joints; the cycle closes after the last.
+    rotations : (F, J, 3) float64, root_m : (F, 3) float64
+        The same as turns of the joints against their parents, and the root's place.
     poses : int
         Impostors' share of the frames: every ``F // poses``-th.
     around : bool
@@ -64,6 +66,8 @@ class Clip:
     seconds: float
     speed_m_s: float
     frames: Array
+    rotations: Array
+    root_m: Array
     poses: int
     around: bool = True
 
@@ -123,7 +127,7 @@ def _clip(clone: Clone, motion: Motion, count: int, poses: int, *, around: bool 
     parents = load_generic().joint_parents.astype(np.int32)
     frames = joint_transforms(clone.joints_m, parents, rotations)[:, :, :3]
     frames[..., 3] += root[:, None]
-    return Clip(motion.name, seconds, motion.speed_m_s, frames, min(poses, count), around)
+    return Clip(motion.name, seconds, motion.speed_m_s, frames, rotations, root, min(poses, count), around)
 
 
 def resampled(motion: Motion, at: Array) -> tuple[Array, Array]:

@@ -117,6 +117,25 @@ def _texel_triangles(size: int) -> NDArray[np.int32]:
     return shown.reshape(size, size)
 
 
+def sorted_by_group(
+    triangles: NDArray[np.int32], uv: NDArray[np.float64], codes: Pixels
+) -> tuple[NDArray[np.int32], dict[str, tuple[int, int]]]:
+    """Return triangles (T, 3) in the order of their groups, and each group's first triangle and how many it has.
+
+    A triangle belongs where its middle lies in the atlas; parts of another texture than the atlas count as hair.
+    """
+    size = len(codes)
+    middle = np.clip((uv[triangles].mean(axis=1) * size).astype(int), 0, size - 1)
+    group = codes[middle[:, 1], middle[:, 0]].astype(int) // STEP
+    order = np.argsort(group, kind="stable")
+    ranges = {}
+    for number, name in enumerate(GROUPS):
+        own = np.flatnonzero(group[order] == number + 1)
+        if len(own):
+            ranges[name] = (int(own[0]), len(own))
+    return triangles[order], ranges
+
+
 @dataclass(frozen=True, slots=True)
 class GroupLook:
     """How one group of one clone looks.

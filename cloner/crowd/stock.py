@@ -109,7 +109,9 @@ def octahedral(normals: Array) -> NDArray[np.uint16]:
     return np.asarray(whole[:, 0] | (whole[:, 1] << 8), np.uint16)
 
 
-def table_row(cast: Cast, tile_starts: Sequence[int], texels_per_m: float, first_bone: int) -> NDArray[np.float32]:
+def table_row(
+    cast: Cast, tile_starts: Sequence[int], texels_per_m: float, views: int, first_bone: int
+) -> NDArray[np.float32]:
     """Return a clone's (COLUMNS, 4) row of the clones' table.
 
     Parameters
@@ -119,11 +121,13 @@ def table_row(cast: Cast, tile_starts: Sequence[int], texels_per_m: float, first
         First tile of each clip.
     texels_per_m : float
         Of the impostors.
+    views : int
+        Baked around the clone.
     first_bone : int
         Row of the clone's first frame among all clones' frames.
     """
     row = np.zeros((COLUMNS, 4), np.float32)
-    row[0] = middle_m(cast), texels_per_m, 0.0, float(len(cast.loose.vertices_m) > 0)
+    row[0] = middle_m(cast), texels_per_m, views, float(len(cast.loose.vertices_m) > 0)
     frame = first_bone
     for k, clip in enumerate(cast.clips):
         row[CLIPS_AT + k] = frame, len(clip.frames), clip.seconds, clip.seconds * clip.speed_m_s

@@ -46,7 +46,7 @@ class Stock:
     table : (C, COLUMNS, 4) float32
     atlases : (C, A, A, 4) uint8, shells : (C, B, 2 B, 4) uint8
     tiles : (C, 2 T, 4) float32, colours : (C, H, W, 4) uint8, shapes : (C, H/2, W/2, 4) uint8, or None before baking
-    views : int, elevations : tuple of radians
+    elevations : tuple of radians
     """
 
     body: BodyLevels
@@ -58,7 +58,6 @@ class Stock:
     tiles: NDArray[np.float32] | None = None
     colours: Pixels | None = None
     shapes: Pixels | None = None
-    views: int = 22
     elevations: tuple[float, ...] = (0.0,)
 
 
@@ -199,7 +198,7 @@ class Theatre:
         fixed = {
             "bodyVertices": len(self.stock.body.vertex), "boxMin": stock.BOX_MIN_M, "boxStep": stock.BOX_STEP_M,
             "boneReach": stock.BONE_REACH_M, "codeStep": float(STEP), "depthRange": DEPTH_RANGE_M,
-            "views": self.stock.views, "rings": len(self.stock.elevations), "sunWay": _unit(SUN), "debugView": 0,
+            "rings": len(self.stock.elevations), "sunWay": _unit(SUN), "debugView": 0,
             "ringElevations": (*self.stock.elevations, 0.0, 0.0, 0.0)[:4], "classic": 0, "dearFromPx": 24.0,
             "now": 0.0, "laneLength": 100.0, "cutoff": 0.5,
         }  # fmt: skip

@@ -48,6 +48,6 @@ Person personOf(int who) {
 }
 
 vec3 unpacked(float dye) {
-  int whole = int(dye + 0.5);
+  int whole = int(dye);  // whole already; half more would not fit a float
   return vec3(float(whole / 65536), float((whole / 256) % 256), float(whole % 256)) / 255.0;
 }

@@ -6,7 +6,6 @@ uniform sampler2D tiles;          // two texels a tile, a row a clone: place and
 uniform mat4 clipFromWorld;
 uniform vec3 eye;
 uniform float focalPx;
-uniform int views;
 uniform int rings;
 uniform vec4 ringElevations;      // radians
 uniform float dearFromPx;         // taller people get two views and the full search of depth
@@ -24,7 +23,7 @@ flat out float texelsPerM;
 flat out ivec4 whose;
 flat out vec4 dyes;
 
-int slotOf(int view, float around) {
+int slotOf(int view, int views, float around) {
   if (around > 0.5) return ((view % views) + views) % views;
   int front = views / 4;
   int v = clamp(view, -front, front);
@@ -33,7 +32,7 @@ int slotOf(int view, float around) {
 
 void main() {
   Person p = personOf(int(instance.x + 0.5));
-  vec4 facts = cloneTexel(p.clone, 0);                 // middle's height, texels a metre, -, -
+  vec4 facts = cloneTexel(p.clone, 0);                 // middle's height, texels a metre, views, -
   vec4 set = cloneTexel(p.clone, 9 + p.clip);          // first tile, poses, all around, -
   vec3 middle = p.place + vec3(0.0, facts.x * p.scale, 0.0);
   vec3 to = eye - middle;
@@ -43,6 +42,7 @@ void main() {
   int ring = 0;
   for (int k = 1; k < rings; k++)
     if (abs(elevation - ringElevations[k]) < abs(elevation - ringElevations[ring])) ring = k;
+  int views = int(facts.z + 0.5);
   float stepAngle = 2.0 * PI / float(views);
   float at = azimuth / stepAngle;
   int first = int(floor(at)), other = first + 1;
@@ -52,7 +52,7 @@ void main() {
   int pose = p.frame * poses / p.frames;
   int perRing = set.z > 0.5 ? views : 2 * (views / 4) + 1;
   int base = int(set.x + 0.5) + ring * perRing * poses + pose;
-  int a = base + slotOf(first, set.z) * poses, b = base + slotOf(other, set.z) * poses;
+  int a = base + slotOf(first, views, set.z) * poses, b = base + slotOf(other, views, set.z) * poses;
   tileA = texelFetch(tiles, ivec2(2 * a, p.clone), 0);
   tileB = texelFetch(tiles, ivec2(2 * b, p.clone), 0);
   middles = vec4(texelFetch(tiles, ivec2(2 * a + 1, p.clone), 0).xy, texelFetch(tiles, ivec2(2 * b + 1, p.clone), 0).xy);

@@ -15,6 +15,7 @@ uniform mat4 clipFromWorld;
 uniform vec3 boxMin;
 uniform float boxStep;
 uniform float boneReach;
+uniform int coarse;  // 1: only the poses that impostors have, so that nothing jumps at the switch
 
 out vec3 normal;
 out vec3 world;
@@ -56,6 +57,8 @@ void main() {
   uvec4 q = texelFetch(vertices, ivec3(v % 128, v / 128, p.clone), 0);
   vec4 rest = vec4(boxMin + vec3(q.xyz) * boxStep, 1.0);
   vec3 n = fromOctahedron(q.w);
+  int every = p.frames / int(cloneTexel(p.clone, 9 + p.clip).y + 0.5);
+  if (coarse > 0 && every > 1) p.frame = p.frame / every * every;
   int row = int(cloneTexel(p.clone, 1 + p.clip).x + 0.5) + p.frame;
   vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0);
   for (int k = 0; k < 4; k++) {
