@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.crowd.clips import Clip, clips_of
-from cloner.crowd.groups import GroupLook, looks_of, smaller, texel_groups, triangle_groups
+from cloner.crowd.groups import GroupLook, looks_of, marks_of, smaller, texel_groups, triangle_groups
 from cloner.crowd.levels import LOOSE, BodyLevels, Loose, shell_levels
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.wedges import welded_normals
@@ -39,6 +39,8 @@ class Cast:
     loose : Loose
     clips : tuple of Clip
     atlas : (A, A, 3) uint8, codes : (A, A) uint8
+    marks : (A, A) uint8
+        The codes as shaders read them.
     shell : (B, 2 B, 4) uint8
         Hair in the left half, cloth in the right one.
     looks : mapping of str to GroupLook
@@ -55,6 +57,7 @@ class Cast:
     clips: tuple[Clip, ...]
     atlas: Pixels
     codes: Pixels
+    marks: Pixels
     shell: Pixels
     looks: Mapping[str, GroupLook]
     groups: NDArray[np.uint8]
@@ -84,6 +87,7 @@ def cast_of(
         clips,
         atlas,
         codes,
+        marks_of(codes),
         _shell_picture(clone.shells),
         looks_of(atlas, codes),
         groups,

@@ -77,7 +77,7 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
         roots.append(len(gltf.nodes) - 1)
     for clip in cast.clips:
         if len(clip.frames) > 1:
-            gltf.animations.append(animation(gltf, buffer, clone, _motion(clip), bones, roots[1]))
+            gltf.animations.append(animation(gltf, buffer, clone, motion_of(clip), bones, roots[1]))
     gltf.scenes.append(pygltflib.Scene(name=cast.identifier, nodes=roots))
     data = buffer.data()
     gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
@@ -106,7 +106,9 @@ def _shared(buffer: GltfBuffer, places: Array, normals: Array, uv: Array, carrie
         "JOINTS_0": joints.astype(np.uint8), "WEIGHTS_0": weights.astype(np.float32),
     }  # fmt: skip
     columns["NORMAL"] /= np.linalg.norm(columns["NORMAL"], axis=1, keepdims=True)
-    views = {name: buffer.view(values.tobytes(), pygltflib.ARRAY_BUFFER) for name, values in columns.items()}
+    views = {
+        name: buffer.view(values.tobytes(), pygltflib.ARRAY_BUFFER, values.strides[0]) for name, values in columns.items()
+    }
 
     def attributes(count: int) -> Any:
         return pygltflib.Attributes(
@@ -149,7 +151,7 @@ def _material(gltf: Any, buffer: GltfBuffer, name: str, data: bytes, kind: str, 
     return len(gltf.materials) - 1
 
 
-def _motion(clip: Clip) -> Motion:
+def motion_of(clip: Clip) -> Motion:
     """Return a clip as a motion whose last frame is its first one."""
     times = np.linspace(0.0, clip.seconds, len(clip.frames) + 1)
     rotations = np.concatenate([clip.rotations, clip.rotations[:1]])

@@ -16,6 +16,7 @@ from typing import Final
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import distance_transform_edt
 
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
@@ -30,6 +31,10 @@ GROUPS: Final = ("eyes", "head", "arms", "nails", "legs", "top", "bottom", "shoe
 STEP: Final = 255 // len(GROUPS)
 #: What outfits dye; nothing else is ever dyed, hair only where it was asked for.
 WORN: Final = ("top", "bottom", "shoes")
+#: Added to the code where a limb is: clothes that end earlier there show skin, on the trunk the wearer's own cloth.
+LIMB: Final = 5
+#: Codes go on this far beyond the charts, texels, so that their borders show no gap.
+GROWN: Final = 6
 #: Brightest share of a group that may be cut off when its grey is scaled to 8 bits; taste.
 CUT_OFF: Final = 0.01
 #: A nail covers this last part of a finger's end joint, and faces away from the palm; read off the generic human.
@@ -107,6 +112,23 @@ def texel_groups(groups: NDArray[np.uint8], size: int) -> Pixels:
     """Return the (size, size) codes of the atlas' texels: ``STEP * (place in GROUPS + 1)``, 0 outside the charts."""
     codes = np.append(STEP * (groups.astype(np.int64) + 1), 0).astype(np.uint8)
     return np.asarray(codes[_texel_triangles(size)])
+
+
+def marks_of(codes: Pixels) -> Pixels:
+    """Return the codes as the shaders read them: `LIMB` more on arms and legs, and grown beyond the charts."""
+    marked = codes + np.where((codes > 0) & _limb_texels(len(codes)), LIMB, 0).astype(np.uint8)
+    away, (row, column) = distance_transform_edt(codes == 0, return_indices=True)
+    return np.where(away <= GROWN, marked[row, column], 0).astype(np.uint8)
+
+
+@functools.lru_cache(maxsize=3)
+def _limb_texels(size: int) -> NDArray[np.bool_]:
+    generic = load_generic()
+    triangles, _ = generic.triangles()
+    parts = ("arm", "hand", "thigh", "calf", "foot")
+    limbs = [k for k, name in enumerate(generic.segment_names) if any(part in name for part in parts)]
+    on_limb = np.isin(generic.vertex_segment[triangles[:, 0]], limbs)
+    return np.asarray(np.append(on_limb, False)[_texel_triangles(size)])
 
 
 @functools.lru_cache(maxsize=3)
@@ -215,14 +237,13 @@ def dressed(grey: Pixels, outfit: Mapping[str, tuple[float, float, float]]) -> P
 def exchanged(rgb: Pixels, codes: Pixels, donor_rgb: Pixels, donor_codes: Pixels, garment: str) -> tuple[Pixels, Pixels]:
     """Return colours and codes of a wearer in a donor's garment.
 
-    Where the donor's garment lies its texels are taken; where the wearer's own one reached farther, the wearer's skin
-    fills in: inpainted from the nearest skin would cross charts, so it takes the median of the wearer's own skin of the
-    part of the body (arms, legs, or head and shoulders).
+    Where the donor's garment lies its texels are taken; where the wearer's own one reached farther along a limb, the
+    median of the wearer's own skin of that limb fills in (inpainting would cross charts), on the trunk it stays.
     """
     code = STEP * (GROUPS.index(garment) + 1)
     new, old = donor_codes == code, codes == code
     out, told = rgb.copy(), codes.copy()
-    bare = old & ~new
+    bare = old & ~new & _limb_texels(len(codes))
     if bare.any():
         for name, colour in skin_colours(rgb, codes).items():
             part = bare & (_naked_codes(codes.shape[0]) == STEP * (GROUPS.index(name) + 1))

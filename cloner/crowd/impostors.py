@@ -25,8 +25,8 @@ from cloner.crowd.theatre import DEPTH_RANGE_M, Stock, Theatre
 Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 
-#: Texels a metre; a person of 1.75 m is 63 texels tall, 42 px at the switch.
-TEXELS_PER_M: Final = 36.0
+#: Texels a metre; a person of 1.75 m is 60 texels tall, 40 px at the switch.
+TEXELS_PER_M: Final = 34.0
 #: Texels a screen pixel where geometry gives way to impostors (measured best, 1 to 2 tried).
 TEXELS_PER_PX: Final = 1.5
 #: The bake's eye stands where the switch happens through a lens of 869 px (45 degrees over 720 lines), metres.
@@ -35,7 +35,7 @@ SAMPLES: Final = 3  # a texel's side; 8 instead changed SSIM by less than .001 (
 BAKED_LEVEL: Final = 0
 PAGE_WIDE: Final = 1024  # one ring of 22 views then is about as tall
 _ALIGNED: Final = 4  # two levels of mips stay inside a tile
-_MARGIN: Final = 2.0  # texels around the person, for filters and the search of depth
+_MARGIN: Final = 1.25  # texels around the person, for filters and the search of depth
 _NEAR_M: Final = 1.0
 _GROWN: Final = 3  # texels that colours go on beyond the outline
 CODES: Final = 5  # nothing, top, bottom, shoes, hair

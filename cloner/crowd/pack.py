@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.crowd import scene, stock
 from cloner.crowd.cast import Cast, cast_of
-from cloner.crowd.files import FORMAT, MARK, VERSION, digest, pack_folder, packed, shell_bytes, tile_files, webp
+from cloner.crowd.files import FORMAT, MARK, VERSION, digest, pack_folder, packed, shell_bytes, small_png, tile_files, webp
 from cloner.crowd.glb import levels_glb
 from cloner.crowd.groups import GROUPS, STEP, grey_atlas, sorted_by_group
 from cloner.crowd.impostors import TEXELS_PER_PX, Bake, bake
@@ -25,7 +25,6 @@ from cloner.crowd.player import player_page
 from cloner.crowd.theatre import DEPTH_RANGE_M, SUN, Stock
 from cloner.crowd.vat import vat_files
 from cloner.errors import ClonerError
-from cloner.exporters.files import png_bytes
 from cloner.records.clones import Clone
 
 #: People from which wide views of arms and coats need 40 views: width of the walking chest with arms against its depth.
@@ -114,6 +113,20 @@ def make_pack(
     return facts
 
 
+def rings_of(text: str) -> tuple[float, ...]:
+    """Return the elevations in a list with commas, degrees.
+
+    Raises
+    ------
+    ClonerError
+        If one is no number.
+    """
+    try:
+        return tuple(float(part) for part in text.split(","))
+    except ValueError as error:
+        raise ClonerError(f"{text!r} is no list of degrees", "Write it like 5,25,45", "--rings") from error
+
+
 def _check(wanted: Wanted) -> None:
     if wanted.scene not in scene.SCENES:
         raise ClonerError(f"{wanted.scene!r} is no scene", f"Choose one of {', '.join(scene.SCENES)}", "--scene")
@@ -150,9 +163,9 @@ def _person(
         "numbers.bin": data,
         **tile_files(tiles),
         "atlas.webp": webp(cast.atlas, ATLAS_QUALITY),
-        "codes.webp": webp(cast.codes, None),
+        "codes.webp": webp(cast.marks, None),
         "shell.webp": shell_bytes(cast.shell),
-        "grey.png": png_bytes(grey_atlas(cast.atlas, cast.codes, cast.looks)),
+        "grey.png": small_png(grey_atlas(cast.atlas, cast.codes, cast.looks)),
         f"{cast.identifier}.glb": levels_glb(cast, clone, body),
     }
     if wanted.vat:
@@ -198,7 +211,7 @@ def stock_of(
         for cast, own, bone in zip(casts, starts, first, strict=True)
     ]
     return Stock(
-        body, budgets, tuple(numbers), np.stack(rows), np.stack([np.dstack([c.atlas, c.codes]) for c in casts]),
+        body, budgets, tuple(numbers), np.stack(rows), np.stack([np.dstack([c.atlas, c.marks]) for c in casts]),
         np.stack([cast.shell for cast in casts]),
     )  # fmt: skip
 

@@ -23,7 +23,7 @@ SEAT_M: Final = 0.56
 ROW_M: Final = 0.85
 ROW_UP_M: Final = 0.42
 STAND_FROM_M: Final = 24.0
-SEAT_UP_M: Final = 0.0
+AISLE_M: Final = 2.6
 CLASSES: Final = 3
 #: Clones from which on every class has enough of them.
 ENOUGH: Final = 9
@@ -124,6 +124,7 @@ def _plaza(people: int, casting: Casting, dice: Dice) -> Scene:
         way = 1.0 if (ring // 2) % 2 == 0 else -1.0
         stands = ring % 4 == 3
         each = math.floor(2.0 * math.pi * radius / ALONG_M)
+        each -= each % len(order) if each >= len(order) else 0  # else a clone meets itself where the ring closes
         for k in range(min(each, people - len(rows) // PERSON_TEXELS)):
             angle = (k + (dice.roll() - 0.5) * 0.3) * 2.0 * math.pi / each
             if stands:
@@ -143,10 +144,11 @@ def _stadium(people: int, casting: Casting, dice: Dice) -> Scene:
     while len(rows) // PERSON_TEXELS < people:
         tier, level = row // rises, row % rises
         radius = STAND_FROM_M + ROW_M * level
-        order = _order(row, casting, dice)
-        each = math.floor(2.0 * math.pi / 3.0 * radius / SEAT_M)
+        order = _order(level, casting, dice)
+        arc = 2.0 * math.pi / 3.0 - AISLE_M / radius
+        each = math.floor(arc * radius / SEAT_M)
         for k in range(min(each, people - len(rows) // PERSON_TEXELS)):
-            angle = math.pi - math.pi / 3.0 + (k + 0.5) * (2.0 * math.pi / 3.0) / each + tier * 2.0 * math.pi / 3.0
+            angle = math.pi - arc / 2.0 + (k + 0.5) * arc / each + tier * 2.0 * math.pi / 3.0
             path = [0.0, radius * math.sin(angle), radius * math.cos(angle), angle + math.pi + (dice.roll() - 0.5) * 0.3]
             clip = IDLE if dice.roll() < 0.15 else SIT
             _add(rows, path, 0.0, order[k % len(order)], clip, ROW_UP_M * level, casting, dice)

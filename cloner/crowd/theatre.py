@@ -31,6 +31,7 @@ _PARTS: Final = {
     "person": (("common", "person.vert"), ("common", "shading", "worn", "person.frag")),
     "bake": (("common", "person.vert"), ("common", "shading", "worn", "bake.frag")),
     "impostor": (("common", "impostor.vert"), ("common", "shading", "impostor.frag")),
+    "ground": (("common", "ground.vert"), ("ground.frag",)),
 }
 
 
@@ -200,7 +201,7 @@ class Theatre:
             "boneReach": stock.BONE_REACH_M, "codeStep": float(STEP), "depthRange": DEPTH_RANGE_M,
             "rings": len(self.stock.elevations), "sunWay": _unit(SUN), "debugView": 0,
             "ringElevations": (*self.stock.elevations, 0.0, 0.0, 0.0)[:4], "classic": 0, "dearFromPx": 24.0,
-            "now": 0.0, "laneLength": 100.0, "cutoff": 0.5,
+            "now": 0.0, "coarse": 0, "laneLength": 100.0, "cutoff": 0.5,
         }  # fmt: skip
         for name, value in {**fixed, **values}.items():
             if name in own:
@@ -227,7 +228,11 @@ class Theatre:
         target.use()
         target.clear(*background)
         self._gl.enable_only(self._gl.DEPTH_TEST)
-        (self._gl.enable_direct if soft else self._gl.disable_direct)(_A2C)
+        self.soft(soft)
+
+    def soft(self, on: bool) -> None:
+        """Let coverage decide from now on how many of a pixel's samples are drawn, or no longer."""
+        (self._gl.enable_direct if on else self._gl.disable_direct)(_A2C)
 
     def viewport(self, box: tuple[int, int, int, int]) -> None:
         """Draw into a part of the target only."""
@@ -248,11 +253,23 @@ class Theatre:
         """Draw (N, 2) instances (who, fade) as impostors."""
         if not len(instances):
             return
+        self._quads("impostor", instances, values)
+
+    def draw_ground(self, instances: NDArray[np.float32], values: Mapping[str, Any]) -> None:
+        """Draw the floor and a soft shadow under each of (N, 2) instances."""
+        self._quads("ground", np.array([[-1.0, 1.0]], np.float32), values)
+        self._gl.enable(self._gl.BLEND)
+        self._gl.fbo.depth_mask = False
+        self._quads("ground", instances, values)
+        self._gl.fbo.depth_mask = True
+        self._gl.disable(self._gl.BLEND)
+
+    def _quads(self, program: str, instances: NDArray[np.float32], values: Mapping[str, Any]) -> None:
         self._place(instances)
-        self.uniforms("impostor", values)
+        self.uniforms(program, values)
         corner = self._gl.buffer(np.array([[0, 0], [1, 0], [0, 1], [1, 1]], np.float32).tobytes())
         quads = self._gl.vertex_array(
-            self._programs["impostor"], [(corner, "2f", "corner"), (self._instances, "2f/i", "instance")]
+            self._programs[program], [(corner, "2f", "corner"), (self._instances, "2f/i", "instance")]
         )
         quads.render(self._gl.TRIANGLE_STRIP, instances=len(instances))
         quads.release()

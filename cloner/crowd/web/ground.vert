@@ -13,7 +13,7 @@ void main() {
     place = vec3(at.x, -0.004, at.y);
     strength = -1.0;
   } else {
-    Person p = personOf(int(instance.x + 0.5));
+    Person p = personOf(int(instance.x + 0.5), true);
     at = corner * 2.0 - 1.0;
     float c = cos(p.heading), s = sin(p.heading);
     vec2 flat_ = at * vec2(0.42, 0.5) * p.scale;

@@ -31,7 +31,7 @@ int slotOf(int view, int views, float around) {
 }
 
 void main() {
-  Person p = personOf(int(instance.x + 0.5));
+  Person p = personOf(int(instance.x + 0.5), true);
   vec4 facts = cloneTexel(p.clone, 0);                 // middle's height, texels a metre, views, -
   vec4 set = cloneTexel(p.clone, 9 + p.clip);          // first tile, poses, all around, -
   vec3 middle = p.place + vec3(0.0, facts.x * p.scale, 0.0);

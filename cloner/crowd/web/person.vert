@@ -38,7 +38,7 @@ vec4 boneRow(int joint, int row, int line) {
 }
 
 void main() {
-  Person p = personOf(int(instance.x + 0.5));
+  Person p = personOf(int(instance.x + 0.5), coarse > 0);
   int v = int(which + 0.5);
   vec4 j = joints, w = weights;
   at = uv;
@@ -57,8 +57,6 @@ void main() {
   uvec4 q = texelFetch(vertices, ivec3(v % 128, v / 128, p.clone), 0);
   vec4 rest = vec4(boxMin + vec3(q.xyz) * boxStep, 1.0);
   vec3 n = fromOctahedron(q.w);
-  int every = p.frames / int(cloneTexel(p.clone, 9 + p.clip).y + 0.5);
-  if (coarse > 0 && every > 1) p.frame = p.frame / every * every;
   int row = int(cloneTexel(p.clone, 1 + p.clip).x + 0.5) + p.frame;
   vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0);
   for (int k = 0; k < 4; k++) {

@@ -2,7 +2,7 @@
 // Who stands, walks and sits where, in which look: the same rules as cloner/crowd/scene.py, number for number.
 
 const LANE_M = 0.85, ALONG_M = 1.8, RING_FROM_M = 6, RING_M = 0.95, SEAT_M = 0.56, ROW_M = 0.85, ROW_UP_M = 0.42;
-const STAND_FROM_M = 24, CLASSES = 3, ENOUGH = 9, PERSON_TEXELS = 5, WALK = 0, IDLE = 1, SIT = 2;
+const STAND_FROM_M = 24, AISLE_M = 2.6, CLASSES = 3, ENOUGH = 9, PERSON_TEXELS = 5, WALK = 0, IDLE = 1, SIT = 2;
 
 class Dice {
   constructor(seed) { this.state = seed >>> 0; }
@@ -73,7 +73,8 @@ const SCENES = {
     for (let ring = 0; counted(rows) < people; ring++) {
       const radius = RING_FROM_M + RING_M * ring, order = orderOf(ring, casting, dice);
       const speed = 1.15 + 0.35 * dice.roll(), way = Math.floor(ring / 2) % 2 === 0 ? 1 : -1, stands = ring % 4 === 3;
-      const each = Math.floor((2 * Math.PI * radius) / ALONG_M), count = Math.min(each, people - counted(rows));
+      const fit = Math.floor((2 * Math.PI * radius) / ALONG_M), each = fit - (fit >= order.length ? fit % order.length : 0);
+      const count = Math.min(each, people - counted(rows));
       for (let k = 0; k < count; k++) {
         const angle = ((k + (dice.roll() - 0.5) * 0.3) * 2 * Math.PI) / each, clone = order[k % order.length];
         if (stands) {
@@ -88,10 +89,11 @@ const SCENES = {
     const rows = [], rises = Math.max(8, Math.ceil(Math.sqrt(people) / 4));
     for (let row = 0; counted(rows) < people; row++) {
       const tier = Math.floor(row / rises), level = row % rises, radius = STAND_FROM_M + ROW_M * level;
-      const order = orderOf(row, casting, dice), each = Math.floor((((2 * Math.PI) / 3) * radius) / SEAT_M);
+      const order = orderOf(level, casting, dice), arc = (2 * Math.PI) / 3 - AISLE_M / radius;
+      const each = Math.floor((arc * radius) / SEAT_M);
       const count = Math.min(each, people - counted(rows));
       for (let k = 0; k < count; k++) {
-        const angle = Math.PI - Math.PI / 3 + ((k + 0.5) * ((2 * Math.PI) / 3)) / each + (tier * 2 * Math.PI) / 3;
+        const angle = Math.PI - arc / 2 + ((k + 0.5) * arc) / each + (tier * 2 * Math.PI) / 3;
         const heading = angle + Math.PI + (dice.roll() - 0.5) * 0.3;
         const clip = dice.roll() < 0.15 ? IDLE : SIT, clone = order[k % order.length];
         addTo(rows, [0, radius * Math.sin(angle), radius * Math.cos(angle), heading], 0, clone, clip, ROW_UP_M * level,

@@ -9,8 +9,10 @@ flat in float isLoose;
 flat in ivec4 whose;
 flat in vec4 dyes;
 
-int groupAt(int clone, ivec2 texel) {
-  return int(texelFetch(atlases, ivec3(texel, clone), 0).a * 255.0 / codeStep + 0.5);
+// Group, and in y whether a limb is there.
+ivec2 groupAt(int clone, ivec2 texel) {
+  int mark = int(texelFetch(atlases, ivec3(texel, clone), 0).a * 255.0 + 0.5), step = int(codeStep + 0.5);
+  return ivec2(mark / step, mark % step > 0 ? 1 : 0);
 }
 
 // Returns colour and alpha; group and the garment's owner go out.
@@ -23,18 +25,18 @@ vec4 wornAt(out int group, out int owner) {
   }
   vec3 rgb = textureGrad(atlases, vec3(at, float(whose.x)), dx, dy).rgb;
   ivec2 texel = ivec2(at * vec2(textureSize(atlases, 0).xy));
-  int own = groupAt(whose.x, texel);
-  group = own;
+  ivec2 own = groupAt(whose.x, texel);
+  group = own.x;
   for (int k = 0; k < 3; k++) {
     int donor = k == 0 ? whose.y : k == 1 ? whose.z : whose.w;
     if (donor == whose.x) continue;
-    if (groupAt(donor, texel) == 6 + k) {
+    if (groupAt(donor, texel).x == 6 + k) {
       rgb = textureGrad(atlases, vec3(at, float(donor)), dx, dy).rgb;
       group = 6 + k;
       owner = donor;
       break;
     }
-    if (own == 6 + k) {  // bare now: the wearer's own skin, of arms above and legs below
+    if (own.x == 6 + k && own.y > 0) {  // bare now: the wearer's own skin, of arms above and legs below
       rgb = cloneTexel(whose.x, k == 0 ? 27 : 28).rgb;
       group = k == 0 ? 3 : 5;
     }
