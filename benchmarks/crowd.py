@@ -1,8 +1,8 @@
-"""Measure a crowd's pack and write ``docs/crowd_benchmark.md``: python benchmarks/crowd.py PACK RESULTS [--clones N] [--browser].
+"""Measure a crowd's pack and write ``docs/crowd_benchmark.md``: python benchmarks/crowd.py PACK RESULTS [--browser N].
 
 Levels against every triangle, impostors at the switch against 8 x 8 samples of geometry, both also off the baked
-elevation, beside the source's plain impostors; sizes; frame times in Chromium's software rasteriser, taken in turns in one
-session. RESULTS is the folder of the results that the pack was made from.
+elevation, beside the source's plain impostors; sizes; frame times in Chromium's software rasteriser, taken in turns in
+one session. RESULTS is the folder of the results that the pack was made from.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import argparse
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -24,7 +25,7 @@ from cloner.crowd.impostors import TEXELS_PER_M, TEXELS_PER_PX, Bake, bake, with
 from cloner.crowd.levels import LOOSE, body_levels
 from cloner.crowd.pack import LARGEST_PX, stock_of
 from cloner.crowd.reading import read_facts, read_stock
-from cloner.crowd.theatre import Eye, Theatre
+from cloner.crowd.theatre import Eye, Stock, Theatre
 from cloner.motion.rig import centred
 from cloner.project.clone_file import CLONE_FILE, load_clone
 
@@ -34,6 +35,7 @@ STATURE_M = 1.75
 GREY = (0.5, 0.5, 0.5, 1.0)
 SEED = 5
 CASES = 12
+FINEST_PX = 384  # the finest level has no largest height; half a screen of 720 lines
 MIB = 1 << 20
 
 
@@ -44,8 +46,10 @@ class Person:
     cast: Cast
     theatre: Theatre
 
-    def shot(self, case: tuple[float, float, float, float], px: float, level: int | None, over: int, *, soft: bool = False,
-             classic: bool = False, off_deg: float = 0.0) -> np.ndarray:  # fmt: skip
+    def shot(
+        self, case: tuple[float, float, float, float], px: float, level: int | None, over: int, *,
+        soft: bool = False, classic: bool = False, off_deg: float = 0.0,
+    ) -> np.ndarray:  # fmt: skip
         """One person ``px`` tall; ``case`` is heading, phase and sub-pixel place; level None is the impostor."""
         heading, phase, dx, dy = case
         away, up = FOCAL_PX * STATURE_M / px, np.radians(5.0 + off_deg)
@@ -79,7 +83,7 @@ def likeness(want: np.ndarray, got: np.ndarray) -> float:
     return float(structural_similarity(want[box], got[box], channel_axis=2, data_range=255.0))
 
 
-def people_of(pack: Path, results: Path, wanted: int):
+def people_of(pack: Path, results: Path, wanted: int) -> Iterator[tuple[Cast, Stock, Bake]]:
     """Yield the pack's clones with every triangle before the pack's own levels."""
     facts = read_facts(pack)
     held, body = read_stock(pack, facts), body_levels(full=True)
@@ -98,8 +102,8 @@ def people_of(pack: Path, results: Path, wanted: int):
 def cases(seed: int) -> list[tuple[float, float, float, float]]:
     dice = np.random.default_rng(seed)
     turns = (np.arange(CASES) + dice.uniform(0, 1, CASES)) / CASES * 2 * np.pi
-    return [(float(t), float(p), float(x), float(y)) for t, p, x, y in
-            zip(turns, dice.permutation(CASES) / CASES, dice.uniform(0, 1, CASES), dice.uniform(0, 1, CASES), strict=True)]  # fmt: skip
+    phases, across, up = dice.permutation(CASES) / CASES, dice.uniform(0, 1, CASES), dice.uniform(0, 1, CASES)
+    return [tuple(map(float, one)) for one in zip(turns, phases, across, up, strict=True)]
 
 
 def looked_at(pack: Path, results: Path, wanted: int, classic: int) -> list[str]:
@@ -111,9 +115,9 @@ def looked_at(pack: Path, results: Path, wanted: int, classic: int) -> list[str]
         person = Person(cast, Theatre(own))
         for case in cases(SEED + number):
             for level in range(4):
-                px = float(LARGEST_PX[level] or 384)
-                want = person.shot(case, px, 0, 4)
-                levels[level].append(likeness(want, person.shot(case, px, level + 1, 4)))
+                px, over = float(LARGEST_PX[level] or FINEST_PX), 4 if 0 < LARGEST_PX[level] <= 128 else 2
+                want = person.shot(case, px, 0, over)
+                levels[level].append(likeness(want, person.shot(case, px, level + 1, over)))
             want = person.shot(case, switch_px, 0, 8)
             rows.setdefault("impostor", []).append(likeness(want, person.shot(case, switch_px, None, 1, soft=True)))
             plain = person.shot(case, switch_px, 0, 1)
@@ -128,16 +132,19 @@ def looked_at(pack: Path, results: Path, wanted: int, classic: int) -> list[str]
         if number < classic:
             for name, value in classics(cast, own, plan, SEED + number, switch_px):
                 rows.setdefault(name, []).append(value)
-        print(f"{number + 1} {cast.identifier}: " + "  ".join(f"{n} {np.mean(v):.4f}" for n, v in rows.items()), flush=True)
+        print(
+            f"{number + 1} {cast.identifier}: " + "  ".join(f"{n} {np.mean(v):.4f}" for n, v in rows.items()),
+            flush=True,
+        )
     told = ["| level | at px | SSIM mean | worst | bar |", "| --- | --- | --- | --- | --- |"]
     for level, found in levels.items():
-        told.append(f"| {level} | {LARGEST_PX[level] or 384} | {np.mean(found):.4f} | {min(found):.4f} | .98 |")
+        told.append(f"| {level} | {LARGEST_PX[level] or FINEST_PX} | {np.mean(found):.4f} | {min(found):.4f} | .98 |")
     told += ["", "| at the switch | SSIM mean | worst | cases |", "| --- | --- | --- | --- |"]
     told += [f"| {name} | {np.mean(v):.4f} | {min(v):.4f} | {len(v)} |" for name, v in rows.items()]
     return told
 
 
-def classics(cast: Cast, own, plan: Bake, seed: int, switch_px: float):
+def classics(cast: Cast, own: Stock, plan: Bake, seed: int, switch_px: float) -> Iterator[tuple[str, float]]:
     """Yield the source's way: one texel a pixel, the nearest view, no depth; colours directly, not by UV map."""
     body, thin = body_levels(full=True), Bake(plan.views, plan.elevations, plan.texels_per_m / TEXELS_PER_PX)
     tiles = bake(cast, body, own, thin)
@@ -153,8 +160,9 @@ def classics(cast: Cast, own, plan: Bake, seed: int, switch_px: float):
 def in_browser(pack: Path, people: int, rounds: int, pictures: Path | None) -> list[str]:
     """Return frame times, taken in turns in one session, and the choice's."""
     sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
-    from kit.browser import browser
     from PIL import Image
+
+    from kit.browser import browser
 
     told: list[str] = []
     with tempfile.TemporaryDirectory() as folder, browser(Path(folder)) as page:
@@ -170,13 +178,19 @@ def in_browser(pack: Path, people: int, rounds: int, pictures: Path | None) -> l
                 best[mode] = min(best.get(mode, np.inf), found)
                 draws = max(draws, page.value("crowd.state.stats.draws"))
                 print(mode, f"{found:.0f} ms", page.value("JSON.stringify(crowd.state.stats.counts)"), flush=True)
-        told.append(f"{people} people, 1280 x 720, minimum of {rounds}: hybrid {best['hybrid']:.0f} ms, levels alone "
-                    f"{best['levels']:.0f} ms ({best['levels'] / best['hybrid']:.1f} x), level 0 for everybody "
-                    f"{best['geometry']:.0f} ms ({best['geometry'] / best['hybrid']:.1f} x); most draws {draws}.")  # fmt: skip
+        hybrid, alone, finest = (best[mode] for mode in ("hybrid", "levels", "geometry"))
+        told.append(
+            f"{people} people, 1280 x 720, minimum of {rounds}: hybrid {hybrid:.0f} ms, levels alone {alone:.0f} ms "
+            f"({alone / hybrid:.1f} x), level 0 for everybody {finest:.0f} ms ({finest / hybrid:.1f} x); most draws {draws}."
+        )
         for count in (10_000, 60_000):
-            page.value(f"crowd.set({{scene: 'plaza', people: {count}, place: [0, 30, 160], target: [0, 0, 0], mode: 'hybrid'}})")
+            page.value(
+                f"crowd.set({{scene: 'plaza', people: {count}, place: [0, 30, 160], target: [0, 0, 0], mode: 'hybrid'}})"
+            )
             found = page.value("crowd.choices(60)")
-            told.append(f"Choice of level, {count} people: median {np.median(found):.2f} ms, worst {max(found):.2f} ms.")
+            told.append(
+                f"Choice of level, {count} people: median {np.median(found):.2f} ms, worst {max(found):.2f} ms."
+            )
         outside = [one for one in page.requests() if not one.startswith(("file:", "blob:", "data:", "about:"))]
         told.append(f"Requests to anywhere: {len(outside)}. Errors in the console: {len(page.complaints())}.")
         if pictures:
@@ -207,10 +221,20 @@ def main() -> None:
     parser.add_argument("--page", type=Path, default=PAGE)
     told = parser.parse_args()
     begun = time.monotonic()
-    lines = ["# Crowd", "", f"Written by `benchmarks/crowd.py`; {len(read_facts(told.pack)['people'])} clones in the pack.", ""]
+    lines = [
+        "# Crowd",
+        "",
+        f"Written by `benchmarks/crowd.py`; {len(read_facts(told.pack)['people'])} clones in the pack.",
+        "",
+    ]
     lines += [f"- {line}" for line in check_pack(told.pack)]
     memory = gpu_bytes(told.pack, read_facts(told.pack))
-    lines += [f"- texture memory {sum(memory.values()) / MIB:.0f} MiB RGBA8 (bar 150 MiB for 20 clones)", "", "## Looks", ""]
+    lines += [
+        f"- texture memory {sum(memory.values()) / MIB:.0f} MiB RGBA8 (bar 150 MiB for 20 clones)",
+        "",
+        "## Looks",
+        "",
+    ]
     if told.clones:
         lines += looked_at(told.pack, told.results, told.clones, told.classic)
     if told.browser:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import numpy as np
 from pathlib import Path
 from typing import Any, Final
 
+import numpy as np
 from scipy.spatial import cKDTree
 
 from cloner.crowd.files import digest
@@ -46,7 +46,9 @@ def check_pack(pack: Path) -> list[str]:
     for name in SCENES:
         made = scene_of(name, COUNTED, casting_from(facts))
         near = min(closest_same(made, now) for now in TIMES_S)
-        lines.append(f"{name}: {looks_shown(made)} looks among {len(made.rows)} people, nearest same clone {near:.2f} m")
+        lines.append(
+            f"{name}: {looks_shown(made)} looks among {len(made.rows)} people, nearest same clone {near:.2f} m"
+        )
     return lines
 
 

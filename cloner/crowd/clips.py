@@ -131,7 +131,7 @@ def _clip(clone: Clone, motion: Motion, count: int, poses: int, *, around: bool 
 
 
 def resampled(motion: Motion, at: Array) -> tuple[Array, Array]:
-    """Return (N, J, 3) rotation vectors and (N, 3) root offsets of a motion at times in seconds, on the shortest arcs."""
+    """Return (N, J, 3) rotation vectors and (N, 3) root offsets of a motion at times, seconds; on shortest arcs."""
     count = motion.rotations.shape[1]
     rotations = np.stack(
         [

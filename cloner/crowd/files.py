@@ -47,7 +47,9 @@ def unpacked(data: bytes, told: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
     found = {}
     for name, one in told.items():
         count = int(np.prod(one["shape"]))
-        found[name] = np.frombuffer(data, np.dtype(one["type"]).newbyteorder("<"), count, one["at"]).reshape(one["shape"])
+        found[name] = np.frombuffer(data, np.dtype(one["type"]).newbyteorder("<"), count, one["at"]).reshape(
+            one["shape"]
+        )
     return found
 
 
@@ -56,7 +58,7 @@ def webp(pixels: Pixels, quality: int | None) -> bytes:
     rgb = pixels if pixels.ndim == 3 else np.dstack([pixels] * 3)
     stream = io.BytesIO()
     options = {"lossless": True, "quality": 80} if quality is None else {"quality": quality}
-    Image.fromarray(np.ascontiguousarray(rgb)).save(stream, "WEBP", method=_METHOD, **options)  # type: ignore[arg-type]
+    Image.fromarray(np.ascontiguousarray(rgb)).save(stream, "WEBP", method=_METHOD, **options)
     return stream.getvalue()
 
 
@@ -76,8 +78,8 @@ def picture(data: bytes) -> Pixels:
 def tile_files(tiles: Tiles) -> dict[str, bytes]:
     """Return a clone's impostors as three pictures.
 
-    ``colours`` RGB; ``shapes`` normal x, normal y and depth under one another, grey, half size; ``covers`` coverage, and
-    below it at half size the codes, without loss.
+    ``colours`` RGB; ``shapes`` normal x, normal y and depth under one another, grey, half size; ``covers`` coverage,
+    and below it at half size the codes, without loss.
     """
     height, width = tiles.colours.shape[:2]
     covers = np.zeros((height + height // 2, width), np.uint8)
@@ -97,9 +99,7 @@ def tiles_from(files: Mapping[str, bytes], rows: NDArray[np.float32]) -> Tiles:
     height, width = colours.shape[:2]
     half = height // 2
     planes = [shapes[k * half : (k + 1) * half] for k in range(3)]
-    return Tiles(
-        rows, (), np.dstack([colours, covers[:height]]), np.dstack([*planes, covers[height:, : width // 2]])
-    )
+    return Tiles(rows, (), np.dstack([colours, covers[:height]]), np.dstack([*planes, covers[height:, : width // 2]]))
 
 
 def shell_bytes(shell: Pixels) -> bytes:
@@ -134,6 +134,7 @@ def pack_folder(out: Path) -> Iterator[Path]:
     made = [folder for folder in (out.parent, *out.parent.parents) if not folder.exists()]
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
+        _sweep(out)
         partial = Path(tempfile.mkdtemp(prefix=f".{out.name}.partial-{os.getpid()}-", dir=out.parent))
         inside = partial / "pack"
         inside.mkdir()
@@ -157,3 +158,24 @@ def pack_folder(out: Path) -> Iterator[Path]:
         for folder in made:
             with contextlib.suppress(OSError):
                 folder.rmdir()
+
+
+def _sweep(out: Path) -> None:
+    """Remove what killed runs left of a pack; a folder's name holds the number of the run that made it."""
+    for rest in out.parent.glob(f".{out.name}.partial-*"):
+        number = rest.name.removeprefix(f".{out.name}.partial-").split("-")[0]
+        if not (number.isdigit() and alive(int(number))):
+            if (rest / "replaced").is_dir() and not out.exists():
+                (rest / "replaced").rename(out)
+            shutil.rmtree(rest, ignore_errors=True)
+
+
+def alive(number: int) -> bool:
+    """Return whether a process of this number runs."""
+    try:
+        os.kill(number, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:  # somebody else's
+        return True
+    return True

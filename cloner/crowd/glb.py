@@ -1,7 +1,7 @@
 """One clone's levels as a binary glTF: meshes ``ID_LOD0`` and on, one skeleton, walk and idle.
 
-Coarser levels use the first vertices of the finer ones, so all levels share one buffer; weights, texture coordinates and
-places are the same bytes. References: Khronos Group 2021, glTF 2.0 specification.
+Coarser levels use the first vertices of the finer ones, so all levels share one buffer: weights, texture coordinates
+and places are the same bytes. References: Khronos Group 2021, glTF 2.0 specification.
 """
 
 from __future__ import annotations
@@ -65,7 +65,9 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
     for level, triangles in enumerate(body.triangles):
         primitives = [
             pygltflib.Primitive(
-                attributes=own(body.counts[level]), indices=buffer.indices(sorted_by_group(triangles, body.uv, cast.codes)[0]), material=atlas
+                attributes=own(body.counts[level]),
+                indices=buffer.indices(sorted_by_group(triangles, body.uv, cast.codes)[0]),
+                material=atlas,
             )
         ]
         if shell is not None and own_loose is not None and len(loose.triangles[level]):
@@ -98,16 +100,20 @@ def _used(levels: tuple[NDArray[np.int32], ...]) -> tuple[NDArray[np.int64], lis
     return np.array(order, np.int64), sizes
 
 
-def _shared(buffer: GltfBuffer, places: Array, normals: Array, uv: Array, carried: tuple[NDArray[np.int64], Array]) -> Any:
+def _shared(
+    buffer: GltfBuffer, places: Array, normals: Array, uv: Array, carried: tuple[NDArray[np.int64], Array]
+) -> Any:
     """Return a function that gives the attributes of the first so many vertices, all in the same views."""
     joints, weights = carried
-    columns = {
-        "POSITION": places.astype(np.float32), "NORMAL": normals.astype(np.float32), "TEXCOORD_0": uv.astype(np.float32),
+    columns: dict[str, NDArray[Any]] = {
+        "POSITION": places.astype(np.float32), "NORMAL": normals.astype(np.float32),
+        "TEXCOORD_0": uv.astype(np.float32),
         "JOINTS_0": joints.astype(np.uint8), "WEIGHTS_0": weights.astype(np.float32),
     }  # fmt: skip
     columns["NORMAL"] /= np.linalg.norm(columns["NORMAL"], axis=1, keepdims=True)
     views = {
-        name: buffer.view(values.tobytes(), pygltflib.ARRAY_BUFFER, values.strides[0]) for name, values in columns.items()
+        name: buffer.view(values.tobytes(), pygltflib.ARRAY_BUFFER, values.strides[0])
+        for name, values in columns.items()
     }
 
     def attributes(count: int) -> Any:

@@ -1,4 +1,4 @@
-"""Ten groups of a clone's surface that can have a colour of their own, their greys, and the outfit that is the clone's own.
+"""Ten groups of a clone's surface that can have a colour of their own, their greys, and the clone's own outfit.
 
 References
 ----------
@@ -82,7 +82,9 @@ def _nails(generic: GenericHuman) -> NDArray[np.bool_]:
     places = generic.vertices_m.astype(np.float64)
     heaviest = np.take_along_axis(generic.skin_joints, generic.skin_weights.argmax(axis=1)[:, None], axis=1)[:, 0]
     triangles, _ = generic.triangles()
-    faces = np.cross(places[triangles[:, 1]] - places[triangles[:, 0]], places[triangles[:, 2]] - places[triangles[:, 0]])
+    faces = np.cross(
+        places[triangles[:, 1]] - places[triangles[:, 0]], places[triangles[:, 2]] - places[triangles[:, 0]]
+    )
     normals = np.zeros_like(places)
     for corner in range(3):
         np.add.at(normals, triangles[:, corner], faces)
@@ -234,7 +236,9 @@ def dressed(grey: Pixels, outfit: Mapping[str, tuple[float, float, float]]) -> P
     return np.clip(np.round(grey[..., :1] / 255.0 * table[grey[..., 3]]), 0, 255).astype(np.uint8)
 
 
-def exchanged(rgb: Pixels, codes: Pixels, donor_rgb: Pixels, donor_codes: Pixels, garment: str) -> tuple[Pixels, Pixels]:
+def exchanged(
+    rgb: Pixels, codes: Pixels, donor_rgb: Pixels, donor_codes: Pixels, garment: str
+) -> tuple[Pixels, Pixels]:
     """Return colours and codes of a wearer in a donor's garment.
 
     Where the donor's garment lies its texels are taken; where the wearer's own one reached farther along a limb, the

@@ -2,8 +2,9 @@
 
 References
 ----------
-McDonnell et al. 2007 (22 or 40 views, 16 poses, back faces' normals turned, one texel a pixel at the switch); depth that
-moves texels to the seen view, 1.5 texels a pixel and perspective at the switch distance were measured better on clones.
+McDonnell et al. 2007 (22 or 40 views, 16 poses, back faces' normals turned, one texel a pixel at the switch); depth
+that moves texels to the seen view, 1.5 texels a pixel and perspective at the switch distance were measured better on
+clones.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from cloner.crowd.cast import Cast, posed
 from cloner.crowd.clips import Clip
 from cloner.crowd.levels import BodyLevels
 from cloner.crowd.stock import middle_m
-from cloner.crowd.theatre import DEPTH_RANGE_M, Stock, Theatre
+from cloner.crowd.theatre import Stock, Theatre
 
 Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
@@ -200,8 +201,12 @@ def _people(cast: Cast, tiles: Sequence[_Tile]) -> tuple[list[int], NDArray[np.f
 
 
 def _drawn(
-    theatre: Theatre, tiles: Sequence[_Tile], places: Sequence[tuple[int, int]], page: tuple[int, int],
-    rows: Sequence[int], middle: float,
+    theatre: Theatre,
+    tiles: Sequence[_Tile],
+    places: Sequence[tuple[int, int]],
+    page: tuple[int, int],
+    rows: Sequence[int],
+    middle: float,
 ) -> tuple[Pixels, Pixels]:
     """Return the page's colours (H, W, 4) and shapes (H/2, W/2, 4)."""
     size = (page[0] * SAMPLES, page[1] * SAMPLES)
@@ -255,7 +260,7 @@ def _blocks(values: NDArray[np.float32], side: int) -> NDArray[np.float32]:
     """Return means of side x side blocks of (H, W, k)."""
     height, width, parts = values.shape
     out = cv2.resize(values, (width // side, height // side), interpolation=cv2.INTER_AREA)
-    return out.reshape(height // side, width // side, parts)
+    return np.asarray(out, np.float32).reshape(height // side, width // side, parts)
 
 
 def _grown(premultiplied: NDArray[np.float32]) -> NDArray[np.float32]:

@@ -1,4 +1,4 @@
-"""Levels of detail: lists of the generic human's own vertices, the same for every clone, and a chain for each loose shell.
+"""Levels of detail: lists of the generic human's own vertices, for every clone, and a chain for each loose shell.
 
 References
 ----------

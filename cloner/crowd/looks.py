@@ -45,7 +45,9 @@ def read_looks(path: Path | None) -> dict[str, Any]:
     try:
         data = tomllib.loads(read_text(path))
     except (ValueError, RecursionError) as error:
-        raise ClonerError(f"this is not valid TOML ({error})", 'Write lines like: top = ["#2F3B52"]', path.name) from error
+        raise ClonerError(
+            f"this is not valid TOML ({error})", 'Write lines like: top = ["#2F3B52"]', path.name
+        ) from error
     unknown = sorted(set(data) - _KEYS)
     if unknown:
         raise ClonerError(f"the key {unknown[0]!r} is not known", f"The keys are {', '.join(sorted(_KEYS))}", path.name)

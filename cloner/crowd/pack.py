@@ -14,7 +14,18 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.crowd import scene, stock
 from cloner.crowd.cast import Cast, cast_of
-from cloner.crowd.files import FORMAT, MARK, VERSION, digest, pack_folder, packed, shell_bytes, small_png, tile_files, webp
+from cloner.crowd.files import (
+    FORMAT,
+    MARK,
+    VERSION,
+    digest,
+    pack_folder,
+    packed,
+    shell_bytes,
+    small_png,
+    tile_files,
+    webp,
+)
 from cloner.crowd.glb import levels_glb
 from cloner.crowd.groups import GROUPS, STEP, grey_atlas, sorted_by_group
 from cloner.crowd.impostors import TEXELS_PER_PX, Bake, bake
@@ -201,8 +212,12 @@ def bake_of(wanted: Wanted, cast: Cast) -> Bake:
 
 
 def stock_of(
-    body: BodyLevels, casts: Sequence[Cast], numbers: Sequence[stock.Numbers], starts: Sequence[Sequence[int]],
-    plan: Bake, budgets: tuple[int, ...] = LOOSE,
+    body: BodyLevels,
+    casts: Sequence[Cast],
+    numbers: Sequence[stock.Numbers],
+    starts: Sequence[Sequence[int]],
+    plan: Bake,
+    budgets: tuple[int, ...] = LOOSE,
 ) -> Stock:
     """Return the stock of some clones without impostors."""
     first = stock.frames_before([cast.clips for cast in casts])
@@ -225,7 +240,11 @@ def _body_arrays(body: BodyLevels) -> dict[str, NDArray[Any]]:
 
 
 def _facts(
-    wanted: Wanted, rows: list[dict[str, Any]], body: BodyLevels, casting: scene.Casting, body_told: dict[str, Any],
+    wanted: Wanted,
+    rows: list[dict[str, Any]],
+    body: BodyLevels,
+    casting: scene.Casting,
+    body_told: dict[str, Any],
     files: dict[str, str],
 ) -> dict[str, Any]:
     plan = Bake(wanted.views or max(row["views"] for row in rows))

@@ -39,7 +39,9 @@ def find_people(results: Sequence[Path]) -> tuple[Found, ...]:
         raise ClonerError("no clones were given", "Give result folders, or the folder of a batch", "cloner crowd")
     found: list[Found] = []
     for path in results:
-        folders = [path] if (path / CLONE_FILE).is_file() else sorted(one.parent for one in path.glob(f"*/{CLONE_FILE}"))
+        folders = (
+            [path] if (path / CLONE_FILE).is_file() else sorted(one.parent for one in path.glob(f"*/{CLONE_FILE}"))
+        )
         if not folders:
             raise ClonerError("there is no clone", "Give a result's folder or a batch's output", path.name or str(path))
         for folder in folders:

@@ -33,7 +33,9 @@ def read_facts(pack: Path) -> dict[str, Any]:
         if facts["format"] != FORMAT:
             raise ValueError("another program's")
         version, _ = int(facts["version"]), [(str(row["id"]), row["arrays"]) for row in facts["people"]]
-        inside = all(".." not in PurePosixPath(name).parts and not PurePosixPath(name).is_absolute() for name in facts["files"])
+        inside = all(
+            ".." not in PurePosixPath(name).parts and not PurePosixPath(name).is_absolute() for name in facts["files"]
+        )
         if not facts["people"] or not inside:
             raise ValueError("nobody, or files elsewhere")
     except OSError as error:

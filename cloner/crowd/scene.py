@@ -149,7 +149,12 @@ def _stadium(people: int, casting: Casting, dice: Dice) -> Scene:
         each = math.floor(arc * radius / SEAT_M)
         for k in range(min(each, people - len(rows) // PERSON_TEXELS)):
             angle = math.pi - arc / 2.0 + (k + 0.5) * arc / each + tier * 2.0 * math.pi / 3.0
-            path = [0.0, radius * math.sin(angle), radius * math.cos(angle), angle + math.pi + (dice.roll() - 0.5) * 0.3]
+            path = [
+                0.0,
+                radius * math.sin(angle),
+                radius * math.cos(angle),
+                angle + math.pi + (dice.roll() - 0.5) * 0.3,
+            ]
             clip = IDLE if dice.roll() < 0.15 else SIT
             _add(rows, path, 0.0, order[k % len(order)], clip, ROW_UP_M * level, casting, dice)
         row += 1
@@ -166,7 +171,13 @@ def _order(line: int, casting: Casting, dice: Dice) -> list[int]:
 
 
 def _add(
-    rows: list[list[float]], path: list[float], speed: float, clone: int, clip: int, up: float, casting: Casting,
+    rows: list[list[float]],
+    path: list[float],
+    speed: float,
+    clone: int,
+    clip: int,
+    up: float,
+    casting: Casting,
     dice: Dice,
 ) -> None:
     scale = 0.96 + 0.08 * dice.roll()

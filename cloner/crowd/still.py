@@ -70,7 +70,9 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
     match = re.fullmatch(r"(\d+)[x×](\d+)", size.strip().lower())
     width, height = (int(part) for part in match.groups()) if match else (0, 0)
     if not (16 <= width <= LARGEST_PX and 16 <= height <= LARGEST_PX):
-        raise ClonerError(f"{size!r} is no size from 16x16 to {LARGEST_PX}x{LARGEST_PX}", "Write it like 1280x720", "--size")
+        raise ClonerError(
+            f"{size!r} is no size from 16x16 to {LARGEST_PX}x{LARGEST_PX}", "Write it like 1280x720", "--size"
+        )
     name = _SCENE_OF.get(view, view)
     if name not in SCENES:
         raise ClonerError(f"{name!r} is no scene", f"Choose one of {', '.join(SCENES)}", "--view")

@@ -1,4 +1,4 @@
-"""A clone's numbers as the shaders read them: whole numbers in textures' rows, the same bytes in a pack and in the painter."""
+"""A clone's numbers as the shaders read them: whole numbers in rows, the same in a pack and in the painter."""
 
 from __future__ import annotations
 

@@ -123,7 +123,9 @@ class Theatre:
         held = self.stock
         wide = stock.WIDE
         self._array("vertices", stock.stacked([stock.padded_rows(n.vertices, wide) for n in held.numbers]), "u2")
-        loose = [stock.padded_rows(n.loose if len(n.loose) else np.zeros((2, 4), np.uint16), 2 * wide) for n in held.numbers]
+        loose = [
+            stock.padded_rows(n.loose if len(n.loose) else np.zeros((2, 4), np.uint16), 2 * wide) for n in held.numbers
+        ]
         self._array("loose", stock.stacked(loose), "u2")
         corners = [stock.padded_rows(n.corners, stock.CORNERS_WIDE) for n in held.numbers]
         self._array("corners", stock.stacked(corners)[..., None], "u2")
@@ -238,7 +240,9 @@ class Theatre:
         """Draw into a part of the target only."""
         self._gl.viewport = box
 
-    def draw_people(self, level: int, instances: NDArray[np.float32], values: Mapping[str, Any], program: str = "person") -> None:
+    def draw_people(
+        self, level: int, instances: NDArray[np.float32], values: Mapping[str, Any], program: str = "person"
+    ) -> None:
         """Draw (N, 2) instances (who, fade) as geometry of a level."""
         if not len(instances):
             return
@@ -294,9 +298,7 @@ class Theatre:
 def source(names: Sequence[str]) -> str:
     """Return the text of shader parts, one after another."""
     folder = importlib.resources.files("cloner.crowd") / "web"
-    return "\n".join(
-        (folder / (name if "." in name else f"{name}.glsl")).read_text(encoding="utf-8") for name in names
-    )
+    return "\n".join((folder / (name if "." in name else f"{name}.glsl")).read_text(encoding="utf-8") for name in names)
 
 
 def _unit(vector: Sequence[float]) -> tuple[float, ...]:

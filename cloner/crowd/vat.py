@@ -1,7 +1,7 @@
-"""A clone's walk and idle as vertex animation textures in OpenVAT's layout: one mesh a level, offsets of every vertex.
+"""A clone's walk and idle as vertex animation textures in OpenVAT's layout: one mesh, offsets of every vertex.
 
-``NAME.png`` (16 bits, RGB): frames below one another, a column a vertex; the upper half are offsets from the rest pose in
-the box of ``NAME-remap_info.json``, the lower half normals. Axes as OpenVAT has them (x, z up: a reader takes (x, z, -y)).
+``NAME.png`` (16 bits, RGB): frames below one another, a column a vertex; the upper half are offsets from the rest pose
+in the box of ``NAME-remap_info.json``, the lower half normals. Axes are OpenVAT's (z up: a reader takes (x, z, -y)).
 
 References
 ----------
@@ -36,7 +36,7 @@ FULL: Final = 65_535
 def vat_files(cast: Cast, body: BodyLevels) -> dict[str, bytes]:
     """Return mesh, pictures and remap file by their names in the clone's folder."""
     count = body.counts[LEVEL]
-    used = np.unique(cast.loose.triangles[LEVEL])
+    used = np.unique(cast.loose.triangles[LEVEL]).astype(np.int64)
     triangles = np.concatenate([
         body.triangles[LEVEL], count + np.searchsorted(used, cast.loose.triangles[LEVEL]).astype(np.int32),
     ])  # fmt: skip
@@ -67,7 +67,9 @@ def _engine_axes(vectors: Array) -> Array:
 
 def _frames(cast: Cast, body: BodyLevels, count: int, used: NDArray[np.int64]) -> tuple[Array, Array, dict[str, Any]]:
     """Return (F, N, 3) places and normals of all frames of all clips, and what lies where."""
-    moved, turned, animations = [], [], {}
+    moved: list[Array] = []
+    turned: list[Array] = []
+    animations: dict[str, Any] = {}
     joints = np.concatenate([body.joints[:count], cast.loose.joints[used]])
     weights = np.concatenate([body.weights[:count], cast.loose.weights[used]])
     rest = np.concatenate([cast.vertices_m[:count], cast.loose.vertices_m[used]])
@@ -87,7 +89,13 @@ def _frames(cast: Cast, body: BodyLevels, count: int, used: NDArray[np.int64]) -
 
 
 def _mesh(
-    cast: Cast, body: BodyLevels, count: int, used: NDArray[np.int64], triangles: NDArray[np.int32], rest: Array, frames: int
+    cast: Cast,
+    body: BodyLevels,
+    count: int,
+    used: NDArray[np.int64],
+    triangles: NDArray[np.int32],
+    rest: Array,
+    frames: int,
 ) -> bytes:
     """Return the mesh in rest: one primitive, the second texture coordinate says each vertex's column."""
     gltf = pygltflib.GLTF2(

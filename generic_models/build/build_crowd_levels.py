@@ -5,8 +5,8 @@ Fetch the npm package with the ordinary client and give its folder::
     npm install --prefix FOLDER meshoptimizer@1.3.0
     python generic_models/build/build_crowd_levels.py FOLDER
 
-meshoptimizer keeps original vertices, so a list made once holds for every clone: weights, texture coordinates and morph
-targets stay bit for bit. Each level is made from the finer one, so the coarse levels' vertices are among the finer ones'.
+meshoptimizer keeps original vertices, so a list made once holds for every clone: weights, texture coordinates and
+morph targets stay bit for bit. Each level is made from the finer one, so its vertices are among the finer one's.
 The places of all vertices in bent poses are attributes of the error: where skin bends, triangles stay denser.
 """
 

@@ -29,8 +29,9 @@ export { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 """
 CROWD = """
 export {
-  BufferAttribute, BufferGeometry, ClampToEdgeWrapping, Color, CustomBlending, DataArrayTexture, DataTexture, DoubleSide,
-  FloatType, FrontSide, GLSL3, HalfFloatType, InstancedBufferAttribute, InstancedBufferGeometry, LinearFilter,
+  BufferAttribute, BufferGeometry, ClampToEdgeWrapping, Color, CustomBlending, DataArrayTexture, DataTexture,
+  DoubleSide, FloatType, FrontSide, GLSL3, HalfFloatType, InstancedBufferAttribute, InstancedBufferGeometry,
+  LinearFilter,
   LinearMipmapLinearFilter, Matrix4, Mesh, NearestFilter, NoBlending, OneFactor, PerspectiveCamera, RawShaderMaterial,
   RedIntegerFormat, RGBAFormat, RGBAIntegerFormat, Scene, ShortType, UnsignedByteType, UnsignedShortType, Vector2,
   Vector3, WebGLRenderer, ZeroFactor, AddEquation,

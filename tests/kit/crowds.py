@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+
 from cloner.crowd.pack import Wanted
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import CLONE_FILE, save_clone
@@ -30,14 +31,20 @@ def dressed_toy(stature_m: float = 1.70, *, sleeves: bool = False, shift: int = 
     )
     regions[np.isin(segment, ["left_foot", "right_foot"])] = REGIONS.index("shoes")
     part = generic.vertex_part[triangles[:, 0]]
-    regions[np.isin(part, [generic.part_names.index(f"eye_{side}") for side in ("left", "right")])] = REGIONS.index("eyes")
-    regions[np.isin(part, [k for k, n in enumerate(generic.part_names) if n[:5] in ("teeth", "tongu")])] = REGIONS.index(
-        "mouth"
+    regions[np.isin(part, [generic.part_names.index(f"eye_{side}") for side in ("left", "right")])] = REGIONS.index(
+        "eyes"
+    )
+    regions[np.isin(part, [k for k, n in enumerate(generic.part_names) if n[:5] in ("teeth", "tongu")])] = (
+        REGIONS.index("mouth")
     )
     rgb = clone.atlas.rgb.astype(int) + [shift, shift, 0]
     atlas = TextureAtlas(np.clip(rgb, 0, 255).astype(np.uint8), clone.atlas.coverage)
     return replace(
-        clone, triangle_regions=regions, atlas=atlas, consent=consent, stamp="Cloner 0.1.0, models a, generic 00ff, seed 0"
+        clone,
+        triangle_regions=regions,
+        atlas=atlas,
+        consent=consent,
+        stamp="Cloner 0.1.0, models a, generic 00ff, seed 0",
     )
 
 

@@ -1,4 +1,4 @@
-"""Pictures of a pack: impostors stand in for geometry, dyes and tiers do what they say, in the painter and in a browser."""
+"""Pictures of a pack: impostors stand in for geometry, dyes and tiers do what they say; here and in a browser."""
 
 from __future__ import annotations
 
@@ -27,7 +27,9 @@ def theatre(pack: Path):
     made.close()
 
 
-def row(*, heading: float = 0.0, clone: int = 0, phase: float = 0.26, clip: int = 0, dyes=(-1, -1, -1, -1)) -> np.ndarray:
+def row(
+    *, heading: float = 0.0, clone: int = 0, phase: float = 0.26, clip: int = 0, dyes=(-1, -1, -1, -1)
+) -> np.ndarray:
     out = np.zeros((5, 4), np.float32)
     out[0, 3], out[1], out[2, :3], out[2, 3], out[3] = heading, (0, phase, clone, 1.0), clone, clip, dyes
     return out
@@ -36,7 +38,8 @@ def row(*, heading: float = 0.0, clone: int = 0, phase: float = 0.26, clip: int 
 def shot(theatre: Theatre, person: np.ndarray, level: int | None, size: int = 96, over: int = 4) -> np.ndarray:
     """One person at the switch: 869 px of focal length, 1.5 texels a pixel; ``level`` None is the impostor."""
     away = 869.0 * 1.5 / 34.0
-    eye = Eye(np.array([0.0, 0.9 + away * np.sin(np.radians(5)), away * np.cos(np.radians(5))]), np.array([0.0, 0.9, 0.0]),
+    place = np.array([0.0, 0.9 + away * np.sin(np.radians(5)), away * np.cos(np.radians(5))])
+    eye = Eye(place, np.array([0.0, 0.9, 0.0]),
               (size * over, size * over), 869.0 * over)  # fmt: skip
     theatre.send_people(person[None])
     target = theatre.target((size * over, size * over))
@@ -68,7 +71,8 @@ def test_a_dye_reaches_geometry_and_impostor_alike_and_only_cloth(theatre: Theat
         changed = np.abs(after - before).max(axis=2) > 30
         rows = np.flatnonzero(changed.any(axis=1))
         assert changed.sum() > 60
-        assert 28 < rows.min() and rows.max() < 60  # the shirt: between chin and hips of a person from row 28 to 68
+        assert rows.min() > 28  # the shirt: between chin and hips of a person from row 28 to 68
+        assert rows.max() < 60
         assert (after[changed][:, 0] > after[changed][:, 2] + 20).mean() > 0.9
 
 

@@ -18,14 +18,15 @@ import pytest
 from cloner.crowd import held
 from cloner.crowd.cast import cast_of
 from cloner.crowd.check import check_pack
+from cloner.crowd.files import pack_folder
 from cloner.crowd.glb import motion_of
 from cloner.crowd.levels import body_levels
 from cloner.crowd.pack import make_pack, rings_of
 from cloner.crowd.reading import read_facts
 from cloner.crowd.vat import LEVEL
 from cloner.errors import ClonerError
-from cloner.geometry.skinning import joint_transforms, skin
 from cloner.generic.load import load_generic
+from cloner.geometry.skinning import joint_transforms, skin
 from cloner.motion.body import body_of
 from cloner.motion.contact import sliding_m
 from cloner.motion.gait import walk
@@ -186,6 +187,21 @@ def test_a_full_disk_leaves_nothing_and_harms_nobody(
         make_pack([results / "ada"], tmp_path / "deep" / "out", WANTED)
     assert not (tmp_path / "deep").exists()
     assert {path: path.read_bytes() for path in results.rglob("*") if path.is_file()} == before
+
+
+def test_what_a_killed_run_left_is_swept(tmp_path: Path) -> None:
+    """The number of a process that has ended stands for one that was killed; our own is at work."""
+    gone = subprocess.Popen(["true"])
+    gone.wait()
+    dead, busy = tmp_path / f".out.partial-{gone.pid}-x", tmp_path / f".out.partial-{os.getpid()}-y"
+    (dead / "replaced").mkdir(parents=True)
+    (dead / "replaced" / "crowd.json").write_text("{}")
+    busy.mkdir()
+    with pack_folder(tmp_path / "out") as inside:
+        (inside / "crowd.json").write_text("new")
+    assert (tmp_path / "out" / "crowd.json").read_text() == "new"
+    assert not dead.exists()
+    assert busy.exists()
 
 
 def test_something_else_is_never_replaced(results: Path, tmp_path: Path) -> None:
