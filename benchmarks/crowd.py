@@ -181,11 +181,13 @@ def in_browser(pack: Path, people: int, rounds: int, pictures: Path | None) -> l
         hybrid, alone, finest = (best[mode] for mode in ("hybrid", "levels", "geometry"))
         told.append(
             f"{people} people, 1280 x 720, minimum of {rounds}: hybrid {hybrid:.0f} ms, levels alone {alone:.0f} ms "
-            f"({alone / hybrid:.1f} x), level 0 for everybody {finest:.0f} ms ({finest / hybrid:.1f} x); most draws {draws}."
+            f"({alone / hybrid:.1f} x), level 0 for everybody {finest:.0f} ms ({finest / hybrid:.1f} x); "
+            f"most draws {draws}."
         )
         for count in (10_000, 60_000):
             page.value(
-                f"crowd.set({{scene: 'plaza', people: {count}, place: [0, 30, 160], target: [0, 0, 0], mode: 'hybrid'}})"
+                f"crowd.set({{scene: 'plaza', people: {count}, place: [0, 30, 160], target: [0, 0, 0], "
+                "mode: 'hybrid'})"
             )
             found = page.value("crowd.choices(60)")
             told.append(

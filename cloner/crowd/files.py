@@ -9,6 +9,7 @@ import io
 import os
 import shutil
 import tempfile
+import zlib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Final
@@ -32,19 +33,23 @@ _TROUBLE: Final = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EAC
 
 
 def packed(arrays: Mapping[str, NDArray[Any]]) -> tuple[bytes, dict[str, Any]]:
-    """Return arrays one after another, little-endian, each from a multiple of 8 bytes on, and where each lies."""
+    """Return arrays one after another, little-endian, from multiples of 8 bytes, deflated; and where each lies."""
     chunks, told, at = [], {}, 0
     for name, values in arrays.items():
         data = np.ascontiguousarray(values, values.dtype.newbyteorder("<")).tobytes()
         told[name] = {"at": at, "type": values.dtype.name, "shape": list(values.shape)}
         chunks += [data, b"\0" * (-len(data) % 8)]
         at += len(data) + (-len(data) % 8)
-    return b"".join(chunks), told
+    return zlib.compress(b"".join(chunks), 9), told
 
 
 def unpacked(data: bytes, told: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
     """Return the arrays of :func:`packed`."""
     found = {}
+    try:
+        data = zlib.decompress(data)
+    except zlib.error as error:
+        raise ValueError("numbers that cannot be read") from error
     for name, one in told.items():
         count = int(np.prod(one["shape"]))
         found[name] = np.frombuffer(data, np.dtype(one["type"]).newbyteorder("<"), count, one["at"]).reshape(

@@ -18,11 +18,12 @@ function bytesOf(name) {
 
 const TYPES = { uint8: Uint8Array, uint16: Uint16Array, int16: Int16Array, uint32: Uint32Array, float32: Float32Array };
 
-function arraysOf(bytes, told) {
-  const found = {};
+async function arraysOf(bytes, told) {
+  const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const buffer = await new Response(plain).arrayBuffer(), found = {};
   for (const [name, one] of Object.entries(told)) {
     const count = one.shape.reduce((a, b) => a * b, 1);
-    found[name] = new TYPES[one.type](bytes.buffer, one.at, count);
+    found[name] = new TYPES[one.type](buffer, one.at, count);
   }
   return found;
 }
@@ -77,11 +78,11 @@ function filled(layers, put) {
 }
 
 async function loadStage(facts, told) {
-  const body = arraysOf(bytesOf("body.bin"), facts.body_arrays);
+  const body = await arraysOf(bytesOf("body.bin"), facts.body_arrays);
   const people = [];
   for (const row of facts.people) {
     const place = `people/${row.id}/`;
-    const numbers = arraysOf(bytesOf(place + "numbers.bin"), row.arrays);
+    const numbers = await arraysOf(bytesOf(place + "numbers.bin"), row.arrays);
     const [colours, shapes, covers, atlas, codes, shell] = await Promise.all(
       ["colours", "shapes", "covers", "atlas", "codes", "shell"].map((name) => pixelsOf(`${place}${name}.webp`)));
     people.push({ row, numbers, colours, shapes, covers, atlas, codes, shell });

@@ -9,6 +9,7 @@ import pytest
 from PIL import Image
 from skimage.metrics import structural_similarity
 
+from cloner.crowd.impostors import TEXELS_PER_M, TEXELS_PER_PX
 from cloner.crowd.reading import casting_from, read_facts, read_stock
 from cloner.crowd.scene import scene_of
 from cloner.crowd.still import draw_pack
@@ -37,7 +38,7 @@ def row(
 
 def shot(theatre: Theatre, person: np.ndarray, level: int | None, size: int = 96, over: int = 4) -> np.ndarray:
     """One person at the switch: 869 px of focal length, 1.5 texels a pixel; ``level`` None is the impostor."""
-    away = 869.0 * 1.5 / 34.0
+    away = 869.0 * TEXELS_PER_PX / TEXELS_PER_M
     place = np.array([0.0, 0.9 + away * np.sin(np.radians(5)), away * np.cos(np.radians(5))])
     eye = Eye(place, np.array([0.0, 0.9, 0.0]),
               (size * over, size * over), 869.0 * over)  # fmt: skip
