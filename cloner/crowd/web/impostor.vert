@@ -24,7 +24,7 @@ flat out ivec4 whose;
 flat out vec4 dyes;
 
 int slotOf(int view, int views, float around) {
-  if (around > 0.5) return ((view % views) + views) % views;
+  if (around > 0.5) return view < 0 ? view + views : view >= views ? view - views : view;  // % is for whole positives
   int front = views / 4;
   int v = clamp(view, -front, front);
   return v >= 0 ? v : v + 2 * front + 1;

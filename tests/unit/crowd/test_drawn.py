@@ -55,14 +55,16 @@ def shot(theatre: Theatre, person: np.ndarray, level: int | None, size: int = 96
     return picture.reshape(size, over, size, over, 3).mean(axis=(1, 3))
 
 
-@pytest.mark.parametrize("heading", [0.0, 0.3, np.pi / 4, 2.6, np.pi])
+@pytest.mark.parametrize("heading", [0.0, 0.3, np.pi / 4, 2.6, np.pi, 4.1, 5.9])
 def test_an_impostor_looks_like_the_geometry_it_stands_for(theatre: Theatre, heading: float) -> None:
     """Eight views only, so up to 22 degrees off: depth and the second view must make up for it."""
     person = row(heading=heading)
     want, got = shot(theatre, person, 0), shot(theatre, person, None)
     seen = np.abs(want - 127.5).max(axis=2) > 4
     assert 200 < seen.sum() < 600  # 40 px tall, 5 to 15 wide
-    assert structural_similarity(want, got, channel_axis=2, data_range=255) > 0.95
+    at = np.argwhere(seen)
+    box = np.s_[at[:, 0].min() - 4 : at[:, 0].max() + 5, at[:, 1].min() - 4 : at[:, 1].max() + 5]
+    assert structural_similarity(want[box], got[box], channel_axis=2, data_range=255) > 0.88
 
 
 def test_a_dye_reaches_geometry_and_impostor_alike_and_only_cloth(theatre: Theatre) -> None:
