@@ -148,10 +148,11 @@ def _render(
     view: Annotated[str, typer.Option("--view", help="front, side, left, back, three_quarter, face, ...")] = "front",
     size: Annotated[str, typer.Option("--size", help="Width x height in pixels.")] = "800x1200",
 ) -> None:
-    """Draw a finished clone."""
+    """Draw a finished clone, or a crowd from its pack."""
+    from cloner.crowd.still import draw_pack, is_pack
     from cloner.picture import draw_file
 
-    draw_file(clone_path, view, out, size)
+    (draw_pack if is_pack(clone_path) else draw_file)(clone_path, view, out, size)
     typer.echo(str(out))
 
 
@@ -173,6 +174,37 @@ def _animate(
 
     for path in animate_file(clone_path, sources, out, cycles=cycles, emotion=emotion):
         typer.echo(str(path))
+
+
+@app.command("crowd")
+def _crowd(
+    results: Annotated[list[Path], typer.Argument(metavar="RESULTS...", help="Result folders, or a batch's output.")],
+    out: Annotated[Path, typer.Option("--out", help="Folder of the pack to write.")],
+    people: Annotated[int, typer.Option("--people", help="How many people the player starts with.")] = 5000,
+    views: Annotated[int, typer.Option("--views", help="Impostors around a clone; 0: 22, or 40 for broad ones.")] = 0,
+    poses: Annotated[int, typer.Option("--poses", help="Poses a walk: 8, 16 or 32.")] = 16,
+    rings: Annotated[str, typer.Option("--rings", help="Elevations of the impostors, degrees, with commas.")] = "5",
+    looks: Annotated[Path | None, typer.Option("--looks", help="Palettes and wardrobe: looks.toml.")] = None,
+    scene: Annotated[str, typer.Option("--scene", help="walk, plaza or stadium.")] = "plaza",
+    vat: Annotated[bool, typer.Option("--vat", help="Vertex animation textures for engines too.")] = False,
+    walks: Annotated[list[Path] | None, typer.Option("--walk", help="A captured walk (.bvh, .amc) more.")] = None,
+    classic: Annotated[bool, typer.Option("--classic", help="Impostors of the plain kind, to compare with.")] = False,
+) -> None:
+    """Make a crowd of finished clones: a page for browsers, levels and impostors for engines."""
+    from cloner.crowd.pack import Wanted, make_pack, rings_of
+
+    wanted = Wanted(people, views, poses, rings_of(rings), looks, scene, vat, tuple(walks or ()), classic)
+    make_pack(results, out, wanted, lambda name, k, n: typer.echo(f"{k}/{n} {name}", err=True))
+    typer.echo(str(out / "player.html"))
+
+
+@app.command("crowd-check")
+def _crowd_check(pack: Annotated[Path, typer.Argument(metavar="PACK", help="Folder that cloner crowd wrote.")]) -> None:
+    """Say whether a crowd's pack is whole, and what is in it."""
+    from cloner.crowd.check import check_pack
+
+    for line in check_pack(pack):
+        typer.echo(line)
 
 
 @app.command("evaluate")

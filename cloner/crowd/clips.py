@@ -1,0 +1,144 @@
+"""Motions of the crowd as frames of bone matrices, one set a clone.
+
+References
+----------
+McDonnell et al. 2007: cycles of one second; 16 poses a second suffice in the background, 30 in front.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation, Slerp
+
+from cloner.errors import ClonerError
+from cloner.generic.load import load_generic
+from cloner.geometry.skinning import joint_transforms
+from cloner.motion import turns
+from cloner.motion.acclaim import read_acclaim
+from cloner.motion.body import SIDES, Body, body_of
+from cloner.motion.bvh import read_bvh
+from cloner.motion.contact import grounded
+from cloner.motion.cycle import walk_cycle
+from cloner.motion.gait import aim_limb, follow, idle, upright, walk
+from cloner.motion.retarget import retarget
+from cloner.motion.twist import shared_twist
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
+
+Array = NDArray[np.float64]
+
+#: Frames of a walk that geometry shows; impostors take every second of them or fewer.
+WALK_FRAMES: Final = 32
+IDLE_FRAMES: Final = 16
+IDLE_POSES: Final = 2  # breath and sway of a standing person are under a texel where impostors are shown
+SIT_FRAMES: Final = 1
+CAPTURES: Final = {".bvh": read_bvh, ".amc": read_acclaim}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Clip:
+    """One motion of one clone.
+
+    Attributes
+    ----------
+    name : str
+    seconds : float
+        Length of the cycle.
+    speed_m_s : float
+        At which the ground runs back under the feet.
+    frames : (F, J, 3, 4) float64
+        Posed-from-rest transforms of the joints; the cycle closes after the last.
+    rotations : (F, J, 3) float64, root_m : (F, 3) float64
+        The same as turns of the joints against their parents, and the root's place.
+    poses : int
+        Impostors' share of the frames: every ``F // poses``-th.
+    around : bool
+        Seen from all around; else from the front half alone, as in a stand.
+    """
+
+    name: str
+    seconds: float
+    speed_m_s: float
+    frames: Array
+    rotations: Array
+    root_m: Array
+    poses: int
+    around: bool = True
+
+
+def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = ()) -> tuple[Clip, ...]:
+    """Return walk, idle, sitting and the captured walks of a clone, in this order.
+
+    Raises
+    ------
+    ClonerError
+        If a capture cannot be read or holds no walk.
+    """
+    body = body_of(clone)
+    found = [
+        _clip(clone, walk(body), WALK_FRAMES, poses),
+        _clip(clone, idle(body), IDLE_FRAMES, IDLE_POSES),
+        _clip(clone, sitting(body), SIT_FRAMES, SIT_FRAMES, around=False),
+    ]
+    return (*found, *(_clip(clone, captured(body, path), WALK_FRAMES, poses) for path in walks))
+
+
+def captured(body: Body, path: Path) -> Motion:
+    """Return a capture as an endless walk on the spot.
+
+    Raises
+    ------
+    ClonerError
+        If it cannot be read or holds no walk.
+    """
+    if path.suffix.lower() not in CAPTURES:
+        raise ClonerError("this is no capture of a walk", f"Give {' or '.join(CAPTURES)} files", path.name)
+    return walk_cycle(body, retarget(CAPTURES[path.suffix.lower()](path), body, name=path.stem))
+
+
+def sitting(body: Body) -> Motion:
+    """Return somebody sitting upright on a bench, hands on the thighs; one frame that lasts a second."""
+    still = np.tile(np.eye(3), (2, 1, 1))
+    world = upright(body, still, turns.about(0, np.full(2, 0.06)))
+    for side in SIDES:
+        sign = 1.0 if side == "l" else -1.0
+        aim_limb(body, world, side, "hip", turns.about(1, np.full(2, 0.12 * sign)) @ turns.about(0, np.full(2, -1.5)))
+        aim_limb(body, world, side, "knee", still)
+        for joint in ("ankle", "subtalar", "midtarsal", "metatarsal"):
+            world[:, body.joint(f"{side}_{joint}")] = still
+        out = turns.about(2, np.full(2, body.arm_aside(side)))
+        aim_limb(body, world, side, "shoulder", out @ turns.about(0, np.full(2, -0.35)))
+        aim_limb(body, world, side, "elbow", out @ turns.about(0, np.full(2, -1.25)))
+        follow(body, world, side)
+    rotations = shared_twist(body, turns.local_from_world(world, body.parents))
+    return grounded(body, Motion("sit", np.array([0.0, 1.0]), np.zeros((2, 3)), rotations, cyclic=True))
+
+
+def _clip(clone: Clone, motion: Motion, count: int, poses: int, *, around: bool = True) -> Clip:
+    seconds = float(motion.times_s[-1])
+    at = np.arange(count) * seconds / count
+    rotations, root = resampled(motion, at)
+    parents = load_generic().joint_parents.astype(np.int32)
+    frames = joint_transforms(clone.joints_m, parents, rotations)[:, :, :3]
+    frames[..., 3] += root[:, None]
+    return Clip(motion.name, seconds, motion.speed_m_s, frames, rotations, root, min(poses, count), around)
+
+
+def resampled(motion: Motion, at: Array) -> tuple[Array, Array]:
+    """Return (N, J, 3) rotation vectors and (N, 3) root offsets of a motion at times, seconds; on shortest arcs."""
+    count = motion.rotations.shape[1]
+    rotations = np.stack(
+        [
+            Slerp(motion.times_s, Rotation.from_rotvec(np.array(motion.rotations[:, joint])))(at).as_rotvec()
+            for joint in range(count)
+        ],
+        axis=1,
+    )
+    root = np.column_stack([np.interp(at, motion.times_s, motion.root_m[:, axis]) for axis in range(3)])
+    return rotations, root

@@ -1,0 +1,99 @@
+"""Read a pack back: its facts checked, its files against their digests, and the stock that shaders draw from."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path, PurePosixPath
+from typing import Any, Final
+
+import numpy as np
+
+from cloner.crowd.files import FORMAT, MARK, VERSION, digest, picture, shell_from, tiles_from, unpacked
+from cloner.crowd.impostors import Bake, with_tiles
+from cloner.crowd.levels import LOOSE, body_levels
+from cloner.crowd.scene import Casting
+from cloner.crowd.stock import Numbers
+from cloner.crowd.theatre import Stock
+from cloner.errors import ClonerError
+
+_AGAIN: Final = "Make the crowd again with cloner crowd"
+_TILES: Final = ("colours.webp", "shapes.webp", "covers.webp")
+
+
+def read_facts(pack: Path) -> dict[str, Any]:
+    """Return what ``crowd.json`` says.
+
+    Raises
+    ------
+    ClonerError
+        If there is no pack, or it is broken or newer than this version.
+    """
+    try:
+        facts = json.loads((pack / MARK).read_text(encoding="utf-8"))
+        if facts["format"] != FORMAT:
+            raise ValueError("another program's")
+        version, _ = int(facts["version"]), [(str(row["id"]), row["arrays"]) for row in facts["people"]]
+        inside = all(
+            ".." not in PurePosixPath(name).parts and not PurePosixPath(name).is_absolute() for name in facts["files"]
+        )
+        if not facts["people"] or not inside:
+            raise ValueError("nobody, or files elsewhere")
+    except OSError as error:
+        raise ClonerError("there is no crowd", "Give the folder that cloner crowd wrote", pack.name) from error
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
+        raise ClonerError("the crowd's description cannot be read", _AGAIN, MARK) from error
+    if version > VERSION:
+        raise ClonerError("the crowd was made by a newer version", "Update Cloner", MARK)
+    return dict(facts)
+
+
+def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
+    """Return a pack's clones with their impostors.
+
+    Raises
+    ------
+    ClonerError
+        If a file is missing or damaged.
+    """
+    body = body_levels()
+    numbers, rows, atlases, shells, tiles = [], [], [], [], []
+    try:
+        for row in facts["people"]:
+            files = {
+                name: checked(pack, f"people/{row['id']}/{name}", facts)
+                for name in ("numbers.bin", "atlas.webp", "codes.webp", "shell.webp", *_TILES)
+            }
+            arrays = unpacked(files["numbers.bin"], row["arrays"])
+            numbers.append(Numbers(*(arrays[name] for name in ("vertices", "loose", "corners", "bones"))))
+            rows.append(arrays["table"])
+            atlases.append(np.dstack([picture(files["atlas.webp"]), picture(files["codes.webp"])[..., 0]]))
+            shells.append(shell_from(files["shell.webp"]))
+            tiles.append(tiles_from(files, arrays["tiles"]))
+        elevations = tuple(float(np.radians(ring)) for ring in facts["impostors"]["rings_deg"])
+        held = Stock(body, LOOSE, tuple(numbers), np.stack(rows), np.stack(atlases), np.stack(shells))
+        return with_tiles(held, tiles, Bake(int(facts["impostors"]["views"]), elevations))
+    except (ValueError, LookupError, TypeError, OSError) as error:
+        raise ClonerError("the crowd's files do not fit together", _AGAIN, pack.name) from error
+
+
+def checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:
+    """Return a file's content if it is the one that was written.
+
+    Raises
+    ------
+    ClonerError
+        If it is missing or damaged.
+    """
+    try:
+        data = (pack / name).read_bytes()
+    except OSError as error:
+        raise ClonerError("a file of the crowd is missing", _AGAIN, name) from error
+    if digest(data) != facts["files"].get(name):
+        raise ClonerError("a file of the crowd is damaged", _AGAIN, name)
+    return data
+
+
+def casting_from(facts: dict[str, Any]) -> Casting:
+    """Return the rules of who wears what."""
+    told = facts["looks"]
+    return Casting(told["clones"], told["palettes"], told["wardrobe"], told["own_share"], told["dyed_share"])

@@ -1,0 +1,152 @@
+"""A still or a film of a pack without a browser, from the same tiers and shaders."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from cloner.crowd.files import MARK
+from cloner.crowd.reading import casting_from, read_facts, read_stock
+from cloner.crowd.scene import SCENES, Scene, places, scene_of
+from cloner.crowd.theatre import Eye, Theatre
+from cloner.errors import ClonerError
+from cloner.vision.films import FORMATS, write_film
+
+Pixels = NDArray[np.uint8]
+
+#: Where the eye stands and looks in each view of each scene, metres; the player's own.
+VIEWS: Final = {
+    "plaza": ((0.0, 9.0, 34.0), (0.0, 1.0, 0.0)),
+    "walk": ((0.0, 6.0, 18.0), (0.0, 1.0, -6.0)),
+    "stadium": ((0.0, 9.0, 22.0), (0.0, 4.0, -30.0)),
+    "near": ((1.2, 1.7, 10.5), (0.0, 1.2, 5.0)),
+    "street": ((0.0, 1.7, 12.0), (0.0, 1.4, -10.0)),
+}
+_SCENE_OF: Final = {"near": "plaza", "street": "walk"}
+FIELD_DEG: Final = 45.0
+SAMPLES: Final = 4
+STATURE_M: Final = 1.75
+SKY: Final = (0.8, 0.84, 0.88, 1.0)
+FILM_S: Final = 4.0  # taste
+FRAMES_PER_S: Final = 25.0
+DOLLY_M: Final = 6.0  # towards the crowd over a film: everybody in the middle passes the switch
+STARTED_S: Final = 3.0
+LARGEST_PX: Final = 4096
+
+
+def is_pack(path: Path) -> bool:
+    """Return whether a folder is a crowd's pack."""
+    return (path / MARK).is_file()
+
+
+def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
+    """Draw a crowd into a PNG file, or a film whose suffix says the format.
+
+    Parameters
+    ----------
+    pack : Path
+    view : str
+        plaza, walk, stadium, near or street.
+    out : Path
+    size : str
+        "WIDTHxHEIGHT" in pixels.
+
+    Raises
+    ------
+    ClonerError
+        If the pack, view or size is no good, this machine cannot draw, or ``out`` cannot be written.
+    """
+    facts = read_facts(pack)
+    view = str(facts["scene"]) if view == "front" else view  # what cloner render asks for unless told
+    if view not in VIEWS:
+        raise ClonerError(f"{view!r} is no view of a crowd", f"Choose one of {', '.join(VIEWS)}", "--view")
+    match = re.fullmatch(r"(\d+)[x×](\d+)", size.strip().lower())
+    width, height = (int(part) for part in match.groups()) if match else (0, 0)
+    if not (16 <= width <= LARGEST_PX and 16 <= height <= LARGEST_PX):
+        raise ClonerError(
+            f"{size!r} is no size from 16x16 to {LARGEST_PX}x{LARGEST_PX}", "Write it like 1280x720", "--size"
+        )
+    name = _SCENE_OF.get(view, view)
+    if name not in SCENES:
+        raise ClonerError(f"{name!r} is no scene", f"Choose one of {', '.join(SCENES)}", "--view")
+    made = scene_of(name, int(facts["people_count"]), casting_from(facts))
+    theatre = Theatre(read_stock(pack, facts))
+    temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
+    try:
+        painter = Painter(theatre, facts, made, (width, height))
+        if out.suffix.lower() in FORMATS:
+            write_film(_film(painter, view), FRAMES_PER_S, temporary)
+        else:
+            Image.fromarray(painter.picture(VIEWS[view], STARTED_S)).save(temporary, format="PNG")
+        temporary.replace(out)
+    except OSError as error:
+        raise ClonerError("the picture cannot be written", "Choose another --out file", out.name) from error
+    finally:
+        temporary.unlink(missing_ok=True)
+        theatre.close()
+
+
+def _film(painter: Painter, view: str) -> Iterator[Pixels]:
+    place, target = (np.array(one) for one in VIEWS[view])
+    ahead = (target - place) * (1.0, 0.0, 1.0)
+    ahead = ahead / np.linalg.norm(ahead)
+    count = round(FILM_S * FRAMES_PER_S)
+    for k in range(count):
+        moved = place + ahead * DOLLY_M * k / count
+        yield painter.picture((tuple(moved), tuple(target)), STARTED_S + k / FRAMES_PER_S)
+
+
+class Painter:
+    """Pictures of one scene of a pack at any time from anywhere."""
+
+    def __init__(self, theatre: Theatre, facts: dict[str, Any], made: Scene, size_px: tuple[int, int]) -> None:
+        self._theatre, self._facts, self._scene, self._size = theatre, facts, made, size_px
+        self._focal = size_px[1] / 2.0 / np.tan(np.radians(FIELD_DEG) / 2.0)
+        theatre.send_people(made.rows)
+
+    def picture(self, view: tuple[Any, Any], now: float, mode: str = "hybrid") -> Pixels:
+        """Return the (H, W, 3) picture from a place towards a target at a time, seconds.
+
+        ``mode``: "hybrid", "levels" (no impostors) or "geometry" (the finest level alone).
+        """
+        eye = Eye(np.array(view[0], float), np.array(view[1], float), self._size, float(self._focal))
+        theatre = self._theatre
+        target = theatre.target(self._size, 1, SAMPLES)
+        values = {
+            "clipFromWorld": eye.clip_from_world(), "eye": eye.place_m, "focalPx": eye.focal_px, "now": now,
+            "laneLength": self._scene.lane_m, "cutoff": 0.0,
+            "classic": int(bool(self._facts["impostors"]["classic"])),
+        }  # fmt: skip
+        theatre.begin(target, SKY)
+        chosen = self._tiers(eye, now, mode)
+        theatre.draw_ground(_instances(np.concatenate(chosen)), values)
+        for level, who in enumerate(chosen[:-1]):
+            theatre.draw_people(level, _instances(who), {**values, "coarse": int(level >= 2)})
+        theatre.soft(True)
+        theatre.draw_impostors(_instances(chosen[-1]), values)
+        theatre.soft(False)
+        return np.ascontiguousarray(theatre.read(target)[..., :3])
+
+    def _tiers(self, eye: Eye, now: float, mode: str) -> list[NDArray[np.int64]]:
+        """Return who is drawn at each level, and last as an impostor."""
+        away = np.linalg.norm(places(self._scene, now) + (0.0, 0.9, 0.0) - eye.place_m, axis=1)
+        tiers = self._facts["tiers"]
+        far = eye.focal_px * self._facts["switch"]["metres_per_focal_px"]
+        limits = [min(eye.focal_px * STATURE_M / tier["largest_px"], far) for tier in tiers[1:]] + [far]
+        if mode == "levels":
+            limits[-1] = np.inf
+        if mode == "geometry":
+            limits[0] = np.inf
+        level = np.searchsorted(np.array(limits), away, side="right")
+        return [np.flatnonzero(level == k) for k in range(len(tiers) + 1)]
+
+
+def _instances(who: NDArray[np.int64]) -> NDArray[np.float32]:
+    return np.column_stack([who, np.ones(len(who))]).astype(np.float32)

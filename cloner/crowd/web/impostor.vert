@@ -1,0 +1,81 @@
+// One person as a quad that faces the eye, with the tiles of the two nearest baked views.
+in vec2 corner;    // 0..1
+in vec2 instance;  // who, fade
+
+uniform sampler2D tiles;          // two texels a tile, a row a clone: place and size in the page; its middle
+uniform mat4 clipFromWorld;
+uniform vec3 eye;
+uniform float focalPx;
+uniform int rings;
+uniform vec4 ringElevations;      // radians
+uniform float dearFromPx;         // taller people get two views and the full search of depth
+
+out vec2 plane;                   // metres on the plane through the person's middle
+flat out vec4 tileA, tileB;
+flat out vec4 middles;            // of both tiles
+flat out vec4 turnA, turnB;       // sine and cosine of azimuth and of elevation off the baked view
+flat out vec3 axesA, axesB;       // heading of the baked camera and its elevation, for lighting
+flat out vec2 blend;              // share of B; level of the page
+flat out vec2 fades;
+flat out int page;
+flat out int dear;
+flat out float texelsPerM;
+flat out ivec4 whose;
+flat out vec4 dyes;
+
+int slotOf(int view, int views, float around) {
+  if (around > 0.5) return view < 0 ? view + views : view >= views ? view - views : view;  // % is for whole positives
+  int front = views / 4;
+  int v = clamp(view, -front, front);
+  return v >= 0 ? v : v + 2 * front + 1;
+}
+
+void main() {
+  Person p = personOf(int(instance.x + 0.5), true);
+  vec4 facts = cloneTexel(p.clone, 0);                 // middle's height, texels a metre, views, -
+  vec4 set = cloneTexel(p.clone, 9 + p.clip);          // first tile, poses, all around, -
+  vec3 middle = p.place + vec3(0.0, facts.x * p.scale, 0.0);
+  vec3 to = eye - middle;
+  float c = cos(p.heading), s = sin(p.heading);
+  vec2 own = vec2(to.x * c - to.z * s, to.x * s + to.z * c);
+  float azimuth = atan(own.x, own.y), elevation = atan(to.y, length(to.xz));
+  int ring = 0;
+  for (int k = 1; k < rings; k++)
+    if (abs(elevation - ringElevations[k]) < abs(elevation - ringElevations[ring])) ring = k;
+  int views = int(facts.z + 0.5);
+  float stepAngle = 2.0 * PI / float(views);
+  float at = azimuth / stepAngle;
+  int first = int(floor(at)), other = first + 1;
+  float share = at - float(first);
+  if (share > 0.5) { int swap = first; first = other; other = swap; share = 1.0 - share; }
+  int poses = int(set.y + 0.5);
+  int pose = p.frame * poses / p.frames;
+  int perRing = set.z > 0.5 ? views : 2 * (views / 4) + 1;
+  int base = int(set.x + 0.5) + ring * perRing * poses + pose;
+  int a = base + slotOf(first, views, set.z) * poses, b = base + slotOf(other, views, set.z) * poses;
+  tileA = texelFetch(tiles, ivec2(2 * a, p.clone), 0);
+  tileB = texelFetch(tiles, ivec2(2 * b, p.clone), 0);
+  middles = vec4(texelFetch(tiles, ivec2(2 * a + 1, p.clone), 0).xy, texelFetch(tiles, ivec2(2 * b + 1, p.clone), 0).xy);
+  float dA = azimuth - float(first) * stepAngle, dB = azimuth - float(other) * stepAngle;
+  float e = elevation - ringElevations[ring];
+  turnA = vec4(sin(dA), cos(dA), sin(e), cos(e));
+  turnB = vec4(sin(dB), cos(dB), sin(e), cos(e));
+  axesA = vec3(p.heading + float(first) * stepAngle, ringElevations[ring], 0.0);
+  axesB = vec3(p.heading + float(other) * stepAngle, ringElevations[ring], 0.0);
+  texelsPerM = facts.y;
+  vec4 reach = vec4(max(middles.x, middles.z), max(tileA.z - middles.x, tileB.z - middles.z),
+                    max(middles.y, middles.w), max(tileA.w - middles.y, tileB.w - middles.w)) / texelsPerM;
+  plane = vec2(mix(-reach.x, reach.y, corner.x), mix(-reach.w, reach.z, corner.y));
+  float away = length(to);
+  vec3 back = to / away;
+  vec3 right = normalize(vec3(back.z, 0.0, -back.x));
+  vec3 world = middle + p.scale * (plane.x * right + plane.y * cross(back, right));
+  gl_Position = clipFromWorld * vec4(world, 1.0);
+  float pxPerM = focalPx * p.scale / away;
+  dear = pxPerM * 1.7 > dearFromPx ? 1 : 0;
+  blend = vec2(dear > 0 ? share : 0.0, clamp(log2(texelsPerM / pxPerM) - 0.7, 0.0, 2.0));  // bias measured: .7
+  page = p.clone;
+  fades = vec2(instance.y, p.shown);
+  whose = ivec4(p.clone, p.donors);
+  dyes = p.dyes;
+}

@@ -1,0 +1,78 @@
+// One person as geometry: a level's body vertices by their own attributes, loose shells by their corners.
+in float which;
+in vec2 uv;
+in vec4 joints;
+in vec4 weights;
+in vec2 instance;  // who, fade
+
+uniform highp usampler2DArray vertices;  // a layer a clone: place in the box, normal as an octahedron's point
+uniform highp usampler2DArray loose;     // two texels a loose vertex: uv, joints; weights
+uniform highp usampler2DArray corners;   // loose vertices of the levels' triangles, in line
+uniform highp isampler2D bones;          // three texels a joint, a row a frame
+uniform int bodyVertices;
+uniform int looseStart;
+uniform mat4 clipFromWorld;
+uniform vec3 boxMin;
+uniform float boxStep;
+uniform float boneReach;
+uniform int coarse;  // 1: only the poses that impostors have, so that nothing jumps at the switch
+
+out vec3 normal;
+out vec3 world;
+out vec2 at;
+flat out float isLoose;
+flat out ivec4 whose;  // wearer, and whose top, bottom, shoes
+flat out vec4 dyes;
+flat out vec2 fades;
+
+vec3 fromOctahedron(uint code) {
+  vec2 f = vec2(float(code & 255u), float(code >> 8)) / 127.5 - 1.0;
+  vec3 n = vec3(f, 1.0 - abs(f.x) - abs(f.y));
+  float under = max(-n.z, 0.0);
+  n.xy -= vec2(n.x >= 0.0 ? under : -under, n.y >= 0.0 ? under : -under);
+  return normalize(n);
+}
+
+vec4 boneRow(int joint, int row, int line) {
+  return vec4(texelFetch(bones, ivec2(joint * 3 + line, row), 0)) * vec4(1.0, 1.0, 1.0, boneReach) / 32767.0;
+}
+
+void main() {
+  Person p = personOf(int(instance.x + 0.5), coarse > 0);
+  int v = int(which + 0.5);
+  vec4 j = joints, w = weights;
+  at = uv;
+  isLoose = 0.0;
+  if (v >= bodyVertices) {
+    int corner = v - bodyVertices + looseStart;
+    int row = int(texelFetch(corners, ivec3(corner % 256, corner / 256, p.clone), 0).r);
+    uvec4 a = texelFetch(loose, ivec3((row % 128) * 2, row / 128, p.clone), 0);
+    uvec4 b = texelFetch(loose, ivec3((row % 128) * 2 + 1, row / 128, p.clone), 0);
+    at = vec2(a.xy) / 65535.0;
+    j = vec4(float(a.z & 255u), float(a.z >> 8), float(a.w & 255u), float(a.w >> 8));
+    w = vec4(float(b.x & 255u), float(b.x >> 8), float(b.y & 255u), float(b.y >> 8)) / 255.0;
+    v = bodyVertices + row;
+    isLoose = 1.0;
+  }
+  uvec4 q = texelFetch(vertices, ivec3(v % 128, v / 128, p.clone), 0);
+  vec4 rest = vec4(boxMin + vec3(q.xyz) * boxStep, 1.0);
+  vec3 n = fromOctahedron(q.w);
+  int row = int(cloneTexel(p.clone, 1 + p.clip).x + 0.5) + p.frame;
+  vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0);
+  for (int k = 0; k < 4; k++) {
+    if (w[k] <= 0.0) continue;
+    int joint = int(j[k] + 0.5);
+    r0 += w[k] * boneRow(joint, row, 0);
+    r1 += w[k] * boneRow(joint, row, 1);
+    r2 += w[k] * boneRow(joint, row, 2);
+  }
+  vec3 own = vec3(dot(r0, rest), dot(r1, rest), dot(r2, rest)) * p.scale;
+  n = vec3(dot(r0.xyz, n), dot(r1.xyz, n), dot(r2.xyz, n));
+  float c = cos(p.heading), s = sin(p.heading);
+  world = p.place + vec3(c * own.x + s * own.z, own.y, c * own.z - s * own.x);
+  normal = vec3(c * n.x + s * n.z, n.y, c * n.z - s * n.x);
+  whose = ivec4(p.clone, p.donors);
+  dyes = p.dyes;
+  fades = vec2(instance.y, p.shown);
+  gl_Position = clipFromWorld * vec4(world, 1.0);
+}

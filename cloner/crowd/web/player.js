@@ -1,0 +1,436 @@
+"use strict";
+// The crowd: who is seen and as what, cameras, knobs. window.crowd lets tests and curious people in.
+
+const { facts, shaders } = JSON.parse(document.querySelector("#facts").textContent);
+const say = (text) => { document.querySelector("#status").textContent = text; };
+const LEVELS = facts.tiers.length, IMPOSTOR = LEVELS, HIDDEN = LEVELS + 1;
+const HYSTERESIS = 0.05, FADE_S = 0.3, CELL_M = 16, REBIN_FRAMES = 12, MOST = 100000; // fade: taste
+const STATURE_M = 1.75;
+
+const state = {
+  scene: facts.scene, people: facts.people_count, now: 0, paused: false, debug: 0, mode: "hybrid", camera: "orbit",
+  stats: {}, still: 0,
+};
+const canvas = document.querySelector("canvas");
+let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
+
+function open() {
+  const context = canvas.getContext("webgl2", { antialias: true, powerPreference: "high-performance" });
+  if (!context) return say("This browser has no WebGL2: the crowd cannot be shown here. Try a current Chrome, Firefox or Safari.");
+  renderer = new THREE.WebGLRenderer({ canvas, context });
+  renderer.info.autoReset = false;
+  renderer.setClearColor(0xccd6e0, 1);
+  camera = new THREE.PerspectiveCamera(45, 1, 0.1, 1200);
+  controls = new THREE.OrbitControls(camera, canvas);
+  controls.maxPolarAngle = Math.PI * 0.495;
+  return start(context);
+}
+
+async function start(context) {
+  stage = await loadStage(facts, (k, n) => say(`Loading ${k} of ${n}…`));
+  const numbers = facts.numbers, sun = new THREE.Vector3(...numbers.sun).normalize();
+  uniforms = {
+    people: { value: null }, now: { value: 0 }, laneLength: { value: 100 }, clipFromWorld: { value: new THREE.Matrix4() },
+    eye: { value: new THREE.Vector3() }, focalPx: { value: 900 }, debugView: { value: 0 },
+    cutoff: { value: context.getParameter(context.SAMPLES) > 1 ? 0 : 0.5 }, sunWay: { value: sun },
+    boxMin: { value: numbers.box_min_m }, boxStep: { value: numbers.box_step_m },
+    boneReach: { value: numbers.bone_reach_m }, codeStep: { value: numbers.code_step },
+    bodyVertices: { value: stage.body.uv.length / 2 }, depthRange: { value: facts.impostors.depth_range_m },
+    rings: { value: facts.impostors.rings_deg.length }, classic: { value: facts.impostors.classic ? 1 : 0 },
+    ringElevations: { value: [0, 1, 2, 3].map((k) => ((facts.impostors.rings_deg[k] || 0) * Math.PI) / 180) },
+    dearFromPx: { value: 24 },
+  };
+  for (const [name, texture] of Object.entries(stage.textures)) uniforms[name] = { value: texture };
+  buildTiers();
+  setScene(state.scene, state.people);
+  buildKnobs();
+  resize();
+  view("overview");
+  say("");
+  renderer.setAnimationLoop((time) => frame(time / 1000));
+  document.body.dataset.ready = "yes";
+}
+
+function instancesOf(count) {
+  const attribute = new THREE.InstancedBufferAttribute(new Float32Array(2 * count), 2);
+  attribute.setUsage(35048); // dynamic
+  return attribute;
+}
+
+function buildTiers() {
+  world = new THREE.Scene();
+  tiers = [];
+  const add = (geometry, material, order) => {
+    const mesh = new THREE.Mesh(geometry, material);
+    mesh.frustumCulled = false;
+    mesh.renderOrder = order;
+    world.add(mesh);
+    tiers.push(mesh);
+    return mesh;
+  };
+  for (let level = 0; level < LEVELS; level++) {
+    const { geometry, start, triangles } = levelGeometry(facts, stage.body, level, instancesOf(MOST));
+    const own = { ...uniforms, looseStart: { value: start }, coarse: { value: level >= 2 ? 1 : 0 } };
+    add(geometry, materialOf(shaders, ["common.glsl", "person.vert"],
+      ["common.glsl", "shading.glsl", "worn.glsl", "person.frag"], own), 2).userData.triangles = triangles;
+  }
+  add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "impostor.vert"],
+    ["common.glsl", "shading.glsl", "impostor.frag"], uniforms, {
+      alphaToCoverage: uniforms.cutoff.value === 0, blending: THREE.CustomBlending, blendEquation: THREE.AddEquation,
+      blendSrc: THREE.OneFactor, blendDst: THREE.ZeroFactor, blendSrcAlpha: THREE.ZeroFactor, blendDstAlpha: THREE.OneFactor,
+    }), 3).userData.triangles = 2;
+  const shadows = add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "ground.vert"], ["ground.frag"],
+    uniforms, { transparent: true, depthWrite: false }), 1);
+  shadows.userData.triangles = 2;
+  const floor = add(quadGeometry(instancesOf(1)), materialOf(shaders, ["common.glsl", "ground.vert"], ["ground.frag"],
+    uniforms), 0);
+  floor.geometry.attributes.instance.array[0] = -1;
+  floor.geometry.instanceCount = 1;
+  floor.userData.triangles = 2;
+}
+
+// ---- people ----------------------------------------------------------------------------------------------------------
+
+function setScene(name, count) {
+  state.scene = name;
+  state.people = Math.max(1, Math.min(MOST, Math.round(count)));
+  const made = sceneOf(name, state.people, facts.looks), rows = Math.ceil(made.count / ROW);
+  const data = new Float32Array(rows * ROW * PERSON_TEXELS * 4);
+  data.set(made.rows);
+  if (uniforms.people.value) uniforms.people.value.dispose();
+  uniforms.people.value = flatTexture(data, ROW * PERSON_TEXELS, rows, FLOATS);
+  uniforms.laneLength.value = made.lane;
+  walkers = {
+    count: made.count, rows: made.rows, lane: made.lane, x: new Float32Array(made.count), y: new Float32Array(made.count),
+    z: new Float32Array(made.count), tier: new Uint8Array(made.count).fill(HIDDEN), before: new Uint8Array(made.count),
+    since: new Float32Array(made.count).fill(-9), pairs: new Float32Array(2 * made.count), cells: [], rebin: 0, next: 0,
+  };
+  place(0, made.count);
+  bin();
+}
+
+function place(first, last) {
+  const { rows, lane, x, y, z } = walkers, now = state.now;
+  for (let i = first; i < last; i++) {
+    const at = i * 4 * PERSON_TEXELS, kind = rows[at], a = rows[at + 1], b = rows[at + 2], way = rows[at + 3];
+    const speed = rows[at + 4];
+    y[i] = rows[at + 16];
+    if (kind === 0) { x[i] = a; z[i] = b; }
+    else if (kind === 1) {
+      const along = b + speed * now;
+      x[i] = a;
+      z[i] = way * (along - Math.floor(along / lane) * lane - 0.5 * lane);
+    } else {
+      const angle = b + (way * speed * now) / a;
+      x[i] = a * Math.sin(angle);
+      z[i] = a * Math.cos(angle);
+    }
+  }
+}
+
+function bin() {
+  const { count, x, y, z, pairs } = walkers;
+  let x0 = Infinity, x1 = -Infinity, z0 = Infinity, z1 = -Infinity;
+  for (let i = 0; i < count; i++) {
+    if (x[i] < x0) x0 = x[i];
+    if (x[i] > x1) x1 = x[i];
+    if (z[i] < z0) z0 = z[i];
+    if (z[i] > z1) z1 = z[i];
+  }
+  const wide = Math.floor((x1 - x0) / CELL_M) + 1, deep = Math.floor((z1 - z0) / CELL_M) + 1;
+  const cell = walkers.cellOf && walkers.cellOf.length === count ? walkers.cellOf : (walkers.cellOf = new Uint32Array(count));
+  const starts = new Uint32Array(wide * deep + 1);
+  for (let i = 0; i < count; i++) {
+    cell[i] = Math.floor((x[i] - x0) / CELL_M) + wide * Math.floor((z[i] - z0) / CELL_M);
+    starts[cell[i] + 1]++;
+  }
+  for (let c = 0; c < wide * deep; c++) starts[c + 1] += starts[c];
+  const at = starts.slice(), low = new Float32Array(wide * deep).fill(1e9), high = new Float32Array(wide * deep).fill(-1e9);
+  for (let i = 0; i < count; i++) {
+    const c = cell[i], k = at[c]++;
+    pairs[2 * k] = i;
+    pairs[2 * k + 1] = 1;
+    if (y[i] < low[c]) low[c] = y[i];
+    if (y[i] > high[c]) high[c] = y[i];
+  }
+  walkers.cells = { x0, z0, wide, deep, starts, low, high };
+}
+
+// Positions are brought up to date a slice a frame; cells are made anew when all slices are through.
+function keepCells() {
+  const slice = Math.ceil(walkers.count / REBIN_FRAMES);
+  place(walkers.next, Math.min(walkers.next + slice, walkers.count));
+  walkers.next += slice;
+  if (walkers.next < walkers.count) return;
+  walkers.next = 0;
+  bin();
+}
+
+const planes = new Float32Array(24);
+function cameraPlanes(m) {
+  for (let k = 0; k < 6; k++) {
+    const row = k >> 1, sign = k & 1 ? -1 : 1;
+    for (let c = 0; c < 4; c++) planes[4 * k + c] = m[4 * c + 3] + sign * m[4 * c + row];
+    const long = Math.hypot(planes[4 * k], planes[4 * k + 1], planes[4 * k + 2]);
+    for (let c = 0; c < 4; c++) planes[4 * k + c] /= long;
+  }
+}
+
+function boxSeen(x0, y0, z0, x1, y1, z1) {
+  for (let k = 0; k < 24; k += 4) {
+    const a = planes[k], b = planes[k + 1], c = planes[k + 2];
+    if (a * (a > 0 ? x1 : x0) + b * (b > 0 ? y1 : y0) + c * (c > 0 ? z1 : z0) + planes[k + 3] < 0) return false;
+  }
+  return true;
+}
+
+// Farthest distance of each tier, metres; the impostors' has no end.
+function limitsOf() {
+  const f = uniforms.focalPx.value, far = f * facts.switch.metres_per_focal_px;
+  const limits = facts.tiers.map((tier, k) =>
+    k + 1 < LEVELS ? (f * STATURE_M) / facts.tiers[k + 1].largest_px : far).map((d) => Math.min(d, far));
+  if (state.mode === "levels") limits[LEVELS - 1] = Infinity;
+  if (state.mode === "geometry") limits[0] = Infinity;
+  if (state.mode === "impostors") limits.fill(0);
+  return limits;
+}
+
+function choose() {
+  const { x, y, z, tier, before, since, pairs, cells } = walkers, now = state.still ? state.still : performance.now() / 1000;
+  const eye = uniforms.eye.value, limits = limitsOf(), far = limits[LEVELS - 1] * (1 + HYSTERESIS) + 2;
+  const arrays = tiers.map((mesh) => mesh.geometry.attributes.instance.array), counts = new Uint32Array(LEVELS + 2);
+  const shadows = LEVELS + 1;
+  const put = (t, who, fade) => { const k = counts[t]++; arrays[t][2 * k] = who; arrays[t][2 * k + 1] = fade; };
+  for (let c = 0; c < cells.wide * cells.deep; c++) {
+    const from = cells.starts[c], to = cells.starts[c + 1];
+    if (from === to) continue;
+    const cx = cells.x0 + (c % cells.wide) * CELL_M, cz = cells.z0 + Math.floor(c / cells.wide) * CELL_M;
+    const x0 = cx - 1.5, x1 = cx + CELL_M + 1.5, z0 = cz - 1.5, z1 = cz + CELL_M + 1.5;
+    if (!boxSeen(x0, cells.low[c] - 0.1, z0, x1, cells.high[c] + 2.2, z1)) continue;
+    const dx = Math.max(x0 - eye.x, 0, eye.x - x1), dz = Math.max(z0 - eye.z, 0, eye.z - z1);
+    const dy = Math.max(cells.low[c] - eye.y, 0, eye.y - cells.high[c] - 2);
+    if (dx * dx + dy * dy + dz * dz > far * far) {
+      arrays[IMPOSTOR].set(pairs.subarray(2 * from, 2 * to), 2 * counts[IMPOSTOR]);
+      arrays[shadows].set(pairs.subarray(2 * from, 2 * to), 2 * counts[shadows]);
+      counts[IMPOSTOR] += to - from;
+      counts[shadows] += to - from;
+      continue;
+    }
+    for (let k = from; k < to; k++) {
+      const i = pairs[2 * k], ex = x[i] - eye.x, ey = y[i] + 0.9 - eye.y, ez = z[i] - eye.z;
+      if (!boxSeen(x[i] - 1.2, y[i] - 0.1, z[i] - 1.2, x[i] + 1.2, y[i] + 2.1, z[i] + 1.2)) { tier[i] = HIDDEN; continue; }
+      const d = Math.sqrt(ex * ex + ey * ey + ez * ez);
+      let wanted = IMPOSTOR;
+      for (let t = 0; t < LEVELS; t++)
+        if (d < limits[t] * (1 + (tier[i] <= t ? HYSTERESIS : -HYSTERESIS))) { wanted = t; break; }
+      if (tier[i] === HIDDEN) { tier[i] = before[i] = wanted; since[i] = -9; }
+      if (wanted !== tier[i]) { before[i] = tier[i]; tier[i] = wanted; since[i] = now; }
+      const fade = (now - since[i]) / FADE_S;
+      if (fade < 1 && fade >= 0 && !state.still) { put(tier[i], i, Math.max(fade, 1e-3)); put(before[i], i, -Math.max(fade, 1e-3)); }
+      else put(tier[i], i, 1);
+      put(shadows, i, 1);
+    }
+  }
+  tiers.slice(0, LEVELS + 2).forEach((mesh, t) => {
+    const attribute = mesh.geometry.attributes.instance;
+    mesh.geometry.instanceCount = counts[t];
+    mesh.visible = counts[t] > 0;
+    attribute.clearUpdateRanges();
+    attribute.addUpdateRange(0, 2 * counts[t]);
+    attribute.needsUpdate = true;
+  });
+  state.stats.counts = [...counts].slice(0, LEVELS + 1);
+}
+
+// ---- frames ----------------------------------------------------------------------------------------------------------
+
+let last = 0, shownAt = 0, frames = 0;
+function frame(time) {
+  const step = Math.min(time - last, 0.1);
+  last = time;
+  resize();
+  if (!state.paused) state.now += step;
+  steer(step);
+  draw();
+  frames++;
+  if (time - shownAt > 0.5) {
+    state.stats.fps = frames / (time - shownAt);
+    shownAt = time;
+    frames = 0;
+    const s = state.stats;
+    document.querySelector("#stats").textContent =
+      `${walkers.count} people · ${s.fps.toFixed(0)} frames/s · choice ${s.choice.toFixed(2)} ms · ${s.draws} draws · ` +
+      `levels ${s.counts.slice(0, LEVELS).join(" / ")} · impostors ${s.counts[IMPOSTOR]} · ` +
+      `${(s.triangles / 1000).toFixed(0)}k triangles`;
+  }
+}
+
+function draw() {
+  camera.updateMatrixWorld();
+  uniforms.clipFromWorld.value.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+  camera.getWorldPosition(uniforms.eye.value);
+  uniforms.focalPx.value = renderer.domElement.height / 2 / Math.tan((camera.fov * Math.PI) / 360);
+  uniforms.now.value = state.now;
+  uniforms.debugView.value = state.debug;
+  const begun = performance.now();
+  keepCells();
+  cameraPlanes(uniforms.clipFromWorld.value.elements);
+  choose();
+  state.stats.choice = performance.now() - begun;
+  tiers.forEach((mesh, k) => { mesh.material.wireframe = Boolean(state.debug) && k < LEVELS; });
+  renderer.info.reset();
+  renderer.render(world, camera);
+  state.stats.draws = renderer.info.render.calls;
+  state.stats.triangles = tiers.reduce((sum, mesh) => sum + mesh.geometry.instanceCount * mesh.userData.triangles, 0);
+}
+
+function resize() {
+  const ratio = Math.min(window.devicePixelRatio, 2), { clientWidth: wide, clientHeight: tall } = canvas;
+  if (canvas.width === Math.floor(wide * ratio) && canvas.height === Math.floor(tall * ratio)) return;
+  renderer.setPixelRatio(ratio);
+  renderer.setSize(wide, tall, false);
+  camera.aspect = wide / tall;
+  camera.updateProjectionMatrix();
+}
+
+// ---- cameras ---------------------------------------------------------------------------------------------------------
+
+const VIEWS = {
+  overview: { plaza: [[0, 9, 34], [0, 1, 0]], walk: [[0, 6, 18], [0, 1, -6]], stadium: [[0, 9, 22], [0, 4, -30]] },
+  near: { plaza: [[1.2, 1.7, 9.5], [0, 1.2, 5]], walk: [[0.4, 1.7, 6], [0, 1.2, -2]], stadium: [[0, 3, -17], [0, 2.2, -25]] },
+  street: { plaza: [[0, 1.7, 26], [0, 1.4, 0]], walk: [[0, 1.7, 12], [0, 1.4, -10]], stadium: [[0, 1.7, 0], [0, 5, -30]] },
+};
+
+function view(name) {
+  const [place, target] = VIEWS[name][state.scene];
+  look(place, target);
+}
+
+function look(place, target) {
+  camera.position.set(...place);
+  controls.target.set(...target);
+  camera.lookAt(controls.target);
+  const way = controls.target.clone().sub(camera.position).normalize();
+  fly = { yaw: Math.atan2(-way.x, -way.z), pitch: Math.asin(way.y) };
+  controls.update();
+}
+
+function steer(step) {
+  if (state.camera === "orbit") { if (controls.enabled) controls.update(); return; }
+  const fast = keys.has("shift") ? 12 : 4, ahead = (keys.has("w") || keys.has("arrowup") ? 1 : 0) - (keys.has("s") || keys.has("arrowdown") ? 1 : 0);
+  const aside = (keys.has("d") || keys.has("arrowright") ? 1 : 0) - (keys.has("a") || keys.has("arrowleft") ? 1 : 0);
+  const up = (keys.has("e") ? 1 : 0) - (keys.has("q") ? 1 : 0), cp = state.camera === "fly" ? Math.cos(fly.pitch) : 1;
+  camera.position.x += (-Math.sin(fly.yaw) * cp * ahead + Math.cos(fly.yaw) * aside) * fast * step;
+  camera.position.z += (-Math.cos(fly.yaw) * cp * ahead - Math.sin(fly.yaw) * aside) * fast * step;
+  camera.position.y += state.camera === "fly" ? (Math.sin(fly.pitch) * ahead + up) * fast * step : 1.65 - camera.position.y;
+  camera.rotation.set(fly.pitch, fly.yaw, 0, "YXZ");
+}
+
+function setCamera(kind) {
+  state.camera = kind;
+  controls.enabled = kind === "orbit";
+  const way = new THREE.Vector3();
+  camera.getWorldDirection(way);
+  if (kind === "orbit") controls.target.copy(camera.position).addScaledVector(way, 10);
+  else fly = { yaw: Math.atan2(-way.x, -way.z), pitch: Math.asin(way.y) };
+}
+
+// One finger or the mouse looks around; a second finger goes ahead.
+const fingers = new Map();
+canvas.addEventListener("pointerdown", (event) => fingers.set(event.pointerId, event));
+for (const name of ["pointerup", "pointercancel", "pointerleave"])
+  canvas.addEventListener(name, (event) => { fingers.delete(event.pointerId); if (fingers.size < 2) keys.delete("w"); });
+canvas.addEventListener("pointermove", (event) => {
+  const before = fingers.get(event.pointerId);
+  if (!before || state.camera === "orbit") return;
+  if (fingers.size > 1) keys.add("w");
+  fly.yaw += (event.clientX - before.clientX) * 0.004;
+  fly.pitch = Math.max(-1.5, Math.min(1.5, fly.pitch + (event.clientY - before.clientY) * 0.004));
+  fingers.set(event.pointerId, event);
+});
+window.addEventListener("keydown", (event) => { if (event.target.tagName !== "INPUT") keys.add(event.key.toLowerCase()); });
+window.addEventListener("keyup", (event) => keys.delete(event.key.toLowerCase()));
+window.addEventListener("blur", () => keys.clear());
+
+// ---- knobs -----------------------------------------------------------------------------------------------------------
+
+function knob(text, act) {
+  const made = document.createElement("button");
+  made.textContent = text;
+  made.addEventListener("click", () => act(made));
+  document.querySelector("#knobs").append(made);
+  return made;
+}
+
+function select(label, names, chosen, act) {
+  const made = document.createElement("select");
+  made.setAttribute("aria-label", label);
+  for (const name of names) made.append(new Option(name, name, false, name === chosen));
+  made.addEventListener("change", () => act(made.value));
+  document.querySelector("#knobs").append(made);
+}
+
+function buildKnobs() {
+  select("scene", Object.keys(SCENES), state.scene, (name) => { setScene(name, state.people); view("overview"); });
+  select("camera", ["orbit", "fly", "walk along"], "orbit", (kind) => setCamera(kind));
+  for (const name of Object.keys(VIEWS)) knob(name, () => { view(name); });
+  const slider = document.createElement("input");
+  Object.assign(slider, { type: "range", min: 0, max: 100, step: 1 });
+  slider.setAttribute("aria-label", "people");
+  const whole = (value) => Math.round(10 ** (1 + (value / 100) * 3.78)); // 10 to 60,000
+  slider.value = (100 * (Math.log10(state.people) - 1)) / 3.78;
+  slider.addEventListener("input", () => setScene(state.scene, whole(Number(slider.value))));
+  document.querySelector("#knobs").append(slider);
+  knob("pause", (made) => { state.paused = !state.paused; made.setAttribute("aria-pressed", state.paused); });
+  knob("tiers", (made) => { state.debug = 1 - state.debug; made.setAttribute("aria-pressed", Boolean(state.debug)); });
+  knob("picture", () => {
+    draw();
+    canvas.toBlob((blob) => {
+      const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(blob), download: "crowd.png" });
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    });
+  });
+  knob("full screen", () => document.documentElement.requestFullscreen?.());
+}
+
+// For tests and measurements: everything stands still, and a frame's end is waited for.
+window.crowd = {
+  state, facts,
+  set({ scene = state.scene, people = state.people, place: at, target, fov = 45, now, mode, debug } = {}) {
+    renderer.setAnimationLoop(null);
+    state.still = 1;
+    if (now !== undefined) state.now = now;
+    if (mode) state.mode = mode;
+    if (debug !== undefined) state.debug = debug;
+    setScene(scene, people);
+    camera.fov = fov;
+    resize();
+    camera.updateProjectionMatrix();
+    if (at) look(at, target);
+    walkers.tier.fill(HIDDEN);
+  },
+  draw() { walkers.tier.fill(state.still ? HIDDEN : walkers.tier[0]); draw(); return state.stats; },
+  time(times = 5) {
+    const gl = renderer.getContext(), pixel = new Uint8Array(4), found = [];
+    for (let k = 0; k < times; k++) {
+      const begun = performance.now();
+      draw();
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
+      found.push(performance.now() - begun);
+    }
+    return found;
+  },
+  choices(times = 60) {
+    const found = [];
+    for (let k = 0; k < times; k++) {
+      const begun = performance.now();
+      keepCells();
+      choose();
+      found.push(performance.now() - begun);
+    }
+    return found;
+  },
+  run() { state.still = 0; renderer.setAnimationLoop((time) => frame(time / 1000)); },
+};
+open();

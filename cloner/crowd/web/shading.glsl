@@ -1,0 +1,33 @@
+// Colour of cloth, light, and the pattern that fades tiers into one another.
+uniform vec3 sunWay;       // unit, towards the sun
+uniform int debugView;     // 1: tiers in plain colours, impostors green
+uniform float cutoff;      // above 0: nothing below this coverage, the rest solid; else coverage goes out as alpha
+
+const vec3 SKY = vec3(0.62, 0.68, 0.78), EARTH = vec3(0.42, 0.39, 0.35), SUN = vec3(1.05, 1.0, 0.9);  // taste
+
+float lumaOf(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
+
+// What is dyed shows the dye in its own folds: its grey over the garment's median, evened where cloth is dark.
+vec3 dyed(vec3 rgb, vec4 look, vec3 dye) {
+  return min(dye * pow(max(lumaOf(rgb) * 255.0, 1.0) / look.x, look.y), vec3(1.0));
+}
+
+vec3 lit(vec3 rgb, vec3 normal) {
+  vec3 light = mix(EARTH, SKY, normal.y * 0.5 + 0.5) + SUN * 0.55 * max(dot(normal, sunWay), 0.0);
+  return pow(min(pow(rgb, vec3(2.2)) * light, vec3(1.0)), vec3(1.0 / 2.2));
+}
+
+// fade f > 0 keeps the share f of the pixels, f < 0 the ones that -f leaves.
+bool fadedOut(float fade, float shown) {
+  float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+  return (fade >= 0.0 ? noise >= fade : noise < -fade) || noise >= shown;
+}
+
+vec4 covered(vec3 rgb, float coverage) {
+  if (cutoff > 0.0) {
+    if (coverage < cutoff) discard;
+    return vec4(rgb, 1.0);
+  }
+  if (coverage < 0.02) discard;
+  return vec4(rgb, coverage);
+}

@@ -1,0 +1,192 @@
+"use strict";
+// The pack that lies in this page, as textures and meshes; nothing is fetched.
+
+const HEADER = ["float", "int", "sampler2D", "sampler2DArray", "usampler2DArray", "isampler2D"]
+  .map((type) => `precision highp ${type};`).join("\n") + "\n";
+const WIDE = 128, CORNERS_WIDE = 256, ROW = 256;
+
+const held = new Map([...document.querySelectorAll("script[data-file]")].map((one) => [one.dataset.file, one]));
+
+function bytesOf(name) {
+  const element = held.get(name), text = atob(element.textContent);
+  element.remove();
+  held.delete(name);
+  const bytes = new Uint8Array(text.length);
+  for (let k = 0; k < text.length; k++) bytes[k] = text.charCodeAt(k);
+  return bytes;
+}
+
+const TYPES = { uint8: Uint8Array, uint16: Uint16Array, int16: Int16Array, uint32: Uint32Array, float32: Float32Array };
+
+async function arraysOf(bytes, told) {
+  const plain = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
+  const buffer = await new Response(plain).arrayBuffer(), found = {};
+  for (const [name, one] of Object.entries(told)) {
+    const count = one.shape.reduce((a, b) => a * b, 1);
+    found[name] = new TYPES[one.type](buffer, one.at, count);
+  }
+  return found;
+}
+
+async function pixelsOf(name) {
+  const blob = new Blob([bytesOf(name)], { type: "image/webp" });
+  const image = await createImageBitmap(blob, { colorSpaceConversion: "none" });
+  const canvas = document.createElement("canvas");
+  canvas.width = image.width;
+  canvas.height = image.height;
+  const pen = canvas.getContext("2d", { willReadFrequently: true });
+  pen.drawImage(image, 0, 0);
+  image.close();
+  return pen.getImageData(0, 0, canvas.width, canvas.height);
+}
+
+function arrayTexture(data, width, height, layers, options = {}) {
+  const texture = new THREE.DataArrayTexture(data, width, height, layers);
+  Object.assign(texture, {
+    magFilter: THREE.NearestFilter, minFilter: THREE.NearestFilter, generateMipmaps: false, unpackAlignment: 1,
+    needsUpdate: true, ...options,
+  });
+  return texture;
+}
+
+function flatTexture(data, width, height, options) {
+  const texture = new THREE.DataTexture(data, width, height);
+  Object.assign(texture, {
+    magFilter: THREE.NearestFilter, minFilter: THREE.NearestFilter, unpackAlignment: 1, needsUpdate: true, ...options,
+  });
+  return texture;
+}
+
+const SMOOTH = { magFilter: THREE.LinearFilter, minFilter: THREE.LinearFilter };
+const MIPPED = { magFilter: THREE.LinearFilter, minFilter: THREE.LinearMipmapLinearFilter, generateMipmaps: true };
+const WHOLE = { format: THREE.RGBAIntegerFormat, type: THREE.UnsignedShortType, internalFormat: "RGBA16UI" };
+const FLOATS = { format: THREE.RGBAFormat, type: THREE.FloatType };
+
+// One layer a clone of rows of texels; shorter ones end in zeros.
+function layered(lists, parts, wide, Type) {
+  const rows = Math.max(1, ...lists.map((one) => Math.ceil(one.length / parts / wide)));
+  const data = new Type(lists.length * rows * wide * parts);
+  lists.forEach((one, k) => data.set(one, k * rows * wide * parts));
+  return [data, wide, rows, lists.length];
+}
+
+function filled(layers, put) {
+  const height = Math.max(...layers.map((one) => one.height)), width = layers[0].width;
+  const data = new Uint8Array(layers.length * height * width * 4);
+  layers.forEach((one, k) => put(one, data.subarray(k * height * width * 4)));
+  return [data, width, height, layers.length];
+}
+
+async function loadStage(facts, told) {
+  const body = await arraysOf(bytesOf("body.bin"), facts.body_arrays);
+  const people = [];
+  for (const row of facts.people) {
+    const place = `people/${row.id}/`;
+    const numbers = await arraysOf(bytesOf(place + "numbers.bin"), row.arrays);
+    const [colours, shapes, covers, atlas, codes, shell] = await Promise.all(
+      ["colours", "shapes", "covers", "atlas", "codes", "shell"].map((name) => pixelsOf(`${place}${name}.webp`)));
+    people.push({ row, numbers, colours, shapes, covers, atlas, codes, shell });
+    told(people.length, facts.people.length);
+  }
+  const of = (name) => people.map((one) => one.numbers[name]);
+  const bones = of("bones"), frames = bones.map((one) => one.length / (94 * 3 * 4));
+  const allBones = new Int16Array(bones.reduce((sum, one) => sum + one.length, 0));
+  let at = 0;
+  for (const one of bones) { allBones.set(one, at); at += one.length; }
+  const table = new Float32Array(people.length * 32 * 4);
+  of("table").forEach((one, k) => table.set(one, k * 32 * 4));
+  const tiles = of("tiles"), tileWide = Math.max(...tiles.map((one) => one.length / 4));
+  const allTiles = new Float32Array(people.length * tileWide * 4);
+  tiles.forEach((one, k) => allTiles.set(one, k * tileWide * 4));
+  const textures = {
+    vertices: arrayTexture(...layered(of("vertices"), 4, WIDE, Uint16Array), WHOLE),
+    loose: arrayTexture(...layered(of("loose"), 4, 2 * WIDE, Uint16Array), WHOLE),
+    corners: arrayTexture(...layered(of("corners"), 1, CORNERS_WIDE, Uint16Array),
+      { format: THREE.RedIntegerFormat, type: THREE.UnsignedShortType, internalFormat: "R16UI" }),
+    bones: flatTexture(allBones, 94 * 3, frames.reduce((a, b) => a + b, 0),
+      { format: THREE.RGBAIntegerFormat, type: THREE.ShortType, internalFormat: "RGBA16I" }),
+    clones: flatTexture(table, 32, people.length, FLOATS),
+    tiles: flatTexture(allTiles, tileWide, people.length, FLOATS),
+    atlases: arrayTexture(...filled(people.map((one) => one.atlas), () => 0), MIPPED),
+    shells: arrayTexture(...filled(people.map((one) => ({ width: one.shell.width, height: one.shell.height / 2 })),
+      () => 0), MIPPED),
+    colours: arrayTexture(...filled(people.map((one) => one.colours), () => 0), MIPPED),
+    shapes: arrayTexture(...filled(people.map((one) => ({ width: one.shapes.width, height: one.shapes.height / 3 })),
+      () => 0), SMOOTH),
+  };
+  people.forEach((one, k) => fillLayers(one, k, textures));
+  return { body, people, textures, table };
+}
+
+function fillLayers(one, k, textures) {
+  const layer = (name) => {
+    const { data, width, height } = textures[name].image;
+    return data.subarray(k * width * height * 4, (k + 1) * width * height * 4);
+  };
+  const atlas = layer("atlases"), shell = layer("shells"), colours = layer("colours"), shapes = layer("shapes");
+  for (let p = 0; p < one.atlas.data.length; p += 4) {
+    atlas.set(one.atlas.data.subarray(p, p + 3), p);
+    atlas[p + 3] = one.codes.data[p];
+  }
+  const half = one.shell.data.length / 2;
+  for (let p = 0; p < half; p += 4) {
+    shell.set(one.shell.data.subarray(p, p + 3), p);
+    shell[p + 3] = one.shell.data[half + p];
+  }
+  for (let p = 0; p < one.colours.data.length; p += 4) {
+    colours.set(one.colours.data.subarray(p, p + 3), p);
+    colours[p + 3] = one.covers.data[p];
+  }
+  const { width, height } = one.shapes, rows = height / 3, plane = width * rows * 4;
+  const below = one.colours.data.length, wide = one.covers.width * 4;
+  for (let y = 0; y < rows; y++)
+    for (let x = 0; x < width; x++) {
+      const p = (y * width + x) * 4;
+      for (let part = 0; part < 3; part++) shapes[p + part] = one.shapes.data[part * plane + p];
+      shapes[p + 3] = one.covers.data[below + y * wide + x * 4];
+    }
+}
+
+// Attributes and indices of a level, as cloner/crowd/stock.py makes them.
+function levelGeometry(facts, body, level, instances) {
+  const loose = facts.numbers.loose, all = body.uv.length / 2, own = facts.tiers[level].vertices;
+  const most = Math.max(...facts.people.map((row) => row.loose_triangles[level]));
+  const corners = 3 * most, total = own + corners;
+  const which = new Float32Array(total), uv = new Float32Array(total * 2);
+  const joints = new Float32Array(total * 4), weights = new Float32Array(total * 4);
+  for (let k = 0; k < own; k++) which[k] = k;
+  for (let k = 0; k < corners; k++) which[own + k] = all + k;
+  uv.set(body.uv.subarray(0, own * 2));
+  joints.set(body.joints.subarray(0, own * 4));
+  weights.set(body.weights.subarray(0, own * 4));
+  const triangles = body[`level_${level}`], index = new Uint32Array(triangles.length + corners);
+  index.set(triangles);
+  for (let k = 0; k < corners; k++) index[triangles.length + k] = own + k;
+  const geometry = new THREE.InstancedBufferGeometry();
+  const add = (name, values, parts) => geometry.setAttribute(name, new THREE.BufferAttribute(values, parts));
+  add("which", which, 1);
+  add("uv", uv, 2);
+  add("joints", joints, 4);
+  add("weights", weights, 4);
+  geometry.setIndex(new THREE.BufferAttribute(index, 1));
+  geometry.setAttribute("instance", instances);
+  geometry.instanceCount = 0;
+  return { geometry, start: 3 * loose.slice(0, level).reduce((a, b) => a + b, 0), triangles: index.length / 3 };
+}
+
+function quadGeometry(instances) {
+  const geometry = new THREE.InstancedBufferGeometry();
+  geometry.setAttribute("corner", new THREE.BufferAttribute(new Float32Array([0, 0, 1, 0, 0, 1, 1, 1]), 2));
+  geometry.setIndex([0, 1, 2, 2, 1, 3]);
+  geometry.setAttribute("instance", instances);
+  geometry.instanceCount = 0;
+  return geometry;
+}
+
+function materialOf(shaders, vertex, fragment, uniforms, options = {}) {
+  const text = (names) => HEADER + names.map((name) => shaders[name]).join("\n");
+  return new THREE.RawShaderMaterial({
+    glslVersion: THREE.GLSL3, vertexShader: text(vertex), fragmentShader: text(fragment), uniforms,
+    side: THREE.DoubleSide, ...options,
+  });
+}

@@ -1,0 +1,50 @@
+// What a person's surface shows at a point of the atlas: own texture, exchanged garments, dyes. Groups: 6 top, 7 bottom,
+// 8 shoes, 9 hair; 1 to 5 and 10 are eyes, head, arms, nails, legs and mouth.
+uniform sampler2DArray atlases;   // RGB colours, A codes (read without filter)
+uniform sampler2DArray shells;
+uniform float codeStep;
+
+in vec2 at;
+flat in float isLoose;
+flat in ivec4 whose;
+flat in vec4 dyes;
+
+// Group, and in y whether a limb is there.
+ivec2 groupAt(int clone, ivec2 texel) {
+  int mark = int(texelFetch(atlases, ivec3(texel, clone), 0).a * 255.0 + 0.5), step = int(codeStep + 0.5);
+  return ivec2(mark / step, mark % step > 0 ? 1 : 0);
+}
+
+// Returns colour and alpha; group and the garment's owner go out.
+vec4 wornAt(out int group, out int owner) {
+  owner = whose.x;
+  vec2 dx = dFdx(at), dy = dFdy(at);
+  if (isLoose > 0.5) {
+    group = at.x > 0.5 ? 7 : 9;
+    return textureGrad(shells, vec3(at, float(whose.x)), dx, dy);
+  }
+  vec3 rgb = textureGrad(atlases, vec3(at, float(whose.x)), dx, dy).rgb;
+  ivec2 texel = ivec2(at * vec2(textureSize(atlases, 0).xy));
+  ivec2 own = groupAt(whose.x, texel);
+  group = own.x;
+  for (int k = 0; k < 3; k++) {
+    int donor = k == 0 ? whose.y : k == 1 ? whose.z : whose.w;
+    if (donor == whose.x) continue;
+    if (groupAt(donor, texel).x == 6 + k) {
+      rgb = textureGrad(atlases, vec3(at, float(donor)), dx, dy).rgb;
+      group = 6 + k;
+      owner = donor;
+      break;
+    }
+    if (own.x == 6 + k && own.y > 0) {  // bare now: the wearer's own skin, of arms above and legs below
+      rgb = cloneTexel(whose.x, k == 0 ? 27 : 28).rgb;
+      group = k == 0 ? 3 : 5;
+    }
+  }
+  return vec4(rgb, 1.0);
+}
+
+vec3 finished(vec3 rgb, int group, int owner) {
+  float dye = group == 6 ? dyes.x : group == 7 ? dyes.y : group == 8 ? dyes.z : group == 9 ? dyes.w : -1.0;
+  return dye < 0.0 ? rgb : dyed(rgb, cloneTexel(owner, 17 + group - 6), unpacked(dye));
+}

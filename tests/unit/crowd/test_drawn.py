@@ -1,0 +1,124 @@
+"""Pictures of a pack: impostors stand in for geometry, dyes and tiers do what they say; here and in a browser."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PIL import Image
+from skimage.metrics import structural_similarity
+
+from cloner.crowd.impostors import TEXELS_PER_M, TEXELS_PER_PX
+from cloner.crowd.reading import casting_from, read_facts, read_stock
+from cloner.crowd.scene import scene_of
+from cloner.crowd.still import draw_pack
+from cloner.crowd.theatre import Eye, Theatre
+from cloner.errors import ClonerError
+from kit.browser import CHROMIUM, browser
+
+pytestmark = [pytest.mark.gl, pytest.mark.slow]
+GREY = (0.5, 0.5, 0.5, 1.0)
+
+
+@pytest.fixture(scope="module")
+def theatre(pack: Path):
+    made = Theatre(read_stock(pack, read_facts(pack)))
+    yield made
+    made.close()
+
+
+def row(
+    *, heading: float = 0.0, clone: int = 0, phase: float = 0.26, clip: int = 0, dyes=(-1, -1, -1, -1)
+) -> np.ndarray:
+    out = np.zeros((5, 4), np.float32)
+    out[0, 3], out[1], out[2, :3], out[2, 3], out[3] = heading, (0, phase, clone, 1.0), clone, clip, dyes
+    return out
+
+
+def shot(theatre: Theatre, person: np.ndarray, level: int | None, size: int = 96, over: int = 4) -> np.ndarray:
+    """One person at the switch: 869 px of focal length, 1.5 texels a pixel; ``level`` None is the impostor."""
+    away = 869.0 * TEXELS_PER_PX / TEXELS_PER_M
+    place = np.array([0.0, 0.9 + away * np.sin(np.radians(5)), away * np.cos(np.radians(5))])
+    eye = Eye(place, np.array([0.0, 0.9, 0.0]),
+              (size * over, size * over), 869.0 * over)  # fmt: skip
+    theatre.send_people(person[None])
+    target = theatre.target((size * over, size * over))
+    theatre.begin(target, GREY)
+    values = {"clipFromWorld": eye.clip_from_world(), "eye": eye.place_m, "focalPx": 869.0, "coarse": 1}
+    one = np.array([[0.0, 1.0]], np.float32)
+    if level is None:
+        theatre.draw_impostors(one, values)
+    else:
+        theatre.draw_people(level, one, values)
+    picture = theatre.read(target)[..., :3].astype(float)
+    return picture.reshape(size, over, size, over, 3).mean(axis=(1, 3))
+
+
+@pytest.mark.parametrize("heading", [0.0, 0.3, np.pi / 4, 2.6, np.pi, 4.1, 5.9])
+def test_an_impostor_looks_like_the_geometry_it_stands_for(theatre: Theatre, heading: float) -> None:
+    """Eight views only, so up to 22 degrees off: depth and the second view must make up for it."""
+    person = row(heading=heading)
+    want, got = shot(theatre, person, 0), shot(theatre, person, None)
+    seen = np.abs(want - 127.5).max(axis=2) > 4
+    assert 200 < seen.sum() < 600  # 40 px tall, 5 to 15 wide
+    at = np.argwhere(seen)
+    box = np.s_[at[:, 0].min() - 4 : at[:, 0].max() + 5, at[:, 1].min() - 4 : at[:, 1].max() + 5]
+    assert structural_similarity(want[box], got[box], channel_axis=2, data_range=255) > 0.88
+
+
+def test_a_dye_reaches_geometry_and_impostor_alike_and_only_cloth(theatre: Theatre) -> None:
+    plain, dyed = row(), row(dyes=(0xC81414, -1, -1, -1))
+    for level in (0, None):
+        before, after = shot(theatre, plain, level), shot(theatre, dyed, level)
+        changed = np.abs(after - before).max(axis=2) > 30
+        rows = np.flatnonzero(changed.any(axis=1))
+        assert changed.sum() > 60
+        assert rows.min() > 28  # the shirt: between chin and hips of a person from row 28 to 68
+        assert rows.max() < 60
+        assert (after[changed][:, 0] > after[changed][:, 2] + 20).mean() > 0.9
+
+
+def test_a_white_dye_is_white(theatre: Theatre) -> None:
+    """0xFFFFFF is the last whole number below 2^24: half more would turn red."""
+    white = shot(theatre, row(dyes=(0xFFFFFF, -1, -1, -1)), 0)[44:50, 45:51].reshape(-1, 3).mean(axis=0)
+    assert np.ptp(white) < 25
+
+
+def test_a_still_shows_people_and_bad_views_are_refused(pack: Path, tmp_path: Path) -> None:
+    out = tmp_path / "crowd.png"
+    draw_pack(pack, "street", out, "320x180")
+    picture = np.asarray(Image.open(out)).astype(int)
+    blue = (picture[..., 2] > picture[..., 0] + 25) & (picture[..., 2] > 60) & (picture[..., 0] < 140)
+    assert blue.sum() > 60  # shirts
+    with pytest.raises(ClonerError, match="no view"):
+        draw_pack(pack, "moon", out, "320x180")
+    with pytest.raises(ClonerError, match="no size"):
+        draw_pack(pack, "street", out, "big")
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine: the player is not opened")
+def test_the_player_opens_from_the_disk_and_asks_nobody(pack: Path, tmp_path: Path) -> None:
+    with browser(tmp_path / "profile") as page:
+        page.open(pack / "player.html", 320, 200)
+        page.wait_for("document.body && document.body.dataset.ready", 120)
+        page.value("crowd.set({scene: 'plaza', people: 60, place: [0, 6, 22], target: [0, 1, 0], now: 3})")
+        stats = page.value("crowd.draw()")
+        assert sum(stats["counts"]) == 60
+        assert stats["draws"] <= 8
+        page.value("crowd.time(1)")
+        picture = page.picture().astype(int)[40:180]
+        shirts = (picture[..., 2] > picture[..., 0] + 25) & (picture[..., 0] < 140)
+        assert shirts.sum() > 40
+        page.value("crowd.set({debug: 1, place: [0, 30, 90], target: [0, 0, 0]})")
+        page.value("crowd.time(1)")
+        green = page.picture().astype(int)[40:180]
+        assert ((green[..., 1] > 150) & (green[..., 0] < 80)).sum() > 30  # impostors
+        assert not page.complaints()
+        assert all(address.startswith(("file:", "blob:", "data:", "about:")) for address in page.requests())
+
+
+def test_scene_rows_fit_the_shaders(pack: Path) -> None:
+    made = scene_of("plaza", 60, casting_from(read_facts(pack)))
+    assert made.rows.shape == (60, 5, 4)
+    assert set(np.unique(made.rows[:, 1, 2])) <= {0.0, 1.0}
