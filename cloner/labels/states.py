@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.records.labels import SKINS, Label, shows
 
-#: Least shares from which a state is told. Of 22 generated people whom nothing was taught on, glasses showed with shares
-#: of .03 to .35 and were missed once (behind hair and a cap), elsewhere the share was 0; beards had .06 to .76, other
-#: faces .012 at most; hats .45 to .88, other heads .04 at most.
+#: Least shares from which a state is told. Of 22 generated people whom nothing was taught on, glasses showed with
+#: shares of .03 to .35 and were missed once (behind hair and a cap), elsewhere the share was 0; beards had .06 to .76,
+#: other faces .012 at most; hats .45 to .88, other heads .04 at most.
 BEARD_SHARE: Final = 0.03
 GLASSES_SHARE: Final = 0.02
 HEADWEAR_SHARE: Final = 0.15

@@ -8,6 +8,7 @@ from typing import Any, Final
 import numpy as np
 
 from cloner.frames import ViewId
+from cloner.labels.states import State, read_states
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.report.agreement import Agreement
@@ -49,12 +50,28 @@ def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agr
     face = proposals.views.get(ViewId.FACE_FRONT)
     if face is not None and face.face_presence > 0.0:
         told += _face(face)
+        told += _worn(read_states({face.view: face.labels}, face.face_px))
     for view, found in seen.items():
         if view.is_body and found.iou < LEAST_OVERLAP:
             told.append(f"{view}: the clone covers the person's outline only to {100 * found.iou:.0f} percent")
         if view.is_face and found.iou < LEAST_HEAD_OVERLAP:
             told.append(f"{view}: the clone covers the head's outline only to {100 * found.iou:.0f} percent")
     return tuple(told)
+
+
+def _worn(states: frozenset[State]) -> list[str]:
+    """Return sentences about what hides the face or the hair."""
+    told = []
+    if State.GLASSES in states:
+        told.append(
+            f"{ViewId.FACE_FRONT}: the glasses became an object of their own and the skin behind their frame is a guess; "
+            "take the face photos without glasses if you can"
+        )
+    if State.HEADWEAR in states:
+        told.append(
+            f"{ViewId.FACE_FRONT}: headwear hides the hair and becomes part of the head; take it off if you can"
+        )
+    return told
 
 
 def grouped(warnings: Iterable[str]) -> tuple[str, ...]:

@@ -81,6 +81,20 @@ def _patterns() -> tuple[tuple[str, re.Pattern[str]], ...]:
 SENTENCES: Final[tuple[str, ...]] = tuple(
     str(one)
     for one in (
+        QT_TRANSLATE_NOOP("told", "its files were changed while they were read"),
+        QT_TRANSLATE_NOOP("told", "the file exists and is not replaced"),
+        QT_TRANSLATE_NOOP("told", "Choose another --out file, or delete it"),
+        QT_TRANSLATE_NOOP("told", "no file can be called that"),
+        QT_TRANSLATE_NOOP("told", "Choose another --out file"),
+        QT_TRANSLATE_NOOP("told", "this is no photo but a folder, a pipe or the like"),
+        QT_TRANSLATE_NOOP("told", "Put the photo itself there"),
+        QT_TRANSLATE_NOOP("told", "Choose another --out folder or --id, or move those files away"),
+        QT_TRANSLATE_NOOP("told", "the photos lie where the result would, and are never replaced"),
+        QT_TRANSLATE_NOOP("told", "the result of another visitor is there: other photos, from another folder"),
+        QT_TRANSLATE_NOOP("told", "Choose another --id or --out folder, or forget that visitor first"),
+        QT_TRANSLATE_NOOP("told", "the earlier result holds files of somebody's own (%1)"),
+        QT_TRANSLATE_NOOP("told", "this cannot be read: %1"),
+        QT_TRANSLATE_NOOP("told", "the photo cannot be opened: %1"),
         QT_TRANSLATE_NOOP("told", "there is no camera"),
         QT_TRANSLATE_NOOP("told", "Plug it in and allow its use, then try again"),
         QT_TRANSLATE_NOOP("told", "the camera gives no pictures any more"),
@@ -294,6 +308,12 @@ SENTENCES: Final[tuple[str, ...]] = tuple(
             "%1: the head is turned by about %2 degrees from where it should look; "
             "retake it with the head turned as the body",
         ),
+        QT_TRANSLATE_NOOP(
+            "told",
+            "%1: the glasses became an object of their own and the skin behind their frame is a guess; "
+            "take the face photos without glasses if you can",
+        ),
+        QT_TRANSLATE_NOOP("told", "%1: headwear hides the hair and becomes part of the head; take it off if you can"),
         QT_TRANSLATE_NOOP("told", "left"),
         QT_TRANSLATE_NOOP("told", "right"),
     )

@@ -1375,7 +1375,6 @@
     <name>told</name>
     <message>
         <source>there is no camera</source>
-        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
         <translation>Keine Kamera gefunden</translation>
     </message>
     <message>
@@ -2031,6 +2030,14 @@
         <translation>%1: der Kopf ist um etwa %2 Grad aus der Blickrichtung gedreht; nehmen Sie es noch einmal auf, den Kopf wie den Körper ausgerichtet</translation>
     </message>
     <message>
+        <source>%1: the glasses became an object of their own and the skin behind their frame is a guess; take the face photos without glasses if you can</source>
+        <translation>%1: die Brille wurde ein eigener Gegenstand und die Haut hinter ihrem Gestell ist geraten; machen Sie die Gesichtsfotos wenn möglich ohne Brille</translation>
+    </message>
+    <message>
+        <source>%1: headwear hides the hair and becomes part of the head; take it off if you can</source>
+        <translation>%1: eine Kopfbedeckung verdeckt das Haar und wird Teil des Kopfes; nehmen Sie sie wenn möglich ab</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>links</translation>
     </message>
@@ -2041,6 +2048,63 @@
     <message>
         <source>Consent</source>
         <translation>Einwilligung</translation>
+    </message>
+    <message>
+        <source>its files were changed while they were read</source>
+        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
+        <translation>Dateien wurden beim Lesen verändert</translation>
+    </message>
+    <message>
+        <source>the file exists and is not replaced</source>
+        <translation>die Datei gibt es schon und wird nicht ersetzt</translation>
+    </message>
+    <message>
+        <source>Choose another --out file, or delete it</source>
+        <translation>Einen anderen Namen wählen oder sie löschen</translation>
+    </message>
+    <message>
+        <source>no file can be called that</source>
+        <translation>so kann keine Datei heißen</translation>
+    </message>
+    <message>
+        <source>Choose another --out file</source>
+        <translation>Einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>this is no photo but a folder, a pipe or the like</source>
+        <translation>das ist kein Foto, sondern ein Ordner, eine Pipe oder Ähnliches</translation>
+    </message>
+    <message>
+        <source>Put the photo itself there</source>
+        <translation>Das Foto selbst dorthin legen</translation>
+    </message>
+    <message>
+        <source>Choose another --out folder or --id, or move those files away</source>
+        <translation>Einen anderen Ordner oder Namen wählen oder diese Dateien wegräumen</translation>
+    </message>
+    <message>
+        <source>the photos lie where the result would, and are never replaced</source>
+        <translation>die Fotos liegen dort, wo das Ergebnis läge, und werden nie ersetzt</translation>
+    </message>
+    <message>
+        <source>the result of another visitor is there: other photos, from another folder</source>
+        <translation>dort liegt das Ergebnis einer anderen Person: andere Fotos, aus einem anderen Ordner</translation>
+    </message>
+    <message>
+        <source>Choose another --id or --out folder, or forget that visitor first</source>
+        <translation>Einen anderen Namen oder Ordner wählen oder jene Person zuerst löschen</translation>
+    </message>
+    <message>
+        <source>the earlier result holds files of somebody&apos;s own (%1)</source>
+        <translation>im früheren Ergebnis liegen fremde Dateien (%1)</translation>
+    </message>
+    <message>
+        <source>this cannot be read: %1</source>
+        <translation>das kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>the photo cannot be opened: %1</source>
+        <translation>das Foto kann nicht geöffnet werden: %1</translation>
     </message>
     <message>
         <source>No photo could be laid on the body: it keeps one plain colour</source>

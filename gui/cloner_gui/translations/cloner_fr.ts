@@ -1375,7 +1375,6 @@
     <name>told</name>
     <message>
         <source>there is no camera</source>
-        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
         <translation>aucune caméra n’a été trouvée</translation>
     </message>
     <message>
@@ -2031,6 +2030,14 @@
         <translation>%1 : la tête est tournée d&apos;environ %2 degrés par rapport à la direction voulue ; reprenez-la, la tête orientée comme le corps</translation>
     </message>
     <message>
+        <source>%1: the glasses became an object of their own and the skin behind their frame is a guess; take the face photos without glasses if you can</source>
+        <translation>%1 : les lunettes sont devenues un objet à part et la peau derrière la monture est devinée ; prenez si possible les photos du visage sans lunettes</translation>
+    </message>
+    <message>
+        <source>%1: headwear hides the hair and becomes part of the head; take it off if you can</source>
+        <translation>%1 : un couvre-chef cache les cheveux et devient une partie de la tête ; enlevez-le si possible</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>gauche</translation>
     </message>
@@ -2041,6 +2048,63 @@
     <message>
         <source>Consent</source>
         <translation>Accord</translation>
+    </message>
+    <message>
+        <source>its files were changed while they were read</source>
+        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
+        <translation>ses fichiers ont changé pendant la lecture</translation>
+    </message>
+    <message>
+        <source>the file exists and is not replaced</source>
+        <translation>le fichier existe et n&apos;est pas remplacé</translation>
+    </message>
+    <message>
+        <source>Choose another --out file, or delete it</source>
+        <translation>Choisissez un autre nom, ou supprimez-le</translation>
+    </message>
+    <message>
+        <source>no file can be called that</source>
+        <translation>aucun fichier ne peut porter ce nom</translation>
+    </message>
+    <message>
+        <source>Choose another --out file</source>
+        <translation>Choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>this is no photo but a folder, a pipe or the like</source>
+        <translation>ce n&apos;est pas une photo mais un dossier, un tube ou autre</translation>
+    </message>
+    <message>
+        <source>Put the photo itself there</source>
+        <translation>Placez-y la photo elle-même</translation>
+    </message>
+    <message>
+        <source>Choose another --out folder or --id, or move those files away</source>
+        <translation>Choisissez un autre dossier ou nom, ou déplacez ces fichiers</translation>
+    </message>
+    <message>
+        <source>the photos lie where the result would, and are never replaced</source>
+        <translation>les photos se trouvent à la place du résultat et ne sont jamais remplacées</translation>
+    </message>
+    <message>
+        <source>the result of another visitor is there: other photos, from another folder</source>
+        <translation>le résultat d&apos;un autre visiteur s&apos;y trouve : d&apos;autres photos, d&apos;un autre dossier</translation>
+    </message>
+    <message>
+        <source>Choose another --id or --out folder, or forget that visitor first</source>
+        <translation>Choisissez un autre nom ou dossier, ou supprimez d&apos;abord ce visiteur</translation>
+    </message>
+    <message>
+        <source>the earlier result holds files of somebody&apos;s own (%1)</source>
+        <translation>le résultat précédent contient des fichiers étrangers (%1)</translation>
+    </message>
+    <message>
+        <source>this cannot be read: %1</source>
+        <translation>ceci ne peut être lu : %1</translation>
+    </message>
+    <message>
+        <source>the photo cannot be opened: %1</source>
+        <translation>la photo ne peut être ouverte : %1</translation>
     </message>
     <message>
         <source>No photo could be laid on the body: it keeps one plain colour</source>

@@ -1374,7 +1374,6 @@
     <name>told</name>
     <message>
         <source>there is no camera</source>
-        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
         <translation>kamera bulunamadı</translation>
     </message>
     <message>
@@ -2030,6 +2029,14 @@
         <translation>%1: baş, bakması gereken yönden yaklaşık %2 derece dönük; baş gövdeyle aynı yöne dönükken yeniden çekin</translation>
     </message>
     <message>
+        <source>%1: the glasses became an object of their own and the skin behind their frame is a guess; take the face photos without glasses if you can</source>
+        <translation>%1: gözlük ayrı bir nesne oldu ve çerçevenin arkasındaki ten tahmindir; mümkünse yüz fotoğraflarını gözlüksüz çekin</translation>
+    </message>
+    <message>
+        <source>%1: headwear hides the hair and becomes part of the head; take it off if you can</source>
+        <translation>%1: başlık saçı gizliyor ve başın bir parçası oluyor; mümkünse çıkarın</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>sol</translation>
     </message>
@@ -2040,6 +2047,63 @@
     <message>
         <source>Consent</source>
         <translation>Onay</translation>
+    </message>
+    <message>
+        <source>its files were changed while they were read</source>
+        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
+        <translation>dosyaları okunurken değişti</translation>
+    </message>
+    <message>
+        <source>the file exists and is not replaced</source>
+        <translation>dosya zaten var ve değiştirilmez</translation>
+    </message>
+    <message>
+        <source>Choose another --out file, or delete it</source>
+        <translation>Başka bir ad seçin ya da dosyayı silin</translation>
+    </message>
+    <message>
+        <source>no file can be called that</source>
+        <translation>hiçbir dosyanın adı böyle olamaz</translation>
+    </message>
+    <message>
+        <source>Choose another --out file</source>
+        <translation>Başka bir ad seçin</translation>
+    </message>
+    <message>
+        <source>this is no photo but a folder, a pipe or the like</source>
+        <translation>bu bir fotoğraf değil; klasör, boru ya da benzeri</translation>
+    </message>
+    <message>
+        <source>Put the photo itself there</source>
+        <translation>Oraya fotoğrafın kendisini koyun</translation>
+    </message>
+    <message>
+        <source>Choose another --out folder or --id, or move those files away</source>
+        <translation>Başka bir klasör ya da ad seçin veya bu dosyaları taşıyın</translation>
+    </message>
+    <message>
+        <source>the photos lie where the result would, and are never replaced</source>
+        <translation>fotoğraflar sonucun yerinde duruyor ve asla değiştirilmez</translation>
+    </message>
+    <message>
+        <source>the result of another visitor is there: other photos, from another folder</source>
+        <translation>orada başka bir ziyaretçinin sonucu var: başka klasörden başka fotoğraflar</translation>
+    </message>
+    <message>
+        <source>Choose another --id or --out folder, or forget that visitor first</source>
+        <translation>Başka bir ad ya da klasör seçin veya önce o ziyaretçiyi silin</translation>
+    </message>
+    <message>
+        <source>the earlier result holds files of somebody&apos;s own (%1)</source>
+        <translation>önceki sonuçta başkasına ait dosyalar var (%1)</translation>
+    </message>
+    <message>
+        <source>this cannot be read: %1</source>
+        <translation>bu okunamıyor: %1</translation>
+    </message>
+    <message>
+        <source>the photo cannot be opened: %1</source>
+        <translation>fotoğraf açılamıyor: %1</translation>
     </message>
     <message>
         <source>No photo could be laid on the body: it keeps one plain colour</source>
