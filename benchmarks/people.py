@@ -54,8 +54,8 @@ PEOPLE_A_SHEET: Final = 12
 WORST: Final = 12
 
 
-def judge(person: Path, keep: Path, other: Path | None) -> dict[str, Any]:
-    """Clone and score one person, keep what was found and return it."""
+def judge(person: Path, keep: Path, before: Path) -> dict[str, Any]:
+    """Clone and score one person beside the clone of the one before, keep what was found and return it."""
     kept = keep / f"{person.name}.json"
     if kept.is_file():
         return dict(json.loads(kept.read_text()))
@@ -63,7 +63,8 @@ def judge(person: Path, keep: Path, other: Path | None) -> dict[str, Any]:
     run: CloneRun | None = None
     try:
         run = clone_person(person, keep / "clones", told.append)
-        beside = None if other is None else load_clone(other)
+        other = keep / "clones" / before.name / CLONE_FILE
+        beside = load_clone(other) if other.is_file() and before != person else None
         rows = score_person(person, run, beside, keep / "clones")
     except Exception as error:  # noqa: BLE001 a defect of one person must not end the night
         told.append(f"{person.name}: DEFECT {type(error).__name__}: {error}")
@@ -103,7 +104,7 @@ def page(people: Sequence[Mapping[str, Any]]) -> str:
     lines = [
         "# People of the generator, cloned",
         "",
-        f"{len(people)} people (seeds {people[0]['name']} to {people[-1]['name']}) of whom nothing was learned, five "
+        f"{len(people)} people ({people[0]['name']} to {people[-1]['name']}) of whom nothing was learned, five "
         f"photographs each; {sum(cloned.values())} cloned, {len(people) - sum(cloned.values())} refused. Made by "
         f"`python benchmarks/people.py DIR --count {len(people)}` at {commits}; nobody corrected a point.",
         "",
@@ -250,24 +251,17 @@ def main() -> None:
     chosen = kit_people([given.people])[: given.count]
     context = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(given.workers, mp_context=context, max_tasks_per_child=1) as pool:
-        jobs = [pool.submit(judge, person, given.keep, neighbour(person, chosen, given.keep)) for person in chosen]
+        jobs = [pool.submit(judge, person, given.keep, chosen[row - 1]) for row, person in enumerate(chosen)]
         for person, job in zip(chosen, jobs, strict=True):
             told = job.result()["told"]
             print(person.name, "; ".join(told) or "ok", flush=True)
-    people = [judge(person, given.keep, None) for person in chosen]
+    people = [judge(person, given.keep, person) for person in chosen]
     print(page(people))
     if given.write:
         PAGE.write_text(page(people))
         picture = sheet(people[:PEOPLE_A_SHEET], given.keep)
         if picture is not None:
             picture.save(SHEET, quality=80)
-
-
-def neighbour(person: Path, chosen: Sequence[Path], keep: Path) -> Path | None:
-    """Return the kept clone of the person before, to compare with; None while there is none."""
-    before = chosen[chosen.index(person) - 1]
-    kept = keep / "clones" / before.name / CLONE_FILE
-    return kept if before != person and kept.is_file() else None
 
 
 if __name__ == "__main__":
