@@ -64,8 +64,8 @@ def _worn(states: frozenset[State]) -> list[str]:
     told = []
     if State.GLASSES in states:
         told.append(
-            f"{ViewId.FACE_FRONT}: the glasses became an object of their own and the skin behind their frame is a guess; "
-            "take the face photos without glasses if you can"
+            f"{ViewId.FACE_FRONT}: the glasses became an object of their own and the skin behind their frame is a "
+            "guess; take the face photos without glasses if you can"
         )
     if State.HEADWEAR in states:
         told.append(

@@ -93,8 +93,8 @@ class Params:
     flank_m: float = 0.0012
     looks: int = 3
     taught: float = 0.5
-    yaw: float = 0.025
-    tip: float = 0.03
+    yaw: float = 0.035
+    tip: float = 0.035
     relief_m: float = 0.004
     bend_m: float = 0.0012
     limit_m: float = 0.010

@@ -122,7 +122,7 @@ def main() -> None:
     """Draw, lay, average, write."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("family", type=Path)
-    parser.add_argument("--heads", type=int, default=300)
+    parser.add_argument("--heads", type=int, default=200)
     parser.add_argument("--scans", type=float, default=SCANS, help="share of the scan-based family; 0 leaves it out")
     parser.add_argument("--out", type=Path, default=OUT)
     chosen = parser.parse_args()
