@@ -113,14 +113,15 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
 
 def _as_webp(gltf: Any) -> None:
     """Store every picture as WebP, in place: at a like look half of JPEG and a third of PNG."""
-    blob, parts = gltf.binary_blob(), []
+    blob = gltf.binary_blob()
+    parts: list[bytes] = []
     pictures = {image.bufferView: image for image in gltf.images}
     for number, view in enumerate(gltf.bufferViews):
         start = view.byteOffset or 0
         data = blob[start : start + view.byteLength]
         if number in pictures:
             data, pictures[number].mimeType = _webp(data), "image/webp"
-        view.byteOffset, view.byteLength = sum(map(len, parts)), len(data)
+        view.byteOffset, view.byteLength = sum(len(part) for part in parts), len(data)
         parts.append(data + b"\0" * (-len(data) % 4))
     for texture in gltf.textures:
         texture.extensions = {WEBP: {"source": texture.source}}
