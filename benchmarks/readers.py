@@ -44,6 +44,7 @@ ROWS: Final[tuple[tuple[str, str, Callable[[Path], Picture], bool], ...]] = (
     ("Blender", "clone_flat.wrl", readers.blender, readers.HAS_BLENDER),
     ("Blender", "clone.obj", readers.blender, readers.HAS_BLENDER),
 )
+PYTHON_READERS: Final = ("assimp_py", "open3d")
 FORMATS: Final = ("glb", "small", "mixamo", "vrm", "flat", "wrl", "hanim", "x3d", "obj")
 
 
@@ -68,10 +69,23 @@ def main() -> None:
             sys.stdout.write(f"| {program} | {file} | {time.monotonic() - start:.0f} | {said} |\n")
             sys.stdout.flush()
             panels.append(_panel(picture, f"{program}: {file}"))
+        for file in ("clone.glb", "clone_mixamo.glb", "clone.vrm"):
+            _count(Path(scratch) / file)
     while len(panels) % COLUMNS:
         panels.append(np.full_like(panels[0], 255))
     sheet = np.vstack([np.hstack(panels[row : row + COLUMNS]) for row in range(0, len(panels), COLUMNS)])
     cv2.imwrite(str(asked.out), sheet[..., ::-1], [cv2.IMWRITE_JPEG_QUALITY, 85])
+
+
+def _count(path: Path) -> None:
+    """Print what readers that draw nothing find in a file; both tell kinds of files by their last letters."""
+    same = path if path.suffix == ".glb" else path.with_name(f"{path.stem}_vrm.glb")
+    same.write_bytes(path.read_bytes())
+    rows = [("Assimp", readers.assimp(same) if readers.HAS_ASSIMP else None)]
+    rows += [(name, readers.foreign(name, same) if readers.has_foreign(name) else None) for name in PYTHON_READERS]
+    for program, told in rows:
+        said = "not installed" if told is None else ", ".join(f"{key} {_short(value)}" for key, value in told.items())
+        sys.stdout.write(f"| {program} | {path.name} | | {said} |\n")
 
 
 def _short(value: object) -> str:

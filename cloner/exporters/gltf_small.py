@@ -10,6 +10,7 @@ Khronos Group 2021, KHR_mesh_quantization; glTF 2.0 specification, 3.6.2 (normal
 
 from __future__ import annotations
 
+import io
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
@@ -17,6 +18,7 @@ from typing import Any, Final
 import numpy as np
 import pygltflib
 from numpy.typing import NDArray
+from PIL import Image
 
 from cloner.exporters.files import write_bytes
 from cloner.exporters.gltf import build
@@ -28,6 +30,9 @@ from cloner.records.heads import Shell
 Array = NDArray[np.float64]
 
 EXTENSION: Final = "KHR_mesh_quantization"
+WEBP: Final = "EXT_texture_webp"
+WEBP_QUALITY: Final = 85  # taste: no difference seen on a face at its pictures' own size
+SMALLEST_OFFSET_M: Final = 1e-4  # what moves less is not seen at a picture's size; a third of the targets' rows
 FULL: Final = 32767
 HALVED_ABOVE_PX: Final = 512  # smaller pictures stay; taste
 
@@ -64,6 +69,8 @@ class QuantisedBuffer(GltfBuffer):
 
     def offsets(self, count: int, index: NDArray[Any], values: NDArray[np.float32]) -> int:
         """Add offsets of a morph target in the positions' unit."""
+        seen = np.abs(values).max(axis=1, initial=0.0) > SMALLEST_OFFSET_M
+        index, values = index[seen], values[seen]
         whole = _whole(np.asarray(values, dtype=np.float64) / self._half_m, FULL, np.int16)
         return self.sparse(count, index, whole)
 
@@ -99,8 +106,36 @@ def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ..
     """
     path = folder / f"{name}_small.glb"
     gltf = build(_with_half_pictures(centred(clone)), buffer_type=QuantisedBuffer)
+    _as_webp(gltf)
     write_bytes(path, b"".join(gltf.save_to_bytes()))
     return (path,)
+
+
+def _as_webp(gltf: Any) -> None:
+    """Store every picture as WebP, in place: at a like look half of JPEG and a third of PNG."""
+    blob = gltf.binary_blob()
+    parts: list[bytes] = []
+    pictures = {image.bufferView: image for image in gltf.images}
+    for number, view in enumerate(gltf.bufferViews):
+        start = view.byteOffset or 0
+        data = blob[start : start + view.byteLength]
+        if number in pictures:
+            data, pictures[number].mimeType = _webp(data), "image/webp"
+        view.byteOffset, view.byteLength = sum(len(part) for part in parts), len(data)
+        parts.append(data + b"\0" * (-len(data) % 4))
+    for texture in gltf.textures:
+        texture.extensions = {WEBP: {"source": texture.source}}
+        texture.source = None
+    gltf.extensionsUsed, gltf.extensionsRequired = [*gltf.extensionsUsed, WEBP], [*gltf.extensionsRequired, WEBP]
+    gltf.set_binary_blob(b"".join(parts))
+    gltf.buffers[0].byteLength = len(gltf.binary_blob())
+
+
+def _webp(data: bytes) -> bytes:
+    stream = io.BytesIO()
+    with Image.open(io.BytesIO(data)) as picture:
+        picture.save(stream, "WEBP", quality=WEBP_QUALITY, method=4, alpha_quality=WEBP_QUALITY)
+    return stream.getvalue()
 
 
 def _with_half_pictures(clone: Clone) -> Clone:

@@ -95,7 +95,7 @@ def frame_weights(moves: Array, names: tuple[str, ...], values: Array, given: ND
         # parameters of large and small motion count alike; what nothing here moves asks for nothing
         size = np.abs(moves[rows][:, columns]).max(axis=1)
         rows, size = rows[size > 1.0], size[size > 1.0]
-        system = np.vstack([moves[np.ix_(rows, columns)] / size[:, None], RIDGE * np.eye(len(columns))])
+        system = np.vstack([moves[rows][:, columns] / size[:, None], RIDGE * np.eye(len(columns))])
         left = values[rows] - moves[rows] @ weights  # the mouth comes first: jaws carry tongues, smiles lift cheeks
         wanted = np.concatenate([left / size, np.zeros(len(columns))])
         weights[columns] = np.maximum(weights[columns], lsq_linear(system, wanted, bounds=(0.0, 1.0)).x)

@@ -95,7 +95,8 @@ def test_the_small_file_is_half_as_large_and_the_same_person(folder: Path, clone
     """At rest and with an arm bent every vertex of the body lies within a fifth of a millimetre; targets too."""
     small, full = read(folder / "clone_small.glb"), build(clone)
     assert (folder / "clone_small.glb").stat().st_size < 0.6 * len(b"".join(full.save_to_bytes()))
-    assert small.extensionsRequired == ["KHR_mesh_quantization"]
+    assert small.extensionsRequired == ["KHR_mesh_quantization", "EXT_texture_webp"]
+    assert {image.mimeType for image in small.images} == {"image/webp"}
     rotations = np.zeros((94, 3))
     rotations[GENERIC.joint("l_elbow")] = [0.0, 1.0, 0.2]
     found = []
