@@ -174,7 +174,7 @@ def in_browser(pack: Path, people: int, rounds: int, pictures: Path | None) -> l
         for _ in range(rounds):
             for mode in ("hybrid", "levels", "geometry"):
                 page.value(f"crowd.set({{{setup}, mode: '{mode}'}})")
-                found = page.value("crowd.time(1)")[0]
+                found = min(page.value("crowd.time(3)"))  # the first one compiles shaders
                 best[mode] = min(best.get(mode, np.inf), found)
                 draws = max(draws, page.value("crowd.state.stats.draws"))
                 print(mode, f"{found:.0f} ms", page.value("JSON.stringify(crowd.state.stats.counts)"), flush=True)
