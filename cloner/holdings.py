@@ -13,6 +13,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 from typing import Final
 
+from cloner.crowd.held import folders_of, people_in_packs
 from cloner.errors import ClonerError, plain
 from cloner.project.atomic import rests
 from cloner.project.claims import claimants
@@ -37,6 +38,8 @@ class Holding:
     photos, results : tuple of Path
     rests : tuple of Path
         What killed or running clones left.
+    packs : tuple of Path
+        The visitor's own folders inside the packs of crowds.
     apart : tuple of Path
         Folders below the photos that are not the visitor's: results of everybody.
     files : int
@@ -52,6 +55,7 @@ class Holding:
     photos: tuple[Path, ...]
     results: tuple[Path, ...]
     rests: tuple[Path, ...]
+    packs: tuple[Path, ...]
     apart: tuple[Path, ...]
     files: int
     size_bytes: int
@@ -61,7 +65,7 @@ class Holding:
     @property
     def folders(self) -> tuple[Path, ...]:
         """The folders that exist."""
-        return (*self.photos, *self.results, *self.rests)
+        return (*self.photos, *self.results, *self.rests, *self.packs)
 
     def files_in(self, folder: Path) -> list[Path]:
         """Return the visitor's files below one of the folders; links are none."""
@@ -101,6 +105,8 @@ def holdings(photos_root: Path | None, out: Path | None) -> tuple[Holding, ...]:
             heaps = _with_result(heaps, result, shared)
         for path, name in (*rests(out).items(), *((out, name) for name in claimants(out))):
             _heap_of(heaps, name).rests.extend([path] if path != out else [])
+        for name in people_in_packs(out):
+            _heap_of(heaps, name)
     found = (_held(heap, photos_root, shared, out) for heap in heaps)
     return tuple(sorted(found, key=lambda holding: holding.identifier))
 
@@ -159,12 +165,13 @@ def _held(heap: _Heap, photos_root: Path | None, shared: set[str], out: Path | N
         if name in shared:  # "a b" and "a-b" are two visitors
             name = heap.photos[0].relative_to(photos_root).as_posix()
     apart = [out] if out is not None and any(_lies_in(out, folder) for folder in heap.photos) else []
-    return _counted(name, names, (heap.photos, heap.results, heap.rests, apart))
+    packs = [] if out is None else [folder for each in names for folder in folders_of(each, out)]
+    return _counted(name, names, (heap.photos, heap.results, heap.rests, packs, apart))
 
 
 def holding_of(name: str, photos: Path | None, result: Path | None) -> Holding:
     """Return what is held of one visitor in a folder of photos and a folder of results."""
-    return _counted(name, [name], ([photos] if photos else [], [result] if result else [], [], []))
+    return _counted(name, [name], ([photos] if photos else [], [result] if result else [], [], [], []))
 
 
 def _lies_in(inner: Path, folder: Path) -> bool:
@@ -173,12 +180,12 @@ def _lies_in(inner: Path, folder: Path) -> bool:
 
 def _counted(name: str, names: Iterable[str], folders: Sequence[Sequence[Path]]) -> Holding:
     """Return a holding of its photos, results, rests and what is apart, with its files counted."""
-    photos, results, rest, apart = (tuple(some) for some in folders)
-    files = [path for folder in (*photos, *results, *rest) for path in _files_of(folder, apart)]
+    photos, results, rest, packs, apart = (tuple(some) for some in folders)
+    files = [path for folder in (*photos, *results, *rest, *packs) for path in _files_of(folder, apart)]
     facts = [path.stat() for path in files]
     moment = datetime.fromtimestamp(max((fact.st_mtime for fact in facts), default=0.0), UTC)
     size, consent = sum(fact.st_size for fact in facts), " | ".join(filter(None, map(_consent, photos)))
-    return Holding(name, tuple(names), photos, results, rest, apart, len(facts), size, moment, consent)
+    return Holding(name, tuple(names), photos, results, rest, packs, apart, len(facts), size, moment, consent)
 
 
 def _consent(photos: Path) -> str:

@@ -19,6 +19,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
 
+from cloner.crowd.held import pack_of
 from cloner.errors import ClonerError
 from cloner.holdings import Holding, photo_digests
 from cloner.leftovers import Traces, left_of
@@ -65,7 +66,8 @@ def export_data(holding: Holding, to: Path) -> Path:
 
 def _labelled(holding: Holding) -> Iterator[tuple[Path, str]]:
     """Yield the folders of a visitor and what they are called in a zip file."""
-    for folders, label in ((holding.photos, "photos"), (holding.results, "result"), (holding.rests, "interrupted")):
+    names = {"photos": holding.photos, "result": holding.results, "interrupted": holding.rests, "crowd": holding.packs}
+    for label, folders in names.items():
         for number, folder in enumerate(folders):
             yield folder, label if number == 0 else f"{label}-{number + 1}"
 
@@ -98,6 +100,8 @@ def _delete(holding: Holding, roots: Sequence[Path], out: Path | None) -> Iterat
     for name in holding.names if out is not None else ():
         if interrupted(out, name) is None:  # type: ignore[arg-type]
             raise _busy(holding)
+    for pack in dict.fromkeys(map(pack_of, holding.packs)):
+        yield from _remove(pack)
     for folder in (*holding.results, *holding.rests):
         yield from _delete_result(folder) if folder in holding.results else _remove(folder)
     for folder in holding.photos:

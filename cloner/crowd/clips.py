@@ -34,7 +34,7 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 
 #: Frames of a walk that geometry shows; impostors take every second of them or fewer.
-WALK_FRAMES: Final = 32
+WALK_FRAMES: Final = 48
 IDLE_FRAMES: Final = 16
 IDLE_POSES: Final = 2  # breath and sway of a standing person are under a texel where impostors are shown
 SIT_FRAMES: Final = 1

@@ -1,4 +1,4 @@
-"""What packs hold of whom: for listing, handing out and forgetting. One call: :func:`packs_of`.
+"""What packs hold of whom: for listing, handing out and forgetting. See :func:`folders_of`.
 
 A pack holds a person's face many times over, inside its pictures and inside its page; there is no taking one person out
 of it by hand. So whoever is forgotten takes the pack along: it is deleted, and made again without the person.
@@ -6,13 +6,15 @@ of it by hand. So whoever is forgotten takes the pack along: it is deleted, and 
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Iterator
 from pathlib import Path
 
 from cloner.crowd.files import MARK
 from cloner.crowd.reading import read_facts
 from cloner.errors import ClonerError
+
+#: Where a pack keeps what is one person's.
+PEOPLE = "people"
 
 
 def packs_below(root: Path) -> Iterator[Path]:
@@ -34,26 +36,16 @@ def shown_in(pack: Path, otherwise: tuple[str, ...] = ()) -> tuple[str, ...]:
         return otherwise
 
 
-def files_of(identifier: str, pack: Path) -> tuple[Path, ...]:
-    """Return the files of a pack that are one person's, for handing out; the page is everybody's and stays."""
-    return tuple(sorted(path for path in (pack / "people" / identifier).rglob("*") if path.is_file()))
+def people_in_packs(root: Path) -> tuple[str, ...]:
+    """Return everybody in the packs below a folder, by name."""
+    return tuple(sorted({name for pack in packs_below(root) for name in shown_in(pack)}))
 
 
-def forget_packs(identifier: str, root: Path) -> tuple[str, ...]:
-    """Delete every pack below a folder that shows a person and return their names.
+def folders_of(identifier: str, root: Path) -> tuple[Path, ...]:
+    """Return a person's own folders inside the packs below a folder."""
+    return tuple(pack / PEOPLE / identifier for pack in packs_of(identifier, root))
 
-    Raises
-    ------
-    ClonerError
-        If one cannot be deleted.
-    """
-    gone = []
-    for pack in packs_of(identifier, root):
-        aside = pack.with_name(f".forgotten-{pack.name}")
-        try:
-            pack.rename(aside)
-            shutil.rmtree(aside)
-        except OSError as error:
-            raise ClonerError("a crowd could not be deleted", "Check its permissions and repeat", pack.name) from error
-        gone.append(pack.name)
-    return tuple(gone)
+
+def pack_of(folder: Path) -> Path:
+    """Return the pack of a person's folder: it goes whole when the person is forgotten."""
+    return folder.parent.parent

@@ -19,7 +19,7 @@ from cloner.records.labels import LABELS
 from kit import studio
 
 SIZE = (120, 180)
-SKIN, UPPER = LABELS.index("skin"), LABELS.index("upper_clothes")
+SKIN, UPPER = LABELS.index("face_skin"), LABELS.index("upper_clothes")
 VIEWS = {"body_front": 0.0, "face_front": 0.0, "three_quarter": 45.0}
 
 
