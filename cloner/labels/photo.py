@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.labels.crops import head_crop, person_crop
 from cloner.labels.decoder import SIDE_PX, class_scores
-from cloner.records.labels import Label
+from cloner.records.labels import Label, shows
 from cloner.vision.crops import Crop, cut, photo_px_from_crop
 from cloner.vision.hair_edge import draw_edge
 from cloner.vision.head_frame import HeadFrame, find_head
@@ -125,6 +125,7 @@ def label_photo(
         labels[box], sure[box] = _decided(looks.near, labels[box].shape)
         _draw_hair(labels, looks.near[Label.HAIR], rgb, person, box, looks.head, face_points)
     labels[~person] = Label.BACKGROUND
+    labels = without_collars(labels, looks.head.chin_px)
     return without_specks(labels, SPECK * looks.head.head_px**2), sure
 
 
@@ -230,6 +231,29 @@ def _draw_hair(
     lost = (part == Label.HAIR) & ~fine
     part[lost] = _nearest(part, ~lost & (part != Label.HAIR) & person[box], lost)
     part[fine & ~np.isin(part, (Label.EYES, Label.ACCESSORY, Label.BEARD))] = Label.HAIR
+
+
+def without_collars(labels: NDArray[np.uint8], chin_px: float) -> NDArray[np.uint8]:
+    """Return a label picture without hair that begins below the chin: hair hangs from the scalp, collars do not.
+
+    Parameters
+    ----------
+    labels : (H, W) uint8
+    chin_px : float
+        Row of the chin.
+    """
+    # a band or a scarf may cross a tail, a beard may join it
+    joined = shows(labels, Label.HAIR, Label.ACCESSORY, Label.BEARD).astype(np.uint8)
+    _, pieces, stats, _ = cv2.connectedComponentsWithStats(joined, connectivity=8)
+    low = stats[:, cv2.CC_STAT_TOP] > chin_px
+    low[0] = False
+    collar = low[pieces] & (labels == Label.HAIR)
+    if not collar.any():
+        return labels
+    cleaned = labels.copy()
+    known = ~shows(labels, Label.BACKGROUND, Label.HAIR)
+    cleaned[collar] = _nearest(labels, known, collar)
+    return cleaned
 
 
 def without_specks(labels: NDArray[np.uint8], least_px: float) -> NDArray[np.uint8]:

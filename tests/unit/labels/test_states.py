@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
-from cloner.labels.photo import without_specks
+from cloner.labels.photo import without_collars, without_specks
 from cloner.labels.states import State, read_states, stands_barefoot
 from cloner.records.labels import Label
 
@@ -95,3 +95,13 @@ def test_a_speck_becomes_what_lies_around_it_and_eyes_stay() -> None:
     assert (cleaned[60:64, 200:204] == Label.HAIR).all()
     assert ((cleaned == Label.EYES) == (labels == Label.EYES)).all()
     assert ((cleaned != labels) == (labels == Label.ACCESSORY)).all()
+
+
+def test_a_dark_collar_is_no_hair_and_a_tail_is() -> None:
+    labels = drawn(collar=(Label.HAIR, 120, 390, 280, 410))
+    tail = np.zeros(labels.shape, bool)
+    tail[200:470, 60:90] = True  # hangs from beside the head, over the shoulder
+    labels[tail] = Label.HAIR
+    cleaned = without_collars(labels, 360.0)
+    assert (cleaned[390:410, 120:280] == Label.UPPER_CLOTHES).all()
+    assert (cleaned[tail] == Label.HAIR).all()
