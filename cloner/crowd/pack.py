@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.crowd import scene, stock
 from cloner.crowd.cast import Cast, cast_of
+from cloner.crowd.clips import WALK_FRAMES
 from cloner.crowd.files import (
     FORMAT,
     MARK,
@@ -141,12 +142,13 @@ def rings_of(text: str) -> tuple[float, ...]:
 def _check(wanted: Wanted) -> None:
     if wanted.scene not in scene.SCENES:
         raise ClonerError(f"{wanted.scene!r} is no scene", f"Choose one of {', '.join(scene.SCENES)}", "--scene")
-    limits = (("--people", wanted.people, 1, 200_000), ("--poses", wanted.poses, 1, 32))
+    limits = (("--people", wanted.people, 1, 200_000), ("--poses", wanted.poses, 1, WALK_FRAMES))
     for where, value, low, high in limits:
         if not low <= value <= high:
             raise ClonerError(f"{value} is outside {low} to {high}", "Choose another number", where)
-    if 32 % wanted.poses:
-        raise ClonerError(f"{wanted.poses} poses do not divide a cycle of 32 frames", "Give 8, 16 or 32", "--poses")
+    if WALK_FRAMES % wanted.poses:
+        message = f"{wanted.poses} poses do not divide a cycle of {WALK_FRAMES} frames"
+        raise ClonerError(message, "Give 8, 12, 16 or 24", "--poses")
     if wanted.views and (wanted.views % 2 or not 8 <= wanted.views <= 64):
         hint = "Give an even number from 8 to 64, so that front and back are exact"
         raise ClonerError(f"{wanted.views} views are not possible", hint, "--views")

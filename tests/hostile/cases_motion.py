@@ -20,7 +20,8 @@ JOINT = "OFFSET 0 0 0\nCHANNELS 3 Zrotation Xrotation Yrotation\nEnd Site\n{\nOF
 HEAD = f"HIERARCHY\nROOT hips\n{{\n{JOINT}}}\n"
 MOTION = "MOTION\nFrames: 2\nFrame Time: 0.04\n0 0 0\n1 2 3\n"
 BROKEN = "the capture is broken"
-MASK = " ".join(["1", *["0"] * 67])
+#: FAP 3 alone, the jaw: 1 and 2 take more than one value.
+MASK = " ".join(["0", "0", "1", *["0"] * 65])
 FAP = f"2.1 face 25 2\n{MASK}\n0 5\n{MASK}\n1 6\n"
 NO_FAP = "the FAP file is broken"
 
