@@ -19,6 +19,7 @@ from cloner.motion.gait import idle
 from cloner.motion.heard import heard_visemes
 from cloner.motion.score import GESTURES, QUICK, SILENT, Score
 from cloner.motion.speech import (
+    LARGEST_BYTES,
     frame_features,
     mouth_weights,
     phoneme_visemes,
@@ -27,6 +28,7 @@ from cloner.motion.speech import (
     smoothed,
     sound_visemes,
 )
+from cloner.outside import text_outside
 from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
@@ -53,11 +55,12 @@ def spoken_visemes(path: Path) -> Array:
     """
     if path.suffix.lower() == ".wav":
         return _heard(read_wav(path))
-    if _is_words(path):
-        language = path.suffixes[-2][1:] if len(path.suffixes) > 1 else "en-us"
-        _, _, phonemes = spoken(path.read_text(encoding="utf-8").strip(), language)
-        return phoneme_visemes(phonemes)
-    return phoneme_visemes(read_phonemes(path))
+    words = _words_in(path)
+    if words is None:
+        return phoneme_visemes(read_phonemes(path))
+    language = path.suffixes[-2][1:] if len(path.suffixes) > 1 else "en-us"
+    _, _, phonemes = spoken(words, language)
+    return phoneme_visemes(phonemes)
 
 
 def _heard(sound: Array) -> Array:
@@ -70,14 +73,18 @@ def _heard(sound: Array) -> Array:
     return smoothed((1.0 - BY_FORMANTS) * net[:count] + BY_FORMANTS * plain[:count])
 
 
-def _is_words(path: Path) -> bool:
-    """Return whether a text holds words: its first line is no name with a number."""
-    try:
-        with path.open(encoding="utf-8") as file:
-            first = next((line.split() for line in file if line.strip()), [])
-    except (OSError, UnicodeDecodeError):
-        return False  # the reader of phonemes says what is wrong
-    return len(first) != 2 or not re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+|nan|inf)", first[1])
+def _words_in(path: Path) -> str | None:
+    """Return the words of a text, None where its first line is a name with a number: a phoneme and its seconds.
+
+    Raises
+    ------
+    ClonerError
+        If the file cannot be read.
+    """
+    text = text_outside(path, "the text", "Give a text file", LARGEST_BYTES).strip()
+    first = next((line.split() for line in text.splitlines() if line.strip()), [])
+    phonemes = len(first) == 2 and re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+|nan|inf)", first[1])
+    return None if phonemes else text
 
 
 def talk(body: Body, name: str, shares: Array, score: Score = SILENT) -> Motion:
