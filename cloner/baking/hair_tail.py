@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 ROUND_TAIL = (0.6, 2.5)  # a tail's width against its depth: limits of what is believed
 WIDEST_TAIL_MM = 110.0  # wider hair in the back photo is the head's, not a tail's
 FARTHEST_ASIDE_MM = 40.0  # a tail is looked for this far beside where the side photo has it
-THINNEST_MM = 4.0  # free hair thinner than this is noise of the labels
+THINNEST_MM = 10.0  # thin plaits; thinner free hair is the error of cap and labels: a fin down the back of the head
 SMALLEST_TAIL_MM2 = 900.0  # smaller free areas are the cap's own roughness
 
 

@@ -27,6 +27,7 @@ BEYOND_MM = 8.0  # how far the film reaches: past what labels and mesh may err
 DRAPE_DOUBT_MM = 4.0
 FULL_SHARE = 0.8  # hairiness where hair has its whole thickness
 OVERHANG_DOUBT_MM = 2.0  # heads stand a little off their photos
+TAIL_DOUBT_MM = 6.0  # heads nod between photos, and tails swing
 SMALLEST_DRAPE_M3 = 4e-5  # taste: 40 ml, a thin lock
 LIFT_MM = 2.5  # labels are read this far above the skin: clear of the mesh, below the hair's surface
 GROWTH_MM = 40.0  # the growth share falls from 1 to 0 over about two rings of this mesh
@@ -141,6 +142,21 @@ def voted_line_mm(views: list[HairView], near: Near, rows: NDArray[np.int64]) ->
     return np.asarray((line + UNSEEN_VOTE * unseen) / (votes.sum(axis=0) + UNSEEN_VOTE), np.float32)
 
 
+def tail_mm(views: list[HairView], tail: Tail, points_m: Array) -> NDArray[np.float32]:
+    """Return (N,) the field of a tail, mm, without what front photos do not show as hair.
+
+    In a side photo a crown that stands over its cap looks like a strand in the head's middle: a knob.
+    """
+    field = tail.inside_mm(points_m)
+    rows = np.flatnonzero(field > -CLIP_MM)
+    front = [view for view in views if view.posed.view in SIDES[0]]
+    if front and rows.size:
+        seen = hull_mm(front, points_m[rows])
+        judged = seen > -FAR_MM  # behind head and shoulders no front photo sees a tail
+        field[rows] = np.where(judged, np.minimum(field[rows], seen + TAIL_DOUBT_MM), field[rows])
+    return field
+
+
 def agreed_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:
     """Return (N,) how deep points lie in the hair that photos of all sides agree on, mm, positive inside.
 
@@ -206,7 +222,7 @@ def hair_field(
     near = near_skin(scalp, points)
     found = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
     if tail is not None:
-        found = np.maximum(found, tail.inside_mm(points))
+        found = np.maximum(found, tail_mm(views, tail, points))
     draped = np.full(field.shape, -CLIP_MM, np.float32)
     draped[rows] = draped_mm(views, near, drape_below_m)
     found = np.maximum(found, _without_specks(draped.reshape(shape)).ravel()[rows])

@@ -1,9 +1,12 @@
 """Hair's field is no thicker than the hair, also over ears that were pressed flat and folded."""
 
+from types import SimpleNamespace
+
 import numpy as np
 
 from cloner.baking.hair_cap import Scalp
-from cloner.baking.hair_volume import near_skin
+from cloner.baking.hair_volume import TAIL_DOUBT_MM, near_skin, tail_mm
+from cloner.frames import ViewId
 
 SIDE_MM, THICK_MM, FOLD_M = 4.0, 20.0, 0.01
 
@@ -27,3 +30,17 @@ def test_no_hair_stands_off_a_folded_ear_farther_than_it_is_thick():
     assert not hair[height_mm > THICK_MM + SIDE_MM * np.sqrt(2.0)].any()
     beside = np.linalg.norm(points[:, :2], axis=1) > 2.0 * FOLD_M
     assert np.array_equal(hair[beside], (height_mm < THICK_MM)[beside])
+
+
+def test_what_the_front_photo_shows_as_room_is_no_tail_and_what_it_cannot_see_may_be():
+    """A strand in the head's middle: 30 mm over the crown the front photo shows the room, behind the head nothing."""
+    points = np.array([[0.0, 1.73, 0.0], [0.0, 1.55, -0.12]])
+    judged = np.array([True, False])
+    front = SimpleNamespace(
+        posed=SimpleNamespace(view=ViewId.FACE_FRONT),
+        evidence=lambda at: (np.where(at[:, 1] > 1.7, -30.0, 5.0), judged[: len(at)]),
+    )
+    strand = SimpleNamespace(inside_mm=lambda at: np.full(len(at), 8.0, np.float32))
+    over, behind = tail_mm([front], strand, points)
+    assert over == -30.0 + TAIL_DOUBT_MM
+    assert behind == 8.0
