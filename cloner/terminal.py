@@ -31,7 +31,7 @@ _HINTS: Final = {
     errno.EMFILE: "Close other programs, or raise the limit of open files (ulimit -n)",
 }  # fmt: skip
 #: How libraries in C say it.
-_NO_MEMORY: Final = (
+_NO_MEMORY: Final = ("XNNPack delegate failed",
     "bad_alloc", "Insufficient memory", "annot allocate memory", "can't start new thread", "failed to allocate",
     "ailed to map segment",
 )  # fmt: skip

@@ -82,7 +82,9 @@ def _words_in(path: Path) -> str | None:
         If the file cannot be read.
     """
     text = text_outside(path, "the text", "Give a text file", LARGEST_BYTES).strip()
-    first = next((line.split() for line in text.splitlines() if line.strip()), [])
+    if not text:
+        return None  # the reader of phonemes says so
+    first = next(line.split() for line in text.splitlines() if line.strip())
     phonemes = len(first) == 2 and re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+|nan|inf)", first[1])
     return None if phonemes else text
 

@@ -150,9 +150,9 @@ def _figure(
 def both_masks(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return (H, W) the person's probability from the pose or selfie net's mask and that of the label net.
 
-    Mean overlap of face side photos, six of the samples and five of generated people: with the first mask alone .992 and
-    .872, with these weights .995 and .977, with .5 and 1 .994 and .979. Front photos and bodies gain nothing; bodies do
-    without.
+    Mean overlap of face side photos, six of the samples and five of generated people: with the first mask alone .992
+    and .872, with these weights .995 and .977, with .5 and 1 .994 and .979. Front photos and bodies gain nothing;
+    bodies do without.
     """
     first, second = (np.clip(each, 0.01, 0.99) for each in (posed, labelled))
     odds = 0.2 * np.log(first / (1.0 - first)) + 0.8 * np.log(second / (1.0 - second))

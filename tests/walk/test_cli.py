@@ -264,7 +264,7 @@ def test_render_draws_a_clone(run: Command, tmp_path: Path, cloned_anna: CloneOu
     drawn = np.asarray(Image.open(picture).convert("L"), dtype=float)
     assert drawn.shape == (300, 200)
     assert drawn.std() > 20.0, "the picture is empty"
-    code, _, stderr = run("render", cloned_anna.folder, "--view", "above", "--out", picture)
+    code, _, stderr = run("render", cloned_anna.folder, "--view", "above", "--out", tmp_path / "above.png")
     assert code == cli.EXIT_INPUT
     assert "front" in complaint(stderr)
     assert [path.name for path in tmp_path.iterdir()] == ["side.png"]
@@ -284,8 +284,8 @@ def test_animate_adds_speech_and_a_face_and_refuses_other_files(
     code, _, stderr = run("animate", cloned_anna.folder, fap, "--out", again)
     assert code == 0, stderr
     names = [animation.name for animation in pygltflib.GLTF2().load_binary(str(again)).animations]
-    assert names == ["walk", "idle", "anna_mama"]
-    code, _, stderr = run("animate", cloned_anna.folder, tmp_path / "song.mp3", "--out", out)
+    assert names == ["anna_mama", "walk", "idle"]
+    code, _, stderr = run("animate", cloned_anna.folder, tmp_path / "song.mp3", "--out", tmp_path / "song.glb")
     assert code == cli.EXIT_INPUT
     assert ".wav" in complaint(stderr)
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from cloner.detectors.litert import label_features
 from cloner.detectors.placing import stands
 from cloner.detectors.results import Box
 from cloner.errors import ClonerError
@@ -120,6 +121,8 @@ def test_a_side_photo_of_hair_alone_is_kept_by_its_mask_or_left_out(monkeypatch,
 
     class Net:
         def get(self, name):
+            if name == "label_features":
+                return label_features
             assert name == "portrait_mask"
             soft = np.where(inside, 0.5 if torn else 1.0, 0.0).astype(np.float32)
             soft[:40] = np.where(inside[:40], 1.0, 0.0)
