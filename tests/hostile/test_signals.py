@@ -158,7 +158,7 @@ def test_paths_longer_than_any_file_system_takes_have_a_sentence(
 
 @pytest.mark.slow
 def test_too_little_memory_has_a_sentence(tmp_path: Path, samples: Path) -> None:
-    # Not at every limit: where OpenBLAS finds no room for its own buffers (1.2 GB, 2026-11-22) it ends the process itself.
+    # Not at every limit: where OpenBLAS finds no room for its own buffers (1.2 GB) it ends the process itself.
     done = through_shell("", ["clone", samples / "anna" / "plain", "--out", tmp_path / "out"], "ulimit -v 1000000;")
     assert done.returncode == cli.EXIT_INPUT, done.stderr[-2000:]
     assert "not enough memory" in done.stderr
@@ -168,7 +168,9 @@ def test_too_little_memory_has_a_sentence(tmp_path: Path, samples: Path) -> None
 @pytest.mark.parametrize(
     "error",
     [MemoryError(), OSError(12, "Cannot allocate memory"), RuntimeError("can't start new thread"),
-     RuntimeError("std::bad_alloc"), RuntimeError("XNNPack delegate failed to reshape runtime"), ImportError("libx.so: failed to map segment from shared object")],
+     RuntimeError("std::bad_alloc"),
+     RuntimeError("XNNPack delegate failed to reshape runtime"),
+     ImportError("libx.so: failed to map segment from shared object")],
 )  # fmt: skip
 def test_every_way_of_having_no_memory_is_known(error: Exception) -> None:
     assert out_of_memory(error)
