@@ -182,7 +182,7 @@ def _crowd(
     out: Annotated[Path, typer.Option("--out", help="Folder of the pack to write.")],
     people: Annotated[int, typer.Option("--people", help="How many people the player starts with.")] = 5000,
     views: Annotated[int, typer.Option("--views", help="Impostors around a clone; 0: 22, or 40 for broad ones.")] = 0,
-    poses: Annotated[int, typer.Option("--poses", help="Poses a walk: 8, 16 or 32.")] = 16,
+    poses: Annotated[int, typer.Option("--poses", help="Poses a walk: 8, 12, 16 or 24.")] = 16,
     rings: Annotated[str, typer.Option("--rings", help="Elevations of the impostors, degrees, with commas.")] = "5",
     looks: Annotated[Path | None, typer.Option("--looks", help="Palettes and wardrobe: looks.toml.")] = None,
     scene: Annotated[str, typer.Option("--scene", help="walk, plaza or stadium.")] = "plaza",

@@ -82,7 +82,9 @@ def _sheet(
     left, top, right, bottom = box
     across, down = np.meshgrid(np.linspace(0.0, 1.0, GRID[0]), np.linspace(0.0, 1.0, GRID[1]))
     pixel = np.column_stack([left + across.ravel() * (right - left), top + down.ravel() * (bottom - top)])
-    start, way = _rays(view, pixel)
+    start = view.camera.position_m
+    any_depth = np.tile(joined.features_m["nasion"], (len(pixel), 1))
+    way = view.camera.back_project(pixel, any_depth) - start
     # rays in the head's rest frame: there the gaze is +Z and left is +X
     rest_from_posed = np.linalg.inv(posed_from_rest)
     start = rest_from_posed[:3, :3] @ start + rest_from_posed[:3, 3]
@@ -99,25 +101,17 @@ def _sheet(
     return points, np.column_stack([across.ravel(), down.ravel()]), triangles
 
 
-def _rays(view: PosedView, pixel_px: Array) -> tuple[Array, Array]:
-    """Return the camera's place (3,) and the ways (N, 3) of pixels, in the posed model's frame."""
-    camera = view.camera
-    rotation, shift = camera.camera_from_model[:3, :3], camera.camera_from_model[:3, 3]
-    away = np.column_stack([(pixel_px - camera.centre_px) / camera.focal_px, np.ones(len(pixel_px))])
-    return -rotation.T @ shift, away @ rotation
-
-
 def _texture(rgb: NDArray[np.uint8], frame: NDArray[np.bool_], box: tuple[int, int, int, int]) -> NDArray[np.uint8]:
     """Return (S, T, 4) the frame cut out of the photo, with rows of its usual colour below."""
     left, top, right, bottom = box
-    place = (np.float32(left), np.float32(top), np.float32(right), np.float32(bottom))
+    part = np.s_[max(top, 0) : bottom + 1, max(left, 0) : right + 1]
     width, height = right - left + 1, bottom - top + 1
     scale = TEXELS / max(width, height)
     size = (max(1, round(width * scale)), max(1, round(height * scale)))
-    photo_from_texel = np.array([[1.0 / scale, 0.0, place[0]], [0.0, 1.0 / scale, place[1]]])
+    photo_from_texel = np.array([[1.0 / scale, 0.0, min(left, 0)], [0.0, 1.0 / scale, min(top, 0)]])
     flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
-    cut = cv2.warpAffine(spread_nearest(rgb, frame), photo_from_texel, size, flags=flags)
-    alpha = cv2.warpAffine(frame.astype(np.uint8) * 255, photo_from_texel, size, flags=flags)
+    cut = cv2.warpAffine(spread_nearest(rgb[part], frame[part]), photo_from_texel, size, flags=flags)
+    alpha = cv2.warpAffine(frame[part].astype(np.uint8) * 255, photo_from_texel, size, flags=flags)
     rgba = np.zeros((size[1] + TEMPLE_ROWS, size[0], 4), np.uint8)
     rgba[: size[1], :, :3], rgba[: size[1], :, 3] = cut, cv2.GaussianBlur(alpha, (3, 3), 0)
     rgba[size[1] :, :, :3], rgba[size[1] :, :, 3] = np.median(rgb[frame], axis=0), 255

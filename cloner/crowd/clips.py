@@ -14,7 +14,6 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial.transform import Rotation, Slerp
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
@@ -27,13 +26,14 @@ from cloner.motion.contact import grounded
 from cloner.motion.cycle import walk_cycle
 from cloner.motion.gait import aim_limb, follow, idle, upright, walk
 from cloner.motion.retarget import retarget
+from cloner.motion.slide import posed_at
 from cloner.motion.twist import shared_twist
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
-#: Frames of a walk that geometry shows; impostors take every second of them or fewer.
+#: Frames of a walk that geometry shows; impostors take every third of them, or as ``--poses`` says.
 WALK_FRAMES: Final = 48
 IDLE_FRAMES: Final = 16
 IDLE_POSES: Final = 2  # breath and sway of a standing person are under a texel where impostors are shown
@@ -123,22 +123,8 @@ def sitting(body: Body) -> Motion:
 def _clip(clone: Clone, motion: Motion, count: int, poses: int, *, around: bool = True) -> Clip:
     seconds = float(motion.times_s[-1])
     at = np.arange(count) * seconds / count
-    rotations, root = resampled(motion, at)
+    rotations, root = posed_at(motion, at)
     parents = load_generic().joint_parents.astype(np.int32)
     frames = joint_transforms(clone.joints_m, parents, rotations)[:, :, :3]
     frames[..., 3] += root[:, None]
     return Clip(motion.name, seconds, motion.speed_m_s, frames, rotations, root, min(poses, count), around)
-
-
-def resampled(motion: Motion, at: Array) -> tuple[Array, Array]:
-    """Return (N, J, 3) rotation vectors and (N, 3) root offsets of a motion at times, seconds; on shortest arcs."""
-    count = motion.rotations.shape[1]
-    rotations = np.stack(
-        [
-            Slerp(motion.times_s, Rotation.from_rotvec(np.array(motion.rotations[:, joint])))(at).as_rotvec()
-            for joint in range(count)
-        ],
-        axis=1,
-    )
-    root = np.column_stack([np.interp(at, motion.times_s, motion.root_m[:, axis]) for axis in range(3)])
-    return rotations, root

@@ -17,9 +17,10 @@ from cloner.crowd.cast import Cast
 from cloner.crowd.clips import Clip
 from cloner.crowd.groups import sorted_by_group
 from cloner.crowd.levels import BodyLevels
-from cloner.exporters.bones import Bones, hanim_bones
+from cloner.exporters.bones import hanim_bones
 from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes, png_bytes
+from cloner.exporters.gltf import add_skeleton
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
 from cloner.records.clones import Clone
@@ -46,7 +47,7 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
     )
     buffer = GltfBuffer(gltf, np.zeros((2, 3)))
     bones = hanim_bones()
-    skin = _skeleton(gltf, buffer, clone, bones)
+    skin = add_skeleton(gltf, buffer, clone, bones)
     gltf.samplers.append(pygltflib.Sampler(magFilter=_LINEAR, minFilter=_TRILINEAR, wrapS=_CLAMP, wrapT=_CLAMP))
     atlas = _material(gltf, buffer, "atlas", jpeg_bytes(cast.atlas, JPEG_QUALITY), "image/jpeg", "OPAQUE")
     loose = cast.loose
@@ -125,24 +126,6 @@ def _shared(
         )
 
     return attributes
-
-
-def _skeleton(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> int:
-    """Add the joints below a node "Armature" and return their skin."""
-    places, parents = clone.joints_m[bones.joints], bones.parents
-    root = [1 + int(one) for one in np.flatnonzero(parents < 0)]
-    gltf.nodes.append(pygltflib.Node(name="Armature", children=root))
-    for bone, name in enumerate(bones.names):
-        origin = places[parents[bone]] if parents[bone] >= 0 else np.zeros(3)
-        children = [1 + int(child) for child in np.flatnonzero(parents == bone)]
-        gltf.nodes.append(pygltflib.Node(name=name, translation=(places[bone] - origin).tolist(), children=children))
-    inverse = np.tile(np.eye(4), (len(parents), 1, 1))
-    inverse[:, :3, 3] = -places
-    joints = list(range(1, 1 + len(parents)))
-    gltf.skins.append(
-        pygltflib.Skin(name=bones.title, skeleton=0, joints=joints, inverseBindMatrices=buffer.bind(inverse))
-    )
-    return 0
 
 
 def _material(gltf: Any, buffer: GltfBuffer, name: str, data: bytes, kind: str, mode: str) -> int:

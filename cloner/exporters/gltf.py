@@ -93,7 +93,7 @@ def build(
     )
     gltf.extensionsUsed = []
     buffer = buffer_type(gltf, _box(clone))
-    skin = _skeleton(gltf, buffer, clone, bones)
+    skin = add_skeleton(gltf, buffer, clone, bones)
     roots = [0]
     gltf.samplers.append(pygltflib.Sampler(magFilter=_LINEAR, minFilter=_TRILINEAR, wrapS=_REPEAT, wrapT=_REPEAT))
     for mesh in (
@@ -138,8 +138,8 @@ def _box(clone: Clone) -> Array:
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
-def _skeleton(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> int:
-    """Add "Armature" as node 0 with the bones below it, and return the skin."""
+def add_skeleton(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> int:
+    """Add "Armature" as node 0 of an empty file with the bones below it, and return the skin."""
     parents, places = bones.parents, clone.joints_m[bones.joints]
     gltf.nodes.append(pygltflib.Node(name="Armature", children=[1 + int(np.flatnonzero(parents < 0)[0])]))
     for bone, (name, parent) in enumerate(zip(bones.names, parents, strict=True)):

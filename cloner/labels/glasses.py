@@ -9,14 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.labels.states import State, read_states
+from cloner.labels.states import State, eyes_span, read_states
 from cloner.records.labels import Label, shows
 from cloner.records.points import Proposal, Proposals
 
 Flags = NDArray[np.bool_]
 
-#: Outer eye corners in the 468-point face mesh.
-_EYES: Final = (33, 263)
 #: The band around the eyes in which a frame lies, in distances of the outer eye corners: above, below, aside. Frames
 #: are 40 to 60 mm high and up to 150 mm wide, the corners stand 90 mm apart.
 _BAND: Final = (0.35, 0.5, 1.0)
@@ -42,9 +40,7 @@ def frame_of(proposal: Proposal) -> Flags:
 
 
 def _in_front(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> Flags:
-    corners = face_px[list(_EYES)]
-    apart = float(np.hypot(*(corners[1] - corners[0])))
-    x, y = corners.mean(axis=0)
+    (x, y), apart = eyes_span(face_px)
     rows, columns = np.ogrid[: labels.shape[0], : labels.shape[1]]
     above, below, aside = (share * apart for share in _BAND)
     band = (rows > y - above) & (rows < y + below) & (np.abs(columns - x) < aside)

@@ -223,8 +223,7 @@ def _draw_hair(
     part = labels[box]
     if not (part == Label.HAIR).any():
         return
-    size = (part.shape[1], part.shape[0])
-    coarse = np.asarray(cv2.resize(hair, size, interpolation=cv2.INTER_LINEAR), np.float32)
+    coarse = _sized(hair, part.shape)
     shift = np.array([box[1].start, box[0].start], np.float64)
     face = None if face_points is None else face_points[:, :2] - shift
     fine = draw_edge(rgb[box], coarse, person[box], face, head.head_px, head.ear_px - shift[1])

@@ -21,7 +21,7 @@ HEADWEAR_SHARE: Final = 0.15
 BALD_SHARE: Final = 0.04
 #: A foot is bare where more than this of what is seen around it is skin.
 BARE_FOOT: Final = 0.6
-#: Points of the 468-point face mesh: outer eye corners, lower lids' cheek side, brows; chin and forehead's top.
+#: Points of the 468-point face mesh: outer eye corners, and the brows' highest.
 _EYES: Final = (33, 263)
 _BROWS: Final = (105, 334)
 
@@ -64,11 +64,15 @@ def read_states(labels: Mapping[ViewId, NDArray[np.uint8]], face_px: NDArray[np.
     return frozenset(found)
 
 
+def eyes_span(face_px: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
+    """Return the middle (2,) between the outer eye corners of a face mesh and their distance, px."""
+    corners = face_px[list(_EYES)]
+    return corners.mean(axis=0), float(np.hypot(*(corners[1] - corners[0])))
+
+
 def _glasses_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> tuple[float, float]:
     """Return how much of the bands above and below the eyes' corners is something worn: heavy brows are above alone."""
-    corners = face_px[list(_EYES)]
-    apart = float(np.hypot(*(corners[1] - corners[0])))
-    middle = corners.mean(axis=0)
+    middle, apart = eyes_span(face_px)
     upper = _box(labels, middle - (0.65 * apart, 0.22 * apart), middle + (0.65 * apart, 0.0))
     lower = _box(labels, middle - (0.65 * apart, 0.0), middle + (0.65 * apart, 0.32 * apart))
     above, below = (float((box == Label.ACCESSORY).mean()) if box.size else 0.0 for box in (upper, lower))
@@ -77,11 +81,9 @@ def _glasses_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> 
 
 def _headwear_share(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> float:
     """Return how much of what is above the brows is something worn."""
-    corners = face_px[list(_EYES)]
-    apart = float(np.hypot(*(corners[1] - corners[0])))
+    (x, _), apart = eyes_span(face_px)
     brows = float(face_px[list(_BROWS), 1].min()) - 0.2 * apart
-    middle = float(corners[:, 0].mean())
-    box = _box(labels, np.array([middle - 1.2 * apart, 0.0]), np.array([middle + 1.2 * apart, brows]))
+    box = _box(labels, np.array([x - 1.2 * apart, 0.0]), np.array([x + 1.2 * apart, brows]))
     person = box[box > Label.BACKGROUND]
     return float((person == Label.ACCESSORY).mean()) if person.size else 0.0
 

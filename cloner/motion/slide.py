@@ -41,12 +41,18 @@ def resampled(motion: Motion, frames_per_s: float) -> Motion:
     """Return the motion as a viewer shows it, so many times a second; face targets are left out."""
     count = max(round(float(motion.times_s[-1]) * frames_per_s), 1)
     times = np.linspace(0.0, float(motion.times_s[-1]), count + 1)
-    rotations = np.zeros((len(times), *motion.rotations.shape[1:]))
+    rotations, root = posed_at(motion, times)
+    return Motion(motion.name, times, root, rotations, cyclic=motion.cyclic, speed_m_s=motion.speed_m_s)
+
+
+def posed_at(motion: Motion, times_s: Array) -> tuple[Array, Array]:
+    """Return (N, J, 3) rotation vectors and (N, 3) root offsets of a motion at some times, on shortest arcs."""
+    rotations = np.zeros((len(times_s), *motion.rotations.shape[1:]))
     for joint in np.flatnonzero(np.abs(motion.rotations).max(axis=(0, 2)) > 0.0):
         own = np.array(motion.rotations[:, joint])
-        rotations[:, joint] = Slerp(motion.times_s, Rotation.from_rotvec(own))(times).as_rotvec()
-    root = np.column_stack([np.interp(times, motion.times_s, motion.root_m[:, axis]) for axis in range(3)])
-    return Motion(motion.name, times, root, rotations, cyclic=motion.cyclic, speed_m_s=motion.speed_m_s)
+        rotations[:, joint] = Slerp(motion.times_s, Rotation.from_rotvec(own))(times_s).as_rotvec()
+    root = np.column_stack([np.interp(times_s, motion.times_s, motion.root_m[:, axis]) for axis in range(3)])
+    return rotations, root
 
 
 def _of_foot(points: Array, motion: Motion) -> Array:

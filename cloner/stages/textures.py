@@ -168,13 +168,11 @@ def lay_photos(
         levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
     )  # fmt: skip
     claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in shared.sources], axis=0)
-    kinds, surfaces = shared.kinds, shared.kinds.surfaces
-    if only_faces(shared.sources):
-        surfaces = surfaces * near_sight(shared.sources, person_graph(generic, joined.vertices_m))[:, None]
+    kinds = shared.kinds
     del shared  # its pictures would be the larger part of the memory from here on
     give_back()
     baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
-    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb))), surfaces, residuals
+    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb))), kinds.surfaces, residuals
 
 
 def share_photos(
@@ -207,6 +205,7 @@ def share_photos(
     base = fill_surface(generic, sources, evened_colours(colours, light), kinds, graph)
     if only_faces(sources):
         base = plain_beyond(sources, base, kinds, joined.vertices_m[:, 1], graph)
+        kinds = replace(kinds, surfaces=kinds.surfaces * near_sight(sources, graph)[:, None])
     shares = share_surface(generic, sources, graph, band_m=params.band_m, head_band_m=params.head_band_m)
     return Shared(sources, shares, light, base, kinds), residuals
 
