@@ -6,6 +6,7 @@ import contextlib
 import errno
 import hashlib
 import io
+import math
 import os
 import shutil
 import tempfile
@@ -28,6 +29,9 @@ FORMAT: Final = "cloner-crowd"
 VERSION: Final = 1
 COLOUR_QUALITY: Final = 80  # taste: no blocks at a texel a pixel
 SHAPE_QUALITY: Final = 88
+#: A clone's numbers have 3 MB, its largest page 4096 x 4096 texels and the normals' planes below one another.
+LARGEST_NUMBERS_BYTES: Final = 200_000_000
+LARGEST_PICTURE_PIXELS: Final = 3 * 4096 * 4096
 _METHOD: Final = 4
 _TROUBLE: Final = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EACCES, errno.EPERM, errno.EFBIG}
 
@@ -44,14 +48,23 @@ def packed(arrays: Mapping[str, NDArray[Any]]) -> tuple[bytes, dict[str, Any]]:
 
 
 def unpacked(data: bytes, told: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
-    """Return the arrays of :func:`packed`."""
+    """Return the arrays of :func:`packed`.
+
+    Raises
+    ------
+    ValueError
+        If the bytes are damaged, or more or fewer than what is told of them.
+    """
     found = {}
+    ends = [one["at"] + math.prod(one["shape"]) * np.dtype(one["type"]).itemsize for one in told.values()]
     try:
-        data = zlib.decompress(data)
+        if max(ends, default=0) > LARGEST_NUMBERS_BYTES:
+            raise ValueError("more numbers than a clone has")
+        data = zlib.decompressobj().decompress(data, max(ends, default=0) + 8)
     except zlib.error as error:
         raise ValueError("numbers that cannot be read") from error
     for name, one in told.items():
-        count = int(np.prod(one["shape"]))
+        count = math.prod(one["shape"])
         found[name] = np.frombuffer(data, np.dtype(one["type"]).newbyteorder("<"), count, one["at"]).reshape(
             one["shape"]
         )
@@ -75,8 +88,10 @@ def small_png(pixels: Pixels) -> bytes:
 
 
 def picture(data: bytes) -> Pixels:
-    """Return the (H, W, 3) pixels of a WebP file's content."""
+    """Return the (H, W, 3) pixels of a WebP file's content; ValueError if they are more than a pack's pages have."""
     with Image.open(io.BytesIO(data), formats=["WEBP"]) as image:
+        if image.width * image.height > LARGEST_PICTURE_PIXELS:
+            raise ValueError("a picture larger than any page")
         return np.asarray(image.convert("RGB"))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from pathlib import Path, PurePosixPath
+from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
@@ -14,7 +14,8 @@ from cloner.crowd.levels import LOOSE, body_levels
 from cloner.crowd.scene import Casting
 from cloner.crowd.stock import Numbers
 from cloner.crowd.theatre import Stock
-from cloner.errors import ClonerError
+from cloner.crowd.told import why_unfit
+from cloner.errors import ClonerError, plain
 from cloner.outside import read_outside
 
 _AGAIN: Final = "Make the crowd again with cloner crowd"
@@ -33,20 +34,16 @@ def read_facts(pack: Path) -> dict[str, Any]:
     """
     try:
         facts = json.loads(read_outside(pack / MARK, LARGEST_FACTS_BYTES))
-        if facts["format"] != FORMAT:
+        if facts["format"] != FORMAT or not isinstance(facts["version"], int):
             raise ValueError("another program's")
-        version, _ = int(facts["version"]), [(str(row["id"]), row["arrays"]) for row in facts["people"]]
-        inside = all(
-            ".." not in PurePosixPath(name).parts and not PurePosixPath(name).is_absolute() for name in facts["files"]
-        )
-        if not facts["people"] or not inside:
-            raise ValueError("nobody, or files elsewhere")
     except OSError as error:
         raise ClonerError("there is no crowd", "Give the folder that cloner crowd wrote", pack.name) from error
-    except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
+    except (ValueError, LookupError, TypeError, RecursionError) as error:
         raise ClonerError("the crowd's description cannot be read", _AGAIN, MARK) from error
-    if version > VERSION:
+    if facts["version"] > VERSION:
         raise ClonerError("the crowd was made by a newer version", "Update Cloner", MARK)
+    if wrong := why_unfit(facts):
+        raise ClonerError(f"the crowd's description cannot be read: {plain(wrong)} is unfit", _AGAIN, MARK)
     return dict(facts)
 
 

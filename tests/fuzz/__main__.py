@@ -76,7 +76,8 @@ def guided(name: str, seconds: int) -> None:
     from fuzz import targets
 
     for module in ("project.folder", "project.corrections", "project.manifest", "project.tape", "motion.bvh",
-                   "motion.faps", "motion.speech", "project.stamps"):  # fmt: skip
+                   "motion.faps", "motion.speech", "project.stamps", "crowd.reading",
+                   "crowd.told"):  # fmt: skip
         for value in list(vars(sys.modules[f"cloner.{module}"]).values()):
             if getattr(value, "__module__", "") == f"cloner.{module}" and hasattr(value, "__code__"):
                 atheris.instrument_func(value)

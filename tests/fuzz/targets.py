@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import tempfile
 import zipfile
 from collections.abc import Callable, Mapping
@@ -17,6 +18,8 @@ from PIL import features
 from cloner.booth.event import Event, read_event, write_event
 from cloner.booth.looks import read_looks
 from cloner.booth.visits import read_visit
+from cloner.crowd.reading import casting_from, read_facts
+from cloner.crowd.scene import scene_of
 from cloner.errors import ClonerError, plain
 from cloner.frames import ViewId
 from cloner.leftovers import Traces, tells
@@ -162,6 +165,31 @@ def _looks(path: Path) -> Any:
     return read_looks(path.parent)
 
 
+def crowd_bytes() -> bytes:
+    """Return what a pack of two clones says of itself, short of its other files."""
+    shapes = {
+        "vertices": ("uint16", [2, 4]), "loose": ("uint16", [2, 4]), "corners": ("uint16", [3]),
+        "bones": ("int16", [1, 2, 3, 4]), "table": ("float32", [32, 4]), "tiles": ("float32", [2, 4]),
+    }  # fmt: skip
+    arrays = {name: {"at": 0, "type": kind, "shape": shape} for name, (kind, shape) in shapes.items()}
+    facts = {
+        "format": "cloner-crowd", "version": 1, "scene": "walk", "people_count": 40,
+        "people": [{"id": name, "arrays": arrays} for name in ("ada", "ben")],
+        "tiers": [{"largest_px": size} for size in (900, 400, 200, 90)],
+        "switch": {"texels_per_px": 1.5, "texels_per_m": 33.0, "metres_per_focal_px": 0.045},
+        "impostors": {"views": 22, "rings_deg": [5.0], "classic": False},
+        "looks": {"clones": 2, "palettes": {"top": [255, 65280]}, "wardrobe": {"top": [[1], [0]]},
+                  "own_share": 0.3, "dyed_share": 0.45},
+        "player": {"sha256": "ab"}, "files": {"people/ada/numbers.bin": "cd"},
+    }  # fmt: skip
+    return json.dumps(facts).encode()
+
+
+def _crowd(path: Path) -> Any:
+    facts = read_facts(path.parent)
+    return scene_of(facts["scene"], min(facts["people_count"], 300), casting_from(facts))
+
+
 def _visitors(path: Path) -> None:
     (path.parent / "anna").mkdir(exist_ok=True)
     find_visitors(path)
@@ -186,6 +214,7 @@ TARGETS: Mapping[str, Target] = {
     "looks": Target("looks.json", lambda: (LOOKS,), _looks),
     "values": Target("values.npz", lambda: (kept_bytes()[0],), load_values),
     "avif": Target("body_front.avif", lambda: modern() or (cases_photos.heic(),), read_picture),
+    "crowd": Target("crowd.json", lambda: (crowd_bytes(),), _crowd),
     "pack": Target("pack.zip", lambda: (pack_bytes(),), lambda path: tells(path, TRACES)),
     "manifest": Target("report.json", lambda: (REPORT, NEWER), lambda path: foreign_files(path.parent)),
     "photo": Target("body_front.jpg", pictures, read_picture),

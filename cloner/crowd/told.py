@@ -1,0 +1,143 @@
+"""What ``crowd.json`` must say: every value is looked at once, so that whoever draws a pack meets no surprise."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import PurePosixPath
+from typing import Any, Final
+
+from cloner.crowd.scene import SCENES
+from cloner.crowd.stock import COLUMNS
+
+Check = Callable[[Any], bool]
+
+#: More than any pack has; they bound what a hostile one can make us hold.
+MOST_CLONES: Final = 1000
+MOST_PEOPLE: Final = 200_000
+TIERS: Final = 4
+LONGEST_TEXT: Final = 300
+LONGEST_LIST: Final = 10_000
+LARGEST_COUNT: Final = 1 << 28
+GARMENTS: Final = ("top", "bottom", "shoes", "hair")
+
+
+def why_unfit(facts: Any) -> str:
+    """Return the first thing that a pack's description says wrongly, by its name; "" where all is well.
+
+    Only what Cloner reads back is looked at; other programs may add what they like.
+    """
+    wrong = _unfit(facts, _FACTS, "")
+    if wrong:
+        return wrong
+    clones = len(facts["people"])
+    if facts["looks"]["clones"] != clones:
+        return "looks.clones"
+    if len({row["id"] for row in facts["people"]}) != clones:
+        return "people.id"
+    if any(tier["largest_px"] < 1.0 for tier in facts["tiers"][1:]):
+        return "tiers.largest_px"
+    for garment, others in facts["looks"]["wardrobe"].items():
+        if len(others) != clones or any(other >= clones for own in others for other in own):
+            return f"looks.wardrobe.{garment}"
+    return ""
+
+
+def _text(value: Any) -> bool:
+    return isinstance(value, str) and len(value) <= LONGEST_TEXT
+
+
+def _identifier(value: Any) -> bool:
+    return _text(value) and value not in ("", ".", "..") and not set(value) & set("/\\\0") and value.isprintable()
+
+
+def _inside(value: Any) -> bool:
+    path = PurePosixPath(value) if _text(value) else PurePosixPath("..")
+    return value.isprintable() and ".." not in path.parts and not path.is_absolute()
+
+
+def _truth(value: Any) -> bool:
+    return isinstance(value, bool)
+
+
+def _whole(low: int, high: int) -> Check:
+    return lambda value: isinstance(value, int) and not isinstance(value, bool) and low <= value <= high
+
+
+def _number(low: float, high: float) -> Check:
+    return lambda value: isinstance(value, int | float) and not isinstance(value, bool) and low <= value <= high
+
+
+class _Rows:
+    """A list of so many values of one kind."""
+
+    def __init__(self, each: Any, least: int = 0, most: int = LONGEST_LIST) -> None:
+        self.each, self.least, self.most = each, least, most
+
+
+class _Table:
+    """Values of one kind by name."""
+
+    def __init__(self, key: Check, each: Any) -> None:
+        self.key, self.each = key, each
+
+
+def _unfit(value: Any, shape: Any, name: str) -> str:
+    if isinstance(shape, _Rows):
+        if not isinstance(value, list) or not shape.least <= len(value) <= shape.most:
+            return name
+        parts = [(f"{name}.{k}", one, shape.each) for k, one in enumerate(value)]
+    elif isinstance(shape, _Table):
+        if not isinstance(value, dict) or len(value) > LONGEST_LIST or not all(shape.key(key) for key in value):
+            return name
+        parts = [(f"{name}.{key}", one, shape.each) for key, one in value.items()]
+    elif isinstance(shape, Mapping):
+        if not isinstance(value, dict):
+            return name or "everything"
+        missing = [key for key in shape if key not in value]
+        if missing:
+            return f"{name}.{missing[0]}".lstrip(".")
+        parts = [(f"{name}.{key}".lstrip("."), value[key], one) for key, one in shape.items()]
+    else:
+        return "" if shape(value) else name
+    return next((wrong for part in parts if (wrong := _unfit(part[1], part[2], part[0]))), "")
+
+
+_METRES: Final = _number(1e-6, 1e6)
+
+
+def _array(kind: str, *axes: int) -> Mapping[str, Any]:
+    """Return what is told of an array whose axes are so long; 0: of any length."""
+    lengths = [_whole(axis, axis or LARGEST_COUNT) for axis in axes]
+
+    def fits(value: Any) -> bool:
+        return (
+            isinstance(value, list)
+            and len(value) == len(lengths)
+            and all(length(axis) for length, axis in zip(lengths, value, strict=True))
+        )
+
+    return {"at": _whole(0, LARGEST_COUNT), "type": lambda value: value == kind, "shape": fits}
+
+
+#: As :class:`cloner.crowd.stock.Numbers` has them.
+_ARRAYS: Final = {
+    "vertices": _array("uint16", 0, 4), "loose": _array("uint16", 0, 4), "corners": _array("uint16", 0),
+    "bones": _array("int16", 0, 0, 3, 4), "table": _array("float32", COLUMNS, 4), "tiles": _array("float32", 0, 4),
+}  # fmt: skip
+_FACTS: Final = {
+    "scene": lambda value: _text(value) and value in SCENES,
+    "people_count": _whole(1, MOST_PEOPLE),
+    "people": _Rows({"id": _identifier, "arrays": _ARRAYS}, 1, MOST_CLONES),
+    "tiers": _Rows({"largest_px": _number(0.0, 1e6)}, TIERS, TIERS),  # the finest has no largest: 0
+    "switch": {"metres_per_focal_px": _METRES, "texels_per_px": _METRES, "texels_per_m": _METRES},
+    "impostors": {"views": _whole(2, 64), "rings_deg": _Rows(_number(-90.0, 90.0), 1, 4), "classic": _truth},
+    "looks": {
+        "clones": _whole(1, MOST_CLONES),
+        "palettes": _Table(lambda key: key in GARMENTS, _Rows(_whole(0, 0xFFFFFF))),
+        "wardrobe": _Table(lambda key: key in GARMENTS, _Rows(_Rows(_whole(0, MOST_CLONES)))),
+        "own_share": _number(0.0, 1.0),
+        "dyed_share": _number(0.0, 1.0),
+    },
+    "player": {"sha256": _text},
+    "files": _Table(_inside, _text),
+}
