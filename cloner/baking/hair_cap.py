@@ -34,9 +34,11 @@ RIM_POWER = 6  # an outline says nothing about surfaces that face the camera: tr
 RIM_MM = 12.0  # nor about points farther than this inside the own outline
 SAME_EDGE_MM = 3.0  # hair's edge is the person's outline where both lie so
 FIRST_MM = 5.0  # taste: hair begins this thick, then it is fitted
+CLOSE_MM = 25.0  # thicker hair does not follow the head: all outlines together say where it is
 FURTHEST_MM = 40.0  # an outline farther off is another thing's, say a tail's
 ROUNDS = 4
 STIFFNESS = 0.08  # of the surface between outlines, against one outline point
+SURE_RIM, FULL_HAIR = 0.3, 0.8  # outline points that tell how thick the cap usually is
 THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this against its median; more is a tail
 DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
 THINNEST_MM = 2.0  # where hair grows it covers the skin
@@ -176,20 +178,26 @@ def settle_cap(
     thickness = held(np.full(len(points_m), FIRST_MM), hairy)
     for _ in range(ROUNDS):
         surface = points_m + normals * m_from_mm(1.0) * thickness[:, None]
-        drive, trust = _outline_drive(views, surface, triangles)
-        drive, trust = drive * (hairy > 0.5), trust * (hairy > 0.5)
+        drive, trust, thickest = np.zeros(len(points_m)), np.zeros(len(points_m)), 0.0
+        for gap, weight in _outline_gaps(views, surface, triangles):
+            weight = weight * (hairy > 0.5)
+            limit = _thickest_mm(thickness + gap, weight, hairy) if len(views) > 1 else FURTHEST_MM
+            weight = np.where(thickness + gap > limit, 0.0, weight)  # a tail's root says nothing about the cap
+            drive, trust, thickest = drive + weight * gap, trust + weight, max(thickest, limit)
         if not np.any(trust > 0.0):
             break
         wanted = thickness + drive / np.maximum(trust, 1e-9)
-        sure = wanted[(trust > 0.3) & (hairy > 0.8)]
-        median = float(np.median(sure if sure.size else wanted[trust > 0.0]))
-        thickest = THICKEST_SHARE * max(median, 0.0) + THICKEST_EXTRA_MM
-        if len(views) == 1:  # a bob's sides against its top; a tail hangs behind the head
-            thickest = FURTHEST_MM
-        trust = np.where(wanted > thickest, 0.0, trust)  # a tail's root says nothing about the cap
         thickness = graph.fill(wanted[:, None], np.clip(trust, 0.0, 1.0), STIFFNESS)[:, 0]
         thickness = held(np.minimum(graph.smooth(thickness, 1), thickest), hairy)
     return thickness
+
+
+def _thickest_mm(wanted_mm: Array, weight: Array, hairy: Array) -> float:
+    """Return how thick one photo's outline may make the cap, mm: hair that is flat in front may be thick behind."""
+    sure = wanted_mm[(weight > SURE_RIM) & (hairy > FULL_HAIR)]
+    sure = sure if sure.size else wanted_mm[weight > 0.0]
+    usual = max(float(np.median(sure)), 0.0) if sure.size else 0.0
+    return min(THICKEST_SHARE * usual + THICKEST_EXTRA_MM, CLOSE_MM)
 
 
 def surface_mm(
@@ -236,15 +244,22 @@ def settle_shell(
 
 def _outline_drive(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
     """Return (N,) the sum of what the photos want a surface moved outwards, mm, and of their weights."""
-    facing = vertex_normals(surface_m, triangles)
     drive, trust = np.zeros(len(surface_m)), np.zeros(len(surface_m))
-    straight = [view for view in views if view.flip_m is None]
-    gaps = abreast(lambda view: _outline_gap(view, surface_m, facing, triangles), straight)
-    for view, (gap, weight) in zip(straight, gaps, strict=True):
-        weight = weight * (FACE_PHOTO if view.posed.view.is_face else 1.0)
+    for gap, weight in _outline_gaps(views, surface_m, triangles):
         drive += weight * gap
         trust += weight
     return drive, trust
+
+
+def _outline_gaps(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> list[tuple[Array, Array]]:
+    """Return each photo's gaps (N,) to a surface's outline, mm, and their weights."""
+    facing = vertex_normals(surface_m, triangles)
+    straight = [view for view in views if view.flip_m is None]
+    gaps = abreast(lambda view: _outline_gap(view, surface_m, facing, triangles), straight)
+    return [
+        (gap, weight * (FACE_PHOTO if view.posed.view.is_face else 1.0))
+        for view, (gap, weight) in zip(straight, gaps, strict=True)
+    ]
 
 
 def _outline_gap(view: HairView, surface_m: Array, normals: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:

@@ -18,7 +18,11 @@ Array = NDArray[np.float64]
 ROUND_TAIL = (0.6, 2.5)  # a tail's width against its depth: limits of what is believed
 WIDEST_TAIL_MM = 110.0  # wider hair in the back photo is the head's, not a tail's
 FARTHEST_ASIDE_MM = 40.0  # a tail is looked for this far beside where the side photo has it
-THINNEST_MM = 10.0  # thin plaits; thinner free hair is the error of cap and labels: a fin down the back of the head
+LEAST_ALONE = 0.3  # of a tail's rows stand alone in the back photo; above them the head's hair lies behind it
+THINNEST_MM = 10.0  # thin plaits
+FREE_MM = (
+    30.0  # a tail hangs farther than this from body and cap; nearer is their own error: a fin down the head's back
+)
 SMALLEST_TAIL_MM2 = 900.0  # smaller free areas are the cap's own roughness
 
 
@@ -57,6 +61,11 @@ class Tail:
         across = np.where(half > 0.0, np.minimum(half * self.ratio, bound), half) - lateral
         return np.where(shown, across, -FAR_MM).astype(np.float32)
 
+    def holds(self, points_m: Array) -> NDArray[np.bool_]:
+        """Return (N,) the points in which the side photo shows the tail: it alone says what is hair there."""
+        pixel = self.view.posed.camera.project(self.view.to_view(points_m))
+        return np.asarray(sample(self.half_px, pixel)[:, 0] > 0.0)
+
 
 def find_tail(views: list[HairView], cap_m: Array, triangles: NDArray[np.int32], middle_m: float) -> Tail | None:
     """Return the free hair of the best side photo, None where there is none.
@@ -78,8 +87,8 @@ def find_tail(views: list[HairView], cap_m: Array, triangles: NDArray[np.int32],
                 continue
             head = covered(view, cap_m, triangles)
             free = free_hair(view, head, cap_m)
-            if free.any():
-                course = tail_course(views, view, free, cap_m.mean(axis=0), middle_m)
+            course = tail_course(views, view, free, cap_m.mean(axis=0), middle_m) if free.any() else None
+            if course is not None:
                 return Tail(view, half_width(view, free, head), *course)
     return None
 
@@ -119,16 +128,20 @@ def free_hair(view: HairView, head: NDArray[np.bool_], cap_m: Array) -> NDArray[
     free = cv2.morphologyEx(free, cv2.MORPH_OPEN, np.ones((least, least), np.uint8))
     _, pieces, stats, _ = cv2.connectedComponentsWithStats(free, connectivity=8)
     area = stats[:, cv2.CC_STAT_AREA] * pixel_mm**2
-    area[0] = 0.0
-    return np.isin(pieces, np.flatnonzero(area >= SMALLEST_TAIL_MM2))
+    away = np.zeros(len(stats))
+    np.maximum.at(away, pieces, cv2.distanceTransform((~head).astype(np.uint8), cv2.DIST_L2, 5) * pixel_mm)
+    hangs = (area >= SMALLEST_TAIL_MM2) & (away >= FREE_MM)
+    hangs[0] = False
+    return np.asarray(hangs[pieces], np.bool_)
 
 
 def tail_course(
     views: list[HairView], side: HairView, free: NDArray[np.bool_], head_m: Array, middle_m: float
-) -> tuple[Callable[[Array], Array], Callable[[Array], Array], float]:
+) -> tuple[Callable[[Array], Array], Callable[[Array], Array], float] | None:
     """Return a tail's middle x and half width as functions of height, metres, and its width against its depth.
 
-    All come from the rows of the back photo in which the tail stands alone.
+    All come from the rows of the back photo in which the tail stands alone; where it nowhere does, long hair hangs
+    loose: None.
     """
     rows = np.flatnonzero(free.any(axis=1))[::4]
     first = free[rows].argmax(axis=1)
@@ -142,6 +155,8 @@ def tail_course(
     back = next((v for v in views if v.posed.view is ViewId.BODY_BACK), None)
     found = [_back_width(back, point) for point in rest] if back is not None else []
     good = [k for k, width in enumerate(found) if width is not None]
+    if back is not None and len(good) < LEAST_ALONE * len(rows):
+        return None
     if not good:
         return (
             (lambda height_m: np.full(len(height_m), middle_m)),

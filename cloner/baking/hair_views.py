@@ -18,7 +18,7 @@ from cloner.geometry.seeing import depth_at, nearest_of
 from cloner.geometry.skinning import joint_transforms
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
-from cloner.records.labels import Label
+from cloner.records.labels import Label, shows
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.aligning import sample
@@ -26,6 +26,7 @@ from cloner.vision.repair import signed_distance
 
 Array = NDArray[np.float64]
 
+NEVER_ON_SCALPS = (Label.BODY_SKIN, Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES)
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
 FAR_MM = 1000.0
 MASK_SCALE = 0.5  # surfaces are drawn at this share of the photo's size
@@ -90,6 +91,8 @@ class HairView:
         what lies nearest to it, so that a head a little off its photo still finds its hair.
     outline_px : (H, W) float32
         Signed distance to the person's outline, positive inside.
+    clothed : (H, W) bool
+        Pixels labelled as clothes or skin of the body: no scalp has them.
     flip_m : float or None
         When set, points are mirrored at x = flip_m first: the photo stands for the other half.
     """
@@ -102,6 +105,7 @@ class HairView:
     hair_px: NDArray[np.float32]
     line_px: NDArray[np.float32]
     outline_px: NDArray[np.float32]
+    clothed: NDArray[np.bool_]
     flip_m: float | None = None
 
     def to_view(self, points_m: Array) -> Array:
@@ -168,7 +172,8 @@ def hair_views(
         hair = clean_hair(proposals.views[view], person)
         transforms = joint_transforms(joined.joints_m, parents_of(generic), posed.rotations)
         nearest = nearest_of(pose(generic, joined, posed), triangles, posed.camera)
-        return HairView(posed, transforms, hanger, nearest, *distances_px(hair, person))
+        clothed = person & shows(proposals.views[view].labels, *NEVER_ON_SCALPS)
+        return HairView(posed, transforms, hanger, nearest, *distances_px(hair, person), clothed)
 
     found: list[HairView] = []
     for one in abreast(seen, [view for view in joined.views if view in proposals.views]):

@@ -1,4 +1,4 @@
-"""The hair as a volume: a cap of measured thickness, free tails and draped hair in one field."""
+"""The hair as a volume: a cap of measured thickness, free tails and hanging hair in one field."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, gaussian_filter, label
 from scipy.spatial import cKDTree
 
-from cloner.baking.hair_cap import SOFT_MM, Scalp, hairline_mm, surface_mm
+from cloner.baking.hair_cap import FACE_PHOTO, SOFT_MM, Scalp, hairline_mm, surface_mm
 from cloner.baking.hair_tail import Tail, find_tail
 from cloner.baking.hair_views import FAR_MM, HairView, hull_mm
 from cloner.frames import ViewId, m_from_mm, mm_from_m
@@ -18,7 +18,8 @@ from cloner.geometry.wedges import vertex_normals
 Array = NDArray[np.float64]
 
 INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
-DRAPE_MM = 25.0  # taste: hair on shoulders and cheeks lies this thick at most
+DRAPE_MM = 25.0  # taste: hair that one side alone shows lies this thick on the skin at most
+ROUND_MM = 70.0  # half a head's width: hair between the sides that show it is as round as a head
 VOXEL_M = 0.004
 SMOOTH_VOXELS = 0.8
 COARSE = 4  # voxels a side of a trial cell
@@ -28,7 +29,7 @@ DRAPE_DOUBT_MM = 4.0
 FULL_SHARE = 0.8  # hairiness where hair has its whole thickness
 OVERHANG_DOUBT_MM = 2.0  # heads stand a little off their photos
 TAIL_DOUBT_MM = 6.0  # heads nod between photos, and tails swing
-SMALLEST_DRAPE_M3 = 4e-5  # taste: 40 ml, a thin lock
+SMALLEST_LOCK_M3 = 4e-5  # taste: 40 ml, a thin lock
 LIFT_MM = 2.5  # labels are read this far above the skin: clear of the mesh, below the hair's surface
 GROWTH_MM = 40.0  # the growth share falls from 1 to 0 over about two rings of this mesh
 UNSEEN_VOTE = 0.05  # what neighbours say counts where photos see badly
@@ -157,45 +158,61 @@ def tail_mm(views: list[HairView], tail: Tail, points_m: Array) -> NDArray[np.fl
     return field
 
 
-def agreed_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:
-    """Return (N,) how deep points lie in the hair that photos of all sides agree on, mm, positive inside.
+def agreed_mm(views: list[HairView], points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
+    """Return (N,) how deep points lie in the hair that photos of all sides agree on, mm, and how many sides judge.
 
-    As `hull_mm`, but of two photos of one side the one that shows more hair is believed: masks lose dark hair before
-    a dark wall, and seldom find too much.
+    As `hull_mm`, but two photos of one side are heard together, the body's more, as its camera is known better: one may
+    show the head displaced, one may have lost dark hair before a dark wall. The sides' cones meet in a round edge: a
+    box is no hair.
     """
-    worst = np.full(len(points_m), FAR_MM, np.float32)
+    away, sides = np.zeros(len(points_m), np.float32), np.zeros(len(points_m), np.int64)
     for names in SIDES:
+        inside = np.full(len(points_m), np.float32(FAR_MM))
         for mirrored in (False, True):
-            found = [
-                np.where(before, inside, np.float32(-FAR_MM))
-                for inside, before in (
-                    view.evidence(points_m)
-                    for view in views
-                    if view.posed.view in names and (view.flip_m is not None) == mirrored
-                )
-            ]
-            if found:
-                best = np.max(found, axis=0)
-                worst = np.where(best > -FAR_MM, np.minimum(worst, best), worst)
-    return np.where(worst < FAR_MM, worst, np.float32(-FAR_MM))
+            total, weight = np.zeros((2, len(points_m)), np.float32)
+            for view in views:
+                if view.posed.view in names and (view.flip_m is not None) == mirrored:
+                    depth, before = view.evidence(points_m)
+                    heard = before * np.float32(FACE_PHOTO if view.posed.view.is_face else 1.0)
+                    total += heard * np.clip(depth, -ROUND_MM, ROUND_MM)
+                    weight += heard
+            inside = np.where(weight > 0.0, np.minimum(inside, total / np.maximum(weight, 1e-6)), inside)
+        judged = inside < FAR_MM
+        sides += judged
+        away += np.where(judged, np.maximum(ROUND_MM - inside, 0.0) ** 2, 0.0)
+    return np.where(sides > 0, ROUND_MM - np.sqrt(away), np.float32(-FAR_MM)), sides
 
 
-def draped_mm(views: list[HairView], near: Near, below_m: float) -> NDArray[np.float32]:
-    """Return (N,) the field of hair that lies on neck, shoulders or cheeks below a height, mm.
+def hanging_mm(views: list[HairView], near: Near, skin_mm: NDArray[np.float32], below_m: float) -> NDArray[np.float32]:
+    """Return (N,) the field of hair that stands off the head's cap, hangs, or lies on neck, shoulders or cheeks, mm.
 
-    Here all photos must agree, because labels low down are the least sure.
+    Here all photos must agree, because labels low down are the least sure; what one side alone tells of lies thin.
+
+    Parameters
+    ----------
+    skin_mm : (N,) float32
+        Signed distance to the whole body's skin, positive outside.
+    below_m : float
+        Height below which hair may hang over bare skin.
     """
-    hanging = (near.hairy < 0.5) & (near.points_m[:, 1] < below_m)
-    on_bare_skin = np.where(hanging, DRAPE_MM - near.skin_mm, -FAR_MM)
-    field = np.minimum(on_bare_skin, near.skin_mm + INNER_MM)
-    rows = np.flatnonzero(field > -CLIP_MM)
+    field = np.full(len(skin_mm), -FAR_MM, np.float32)
+    may = (near.hairy > 0.5) | (near.points_m[:, 1] < below_m)
+    rows = np.flatnonzero(may & (skin_mm > -INNER_MM))
+    inside, sides = agreed_mm(views, near.points_m[rows])
+    thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[rows])
     # Hair thinner than the labels' doubt is none.
-    field[rows] = np.minimum(field[rows], agreed_mm(views, near.points_m[rows]) - DRAPE_DOUBT_MM)
-    return np.asarray(field, np.float32)
+    field[rows] = np.minimum(np.minimum(inside - DRAPE_DOUBT_MM, thin), skin_mm[rows] + INNER_MM)
+    return field
 
 
 def hair_field(
-    views: list[HairView], scalp: Scalp, low_m: Array, high_m: Array, middle_m: float, drape_below_m: float
+    views: list[HairView],
+    scalp: Scalp,
+    body: tuple[Array, Array],
+    low_m: Array,
+    high_m: Array,
+    middle_m: float,
+    hang_below_m: float,
 ) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
     """Return the hair's field and the distance to the skin on a grid.
 
@@ -203,11 +220,12 @@ def hair_field(
     ----------
     views : list of HairView
     scalp : Scalp
+    body : (M, 3) vertices of the whole body's skin, the scalp's tucked in, metres, and their normals
     low_m, high_m : (3,) corners of the grid, rest frame
     middle_m : float
         x of the head's middle.
-    drape_below_m : float
-        Height below which hair may lie on bare skin.
+    hang_below_m : float
+        Height below which hair may lie on bare skin or hang free.
 
     Returns
     -------
@@ -220,23 +238,36 @@ def hair_field(
     field = np.full(int(np.prod(shape)), -CLIP_MM, np.float32)
     skin = np.full(field.shape, np.float32(FAR_MM))
     near = near_skin(scalp, points)
-    found = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
+    skin_mm = surface_mm(*body, points)[0]
+    grown = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
+    hanging = hanging_mm(views, near, skin_mm, hang_below_m)
     if tail is not None:
-        found = np.maximum(found, tail_mm(views, tail, points))
-    draped = np.full(field.shape, -CLIP_MM, np.float32)
-    draped[rows] = draped_mm(views, near, drape_below_m)
-    found = np.maximum(found, _without_specks(draped.reshape(shape)).ravel()[rows])
+        grown = np.maximum(grown, tail_mm(views, tail, points))
+        hanging = np.where(tail.holds(points), -CLIP_MM, hanging)
+    found = np.where(_held_by(grown, hanging, rows, shape), np.maximum(grown, hanging), grown)
     field[rows] = np.clip(found, -CLIP_MM, CLIP_MM)
-    skin[rows] = near.skin_mm
+    skin[rows] = skin_mm
     return gaussian_filter(field.reshape(shape), SMOOTH_VOXELS), skin.reshape(shape)
 
 
-def _without_specks(field: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return a field without pieces too small for draped hair: collars and shadows labelled wrongly."""
-    pieces, _ = label(field > 0.0)
-    small = np.bincount(pieces.ravel()) < SMALLEST_DRAPE_M3 / VOXEL_M**3
-    small[0] = False
-    return np.where(small[pieces], np.float32(-CLIP_MM), field)
+def _held_by(
+    grown: NDArray[np.float32], hanging: NDArray[np.float32], rows: NDArray[np.int64], shape: tuple[int, ...]
+) -> NDArray[np.bool_]:
+    """Return (N,) which points beside the hair that grows are hair hanging from it, and no speck.
+
+    Collars, shadows and bags that are labelled hair hang from nothing.
+    """
+
+    def pieces_of(flags: NDArray[np.bool_]) -> NDArray[np.int64]:
+        grid = np.zeros(int(np.prod(shape)), bool)
+        grid[rows] = flags
+        return np.asarray(label(grid.reshape(shape))[0].ravel()[rows], np.int64)
+
+    pieces, locks = pieces_of(np.maximum(grown, hanging) > 0.0), pieces_of((hanging > 0.0) & (grown <= 0.0))
+    held = np.zeros(int(pieces.max(initial=0)) + 1, bool)
+    held[pieces[grown > 0.0]] = True
+    large = np.bincount(locks) >= SMALLEST_LOCK_M3 / VOXEL_M**3
+    return np.asarray((locks > 0) & held[pieces] & large[locks], np.bool_)
 
 
 def _worthwhile(
@@ -251,7 +282,7 @@ def _worthwhile(
     middle = [low_m[k] + (np.arange(cells[k]) * COARSE + 0.5 * (COARSE - 1)) * VOXEL_M for k in range(3)]
     coarse = np.stack(np.meshgrid(*middle, indexing="ij"), axis=-1).reshape(-1, 3)
     radius_mm = mm_from_m(COARSE * VOXEL_M)
-    wanted = hull_mm(views, coarse) > -radius_mm
+    wanted = np.maximum(hull_mm(views, coarse), agreed_mm(views, coarse)[0]) > -radius_mm
     if tail is not None:
         wanted |= tail.inside_mm(coarse) > -radius_mm
     hairy = scalp.hairy > 0.0

@@ -23,6 +23,7 @@ from cloner.baking.hair_edge import FADE_MM, STRAND_MM, inside_hairline_mm, soft
 from cloner.baking.hair_tail import find_tail
 from cloner.baking.hair_views import HairView, Hanger, hair_views, views_of
 from cloner.baking.hair_volume import FILM_MM, VOXEL_M, hair_field
+from cloner.baking.hoods import without_hoods
 from cloner.baking.posed import body_triangles
 from cloner.baking.shell_paint import ShellView, paint_shell
 from cloner.baking.tucking import ear_masks, lay_ears, whole_ears
@@ -51,6 +52,7 @@ CLAIM = {  # taste: face photos have three times the pixels
     ViewId.BODY_SIDE: 0.6,
 }
 FRONTS = (ViewId.FACE_FRONT, ViewId.BODY_FRONT)  # with no other photo the back of the hair is made up
+LOOK_PX = 4  # of the lowest hair, a margin is added
 HIDDEN_MM = 3.0  # this deep in the head nothing is seen
 
 
@@ -68,8 +70,8 @@ class Params:
         Hair thinner than this on the median is left to the skin's texture.
     least_share : float
         Bald below this share of hairy vertices on the scalp.
-    margin_m, below_m : float
-        How far the volume reaches around the head, and below the neck's base.
+    margin_m : float
+        How far the volume reaches around the head, and below the lowest hair.
     smallest_piece : float
         Pieces below this share of the largest are dropped.
     """
@@ -79,7 +81,6 @@ class Params:
     thinnest_mm: float = 1.5
     least_share: float = 0.1
     margin_m: float = 0.14
-    below_m: float = 0.35
     smallest_piece: float = 0.02
 
 
@@ -126,10 +127,13 @@ def grow_hair(
     if not any(view.hair.any() for view in views):
         return StageResult({"shells": ()}, (), ("No hair was found in the photos: the head stays bare",))
     joined, views = with_ears_laid(generic, joined, views)
+    body, on_scalp = body_triangles(generic), generic.region("scalp")
+    normals = vertex_normals(joined.vertices_m, body)
+    views = without_hoods(views, joined.vertices_m, normals, body[on_scalp[body].all(axis=1)])
     tick(0.2)
     scalp = scan_scalp(generic, joined, views)
-    on_scalp = generic.region("scalp")[head_rows(generic)]
-    hairy = float((scalp.hairy[on_scalp] > 0.5).mean()) if on_scalp.any() else 0.0
+    rows = on_scalp[head_rows(generic)]
+    hairy = float((scalp.hairy[rows] > 0.5).mean()) if rows.any() else 0.0
     thick = scalp.thickness_mm[scalp.thickness_mm > 0.5]
     if hairy < params.least_share or thick.size == 0 or float(np.median(thick)) < params.thinnest_mm:
         return StageResult({"shells": ()}, (), ("The hair is too short or too little for a volume of its own",))
@@ -198,10 +202,13 @@ def hair_mesh(
 ) -> tuple[Array, NDArray[np.int32]] | None:
     """Return vertices (N, 3) and triangles (T, 3) of the hair's outer surface, None when empty."""
     reach = np.array([params.margin_m, 0.0, params.margin_m])
-    low = scalp.points_m.min(axis=0) - reach - (0.0, params.below_m, 0.0)
-    high = scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
+    low, high = scalp.points_m.min(axis=0) - reach, scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
+    low[1] = min(low[1], lowest_m(views) - params.margin_m)
     ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
-    field, skin_mm = hair_field(views, scalp, low, high, middle_of(generic, joined), float(ears[:, 1].mean()))
+    skin, tucked = generic.vertex_part == generic.part_names.index("body"), joined.vertices_m.copy()
+    tucked[head_rows(generic)] = scalp.points_m
+    body = tucked[skin], vertex_normals(tucked, body_triangles(generic))[skin]
+    field, skin_mm = hair_field(views, scalp, body, low, high, middle_of(generic, joined), float(ears[:, 1].mean()))
     pieces, count = label(field > 0.0)
     if count == 0:
         return None
@@ -220,6 +227,19 @@ def hair_mesh(
     used, outer = np.unique(outer, return_inverse=True)
     vertices = low + (points[used].astype(np.float64) - 1.0) * VOXEL_M
     return vertices, outer.reshape(-1, 3).astype(np.int32)
+
+
+def lowest_m(views: list[HairView]) -> float:
+    """Return the height of the lowest hair in any photo, rest frame, metres; infinite where no photo shows any."""
+    lowest = np.inf
+    for view in views:
+        rows, columns = np.nonzero(view.hair[::LOOK_PX, ::LOOK_PX])
+        if view.flip_m is None and rows.size:
+            last = int(rows.argmax())
+            pixel = np.array([[columns[last], rows[last]]], np.float64) * LOOK_PX
+            head = view.transforms[view.hanger.joints[0], :3, 3][None]
+            lowest = min(lowest, float(view.to_rest(view.posed.camera.back_project(pixel, head))[0, 1]))
+    return lowest
 
 
 def shown_part(

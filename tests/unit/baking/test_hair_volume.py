@@ -4,8 +4,8 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from cloner.baking.hair_cap import Scalp
-from cloner.baking.hair_volume import TAIL_DOUBT_MM, near_skin, tail_mm
+from cloner.baking.hair_cap import FACE_PHOTO, Scalp
+from cloner.baking.hair_volume import ROUND_MM, TAIL_DOUBT_MM, _held_by, agreed_mm, near_skin, tail_mm
 from cloner.frames import ViewId
 
 SIDE_MM, THICK_MM, FOLD_M = 4.0, 20.0, 0.01
@@ -44,3 +44,53 @@ def test_what_the_front_photo_shows_as_room_is_no_tail_and_what_it_cannot_see_ma
     over, behind = tail_mm([front], strand, points)
     assert over == -30.0 + TAIL_DOUBT_MM
     assert behind == 8.0
+
+
+def _slab(view, axis, half_mm, judged=True):
+    """Return a photo that shows hair as a band of some half width along an axis."""
+    return SimpleNamespace(
+        posed=SimpleNamespace(view=view),
+        flip_m=None,
+        evidence=lambda at: (
+            (half_mm - 1000.0 * np.abs(at[:, axis])).astype(np.float32),
+            np.full(len(at), judged),
+        ),
+    )
+
+
+def test_hair_between_front_and_side_is_round_and_no_box():
+    views = [_slab(ViewId.FACE_FRONT, 0, 100.0), _slab(ViewId.BODY_SIDE, 2, 100.0)]
+    points = np.array([[0.0, 0.0, 0.0], [0.095, 0.0, 0.095], [0.095, 0.0, 0.0], [0.11, 0.0, 0.0]])
+    inside, sides = agreed_mm(views, points)
+    # Corner: 5 mm inside either band, 65 mm within the round edge's centre: 70 - sqrt(2) 65.
+    assert np.allclose(inside, [ROUND_MM, ROUND_MM - np.sqrt(2.0) * (ROUND_MM - 5.0), 5.0, -10.0], atol=1e-3)
+    assert np.array_equal(sides, [2, 2, 2, 2])
+
+
+def test_two_photos_of_one_side_are_heard_together():
+    """The body photo ends its hair 20 mm before this place, the face photo 20 mm behind it."""
+    views = [_slab(ViewId.BODY_SIDE, 2, 80.0), _slab(ViewId.FACE_SIDE, 2, 120.0)]
+    inside, sides = agreed_mm(views, np.array([[0.0, 0.0, 0.1]]))
+    assert np.allclose(inside, (-20.0 + FACE_PHOTO * 20.0) / (1.0 + FACE_PHOTO), atol=1e-3)
+    assert sides[0] == 1
+
+
+def test_a_photo_that_cannot_judge_is_not_heard():
+    views = [_slab(ViewId.BODY_SIDE, 2, 80.0, judged=False), _slab(ViewId.BODY_BACK, 0, 30.0)]
+    inside, sides = agreed_mm(views, np.array([[0.01, 0.0, 0.5]]))
+    assert np.allclose(inside, 20.0, atol=1e-3)
+    assert sides[0] == 1
+
+
+def test_hair_hangs_from_hair():
+    """Of three locks one hangs from the head's hair, one from nothing, one is a speck that hangs."""
+    shape = (30, 12, 12)
+    grown, hanging = np.full(shape, -9.0, np.float32), np.full(shape, -9.0, np.float32)
+    grown[:8] = 5.0
+    hanging[8:18, :9, :9] = 5.0  # 810 voxels of 4 mm: 52 ml
+    hanging[20:, :9, :9] = 5.0
+    hanging[8:10, 11, 11] = 5.0
+    rows = np.arange(grown.size)
+    held = _held_by(grown.ravel(), hanging.ravel(), rows, shape).reshape(shape)
+    assert held[8:18, :9, :9].all()
+    assert held.sum() == 10 * 9 * 9
