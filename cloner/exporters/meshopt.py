@@ -1,0 +1,201 @@
+"""Number streams packed as EXT_meshopt_compression has them: attributes, triangles, and plain index sequences.
+
+References
+----------
+Khronos Group 2022, EXT_meshopt_compression, appendix A ("Bitstream"): version 0 of attributes, version 1 of indices.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+Bytes = NDArray[np.uint8]
+
+#: A block holds so many bytes at most, and so many elements; a group so many elements.
+BLOCK_BYTES, BLOCK, GROUP = 8192, 256, 16
+#: An attribute stream ends in its first element, with zeros before it up to so many bytes.
+TAIL: Final = 32
+_ATTRIBUTES, _TRIANGLES, _SEQUENCE = 0xA0, 0xE1, 0xD1
+#: Pairs of places of a fresh triangle's second and third corner that take no byte of their own (the reference's table).
+_PAIRS: Final = (0x00, 0x76, 0x87, 0x56, 0x67, 0x78, 0xA9, 0x86, 0x65, 0x89, 0x68, 0x98, 0x01, 0x69, 0x00, 0x00)
+_FIFO, _NEAR, _FREE = 16, 13, 15
+
+
+def attributes(values: Bytes) -> bytes:
+    """Return the packed form of elements (N, stride), N at least 1, stride a multiple of 4 up to 256."""
+    count, stride = values.shape
+    before = np.vstack([values[:1], values[:-1]])
+    step = (values - before).astype(np.int8).astype(np.int16)
+    zigzag = np.where(step >= 0, 2 * step, -2 * step - 1).astype(np.uint8)
+    block = min((BLOCK_BYTES // stride) & ~(GROUP - 1), BLOCK)
+    out = [bytes([_ATTRIBUTES])]
+    for start in range(0, count, block):
+        own = zigzag[start : start + block]
+        full = np.zeros((-(-len(own) // GROUP) * GROUP, stride), np.uint8)
+        full[: len(own)] = own
+        out += [_packed_column(column.reshape(-1, GROUP)) for column in full.T.copy()]
+    return b"".join([*out, bytes(max(0, TAIL - stride)), values[0].tobytes()])
+
+
+def _packed_column(groups: Bytes) -> bytes:
+    """Return one byte's column (G, 16): how wide every group is, then the groups."""
+    escapes = [(groups >= most).sum(axis=1) for most in (3, 15)]
+    sizes = np.stack([np.where(groups.any(axis=1), 99, 0), 4 + escapes[0], 8 + escapes[1], np.full(len(groups), GROUP)])
+    mode = sizes.argmin(axis=0)
+    widths = np.zeros(-(-len(mode) // 4) * 4, np.uint8)
+    widths[: len(mode)] = mode
+    header = (widths.reshape(-1, 4) << np.array([0, 2, 4, 6], np.uint8)).sum(axis=1).astype(np.uint8)
+    two = (np.minimum(groups, 3).reshape(-1, 4, 4) << np.array([6, 4, 2, 0], np.uint8)).sum(axis=2).astype(np.uint8)
+    four = (np.minimum(groups, 15).reshape(-1, 8, 2) << np.array([4, 0], np.uint8)).sum(axis=2).astype(np.uint8)
+    out = [header.tobytes()]
+    for row in np.flatnonzero(mode):
+        own = groups[row]
+        if mode[row] == 1:
+            out.append(two[row].tobytes() + own[own >= 3].tobytes())
+        elif mode[row] == 2:
+            out.append(four[row].tobytes() + own[own >= 15].tobytes())
+        else:
+            out.append(own.tobytes())
+    return b"".join(out)
+
+
+def sequence(values: NDArray[np.integer]) -> bytes:
+    """Return the packed form of indices (N,) in their order."""
+    out, last = bytearray([_SEQUENCE]), 0
+    for value in values.tolist():
+        _put(out, _zigzag(value - last) << 1)
+        last = value
+    return bytes(out) + bytes(4)
+
+
+def triangles(values: NDArray[np.integer]) -> bytes:
+    """Return the packed form of triangles (T, 3); their order stays, each may begin with another of its corners."""
+    writer = _Triangles()
+    for a, b, c in values.tolist():
+        writer.add(a, b, c)
+    return bytes([_TRIANGLES]) + bytes(writer.codes) + bytes(writer.data) + bytes(_PAIRS)
+
+
+def side_by_side(values: NDArray[np.integer]) -> NDArray[np.integer]:
+    """Return triangles (T, 3) in an order in which most share an edge with one just before: a third less bytes."""
+    corners = values.tolist()
+    across = {(t[k], t[(k + 1) % 3]): row for row, t in enumerate(corners) for k in range(3)}
+    left = dict.fromkeys(range(len(corners)))
+    order: list[int] = []
+    edges: list[tuple[int, int]] = []
+    seen: list[int] = []
+    while left:
+        found = None
+        for a, b in edges:
+            row = across.get((a, b), -1)
+            if row in left:
+                c = sum(corners[row]) - a - b
+                found = found or (row, a, b, c)
+                if c in seen:
+                    found = (row, a, b, c)
+                    break
+        row, a, b, c = found or (next(iter(left)), *corners[next(iter(left))])
+        edges = [(a, c), (c, b), *([] if found else [(b, a)]), *edges][:_FREE]
+        seen = [*(v for v in ((c,) if found else (c, b, a)) if v not in seen), *seen][: _NEAR - 1]
+        del left[row]
+        order.append(row)
+    return values[order]
+
+
+class _Triangles:
+    """Writes triangles one by one, most of them by an edge that one of the last has, and by a vertex seen lately."""
+
+    def __init__(self) -> None:
+        self.codes, self.data = bytearray(), bytearray()
+        self._edges: list[tuple[int, int]] = []
+        self._vertices: list[int] = []
+        self._next = self._last = 0
+
+    def add(self, a: int, b: int, c: int) -> None:
+        """Write one triangle."""
+        for turn in ((a, b, c), (b, c, a), (c, a, b)):
+            if turn[:2] in self._edges:
+                place = self._edges.index(turn[:2])
+                if place < _FREE:
+                    self._beside(place, *turn)
+                    return
+        if b == self._next:
+            a, b, c = b, c, a
+        elif c == self._next:
+            a, b, c = c, a, b
+        self._fresh(a, b, c)
+
+    def _beside(self, edge: int, a: int, b: int, c: int) -> None:
+        """Write a triangle across a known edge."""
+        seen = self._place(c)
+        if 1 <= seen < _NEAR:
+            code = seen
+        elif c == self._next:
+            code, self._next = 0, self._next + 1
+        elif c in (self._last - 1, self._last + 1):
+            code = _NEAR if c < self._last else _NEAR + 1
+            self._last = c
+        else:
+            code = _FREE
+            self._index(c)
+        self.codes.append(edge << 4 | code)
+        if code == 0 or code >= _NEAR:
+            self._remember(c)
+        self._push(((c, b), (a, c)))
+
+    def _fresh(self, a: int, b: int, c: int) -> None:
+        """Write a triangle that shares no known edge."""
+        first = a == self._next
+        self._next += int(first)
+        places = []
+        for corner in (b, c):
+            seen = self._place(corner)
+            if 0 <= seen < _FREE - 1:
+                places.append(seen + 1)
+            elif corner == self._next:
+                places.append(0)
+                self._next += 1
+            else:
+                places.append(_FREE)
+        pair = places[0] << 4 | places[1]
+        if first and pair in _PAIRS[:14]:
+            self.codes.append(0xF0 | _PAIRS.index(pair))
+        else:
+            self.codes.append(0xFE if first else 0xFF)
+            self.data.append(pair)
+        for corner, free in ((a, not first), (b, places[0] == _FREE), (c, places[1] == _FREE)):
+            if free:
+                self._index(corner)
+        for corner, new in ((a, True), (b, places[0] in (0, _FREE)), (c, places[1] in (0, _FREE))):
+            if new:
+                self._remember(corner)
+        self._push(((b, a), (c, b), (a, c)))
+
+    def _place(self, vertex: int) -> int:
+        """Return how many vertices were seen since this one, -1 if it is forgotten."""
+        return self._vertices.index(vertex) if vertex in self._vertices else -1
+
+    def _remember(self, vertex: int) -> None:
+        self._vertices = [vertex, *self._vertices[: _FIFO - 1]]
+
+    def _push(self, edges: tuple[tuple[int, int], ...]) -> None:
+        self._edges = [*edges[::-1], *self._edges][:_FIFO]
+
+    def _index(self, vertex: int) -> None:
+        _put(self.data, _zigzag(vertex - self._last))
+        self._last = vertex
+
+
+def _zigzag(value: int) -> int:
+    return 2 * value if value >= 0 else -2 * value - 1
+
+
+def _put(out: bytearray, value: int) -> None:
+    """Append a number by sevens of bits, the low ones first."""
+    while value > 127:
+        out.append(value & 127 | 128)
+        value >>= 7
+    out.append(value)
