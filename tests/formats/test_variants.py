@@ -229,3 +229,16 @@ def test_usd_s_own_skinning_gives_our_pose_and_its_validators_find_nothing(clone
     vertex = load_surfaces()[0].vertex
     assert np.abs(np.array(points) - wanted[vertex]).max() < 0.0005
     assert np.abs(np.array(points) - moved).max() > 0.1, "arms hang in the idle"
+
+
+def test_collarbones_rise_under_level_arms(clone: Clone) -> None:
+    """The shoulder goes up by the clavicle's length times the sine of its turn, and the arm is level all the same."""
+    posed = in_t_pose(clone)
+    for side, out in (("l", 1.0), ("r", -1.0)):
+        joint = {name: GENERIC.joint(f"{side}_{name}") for name in ("sternoclavicular", "shoulder", "elbow", "wrist")}
+        before, after = clone.joints_m, posed.joints_m
+        bone, turned = (at[joint["shoulder"]] - at[joint["sternoclavicular"]] for at in (before, after))
+        angles = [np.degrees(np.arctan2(one[1], out * one[0])) for one in (bone, turned)]
+        assert angles[1] - angles[0] == pytest.approx(12.0, abs=0.5)
+        arm = after[joint["wrist"]] - after[joint["shoulder"]]
+        assert abs(arm[1]) < 0.03 * out * arm[0]
