@@ -19,8 +19,8 @@ from cloner.records.heads import Shell
 
 Array = NDArray[np.float64]
 
-#: Collarbones rise by this much under level arms, radians (taste, of 0, 8, 12, 14 and 20 degrees; that they rise with an
-#: arm: Inman et al. 1944); arms that rise alone leave the collar standing in steps beside the neck.
+#: Collarbones rise by this much under level arms, radians (taste, of 0, 8, 12, 14 and 20 degrees; that they rise with
+#: an arm: Inman et al. 1944); arms that rise alone leave the collar standing in steps beside the neck.
 CLAVICLE_RAD = np.radians(12.0)
 
 
