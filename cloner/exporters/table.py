@@ -1,9 +1,10 @@
 """The formats a clone can leave in; each row's ``export`` loads on first use.
 
 ``export(clone, folder, *, name="clone") -> tuple[Path, ...]`` writes the
-files and returns their paths. ``small`` is a quantised glTF, ``mixamo`` one
-with Mixamo's bones, ``wrl`` a seamless VRML, ``hanim`` one of rigid pieces
-on H-Anim 1.1's prototypes, ``flat`` one that stands still.
+files and returns their paths. ``small`` is a packed glTF, ``mixamo`` one with
+Mixamo's bones, ``unity`` and ``unreal`` with those engines', ``vrma`` a motion
+alone, ``wrl`` a seamless VRML, ``hanim`` one of rigid pieces on H-Anim 1.1's
+prototypes, ``flat`` one that stands still.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ EXPORTERS = Registry("format")
 EXPORTERS.add("glb", "cloner.exporters.gltf:export")
 EXPORTERS.add("small", "cloner.exporters.gltf_small:export")
 EXPORTERS.add("mixamo", "cloner.exporters.mixamo:export")
+EXPORTERS.add("unity", "cloner.exporters.engines:export_unity")
+EXPORTERS.add("unreal", "cloner.exporters.engines:export_unreal")
 EXPORTERS.add("wrl", "cloner.exporters.vrml97:export")
 EXPORTERS.add("hanim", "cloner.exporters.vrml_hanim:export")
 EXPORTERS.add("flat", "cloner.exporters.vrml_flat:export")
