@@ -10,11 +10,13 @@ import shutil
 import subprocess
 import sys
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pygltflib
 import pytest
+from PIL import Image
 
 from cloner.errors import ClonerError
 from cloner.exporters import gltf_small, mixamo, usd, vrml_flat
@@ -27,6 +29,7 @@ from cloner.motion.rest import in_t_pose
 from cloner.motion.rig import centred
 from cloner.motion.turns import places, world_from_local
 from cloner.records.clones import Clone
+from cloner.records.regions import REGIONS
 from kit.clones import toy_clone
 
 VALIDATOR = Path(__file__).with_name("validate_gltf.mjs")
@@ -242,3 +245,25 @@ def test_collarbones_rise_under_level_arms(clone: Clone) -> None:
         assert angles[1] - angles[0] == pytest.approx(12.0, abs=0.5)
         arm = after[joint["wrist"]] - after[joint["shoulder"]]
         assert abs(arm[1]) < 0.03 * out * arm[0]
+
+
+def test_usd_is_as_rough_as_its_regions(clone: Clone, tmp_path: Path) -> None:
+    """Read by USD's own library: the skin's roughness comes from a picture's green, raw, whose lips shine most."""
+    pxr_usd = pytest.importorskip("pxr.Usd", reason="usd-core is not here; run: pip install photo-cloner[usd]")
+    triangles, _ = GENERIC.triangles()
+    worn = replace(clone, triangle_regions=np.full(len(triangles), REGIONS.index("upper_clothes"), np.uint8))
+    (path,) = usd.export(worn, tmp_path)
+    stage = pxr_usd.Stage.Open(str(path))
+    map_ = stage.GetPrimAtPath("/clone/looks/atlas/roughness")
+    assert map_.GetAttribute("inputs:sourceColorSpace").Get() == "raw"
+    file = map_.GetAttribute("inputs:file").Get().path
+    surface = stage.GetPrimAtPath("/clone/looks/atlas/surface")
+    assert surface.GetAttribute("inputs:roughness").GetConnections()[0].pathString.endswith("roughness.outputs:g")
+    with zipfile.ZipFile(path) as archive, Image.open(io.BytesIO(archive.read(file))) as picture:
+        green = np.asarray(picture)[..., 1] / 255.0
+    assert np.median(green) == pytest.approx(0.9, abs=0.06), "cloth is dull"
+    assert green.min() < 0.5
+    from pxr import UsdValidation
+
+    context = UsdValidation.ValidationContext(UsdValidation.ValidationRegistry().GetOrLoadAllValidators())
+    assert [error.GetErrorAsString() for error in context.Validate(stage)] == []
