@@ -2,7 +2,7 @@
 
     python benchmarks/exports.py RESULT [--format glb,wrl,...]
 
-CPU seconds of one process, first round included (it reads the generic human); the bar is 4 s for all formats together.
+CPU seconds of one process, first round included (it reads the generic human); the bar is 6 s for all formats together.
 """
 
 from __future__ import annotations

@@ -33,13 +33,18 @@ TOGETHER: Final[Mapping[str, Mapping[str, float]]] = {
     "blink, eyes wide": {"eyeBlinkLeft": 1.0, "eyeBlinkRight": 1.0, "eyeWideLeft": 1.0, "eyeWideRight": 1.0},
     "all at once": {"jawOpen": 1.0, "viseme_aa": 1.0, "mouthSmileLeft": 1.0, "mouthSmileRight": 1.0,
                     "eyeBlinkLeft": 1.0, "eyeBlinkRight": 1.0, "eyeSquintLeft": 1.0, "eyeSquintRight": 1.0},
+    "tongue, jaw open": {"tongueOut": 1.0, "jawOpen": 1.0},
+    "tongue, lips pressed": {"tongueOut": 1.0, "viseme_PP": 1.0},
+    "tongue, mouth closed": {"tongueOut": 1.0, "jawOpen": 1.0, "mouthClose": 1.0},
+    "tongue, smile": {"tongueOut": 1.0, "mouthSmileLeft": 1.0, "mouthSmileRight": 1.0},
+    "tongue, O": {"tongueOut": 1.0, "viseme_O": 1.0},
 }  # fmt: skip
 COLUMNS: Final = tuple(FaceFigures.__slots__)
 PEOPLE: Final = ("person", "lips at rest", "lids in blink", "eye through a lid, any target", "lips in PP",
                  "jawOpen + mouthClose", "lips in jawOpen", "upper teeth shown in jawOpen", "teeth through skin, any",
-                 "ears moved, any", "skull moved, any")  # fmt: skip
-TARGETS: Final = ("target", "lids left", "lids right", "eye through", "lips", "teeth through", "teeth shown", "ears",
-                  "skull")  # fmt: skip
+                 "tongue through a lip, any", "ears moved, any", "skull moved, any")  # fmt: skip
+TARGETS: Final = ("target", "lids left", "lids right", "eye through", "lips", "teeth through", "tongue through",
+                  "teeth shown", "ears", "skull")  # fmt: skip
 
 
 def random_head(seed: int) -> Clone:
@@ -79,8 +84,8 @@ def person_line(name: str, every: Mapping[str, FaceFigures]) -> str:
     cells = (
         every["rest"].lip_gap, max(every["eyeBlinkLeft"].lid_gap_left, every["eyeBlinkRight"].lid_gap_right),
         max(worst(every, "eye_through"), 0.0), every["viseme_PP"].lip_gap, every["jawOpen + mouthClose"].lip_gap,
-        every["jawOpen"].lip_gap, every["jawOpen"].teeth_shown, worst(every, "teeth_through"), worst(every, "ears"),
-        worst(every, "skull"),
+        every["jawOpen"].lip_gap, every["jawOpen"].teeth_shown, worst(every, "teeth_through"),
+        worst(every, "tongue_through"), worst(every, "ears"), worst(every, "skull"),
     )  # fmt: skip
     return f"| {name} | " + " | ".join(f"{value:.2f}" for value in cells) + " |"
 

@@ -31,6 +31,8 @@ ROWS: Final[tuple[tuple[str, str, Callable[[Path], Picture], bool], ...]] = (
     ("three.js", "clone.glb", readers.three, readers.HAS_THREE),
     ("three.js", "clone_small.glb", readers.three, readers.HAS_THREE),
     ("three.js", "clone_mixamo.glb", readers.three, readers.HAS_THREE),
+    ("three.js", "clone_unity.glb", readers.three, readers.HAS_THREE),
+    ("three.js", "clone_unreal.glb", readers.three, readers.HAS_THREE),
     ("three-vrm", "clone.vrm", readers.three, readers.HAS_THREE),
     ("three.js", "clone_flat.wrl", readers.three, readers.HAS_THREE),
     ("X_ITE", "clone.wrl", readers.x_ite, readers.HAS_X_ITE),
@@ -45,7 +47,7 @@ ROWS: Final[tuple[tuple[str, str, Callable[[Path], Picture], bool], ...]] = (
     ("Blender", "clone.obj", readers.blender, readers.HAS_BLENDER),
 )
 PYTHON_READERS: Final = ("assimp_py", "open3d")
-FORMATS: Final = ("glb", "small", "mixamo", "vrm", "flat", "wrl", "hanim", "x3d", "obj")
+FORMATS: Final = ("glb", "small", "mixamo", "unity", "unreal", "vrm", "flat", "wrl", "hanim", "x3d", "obj")
 
 
 def main() -> None:
@@ -69,7 +71,7 @@ def main() -> None:
             sys.stdout.write(f"| {program} | {file} | {time.monotonic() - start:.0f} | {said} |\n")
             sys.stdout.flush()
             panels.append(_panel(picture, f"{program}: {file}"))
-        for file in ("clone.glb", "clone_mixamo.glb", "clone.vrm"):
+        for file in ("clone.glb", "clone_mixamo.glb", "clone_unity.glb", "clone_unreal.glb", "clone.vrm"):
             _count(Path(scratch) / file)
     while len(panels) % COLUMNS:
         panels.append(np.full_like(panels[0], 255))

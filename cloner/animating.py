@@ -32,7 +32,7 @@ from cloner.records.motions import Motion
 SPEECH = (".wav", ".txt")
 SCORE = ".toml"
 #: How an animated clone may leave; every one holds the sources' motions before the clone's own.
-FORMATS: Final = {".glb": "glb", ".vrm": "vrm", ".wrl": "wrl", ".x3d": "x3d", ".usdz": "usdz"}
+FORMATS: Final = {".glb": "glb", ".vrm": "vrm", ".vrma": "vrma", ".wrl": "wrl", ".x3d": "x3d", ".usdz": "usdz"}
 CAPTURES = {".bvh": read_bvh, ".amc": read_acclaim}
 
 
@@ -50,8 +50,8 @@ def animate_file(
         and .txt (phonemes, or words) are spoken, .fap moves the face, .toml is a score of expressions on tracks. A
         .toml of a speech's name beside it is played with the speech.
     out : Path
-        Ends with one of `FORMATS`. A .wrl plays the first animation and, at a click, the second; .x3d and .usdz hold
-        the first one alone.
+        Ends with one of `FORMATS`. A .wrl plays the first animation and, at a click, the second; .vrma, .x3d and
+        .usdz hold the first one alone.
     cycles : bool
         Cut every capture down to two steps of walking on the spot, closed into a circle.
     emotion : str

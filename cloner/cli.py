@@ -41,7 +41,10 @@ HeightOption = Annotated[
 ]
 FormatOption = Annotated[
     str,
-    typer.Option("--format", help="Formats, with commas: glb,small,mixamo,wrl,flat,x3d,vrm,usdz,obj,ply,regions."),
+    typer.Option(
+        "--format",
+        help="Formats, with commas: glb,small,mixamo,unity,unreal,wrl,hanim,flat,x3d,vrm,vrma,usdz,obj,ply,regions.",
+    ),
 ]
 SeedOption = Annotated[int, typer.Option("--seed", help="The same photos and seed give the same clone.")]
 SizeOption = Annotated[

@@ -24,7 +24,7 @@ from cloner.vision.evening import (
     one_sided_light,
     unsaturated,
 )
-from cloner.vision.painting import MOUTH_RGB
+from cloner.vision.painting import paint_mouth
 
 Array = NDArray[np.float64]
 
@@ -237,5 +237,6 @@ def _mean_shown(generic: GenericHuman, sources: list[Source], evened: Array, ali
     colour = (score[..., None] * evened).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
     weight = np.clip(total * 2.0, 0.0, 1.0) * np.maximum(unsaturated(colour), BURNT_WEIGHT)
     inside = generic.region("mouth_interior")
-    colour[inside], weight[inside] = MOUTH_RGB, 1.0
+    lips_m = generic.vertices_m[generic.feature("stomion"), 2]
+    colour[inside], weight[inside] = paint_mouth(lips_m - generic.vertices_m[inside, 2]), 1.0
     return colour, weight

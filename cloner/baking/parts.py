@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
 from cloner.geometry.atlas import AtlasMap
-from cloner.vision.painting import LASH_RGB, TONGUE_RGB, paint_eye, paint_plain, paint_teeth
+from cloner.vision.painting import LASH_RGB, paint_eye, paint_plain, paint_teeth, paint_tongue
 
 USUAL_SKIN_RGB = (190.0, 160.0, 145.0)  # taste: for a mesh whose face has no texels
 EDGE_STEP_M = 0.004  # half a tooth: the biting edge is found as finely
@@ -49,8 +49,12 @@ def paint_parts(
         elif name.startswith("teeth_"):
             along, height = _along_arch(points), points[:, 1] if name == "teeth_upper" else -points[:, 1]
             colour = paint_teeth(height - _edge(along, height), along)
+        elif name == "tongue":
+            tip = vertices_m[vertices].max(axis=0)[2]
+            middle = (vertices_m[vertices, 0].min() + vertices_m[vertices, 0].max()) / 2.0
+            colour = paint_tongue(tip - points[:, 2], points[:, 0] - middle)
         else:
-            colour = paint_plain(rows.size, TONGUE_RGB if name == "tongue" else LASH_RGB)
+            colour = paint_plain(rows.size, LASH_RGB)
         flat[atlas.texel[rows]] = np.clip(np.rint(colour), 0, 255)
 
 

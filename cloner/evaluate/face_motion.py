@@ -40,7 +40,9 @@ class FaceFigures:
     lip_gap : float
         Widest upright distance between the lips.
     teeth_through : float
-        How far teeth or tongue stand out of the skin around the mouth; zero is none.
+        How far teeth stand out of the skin around the mouth; zero is none.
+    tongue_through : float
+        How deep the tongue pokes out of a lip's skin; zero is none.
     teeth_shown : float
         Height of the upper teeth that shows in the middle, from the front.
     ears, skull : float
@@ -52,6 +54,7 @@ class FaceFigures:
     eye_through: float
     lip_gap: float
     teeth_through: float
+    tongue_through: float
     teeth_shown: float
     ears: float
     skull: float
@@ -68,6 +71,7 @@ def face_figures(rest_m: Array, shape_m: Array) -> FaceFigures:
         max(eye_through(side, rest_m, shape_m) for side in SIDES),
         float(lips_apart(grid, shape_m[grid.rings]).max()),
         teeth_through(shape_m),
+        tongue_through(shape_m),
         teeth_shown(shape_m),
         float(moved[ears].max()),
         float(moved[generic.region("scalp")].max()),
@@ -98,7 +102,9 @@ def mixture_figures(clone: Clone, weights: Mapping[str, float]) -> FaceFigures:
 def worst_on_the_way(rest_m: Array, step_m: Array) -> FaceFigures:
     """Return the figures at the end of a straight way, but the worst on it of what goes through."""
     every = [face_figures(rest_m, rest_m + weight * step_m) for weight in WEIGHTS]
-    through = {name: max(getattr(one, name) for one in every) for name in ("eye_through", "teeth_through")}
+    through = {
+        name: max(getattr(one, name) for one in every) for name in ("eye_through", "teeth_through", "tongue_through")
+    }
     return replace(every[-1], **through)
 
 
@@ -172,6 +178,63 @@ def teeth_through(shape_m: Array) -> float:
     front = np.where(covers, depth, -np.inf).max(axis=1)
     covered = covers.any(axis=1)
     return float(np.maximum(teeth[covered, 2] - front[covered], 0.0).max(initial=0.0))
+
+
+@functools.cache
+def _lip_skin(upper: bool) -> NDArray[np.int32]:
+    """Return the (T, 3) triangles of one lip, from behind its inner edge to its outer border."""
+    grid, triangles = mouth_grid(), load_triangles()
+    columns = (grid.upper if upper else grid.lower).copy()
+    columns[grid.corners] = True
+    own = np.zeros(int(triangles.max()) + 1, dtype=bool)
+    own[grid.rings[:, columns]] = True
+    return np.asarray(triangles[own[triangles].all(axis=1)])
+
+
+def tongue_through(shape_m: Array) -> float:
+    """Return how deep the tongue pokes out of a lip's skin, metres: the depth from which an edge of it comes out.
+
+    What lies hidden in a lip's flesh counts only where the tongue leaves it through the outer skin.
+    """
+    generic = load_generic()
+    quads = generic.quads[generic.quad_part == generic.part_names.index("tongue")]
+    edges = quads[:, [0, 1, 1, 2, 2, 3, 3, 0]].reshape(-1, 2)
+    ends = np.vstack([edges, edges[:, ::-1]])
+    worst = 0.0
+    for upper in (False, True):
+        corners = shape_m[_lip_skin(upper)]
+        depth = np.zeros(len(shape_m))
+        rows = generic.part("tongue")
+        depth[rows] = _depth_in(corners, shape_m[rows], upper)
+        before = np.zeros(len(shape_m), dtype=bool)
+        skin_m = np.nan_to_num(_where_meets(corners, shape_m[rows], (0, 1, 2)), nan=-np.inf).max(axis=1)
+        before[rows] = np.isfinite(skin_m) & (shape_m[rows, 2] > skin_m)
+        out = depth[ends[:, 0]] * before[ends[:, 1]]
+        worst = max(worst, float(out.max()))
+    return worst
+
+
+def _depth_in(corners: Array, points: Array, upper: bool) -> Array:
+    """Return (N,) how deep points lie in a lip: an upright line away from the slit meets its skin once."""
+    towards = -1.0 if upper else 1.0
+    height = towards * (_where_meets(corners, points, (0, 2, 1)) - points[:, None, 1])
+    above = np.where(height > 0.0, height, np.inf)
+    inside = (np.isfinite(above).sum(axis=1) % 2) == 1
+    away = np.linalg.norm(points[:, None] - corners.reshape(-1, 3)[None], axis=2).min(axis=1)
+    return np.where(inside, np.minimum(above.min(axis=1), away), 0.0)
+
+
+def _where_meets(corners: Array, points: Array, axes: tuple[int, int, int]) -> Array:
+    """Return (N, T) where a line through each point along the last axis meets each triangle, metres; NaN where not."""
+    i, j, k = axes
+    a, one, two = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    area = one[:, i] * two[:, j] - one[:, j] * two[:, i]
+    area = np.where(np.abs(area) < 1e-14, 1e-14, area)
+    way = points[:, None] - a
+    u = (way[..., i] * two[:, j] - way[..., j] * two[:, i]) / area
+    v = (one[:, i] * way[..., j] - one[:, j] * way[..., i]) / area
+    covers = (u >= 0.0) & (v >= 0.0) & (u + v <= 1.0)
+    return np.asarray(np.where(covers, a[:, k] + u * one[:, k] + v * two[:, k], np.nan))
 
 
 def teeth_shown(shape_m: Array) -> float:

@@ -45,6 +45,13 @@ class GltfBuffer:
         self._gltf.bufferViews.append(view)
         return len(self._gltf.bufferViews) - 1
 
+    def fill(self, number: int, data: bytes) -> None:
+        """Put bytes into a view that was added empty."""
+        view = self._gltf.bufferViews[number]
+        view.byteOffset, view.byteLength = self._length, len(data)
+        self._chunks += [data, b"\0" * (-len(data) % 4)]
+        self._length += len(data) + (-len(data) % 4)
+
     def attribute(
         self,
         values: NDArray[Any],
@@ -131,21 +138,26 @@ class GltfBuffer:
             min=np.minimum(values.min(axis=0, initial=0.0), 0.0).astype(float).tolist(),
             max=np.maximum(values.max(axis=0, initial=0.0), 0.0).astype(float).tolist(),
         )
-        accessor.sparse = pygltflib.Sparse(
-            count=len(rows),
-            indices=pygltflib.AccessorSparseIndices(
-                bufferView=self.view(rows.tobytes()), componentType=_COMPONENT[rows.dtype]
-            ),
-            values=pygltflib.AccessorSparseValues(bufferView=self.view(values.tobytes())),
-        )
+        indices, changed = self.stored(rows, values)
+        accessor.sparse = pygltflib.Sparse(count=len(rows), indices=indices, values=changed)
         self._gltf.accessors.append(accessor)
         return len(self._gltf.accessors) - 1
 
-    def accessor(self, values: NDArray[Any], view: int, *, bounds: bool = False, normalised: bool = False) -> int:
-        """Add the accessor of values that lie in a view."""
+    def stored(self, rows: NDArray[Any], values: NDArray[Any]) -> tuple[Any, Any]:
+        """Add rows and values of a sparse accessor and return where they lie, as its two parts."""
+        return (
+            pygltflib.AccessorSparseIndices(bufferView=self.view(rows.tobytes()), componentType=_COMPONENT[rows.dtype]),
+            pygltflib.AccessorSparseValues(bufferView=self.view(values.tobytes())),
+        )
+
+    def accessor(
+        self, values: NDArray[Any], view: int, *, bounds: bool = False, normalised: bool = False, offset: int = 0
+    ) -> int:
+        """Add the accessor of values that lie in a view, so many bytes behind its start."""
         width = 1 if values.ndim == 1 else values.shape[1]
         accessor = pygltflib.Accessor(
             bufferView=view,
+            byteOffset=offset,
             componentType=_COMPONENT[values.dtype],
             normalized=normalised,
             count=len(values),

@@ -1,9 +1,10 @@
 """The formats a clone can leave in; each row's ``export`` loads on first use.
 
 ``export(clone, folder, *, name="clone") -> tuple[Path, ...]`` writes the
-files and returns their paths. ``small`` is a quantised glTF, ``mixamo`` one
-with Mixamo's bones, ``wrl`` a seamless VRML, ``hanim`` one of rigid pieces
-on H-Anim 1.1's prototypes, ``flat`` one that stands still.
+files and returns their paths. ``small`` is a packed glTF, ``mixamo`` one with
+Mixamo's bones, ``unity`` and ``unreal`` with those engines', ``vrma`` a motion
+alone, ``wrl`` a seamless VRML, ``hanim`` one of rigid pieces on H-Anim 1.1's
+prototypes, ``flat`` one that stands still.
 """
 
 from __future__ import annotations
@@ -14,11 +15,14 @@ EXPORTERS = Registry("format")
 EXPORTERS.add("glb", "cloner.exporters.gltf:export")
 EXPORTERS.add("small", "cloner.exporters.gltf_small:export")
 EXPORTERS.add("mixamo", "cloner.exporters.mixamo:export")
+EXPORTERS.add("unity", "cloner.exporters.engines:export_unity")
+EXPORTERS.add("unreal", "cloner.exporters.engines:export_unreal")
 EXPORTERS.add("wrl", "cloner.exporters.vrml97:export")
 EXPORTERS.add("hanim", "cloner.exporters.vrml_hanim:export")
 EXPORTERS.add("flat", "cloner.exporters.vrml_flat:export")
 EXPORTERS.add("x3d", "cloner.exporters.x3d:export")
 EXPORTERS.add("vrm", "cloner.exporters.vrm:export")
+EXPORTERS.add("vrma", "cloner.exporters.vrma:export")
 EXPORTERS.add("usdz", "cloner.exporters.usd:export")
 EXPORTERS.add("obj", "cloner.exporters.meshes:export_obj")
 EXPORTERS.add("regions", "cloner.exporters.regions:export")

@@ -25,10 +25,11 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.exporters.credits import CREDITS
-from cloner.exporters.files import write_bytes
+from cloner.exporters.files import png_bytes, write_bytes
 from cloner.exporters.gltf_motion import quaternions
 from cloner.exporters.hanim_names import identifier, node_name
 from cloner.exporters.pictures import picture_bytes
+from cloner.exporters.roughness import roughness_map
 from cloner.exporters.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import target_offsets
@@ -41,6 +42,7 @@ Array = NDArray[np.float64]
 
 ALIGNMENT: Final = 64
 _EPOCH: Final = (1980, 1, 1, 0, 0, 0)  # the oldest date that a zip can tell: the same clone gives the same bytes
+_ATLAS, _ROUGH = "_atlas.jpg", "_roughness.png"
 _ROOT, _SKELETON = "/clone", "/clone/skeleton"
 
 
@@ -60,8 +62,10 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = id
     """
     pxr = _library()
     pictures = picture_bytes(clone, name)
-    atlas = f"textures/{name}_atlas.jpg"
+    atlas = f"textures/{name}{_ATLAS}"
     pictures[atlas] = commented(pictures[atlas], clone.stamp)  # layers are compressed: here anybody can read it
+    if len(clone.triangle_regions):
+        pictures[f"textures/{name}{_ROUGH}"] = png_bytes(roughness_map(clone))
     with tempfile.TemporaryDirectory() as scratch:
         layer = Path(scratch) / f"{name}.usdc"
         _stage(pxr, centred(clone), name, layer, moves)
@@ -196,7 +200,7 @@ def _mesh(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh, name: str) -> None
     binding.CreateJointWeightsPrimvar(False, width).Set(pxr.Vt.FloatArray.FromNumpy(share.reshape(-1)))
     binding.CreateGeomBindTransformAttr(pxr.Gf.Matrix4d(1.0))
     _targets(pxr, stage, clone, mesh, name, binding)
-    pxr.UsdShade.MaterialBindingAPI.Apply(made.GetPrim()).Bind(_material(pxr, stage, mesh))
+    pxr.UsdShade.MaterialBindingAPI.Apply(made.GetPrim()).Bind(_material(pxr, stage, clone, mesh))
 
 
 def _targets(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh, name: str, binding: Any) -> None:
@@ -216,8 +220,8 @@ def _targets(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh, name: str, bind
         binding.CreateBlendShapeTargetsRel().SetTargets(paths)
 
 
-def _material(pxr: Any, stage: Any, mesh: SkinMesh) -> Any:
-    """Define a rough material with the mesh's picture, cut out where the picture is clear."""
+def _material(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh) -> Any:
+    """Define a material with the mesh's picture, cut out where that is clear, as rough as its regions are."""
     place = f"{_ROOT}/looks/{mesh.name}"
     kinds = pxr.Sdf.ValueTypeNames
     material = pxr.UsdShade.Material.Define(stage, place)
@@ -226,12 +230,16 @@ def _material(pxr: Any, stage: Any, mesh: SkinMesh) -> Any:
     )
     reader.CreateIdAttr("UsdPrimvarReader_float2")
     reader.CreateInput("varname", kinds.String).Set("st")
-    picture.CreateIdAttr("UsdUVTexture")
-    picture.CreateInput("file", kinds.Asset).Set(pxr.Sdf.AssetPath(f"textures/{mesh.picture}"))
-    picture.CreateInput("sourceColorSpace", kinds.Token).Set("sRGB")
-    picture.CreateInput("st", kinds.Float2).ConnectToSource(reader.CreateOutput("result", kinds.Float2))
+    st = reader.CreateOutput("result", kinds.Float2)
+    _picture(pxr, picture, mesh.picture, "sRGB", st)
     surface.CreateIdAttr("UsdPreviewSurface")
-    surface.CreateInput("roughness", kinds.Float).Set(0.85)
+    rough = surface.CreateInput("roughness", kinds.Float)
+    if mesh.picture.endswith(_ATLAS) and len(clone.triangle_regions):
+        map_ = pxr.UsdShade.Shader.Define(stage, f"{place}/roughness")
+        _picture(pxr, map_, mesh.picture.removesuffix(_ATLAS) + _ROUGH, "raw", st)
+        rough.ConnectToSource(map_.CreateOutput("g", kinds.Float))
+    else:
+        rough.Set(0.85)
     surface.CreateInput("metallic", kinds.Float).Set(0.0)
     surface.CreateInput("diffuseColor", kinds.Color3f).ConnectToSource(picture.CreateOutput("rgb", kinds.Float3))
     if mesh.two_sided:
@@ -239,3 +247,12 @@ def _material(pxr: Any, stage: Any, mesh: SkinMesh) -> Any:
         surface.CreateInput("opacityThreshold", kinds.Float).Set(0.4)
     material.CreateSurfaceOutput().ConnectToSource(surface.ConnectableAPI(), "surface")
     return material
+
+
+def _picture(pxr: Any, shader: Any, file: str, space: str, st: Any) -> None:
+    """Make a shader read a picture of the file at the mesh's texture coordinates."""
+    kinds = pxr.Sdf.ValueTypeNames
+    shader.CreateIdAttr("UsdUVTexture")
+    shader.CreateInput("file", kinds.Asset).Set(pxr.Sdf.AssetPath(f"textures/{file}"))
+    shader.CreateInput("sourceColorSpace", kinds.Token).Set(space)
+    shader.CreateInput("st", kinds.Float2).ConnectToSource(st)

@@ -12,10 +12,15 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
 
+import pygltflib
+
 from cloner.exporters.credits import CREDITS
-from cloner.exporters.files import write_bytes
+from cloner.exporters.files import jpeg_bytes, write_bytes
 from cloner.exporters.gltf import build
+from cloner.generic.framing import standard_camera
+from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
+from cloner.generic.painter import mean_of_samples, paint
 from cloner.motion.own import Moves, own_motions
 from cloner.motion.rest import in_t_pose
 from cloner.motion.rig import centred
@@ -38,6 +43,9 @@ _KNUCKLES: Final = {"Proximal": "1", "Intermediate": "2", "Distal": "3"}
 #: does the rest; towards the nose and up a little less. At 45 degrees the gaze is then 15 to 22 degrees off.
 GAZE_INPUT_DEG: Final = 60.0
 GAZE_DEG: Final = {"HorizontalInner": 26.0, "HorizontalOuter": 30.0, "VerticalDown": 22.0, "VerticalUp": 20.0}
+#: Side of the thumbnail, pixels (programs show 256), and what lies behind the head (taste).
+THUMBNAIL_PX: Final = 256
+_BACKDROP: Final = (226, 228, 230)
 #: VRM's expressions as sums of the clone's targets.
 EXPRESSIONS: Final[Mapping[str, Mapping[str, float]]] = MappingProxyType({
     "happy": {"mouthSmileLeft": 0.8, "mouthSmileRight": 0.8, "cheekSquintLeft": 0.5, "cheekSquintRight": 0.5},
@@ -71,9 +79,23 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
     gltf.extensionsUsed = [*gltf.extensionsUsed, EXTENSION]
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
     gltf.extensions = {EXTENSION: _vrm(posed, nodes, name)}
+    gltf.extensions[EXTENSION]["meta"]["thumbnailImage"] = _thumbnail(gltf, posed)
     path = folder / f"{name}.vrm"
     write_bytes(path, b"".join(gltf.save_to_bytes()))
     return (path,)
+
+
+def _thumbnail(gltf: Any, clone: Clone) -> int:
+    """Add a picture of the head, which programs show in their lists, and return its number."""
+    camera = standard_camera(clone, "face", 2 * THUMBNAIL_PX, 2 * THUMBNAIL_PX)
+    picture = paint(clone_layers(clone), camera, background=_BACKDROP)
+    data, blob = jpeg_bytes(mean_of_samples(picture, 2)), gltf.binary_blob()
+    gltf.bufferViews.append(pygltflib.BufferView(buffer=0, byteOffset=len(blob), byteLength=len(data)))
+    gltf.images.append(pygltflib.Image(name="thumbnail", mimeType="image/jpeg", bufferView=len(gltf.bufferViews) - 1))
+    blob += data + bytes(-len(data) % 4)
+    gltf.set_binary_blob(blob)
+    gltf.buffers[0].byteLength = len(blob)
+    return len(gltf.images) - 1
 
 
 def _vrm(clone: Clone, nodes: Mapping[str, int], name: str) -> dict[str, Any]:

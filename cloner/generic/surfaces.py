@@ -14,6 +14,8 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.wedges import split_seams, triangulate, vertex_normals
 from cloner.records.arrays import freeze
 
+#: Share of a tooth normal's part along the tooth that is taken away (taste).
+_TOOTH_FRONT: Final = 0.8
 #: Surface name -> parts of the generic human it is made of.
 _PARTS: Final = {
     "body": ("body",),
@@ -72,8 +74,19 @@ def load_triangles() -> NDArray[np.int32]:
 
 
 def surface_normals(vertices_m: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return (V, 3) unit normals of the generic human's vertices moved to ``vertices_m``."""
-    return vertex_normals(vertices_m, load_triangles())
+    """Return (V, 3) unit normals of the generic human's vertices moved to ``vertices_m``.
+
+    Teeth are lit as their fronts are: the smooth normal of a biting edge points along the tooth, and all that shows of
+    the upper ones between two lips would be as grey as their undersides.
+    """
+    normals, generic = vertex_normals(vertices_m, load_triangles()), load_generic()
+    for part in ("teeth_upper", "teeth_lower"):
+        rows = generic.part(part)
+        along = np.linalg.svd(vertices_m[rows] - vertices_m[rows].mean(axis=0), full_matrices=False)[2][2]
+        own = normals[rows]
+        own -= _TOOTH_FRONT * (own @ along)[:, None] * along
+        normals[rows] = own / np.linalg.norm(own, axis=1, keepdims=True)
+    return normals
 
 
 def surfaces(generic: GenericHuman) -> tuple[Surface, ...]:

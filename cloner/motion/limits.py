@@ -26,23 +26,30 @@ MOVES_M: Final = 0.001
 #: Lips may press on each other by this much, metres, before what closes them is held back.
 PRESS_M: Final = 0.0005
 TURNS: Final = 4
+#: A tongue that is out presses into the lips' middles by no more than this, metres, and is drawn in by such steps.
+TONGUE, TONGUE_PRESS_M, TONGUE_WIDE_M, TONGUE_STEP, TONGUE_TURNS = "tongueOut", 0.001, 0.006, 0.75, 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Reach:
-    """What every target (T) does alone: points (T, P, 3) m, lids shut (T, 2) as a share, lips (T, K, N, 3) m."""
+    """What every target (T) does alone.
+
+    Points (T, P, 3) m, lids shut (T, 2) as a share, lips (T, K, N, 3) m, tongue (T, Q, 3) m.
+    """
 
     points: Array
     shut: Array
     lips: Array
+    tongue: Array
 
 
 def limited(clone: Clone, weights: Mapping[str, Array]) -> dict[str, Array]:
     """Return weights (F,) of the clone's targets, held back wherever their sum would be no face.
 
     A blink takes the place of gaze, squint and what opens lids, and what others leave of the way to shut lids. No sum
-    takes a feature point farther than any one target does. What closes the lips is held back where they would cross.
-    Weights that do no such thing come back as they are; names that the clone has not are dropped.
+    takes a feature point farther than any one target does. A tongue comes out as far as the lips leave it room.
+    What closes the lips is held back where they would cross. Weights that do no such thing come back as they are; names
+    that the clone has not are dropped.
     """
     names = tuple(name for name in clone.morph_names if name in weights)
     if not names:
@@ -51,6 +58,7 @@ def limited(clone: Clone, weights: Mapping[str, Array]) -> dict[str, Array]:
     rows = np.clip(np.column_stack([np.asarray(weights[name], dtype=np.float64) for name in names]), 0.0, 1.0)
     rows = _held_points(rows, reach.points, farthest)
     rows = _held_lids(rows, reach.shut, names)
+    rows = _held_tongue(rows, clone.vertices_m, reach, names)
     rows = _held_lips(rows, clone.vertices_m[mouth_grid().rings], reach.lips)
     return {name: rows[:, column] for column, name in enumerate(names)}
 
@@ -62,7 +70,7 @@ def _reach(clone: Clone, names: tuple[str, ...]) -> tuple[_Reach, Array]:
     eyes, mouth = (eye_grid("left"), eye_grid("right")), mouth_grid()
     rest = clone.vertices_m
     opened = [_lid_height(grid, rest) for grid in eyes]
-    points, shut, lips, farthest = [], [], [], np.zeros(len(vertices))
+    points, shut, lips, tongue, farthest = [], [], [], [], np.zeros(len(vertices))
     for name, offsets in target_offsets(clone):
         own = offsets[vertices].astype(np.float64)
         farthest = np.maximum(farthest, np.linalg.norm(own, axis=1))
@@ -72,7 +80,8 @@ def _reach(clone: Clone, names: tuple[str, ...]) -> tuple[_Reach, Array]:
         points.append(own)
         shut.append([1.0 - _lid_height(g, shape) / max(o, 1e-6) for g, o in zip(eyes, opened, strict=True)])
         lips.append(offsets[mouth.rings].astype(np.float64))
-    return _Reach(np.array(points), np.array(shut), np.array(lips)), farthest
+        tongue.append(offsets[generic.part("tongue")].astype(np.float64))
+    return _Reach(np.array(points), np.array(shut), np.array(lips), np.array(tongue)), farthest
 
 
 def _lid_height(grid: Grid, shape_m: Array) -> float:
@@ -111,6 +120,31 @@ def _held_lids(rows: Array, shut: Array, names: tuple[str, ...]) -> Array:
         out[:, closes] *= np.minimum(1.0, np.maximum(1.0 - gazed, 0.0) / np.maximum(closing, 1e-9))[:, None]
         left = 1.0 - gazed - out[:, closes] @ own[closes]
         out[:, is_blink] = rows[:, is_blink] * np.clip(left, 0.0, 1.0)[:, None]
+    return out
+
+
+def _held_tongue(rows: Array, rest: Array, reach: _Reach, names: tuple[str, ...]) -> Array:
+    """Return weights (F, T) under which the tongue comes out as far as the lips let it, which it opens itself."""
+    if TONGUE not in names or not rows[:, names.index(TONGUE)].any():
+        return rows
+    grid, out, column = mouth_grid(), rows.copy(), names.index(TONGUE)
+    lips_m, tongue_m = rest[grid.rings], rest[load_generic().part("tongue")]
+    beside = np.abs(lips_m[grid.margin, :, 0] - tongue_m[:, 0].mean()) < TONGUE_WIDE_M
+    alone = tongue_m + reach.tongue[column]
+    touching = slice(grid.margin - 1, grid.margin + 3)
+    lip = lips_m[touching][:, beside & grid.lower] + reach.lips[column][touching][:, beside & grid.lower]
+    over = (alone[:, 2] > lip[..., 2].min()) & (np.abs(alone[:, 0] - tongue_m[:, 0].mean()) < TONGUE_WIDE_M)
+    for weights in out:
+        for _ in range(TONGUE_TURNS):
+            lips = lips_m + np.tensordot(weights, reach.lips, axes=1)
+            tongue = (tongue_m + np.tensordot(weights, reach.tongue, axes=1))[over, 1]
+            low = tongue.min() - lips[touching][:, beside & grid.lower, 1].max()
+            high = lips[touching][:, beside & grid.upper, 1].min() - tongue.max()
+            if min(low, high) > -TONGUE_PRESS_M:
+                break
+            weights[column] *= TONGUE_STEP
+        else:
+            weights[column] = 0.0
     return out
 
 

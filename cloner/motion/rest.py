@@ -19,6 +19,10 @@ from cloner.records.heads import Shell
 
 Array = NDArray[np.float64]
 
+#: Collarbones rise by this much under level arms, radians (taste, of 0, 8, 12, 14 and 20 degrees; that they rise with
+#: an arm: Inman et al. 1944); arms that rise alone leave the collar standing in steps beside the neck.
+CLAVICLE_RAD = np.radians(12.0)
+
 
 def in_t_pose(clone: Clone) -> Clone:
     """Return the clone whose rest pose is the T-pose: arms level to the sides, palms down, legs straight down."""
@@ -100,6 +104,9 @@ def t_pose(body: Body) -> Array:
     world = np.tile(np.eye(3), (1, len(body.names), 1, 1))
     down_to_side = {"l": turns.about(2, np.array([np.pi / 2])), "r": turns.about(2, np.array([-np.pi / 2]))}
     for side in SIDES:
+        raised = turns.about(2, np.array([CLAVICLE_RAD if side == "l" else -CLAVICLE_RAD]))
+        for name in ("sternoclavicular", "acromioclavicular"):
+            world[:, body.joint(f"{side}_{name}")] = raised
         aim_limb(body, world, side, "shoulder", down_to_side[side])
         aim_limb(body, world, side, "elbow", down_to_side[side])
         elbow, wrist = body.joint(f"{side}_elbow"), body.joint(f"{side}_wrist")

@@ -18,7 +18,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.eyeballs import Ball
 from cloner.geometry.local_maps import LocalMaps, local_maps
 from cloner.geometry.sockets import similarity
-from cloner.stages import lids, lips
+from cloner.stages import lids, lips, tongue
 
 Array = NDArray[np.float64]
 Targets = tuple[tuple[str, ...], NDArray[np.int32], NDArray[np.float32], NDArray[np.int32]]
@@ -32,8 +32,6 @@ CLOSED = ("viseme_sil", "viseme_PP", "mouthPressLeft", "mouthPressRight", "mouth
 #: A mouth wide open: the lower teeth sink by this much, metres; then the tongue lies on the mouth's floor, its back as
 #: much lower as this share of its height (taste).
 WIDE_M, FLAT = 0.025, 0.5
-#: A tongue that comes out this far, metres, is narrower by this share (taste).
-OUT_M, NARROW = 0.02, 0.35
 #: No tongue passes closed lips: one that is out opens the jaw by this share, which lets it through (7 mm).
 TONGUE_OPENS = 0.35
 #: Share of a target that ears and scalp take, and how far outside them skin takes all of it, metres: they hardly move.
@@ -79,23 +77,29 @@ class _Face:
         self._move_lips(name, out, jaw_open)
         return out
 
+    def tongue_out(self, jaw_open: Array) -> Array:
+        """Return the offsets (V, 3) of a tongue that is put out, the jaw as far open as it needs."""
+        generic, grid, out = self.generic, mouth_grid(), TONGUE_OPENS * jaw_open
+        rows, teeth, shape = generic.part("tongue"), generic.part("teeth_lower"), self.rest_m + out
+        put_out = tongue.put_out(self.rest_m[rows], shape[rows], shape[grid.rings], grid, shape[teeth])
+        out[rows] = put_out - self.rest_m[rows]
+        return out
+
     def _move_mouth(self, out: Array, raw: Array) -> None:
         """Move the lower teeth, and the tongue with them, in place."""
-        teeth, tongue = self.generic.part("teeth_lower"), self.generic.part("tongue")
+        teeth, tongue_rows = self.generic.part("teeth_lower"), self.generic.part("tongue")
         size, turn, shift = similarity(self.mean_m[teeth], self.rest_m[teeth])
         _, jaw_turn, jaw_shift = similarity(self.mean_m[teeth], self.mean_m[teeth] + raw[teeth])
         sinks = max(0.0, -float(raw[teeth, 1].mean()))
-        for rows in (teeth, tongue):
+        for rows in (teeth, tongue_rows):
             generic_place = (self.rest_m[rows] - shift) @ turn / size
             rigid = generic_place @ jaw_turn.T + jaw_shift - generic_place
             out[rows] = size * rigid @ turn.T
-        own = raw[tongue] - (self.mean_m[tongue] @ jaw_turn.T + jaw_shift - self.mean_m[tongue])
+        own = raw[tongue_rows] - (self.mean_m[tongue_rows] @ jaw_turn.T + jaw_shift - self.mean_m[tongue_rows])
         own = size * own @ turn.T
-        place = self.rest_m[tongue]
-        # what comes out between the lips is narrower than what lies between the teeth
-        own[:, 0] -= NARROW * np.clip(own[:, 2] / OUT_M, 0.0, 1.0) * (place[:, 0] - place[:, 0].mean())
+        place = self.rest_m[tongue_rows]
         own[:, 1] -= FLAT * min(sinks / WIDE_M, 1.0) * np.maximum(place[:, 1] - place[:, 1].min(), 0.0)
-        out[tongue] += own
+        out[tongue_rows] += own
 
     def _move_eye(self, name: str, out: Array, raw: Array, side: str) -> None:
         """Turn the eyeball and fit the lids to it, in place."""
@@ -139,7 +143,7 @@ class _Face:
             return
         moved = rest + out[grid.rings]
         if name != "mouthClose" and name not in CLOSED:
-            moved = lips.rounded(grid, rest, moved)
+            moved = lips.rounded(grid, rest, moved, lips.ROUND.get(name, 1.0))
         for part in ("teeth_upper", "teeth_lower"):
             rows = self.generic.part(part)
             moved = lips.before_teeth(grid, moved, self.rest_m[rows] + out[rows])
@@ -166,8 +170,10 @@ def _targets(face: _Face) -> Iterator[tuple[str, Array]]:
     generic = face.generic
     jaw_open = face.target("jawOpen", _raw(generic, "jawOpen"), np.zeros_like(face.rest_m))
     for name in (*generic.arkit_names, *generic.viseme_names):
-        own = face.target(name, _raw(generic, name), jaw_open)
-        yield name, own + TONGUE_OPENS * jaw_open if name == "tongueOut" else own
+        if name == "tongueOut":
+            yield name, face.tongue_out(jaw_open)
+        else:
+            yield name, face.target(name, _raw(generic, name), jaw_open)
 
 
 def _raw(generic: GenericHuman, name: str) -> Array:

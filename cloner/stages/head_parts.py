@@ -12,7 +12,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.eyeballs import BALL_M, Ball, ball_points
 from cloner.geometry.sockets import similarity
 from cloner.records.views import Camera
-from cloner.stages import lids, lips
+from cloner.stages import lids, lips, tongue
 
 Array = NDArray[np.float64]
 
@@ -172,3 +172,4 @@ def _seat_mouth(generic: GenericHuman, before: Array, out: Array) -> None:
         shift = np.array([middle - own[:, 0].mean(), edge - biting, depth - own[:, 2].max()])
         for part in parts:
             out[generic.part(part)] = size * before[generic.part(part)] @ rotation.T + shift
+    out[generic.part("tongue")] = tongue.rounded_tip(out[generic.part("tongue")])

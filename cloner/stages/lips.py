@@ -25,7 +25,11 @@ TURNS = 3
 TOOTH_M, BEFORE_M = 0.004, 0.001
 #: An open mouth is an oval: each lip hangs between the corners like ``(1 - u^2)`` to this power, u from the middle to a
 #: corner; a half is an ellipse. What opens a lip by less than the first of these, metres, stays, by the second changes.
-OVAL, OVAL_FROM_M, OVAL_TO_M = 0.6, 0.002, 0.005
+OVAL, OVAL_FROM_M, OVAL_TO_M = 0.45, 0.002, 0.005
+#: An oval is so much flatter than what a face's middle column makes of it (taste).
+BLUNT = 0.96
+#: Rounded lips draw their corners together to this share of their distance (photos of spoken O: as wide as high).
+ROUND = {"mouthFunnel": 0.85, "viseme_O": 0.82}
 
 
 def closed(grid: Grid, points: Array) -> Array:
@@ -53,28 +57,34 @@ def sealed(grid: Grid, points: Array) -> Array:
     return out
 
 
-def rounded(grid: Grid, rest: Array, moved: Array) -> Array:
+def rounded(grid: Grid, rest: Array, moved: Array, width: float = 1.0) -> Array:
     """Return lips that hang in ovals where a face draws them open in a V: as low in the middle, and fuller beside it.
 
     Parameters
     ----------
     rest, moved : (K, N, 3)
         Before and after the motion, metres.
+    width : float
+        Share of the corners' distance that they keep.
     """
     out, margin = moved.copy(), moved[grid.margin]
-    drop = moved[grid.margin, :, 1] - rest[grid.margin, :, 1]
     left, right = (int(corner) for corner in grid.corners)
     middle, half = (margin[left, 0] + margin[right, 0]) / 2.0, max((margin[left, 0] - margin[right, 0]) / 2.0, 1e-6)
     across = np.clip((margin[:, 0] - middle) / half, -1.0, 1.0)
-    base = drop[right] + (drop[left] - drop[right]) * (across + 1.0) / 2.0
-    step = np.zeros(len(drop))
+    base = margin[right, 1] + (margin[left, 1] - margin[right, 1]) * (across + 1.0) / 2.0
+    step = np.zeros(len(margin))
     for lip in (grid.upper, grid.lower):
-        own = drop - base
-        centre = float(own[lip][np.abs(across[lip]).argmin()])
-        share = np.clip((abs(centre) - OVAL_FROM_M) / (OVAL_TO_M - OVAL_FROM_M), 0.0, 1.0)
-        fuller = centre * (1.0 - across**2) ** OVAL - own
-        step[lip] = share * np.where(fuller[lip] * centre > 0.0, fuller[lip], 0.0)
+        own = margin[:, 1] - base
+        column = np.flatnonzero(lip)[np.abs(across[lip]).argmin()]
+        centre = float(own[column])
+        drop = float(moved[grid.margin, column, 1] - rest[grid.margin, column, 1])
+        drop -= float(np.mean(margin[[left, right], 1] - rest[grid.margin, [left, right], 1]))
+        share = np.clip((abs(drop) - OVAL_FROM_M) / (OVAL_TO_M - OVAL_FROM_M), 0.0, 1.0)
+        fuller = BLUNT * centre * (1.0 - across**2) ** OVAL - own
+        # an upper lip keeps the bow of its own; a lower one that is fullest in its middle would hang to a point
+        step[lip] = share * np.where((fuller[lip] * centre > 0.0) | grid.lower[lip], fuller[lip], 0.0)
     out[:, :, 1] += SHARE[:, None] * step
+    out[:, :, 0] += SHARE[:, None] * (width - 1.0) * (margin[:, 0] - middle)
     return np.asarray(out)
 
 

@@ -20,7 +20,9 @@ SHADED_TEETH, CHEEK_SHADE = (2.6, 4.2), 0.7  # teeth from the middle (canine to 
 GUM_RGB = (172.0, 96.0, 92.0)
 TONGUE_RGB = (168.0, 88.0, 86.0)
 LASH_RGB = (38.0, 28.0, 24.0)
-MOUTH_RGB = (88.0, 36.0, 36.0)
+FURROW_M, FURROW_SHADE = 0.0015, 0.18  # taste
+MOUTH_RGB, DEEP_RGB = (104.0, 44.0, 42.0), (38.0, 14.0, 14.0)  # behind the lips, and in the throat (taste)
+DEEP_M = (0.015, 0.055)  # light fades between these depths behind the lips or the tongue's tip, metres (taste)
 PUPIL_SHARE = 0.36  # of the iris radius: 4 mm in 11.7 mm, indoor light
 
 
@@ -125,7 +127,27 @@ def paint_teeth(height_m: Image, along_m: Image) -> Image:
     # behind the canines cheeks keep the light away: unshaded, side teeth stand like fangs in the mouth's corners
     from_middle = np.asarray(np.abs(along_m), np.float32) / np.float32(TOOTH_WIDTH_M)
     behind = _ramp(np.asarray(from_middle, np.float32), *SHADED_TEETH)
-    return colour * (1.0 - CHEEK_SHADE * behind)[:, None]
+    return _mix(colour, DEEP_RGB, np.asarray(CHEEK_SHADE * behind, np.float32))
+
+
+def paint_tongue(behind_m: Image, aside_m: Image) -> Image:
+    """Return (N, 3) colours of a tongue: darker towards the throat and in the furrow along its middle.
+
+    Parameters
+    ----------
+    behind_m : (N,) metres
+        From the tip towards the throat.
+    aside_m : (N,) metres
+        From the middle.
+    """
+    furrow = FURROW_SHADE * np.exp(-((np.asarray(aside_m, np.float32) / np.float32(FURROW_M)) ** 2))
+    colour = paint_plain(len(behind_m), TONGUE_RGB) * (1.0 - furrow)[:, None]
+    return _mix(colour, DEEP_RGB, 0.85 * _ramp(np.asarray(behind_m, np.float32), *DEEP_M))
+
+
+def paint_mouth(behind_m: Image) -> Image:
+    """Return (N, 3) colours of the mouth's inside, so far behind the lips: light enters from the front only."""
+    return _mix(paint_plain(len(behind_m), MOUTH_RGB), DEEP_RGB, _ramp(np.asarray(behind_m, np.float32), *DEEP_M))
 
 
 def paint_plain(count: int, rgb: tuple[float, float, float]) -> Image:

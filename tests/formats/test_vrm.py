@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import os
 import shutil
@@ -12,6 +13,7 @@ from pathlib import Path
 import numpy as np
 import pygltflib
 import pytest
+from PIL import Image
 
 from cloner.exporters.vrm import EXPRESSIONS, export, human_bones
 from cloner.generic.load import load_generic
@@ -89,6 +91,17 @@ def test_expressions_bind_existing_targets(gltf, clone) -> None:
             assert gltf.nodes[bind["node"]].mesh is not None
             assert clone.morph_names[bind["index"]] in EXPRESSIONS[name]
             assert 0.0 < bind["weight"] <= 1.0
+
+
+def test_the_thumbnail_shows_the_head(gltf) -> None:
+    image = gltf.images[gltf.extensions["VRMC_vrm"]["meta"]["thumbnailImage"]]
+    view = gltf.bufferViews[image.bufferView]
+    data = gltf.binary_blob()[view.byteOffset : view.byteOffset + view.byteLength]
+    with Image.open(io.BytesIO(data)) as picture:
+        assert picture.size == (256, 256)
+        pixels = np.asarray(picture.convert("RGB")).astype(int)
+    shown = (np.abs(pixels - pixels[0, 0]).max(axis=2) > 12).mean()
+    assert 0.25 < shown < 0.8, "a head fills a third to two thirds of its picture"
 
 
 def test_terms_protect_the_person(gltf) -> None:

@@ -1,6 +1,7 @@
 // Bundled with esbuild: shows a GLB, a VRM or a flat VRML with three.js, a moment into its motion, and tells what it saw.
 import { AmbientLight, AnimationMixer, Box3, Color, DirectionalLight, PerspectiveCamera, Scene, Vector3,
   WebGLRenderer } from "three";
+import { MeshoptDecoder } from "three/examples/jsm/libs/meshopt_decoder.module.js";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { VRMLLoader } from "three/examples/jsm/loaders/VRMLLoader.js";
 import { VRMLoaderPlugin } from "@pixiv/three-vrm";
@@ -11,7 +12,7 @@ const wait = (milliseconds) => new Promise((done) => setTimeout(done, millisecon
 
 async function load() {
   if (kind === "wrl") return { scene: new VRMLLoader().parse(new TextDecoder().decode(bytes), pictures), animations: [] };
-  const loader = new GLTFLoader();
+  const loader = new GLTFLoader().setMeshoptDecoder(MeshoptDecoder);
   if (kind === "vrm") loader.register((parser) => new VRMLoaderPlugin(parser));
   const gltf = await loader.parseAsync(bytes.buffer, "");
   const vrm = gltf.userData.vrm;

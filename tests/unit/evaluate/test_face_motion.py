@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict
+from dataclasses import asdict, replace
 
 import numpy as np
 import pytest
 
 from cloner.evaluate import face_motion
+from cloner.evaluate.baselines import generic_clone
 from cloner.generic.face_grids import eye_grid, eyeball, mouth_grid
 from cloner.generic.load import load_generic
 from cloner.geometry.viewpoints import look_at
+from cloner.motion.limits import limited
 from cloner.records.views import Camera
 from cloner.stages.face_targets import face_targets
 from cloner.stages.head_parts import INNER_LIPS, Sight, seat_parts
@@ -36,6 +38,14 @@ def person(request):
         steps[name] = np.zeros_like(rest)
         steps[name][index[rows]] = delta[rows]
     return rest, steps
+
+
+def packed(steps):
+    """Targets as a clone keeps them: names, vertices, offsets, starts."""
+    rows = {name: np.flatnonzero(step.any(axis=1)) for name, step in steps.items()}
+    start = np.cumsum([0, *(len(own) for own in rows.values())]).astype(np.int32)
+    delta = np.concatenate([steps[name][own] for name, own in rows.items()]).astype(np.float32)
+    return tuple(rows), np.concatenate(list(rows.values())).astype(np.int32), delta, start
 
 
 def test_at_rest_lids_lie_on_eyeballs_of_real_size_and_lips_meet(person) -> None:
@@ -64,6 +74,7 @@ def test_all_targets_are_there_and_move_no_ear_no_skull_and_no_eye_through_a_lid
         figures = face_motion.worst_on_the_way(rest, steps[name])
         assert figures.eye_through < 0.05, name
         assert figures.teeth_through < 0.5, name
+        assert figures.tongue_through < 0.5, name
         assert figures.ears < 0.5, name
         assert figures.skull < 0.5, name
 
@@ -103,6 +114,50 @@ def test_teeth_and_tongue_move_whole_with_the_jaw(person) -> None:
     assert 0.5 * chin > opened[tip, 1] > 1.6 * chin
 
 
+def test_a_tongue_comes_out_over_the_lower_lip_and_through_no_lip(person) -> None:
+    rest, steps = person
+    generic, grid = load_generic(), mouth_grid()
+    rows, out = generic.part("tongue"), rest + steps["tongueOut"]
+    lower = out[grid.rings[grid.margin - 1 : grid.margin + 4][:, grid.lower]]
+    assert 0.008 < out[rows, 2].max() - lower[..., 2].max() < 0.03, "it is seen from the front"
+    tip = rows[out[rows, 2] > lower[..., 2].max()]
+    assert np.ptp(out[tip, 0]) > 0.012, "as broad as a tongue, no thorn"
+    assert face_motion.worst_on_the_way(rest, steps["tongueOut"]).tongue_through < 2.0
+
+
+def test_the_tongue_passes_no_lip_in_a_sum(person) -> None:
+    rest, steps = person
+    names, index, delta, start = packed(steps)
+    clone = replace(generic_clone(load_generic(), 1.7), vertices_m=rest, morph_names=names, morph_index=index,
+                    morph_delta_m=delta, morph_start=start)  # fmt: skip
+    for others, least, most in (
+        ({"jawOpen": 1.0}, 0.7, 1.0),  # held back only as no sum opens the jaw farther than jawOpen
+        ({"jawOpen": 1.0, "mouthClose": 1.0}, 0.0, 0.7),
+        ({"viseme_PP": 1.0}, 0.0, 1.0),
+        ({"mouthRollLower": 1.0}, 0.0, 1.0),
+        ({"mouthSmileLeft": 1.0, "mouthSmileRight": 1.0}, 0.0, 1.0),
+        ({"viseme_O": 1.0}, 0.0, 1.0),
+        ({"mouthPucker": 1.0, "mouthShrugLower": 1.0}, 0.0, 1.0),
+    ):
+        held = limited(clone, {name: np.array([weight]) for name, weight in {"tongueOut": 1.0, **others}.items()})
+        figures = face_motion.mixture_figures(clone, {name: float(values[0]) for name, values in held.items()})
+        assert figures.tongue_through < 1.0, others
+        assert least <= held["tongueOut"][0] <= most, others
+
+
+def test_open_lips_are_ovals_and_no_wedges(person) -> None:
+    rest, steps = person
+    grid = mouth_grid()
+    for name in ("jawOpen", "viseme_O", "viseme_aa", "mouthFunnel"):
+        margin = (rest + steps[name])[grid.ring(0)]
+        left, right = margin[grid.corners]
+        across = np.abs(margin[:, 0] - (left[0] + right[0]) / 2.0) / ((left[0] - right[0]) / 2.0)
+        depth = (left[1] + right[1]) / 2.0 - margin[:, 1]
+        lower = grid.lower
+        half = np.interp(0.6, np.sort(across[lower]), depth[lower][np.argsort(across[lower])])
+        assert half > 0.75 * depth[lower].max(), f"{name}: a wedge has 0.4, an ellipse 0.8"
+
+
 def test_a_gaze_turns_the_ball_about_its_centre_and_lids_follow_up_and_down(person) -> None:
     rest, steps = person
     generic = load_generic()
@@ -138,6 +193,9 @@ def test_the_rulers_see_what_is_wrong() -> None:
     biting = rest.copy()
     biting[generic.part("teeth_upper")] += [0.0, 0.0, 0.03]
     assert face_motion.face_figures(rest, biting).teeth_through > 5.0
+    licking = rest.copy()
+    licking[generic.part("tongue")] += [0.0, -0.006, 0.02]
+    assert face_motion.face_figures(rest, licking).tongue_through > 2.0
     shifted = rest + 0.001
     assert face_motion.face_figures(rest, shifted).ears == pytest.approx(3**0.5, rel=0.01)
 

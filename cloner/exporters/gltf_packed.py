@@ -1,0 +1,120 @@
+"""Buffer views of a finished glTF packed by EXT_meshopt_compression, in place.
+
+References
+----------
+Khronos Group 2022, EXT_meshopt_compression: packed views lie in the file's own buffer; the buffer they stand for has a
+length and no bytes ("fallback").
+"""
+
+from __future__ import annotations
+
+import struct
+from collections.abc import Callable
+from typing import Any, Final
+
+import numpy as np
+import pygltflib
+
+from cloner.exporters import meshopt
+
+EXTENSION: Final = "EXT_meshopt_compression"
+#: Shorter views stay as they are, bytes; taste: the extension's own text is 150.
+SHORTEST: Final = 256
+#: Widest element that can be packed, bytes.
+WIDEST: Final = 256
+_JSON, _BIN = 0x4E4F534A, 0x004E4942
+_BYTES: Final = {pygltflib.UNSIGNED_BYTE: 1, pygltflib.BYTE: 1, pygltflib.SHORT: 2, pygltflib.UNSIGNED_SHORT: 2,
+                 pygltflib.UNSIGNED_INT: 4, pygltflib.FLOAT: 4}  # fmt: skip
+_WIDTH: Final = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
+_INDEX: Final = {pygltflib.UNSIGNED_SHORT: np.uint16, pygltflib.UNSIGNED_INT: np.uint32}
+
+
+Packed = tuple[bytes, dict[str, Any]]
+
+
+def pack(gltf: Any) -> None:
+    """Pack every view of numbers that gets smaller by it, in place; pictures stay."""
+    blob = gltf.binary_blob()
+    pictures = {image.bufferView for image in gltf.images}
+    ways, strides = _ways(gltf), _strides(gltf)
+    chunks: list[bytes] = []
+    own = elsewhere = 0
+    for number, view in enumerate(gltf.bufferViews):
+        data = blob[view.byteOffset or 0 :][: view.byteLength]
+        packed = None
+        if number not in pictures and len(data) >= SHORTEST:
+            way = ways[number] if number in ways else _attributes(strides[number])
+            packed = way(data)
+        if packed is not None and len(packed[0]) < len(data):
+            stored, told = packed
+            view.extensions = {EXTENSION: {"buffer": 0, "byteOffset": own, "byteLength": len(stored), **told}}
+            view.buffer, view.byteOffset = 1, elsewhere
+            view.byteLength = told["byteStride"] * told["count"]
+            elsewhere += -(-view.byteLength // 4) * 4
+        else:
+            stored, view.byteOffset = data, own
+        chunks.append(stored + bytes(-len(stored) % 4))
+        own += len(chunks[-1])
+    gltf.buffers = [
+        pygltflib.Buffer(byteLength=own),
+        pygltflib.Buffer(byteLength=elsewhere, extensions={EXTENSION: {"fallback": True}}),
+    ]
+    gltf.extensionsUsed = [*gltf.extensionsUsed, EXTENSION]
+    gltf.extensionsRequired = [*gltf.extensionsRequired, EXTENSION]
+    gltf.set_binary_blob(b"".join(chunks))
+
+
+def glb_bytes(gltf: Any) -> bytes:
+    """Return the file (pygltflib would make one buffer of the two)."""
+    text = gltf.gltf_to_json(separators=(",", ":"), indent=None).encode()
+    text += b" " * (-len(text) % 4)
+    blob = gltf.binary_blob()
+    return b"".join([
+        struct.pack("<4sIIII", b"glTF", 2, 28 + len(text) + len(blob), len(text), _JSON), text,
+        struct.pack("<II", len(blob), _BIN), blob,
+    ])  # fmt: skip
+
+
+def _ways(gltf: Any) -> dict[int, Callable[[bytes], Packed]]:
+    """Return how views of indices are packed; all others hold attributes."""
+    found: dict[int, Callable[[bytes], Packed]] = {}
+    for mesh in gltf.meshes:
+        for primitive in mesh.primitives:
+            accessor = gltf.accessors[primitive.indices]
+            found[accessor.bufferView] = _indices(_INDEX[accessor.componentType], "TRIANGLES")
+    for accessor in gltf.accessors:
+        if accessor.sparse is not None:
+            rows = accessor.sparse.indices
+            found[rows.bufferView] = _indices(_INDEX[rows.componentType], "INDICES")
+    return found
+
+
+def _indices(kind: Any, mode: str) -> Callable[[bytes], Packed]:
+    def packed(data: bytes) -> Packed:
+        values = np.frombuffer(data, kind)
+        if mode == "INDICES":
+            stored = meshopt.sequence(values)
+        else:
+            stored = meshopt.triangles(meshopt.side_by_side(values.reshape(-1, 3)))
+        return stored, {"byteStride": values.itemsize, "count": len(values), "mode": mode}
+
+    return packed
+
+
+def _strides(gltf: Any) -> dict[int, int]:
+    """Return the bytes of one element of every view; others than multiples of 4 go in pairs, or by fours."""
+    found = {}
+    for accessor in gltf.accessors:
+        row = _BYTES[accessor.componentType] * _WIDTH[accessor.type]
+        view = accessor.bufferView if accessor.sparse is None else accessor.sparse.values.bufferView
+        stride = gltf.bufferViews[view].byteStride or (row if row % 4 == 0 else 2 * row)
+        found[view] = stride if stride % 4 == 0 and stride <= WIDEST else 4
+    return found
+
+
+def _attributes(stride: int) -> Callable[[bytes], Packed]:
+    def packed(data: bytes) -> Packed:
+        rows = np.frombuffer(data + bytes(-len(data) % stride), np.uint8).reshape(-1, stride)
+        return meshopt.attributes(rows), {"byteStride": stride, "count": len(rows), "mode": "ATTRIBUTES"}
+
+    return packed
