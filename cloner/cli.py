@@ -210,6 +210,28 @@ def _body(
     typer.echo(str(folder))
 
 
+@app.command("dress")
+def _dress(
+    clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
+    out: Annotated[Path, typer.Option("--out", help="The file to write: .glb, or a film: .gif, .webp, .mp4.")],
+    garment: Annotated[
+        str, typer.Option(help="skirt, circle-skirt, straight-skirt, long-skirt or a .json file.")
+    ] = "skirt",
+    fabric: Annotated[str, typer.Option(help="silk, cotton, linen, wool, denim or burlap.")] = "cotton",
+    motion: Annotated[str, typer.Option(help="walk, or a captured walk (.bvh).")] = "walk",
+    length: Annotated[float | None, typer.Option("--length", help="Length in cm.")] = None,
+) -> None:
+    """Put a garment on a clone and let its cloth flow in a loop with the walk."""
+    from cloner.cloth.written import dress_file
+
+    with ProgressLine() as progress:
+        lines = dress_file(
+            clone_path, out, garment=garment, fabric=fabric, motion=motion, length_cm=length, progress=progress
+        )
+    for line in lines:
+        typer.echo(line)
+
+
 @app.command("crowd")
 def _crowd(
     results: Annotated[list[Path], typer.Argument(metavar="RESULTS...", help="Result folders, or a batch's output.")],

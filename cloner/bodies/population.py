@@ -29,8 +29,9 @@ Array = NDArray[np.float64]
 SEXES: Final = ("f", "m")
 #: Mean stature and its spread, mm (ANSUR II).
 STATURE_MM: Final = {"f": (1628.5, 64.2), "m": (1756.2, 68.6)}
-#: Mean and spread, mm (ANSUR II: chest, waist at the navel, buttock, neck, wrist and calf circumference). Means of women's
-#: first three and spreads from 1st and 99th percentiles of hip, wrist and calf were checked against readings of its files.
+#: Mean and spread, mm (ANSUR II: chest, waist at the navel, buttock, neck, wrist and calf circumference). Women's first
+#: three means, and the spreads of hip, wrist and calf by their 1st and 99th percentiles, were checked against readings
+#: of the survey's files; the report itself was not at hand for the others.
 SURVEY_MM: Final[Mapping[str, Mapping[str, tuple[float, float]]]] = {
     "f": {
         "bust_girth": (946.9, 82.7), "navel_girth": (860.9, 99.8), "hip_girth": (1021.2, 75.9),
