@@ -110,9 +110,17 @@ def sheet_of(cloth: Cloth, fabric: Fabric, held: Ints) -> Sheet:
     bends, width, flat_m = _across(cloth)
     bending = np.asarray(fabric.bend_n_m() * 4.0 / np.maximum(width, 1e-6) ** 2, dtype=np.float64)
     return Sheet(
-        faces, np.asarray(mass, np.float64), np.asarray(area, np.float64),
-        _grouped(ends, rest, 1.0 / stiff, cloth.count), _grouped(bends, flat_m, 1.0 / bending, cloth.count), ends, rest, held, *_leashes(cloth, held), fabric,
-    )  # fmt: skip
+        faces,
+        np.asarray(mass, np.float64),
+        np.asarray(area, np.float64),
+        _grouped(ends, rest, 1.0 / stiff, cloth.count),
+        _grouped(bends, flat_m, 1.0 / bending, cloth.count),
+        ends,
+        rest,
+        held,
+        *_leashes(cloth, held),
+        fabric,
+    )
 
 
 def _leashes(cloth: Cloth, held: Ints) -> tuple[Ints, Array]:
