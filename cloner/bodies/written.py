@@ -82,10 +82,7 @@ def body_folder(
     stature_m = old.stature_m if stature_cm is None and old is not None else float(stature_cm or 0.0) / 100.0
     told = Told(sex or (_sex_of(old) if old is not None else ""), stature_m, _tape(measures_cm, stature_m))
     with result_folder(out, safe_identifier(identifier)) as folder:
-        if old is None:
-            clone = clone_of_measures(told, texture_size)
-        else:
-            clone = remeasured_clone(old, told)
+        clone = clone_of_measures(told, texture_size) if old is None else remeasured_clone(old, told)
         clone = replace(clone, stamp=_stamp(told, identifier, texture_size, old))
         progress("export", 0.5)
         save_clone(clone, folder / CLONE_FILE)

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.cloth.moving import Worn
+from cloner.cloth.solver import leash, pull
 from cloner.cloth.wearer import planes_under, skin_between
 from cloner.geometry.viewpoints import framing_camera
 from cloner.render import render_mesh
@@ -33,6 +34,8 @@ PICTURE_PX: Final = 200
 #: A finished frame's cloth lies at least so far outside the skin, metres.
 CLEAR_M: Final = 0.004
 PUSHES: Final = 4
+#: Times that a closed frame's threads are pulled to their lengths again.
+RELAXATIONS: Final = 24
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -122,11 +125,18 @@ def _closed(worn: Worn, stretch_m: Array, start: int) -> tuple[Array, float]:
 
 
 def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
-    """Return a frame's cloth pushed out of the skin; the same places and skin always give the same."""
+    """Return a frame's cloth with its threads' lengths and out of the skin; the same start always gives the same."""
     skin_m = worn.body.posed(worn.root_m[frame], worn.rotations[frame])
     now = skin_between(worn.body, skin_m, skin_m)
     tree, out = now.tree, places_m.copy()
-    for _ in range(PUSHES):
+    free = 1.0 / worn.sheet.mass_kg
+    free[worn.sheet.held] = 0.0
+    for number in range(RELAXATIONS + PUSHES):
+        if number < RELAXATIONS:  # what was spread lies askew over folds: threads go back to their lengths
+            leash(worn.sheet, out)
+            pull(worn.sheet.stretch, out, free, SPEED_S / 20.0)
+            if number % 4 < 3:
+                continue
         planes = planes_under(now, tree, out, 0.05)
         deep = CLEAR_M - np.einsum("ij,ij->i", out[planes.rows] - planes.late_m, planes.normals)
         out[planes.rows] += np.maximum(deep, 0.0)[:, None] * planes.normals

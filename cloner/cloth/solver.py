@@ -221,26 +221,26 @@ def step(
     for number in range(substeps):
         if number % half == 0:
             planes = planes_under(skin_now, tree, places, REACH_M)
-            pull = _air(sheet, places, speeds, wind_m_s) * free[:, None]
-            pull[:, 1] -= GRAVITY_M_S2
+            thrust = _air(sheet, places, speeds, wind_m_s) * free[:, None]
+            thrust[:, 1] -= GRAVITY_M_S2
         before = places.copy()
-        speeds += h * pull
+        speeds += h * thrust
         fast = np.linalg.norm(speeds, axis=1)
         speeds *= np.minimum(1.0, FASTEST_M_S / np.maximum(fast, 1e-9))[:, None]
         places += h * speeds
         share = (number + 1) / substeps
         places[sheet.held] = (1.0 - share) * held_m[0] + share * held_m[1]
         if number % 2 == 0:
-            _pull(sheet.bend, places, free, h)
-        _leash(sheet, places)
-        _pull(sheet.stretch, places, free, h)
+            pull(sheet.bend, places, free, h)
+        leash(sheet, places)
+        pull(sheet.stretch, places, free, h)
         if planes is not None:
             _keep_out(planes, places, before, sheet.fabric.friction, share, 1.0 / substeps)
         speeds = (places - before) * (kept / h)
     return State(places, speeds)
 
 
-def _pull(threads: Threads, places: Array, free: Array, h: float) -> None:
+def pull(threads: Threads, places: Array, free: Array, h: float) -> None:
     """Move the ends of threads to their lengths, group after group."""
     for one, other, rest, compliance in threads.groups:
         away = places[other] - places[one]
@@ -251,7 +251,7 @@ def _pull(threads: Threads, places: Array, free: Array, h: float) -> None:
         places[other] -= (weight * second)[:, None] * away
 
 
-def _leash(sheet: Sheet, places: Array) -> None:
+def leash(sheet: Sheet, places: Array) -> None:
     """Draw back what went farther from the ring than its cloth is long (Kim, Chentanez, Müller 2012)."""
     base = places[sheet.anchor]
     away = places - base

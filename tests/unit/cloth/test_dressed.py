@@ -14,6 +14,7 @@ from cloner.bodies.telling import Told
 from cloner.cloth.blocks import BLOCKS, draft
 from cloner.cloth.fabrics import FABRICS
 from cloner.cloth.placing import body_ring
+from cloner.cloth.solver import strains
 from cloner.cloth.written import Dressed, dress_file, dressed, glb
 from cloner.errors import Cancelled, ClonerError
 from cloner.generic.load import load_generic
@@ -58,6 +59,8 @@ def test_the_loop_is_closed_and_clear_of_the_skin(walking: Dressed) -> None:
     steps = np.linalg.norm(np.diff(np.concatenate([frames, frames[:1]]), axis=0), axis=2).max(axis=1)
     assert steps[-1] < 2.5 * np.median(steps)  # the seam is no jump
     assert walking.loop.gap_mm <= walking.loop.median_mm
+    longer = [np.quantile(strains(worn.sheet, frame), 0.99) for frame in frames]
+    assert max(longer) < 0.25  # spread over folds without being drawn together again, threads were half too long
 
 
 def test_the_skirt_hangs_where_a_skirt_hangs(walking: Dressed) -> None:
