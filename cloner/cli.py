@@ -1,4 +1,4 @@
-"""The command line: ``cloner clone``, ``batch``, ``render``, ``animate``, ``evaluate``, ``gui`` and ``doctor``."""
+"""The command line: ``cloner clone``, ``batch``, ``render``, ``animate``, ``body``, ``gui``, ``doctor`` and others."""
 
 from __future__ import annotations
 
@@ -179,6 +179,62 @@ def _animate(
         typer.echo(str(path))
 
 
+@app.command("body")
+def _body(
+    out: OutOption,
+    identifier: Annotated[str, typer.Option("--id", help="Name of the result's folder.")],
+    sex: Annotated[str, typer.Option("--sex", help="f or m.")] = "",
+    stature: Annotated[float | None, typer.Option("--stature", help="Barefoot height in cm.")] = None,
+    bust: Annotated[float | None, typer.Option("--bust", help="Chest girth in cm.")] = None,
+    waist: Annotated[float | None, typer.Option("--waist", help="Waist girth in cm.")] = None,
+    hip: Annotated[float | None, typer.Option("--hip", help="Hip girth in cm.")] = None,
+    measures: Annotated[
+        list[str] | None, typer.Option("--measure", help="Any other: NAME=CM, such as inside_leg=78. Repeat it.")
+    ] = None,
+    source: Annotated[Path | None, typer.Option("--from", help="A clone that is told new measures.")] = None,
+    formats: FormatOption = DEFAULT_FORMATS,
+    size: SizeOption = DEFAULT_TEXTURE_SIZE,
+) -> None:
+    """Make a body from measures, or tell a clone new ones."""
+    from cloner.bodies.written import body_folder
+
+    told = {name: value for name, value in (("bust", bust), ("waist", waist), ("hip", hip)) if value is not None}
+    for name, value in map(named_number, measures or ()):
+        if name in told:
+            raise ClonerError(f"{name} is given twice", "Keep one of both", "--measure")
+        told[name] = value
+    with ProgressLine() as progress:
+        folder, lines = body_folder(
+            out, identifier, sex=sex.lower(), stature_cm=stature, measures_cm=told, formats=split_formats(formats),
+            texture_size=size, source=source, progress=progress,
+        )  # fmt: skip
+    for line in lines:
+        typer.echo(line)
+    typer.echo(str(folder))
+
+
+@app.command("dress")
+def _dress(
+    clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
+    out: Annotated[Path, typer.Option("--out", help="The file to write: .glb, or a film: .gif, .webp, .mp4.")],
+    garment: Annotated[
+        str, typer.Option(help="skirt, circle-skirt, straight-skirt, long-skirt or a .json file.")
+    ] = "skirt",
+    fabric: Annotated[str, typer.Option(help="silk, cotton, linen, wool, denim or burlap.")] = "cotton",
+    motion: Annotated[str, typer.Option(help="walk, or a captured walk (.bvh).")] = "walk",
+    length: Annotated[float | None, typer.Option("--length", help="Length in cm.")] = None,
+) -> None:
+    """Put a garment on a clone and let its cloth flow in a loop with the walk."""
+    from cloner.cloth.written import dress_file
+
+    with ProgressLine() as progress:
+        lines = dress_file(
+            clone_path, out, garment=garment, fabric=fabric, motion=motion, length_cm=length, progress=progress
+        )
+    for line in lines:
+        typer.echo(line)
+
+
 @app.command("crowd")
 def _crowd(
     results: Annotated[list[Path], typer.Argument(metavar="RESULTS...", help="Result folders, or a batch's output.")],
@@ -341,6 +397,16 @@ def _cluster_keys(folder: Annotated[Path, typer.Argument(help="New folder for ce
 @clusters.callback()
 def _cluster() -> None:
     """Keep "keys" a word of its own: a group of one command would swallow it."""
+
+
+def named_number(text: str) -> tuple[str, float]:
+    """Return the name and the number of NAME=NUMBER."""
+    name, _, value = text.partition("=")
+    try:
+        return name.strip(), float(value)
+    except ValueError as error:
+        hint = "Write a name and centimetres, such as --measure inside_leg=78"
+        raise ClonerError(f"{text!r} is no measure", hint, "--measure") from error
 
 
 def split_formats(text: str) -> tuple[str, ...]:

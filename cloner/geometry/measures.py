@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from typing import Final
 
@@ -183,7 +183,9 @@ def read_mm(vertices_m: Array, planes: Sequence[Plane]) -> float:
     return float(np.mean([plane.girth_mm(vertices_m) for plane in planes]))
 
 
-def girth_planes(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str, tuple[Plane, ...]]:
+def girth_planes(
+    vertices_m: Array, joints_m: Array, rules: TapeRules, keys: Collection[str] | None = None
+) -> dict[str, tuple[Plane, ...]]:
     """Return by key of the measures' table where the tape lies on a body in rest pose; limbs have two planes.
 
     Parameters
@@ -191,6 +193,8 @@ def girth_planes(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[s
     vertices_m : (V, 3) model frame, metres
     joints_m : (94, 3) model frame, metres
     rules : TapeRules
+    keys : collection of str, optional
+        The girths that are wanted, all by default: hip, narrowest waist and calf have to be searched for.
 
     References
     ----------
@@ -203,19 +207,22 @@ def girth_planes(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[s
         return (Plane(np.array([0.0, height_m, 0.0]), UP, rules.torso, segments or _TRUNK),)
 
     at = {name: float(vertices_m[list(rows), 1].mean()) for name, rows in rules.level_vertices.items()}
-    hip_m = _extreme(vertices_m, rules.torso, (float(vertices_m[rules.crotch, 1]), at["waist"]), np.argmax)
-    narrow_m = _extreme(vertices_m, rules.torso, (hip_m, at["underbust"]), np.argmin)
-    return {
+    found = {
         "head_girth": (_round_the_head(vertices_m, rules),),
         "neck_girth": level(at["neck"], "head", "torso"),
         "bust_girth": level(at["chest"]),
         "underbust_girth": level(at["underbust"]),
-        "narrowest_waist_girth": level(narrow_m),
         "waist_girth": level(at["natural_waist"]),
         "navel_girth": level(at["waist"]),
-        "hip_girth": level(hip_m),
-        **_limb_planes(vertices_m, joints_m, rules),
+        **_limb_planes(vertices_m, joints_m, rules, with_calf=keys is None or "calf_girth" in keys),
     }
+    if keys is None or {"hip_girth", "narrowest_waist_girth"} & set(keys):
+        hip_m = _extreme(vertices_m, rules.torso, (float(vertices_m[rules.crotch, 1]), at["waist"]), np.argmax)
+        found["hip_girth"] = level(hip_m)
+        if keys is None or "narrowest_waist_girth" in keys:
+            narrow_m = _extreme(vertices_m, rules.torso, (hip_m, at["underbust"]), np.argmin)
+            found["narrowest_waist_girth"] = level(narrow_m)
+    return {key: planes for key, planes in found.items() if keys is None or key in keys}
 
 
 def _extreme(
@@ -243,7 +250,9 @@ def _round_the_head(vertices_m: Array, rules: TapeRules) -> Plane:
     return Plane(brow, np.cross([1.0, 0.0, 0.0], rear - brow), rules.head, ("head",))
 
 
-def _limb_planes(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[str, tuple[Plane, ...]]:
+def _limb_planes(
+    vertices_m: Array, joints_m: Array, rules: TapeRules, *, with_calf: bool
+) -> dict[str, tuple[Plane, ...]]:
     """Return the planes of legs and arms: horizontal round thigh, knee and calf, else at right angles to the limb."""
     found: dict[str, list[Plane]] = {}
     for row, side in enumerate(("left", "right")):
@@ -254,8 +263,9 @@ def _limb_planes(vertices_m: Array, joints_m: Array, rules: TapeRules) -> dict[s
         heights = {
             "thigh_girth": float(vertices_m[list(rules.thigh_vertices[row]), 1].mean()),
             "knee_girth": float(vertices_m[rules.points[f"kneecap_{side}"], 1]),
-            "calf_girth": _extreme(vertices_m, leg, (low_m, high_m), np.argmax),
         }
+        if with_calf:
+            heights["calf_girth"] = _extreme(vertices_m, leg, (low_m, high_m), np.argmax)
         bones = vertices_m[[rules.points[f"ankle_{where}_{side}"] for where in ("outer", "inner")]].mean(axis=0)
         wrist = vertices_m[rules.points[f"wrist_{side}"]]
         parts = {name: f"{side}_{name}" for name in ("thigh", "calf", "foot", "upper_arm", "forearm", "hand")}

@@ -1,0 +1,38 @@
+"""How joints follow the skin round them."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_array
+
+from cloner.generic.load import load_generic
+
+Array = NDArray[np.float64]
+
+#: A joint whose skin it shares with its parent less than this, in vertices, goes with its parent.
+LEAST: float = 0.5
+
+
+@functools.cache
+def _rings() -> csr_array:
+    """Return (94, V) shares of the skin round each joint, where it and its parent move skin together."""
+    generic = load_generic()
+    count = len(generic.vertices_m)
+    weight = np.zeros((len(generic.joint_names), count))
+    for column in range(generic.skin_joints.shape[1]):
+        np.add.at(weight, (generic.skin_joints[:, column], np.arange(count)), generic.skin_weights[:, column])
+    both = np.zeros_like(weight)
+    for row, parent in enumerate(generic.joint_parents):
+        if int(parent) >= 0:
+            both[row] = weight[row] * weight[parent]
+        own = float(both[row].sum())
+        both[row] = both[row] / own if own > LEAST else (both[int(parent)] if int(parent) >= 0 else both[row])
+    return csr_array(both)
+
+
+def joints_follow(shift_m: Array) -> Array:
+    """Return (94, 3) how far the joints go when the skin goes (V, 3) metres."""
+    return np.asarray(_rings() @ shift_m)

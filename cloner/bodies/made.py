@@ -1,0 +1,127 @@
+"""A body as a clone: with a face that moves, a texture, and its measures."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from cloner.bodies.measured import measured_body, remeasured_body
+from cloner.bodies.ruler import read
+from cloner.bodies.skin import painted, regions
+from cloner.bodies.telling import Told, check_told
+from cloner.generic.load import load_generic
+from cloner.generic.tape import load_tape_rules
+from cloner.geometry.measuring import measures_mm
+from cloner.records.bodies import BodyMesh
+from cloner.records.clones import Clone
+from cloner.records.measures import MEASURE_KEYS
+from cloner.stages.face_targets import face_targets
+from cloner.stages.join import eye_joints, flat_soles, named_features
+
+Array = NDArray[np.float64]
+
+#: Skin points that carry a point of hair or loose cloth.
+NEAREST = 4
+
+
+def clone_of_measures(told: Told, size: int, seed: int = 0) -> Clone:
+    """Return the clone of a body that only a tape knows.
+
+    Parameters
+    ----------
+    told : Told
+    size : int
+        Side of the texture, texels.
+    seed : int
+
+    Raises
+    ------
+    ClonerError
+        If nobody has these measures.
+    """
+    check_told(told)
+    generic, body = load_generic(), measured_body(told)
+    vertices = flat_soles(generic, body.vertices_m, 0.0)
+    joints = eye_joints(generic, body.joints_m, vertices)
+    names, index, delta, start = face_targets(vertices)
+    shown = measures_mm(vertices, joints, load_tape_rules())
+    return Clone(
+        vertices, joints, names, index, delta, start,
+        painted(BodyMesh(vertices, joints), told.sex, size, np.random.default_rng(seed)),
+        (), named_features(generic, vertices), {}, told.stature_m, 0.0,
+        triangle_regions=regions(told.sex),
+        measures_mm={key: round(told.mm.get(key, shown[key]), 1) for key in MEASURE_KEYS},
+    )  # fmt: skip
+
+
+def remeasured_clone(clone: Clone, told: Told) -> Clone:
+    """Return a clone changed to new measures of the body under its clothes, and else as little as may be.
+
+    The surface of a clone is that of its clothes: each told measure moves it by what the body itself changes.
+
+    Parameters
+    ----------
+    clone : Clone
+    told : Told
+        Its stature is the new one.
+
+    Raises
+    ------
+    ClonerError
+        If nobody has these measures.
+    """
+    check_told(told)
+    generic, rules = load_generic(), load_tape_rules()
+    clone = scaled_clone(clone, told.stature_m / clone.stature_m)
+    lift = np.array([0.0, clone.sole_m, 0.0])
+    before = BodyMesh(clone.vertices_m - lift, clone.joints_m - lift)
+    shown = read(before.vertices_m, before.joints_m, rules, tuple(told.mm), seat=told.seat).mm
+    wanted = {key: shown[key] + value - clone.measures_mm.get(key, shown[key]) for key, value in told.mm.items()}
+    after = remeasured_body(before, replace(told, mm=wanted))
+    vertices = flat_soles(generic, after.vertices_m, clone.sole_m) + lift
+    shift = vertices - clone.vertices_m
+    skin = np.flatnonzero(generic.vertex_part == generic.part_names.index("body"))
+    now = measures_mm(vertices, after.joints_m + lift, rules, clone.sole_m)
+    old = measures_mm(clone.vertices_m, clone.joints_m, rules, clone.sole_m)
+    return replace(
+        clone,
+        vertices_m=vertices,
+        joints_m=after.joints_m + lift,
+        shells=tuple(
+            replace(shell, vertices_m=_carried(shell.vertices_m, clone.vertices_m[skin], shift[skin]))
+            for shell in clone.shells
+        ),
+        features_m=named_features(generic, vertices),
+        measures_mm={
+            key: round(told.mm.get(key, value + now[key] - old[key]), 1) for key, value in clone.measures_mm.items()
+        },
+    )
+
+
+def scaled_clone(clone: Clone, scale: float) -> Clone:
+    """Return a clone so many times as large in everything that is told in metres."""
+    if scale == 1.0:
+        return clone
+    return replace(
+        clone,
+        vertices_m=scale * clone.vertices_m,
+        joints_m=scale * clone.joints_m,
+        morph_delta_m=(scale * clone.morph_delta_m).astype(np.float32),
+        shells=tuple(replace(shell, vertices_m=scale * shell.vertices_m) for shell in clone.shells),
+        features_m={name: scale * place for name, place in clone.features_m.items()},
+        stature_m=scale * clone.stature_m,
+        sole_m=scale * clone.sole_m,
+        measures_mm={name: scale * value for name, value in clone.measures_mm.items()},
+        views={},  # their cameras saw the person as they are
+    )
+
+
+def _carried(points_m: Array, skin_m: Array, shift_m: Array) -> Array:
+    """Return points (N, 3) that go with the skin nearest to them."""
+    away, rows = cKDTree(skin_m).query(points_m, k=NEAREST)
+    weight = 1.0 / np.maximum(away, 1e-4)
+    weight /= weight.sum(axis=1, keepdims=True)
+    return np.asarray(points_m + np.einsum("nk,nka->na", weight, shift_m[rows]))

@@ -1,0 +1,63 @@
+"""A body that has told measures: the family first, then lengths, then the regions."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from cloner.bodies.family import round_body, usual_body
+from cloner.bodies.fitting import fitted
+from cloner.bodies.lengths import stretched
+from cloner.bodies.regions import met
+from cloner.bodies.ruler import read
+from cloner.bodies.telling import GIRTHS, LENGTHS, Told, refused, untold_mm
+from cloner.generic.tape import load_tape_rules
+from cloner.geometry.measures import TapeRules
+from cloner.records.bodies import BodyMesh
+
+#: What is given to nobody: farther than this from what was told, mm.
+FAR_MM: Final = 5.0
+ROUNDS: Final = 2
+#: Untold measures that the population tells the family; those the family knows as well follow by themselves.
+LIKELY: Final = (
+    "neck_girth", "bust_girth", "underbust_girth", "waist_girth", "navel_girth", "hip_girth", "thigh_girth",
+    "upper_arm_girth", "wrist_girth", "inside_leg_height", "back_neck_height", "shoulder_width",
+)  # fmt: skip
+
+
+def measured_body(told: Told) -> BodyMesh:
+    """Return the likeliest body with the told measures, soles on y = 0.
+
+    Raises
+    ------
+    ClonerError
+        If a measure cannot be met.
+    """
+    untold = {key: pair for key, pair in untold_mm(told).items() if key in LIKELY}
+    base = usual_body(told.sex, told.stature_m)
+    family = round_body(base, told.stature_m)
+    return _close(fitted(family, load_tape_rules(), told.mm, untold, seat=told.seat), told, load_tape_rules())
+
+
+def remeasured_body(body: BodyMesh, told: Told) -> BodyMesh:
+    """Return a known body changed as little as the told measures ask for, soles on y = 0.
+
+    Raises
+    ------
+    ClonerError
+        If a measure cannot be met.
+    """
+    rules = load_tape_rules()
+    return _close(fitted(round_body(body, told.stature_m), rules, told.mm, {}, seat=told.seat), told, rules)
+
+
+def _close(body: BodyMesh, told: Told, rules: TapeRules) -> BodyMesh:
+    """Return the body with the told lengths and girths met; each round undoes what the other moved."""
+    lengths = {key: value for key, value in told.mm.items() if key in LENGTHS}
+    girths = {key: value for key, value in told.mm.items() if key in GIRTHS}
+    for _ in range(ROUNDS if lengths else 1):
+        body = met(stretched(body, rules, lengths), rules, girths, told.sex, seat=told.seat)
+    shown = read(body.vertices_m, body.joints_m, rules, tuple(told.mm), seat=told.seat).mm
+    worst = max(told.mm, key=lambda key: abs(shown[key] - told.mm[key]), default="")
+    if worst and abs(shown[worst] - told.mm[worst]) > FAR_MM:
+        raise refused(worst, shown[worst] - told.mm[worst], told.mm[worst])
+    return body

@@ -1,0 +1,130 @@
+"""What a body is painted with that no photo shows: one tone of skin, short hair, brows, lips, and underwear."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.baking.parts import paint_parts
+from cloner.generic.charts import generic_atlas
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.records.bodies import BodyMesh
+from cloner.records.clones import TextureAtlas
+from cloner.records.regions import REGIONS
+from cloner.stages.textures import pad_charts, parts_atlas
+
+Array = NDArray[np.float64]
+
+#: sRGB, taste: a skin between light and dark, and cloth that no region's rule takes for skin.
+SKIN: Final = np.array([186.0, 145.0, 122.0])
+HAIR: Final = np.array([58.0, 45.0, 38.0])
+LIPS: Final = np.array([172.0, 116.0, 102.0])
+BROWS: Final = np.array([84.0, 64.0, 53.0])
+CLOTH: Final = np.array([96.0, 100.0, 108.0])
+IRIS: Final = np.array([92.0, 70.0, 50.0])
+#: Edges fade over this, metres.
+SOFT_M: Final = 0.002
+#: Briefs reach so far above the crotch, shares of the generic stature; their legs rise to the sides.
+BRIEFS: Final = (0.085, 0.75)
+#: Brows stand above the eyes, at 1.70 m: height, half thickness, metres.
+BROW_M: Final = (0.019, 0.0035)
+#: Grain of skin: levels, and metres of its smallest patches.
+GRAIN: Final = 4.0
+
+
+def painted(body: BodyMesh, sex: str, size: int, rng: np.random.Generator) -> TextureAtlas:
+    """Return the atlas of a body that no photo shows: decent, and plain.
+
+    Parameters
+    ----------
+    body : BodyMesh
+    sex : str
+        Women wear two pieces, men one.
+    size : int
+        Side, texels.
+    """
+    generic = load_generic()
+    atlas = generic_atlas(generic, size)
+    rgb = np.tile(SKIN.round().astype(np.uint8), (size, size, 1))
+    texels = np.tile(SKIN.astype(np.float32), (len(atlas.texel), 1))
+    places = atlas.interpolate(generic.vertices_m.astype(np.float64))
+    texels += GRAIN * _grain(places, rng)[:, None]
+    skin = atlas.interpolate((generic.vertex_part == generic.part_names.index("body")).astype(np.float64)) > 0.5
+    brows = np.where(skin, _brows(generic, places.astype(np.float64)), -1.0)
+    fields = [(atlas.interpolate(field), colour) for field, colour in _fields(generic, sex)]
+    for field, colour in ((brows, BROWS), *fields):
+        share = np.clip(0.5 + field / (2.0 * SOFT_M), 0.0, 1.0)[:, None]
+        texels += share * (colour.astype(np.float32) - texels)
+    rgb.reshape(-1, 3)[atlas.texel] = np.clip(np.rint(texels), 0, 255)
+    paint_parts(generic, parts_atlas(generic, size), rgb, body.vertices_m, IRIS, 0.0, None, rng)
+    return TextureAtlas(pad_charts(rgb, atlas.covered()), np.zeros((size, size), np.uint8))
+
+
+def regions(sex: str) -> NDArray[np.uint8]:
+    """Return (T,) places in `REGIONS` of the generic human's triangles as :func:`painted` paints them."""
+    generic = load_generic()
+    triangles, _ = generic.triangles()
+    part = np.array([name.split("_")[0] for name in generic.part_names])[generic.vertex_part[triangles[:, 0]]]
+    labels = np.full(len(triangles), REGIONS.index("skin"))
+    fields = {name: field[triangles].mean(axis=1) > 0.0 for name, field in _cloth(generic, sex).items()}
+    labels[fields["briefs"]] = REGIONS.index("lower_clothes")
+    labels[fields.get("top", np.zeros(len(triangles), bool))] = REGIONS.index("upper_clothes")
+    labels[_hair(generic)[triangles].mean(axis=1) > 0.0] = REGIONS.index("hair")
+    for name, region in (("eye", "eyes"), ("lashes", "hair"), ("teeth", "mouth"), ("tongue", "mouth")):
+        labels[part == name] = REGIONS.index(region)
+    return labels.astype(np.uint8)
+
+
+def _grain(points_m: NDArray[np.float32], rng: np.random.Generator) -> NDArray[np.float32]:
+    """Return (N,) smooth unevenness about 0 of size one, from a few waves through space."""
+    waves = rng.normal(size=(12, 3)) * rng.uniform(60.0, 500.0, (12, 1))
+    phases = rng.uniform(0.0, 2.0 * np.pi, 12)
+    return np.asarray(np.sin(points_m @ waves.T.astype(np.float32) + phases).mean(axis=1) * 2.0, np.float32)
+
+
+def _fields(generic: GenericHuman, sex: str) -> list[tuple[Array, Array]]:
+    """Return signed distances (V,), metres, positive inside, and their colours; later ones lie above."""
+    lips = np.where(generic.region("lips"), SOFT_M, -2.0 * SOFT_M)
+    return [
+        (lips, LIPS), (_hair(generic), HAIR),
+        *((field, CLOTH) for field in _cloth(generic, sex).values()),
+    ]  # fmt: skip
+
+
+def _cloth(generic: GenericHuman, sex: str) -> dict[str, Array]:
+    places = generic.vertices_m.astype(np.float64)
+    x, y = np.abs(places[:, 0]), places[:, 1]
+    rows = [generic.segment_names.index(name) for name in ("torso", "pelvis", "left_thigh", "right_thigh")]
+    trunk = (generic.segment_weights[:, rows].sum(axis=1) - 0.5) * 0.1
+    crotch = float(places[generic.feature("crotch"), 1])
+    top = crotch + BRIEFS[0] * 1.7
+    legs = y - (crotch - 0.015 + BRIEFS[1] * np.maximum(x - 0.05, 0.0))
+    found = {"briefs": np.minimum(np.minimum(top - y, legs), trunk)}
+    if sex == "f":
+        low = float(places[generic.feature("chest_front"), 1]) - 0.075
+        high = float(places[generic.feature("armpit_left"), 1]) + 0.005
+        found["top"] = np.minimum(np.minimum(y - low, high - y), trunk)
+    return found
+
+
+def _hair(generic: GenericHuman) -> Array:
+    """Return the scalp as a signed distance over its border, two rows of vertices wide."""
+    return np.where(generic.region("scalp"), SOFT_M, -SOFT_M)
+
+
+def _brows(generic: GenericHuman, places_m: Array) -> Array:
+    """Return (N,) signed distances, metres, of places on the generic human to its brows."""
+    corners, found = generic.vertices_m.astype(np.float64), np.full(len(places_m), -1.0)
+    above, half = BROW_M
+    for side in ("L", "R"):
+        inner, outer = (corners[generic.feature(f"eye_{end}_{side}")] for end in ("inner", "outer"))
+        along = (places_m[:, 0] - inner[0]) / (outer[0] - inner[0])
+        share = np.clip(along, -0.05, 1.2)
+        curve = inner[1] + above + 0.006 * np.sin(0.8 * np.pi * share.clip(0.0)) + share * (outer[1] - inner[1])
+        away = np.hypot((along - share) * (outer[0] - inner[0]), places_m[:, 1] - curve)
+        thick = half * np.clip(1.2 - 0.8 * share, 0.25, 1.0)
+        front = places_m[:, 2] > min(inner[2], outer[2]) - 0.03
+        found = np.maximum(found, np.where(front, thick - away, -1.0))
+    return found

@@ -1,0 +1,136 @@
+"""What somebody told of a body, checked before it is believed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+
+from cloner.bodies.population import SEXES, STATURE_MM, people
+from cloner.errors import ClonerError
+from cloner.geometry.measuring import ALL_KEYS
+from cloner.records.measures import BY_KEY
+
+#: Girths and lengths that can be told; the head is kept, and the others follow.
+GIRTHS: Final = (
+    "neck_girth", "bust_girth", "underbust_girth", "narrowest_waist_girth", "waist_girth", "navel_girth", "hip_girth",
+    "thigh_girth", "knee_girth", "calf_girth", "ankle_girth", "upper_arm_girth", "wrist_girth",
+)  # fmt: skip
+LENGTHS: Final = (
+    "back_neck_height", "waist_height", "inside_leg_height", "knee_height", "shoulder_width", "arm_length",
+)  # fmt: skip
+#: What is usually asked for (with the stature 4 and 9): a shop's tape, and a tailor's.
+PRESETS: Final = {
+    "four": ("bust_girth", "waist_girth", "hip_girth"),
+    "nine": (
+        "neck_girth", "bust_girth", "underbust_girth", "waist_girth", "hip_girth", "thigh_girth", "inside_leg_height",
+        "arm_length",
+    ),
+}  # fmt: skip
+#: Adults only: the family's children are not tested.
+STATURES_M: Final = (1.30, 2.20)
+#: A measure alone may be so many spreads from the mean, and given the others told with it; beyond, nobody is.
+FAR, FAR_TOGETHER = 4.5, 6.0
+#: Pairs in which the first is never smaller than the second.
+NEVER_SMALLER: Final = (
+    ("waist_girth", "narrowest_waist_girth"), ("navel_girth", "narrowest_waist_girth"),
+    ("bust_girth", "underbust_girth"), ("hip_girth", "thigh_girth"), ("thigh_girth", "knee_girth"),
+    ("thigh_girth", "calf_girth"), ("calf_girth", "ankle_girth"), ("upper_arm_girth", "wrist_girth"),
+    ("back_neck_height", "waist_height"), ("waist_height", "inside_leg_height"), ("inside_leg_height", "knee_height"),
+)  # fmt: skip
+#: A waist this much below the hips already makes the belly the widest, mm.
+BELLY_MM: Final = 30.0
+_MEASURE: Final = "Measure again"
+
+
+@dataclass(frozen=True, slots=True)
+class Told:
+    """What was told of a body.
+
+    Attributes
+    ----------
+    sex : str
+        "f" or "m".
+    stature_m : float
+    mm : mapping of str to float
+        By key of the measures' table.
+    """
+
+    sex: str
+    stature_m: float
+    mm: Mapping[str, float]
+
+    @property
+    def seat(self) -> bool:
+        """Whether the waist exceeds the hips: then their tape lies over the buttocks, not at the widest."""
+        waists = [self.mm.get(key, 0.0) for key in ("waist_girth", "navel_girth", "narrowest_waist_girth")]
+        return "hip_girth" in self.mm and max(waists) > self.mm["hip_girth"] - BELLY_MM
+
+
+def check_told(told: Told) -> None:
+    """Refuse what no body can have.
+
+    Raises
+    ------
+    ClonerError
+        One sentence that names the measure.
+    """
+    if told.sex not in SEXES:
+        raise ClonerError(f"the sex {told.sex!r} is not known", "Give --sex f or --sex m", "--sex")
+    if not STATURES_M[0] <= told.stature_m <= STATURES_M[1]:  # neither nan
+        low, high = (100.0 * end for end in STATURES_M)
+        hint = f"Adults of {low:.0f} to {high:.0f} cm can be made"
+        raise ClonerError(f"a stature of {100.0 * told.stature_m:g} cm cannot be made", hint, "--stature")
+    for key in told.mm:
+        if key not in (*GIRTHS, *LENGTHS):
+            hint = f"These can: {', '.join((*GIRTHS, *LENGTHS))}"
+            raise ClonerError(f"the {_words(key)} cannot be told, it follows from the others", hint, key)
+    for larger, smaller in NEVER_SMALLER:
+        if larger in told.mm and smaller in told.mm and told.mm[larger] < told.mm[smaller]:
+            message = f"the {_words(larger)} of {_cm(told.mm[larger])} is smaller than the {_words(smaller)}"
+            raise ClonerError(f"{message} of {_cm(told.mm[smaller])}", _MEASURE, larger)
+    _check_likely(told)
+
+
+def _check_likely(told: Told) -> None:
+    """Refuse measures far from everybody's, alone or beside the others."""
+    everybody = people(told.sex)
+    for key, value in told.mm.items():
+        _check_near(told, key, value, everybody.spread_mm(key, told.stature_m), FAR, "")
+    for key, value in told.mm.items():
+        others = {other: each for other, each in told.mm.items() if other != key}
+        alike = everybody.told(told.stature_m, others)
+        _check_near(told, key, value, alike.spread_mm(key, told.stature_m), FAR_TOGETHER, " with the other measures")
+
+
+def _check_near(told: Told, key: str, value: float, usual: tuple[float, float], far: float, beside: str) -> None:
+    mean, spread = usual[0], max(usual[1], 0.02 * usual[0])
+    if abs(value - mean) > far * spread:
+        hint = f"{_MEASURE}; {_cm(mean - far * spread)} to {_cm(mean + far * spread)} can be made"
+        stature = STATURE_MM[told.sex][0] / 1e3 if not told.stature_m else told.stature_m
+        message = f"a {_words(key)} of {_cm(value)} is no body's of {100.0 * stature:.0f} cm{beside}"
+        raise ClonerError(message, hint, key)
+
+
+def refused(key: str, error_mm: float, wanted_mm: float) -> ClonerError:
+    """Return the refusal of a body that a measure could not be given to."""
+    message = f"no body could be made with a {_words(key)} of {_cm(wanted_mm)}: {abs(error_mm):.0f} mm remain"
+    return ClonerError(message, "Measure it again, or leave it out", key)
+
+
+def untold_mm(told: Told) -> dict[str, tuple[float, float]]:
+    """Return the likeliest value and the spread of every measure beside those told, mm."""
+    alike = people(told.sex).told(told.stature_m, told.mm)
+    deviation = told.stature_m * np.sqrt(np.maximum(np.diag(alike.covariance), 0.0))
+    values = told.stature_m * alike.mean
+    return {key: (float(values[row]), float(deviation[row])) for row, key in enumerate(ALL_KEYS) if key not in told.mm}
+
+
+def _words(key: str) -> str:
+    return key.replace("_", " ") if key in BY_KEY else key
+
+
+def _cm(value_mm: float) -> str:
+    return f"{value_mm / 10.0:.1f} cm"

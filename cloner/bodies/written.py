@@ -1,0 +1,159 @@
+"""A body as a result: a folder like any clone's, which appears whole or not at all."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Final
+
+import cloner
+from cloner.bodies.made import clone_of_measures, remeasured_clone
+from cloner.bodies.ruler import read
+from cloner.bodies.telling import GIRTHS, LENGTHS, Told, untold_mm
+from cloner.cloning import GLB_FILE, check_formats, check_texture_size
+from cloner.errors import ClonerError
+from cloner.exporters.table import EXPORTERS
+from cloner.generic.tape import load_tape_rules
+from cloner.picture import clone_of
+from cloner.pipeline import Progress, quiet
+from cloner.project.atomic import result_folder
+from cloner.project.clone_file import CLONE_FILE, save_clone
+from cloner.project.folder import safe_identifier
+from cloner.project.results import RESULT_MARK, read_manifest
+from cloner.project.stamps import digest_of_models, output_digests, stamp_text
+from cloner.project.tape import read_tape
+from cloner.records.clones import Clone
+from cloner.report.viewer import write_viewer
+from cloner.report.write import write_report
+
+#: Version of the manifest's form.
+FORMAT: Final = 1
+WHERE: Final = "--measure"
+
+
+def body_folder(
+    out: Path,
+    identifier: str,
+    *,
+    sex: str,
+    stature_cm: float | None,
+    measures_cm: Mapping[str, float],
+    formats: Sequence[str],
+    texture_size: int,
+    source: Path | None = None,
+    progress: Progress = quiet,
+) -> tuple[Path, tuple[str, ...]]:
+    """Make a body of told measures, or tell a clone new ones, and write it; return its folder and what to say of it.
+
+    Parameters
+    ----------
+    out : Path
+        Receives a folder named by the identifier.
+    identifier : str
+    sex : str
+        "f" or "m"; "" only where a clone is told new measures: then its own shape decides.
+    stature_cm : float or None
+        None only where a clone keeps its own.
+    measures_cm : mapping of str to float
+        By names of the measures' table, "_girth" may be left out.
+    formats : sequence of str
+        Names of exporters.
+    texture_size : int
+        Side of the texture of a new body, texels.
+    source : Path or None
+        The clone that is told new measures.
+    progress : callable
+        May raise Cancelled; nothing is left behind.
+
+    Raises
+    ------
+    ClonerError
+        If nobody has these measures, or something cannot be read or written.
+    """
+    check_formats(formats)
+    check_texture_size(texture_size)
+    if stature_cm is None and source is None:
+        raise ClonerError("the stature is missing", "Give --stature and as many measures as you know", "--stature")
+    progress("body", 0.0)
+    old = clone_of(source) if source is not None else None
+    stature_m = old.stature_m if stature_cm is None and old is not None else float(stature_cm or 0.0) / 100.0
+    told = Told(sex or (_sex_of(old) if old is not None else ""), stature_m, _tape(measures_cm, stature_m))
+    with result_folder(out, safe_identifier(identifier)) as folder:
+        clone = clone_of_measures(told, texture_size) if old is None else remeasured_clone(old, told)
+        clone = replace(clone, stamp=_stamp(told, identifier, texture_size, old))
+        progress("export", 0.5)
+        save_clone(clone, folder / CLONE_FILE)
+        for name in formats:
+            EXPORTERS.get(name)(clone, folder)
+        if (folder / GLB_FILE).is_file():
+            write_viewer(f"Body {identifier}", folder / GLB_FILE)
+        files = [path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()]
+        write_report(_manifest(clone, told, source) | {"outputs": output_digests(folder, files)}, folder)
+    progress("done", 1.0)
+    return out / safe_identifier(identifier), _said(clone, told, old)
+
+
+def _tape(measures_cm: Mapping[str, float], stature_m: float) -> dict[str, float]:
+    if not 0.0 < stature_m < 10.0:
+        raise ClonerError("the stature must be a length in centimetres", "For example --stature 168", "--stature")
+    return dict(read_tape(measures_cm, stature_m, WHERE))
+
+
+def _sex_of(clone: Clone) -> str:
+    """Return which of the two tables is nearer to a clone's shoulders and hips."""
+    hip, chest = (clone.measures_mm.get(key, 0.0) for key in ("hip_girth", "underbust_girth"))
+    return "m" if chest > 0.88 * hip > 0.0 else "f"
+
+
+def _stamp(told: Told, identifier: str, size: int, old: Clone | None) -> str:
+    """Return what every file says of how it was made; a changed clone keeps what tells whose it is."""
+    changed = ", ".join(f"{key.replace('_', ' ')} {value:.1f}" for key, value in told.mm.items())
+    if old is not None:
+        return f"{old.stamp}, told {changed}"[:400]
+    text = json.dumps([identifier, told.sex, told.stature_m, dict(told.mm)])
+    return stamp_text(0, size, [hashlib.sha256(text.encode()).hexdigest()])
+
+
+def _manifest(clone: Clone, told: Told, source: Path | None) -> dict[str, Any]:
+    """Return the manifest; a changed clone belongs to its photos' visitor as the clone itself."""
+    first = read_manifest(source if source.is_dir() else source.parent) if source is not None else None
+    kept = {name: first.stamp.get(name, {}) for name in ("photos", "beside")} if first is not None else {}
+    return {
+        "format": FORMAT,
+        "kind": "body from measures",
+        "made_by": clone.stamp,
+        "stature_m": round(clone.stature_m, 4),
+        "told_mm": {key: round(value, 1) for key, value in told.mm.items()},
+        "measures_mm": dict(clone.measures_mm),
+        "source": first.source if first is not None else "",
+        "stamp": {
+            "cloner": cloner.__version__,
+            "models": digest_of_models(),
+            "photos": kept.get("photos", {}),
+            "beside": kept.get("beside", {}),
+            "options": {"sex": told.sex, "stature_m": round(told.stature_m, 4), "told_mm": dict(told.mm)},
+        },
+    }
+
+
+def _said(clone: Clone, told: Told, old: Clone | None) -> tuple[str, ...]:
+    """Return one line a told measure, and what of the untold ones is unlikely."""
+    shown = read(clone.vertices_m, clone.joints_m, load_tape_rules(), tuple(told.mm), clone.sole_m, seat=told.seat).mm
+    lines = [
+        f"{key}: told {value / 10.0:.1f} cm, the mesh shows {shown[key] / 10.0:.1f}" for key, value in told.mm.items()
+    ]
+    if old is None:
+        usual = untold_mm(told)
+        for key in (*GIRTHS, *LENGTHS):
+            if key in usual and abs(clone.measures_mm[key] - usual[key][0]) > 2.0 * usual[key][1]:
+                lines.append(
+                    f"note: {key} came out at {clone.measures_mm[key] / 10.0:.1f} cm, "
+                    f"{usual[key][0] / 10.0:.1f} is usual with these measures; tell it too"
+                )
+    return tuple(lines)
+
+
+__all__ = ["RESULT_MARK", "body_folder"]

@@ -1,0 +1,89 @@
+"""A garment put on a clone and moved with it: placed, settled, taken into the walk, and simulated cycle after cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.cloth.cut import Cloth, cut
+from cloner.cloth.fabrics import Fabric
+from cloner.cloth.pattern import Pattern
+from cloner.cloth.placing import Band, Ring, band, outside, placed
+from cloner.cloth.solver import Sheet, State, sheet_of, step
+from cloner.cloth.wearer import FRAMES_PER_S, Wearer, frames, skin_between, wearer
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
+
+Array = NDArray[np.float64]
+
+SUBSTEPS: Final = 20
+#: Frames of hanging still at rest, and of going from the rest pose to the walk's first frame.
+SETTLE, BLEND = 24, 24
+#: Speed kept between frames while the cloth settles.
+CALM: Final = 0.6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Worn:
+    """A garment on a clone.
+
+    Attributes
+    ----------
+    cloth : Cloth
+    sheet : Sheet
+    body : Wearer
+    band : Band
+    root_m, rotations : (F, 3) and (F, 94, 3)
+        One cycle of the motion.
+    speed_m_s : float
+        At which the ground runs backwards: the air does as well.
+    start : State
+    """
+
+    cloth: Cloth
+    sheet: Sheet
+    body: Wearer
+    band: Band
+    root_m: Array
+    rotations: Array
+    speed_m_s: float
+    start: State
+
+
+def put_on(clone: Clone, pattern: Pattern, ring: Ring, fabric: Fabric, motion: Motion, step_m: float) -> Worn:
+    """Return a garment placed round a clone in rest pose, not yet let go."""
+    cloth = cut(pattern, step_m)
+    places, held, held_m = placed(pattern, cloth, ring)
+    body = wearer(clone)
+    places = outside(places, clone.vertices_m[body.rows], held)
+    root, rotations = frames(body, motion)
+    tied = band(clone, held_m, body.rows)
+    state = State(places, np.zeros_like(places))
+    return Worn(cloth, sheet_of(cloth, fabric, held), body, tied, root, rotations, motion.speed_m_s, state)
+
+
+def simulate(worn: Worn, cycles: int) -> Iterator[tuple[int, State]]:
+    """Yield the cloth's state after every frame: negative numbers while it is put on, then from 0 on."""
+    count = len(worn.rotations)
+    poses = [(np.zeros(3), np.zeros_like(worn.rotations[0]))] * SETTLE
+    for number in range(1, BLEND + 1):
+        share = number / BLEND
+        share = share * share * (3.0 - 2.0 * share)
+        poses.append((share * worn.root_m[0], share * worn.rotations[0]))
+    put = len(poses)
+    poses += [(worn.root_m[k % count], worn.rotations[k % count]) for k in range(1, cycles * count)]
+    state = worn.start
+    before_skin, before_band = worn.body.posed(*poses[0]), worn.band.posed(*poses[0])
+    for number, pose in enumerate(poses):
+        now_skin, now_band = worn.body.posed(*pose), worn.band.posed(*pose)
+        between = skin_between(worn.body, before_skin, now_skin)
+        wind = np.array([0.0, 0.0, -worn.speed_m_s if number >= put else 0.0])
+        state = step(worn.sheet, state, between, (before_band, now_band), 1.0 / FRAMES_PER_S, SUBSTEPS, wind)
+        if number < SETTLE:
+            state = State(state.places_m, CALM * state.speeds_m_s)
+        before_skin, before_band = now_skin, now_band
+        yield number - put + 1, state
