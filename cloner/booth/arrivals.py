@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping
 from pathlib import Path
+from typing import Final
 
+from cloner.outside import read_outside
+from cloner.project.atomic import write_text
 from cloner.project.folder import SUFFIXES
+from cloner.project.texts import LARGEST_BYTES
 
 Sizes = Mapping[Path, int]
+#: In the event's folder while a camera's folder is watched; a window that is closed properly removes it.
+NOTE_FILE: Final = ".camera.json"
 
 
 def sizes(folder: Path) -> dict[Path, int]:
@@ -30,3 +37,31 @@ def arrived(known: Sizes, last: Sizes, now: Sizes) -> tuple[Path, ...]:
         Two looks, a moment apart: a photo whose size stands still is whole.
     """
     return tuple(path for path, size in now.items() if size > 0 and last.get(path) == size and known.get(path) != size)
+
+
+def write_note(root: Path, camera: Path, known: Sizes) -> None:
+    """Note which of a camera's photos are stored or somebody else's: after a crash the others are still taken.
+
+    Raises
+    ------
+    ClonerError
+        If the event's folder cannot be written.
+    """
+    names = {path.name: size for path, size in known.items()}
+    write_text(root / NOTE_FILE, json.dumps({"folder": str(camera), "known": names}) + "\n")
+
+
+def read_note(root: Path, camera: Path) -> dict[Path, int] | None:
+    """Return what a window that ended without closing had noted of this folder; None where nothing is."""
+    try:
+        told = json.loads(read_outside(root / NOTE_FILE, LARGEST_BYTES))
+        if told["folder"] != str(camera):
+            return None
+        return {camera / name: int(size) for name, size in told["known"].items()}
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        return None
+
+
+def drop_note(root: Path) -> None:
+    """Remove the note: what lies in the camera's folder when it is watched again belongs to somebody else."""
+    (root / NOTE_FILE).unlink(missing_ok=True)

@@ -14,6 +14,7 @@ from cloner.booth.handing import hand_over
 from cloner.booth.kept import PROPOSED_FILE, RESULTS, VALUES_FILE, WORK, digests, known_values
 from cloner.booth.looking import look
 from cloner.booth.looking_table import Look
+from cloner.booth.phone.parcel import pack
 from cloner.booth.photo_files import placed_photos
 from cloner.booth.worker import not_shown
 from cloner.cloning import clone_folder
@@ -113,6 +114,10 @@ class Jobs:
     def hand_over(self, result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
         """Write what a visitor takes home into a folder or a zip file; see `cloner.booth.handing.hand_over`."""
         return hand_over(result, target, formats, progress)
+
+    def pack(self, folder: Path, result: Path, progress: Progress) -> Path:
+        """Make what the page for telephones shows of a visitor; see `cloner.booth.phone.parcel.pack`."""
+        return pack(folder, result, progress)
 
     def _found(self, step: str, values: Mapping[str, object]) -> None:
         shape = shape_after(step, values)

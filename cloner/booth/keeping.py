@@ -6,13 +6,14 @@ from datetime import datetime
 from pathlib import Path
 
 from cloner.booth.event import visitor_folders
+from cloner.booth.trash import thrown_away
 from cloner.holdings import Holding, holding_of, older_than
 from cloner.privacy import forget
 
 
 def held(root: Path) -> tuple[Holding, ...]:
-    """Return what is held of every visitor of an event, also of those who have no photo yet."""
-    return tuple(holding_of(folder.name, folder, None) for folder in visitor_folders(root))
+    """Return what is held of every visitor of an event, also of those without a photo and of those in the trash."""
+    return tuple(holding_of(folder.name, folder, None) for folder in (*visitor_folders(root), *thrown_away(root)))
 
 
 def overdue(root: Path, days: int, now: datetime) -> tuple[Holding, ...]:

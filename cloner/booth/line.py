@@ -50,7 +50,7 @@ def seconds_left(fraction: float, spent_s: float, usual_s: float, before: int = 
 
 def asked(visit: Visit, now: str) -> Visit:
     """Return the visit with a clone asked for."""
-    return replace(visit, state=State.WAITING, queued=now, problem="")
+    return replace(visit, state=State.WAITING, queued=now, problem="", declined=False)
 
 
 def cloned(visit: Visit, seconds: float) -> Visit:
@@ -64,8 +64,33 @@ def failed(visit: Visit, problem: str) -> Visit:
 
 
 def withdrawn(visit: Visit, has_clone: bool) -> Visit:
-    """Return the visit without its place in the queue."""
-    return replace(visit, state=State.CLONED if has_clone else State.NONE, queued="")
+    """Return the visit without its place in the queue: somebody decided so, and is not asked again."""
+    return replace(visit, state=State.CLONED if has_clone else State.NONE, queued="", declined=True)
+
+
+def photos_changed(visit: Visit) -> Visit:
+    """Return the visit after its photos were changed: what went wrong with the old ones counts no more."""
+    if visit.state is State.FAILED or visit.declined:
+        state = State.NONE if visit.state is State.FAILED else visit.state
+        return replace(visit, state=state, problem="", declined=False)
+    return visit
+
+
+def is_owed(visit: Visit, *, has_front: bool, agreed: bool, is_current: bool) -> bool:
+    """Return whether a visitor who is left now has to be put into the queue, lest nobody ever clones them.
+
+    Parameters
+    ----------
+    visit : Visit
+    has_front : bool
+        Whether the photos are enough for a clone.
+    agreed : bool
+        Whether a consent is recorded.
+    is_current : bool
+        Whether there is a clone of the photos, points and height as they are now.
+    """
+    settled = visit.state in (State.WAITING, State.FAILED) or visit.declined
+    return has_front and agreed and not is_current and not settled
 
 
 def with_effort(visit: Visit, seconds: float, clicks: int, drags: int) -> Visit:

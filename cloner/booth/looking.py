@@ -36,14 +36,14 @@ _WORK_PX: Final = 1000  # the person's height at which sharpness is measured
 
 
 def look(photo: Photo, wanted: ViewId | None) -> tuple[Look, Proposal | None]:
-    """Return what a photo shows, and what the nets say of it in that view.
+    """Return what a photo shows, and what the nets say of it in its view.
 
     Parameters
     ----------
     photo : Photo
         Its own view counts for nothing.
     wanted : ViewId or None
-        The view whose photo it is meant to be; None lets it be found.
+        The view in which the nets are asked; None takes the one that it shows. What it shows does not depend on it.
     """
     people = DETECTORS.get("people")(photo.rgb)
     if len(people) != 1:
@@ -52,21 +52,45 @@ def look(photo: Photo, wanted: ViewId | None) -> tuple[Look, Proposal | None]:
         first = propose(replace(photo, view=ViewId.BODY_FRONT))  # its face is looked for, too
     except ClonerError:
         return Look(photo.digest, None, (Trouble.NOBODY,)), None
-    shown = shown_view(photo, first)
-    view = wanted or shown
-    if view is None:
+    if is_lying(first):
+        return Look(photo.digest, None, (Trouble.LYING,)), None
+    passes = frozenset(view for view in ViewId if _fits(photo, first, view))
+    shown = shown_view(first, passes)
+    if shown is None:
         return Look(photo.digest, None, (Trouble.NO_VIEW,)), None
-    proposal = first if view is ViewId.BODY_FRONT else propose(replace(photo, view=view))
-    told = () if _fits(photo, proposal, view) else (Trouble.OTHER_VIEW,)
-    return Look(photo.digest, shown, (*told, *troubles_of(photo.rgb, proposal))), proposal
+    own = _in_view(photo, first, shown)
+    told = Look(photo.digest, shown, troubles_of(photo.rgb, own), passes)
+    return told, own if wanted in (None, shown) else _in_view(photo, first, wanted)
 
 
-def shown_view(photo: Photo, proposal: Proposal) -> ViewId | None:
-    """Return the view that a photo can be, by the very checks that refuse exchanged photos before cloning.
+def _in_view(photo: Photo, first: Proposal, view: ViewId) -> Proposal:
+    """Return what the nets say of a photo in a view; ``first`` is what they say in `ViewId.BODY_FRONT`."""
+    return first if view is ViewId.BODY_FRONT else propose(replace(photo, view=view))
+
+
+def is_lying(proposal: Proposal) -> bool:
+    """Return whether the person lies on the side, as in a photo that was not turned upright.
+
+    A lying body is wider than high. Of a head alone the line from the eyes to the mouth tells, and so it does of a
+    body whose pose was found: it leads down in every photo that is upright, whichever side it shows.
+    """
+    person = proposal.mask > 127
+    rows, columns = np.flatnonzero(person.any(axis=1)), np.flatnonzero(person.any(axis=0))
+    if not len(rows):
+        return False
+    eyes, mouth = proposal.pose_px[[2, 5]].mean(axis=0), proposal.pose_px[9:11].mean(axis=0)
+    across, down = np.abs(mouth[0] - eyes[0]), mouth[1] - eyes[1]
+    tilted = bool(down < across)
+    whole = proposal.pose_px[27:29, 1].max() < person.shape[0]  # the ankles are in the picture: a body
+    return tilted and (not whole or bool(np.ptp(columns) > np.ptp(rows)))
+
+
+def shown_view(proposal: Proposal, passes: frozenset[ViewId]) -> ViewId | None:
+    """Return the likeliest of the views that a photo passes as, by the checks that refuse exchanged photos.
 
     A body seen squarely can pass as front and as back: a face decides, and without one where the left shoulder is.
     """
-    fitting = [view for view in ViewId if _fits(photo, proposal, view)]
+    fitting = [view for view in ViewId if view in passes]
     if ViewId.BODY_FRONT in fitting and ViewId.BODY_BACK in fitting:
         left, right = proposal.pose_px[11, 0], proposal.pose_px[12, 0]
         front = proposal.face_presence > 0.0 or left > right

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 
 from cloner.frames import ViewId
@@ -13,6 +13,7 @@ class Trouble(StrEnum):
 
     NOBODY = "nobody"
     SEVERAL = "several"
+    LYING = "lying"
     NO_VIEW = "no_view"
     OTHER_VIEW = "other_view"
     CUT = "cut"
@@ -24,7 +25,7 @@ class Trouble(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class Look:
-    """What a photo shows.
+    """What a photo shows, wherever it is put.
 
     Attributes
     ----------
@@ -33,8 +34,18 @@ class Look:
     view : ViewId or None
         What it shows, as far as it can be told.
     troubles : tuple of Trouble
+        What is wrong with it in every place.
+    passes : frozenset of ViewId
+        Every view whose photo it can be; `view` is the likeliest.
     """
 
     digest: str
     view: ViewId | None
     troubles: tuple[Trouble, ...]
+    passes: frozenset[ViewId] = field(default=frozenset())
+
+    def troubles_as(self, view: ViewId | None) -> tuple[Trouble, ...]:
+        """Return what is wrong with the photo as that of a view; None for a photo without a place."""
+        if view is None or self.view is None or view in (self.passes | {self.view}):
+            return self.troubles
+        return (Trouble.OTHER_VIEW, *self.troubles)

@@ -18,19 +18,25 @@ LOOKS_FILE: Final = "looks.json"
 
 
 def read_looks(folder: Path) -> dict[str, Look]:
-    """Return what was found, by digest; nothing where the file is missing or broken: it is found again."""
+    """Return what was found, by digest; what is missing, broken or of an older kind is found again."""
     try:
         told = json.loads(read_outside(folder / WORK / LOOKS_FILE, LARGEST_BYTES))
-        return {digest: _look(digest, one) for digest, one in told.items()}
-    except (OSError, ValueError, TypeError, KeyError, AttributeError, RecursionError):
+        found = [_look(digest, one) for digest, one in told.items()]
+    except (OSError, ValueError, AttributeError, RecursionError):
         return {}
+    return {look.digest: look for look in found if look is not None}
 
 
-def _look(digest: str, told: Mapping[str, object]) -> Look:
-    view, troubles = told["view"], told["troubles"]
-    if not isinstance(troubles, list):
-        raise TypeError("troubles must be a list")
-    return Look(digest, ViewId(str(view)) if view else None, tuple(Trouble(one) for one in troubles))
+def _look(digest: str, told: Mapping[str, object]) -> Look | None:
+    """Return one photo's entry; None where it is not as :func:`keep_look` writes it."""
+    try:
+        view, troubles, passes = told["view"], told["troubles"], told["passes"]
+        if not isinstance(troubles, list) or not isinstance(passes, list):
+            return None
+        views = frozenset(ViewId(one) for one in passes)
+        return Look(digest, ViewId(str(view)) if view else None, tuple(Trouble(one) for one in troubles), views)
+    except (ValueError, TypeError, KeyError):
+        return None
 
 
 def keep_look(folder: Path, look: Look) -> None:
@@ -42,6 +48,9 @@ def keep_look(folder: Path, look: Look) -> None:
         If the folder cannot be written.
     """
     looks = {**read_looks(folder), look.digest: look}
-    told = {one.digest: {"view": one.view, "troubles": list(one.troubles)} for one in looks.values()}
+    told = {
+        one.digest: {"view": one.view, "troubles": list(one.troubles), "passes": sorted(one.passes)}
+        for one in looks.values()
+    }
     (folder / WORK).mkdir(exist_ok=True)
     write_text(folder / WORK / LOOKS_FILE, json.dumps(told, indent=1) + "\n")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import logging
 from collections.abc import Iterator, Mapping
@@ -16,15 +17,17 @@ from numpy.typing import NDArray
 from cloner.booth.kept import CLONE_FILE, RESULTS, digests, known_values, proposed_points
 from cloner.booth.looking_table import Look
 from cloner.booth.looks import read_looks
+from cloner.booth.mending import mend_visitor
 from cloner.booth.person_file import person_facts
 from cloner.booth.photo_files import placed_photos, tray_photos
 from cloner.booth.takeaway import has_result
 from cloner.errors import ClonerError
-from cloner.frames import ViewId
+from cloner.frames import ViewId, cm_from_m
 from cloner.project.clone_file import load_clone
-from cloner.project.corrections import check_against, no_corrections
+from cloner.project.corrections import WHERE as CORRECTIONS_FILE
+from cloner.project.corrections import check_against, no_corrections, to_json
 from cloner.project.folder import read_corrections, read_person, safe_identifier
-from cloner.project.results import RESULT_MARK
+from cloner.project.results import RESULT_MARK, file_digest
 from cloner.project.texts import read_text
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
@@ -49,11 +52,28 @@ class Cloned:
         "clone" always; where they are kept, "photos", "joined", "obeyed", "silhouettes" and the other values of the
         run by which points can be moved.
     warnings : tuple of str
+    corrections_digest : str
+        sha256 of the corrections that were obeyed, as their file; "" where there were none.
     """
 
     folder: Path
     values: Mapping[str, Any]
     warnings: tuple[str, ...] = ()
+    corrections_digest: str = ""
+
+    def obeys(self, corrections: Corrections) -> bool:
+        """Return whether it was made with these very corrections."""
+        same = self.corrections_digest == corrections_digest(corrections)
+        nothing = ("", corrections_digest(no_corrections()))
+        return same or (self.corrections_digest in nothing and not any(corrections.points.values()))
+
+    def has_height_of(self, height_cm: float | None) -> bool:
+        """Return whether it was made with this height, None for an unknown one; one that cannot tell was."""
+        person = self.values.get("person")
+        if person is None:
+            return True
+        made_cm = round(cm_from_m(person.stature_m), 1) if person.stature_is_known else None
+        return bool(made_cm == height_cm)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -120,6 +140,7 @@ def open_visitor(folder: Path) -> Opened:
     ClonerError
         If the folder is missing, or something in it cannot be read.
     """
+    mended = mend_visitor(folder) if folder.is_dir() else ()
     photos = placed_photos(folder)
     corrections, warnings = _corrections(folder, photos)
     _, height_cm, consent = person_facts(folder)
@@ -130,7 +151,7 @@ def open_visitor(folder: Path) -> Opened:
         height_cm,
         consent,
         corrections,
-        warnings,
+        (*mended, *warnings),
         tuple(_tray(folder)),
         read_looks(folder),
         {view: thumbnail(photo.rgb) for view, photo in photos.photos.items()},
@@ -176,7 +197,21 @@ def read_cloned(folder: Path, photos: PhotoSet) -> Cloned | None:
         if report[_STAMP]["photos"] != digests(photos):
             return None
         values = {**known_values(folder, photos), "clone": load_clone(result / CLONE_FILE)}
-        return Cloned(result, values, tuple(report["warnings"]))
+        return Cloned(result, values, tuple(report["warnings"]), _obeyed_digest(folder, report[_STAMP]))
     except (ClonerError, OSError, ValueError, KeyError, TypeError):
         log.warning("%s: its clone cannot be read and has to be made again", folder.name)
         return None
+
+
+def corrections_digest(corrections: Corrections) -> str:
+    """Return the sha256 of corrections as their file is written."""
+    return hashlib.sha256(to_json(corrections).encode()).hexdigest()
+
+
+def _obeyed_digest(folder: Path, stamp: Mapping[str, Any]) -> str:
+    """Return `Cloned.corrections_digest`; a file written by hand counts as the window would write it."""
+    made_with = str(stamp.get("beside", {}).get(CORRECTIONS_FILE, ""))
+    path = folder / CORRECTIONS_FILE
+    if made_with and path.is_file() and file_digest(path) == made_with:
+        return corrections_digest(read_corrections(folder))
+    return made_with

@@ -58,8 +58,13 @@ def person_facts(folder: Path) -> tuple[str, float | None, str]:
 
 
 def consent_given(text: str, now: datetime, language: str) -> str:
-    """Return what is recorded of a consent: to what, when, and in which language it was read."""
-    return f"{' '.join(text.split())} ({now:%Y-%m-%d %H:%M} UTC, {language})"
+    """Return what is recorded of a consent: its text just as it was read, when, and in which language."""
+    return f"{text.strip()} ({now:%Y-%m-%d %H:%M} UTC, {language})"
+
+
+def consent_words(consent: str) -> str:
+    """Return the text that was agreed to, without time and language."""
+    return re.sub(r"\s*\(\d{4}-\d\d-\d\d[^()]*\)$", "", consent)
 
 
 def consent_when(consent: str) -> str:

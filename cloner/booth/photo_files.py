@@ -1,9 +1,14 @@
-"""The photos of a visitor as files: five named places and a tray for the rest. Nothing is overwritten, ever."""
+"""The photos of a visitor as files: five named places and a tray for the rest. Nothing is overwritten, ever.
+
+A photo is stored in the tray before anybody looks at it, and its name says so: ``photo_003.new.jpg`` waits to find its
+place, ``photo_004.face_side.jpg`` for the place it is meant for. Whatever ends the program, the photo is there.
+"""
 
 from __future__ import annotations
 
 import io
 import os
+import threading
 from pathlib import Path
 from typing import Final
 
@@ -16,14 +21,17 @@ from cloner.project.folder import SUFFIXES, load_photo, view_files
 from cloner.records.photos import PhotoSet
 
 TRAY: Final = "unsorted"
+NEW: Final = "new"
+#: Two threads never look for a free place at once.
+_TURN = threading.Lock()
 #: EXIF orientation after a quarter turn to the right, of the upright ones; mirrored ones are made upright first.
 _TURNED_RIGHT: Final = {1: 6, 6: 3, 3: 8, 8: 1}
 _HEADER_MARKERS: Final = (*range(0xE0, 0xF0), 0xFE)  # application segments and comments of a JPEG file
 _WRITE_HINT: Final = "Check the folder's permissions and space"
 
 
-def store_photo(folder: Path, data: bytes, suffix: str) -> Path:
-    """Put a new photo into a visitor's tray and return where it lies.
+def store_photo(folder: Path, data: bytes, suffix: str, meant: ViewId | None = None) -> Path:
+    """Put a new photo into a visitor's tray, to be looked at, and return where it lies.
 
     Parameters
     ----------
@@ -33,6 +41,8 @@ def store_photo(folder: Path, data: bytes, suffix: str) -> Path:
         The file as the camera wrote it.
     suffix : str
         With the dot.
+    meant : ViewId or None
+        The view that it is brought for; None lets it find its place.
 
     Raises
     ------
@@ -45,17 +55,29 @@ def store_photo(folder: Path, data: bytes, suffix: str) -> Path:
     tray = folder / TRAY
     try:
         tray.mkdir(exist_ok=True)
-        path = _free_place(tray, suffix.lower())
-        temporary = path.with_name(f".{path.name}.partial-{os.getpid()}")
-        temporary.write_bytes(data)
-        temporary.replace(path)
+        with _TURN:
+            path = _free_place(tray, f".{meant or NEW}{suffix.lower()}")
+            temporary = path.with_name(f".{path.name}.partial-{os.getpid()}")
+            temporary.write_bytes(data)
+            temporary.replace(path)
     except OSError as error:
         raise ClonerError("the photo cannot be stored", _WRITE_HINT, folder.name) from error
     return path
 
 
+def new_photos(folder: Path) -> tuple[Path, ...]:
+    """Return the photos of the tray that nobody has looked at yet, the oldest first."""
+    return tuple(path for path in tray_photos(folder) if path.stem.partition(".")[2])
+
+
+def meant_for(path: Path) -> ViewId | None:
+    """Return the view that a new photo of the tray is brought for; None where it may be any."""
+    mark = path.stem.partition(".")[2]
+    return ViewId(mark) if mark in set(ViewId) else None
+
+
 def _free_place(tray: Path, suffix: str) -> Path:
-    taken = {path.stem for path in tray.iterdir()}
+    taken = {path.stem.partition(".")[0] for path in tray.iterdir()}
     number = next(number for number in range(1, len(taken) + 2) if f"photo_{number:03d}" not in taken)
     return tray / f"photo_{number:03d}{suffix}"
 
@@ -101,9 +123,12 @@ def use_as(folder: Path, path: Path, view: ViewId) -> Path:
 
 def place_new(folder: Path, path: Path, view: ViewId | None) -> Path:
     """Give a new photo from the tray its place and return it: the newest photo of a view counts, for who retakes one
-    means to replace it; a photo of no view stays in the tray.
+    means to replace it; a photo of no view stays in the tray and is no longer new.
     """
-    return path if view is None else use_as(folder, path, view)
+    if view is not None:
+        return use_as(folder, path, view)
+    plain = path.with_name(path.stem.partition(".")[0] + path.suffix)
+    return path if plain == path else _moved(path, plain)
 
 
 def meant_view(name: str) -> ViewId | None:
@@ -126,7 +151,8 @@ def to_tray(folder: Path, path: Path) -> Path:
     """Take a photo out of its view."""
     tray = folder / TRAY
     tray.mkdir(exist_ok=True)
-    return _moved(path, _free_place(tray, path.suffix.lower()))
+    with _TURN:
+        return _moved(path, _free_place(tray, path.suffix.lower()))
 
 
 def _moved(path: Path, to: Path) -> Path:

@@ -24,11 +24,9 @@ def free_name(folder: Path, name: str, suffix: str = "") -> Path:
     return next(path for path in tries if not path.exists())
 
 
-def link_text(template: str, identifier: str, target: Path | None) -> str:
-    """Return what the code says: the event's link for this visitor, or where the files were put last."""
-    if template:
-        return template.replace("{id}", identifier)
-    return "" if target is None else target.resolve().as_uri()
+def link_text(template: str, identifier: str) -> str:
+    """Return the event's link for a visitor: an address that a telephone can open, "" where there is none."""
+    return template.replace("{id}", identifier) if template else ""
 
 
 def code_modules(text: str) -> NDArray[np.bool_]:

@@ -47,6 +47,12 @@ class Visit:
         For how long the visitor was open in the window.
     clone_seconds : float
     clicks, drags : int
+    declined : bool
+        Whether an operator took the visitor out of the queue: nobody is cloned against that.
+    trashed : str
+        When the visitor was thrown away, ISO 8601; "" for who was not.
+    shown : bool
+        Whether the visitor agreed to be seen, by first name, on the screen for visitors.
     """
 
     page: str = "visitor"
@@ -60,6 +66,9 @@ class Visit:
     clone_seconds: float = 0.0
     clicks: int = 0
     drags: int = 0
+    declined: bool = False
+    shown: bool = False
+    trashed: str = ""
 
 
 def read_visit(folder: Path) -> Visit:

@@ -2,33 +2,43 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Mapping
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any, Final
+from typing import Any
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Signal
 
-from cloner.booth import keeping, line
-from cloner.booth.event import Event, check_event_folder, is_visitor, new_visitor, read_event, visits, write_event
+from cloner.booth import arrivals, keeping, line, trash
+from cloner.booth.event import (
+    Event,
+    check_can_write,
+    check_event_folder,
+    is_untouched,
+    is_visitor,
+    new_visitor,
+    open_event,
+    visits,
+    write_event,
+)
+from cloner.booth.names import KnownNames, called
 from cloner.booth.opened import Opened
-from cloner.booth.person_file import consent_given, person_facts, write_person
 from cloner.booth.visits import KnownVisits, Visit, read_visit
 from cloner.errors import ClonerError
-from cloner.frames import ViewId
 from cloner.holdings import Holding
-from cloner_gui.clone_queue import now_text, update_visit
+from cloner_gui.clone_queue import now_text
+from cloner_gui.desk import Desk
 from cloner_gui.intake import Intake
+from cloner_gui.leaving import settle
 from cloner_gui.session import Session
+from cloner_gui.told import told as told_sentence
+from cloner_gui.told import told_where
+from cloner_gui.words import translate
 from cloner_gui.worker import Task, stop_all_tasks
 
-#: How often the operator's effort is written down, milliseconds.
-EFFORT_MS: Final = 5000
 
-
-class Booth(QObject):
+class Booth(Desk):
     """The event and who of it is open; pages tell it what the operator did.
 
     Parameters
@@ -38,26 +48,22 @@ class Booth(QObject):
     """
 
     event_changed = Signal()
-    visits_changed = Signal()
     page_wanted = Signal(str)
     leaving = Signal()
-    failed = Signal(object)
+    opening_changed = Signal()
+    told = Signal(str)
+    """Something that the operator should know and need not mend."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self.session = session
+        super().__init__(session, parent)
         self.intake = Intake(session, self)
         self.root: Path | None = None
         self.settings = Event()
-        self.clicks = 0
-        self._known = KnownVisits()
+        self._known, self._names = KnownVisits(), KnownNames()
         self._opening: Task | None = None
-        self._since = time.monotonic()
-        self._counted = 0
-        effort = QTimer(self, interval=EFFORT_MS)
-        effort.timeout.connect(self.note_effort)
-        effort.start()
+        self.opening: Path | None = None
         self.intake.failed.connect(self.failed)
+        self.intake.arrivals_stored.connect(self._note_arrivals)
         session.failed.connect(self.failed)
         session.queue.changed.connect(self.visits_changed)
         session.queue.failed.connect(self._tell_failed)
@@ -67,16 +73,21 @@ class Booth(QObject):
     def open(self, folder: Path) -> None:
         """Open an event's folder, or one visitor's."""
         try:
+            told = ""
             if is_visitor(folder):
+                check_can_write(folder)
                 self.root, self.settings = None, Event()
             else:
                 check_event_folder(folder)
-                self.root, self.settings = folder, read_event(folder)
+                settings, told = open_event(folder)
+                self.root, self.settings = folder, settings
         except (ClonerError, OSError) as error:
             self.failed.emit(error)
             return
         self.event_changed.emit()
         self._follow_settings()
+        if told:
+            self.told.emit(told_sentence(told))
         if self.root is None:
             self.open_visitor(folder)
             return
@@ -110,17 +121,44 @@ class Booth(QObject):
         self.session.queue.usual_s = line.usual_seconds(self.visits())
         camera = Path(self.settings.camera_folder) if self.settings.camera_folder else None
         if camera != self.intake.camera_folder:
-            self.intake.watch(camera)
+            root = self.root
+            self.intake.watch(camera, None if root is None or camera is None else arrivals.read_note(root, camera))
+
+    def _note_arrivals(self, known: Mapping[Path, int]) -> None:
+        """Note which of the camera's photos are stored: those that come while this program crashes are taken later."""
+        root, camera = self.root, self.intake.camera_folder
+        if root is not None and camera is not None:
+            self._guard(lambda: arrivals.write_note(root, camera, known))
+
+    def typed_name(self, folder: Path) -> str:
+        """Return a visitor's name as it was typed."""
+        return self._names.read(folder)
+
+    def empty_trash(self) -> None:
+        """Delete for good who has been in the trash for so long that it was said."""
+        if self.root is not None:
+            for folder in trash.over(self.root, self.settings.trash_days, datetime.now(UTC)):
+                self.forget(folder)
+
+    def name_of(self, folder: Path) -> str:
+        """Return what a visitor is called on the operator's screen."""
+        return called(self._names.read(folder), folder, translate("visitor", "Visitor {n}"))
 
     # --- visitors -----------------------------------------------------------
 
     def new_visitor(self) -> None:
-        """Begin with the next visitor."""
-        if self.root is not None:
-            root = self.root
-            made = self._guard(lambda: new_visitor(root, now_text()))
-            if made is not None:
-                self.open_visitor(made)
+        """Begin with the next visitor; one of whom nothing is known yet is the next one already."""
+        root = self.root
+        if root is None or self._opening is not None:
+            return
+        self.leaving.emit()
+        folder = self.session.folder
+        if folder is not None and folder.parent == root and is_untouched(folder):
+            self.page_wanted.emit("visitor")
+            return
+        made = self._guard(lambda: new_visitor(root, now_text()))
+        if made is not None:
+            self.open_visitor(made)
 
     def open_visitor(self, folder: Path) -> None:
         """Read a visitor in the background and go on where the work was left."""
@@ -128,16 +166,19 @@ class Booth(QObject):
             return
         self.leaving.emit()
         self.note_effort()
+        settle(self)
         services = self.session.services
+        self.opening = folder
         self._opening = Task(lambda progress: services.open(folder), self)
         self._opening.succeeded.connect(self._take)
         self._opening.failed.connect(self.failed)
         self._opening.finished.connect(self._opened)
         self._opening.start()
+        self.opening_changed.emit()
 
     def _take(self, opened: Opened) -> None:
         self.session.take(opened)
-        self._since, self._counted, self.clicks = time.monotonic(), 0, 0
+        self.begin_effort()
         if self.root is not None:
             self.change(open=opened.folder.name)
         self.visits_changed.emit()
@@ -149,61 +190,8 @@ class Booth(QObject):
     def _opened(self) -> None:
         if self._opening is not None:
             self._opening.deleteLater()
-        self._opening = None
-
-    def save_person(self, name: str, height_cm: float | None) -> None:
-        """Save name and height of the open visitor."""
-        consent = self.session.consent
-        self._save(name, height_cm, consent)
-
-    def agree(self, text: str, language: str) -> None:
-        """Record that the open visitor agrees to a text, now."""
-        self._save(*self.person()[:2], consent_given(text, datetime.now(UTC), language))
-
-    def withdraw_consent(self) -> None:
-        """Record that the open visitor agrees no more; what is stored already is deleted on the last page."""
-        self._save(*self.person()[:2], "")
-
-    def person(self) -> tuple[str, float | None, str]:
-        """Return name, height and consent of the open visitor."""
-        folder = self.session.folder
-        return ("", None, "") if folder is None else self._guard(lambda: person_facts(folder)) or ("", None, "")
-
-    def _save(self, name: str, height_cm: float | None, consent: str) -> None:
-        folder = self.session.folder
-        if folder is not None and (name, height_cm, consent) != self.person():
-            self._guard(lambda: write_person(folder, name=name, height_cm=height_cm, consent=consent))
-            self.session.height_cm, self.session.consent = height_cm, self.person()[2]
-            self.visits_changed.emit()
-
-    def note_page(self, page: str) -> None:
-        """Remember the page that the open visitor's work is at."""
-        folder = self.session.folder
-        if folder is not None and read_visit(folder).page != page:
-            started = now_text()
-            self._guard(lambda: update_visit(folder, lambda v: replace(v, page=page, started=v.started or started)))
-
-    def note_view(self, view: ViewId | None) -> None:
-        """Remember the photo whose points are seen."""
-        folder = self.session.folder
-        if folder is not None and view is not None and read_visit(folder).view != view:
-            self._guard(lambda: update_visit(folder, lambda visit: replace(visit, view=str(view))))
-
-    def last_view(self) -> ViewId | None:
-        """Return the photo whose points were seen last, if it is still there."""
-        folder = self.session.folder
-        seen = "" if folder is None else read_visit(folder).view
-        return next((view for view in self.session.photos.photos if view == seen), None)
-
-    def note_effort(self) -> None:
-        """Add seconds, clicks and drags since the last time to the open visitor's."""
-        folder, drags = self.session.folder, self.session.drags
-        spent, self._since = time.monotonic() - self._since, time.monotonic()
-        clicks, self.clicks = self.clicks, 0
-        if folder is None or not (clicks or drags > self._counted):
-            return
-        more, self._counted = drags - self._counted, drags
-        self._guard(lambda: update_visit(folder, lambda v: line.with_effort(v, spent, clicks, max(more, 0))))
+        self._opening, self.opening = None, None
+        self.opening_changed.emit()
 
     # --- what is held ---------------------------------------------------------
 
@@ -219,21 +207,38 @@ class Booth(QObject):
 
     def forget(self, folder: Path) -> tuple[str, ...]:
         """Delete a visitor with everything derived; return the files that still speak of it."""
+        self._let_go(folder)
+        left = self._guard(lambda: keeping.forget_visitor(folder, self.root)) or ()
+        self._tell_gone()
+        return left
+
+    def throw_away(self, folder: Path) -> None:
+        """Put a visitor into the trash, from where it can be brought back for some days."""
+        self._let_go(folder)
+        if self._guard(lambda: trash.throw_away(folder, datetime.now(UTC))) is not None:
+            told = translate("window", "{name} lies in the trash for {n} days.")
+            self.told.emit(told.format(name=self.name_of(folder), n=self.settings.trash_days))
+        self._tell_gone()
+
+    def _let_go(self, folder: Path) -> None:
+        """Stop everything that is done for a visitor, and close them."""
         self.session.queue.withdraw(folder)
         self.session.queue.wait_for(folder)
         self.intake.drop(folder)
         if folder == self.session.folder:
             self.session.leave()
             self.change(open="")
-        left = self._guard(lambda: keeping.forget_visitor(folder, self.root)) or ()
+
+    def _tell_gone(self) -> None:
         self.visits_changed.emit()
         if self.session.folder is None:
             self.page_wanted.emit("visitor")
-        return left
 
     def close(self) -> None:
         """Save and stop everything; call before the window goes."""
         self.note_effort()
+        if self.root is not None and self.intake.camera_folder is not None:
+            arrivals.drop_note(self.root)  # closed as it should be: what comes meanwhile is somebody else's
         if self._opening is not None:
             self._opening.wait()
         self.intake.close()
@@ -243,12 +248,6 @@ class Booth(QObject):
     def _tell_failed(self, folder: Path, error: ClonerError) -> None:
         """Tell of a clone that failed while another visitor is open."""
         if folder != self.session.folder:
-            self.failed.emit(ClonerError(error.message, error.hint, f"{folder.name}, {error.where}"))
-
-    def _guard(self, work: Any) -> Any:
-        """Do something that may fail, and tell it if it does."""
-        try:
-            return work()
-        except ClonerError as error:
-            self.failed.emit(error)
-            return None
+            self.failed.emit(
+                ClonerError(error.message, error.hint, f"{self.name_of(folder)}, {told_where(error.where)}")
+            )

@@ -7,12 +7,12 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QHBoxLayout,
 
 from cloner.booth.person_file import cm_from_feet, feet_from_cm
 from cloner.project.folder import DEFAULT_HEIGHT_CM, LARGEST_HEIGHT_CM, SMALLEST_HEIGHT_CM
-from cloner_gui.pieces import name
+from cloner_gui.pieces import name, restyle
 from cloner_gui.words import translate
 
 
 class HeightField(QWidget):
-    """Whether the height is known, and the height."""
+    """Whether the height is known, and the height; who types one knows it."""
 
     changed = Signal()
 
@@ -32,10 +32,10 @@ class HeightField(QWidget):
         self.inches.setSuffix(" in")
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        for one in (self.known, self.cm, self.feet, self.inches, self.unit):
+        for one in (self.cm, self.feet, self.inches, self.unit, self.known):
             row.addWidget(one)
         self.known.toggled.connect(self._tell)
-        self.cm.valueChanged.connect(self._tell)
+        self.cm.valueChanged.connect(self._take_cm)
         self.feet.valueChanged.connect(self._take_feet)
         self.inches.valueChanged.connect(self._take_feet)
         self.unit.currentIndexChanged.connect(self._show)
@@ -43,7 +43,7 @@ class HeightField(QWidget):
 
     def first_field(self) -> QWidget:
         """Return the field that the height's label belongs to."""
-        return self.known
+        return self.cm
 
     def speak(self) -> None:
         """Say everything in the window's language."""
@@ -60,18 +60,25 @@ class HeightField(QWidget):
 
     def set_height(self, height_cm: float | None) -> None:
         """Show a height; nobody is told."""
+        self.cm.blockSignals(True)
         self.blockSignals(True)
-        self.known.setChecked(height_cm is not None)
         self.cm.setValue(DEFAULT_HEIGHT_CM if height_cm is None else height_cm)
+        self.known.setChecked(height_cm is not None)
         self.blockSignals(False)
+        self.cm.blockSignals(False)
         self._show()
 
     def _tell(self) -> None:
         self._show()
         self.changed.emit()
 
+    def _take_cm(self) -> None:
+        self.known.setChecked(True)
+        self._tell()
+
     def _take_feet(self) -> None:
         if self.unit.currentIndex() == 1:
+            self.known.setChecked(True)
             self.cm.setValue(cm_from_feet(self.feet.value(), self.inches.value()))
 
     def _show(self) -> None:
@@ -80,9 +87,9 @@ class HeightField(QWidget):
         feet, inches = feet_from_cm(self.cm.value())
         for field, value in ((self.feet, feet), (self.inches, inches)):
             field.setVisible(in_feet)
-            field.setEnabled(self.known.isChecked())
             field.blockSignals(True)
             field.setValue(value)  # type: ignore[arg-type]
             field.blockSignals(False)
         self.cm.setVisible(not in_feet)
-        self.cm.setEnabled(self.known.isChecked())
+        for one in (self.cm, self.feet, self.inches):
+            restyle(one, "" if self.known.isChecked() else "dim")

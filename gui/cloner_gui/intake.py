@@ -1,4 +1,4 @@
-"""Photos on their way into a visitor's folder: stored, looked at, put into their place, one after the other."""
+"""Photos on their way into a visitor's folder: all stored at once, then looked at and put into place one by one."""
 
 from __future__ import annotations
 
@@ -12,13 +12,15 @@ from typing import Final
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from cloner.booth import arrivals
-from cloner.booth.looks import keep_look
+from cloner.booth import arrivals, line
+from cloner.booth.looks import keep_look, read_looks
 from cloner.booth.opened import Opened
-from cloner.booth.photo_files import meant_view, place_new, remove, store_photo
+from cloner.booth.photo_files import meant_for, meant_view, new_photos, place_new, remove, store_photo
 from cloner.booth.worker import Progress
-from cloner.errors import Cancelled, ClonerError
+from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.project.results import file_digest
+from cloner_gui.clone_queue import update_visit
 from cloner_gui.services import Services
 from cloner_gui.session import Session
 from cloner_gui.worker import Task
@@ -54,16 +56,18 @@ class Incoming:
             raise ClonerError("the photo cannot be read", hint, self.source.name) from error
 
 
-def bring_in(services: Services, folder: Path, photo: Incoming, progress: Progress) -> Opened:
-    """Store a photo, look at it, give it its place, and return the visitor anew."""
-    path = store_photo(folder, photo.data(), photo.suffix)
-    try:
-        look = services.look(path, photo.meant, progress)
-    except (ClonerError, Cancelled):
-        remove(path)  # no photo, or nobody wants it any more
-        raise
-    keep_look(folder, look)
-    place_new(folder, path, photo.meant or look.view)
+def judge(services: Services, folder: Path, path: Path, progress: Progress) -> Opened:
+    """Look at a stored photo, give it its place, and return the visitor anew; what is no photo goes again."""
+    if path.exists():  # it may have been taken out of the tray by hand meanwhile
+        known = read_looks(folder).get(file_digest(path))
+        try:
+            look = known or services.look(path, meant_for(path), progress)
+        except ClonerError:
+            remove(path)
+            raise
+        keep_look(folder, look)
+        place_new(folder, path, meant_for(path) or look.view)
+        update_visit(folder, line.photos_changed)
     return services.open(folder)
 
 
@@ -74,6 +78,7 @@ def change(services: Services, folder: Path, edit: Callable[[], object], progres
     fresh = [photo for photo in opened.photos.photos.values() if photo.digest not in opened.looks]
     for photo in fresh:
         keep_look(folder, services.look(folder / photo.name, photo.view, progress))
+    update_visit(folder, line.photos_changed)
     return services.open(folder) if fresh else opened
 
 
@@ -87,13 +92,17 @@ class Intake(QObject):
 
     busy_changed = Signal()
     failed = Signal(object)
+    arrivals_stored = Signal(object)
+    """The camera's photos that are known by now, with their sizes; all of them are stored."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session = session
         self._waiting: deque[tuple[Path, Callable[[Progress], Opened]]] = deque()
         self._task: Task | None = None
+        self._storing: dict[Task, tuple[Path, int]] = {}
         self._folder: Path | None = None
+        self._ended = False
         self.camera_folder: Path | None = None
         self._known: dict[Path, int] = {}
         self._last: dict[Path, int] = {}
@@ -102,16 +111,18 @@ class Intake(QObject):
 
     def pending(self) -> int:
         """Return how many photos are on their way."""
-        return len(self._waiting) + (self._task is not None)
+        stored = sum(count for _, count in self._storing.values())
+        return stored + len(self._waiting) + (self._task is not None)
 
     def add_files(self, paths: Sequence[Path], meant: ViewId | None = None) -> None:
-        """Take photo files; the originals stay where they are."""
-        for path in paths:
-            self._bring(Incoming(path, path.suffix, meant or meant_view(path.name)))
+        """Take photo files; the originals stay where they are. One alone may be meant for a view."""
+        if len(paths) != 1:
+            meant = None  # several let go on one card find their own places
+        self._store([Incoming(path, path.suffix, meant or meant_view(path.name)) for path in paths])
 
     def add_bytes(self, data: bytes, suffix: str, meant: ViewId | None = None) -> None:
         """Take a photo that is no file yet."""
-        self._bring(Incoming(data, suffix, meant))
+        self._store([Incoming(data, suffix, meant)])
 
     def edit(self, edit: Callable[[], object]) -> None:
         """Do something to the open visitor's photos."""
@@ -121,19 +132,23 @@ class Intake(QObject):
 
     def look_again(self) -> None:
         """Look at photos of the open visitor that were never looked at."""
-        unseen = [one for one in self._session.photos.photos.values() if one.digest not in self._session.looks]
-        if unseen and self.pending() == 0:
+        folder = self._session.folder
+        if folder is None or self.pending():
+            return
+        self._judge_all(folder, new_photos(folder))
+        if any(one.digest not in self._session.looks for one in self._session.photos.photos.values()):
             self.edit(lambda: None)
 
-    def watch(self, folder: Path | None) -> None:
-        """Take every photo that appears in a folder from now on; None stops that."""
+    def watch(self, folder: Path | None, known: dict[Path, int] | None = None) -> None:
+        """Take every photo that appears in a folder from now on, or since ``known``; None stops that."""
         self.camera_folder = folder
-        self._known = {} if folder is None else arrivals.sizes(folder)
+        self._known = {} if folder is None else arrivals.sizes(folder) if known is None else known
         self._last = dict(self._known)
         if folder is None:
             self._timer.stop()
         else:
             self._timer.start()
+            self.arrivals_stored.emit(dict(self._known))
 
     def look_for_arrivals(self) -> None:
         """Take the photos that have appeared; without a visitor who agreed they wait in their folder."""
@@ -143,34 +158,57 @@ class Intake(QObject):
         fresh = arrivals.arrived(self._known, self._last, now)
         self._last = now
         self._known |= {path: now[path] for path in fresh}
-        self.add_files(fresh)
+        self._store([Incoming(path, path.suffix, meant_view(path.name)) for path in fresh])
 
     def drop(self, folder: Path) -> None:
-        """Bring no more photos to a visitor who goes, and wait for the one under way."""
+        """Bring no more photos to a visitor who goes, and wait for those under way."""
         self._waiting = deque(one for one in self._waiting if one[0] != folder)
+        for task in [task for task, (place, _) in self._storing.items() if place == folder]:
+            task.wait()
         if self._task is not None and self._folder == folder:
             self._task.cancel()
             self._task.wait()
 
     def close(self) -> None:
-        """Stop, and wait for the photo under way."""
+        """Stop, and wait for the photos under way: those that nobody has looked at are looked at next time."""
+        self._ended = True
         self._timer.stop()
         self._waiting.clear()
+        for task in list(self._storing):
+            task.wait()
         if self._task is not None:
             self._task.cancel()
             self._task.wait()
 
-    def _bring(self, photo: Incoming) -> None:
+    def _store(self, photos: Sequence[Incoming]) -> None:
+        """Store photos beside the window's work, then look at each."""
         folder = self._session.folder
-        if folder is not None:
-            self._add(folder, partial(bring_in, self._session.services, folder, photo))
+        if folder is None or not photos:
+            return
+        task = Task(lambda _: _stored(folder, photos, self.failed.emit), self)
+        self._storing[task] = folder, len(photos)
+        task.succeeded.connect(lambda paths: self._judge_all(folder, paths))
+        task.finished.connect(partial(self._end_storing, task))
+        task.start()
+        self.busy_changed.emit()
+
+    def _end_storing(self, task: Task) -> None:
+        self._storing.pop(task, None)
+        task.deleteLater()
+        if self.camera_folder is not None and not self._storing:
+            self.arrivals_stored.emit(dict(self._known))
+        self.busy_changed.emit()
+
+    def _judge_all(self, folder: Path, paths: Sequence[Path]) -> None:
+        for path in paths if folder.is_dir() else ():  # the visitor may be forgotten by now
+            self._add(folder, partial(judge, self._session.services, folder, path))
 
     def _add(self, folder: Path, work: Callable[[Progress], Opened]) -> None:
         self._waiting.append((folder, work))
         self._next()
 
     def _next(self) -> None:
-        if self._task is None and self._waiting:
+        if self._task is None and self._waiting and not self._ended:
             self._folder, work = self._waiting.popleft()
             self._task = Task(work, self)
             self._task.succeeded.connect(self._take)
@@ -189,3 +227,16 @@ class Intake(QObject):
             self._task.deleteLater()
         self._task = None
         self._next()
+
+
+def _stored(folder: Path, photos: Sequence[Incoming], tell: Callable[[ClonerError], None]) -> list[Path]:
+    """Store photos and return where they lie; one that cannot be read is told and does not stop the others."""
+    found = []
+    for photo in photos:
+        try:
+            found.append(store_photo(folder, photo.data(), photo.suffix, photo.meant))
+        except ClonerError as error:
+            tell(error)
+            if error.where == "Consent":
+                break  # said once
+    return found

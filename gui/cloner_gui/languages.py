@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
 
 from PySide6.QtCore import QCoreApplication, QTranslator
 
-from cloner_gui.words import CONSENT
+from cloner_gui.words import CONSENT, CONSENT_KEPT
 
 LANGUAGE_NAMES: Final = {"en": "English", "de": "Deutsch", "fr": "Français", "tr": "Türkçe"}
 FOLDER: Final = Path(__file__).parent / "translations"
@@ -31,6 +32,18 @@ def speak(code: str) -> None:
         QCoreApplication.installTranslator(translator_of(code))
 
 
-def consent_text(code: str) -> str:
-    """Return what visitors agree to in the visitor's language, whatever the window speaks."""
-    return translator_of(code).translate("consent", CONSENT) or CONSENT
+def consent_text(code: str, days: int, own: Mapping[str, str]) -> str:
+    """Return what visitors agree to in the visitor's language, whatever the window speaks.
+
+    Parameters
+    ----------
+    code : str
+        The language.
+    days : int
+        For how long visitors are kept; 0 until somebody deletes them.
+    own : mapping of str to str
+        The event's own texts by language; "{days}" in them stands for the days.
+    """
+    usual = CONSENT if days else CONSENT_KEPT
+    text = own.get(code, "").strip() or translator_of(code).translate("consent", usual) or usual
+    return text.replace("{days}", str(days))

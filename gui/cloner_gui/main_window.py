@@ -5,18 +5,20 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, cast
 
-from PySide6.QtCore import QEvent
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget
+from cloner_gui.letters import settle
 from cloner_gui.logs import log_to
 from cloner_gui.menus import Menus
 from cloner_gui.notice import Notice
 from cloner_gui.pages.photos import PhotosPage
 from cloner_gui.pages.takeaway import TakeawayPage
 from cloner_gui.pages.visitor import VisitorPage
+from cloner_gui.phone import Phone
 from cloner_gui.pieces import GAP, button, label
 from cloner_gui.queue_bar import QueueBar
 from cloner_gui.session import Session
@@ -43,21 +45,23 @@ class MainWindow(QMainWindow):
         self.setMinimumSize(760, 480)
         self.setAcceptDrops(True)
         self.visitor, self.photos = VisitorPage(self.booth), PhotosPage(self.booth)
-        self.takeaway = TakeawayPage(self.booth)
+        self.phone = Phone(self.booth)
+        self.takeaway = TakeawayPage(self.booth, self.phone)
         self.stack = Shelf(
             (
                 lambda: self.visitor,
                 lambda: self.photos,
                 lambda: _points_page(self.booth),
-                lambda: _clone_page(session),
+                lambda: _clone_page(self.booth),
                 lambda: self.takeaway,
             )
         )
         self.steps = StepBar(len(PAGES))
-        self.notice, self.queue_bar = Notice(), QueueBar(session)
-        self.back, self.next, self.reason = button(), button("main"), label("dim")
+        self.queue_bar = QueueBar(self.booth)
+        self.back, self.aside, self.next, self.reason = button(), button(), button("main"), label("dim")
         self.who = QLabel()
         self._lay_out()
+        self.notice = Notice(self.stack)
         self.menus = Menus(self)
         self.undo_action, self.redo_action = self.menus.undo, self.menus.redo
         self._connect()
@@ -100,6 +104,7 @@ class MainWindow(QMainWindow):
         self.booth.open(folder)
         if self.booth.root == folder:
             log_to(folder)
+            self.booth.empty_trash()
             self.sweep()
 
     def sweep(self) -> None:
@@ -114,6 +119,7 @@ class MainWindow(QMainWindow):
             dialog.close()  # a camera's thread must end before its dialog goes
         self.visitor.form.save()
         self.takeaway.handing.close()
+        self.phone.close()
         self.booth.close()
         super().closeEvent(event)
 
@@ -134,10 +140,11 @@ class MainWindow(QMainWindow):
 
     def _lay_out(self) -> None:
         top, bottom = QHBoxLayout(), QHBoxLayout()
-        top.addWidget(self.steps)
-        top.addStretch(1)
+        top.addWidget(self.steps, 1)
         top.addWidget(self.who)
-        for widget, stretch in ((self.back, 0), (self.reason, 1), (self.queue_bar, 0), (self.next, 0)):
+        for widget, stretch in (
+            (self.back, 0), (self.reason, 1), (self.queue_bar, 1), (self.aside, 0), (self.next, 0),
+        ):  # fmt: skip
             bottom.addWidget(widget, stretch)
         bottom.setSpacing(GAP)
         whole = QWidget()
@@ -146,13 +153,19 @@ class MainWindow(QMainWindow):
         column.setContentsMargins(GAP, GAP // 2, GAP, GAP)
         column.setSpacing(GAP)
         column.addLayout(top)
-        column.addWidget(self.notice)
         column.addWidget(self.stack, 1)
         column.addLayout(bottom)
         self.setCentralWidget(whole)
 
     def _connect(self) -> None:
         self.booth.failed.connect(self.notice.tell)
+        self.booth.told.connect(self.notice.say)
+        self.booth.leaving.connect(self.notice.clear)
+        self.booth.visits_changed.connect(self._show_who)
+        self.visitor.form.photos_wanted.connect(lambda: self.go(PHOTOS))
+        self.session.cloned.connect(self._refresh)
+        self.session.points_changed.connect(self._refresh)
+        self.aside.clicked.connect(lambda: self.go(POINTS))
         self.booth.page_wanted.connect(self._resume)
         self.session.opened.connect(self._refresh)
         self.session.busy_changed.connect(self._refresh)
@@ -166,20 +179,32 @@ class MainWindow(QMainWindow):
     def _speak(self) -> None:
         self.setWindowTitle("Cloner")
         self.back.setText(translate("window", "&Back"))
+        self.aside.setText(translate("window", "L&ook at the points"))
         self.menus.speak()
         self._refresh()
 
     def _go_on(self) -> None:
-        """Show the next page; after the last one, and while the clone is made, begin with the next visitor."""
+        """Do what comes next: a page, the clone, or after the last page and while it is made the next visitor."""
         if self._goes_to_next_visitor():
             self.booth.new_visitor()
+        elif self._is_to_clone():
+            self.session.clone()
+            self.go(CLONE)
+        elif self.stack.currentIndex() == PHOTOS:
+            self.go(CLONE)
         else:
             self.go(min(self.stack.currentIndex() + 1, TAKEAWAY))
 
     def _goes_to_next_visitor(self) -> bool:
         """Return whether nothing is left to do here: nobody in a queue waits for a clone to be finished."""
         number = self.stack.currentIndex()
-        return self.booth.root is not None and (number == TAKEAWAY or (number == CLONE and self.session.busy))
+        return self.booth.root is not None and (number == TAKEAWAY or (number == CLONE and self.session.cloning))
+
+    def _is_to_clone(self) -> bool:
+        """Return whether the photos, or the points, are good and there is no clone of them yet."""
+        session = self.session
+        here = self.stack.currentIndex() in (PHOTOS, POINTS)
+        return here and not session.cloning and (session.outcome is None or session.is_stale())
 
     def _resume(self, page: str) -> None:
         """Go on at the page where the visitor was left, or the last that may be shown."""
@@ -204,12 +229,40 @@ class MainWindow(QMainWindow):
         reason = self._page(number).why_not()
         leaves = self._goes_to_next_visitor()
         self.back.setEnabled(number > 0)
-        self.next.setText(translate("window", "Ne&xt visitor") if leaves else translate("window", "Ne&xt"))
+        waits = translate("photos", "Photos are still looked at.") if self._waits_for_photos() else ""
+        self.next.setText(self._next_text())
         self.next.setVisible(number != TAKEAWAY or leaves)
-        self.next.setEnabled(leaves or not reason)
-        self.reason.setText("" if leaves else reason)
+        self.next.setEnabled(leaves or not (reason or waits))
+        self.aside.setVisible(number == PHOTOS)
+        self.aside.setEnabled(not reason)
+        self.reason.setText("" if leaves and number == TAKEAWAY else reason or waits)
+        self.queue_bar.leave_to_page(number == CLONE)
+        self._show_who()
+        frame = (self.back, self.aside, self.next)
+        settle(self.menuBar(), frame, self.stack.page(number))
+
+    def _next_text(self) -> str:
+        """Return what the main button does."""
+        if self._goes_to_next_visitor():
+            return translate("window", "Ne&xt visitor")
+        if self._is_to_clone():
+            return translate("window", "&Clone")
+        return translate("window", "Ne&xt")
+
+    def _waits_for_photos(self) -> bool:
+        return self._is_to_clone() and self.booth.intake.pending() > 0
+
+    def _show_who(self) -> None:
+        """Say whose pages these are."""
         folder = self.session.folder
-        self.who.setText("" if folder is None else folder.name)
+        self.who.setText("" if folder is None else self.booth.name_of(folder))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Go on with Return where nothing else wants it."""
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.next.isEnabled() and self.next.isVisible():
+            self.next.click()
+        else:
+            super().keyPressEvent(event)
 
 
 def step_titles() -> tuple[str, ...]:
@@ -232,7 +285,7 @@ def _points_page(booth: Booth) -> QWidget:
     return page
 
 
-def _clone_page(session: Session) -> QWidget:
+def _clone_page(booth: Booth) -> QWidget:
     from cloner_gui.pages.clone import ClonePage
 
-    return ClonePage(session)
+    return ClonePage(booth)

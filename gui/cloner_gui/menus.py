@@ -53,6 +53,8 @@ class Menus:
             self._add(event, text, act, key)
         edit.addActions([self.undo, self.redo])
         self._fill_view(view)
+        self._add(operator, translate("menu", "&Gallery…"), self._open_gallery, QKeySequence("Ctrl+G"))
+        self._add(operator, translate("menu", "&Screen for visitors"), self._open_stage, QKeySequence("Ctrl+D"))
         self._add(operator, translate("menu", "&Effort…"), self._open_statistics, QKeySequence("Ctrl+E"))
         self._add(operator, translate("menu", "&What is held…"), self._open_held, None)
 
@@ -110,13 +112,26 @@ class Menus:
 
         _show(StatisticsWindow(self._booth, self._window))
 
+    def _open_stage(self) -> None:
+        from cloner_gui.pages.stage import StageWindow
+
+        stage = StageWindow(self._booth, self._window)
+        stage.show()
+        if len(QApplication.screens()) > 1:
+            stage.fill_screen()
+
+    def _open_gallery(self) -> None:
+        from cloner_gui.pages.gallery import GalleryWindow
+
+        _show(GalleryWindow(self._booth, self._window))
+
     def _open_held(self) -> None:
         from cloner_gui.pages.held import HeldWindow
 
         _show(HeldWindow(self._booth, self._window))
 
     def _open_settings(self) -> None:
-        from cloner_gui.pages.held import SettingsWindow
+        from cloner_gui.pages.settings import SettingsWindow
 
         _show(SettingsWindow(self._booth, self._window))
 

@@ -7,12 +7,13 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QMimeData, QPoint, Qt, Signal
-from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent, QMouseEvent, QPixmap, QResizeEvent
+from PySide6.QtCore import QMimeData, QPoint, QSize, Qt, Signal
+from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent, QKeyEvent, QMouseEvent, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from cloner.frames import ViewId
 from cloner_gui.canvas.painting import pixmap_of
+from cloner_gui.canvas.poses import pose_picture
 from cloner_gui.pieces import Card, label, name, restyle
 from cloner_gui.words import VIEW_TITLES, translate
 
@@ -22,13 +23,16 @@ VIEW_MIME: Final = "application/x-cloner-view"
 class Picture(QLabel):
     """A picture as large as there is room."""
 
+    resized = Signal()
+
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
-        self.setMinimumSize(60, 80)
+        self.setMinimumSize(60, 130)
         self._rgb: NDArray[np.uint8] | None = None
         self._whole: QPixmap | None = None
+        self._pose: ViewId | None = None
 
     def show_rgb(self, rgb: NDArray[np.uint8] | None) -> None:
         """Show an (H, W, 3) uint8 picture, or none; the same one again costs nothing."""
@@ -36,16 +40,28 @@ class Picture(QLabel):
             self._rgb, self._whole = rgb, None if rgb is None else pixmap_of(rgb)
             self._fit()
 
+    def show_pose(self, view: ViewId) -> None:
+        """Show how to stand for a photo that is still to be taken."""
+        self._rgb, self._whole, self._pose = None, None, view
+        self._fit()
+
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the picture into its new room."""
         super().resizeEvent(event)
         self._fit()
+        self.resized.emit()
 
     def _fit(self) -> None:
-        if self._whole is None:
-            self.setPixmap(QPixmap())
-            return
         ratio = self.devicePixelRatioF()
+        if self._whole is None:
+            drawn = QPixmap()
+            if self._pose is not None:
+                palette = self.palette()
+                ink, paper = palette.placeholderText().color(), palette.window().color()
+                drawn = pose_picture(self._pose, (self.size() * ratio).expandedTo(QSize(8, 8)), ink, paper)
+                drawn.setDevicePixelRatio(ratio)
+            self.setPixmap(drawn)
+            return
         mode = (Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation)
         fitted = self._whole.scaled(self.size() * ratio, *mode)
         fitted.setDevicePixelRatio(ratio)
@@ -61,6 +77,8 @@ class PhotoCard(Card):
     remove_wanted = Signal(object)
     tray_wanted = Signal(object)
     files_dropped = Signal(object, object)
+    whole_wanted = Signal(object)
+    """The photo is to be seen at its full size."""
 
     def __init__(self, view: ViewId, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -68,6 +86,7 @@ class PhotoCard(Card):
         self.setAcceptDrops(True)
         self.setMinimumWidth(110)
         self.heading, self.picture, self.verdict = label("heading"), Picture(), label("dim")
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.menu_button = QToolButton()
         self.menu_button.setText("⋯")
         self.menu_button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -76,10 +95,9 @@ class PhotoCard(Card):
         self._has_photo = False
         self.column.setContentsMargins(10, 8, 10, 10)
         self.column.setSpacing(6)
-        top = QHBoxLayout()
-        top.addWidget(self.heading, 1)
-        top.addWidget(self.menu_button)
-        self.column.addLayout(top)
+        self.menu_button.setParent(self.picture)  # over the picture: a narrow card has no room beside its heading
+        self.picture.resized.connect(self._place_menu)
+        self.column.addWidget(self.heading)
         self.column.addWidget(self.picture, 1)
         self.column.addWidget(self.verdict)
 
@@ -88,7 +106,8 @@ class PhotoCard(Card):
         self._has_photo = rgb is not None
         self.picture.show_rgb(rgb)
         if rgb is None:
-            self.picture.setText(translate("photos", "Drop a photo here"))
+            self.picture.show_pose(self.view)
+            verdict = translate("photos", "Drop a photo here")
         self.verdict.setText(verdict)
         restyle(self.verdict, "good" if fine else "dim" if rgb is None else "warn")
         title = VIEW_TITLES[self.view]
@@ -97,10 +116,17 @@ class PhotoCard(Card):
         self.setAccessibleName(f"{title}: {verdict}")
         self._fill_menu()
 
+    def _place_menu(self) -> None:
+        size = self.menu_button.sizeHint()
+        left = 0 if self.isRightToLeft() else self.picture.width() - size.width()
+        self.menu_button.setGeometry(left, 0, size.width(), size.height())
+
     def _fill_menu(self) -> None:
         menu = self.menu_button.menu()
         menu.clear()
         view = self.view
+        if self._has_photo:
+            menu.addAction(translate("photos", "See it large"), lambda: self.whole_wanted.emit(view))
         chosen = translate("photos", "Replace…") if self._has_photo else translate("photos", "Choose…")
         menu.addAction(chosen, lambda: self.add_wanted.emit(view))
         exchange = menu.addMenu(translate("photos", "Exchange with"))
@@ -114,6 +140,21 @@ class PhotoCard(Card):
         ):
             menu.addAction(text, partial(signal.emit, view)).setEnabled(self._has_photo)
         exchange.setEnabled(self._has_photo)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Show the photo at its full size, or choose one."""
+        (self.whole_wanted if self._has_photo else self.add_wanted).emit(self.view)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Do by keys what the mouse does: Return shows the photo, Space opens the menu, Delete deletes."""
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            (self.whole_wanted if self._has_photo else self.add_wanted).emit(self.view)
+        elif event.key() in (Qt.Key.Key_Space, Qt.Key.Key_Menu):
+            self.menu_button.showMenu()
+        elif event.key() == Qt.Key.Key_Delete and self._has_photo:
+            self.tray_wanted.emit(self.view)
+        else:
+            super().keyPressEvent(event)
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         """Take hold of the photo."""
@@ -159,7 +200,8 @@ class TrayCard(Card):
         super().__init__(parent)
         self.column.setContentsMargins(6, 6, 6, 6)
         picture = Picture()
-        picture.setFixedSize(72, 96)
+        picture.setMinimumSize(0, 0)
+        picture.setFixedSize(60, 80)
         picture.show_rgb(rgb)
         self.menu_button = QToolButton()
         self.menu_button.setText(translate("photos", "Use as…"))
@@ -176,7 +218,8 @@ class TrayCard(Card):
         side = QVBoxLayout()
         told = label("warn" if verdict else "dim")
         told.setText(verdict)
-        told.setMaximumWidth(180)
+        told.setMinimumWidth(120)
+        told.setMaximumWidth(260)
         side.addWidget(told, 1)
         side.addWidget(self.menu_button)
         row.addLayout(side)

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
 GAP = 12  # px between things on a page; taste
 EDGE = 18  # px around a card's content; taste
@@ -18,6 +19,45 @@ class Card(QFrame):
         self.column = QVBoxLayout(self)
         self.column.setContentsMargins(EDGE, EDGE, EDGE, EDGE)
         self.column.setSpacing(GAP)
+
+
+class Scrolled(QScrollArea):
+    """Scrolls up and down; what is inside is as high as its texts need in the width that is left beside the bar."""
+
+    def setWidget(self, widget: QWidget) -> None:
+        """Take what scrolls."""
+        super().setWidget(widget)
+        widget.installEventFilter(self)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Fit the inside to the new width."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Fit the inside when its texts have changed."""
+        if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
+            self._fit()
+        return super().eventFilter(watched, event)
+
+    def _fit(self) -> None:
+        inside = self.widget()
+        layout = None if inside is None else inside.layout()
+        if inside is not None and layout is not None and layout.hasHeightForWidth():
+            inside.setMinimumHeight(max(layout.totalHeightForWidth(self.viewport().width()), 0))
+
+
+def scrolled(page: QWidget, inside: QWidget) -> QScrollArea:
+    """Let a page's content scroll up and down where the screen is low or the text large."""
+    room = Scrolled()
+    room.setWidget(inside)
+    room.setWidgetResizable(True)
+    room.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    room.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it scrolls to whatever inside has the keyboard
+    column = QVBoxLayout(page)
+    column.setContentsMargins(0, 0, 0, 0)
+    column.addWidget(room)
+    return room
 
 
 def label(kind: str = "", *, wraps: bool = True) -> QLabel:
@@ -51,3 +91,6 @@ def restyle(widget: QWidget, kind: str) -> None:
         widget.setObjectName(kind)
         widget.style().unpolish(widget)
         widget.style().polish(widget)
+        for inside in widget.findChildren(QLabel):
+            inside.style().unpolish(inside)
+            inside.style().polish(inside)

@@ -6,26 +6,30 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
+from cloner_gui.booth import Booth
 from cloner_gui.pieces import name
-from cloner_gui.session import Session
 from cloner_gui.words import spoken_step, spoken_time, translate
 
 
 class QueueBar(QWidget):
     """The queue of clones in one line; empty where nobody waits."""
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._queue = session.queue
+        self._booth, self._queue = booth, booth.session.queue
+        self._hidden = False
         self.text, self.bar, self.cancel = QLabel(), QProgressBar(), QToolButton()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
-        self.bar.setFixedWidth(140)
+        self.bar.setFixedWidth(90)
+        self.text.setWordWrap(True)
+        self.text.setMinimumWidth(170)
         self.cancel.setText("✕")
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
-        for one in (self.text, self.bar, self.cancel):
-            row.addWidget(one)
+        row.addWidget(self.text, 1)
+        row.addWidget(self.bar)
+        row.addWidget(self.cancel)
         self.cancel.clicked.connect(self._stop)
         self._queue.changed.connect(self._show)
         self._queue.progressed.connect(self._tell)
@@ -33,17 +37,31 @@ class QueueBar(QWidget):
 
     def _show(self) -> None:
         folder = self._queue.at_work
-        self.setVisible(folder is not None)
+        self.setVisible(folder is not None and not self._is_seen_elsewhere())
         if folder is not None:
+            called = self._booth.name_of(folder)
             self._tell(folder, "photos", 0.0)
-            name(self.cancel, translate("queue", "Stop cloning {name}").format(name=folder.name))
-            name(self.bar, translate("queue", "Progress of {name}").format(name=folder.name))
+            name(self.cancel, translate("queue", "Stop cloning {name}").format(name=called))
+            name(self.bar, translate("queue", "Progress of {name}").format(name=called))
+
+    def leave_to_page(self, hidden: bool) -> None:
+        """Be hidden while the page shows the open visitor's progress itself: one bar is enough."""
+        self._hidden = hidden
+        self._show_or_hide()
+
+    def _is_seen_elsewhere(self) -> bool:
+        return self._hidden and self._queue.at_work == self._booth.session.folder
+
+    def _show_or_hide(self) -> None:
+        self.setVisible(self._queue.at_work is not None and not self._is_seen_elsewhere())
 
     def _tell(self, folder: Path, step: str, fraction: float) -> None:
         left = spoken_time(self._queue.seconds_left(folder))
         more = self._queue.size() - 1
         waiting = translate("queue", ", {n} more wait").format(n=more) if more else ""
-        told = translate("queue", "{name}: {step}, {left}").format(name=folder.name, step=spoken_step(step), left=left)
+        told = translate("queue", "{name}: {step}, {left}").format(
+            name=self._booth.name_of(folder), step=spoken_step(step), left=left
+        )
         self.text.setText(told + waiting)
         self.bar.setValue(round(1000 * fraction))
 

@@ -21,6 +21,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Corrections, ViewPoints
 
 if TYPE_CHECKING:
+    from cloner.records.clones import Clone
     from cloner.refitting import Refitted
 
 ProposedPoints = dict[ViewId, ViewPoints]
@@ -31,6 +32,25 @@ def refit_person(values: Mapping[str, object], corrections: Corrections) -> Refi
     from cloner.refitting import refit  # the whole fit: not paid for before there is something to refit
 
     return refit(values, corrections)
+
+
+def refitted_clone(
+    refit: Callable[[Mapping[str, object], Corrections], Refitted],
+    values: Mapping[str, object],
+    corrections: Corrections,
+) -> tuple[Refitted, Clone]:
+    """Return the last clone's body with corrections obeyed, and the clone with that body."""
+    from cloner.refitting import clone_after
+
+    moved = refit(values, corrections)
+    return moved, clone_after(values, moved.person)
+
+
+def pack_parcel(folder: Path, result: Path, progress: Progress) -> Path:
+    """Make what the page for telephones shows; see `cloner.booth.phone.parcel.pack`."""
+    from cloner.booth.phone.parcel import pack  # drawing: not paid for before there is a page
+
+    return pack(folder, result, progress)
 
 
 def nothing(*_: object) -> None:
@@ -52,6 +72,8 @@ class Services:
     clone : callable
         Takes a visitor's folder and the formats and gives the finished clone and its seconds; shows the body's `Shape`
         as it grows.
+    pack : callable
+        Takes a visitor's folder and the result and makes what the page for telephones shows.
     hand_over : callable
         Takes a result, a target and the formats and gives what was written.
     refit : callable
@@ -64,6 +86,7 @@ class Services:
     clone: Callable[[Path, Sequence[str], Progress, Show], tuple[Cloned, float]]
     hand_over: Callable[[Path, Path, Sequence[str], Progress], Path]
     open: Callable[[Path], Opened] = open_visitor
+    pack: Callable[[Path, Path, Progress], Path] = pack_parcel
     refit: Callable[[Mapping[str, object], Corrections], Refitted] = refit_person
     start: Callable[[], None] = nothing
     stop: Callable[[], None] = nothing
@@ -77,6 +100,7 @@ def process_services() -> Services:
         propose=functools.partial(_propose, desk),
         clone=functools.partial(_clone, oven),
         hand_over=functools.partial(_hand_over, desk),
+        pack=functools.partial(_pack, desk),
         start=desk.start,
         stop=functools.partial(_stop, desk, oven),
     )
@@ -106,6 +130,11 @@ def _clone(
 def _hand_over(worker: Worker, result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
     written: Path = worker.call("hand_over", result, target, tuple(formats), progress=progress)
     return written
+
+
+def _pack(worker: Worker, folder: Path, result: Path, progress: Progress) -> Path:
+    made: Path = worker.call("pack", folder, result, progress=progress)
+    return made
 
 
 def points_by_view(values: Mapping[str, object], photos: PhotoSet) -> ProposedPoints:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import logging
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -27,7 +27,7 @@ from cloner_gui.clone_queue import CloneQueue
 from cloner_gui.commands import Swap
 from cloner_gui.newest import newest
 from cloner_gui.point_names import spoken
-from cloner_gui.services import ProposedPoints, Services, points_by_view
+from cloner_gui.services import ProposedPoints, Services, points_by_view, refitted_clone
 from cloner_gui.words import translate
 from cloner_gui.worker import Task
 
@@ -170,7 +170,7 @@ class Session(QObject):
         outcome = self.outcome
         if outcome is None or "joined" not in outcome.values:
             return
-        work = functools.partial(_refitted, self.services.refit, outcome.values, self.corrections)
+        work = functools.partial(refitted_clone, self.services.refit, outcome.values, self.corrections)
         newest().ask(self, "refit", work, functools.partial(self._take_refit, outcome), self.failed.emit)
 
     def _take_refit(self, outcome: Cloned, found: tuple[Refitted, Clone]) -> None:
@@ -199,7 +199,22 @@ class Session(QObject):
     @property
     def busy(self) -> bool:
         """Whether work for this visitor is under way or waits."""
-        return self._task is not None or self.queue.holds(self.folder)
+        return self.seeking or self.cloning
+
+    @property
+    def seeking(self) -> bool:
+        """Whether points are sought in the photos."""
+        return self._task is not None
+
+    @property
+    def cloning(self) -> bool:
+        """Whether the visitor is cloned just now or waits for it."""
+        return self.queue.holds(self.folder)
+
+    def is_stale(self) -> bool:
+        """Return whether points or height were changed since the clone was made."""
+        outcome = self.outcome
+        return outcome is not None and not (outcome.obeys(self.corrections) and outcome.has_height_of(self.height_cm))
 
     def propose(self) -> None:
         """Find the points of all photos in the background."""
@@ -216,17 +231,17 @@ class Session(QObject):
         task.start()
 
     def clone(self) -> None:
-        """Clone the person in the background, after those who wait already."""
-        if not self.busy and self.folder is not None:
+        """Clone the person in the background, after those who wait already; points that are sought go on."""
+        if not self.cloning and self.folder is not None:
             log.info("%s: cloning after %d drags", self.folder.name, self.drags)
             self.queue.ask(self.folder)
 
     def cancel(self) -> None:
         """Stop the work for this visitor at once."""
-        if self._task is not None:
-            self._task.cancel()
-        elif self.folder is not None and self.queue.holds(self.folder):
+        if self.folder is not None and self.cloning:
             self.queue.withdraw(self.folder)
+        elif self._task is not None:
+            self._task.cancel()
 
     def close(self) -> None:
         """Stop all work and wait for it; call before the window goes."""
@@ -279,15 +294,3 @@ class Session(QObject):
             self._task = None if task is self._task else self._task
             task.deleteLater()
         self.busy_changed.emit()
-
-
-def _refitted(
-    refit: Callable[[Mapping[str, object], Corrections], Refitted],
-    values: Mapping[str, object],
-    corrections: Corrections,
-) -> tuple[Refitted, Clone]:
-    """Return the last clone's body with corrections obeyed, and the clone with that body."""
-    from cloner.refitting import clone_after
-
-    moved = refit(values, corrections)
-    return moved, clone_after(values, moved.person)

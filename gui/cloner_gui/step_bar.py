@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QPushButton, QWidget
 
+from cloner_gui.flow import Flow
 from cloner_gui.pieces import name
 from cloner_gui.words import translate
 
@@ -18,8 +19,7 @@ class StepBar(QWidget):
 
     def __init__(self, count: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
+        row = Flow(self)
         row.setSpacing(0)
         self.buttons = [QPushButton() for _ in range(count)]
         group = QButtonGroup(self)
@@ -34,6 +34,7 @@ class StepBar(QWidget):
         """Show the steps' names, which one is shown and how far one may go."""
         for number, (one, title) in enumerate(zip(self.buttons, titles, strict=True)):
             one.setText(f"{number + 1}  {title}")
+            one.setShortcut(f"Ctrl+{number + 1}")  # a new text takes the old one away
             one.setChecked(number == current)
             one.setEnabled(number <= reachable or number == current)
             step = translate("window", "Step {n}: {title}").format(n=number + 1, title=title)

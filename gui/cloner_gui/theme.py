@@ -88,6 +88,8 @@ def style_of(colours: Colours, *, control_px: int, points: float) -> str:
     #good {{ color: {c.good}; }}
     #notice {{ background: {c.warn_back}; border: 1px solid {c.warn}; border-radius: {radius}px; }}
     #notice QLabel {{ color: {c.warn}; }}
+    #news {{ background: {c.card}; border: 2px solid {c.accent}; border-radius: {radius}px; }}
+    #news QLabel {{ color: {c.text}; }}
     QPushButton, QToolButton {{ background: {c.card}; border: 1px solid {c.line}; border-radius: {radius}px;
         padding: 2px 14px; min-height: {control_px}px; }}
     QToolButton {{ padding: 2px 8px; }}

@@ -9,14 +9,15 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QObject, QPointF, QRectF, Qt, QThread, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QColor, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtCore import QObject, QRectF, Qt, QThread, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QComboBox, QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
 from cloner.booth.camera import Camera, Webcam, jpeg_bytes, shrunk, turned
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner_gui.canvas.painting import pixmap_of
+from cloner_gui.canvas.poses import pose_outline as pose_outline
 from cloner_gui.pieces import button, label, name
 from cloner_gui.words import VIEW_TITLES, translate
 
@@ -104,47 +105,6 @@ class Guided(QWidget):
             font.setPointSizeF(90)
             painter.setFont(font)
             painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.count)
-
-
-def pose_outline(view: ViewId, room: QRectF) -> QPainterPath:
-    """Return where the person should stand in a picture, in its pixels."""
-    if view.is_face:
-        high = 0.62 * room.height()
-        head = QRectF(0, 0, 0.74 * high, high)
-        head.moveCenter(QPointF(room.center().x(), room.top() + 0.46 * room.height()))
-        path = QPainterPath()
-        path.addEllipse(head)
-        shoulders = 0.5 * min(room.width(), 2.6 * head.width())
-        path.moveTo(room.center().x() - shoulders, room.bottom())
-        path.quadTo(head.left(), head.bottom(), head.left() + 0.28 * head.width(), head.bottom() - 0.06 * high)
-        path.moveTo(room.center().x() + shoulders, room.bottom())
-        path.quadTo(head.right(), head.bottom(), head.right() - 0.28 * head.width(), head.bottom() - 0.06 * high)
-        return path
-    high = 0.88 * room.height()
-    rows = _SIDE if view is ViewId.BODY_SIDE else _FRONT
-    points = [QPointF(room.center().x() + x * high, room.top() + 0.06 * room.height() + y * high) for x, y in rows]
-    path = QPainterPath(points[0])
-    for point in points[1:]:
-        path.lineTo(point)
-    if view is not ViewId.BODY_SIDE:
-        mirrored = [QPointF(2 * room.center().x() - point.x(), point.y()) for point in reversed(points)]
-        for point in mirrored:
-            path.lineTo(point)
-    path.closeSubpath()
-    return path
-
-
-#: Half of a person with the arms a hand's breadth away from the body: shares of the height (taste).
-_FRONT: Final = (
-    (0.0, 0.0), (0.05, 0.02), (0.06, 0.07), (0.045, 0.12), (0.03, 0.15), (0.1, 0.175), (0.13, 0.2), (0.19, 0.33),
-    (0.25, 0.45), (0.27, 0.52), (0.25, 0.53), (0.2, 0.45), (0.13, 0.31), (0.1, 0.28), (0.085, 0.4), (0.1, 0.5),
-    (0.09, 0.7), (0.075, 0.95), (0.09, 1.0), (0.02, 1.0), (0.02, 0.75), (0.005, 0.53),
-)  # fmt: skip
-_SIDE: Final = (
-    (0.0, 0.0), (0.05, 0.02), (0.065, 0.07), (0.05, 0.13), (0.02, 0.15), (0.06, 0.24), (0.065, 0.4), (0.055, 0.52),
-    (0.05, 0.72), (0.04, 0.94), (0.1, 0.985), (0.1, 1.0), (-0.05, 1.0), (-0.045, 0.94), (-0.06, 0.73), (-0.075, 0.5),
-    (-0.05, 0.4), (-0.07, 0.25), (-0.04, 0.16), (-0.06, 0.1), (-0.05, 0.03),
-)  # fmt: skip
 
 
 class WebcamDialog(QDialog):

@@ -75,6 +75,7 @@ TROUBLES: Final = Spoken(
     {
         Trouble.NOBODY: QT_TRANSLATE_NOOP("troubles", "Nobody was found: take it again with the person in full view."),
         Trouble.SEVERAL: QT_TRANSLATE_NOOP("troubles", "More than one person: take it again with one person alone."),
+        Trouble.LYING: QT_TRANSLATE_NOOP("troubles", "The person lies on the side: turn the photo."),
         Trouble.NO_VIEW: QT_TRANSLATE_NOOP("troubles", "It shows none of the five views: turn the person or retake."),
         Trouble.OTHER_VIEW: QT_TRANSLATE_NOOP("troubles", "It does not show this view: exchange or retake it."),
         Trouble.CUT: QT_TRANSLATE_NOOP("troubles", "The person is cut off: step back and retake."),
@@ -98,14 +99,22 @@ CONSENT: Final = str(
     QT_TRANSLATE_NOOP(
         "consent",
         "I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, "
-        "and that both are kept for the time named at the booth. I can have everything deleted at any time.",
+        "and that both are kept for {days} days and then deleted. I can have everything deleted at any time.",
+    )
+)
+#: The same where an event keeps its visitors until somebody deletes them.
+CONSENT_KEPT: Final = str(
+    QT_TRANSLATE_NOOP(
+        "consent",
+        "I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, "
+        "and that both are kept until I have them deleted. I can have everything deleted at any time.",
     )
 )
 
 
 def spoken_step(step: str) -> str:
     """Return what a step does."""
-    return STEPS.get(step, step.capitalize())
+    return STEPS.get(step or "photos", step.capitalize())
 
 
 def spoken_time(seconds: float) -> str:

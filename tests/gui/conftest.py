@@ -33,17 +33,23 @@ class Jobs:
         self.started = threading.Event()
         self.seen = []
         self.looks = {}
+        self.default = None
+        self.hold_points = self.hold_looks = None
 
     def services(self):
         return Services(look=self.look, propose=self.propose, clone=self.clone, hand_over=self.hand_over)
 
     def look(self, path, wanted, progress):
+        while self.hold_looks is not None and not self.hold_looks.wait(0.01):
+            progress("look", 0.0)
         photo = load_photo(path, wanted or ViewId.BODY_FRONT)
-        view, troubles = self.looks.get(photo.digest, (wanted, ()))
+        view, troubles = self.looks.get(photo.digest, self.default or (wanted, ()))
         return Look(photo.digest, view, troubles)
 
     def propose(self, folder, photos, progress):
         progress("proposals", 0.5)
+        while self.hold_points is not None and not self.hold_points.wait(0.01):
+            progress("proposals", 0.5)
         if self.error:
             raise self.error
         return {
@@ -100,8 +106,8 @@ def window(qtbot, jobs, folder):
     window = MainWindow(session)
     qtbot.addWidget(window)
     window.show()
-    with qtbot.waitSignal(window.booth.page_wanted, timeout=10000):
+    with qtbot.waitSignal(window.booth.page_wanted, timeout=30000):
         window.booth.open(folder)
-    qtbot.waitUntil(lambda: window.booth.intake.pending() == 0)
+    qtbot.waitUntil(lambda: window.booth.intake.pending() == 0, timeout=30000)
     yield window
     window.booth.close()

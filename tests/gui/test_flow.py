@@ -249,7 +249,7 @@ def test_closing_the_window_stops_the_work_and_who_waits_is_cloned_next_time(win
     [
         (
             ClonerError("the photo is dark", "Retake it", "face_side.jpg"),
-            "face_side.jpg: the photo is dark. Retake it.",
+            "Face, side: the photo is dark. Retake it.",
         ),
         (ZeroDivisionError("x"), "Cloner: something went wrong that the program did not expect"),
     ],
@@ -286,7 +286,9 @@ def test_the_visitor_takes_the_chosen_files(window, jobs, qtbot, tmp_path, monke
     qtbot.waitUntil(lambda: not window.takeaway.handing.busy)
     assert sorted(path.name for path in (stick / "anna").iterdir()) == ["clone.glb", "clone.obj", "clone.wrl"]
     assert "stick/anna" in window.takeaway.status.text()
-    assert window.takeaway.code_note.text() == (stick / "anna").as_uri()
+    assert window.takeaway.code.isHidden(), "a path of this computer is of no use on a telephone"
+    window.takeaway.link.setText("https://booth.example/{id}")
+    assert window.takeaway.code_note.text() == "https://booth.example/anna"
     assert not window.takeaway.code.pixmap().isNull()
 
 

@@ -78,13 +78,9 @@ def test_the_whole_path_by_keyboard(event, qtbot, samples, jobs):
     QGuiApplication.clipboard().clear()
     assert len(event.session.photos.photos) == 5
     to(event.next)
-    press(Qt.Key.Key_Space)
-    qtbot.waitUntil(lambda: bool(event.session.proposed) and not event.session.busy)
-    event.next.setFocus()  # the points page keeps Tab for its points
-    press(Qt.Key.Key_Space)
-    to(event.clone.clone_button)
     with qtbot.waitSignal(event.session.cloned, timeout=20000):
         press(Qt.Key.Key_Space)
+    assert event.stack.currentWidget() is event.clone
     to(event.next)
     press(Qt.Key.Key_Space)
     assert event.stack.currentWidget() is event.takeaway
@@ -126,10 +122,11 @@ def test_another_language_is_spoken_at_once_and_the_consent_is_the_visitors(even
     assert event.visitor.new_button.text() == "&Neuer Besucher"
     assert event.steps.buttons[4].text() == "5  Mitnehmen"
     form = event.visitor.form
-    form.language.setCurrentIndex(list(LANGUAGES).index("tr"))
-    assert form.consent_text.text() == consent_text("tr")
-    assert "kabul ediyorum" in form.consent_text.text()
     form.consent_box.click()
+    form.language.setCurrentIndex(list(LANGUAGES).index("tr"))
+    assert form.consent_text.text() == consent_text("tr", 30, {})
+    assert "30 gün saklanıp" in form.consent_text.text()
+    assert "kabul ediyorum" in form.consent_text.text()
     form.consent_box.click()
     assert (folder / "person.toml").read_text().rstrip().endswith('UTC, tr)"')
     event.booth.change(language="en")

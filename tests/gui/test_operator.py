@@ -14,7 +14,8 @@ from cloner.errors import ClonerError
 from cloner_gui.effort import ClickCounter
 from cloner_gui.logs import log_to
 from cloner_gui.main_window import MainWindow
-from cloner_gui.pages.held import HeldWindow, SettingsWindow
+from cloner_gui.pages.held import HeldWindow
+from cloner_gui.pages.settings import SettingsWindow
 from cloner_gui.pages.statistics import StatisticsWindow
 from cloner_gui.session import Session
 
@@ -52,8 +53,8 @@ def window(qtbot, jobs, root):
 def test_whose_time_is_over_is_asked_about_at_the_start(window, root):
     window.open_folder(root)
     box = _box(window)
-    assert "visitor-001" in box.text()
-    assert "visitor-002" not in box.text()
+    assert "Anna Long (1)" in box.text()
+    assert "Visitor 2" not in box.text()
     box.reject()
     assert (root / "visitor-001").is_dir(), "nothing goes unasked"
     window.booth.change(retention_days=0)
@@ -90,8 +91,8 @@ def test_settings_are_saved_in_the_events_folder(window, root):
     dialog.days.setValue(7)
     dialog.consent.setPlainText("Our own words.")
     dialog.accept()
-    assert (read_event(root).retention_days, read_event(root).consent) == (7, "Our own words.")
-    assert window.visitor.form.consent_text.text() == "Our own words."
+    assert (read_event(root).retention_days, read_event(root).consents) == (7, {"en": "Our own words."})
+    assert window.visitor.form.asked() == "Our own words."
 
 
 def test_the_table_of_effort_is_a_window_of_its_own(window, root, qtbot, monkeypatch, tmp_path):
@@ -145,4 +146,5 @@ def test_a_camera_folder_is_kept_and_a_broken_setting_stops_nobody(window, root,
     assert read_event(root).camera_folder.endswith("pulled")
     (root / "event.json").write_text("{")
     window.booth.open(root)
-    assert "settings cannot be read" in window.notice.text.text()
+    assert "damaged" in window.notice.text.text()
+    assert window.booth.root == root

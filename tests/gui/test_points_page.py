@@ -21,7 +21,7 @@ VIEW = ViewId.BODY_FRONT
 @pytest.fixture
 def canvas(window, qtbot):
     with qtbot.waitSignal(window.session.points_changed, timeout=5000):
-        qtbot.mouseClick(window.next, Qt.MouseButton.LeftButton)
+        qtbot.mouseClick(window.aside, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not window.session.busy)
     return window.points.views[VIEW]
 

@@ -63,7 +63,7 @@ def main() -> None:
     click(window.next)
     booth.intake.add_files([Path(sys.argv[2]) / f"{view}.jpg" for view in VIEWS])
     wait(lambda: booth.intake.pending() == 0, "photos")
-    click(window.next)
+    click(window.aside)
     wait(lambda: bool(session.proposed) and not session.busy, "points")
     settle(0.5)
     canvas = window.points.views[ViewId.BODY_FRONT]
@@ -75,7 +75,6 @@ def main() -> None:
     mouse.button(False)
     settle()
     click(window.next)
-    click(window.clone.clone_button)
     wait(lambda: session.outcome is not None and not session.busy, "the clone")
     click(window.next)
     told = known(window) | {"clicks_seen": window.stack.currentIndex() == len(window.pages) - 1}

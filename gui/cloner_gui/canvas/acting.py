@@ -16,6 +16,7 @@ from cloner.motion.expressions import EXPRESSIONS, Beat, Envelope, play
 from cloner.motion.gait import idle, walk
 from cloner.motion.speech import phoneme_visemes
 from cloner.motion.talk import talk
+from cloner.motion.wave import wave
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
@@ -24,8 +25,10 @@ Image = NDArray[np.uint8]
 
 #: Ways of looking at a clone.
 MODES: Final = ("textured", "shaded", "wire", "gaps")
+#: How a body is shown while it grows: as the outline of a drawn figure, never bare.
+OUTLINE: Final = "outline"
 #: What a clone can be seen doing.
-MOTIONS: Final = ("stand", "walk", "idle", "blink", "smile", "talk")
+MOTIONS: Final = ("stand", "walk", "idle", "blink", "smile", "talk", "wave")
 #: Gap between clone and photo outline that is painted fully red, mm: a finger's breadth, where people begin to see it.
 GAP_SHOWN_MM: Final = 15.0
 _GREY: Final = (0.78, 0.77, 0.75)
@@ -53,6 +56,7 @@ def motion_of(kind: str, clone: Clone) -> Motion | None:
         "idle": lambda one: idle(body_of(one)),
         "blink": lambda one: _with_face(one, _BLINK, Envelope(0.10, 0.05, 0.15), (0.4, 1.6, 1.95)),
         "smile": lambda one: _with_face(one, EXPRESSIONS["joy"], Envelope(0.5, 1.4, 0.7), (0.2,)),
+        "wave": lambda one: wave(body_of(one)),
         "talk": lambda one: talk(body_of(one), "hello", phoneme_visemes(_HELLO)),
     }
     return made[kind](clone) if kind in made else None

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
+from cloner.booth.worth import doubtful
+from cloner.frames import ViewId
 from cloner.records.points import ANCHOR, ViewPoints
 from cloner_gui.canvas.painting import CLONE, CORRECTED, LINKED, SURE, UNSURE
 from cloner_gui.point_names import spoken
 from cloner_gui.words import translate
+
+Place = tuple[ViewId, str]
 
 #: Hint for every point whose name, without its side, begins so; the longest beginning wins.
 _HINTS: Final[dict[str, object]] = {
@@ -78,12 +83,21 @@ def told_point(points: ViewPoints | None, chosen: str) -> str:
     return f"<b>{head}</b> · {state}<br>{hint(chosen)}"
 
 
+def told_rest(order: Sequence[Place], points: Mapping[ViewId, ViewPoints], now: Place) -> str:
+    """Return how many doubtful points come after one in an order, and when the last of them was seen."""
+    left = {(view, name) for view, names in doubtful(points).items() for name in names}
+    coming = sum(one in left for one in order[order.index(now) + 1 :])
+    if now in left or coming:
+        return translate("points", "{n} doubtful points are left after this one.").format(n=coming)
+    return translate("points", "All doubtful points are seen: this one is sure. Press Clone.")
+
+
 def legend() -> str:
     """Return rich text that says what the colours of points and outlines mean."""
     marks = (
-        ("●", SURE, translate("hints", "sure")),
-        ("●", UNSURE, translate("hints", "doubtful")),
-        ("●", CORRECTED, translate("hints", "placed by you")),
+        ("○", SURE, translate("hints", "sure")),
+        ("△", UNSURE, translate("hints", "doubtful")),
+        ("□", CORRECTED, translate("hints", "placed by you")),
         ("▬", LINKED, translate("hints", "outline in the photo")),
         ("▬", CLONE, translate("hints", "outline of the clone")),
     )

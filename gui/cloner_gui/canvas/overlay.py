@@ -35,7 +35,11 @@ def paint_points(painter: QPainter, lens: Lens, points: ViewPoints, chosen: str,
         if name.startswith(ANCHOR):
             painting.draw_anchor(painter, at, radius)
         else:
-            painting.draw_point(painter, at, painting.point_colour(confidence, bool(fixed)), radius)
+            colour, shape = (
+                painting.point_colour(confidence, bool(fixed)),
+                painting.point_shape(confidence, bool(fixed)),
+            )
+            painting.draw_point(painter, at, colour, radius, shape)
     mirrored = partner_place(points, chosen)
     if mirrored is not None:
         painting.draw_partner(painter, lens.widget_from_photo(*mirrored))

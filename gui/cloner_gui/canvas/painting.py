@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPainterPath, QPen, QPixmap, QPolygonF
 
+from cloner.booth.worth import DOUBTFUL_BELOW
 from cloner_gui.canvas.lens import HALF_PX, Lens
 
 RADIUS: Final = 5.0  # taste: visible on a photo of 1,800 px shown at half size
@@ -23,7 +24,7 @@ LINKED: Final = QColor(255, 190, 20)  # the photo's own outline
 _STRAIGHT_PX: Final = 0.25
 MAGNIFIED: Final = 4.0  # at least so many widget pixels a photo pixel inside the magnifier; taste
 MAGNIFIER: Final = 150.0  # its diameter, widget pixels: a thumb's breadth on a touch screen
-UNSURE_BELOW: Final = 0.25  # confidence at which a point is fully red; taste
+UNSURE_BELOW: Final = DOUBTFUL_BELOW  # confidence at which a point is fully red
 _SURE_ABOVE: Final = 0.75  # confidence at which a point is fully green; taste
 
 
@@ -60,17 +61,35 @@ def point_colour(confidence: float, corrected: bool) -> QColor:
     return QColor.fromHsvF(hue, 0.8, 0.95)
 
 
+_TRIANGLE: Final = ((0.0, -1.3), (1.15, 0.75), (-1.15, 0.75))
+_SQUARE: Final = ((-0.95, -0.95), (0.95, -0.95), (0.95, 0.95), (-0.95, 0.95))
+
+
+def point_shape(confidence: float, corrected: bool) -> str:
+    """Return how a point is drawn, see :func:`draw_point`."""
+    return "square" if corrected else "triangle" if confidence < UNSURE_BELOW else "ring"
+
+
 def radius_of(scale: float, *, strong: bool) -> float:
     """Return the radius of a point, widget pixels: small on a small photo, where a face is all points else."""
     return RADIUS * min(max(0.4 + scale, 0.6), 1.2) * (1.6 if strong else 1.0)
 
 
-def draw_point(painter: QPainter, at: QPointF, colour: QColor, radius: float) -> None:
-    """Draw one point as a ring with a dark rim, so that it shows on any photo; its middle stays free."""
+def draw_point(painter: QPainter, at: QPointF, colour: QColor, radius: float, shape: str = "ring") -> None:
+    """Draw one point with a dark rim, so that it shows on any photo; its middle stays free.
+
+    Its colour is not all that tells how sure it is: a sure one is a "ring", a doubtful one a "triangle", one that was
+    placed by hand a "square".
+    """
+    corners = {"triangle": _TRIANGLE, "square": _SQUARE}.get(shape, ())
+    outline = QPolygonF([at + QPointF(x * radius, y * radius) for x, y in corners])
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for pen in (QPen(QColor(0, 0, 0, 170), min(0.8 * radius, 4.0)), QPen(colour, min(0.4 * radius, 2.0))):
         painter.setPen(pen)
-        painter.drawEllipse(at, radius, radius)
+        if corners:
+            painter.drawPolygon(outline)
+        else:
+            painter.drawEllipse(at, radius, radius)
     painter.setPen(QPen(colour, 1.0))
     painter.drawPoint(at)
 

@@ -16,7 +16,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-from cloner_gui.canvas.acting import MODES, MOTIONS, motion_of
+from cloner_gui.canvas.acting import MODES, MOTIONS, OUTLINE, motion_of
 from cloner_gui.canvas.orbit import Orbit
 from cloner_gui.canvas.scene import Scene
 from cloner_gui.canvas.touch import TouchHand
@@ -40,6 +40,8 @@ class Preview(QLabel):
 
     failed = Signal(object)
     drawn = Signal()
+    touched = Signal()
+    """A hand, a key or a wheel turned, moved or zoomed the clone."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -49,7 +51,6 @@ class Preview(QLabel):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
-        self.setAccessibleName(self.tr("The clone in three dimensions"))
         self.empty_text = self.tr("Press Clone: after about a minute the person stands here.")
         self.mode, self.motion_kind, self.opacity = "textured", "stand", 1.0
         self.shown: Scene | None = None  # what the picture on the screen shows: it lags behind what is asked for
@@ -61,6 +62,7 @@ class Preview(QLabel):
         self._held: QPointF | None = None
         self._pans = self._broken = False
         self._began, self._person = 0.0, 0
+        self._spin_s, self._spun_from = 0.0, 0.0
         self._soon = QTimer(self, singleShot=True, interval=0)
         self._soon.timeout.connect(lambda: self._draw(fine=False))
         self._later = QTimer(self, singleShot=True, interval=_FINE_AFTER_MS)
@@ -68,6 +70,10 @@ class Preview(QLabel):
         self._film = QTimer(self, interval=_FRAME_MS)
         self._film.timeout.connect(self.refresh)
         self.setText(self.empty_text)
+        self._speak()
+
+    def _speak(self) -> None:
+        self.setAccessibleName(self.tr("The clone in three dimensions"))
 
     # --- what is shown -------------------------------------------------------
 
@@ -89,7 +95,7 @@ class Preview(QLabel):
 
     def set_mode(self, mode: str) -> None:
         """Show one of `MODES`."""
-        if mode not in MODES:
+        if mode not in (*MODES, OUTLINE):
             raise ValueError(f"{mode!r} is no mode; known are {', '.join(MODES)}")
         self.mode = mode
         self.refresh()
@@ -117,6 +123,11 @@ class Preview(QLabel):
     def turn(self, turn: float, tilt: float) -> None:
         """Turn the clone on, radians."""
         self._orbit = self._orbit.turned(turn, tilt)
+        self.refresh()
+
+    def spin(self, seconds: float) -> None:
+        """Turn the clone round once in so many seconds, again and again; 0 stops that."""
+        self._spin_s, self._spun_from = seconds, time.monotonic()
         self.refresh()
 
     def play(self, kind: str) -> None:
@@ -147,9 +158,18 @@ class Preview(QLabel):
         """Return what is seen now; None without a clone."""
         if self._clone is None:
             return None
-        seconds = time.monotonic() - self._began
+        now = time.monotonic()
+        seconds = now - self._began
+        turn = 2.0 * np.pi * (now - self._spun_from) / self._spin_s if self._spin_s else 0.0
         return Scene(
-            self._clone, self._orbit, self.mode, self._motion, seconds, self._gaps_mm, self._overlay, self.opacity
+            self._clone,
+            self._orbit.turned(turn, 0.0),
+            self.mode,
+            self._motion,
+            seconds,
+            self._gaps_mm,
+            self._overlay,
+            self.opacity,
         )
 
     def _draw(self, *, fine: bool) -> None:
@@ -187,6 +207,7 @@ class Preview(QLabel):
         """Turn or move the clone with the hand."""
         if self._held is None:
             return
+        self.touched.emit()
         way, self._held = to - self._held, to
         if self._pans:
             self.pinch(way, 1.0, to)
@@ -199,6 +220,7 @@ class Preview(QLabel):
 
     def pinch(self, move: QPointF, factor: float, about: QPointF) -> None:
         """Move and zoom the clone."""
+        self.touched.emit()
         height = max(self.height(), 1)
         self._orbit = self._orbit.moved(move.x() / height, move.y() / height).zoomed(factor)
         self.refresh()
@@ -237,6 +259,7 @@ class Preview(QLabel):
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Turn, zoom and reset by keys."""
+        self.touched.emit()
         key = event.key()
         ways = {Qt.Key.Key_Left: (-1, 0), Qt.Key.Key_Right: (1, 0), Qt.Key.Key_Up: (0, -1), Qt.Key.Key_Down: (0, 1)}
         zooms = {Qt.Key.Key_Plus: _ZOOM_STEP, Qt.Key.Key_Equal: _ZOOM_STEP, Qt.Key.Key_Minus: 1.0 / _ZOOM_STEP}

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSlider, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QSizePolicy, QSlider, QVBoxLayout, QWidget
 
 from cloner.frames import ViewId
 from cloner.records.clones import Clone
 from cloner.records.photos import Photo
-from cloner_gui.canvas.acting import GAP_COLOURS, GAP_SHOWN_MM, MODES, MOTIONS
+from cloner_gui.canvas.acting import GAP_COLOURS, GAP_SHOWN_MM, MODES, MOTIONS, OUTLINE
 from cloner_gui.canvas.preview import Preview
+from cloner_gui.flow import Flow
 from cloner_gui.pieces import button, name
 from cloner_gui.words import VIEW_TITLES, translate
 
@@ -19,6 +20,8 @@ from cloner_gui.words import VIEW_TITLES, translate
 class PreviewPanel(QWidget):
     """A preview above its controls."""
 
+    used = Signal()
+    """A control was used: what moves by itself stops."""
     gaps_wanted = Signal()
     """The way of looking that needs distances was chosen."""
 
@@ -31,7 +34,7 @@ class PreviewPanel(QWidget):
         self.opacity = QSlider(Qt.Orientation.Horizontal)
         self.opacity.setRange(0, 100)
         self.opacity.setValue(60)
-        self.opacity.setMaximumWidth(140)
+        self.opacity.setFixedWidth(140)
         self.body_button, self.face_button = button(), button()
         self.scale = QLabel(alignment=Qt.AlignmentFlag.AlignRight)
         self._labels = {widget: QLabel() for widget in (self.mode, self.motion, self.overlay, self.opacity)}
@@ -41,6 +44,10 @@ class PreviewPanel(QWidget):
         self._speak()
         self.mode.currentIndexChanged.connect(self._take_mode)
         self.motion.currentIndexChanged.connect(self._take_motion)
+        for box in (self.mode, self.motion, self.overlay):
+            box.activated.connect(self.used)
+        for one in (self.body_button, self.face_button):
+            one.clicked.connect(self.used)
         self.overlay.currentIndexChanged.connect(self._take_overlay)
         self.opacity.valueChanged.connect(lambda value: self.preview.set_opacity(value / 100.0))
         self.body_button.clicked.connect(lambda: self._frame("front"))
@@ -65,20 +72,23 @@ class PreviewPanel(QWidget):
         if not self._growing:
             self.set_clone(None, {})
             self._growing = True
-            self.preview.set_mode("shaded")
+            self.preview.set_mode(OUTLINE)
         self.preview.update_clone(body)
 
     def _lay_out(self) -> None:
-        looks, acts = QHBoxLayout(), QHBoxLayout()
+        looks, acts = Flow(), Flow()
         for row, widgets in ((looks, (self.mode, self.overlay, self.opacity)), (acts, (self.motion,))):
             for widget in widgets:
                 self._labels[widget].setBuddy(widget)
-                row.addWidget(self._labels[widget])
-                row.addWidget(widget)
-        looks.addStretch(1)
+                pair = QWidget()
+                pair.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+                both = QHBoxLayout(pair)
+                both.setContentsMargins(0, 0, 0, 0)
+                both.addWidget(self._labels[widget])
+                both.addWidget(widget)
+                row.addWidget(pair)
         acts.addWidget(self.body_button)
         acts.addWidget(self.face_button)
-        acts.addStretch(1)
         acts.addWidget(self.scale)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
@@ -101,6 +111,7 @@ class PreviewPanel(QWidget):
             translate("preview", "Blink"),
             translate("preview", "Smile"),
             translate("preview", "Talk"),
+            translate("preview", "Wave"),
         )
         for box, texts in ((self.mode, modes), (self.motion, motions)):
             for row, text in enumerate(texts):
@@ -116,8 +127,8 @@ class PreviewPanel(QWidget):
         for widget, text in says:
             self._labels[widget].setText(text)
             name(widget, text.replace("&", ""))
-        self.body_button.setText(translate("preview", "Whole person"))
-        self.face_button.setText(translate("preview", "Face"))
+        self.body_button.setText(translate("preview", "Whole pe&rson"))
+        self.face_button.setText(translate("preview", "&Face"))
         self.scale.setText(_scale_text())
         self._fill_overlay()
 

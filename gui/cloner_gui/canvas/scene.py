@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtGui import QImage
@@ -13,7 +14,7 @@ from cloner.frames import ViewId
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from cloner.render import Shading, coverage, draw
-from cloner_gui.canvas.acting import acted, dressed
+from cloner_gui.canvas.acting import OUTLINE, acted, dressed
 from cloner_gui.canvas.orbit import Orbit, photo_camera
 from cloner_gui.canvas.painting import image_of
 
@@ -21,6 +22,9 @@ Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
 _BACKGROUND: Final = (226, 228, 232)
+_FIGURE: Final = (196, 208, 226)
+_LINE: Final = (58, 96, 168)
+_LINE_SHARE: Final = 0.006  # of the picture's height
 _SHADINGS: Final[dict[str, Shading]] = {"wire": "wire"}
 
 
@@ -73,6 +77,8 @@ class Scene:
         posed, rotations, root_m = acted(self.clone, self.motion, self.seconds)
         layers = dressed(posed, rotations, self.mode, self.gaps_mm)
         camera = self.orbit.camera(self.clone, width_px, height_px, root_m)
+        if self.mode == OUTLINE:
+            return _outlined(coverage(layers, camera, supersample=2))
         shading = _SHADINGS.get(self.mode, "soft")
         return draw(layers, camera, shading=shading, background=_BACKGROUND, supersample=samples)
 
@@ -83,3 +89,13 @@ class Scene:
         drawn = draw(layers, camera, shading=_SHADINGS.get(self.mode, "photo"), supersample=samples)
         share = self.opacity * coverage(layers, camera, supersample=samples)[..., None]
         return np.asarray(np.round(share * drawn + (1.0 - share) * below), dtype=np.uint8)
+
+
+def _outlined(cover: Array) -> Image:
+    """Return a figure drawn from the share (H, W) that a body covers: flat within its outline, nothing else of it."""
+    wide = max(round(_LINE_SHARE * cover.shape[0]), 2)
+    thick = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * wide + 1, 2 * wide + 1))
+    line = np.clip(cv2.dilate(cover, thick) - cover, 0.0, 1.0)[..., None]
+    inside = cover[..., None]
+    paper = np.array(_BACKGROUND, dtype=np.float64) * (1.0 - inside) + np.array(_FIGURE) * inside
+    return np.asarray(np.round(paper * (1.0 - line) + np.array(_LINE) * line), dtype=np.uint8)

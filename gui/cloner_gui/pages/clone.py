@@ -6,16 +6,19 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from cloner.booth.visits import read_visit
 from cloner.errors import ClonerError
 from cloner.outline_gaps import outline_gaps_mm
+from cloner_gui.booth import Booth
 from cloner_gui.canvas.growth import Growth
 from cloner_gui.canvas.preview_panel import PreviewPanel
-from cloner_gui.pieces import button, label
-from cloner_gui.session import Session
-from cloner_gui.told import told, told_problem
+from cloner_gui.canvas.reveal import Reveal
+from cloner_gui.flow import Flow
+from cloner_gui.leaving import has_front
+from cloner_gui.pieces import button, label, scrolled
+from cloner_gui.told import told, told_problem, told_stale
 from cloner_gui.words import spoken_step, translate
 from cloner_gui.worker import Task
 
@@ -28,16 +31,18 @@ class ClonePage(QWidget):
 
     changed = Signal()
 
-    def __init__(self, session: Session, parent: QWidget | None = None) -> None:
+    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._session = session
-        self.clone_button, self.cancel_button = button("main"), button()
+        self._booth, self._session = booth, booth.session
+        self.clone_button, self.cancel_button, self.reveal_button = button(), button(), button()
+        self.stale = label("warn")
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
-        self.status, self.warnings = label(), label("dim")
+        self.status, self.warnings = label(wraps=False), label("dim")
         self.parts = [QLabel() for _ in PARTS]
         self.panel = PreviewPanel()
         self.preview = self.panel.preview
+        self.reveal = Reveal(self.preview, self)
         self.growth = Growth(self)
         self._done_parts = 0
         self._measuring: Task | None = None
@@ -46,29 +51,28 @@ class ClonePage(QWidget):
         self._connect()
         self._show()
 
-    @property
-    def title(self) -> str:
-        """What the step is called."""
-        return translate("clone", "Clone")
-
     def why_not(self) -> str:
         """Return why the next page cannot come yet."""
-        return "" if self._session.outcome is not None else translate("clone", "Clone first.")
+        if self._session.outcome is not None:
+            return ""
+        waits = translate("clone", "The clone is being made; the next visitor can come.")
+        return waits if self._session.cloning else translate("clone", "Clone first.")
 
     def _lay_out(self) -> None:
-        top, parts = QHBoxLayout(), QHBoxLayout()
-        for widget in (self.clone_button, self.cancel_button, self.progress):
+        top, parts, inside = Flow(), Flow(), QWidget()
+        for widget in (self.clone_button, self.cancel_button, self.reveal_button, self.progress):
             top.addWidget(widget)
-        top.addWidget(self.status, 1)
+        top.addWidget(self.status)
         for part in self.parts:
             parts.addWidget(part)
-        parts.addStretch(1)
-        column = QVBoxLayout(self)
+        column = QVBoxLayout(inside)
         column.setContentsMargins(0, 0, 0, 0)
         column.addLayout(top)
         column.addLayout(parts)
+        column.addWidget(self.stale)
         column.addWidget(self.panel, 1)
         column.addWidget(self.warnings)
+        scrolled(self, inside)
 
     def _connect(self) -> None:
         session = self._session
@@ -78,6 +82,11 @@ class ClonePage(QWidget):
         self.panel.gaps_wanted.connect(self._measure_gaps)
         session.opened.connect(self._show)
         session.cloned.connect(self._show)
+        session.cloned.connect(self._begin_reveal)
+        session.points_changed.connect(self._show_stale)
+        self._booth.visits_changed.connect(self._show_stale)
+        self.reveal_button.clicked.connect(self.reveal.begin)
+        self.panel.used.connect(self.reveal.stop)
         session.refitted.connect(self._show_refit)
         session.grown.connect(self._show_growth)
         self.growth.shown.connect(self.panel.show_growing)
@@ -86,8 +95,8 @@ class ClonePage(QWidget):
 
     def _speak(self) -> None:
         """Put all words into the window's language."""
-        self.clone_button.setText(translate("clone", "Clone"))
-        self.cancel_button.setText(translate("clone", "Cancel"))
+        self.reveal_button.setText(translate("clone", "Sho&w it off"))
+        self.cancel_button.setText(translate("clone", "Ca&ncel"))
         self._names = (
             translate("clone", "Points"),
             translate("clone", "Body"),
@@ -98,11 +107,13 @@ class ClonePage(QWidget):
         self.preview.empty_text = translate("clone", "Press Clone: after about a minute the person stands here.")
         self._show_warnings()
         self._show_parts()
+        self._show_stale()
 
     def _show(self) -> None:
         """Show the finished clone, or an empty place for it."""
         session = self._session
         self.growth.forget()
+        self.reveal.stop()
         self.panel.set_clone(session.clone_now(), session.photos.photos)
         self.status.setText("")
         self._show_busy()
@@ -128,8 +139,12 @@ class ClonePage(QWidget):
             self._measure_gaps()
 
     def _show_busy(self) -> None:
-        busy = self._session.busy
-        self.clone_button.setEnabled(not busy and self._session.folder is not None)
+        busy = self._session.cloning
+        self.clone_button.setVisible(not busy)
+        self.clone_button.setEnabled(not busy and has_front(self._session))
+        self.reveal_button.setVisible(not busy and self._session.outcome is not None)
+        self.cancel_button.setVisible(busy)
+        self._show_stale()
         self.cancel_button.setEnabled(busy)
         self.progress.setVisible(busy)
         if busy:
@@ -144,10 +159,23 @@ class ClonePage(QWidget):
         """Say what the clone lacks, or why there is none."""
         outcome, folder = self._session.outcome, self._session.folder
         said = [] if outcome is None else [told(text) for text in outcome.warnings]
-        if folder is not None and not self._session.busy:
+        if folder is not None and not self._session.cloning:
             said.insert(0, told_problem(read_visit(folder).problem))
         self.warnings.setText("\n".join(f"• {text}" for text in said if text))
         self.warnings.setVisible(bool(self.warnings.text()))
+
+    def _show_stale(self) -> None:
+        """Say that the clone is not of the points and the height as they are now."""
+        stale = self._session.is_stale() and not self._session.cloning
+        self.stale.setText(told_stale() if stale else "")
+        self.stale.setVisible(stale)
+        again = self._session.outcome is not None
+        self.clone_button.setText(translate("clone", "C&lone again") if again else translate("clone", "C&lone"))
+
+    def _begin_reveal(self) -> None:
+        """Let a new clone show itself, where somebody looks and nobody wants the screen to be still."""
+        if self.isVisible() and not self._booth.settings.calm:
+            self.reveal.begin()
 
     def _end_growth(self) -> None:
         """Show the clone there was before, if the one under way was stopped."""
@@ -158,6 +186,8 @@ class ClonePage(QWidget):
             self.panel.set_clone(self._session.clone_now(), self._session.photos.photos)
 
     def _show_progress(self, step: str, fraction: float) -> None:
+        if not self._session.cloning:
+            return  # points are sought: that is told where they are seen
         self.progress.setValue(round(1000 * fraction))
         self.status.setText(spoken_step(step))
         if step in PARTS:
@@ -166,7 +196,7 @@ class ClonePage(QWidget):
 
     def _show_parts(self) -> None:
         """Show which parts of the work are done and which is under way."""
-        busy = self._session.busy
+        busy = self._session.cloning
         for number, (part, text) in enumerate(zip(self.parts, self._names, strict=True)):
             mark = "✓" if number < self._done_parts else "▸" if busy and number == self._done_parts else "·"
             part.setText(f"{mark} {text}")

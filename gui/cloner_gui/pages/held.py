@@ -1,17 +1,14 @@
-"""What the event holds of whom: listed, saved for a visitor who asks, deleted; and the event's own settings."""
+"""What the event holds of whom: listed, saved for a visitor who asks, deleted."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
-    QDialogButtonBox,
-    QFormLayout,
     QHeaderView,
-    QPlainTextEdit,
-    QSpinBox,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -20,7 +17,6 @@ from PySide6.QtWidgets import (
 
 from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
-from cloner_gui.languages import consent_text
 from cloner_gui.pieces import button, label, name
 from cloner_gui.words import translate
 
@@ -68,50 +64,19 @@ class HeldWindow(QDialog):
         )
         self.table.setRowCount(len(held))
         for row, one in enumerate(held):
-            texts = (one.identifier, str(one.files), f"{one.size_bytes / 1e6:.1f}", f"{one.newest:%Y-%m-%d %H:%M}")
-            for column, text in enumerate((*texts, one.consent or translate("privacy", "not recorded"))):
-                self.table.setItem(row, column, QTableWidgetItem(text))
+            called = self._booth.name_of(one.photos[0])
+            texts = (called, str(one.files), f"{one.size_bytes / 1e6:.1f}", f"{one.newest:%Y-%m-%d %H:%M}")
+            items = [QTableWidgetItem(text) for text in (*texts, one.consent or translate("privacy", "not recorded"))]
+            items[0].setData(Qt.ItemDataRole.UserRole, one.photos[0])
+            for column, item in enumerate(items):
+                self.table.setItem(row, column, item)
 
     def marked(self) -> tuple[Path, ...]:
         """Return the folders of the marked rows."""
         rows = sorted({index.row() for index in self.table.selectedIndexes()})
-        root = self._booth.root
         items = [self.table.item(row, 0) for row in rows]
-        return () if root is None else tuple(root / item.text() for item in items if item is not None)
+        return tuple(item.data(Qt.ItemDataRole.UserRole) for item in items if item is not None)
 
     def _save(self) -> None:
         for folder in self.marked()[:1]:
             ask_to_save_data(self._booth, folder, self)
-
-
-class SettingsWindow(QDialog):
-    """What holds for every visitor of the event: how long they are kept, and what they agree to."""
-
-    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._booth = booth
-        self.setWindowTitle(translate("settings", "This event"))
-        self.resize(560, 380)
-        self.days, self.consent = QSpinBox(), QPlainTextEdit()
-        self.days.setRange(0, 3650)
-        self.days.setSpecialValueText(translate("settings", "kept until deleted"))
-        self.days.setSuffix(translate("settings", " days"))
-        self.days.setValue(booth.settings.retention_days)
-        self.consent.setPlainText(booth.settings.consent)
-        self.consent.setPlaceholderText(consent_text(booth.settings.language))
-        self.consent.setTabChangesFocus(True)
-        name(self.days, translate("settings", "Days that visitors are kept"))
-        name(self.consent, translate("settings", "What visitors agree to"))
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel)
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        form = QFormLayout(self)
-        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
-        form.addRow(translate("settings", "&Keep visitors for"), self.days)
-        form.addRow(translate("settings", "&Consent"), self.consent)
-        form.addRow(buttons)
-
-    def accept(self) -> None:
-        """Save the settings."""
-        self._booth.change(retention_days=self.days.value(), consent=self.consent.toPlainText().strip())
-        super().accept()

@@ -8,12 +8,13 @@ from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QSizePolicy, QWidget
 
 from cloner.booth.event import LANGUAGES
-from cloner.booth.person_file import consent_when
+from cloner.booth.person_file import consent_when, consent_words
+from cloner.booth.visits import read_visit
 from cloner.project.folder import DEFAULT_HEIGHT_CM
 from cloner_gui.booth import Booth
 from cloner_gui.height_field import HeightField
 from cloner_gui.languages import LANGUAGE_NAMES, consent_text
-from cloner_gui.pieces import GAP, Card, label, name
+from cloner_gui.pieces import GAP, Card, button, label, name
 from cloner_gui.words import translate
 
 #: Typing that rests so long is saved, milliseconds.
@@ -24,6 +25,8 @@ class PersonForm(Card):
     """The open visitor's data."""
 
     changed = Signal()
+    photos_wanted = Signal()
+    """The visitor has agreed: on to the photos."""
 
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -34,8 +37,11 @@ class PersonForm(Card):
         self.name_field, self.height_field = QLineEdit(), HeightField()
         self.language = QComboBox()
         self.consent_text, self.consent_box, self.consent_note = label(), QCheckBox(), label("dim")
+        self.shown_box, self.agree_button = QCheckBox(), button("main")
+        self.name_why, self.shown_why = label("dim"), label("dim")
         self.name_label, self.height_label, self.language_label = (label(wraps=False) for _ in range(3))
         self.height_hint = label("dim")
+        self.name_field.returnPressed.connect(self.focusNextChild)
         for code in LANGUAGES:
             self.language.addItem(LANGUAGE_NAMES[code], code)
         self._save_soon = QTimer(self, singleShot=True, interval=_SAVE_AFTER_MS)
@@ -45,6 +51,8 @@ class PersonForm(Card):
         self.height_field.changed.connect(self._take_height)
         self.language.currentIndexChanged.connect(self._show_consent)
         self.consent_box.clicked.connect(self._take_consent)
+        self.shown_box.clicked.connect(booth.set_shown)
+        self.agree_button.clicked.connect(self._agree_and_go)
         booth.leaving.connect(self.save)
         booth.session.opened.connect(self._show)
         booth.event_changed.connect(self._show_consent)
@@ -59,21 +67,22 @@ class PersonForm(Card):
 
     def asked(self) -> str:
         """Return what the visitor is asked to agree to."""
-        return self._booth.settings.consent or consent_text(str(self.language.currentData()))
+        settings = self._booth.settings
+        return consent_text(str(self.language.currentData()), settings.retention_days, settings.consents)
 
     def save(self) -> None:
         """Save what is typed, now."""
         self._save_soon.stop()
         if self._booth.session.folder is not None:
             self._booth.save_person(self.name_field.text().strip(), self.height_field.height_cm())
+            self._show_heading()
         self.changed.emit()
 
     def _lay_out(self) -> None:
         form = QFormLayout()
-        form.setHorizontalSpacing(GAP)
-        form.setVerticalSpacing(GAP)
+        form.setVerticalSpacing(GAP // 2)
         form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
-        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapAllRows)
         height = QHBoxLayout()
         height.addWidget(self.height_field)
         height.addStretch(1)
@@ -87,6 +96,7 @@ class PersonForm(Card):
         for one in (self.name_label, self.height_label, self.language_label):
             one.setContentsMargins(0, 0, GAP // 2, 0)  # the last letter was cut where the text is large
         form.addRow(self.name_label, self.name_field)
+        form.addRow("", self.name_why)
         form.addRow(self.height_label, height)
         form.addRow("", self.height_hint)
         form.addRow(self.language_label, self.language)
@@ -95,6 +105,9 @@ class PersonForm(Card):
         self.column.addWidget(self.consent_text)
         self.column.addWidget(self.consent_box)
         self.column.addWidget(self.consent_note)
+        self.column.addWidget(self.shown_box)
+        self.column.addWidget(self.shown_why)
+        self.column.addWidget(self.agree_button)
 
     def changeEvent(self, event: QEvent) -> None:
         """Speak another language."""
@@ -107,10 +120,15 @@ class PersonForm(Card):
         self.height_label.setText(translate("visitor", "&Height without shoes"))
         self.language_label.setText(translate("visitor", "&Language of the consent"))
         self.consent_box.setText(translate("visitor", "The visitor has read this and &agrees"))
+        self.shown_box.setText(translate("visitor", "May be seen on the &screen for visitors"))
+        self.agree_button.setText(translate("visitor", "Agrees: on to the &photos"))
+        self.name_why.setText(translate("visitor", "To find each other again; a number will do, or nothing at all."))
+        self.shown_why.setText(translate("visitor", "With the first name, among the others of today; asked apart."))
         for field, text in (
             (self.name_field, translate("visitor", "Name or number of the visitor")),
             (self.language, translate("visitor", "Language of the consent")),
             (self.consent_box, translate("visitor", "The visitor agrees")),
+            (self.shown_box, translate("visitor", "May be seen on the screen for visitors")),
         ):
             name(field, text)
         self.height_field.speak()
@@ -121,7 +139,7 @@ class PersonForm(Card):
         folder = self._booth.session.folder
         person, height_cm, _ = self._booth.person()
         self._showing = True
-        self.heading.setText("" if folder is None else folder.name)
+        self._show_heading()
         if folder != self._folder or not self._save_soon.isActive():  # never over what is being typed
             self._save_soon.stop()
             self.name_field.setText(person)
@@ -134,16 +152,19 @@ class PersonForm(Card):
         self._show_consent()
 
     def _show_hint(self) -> None:
+        why = translate("visitor", "It gives the clone its true size; everything else is measured in the photos.")
         unknown = translate("visitor", "Unknown: {n} cm is assumed, and every length is unscaled.")
-        self.height_hint.setText(
-            "" if self.height_field.height_cm() is not None else unknown.format(n=round(DEFAULT_HEIGHT_CM))
-        )
-        self.height_hint.setVisible(bool(self.height_hint.text()))
+        known = self.height_field.height_cm() is not None
+        self.height_hint.setText(why if known else unknown.format(n=round(DEFAULT_HEIGHT_CM)))
 
     def _show_consent(self) -> None:
-        consent = self._booth.session.consent
-        self.consent_text.setText(self.asked())
+        consent, folder = self._booth.session.consent, self._booth.session.folder
+        self.consent_text.setText(consent_words(consent) if consent_when(consent) != consent else self.asked())
         self.consent_box.setChecked(bool(consent))
+        self.shown_box.setChecked(folder is not None and read_visit(folder).shown)
+        self.shown_box.setEnabled(bool(consent))
+        self.agree_button.setVisible(not consent)
+        self.language.setEnabled(not consent)  # what was agreed to is shown as it was read
         recorded = translate("visitor", "Recorded: {text}")
         self.consent_note.setText(recorded.format(text=consent_when(consent)) if consent else "")
         self.consent_note.setVisible(bool(consent))
@@ -161,4 +182,15 @@ class PersonForm(Card):
             self._booth.agree(self.asked(), str(self.language.currentData()))
         else:
             self._booth.withdraw_consent()
+            self._booth.set_shown(False)
         self._show_consent()
+
+    def _agree_and_go(self) -> None:
+        """Record the consent, and go on."""
+        self._take_consent(True)
+        if self._booth.session.consent:
+            self.photos_wanted.emit()
+
+    def _show_heading(self) -> None:
+        folder = self._booth.session.folder
+        self.heading.setText("" if folder is None else self._booth.name_of(folder))

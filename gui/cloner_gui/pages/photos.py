@@ -6,19 +6,26 @@ from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QBuffer, QByteArray, QEvent, QIODevice, QMimeData, Qt, Signal
+from PySide6.QtCore import QBuffer, QByteArray, QEvent, QIODevice, QMimeData, Qt, QTimer, Signal
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QGuiApplication, QImage
-from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QToolButton, QVBoxLayout, QWidget
 
 from cloner.booth import photo_files
 from cloner.frames import ViewId
 from cloner.project.folder import SUFFIXES
 from cloner_gui.booth import Booth
+from cloner_gui.canvas.whole_photo import WholePhoto
+from cloner_gui.flow import Flow
+from cloner_gui.leaving import has_front
 from cloner_gui.photo_card import PhotoCard, TrayCard
-from cloner_gui.pieces import GAP, button, label, name
+from cloner_gui.pieces import GAP, button, label, name, scrolled
 from cloner_gui.told import told as told_text
 from cloner_gui.webcam import WebcamDialog
-from cloner_gui.words import TROUBLES, translate, what_is_missing
+from cloner_gui.words import TROUBLES, VIEW_TITLES, translate, what_is_missing
+from cloner_gui.worth import told_worth
+
+#: Points are sought when photos have rested so long, milliseconds: looking at new ones comes first.
+_SEEK_AFTER_MS = 500
 
 
 class PhotosPage(QWidget):
@@ -31,13 +38,17 @@ class PhotosPage(QWidget):
         self._booth = booth
         self.setAcceptDrops(True)
         self.add_button, self.paste_button, self.watch_button = button("main"), button(), button()
-        self.webcam_button = button()
+        self.webcam_button, self.unwatch_button = button(), QToolButton()
+        self.unwatch_button.setText("✕")
+        self.worth_label = label()
         self.cards = {view: PhotoCard(view) for view in ViewId}
-        self.missing_label, self.busy_label, self.tray_label = label(), label("dim"), label("heading")
+        self.missing_label, self.busy_label, self.tray_label = label(), label("dim", wraps=False), label("heading")
         self.tray = QScrollArea()
         self.tray.setWidgetResizable(True)
         self.tray.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        self.tray.setFixedHeight(150)
+        self.tray.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._seek_soon = QTimer(self, singleShot=True, interval=_SEEK_AFTER_MS)
+        self._seek_soon.timeout.connect(self._seek)
         self._lay_out()
         self._connect()
         self._speak()
@@ -47,26 +58,28 @@ class PhotosPage(QWidget):
         views = self._booth.session.photos.photos
         if not views:
             return translate("photos", "Add the photos first.")
-        if ViewId.BODY_FRONT not in views and ViewId.FACE_FRONT not in views:
+        if not has_front(self._booth.session):
             return what_is_missing(views)
         return ""
 
     def _lay_out(self) -> None:
-        top, cards = QHBoxLayout(), QHBoxLayout()
-        for one in (self.add_button, self.paste_button, self.watch_button, self.webcam_button):
+        top, cards, inside = Flow(), QHBoxLayout(), QWidget()
+        for one in (self.add_button, self.paste_button, self.webcam_button, self.watch_button, self.unwatch_button):
             top.addWidget(one)
-        top.addWidget(self.busy_label, 1)
+        top.addWidget(self.busy_label)
         cards.setSpacing(GAP)
         for card in self.cards.values():
             cards.addWidget(card, 1)
-        column = QVBoxLayout(self)
+        column = QVBoxLayout(inside)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(GAP)
         column.addLayout(top)
         column.addLayout(cards, 1)
         column.addWidget(self.missing_label)
+        column.addWidget(self.worth_label)
         column.addWidget(self.tray_label)
         column.addWidget(self.tray)
+        scrolled(self, inside)
 
     def _connect(self) -> None:
         booth, intake = self._booth, self._booth.intake
@@ -74,8 +87,12 @@ class PhotosPage(QWidget):
         self.paste_button.clicked.connect(self.paste)
         self.watch_button.clicked.connect(self._choose_camera_folder)
         self.webcam_button.clicked.connect(self._open_webcam)
+        self.unwatch_button.clicked.connect(lambda: booth.change(camera_folder=""))
+        booth.session.points_changed.connect(self._show_worth)
+        booth.session.busy_changed.connect(self._seek_soon.start)
         for card in self.cards.values():
             card.add_wanted.connect(self.choose)
+            card.whole_wanted.connect(self._show_whole)
             card.exchange_wanted.connect(self._exchange)
             card.turn_wanted.connect(self._on_file(photo_files.turn_right))
             card.remove_wanted.connect(self._on_file(photo_files.remove))
@@ -99,6 +116,8 @@ class PhotosPage(QWidget):
         self.watch_button.setText(watched if camera else translate("photos", "&Camera folder…"))
         self.webcam_button.setText(translate("photos", "&Webcam…"))
         told = translate("photos", "Photos that appear in this folder are taken at once")
+        self.unwatch_button.setVisible(bool(camera))
+        name(self.unwatch_button, translate("photos", "Watch no camera folder any more"))
         name(self.watch_button, self.watch_button.text(), told)
         self.tray_label.setText(translate("photos", "Photos without a place"))
         self._show()
@@ -112,8 +131,8 @@ class PhotosPage(QWidget):
             verdict = "" if photo is None else translate("photos", "Being looked at…")
             if look is not None:
                 good = translate("photos", "✓ Good")
-                verdict = " ".join(TROUBLES[one] for one in look.troubles) or good
-            fine = look is not None and not look.troubles
+                verdict = " ".join(TROUBLES[one] for one in look.troubles_as(view)) or good
+            fine = look is not None and not look.troubles_as(view)
             card.show_photo(session.thumbnails.get(view), verdict, fine=fine)
         told = [what_is_missing(session.photos.photos), *(told_text(text) for text in session.warnings)]
         if session.photos.photos and not session.consent:
@@ -121,6 +140,7 @@ class PhotosPage(QWidget):
         self.missing_label.setText("\n".join(told))
         self._show_tray()
         self._show_busy()
+        self._show_worth()
         self.changed.emit()
 
     def _show_tray(self) -> None:
@@ -137,6 +157,9 @@ class PhotosPage(QWidget):
             row.addWidget(card)
         row.addStretch(1)
         self.tray.setWidget(inside)
+        if session.tray:  # as high as the highest card, with room for the bar that scrolls
+            bar = self.tray.horizontalScrollBar().sizeHint().height()
+            self.tray.setFixedHeight(inside.sizeHint().height() + bar + 4)
         self.tray.setVisible(bool(session.tray))
         self.tray_label.setVisible(bool(session.tray))
 
@@ -145,6 +168,29 @@ class PhotosPage(QWidget):
         text = translate("photos", "Looking at photos: {n} to go").format(n=count)
         self.busy_label.setText(text if count else "")
         self.setEnabled(self._booth.session.folder is not None)
+        if not count:
+            self._seek_soon.start()
+        self.changed.emit()
+
+    def _seek(self) -> None:
+        """Find the points while the operator still looks at the photos: the next page is then only for doubts."""
+        booth = self._booth
+        if self.isVisible() and not booth.intake.pending() and booth.session.consent and has_front(booth.session):
+            booth.session.propose()
+
+    def _show_worth(self) -> None:
+        """Say which points are worth a look before cloning, and what they change; or that none is."""
+        session = self._booth.session
+        points = {view: session.points(view) for view in session.photos.photos}
+        known = {view: one for view, one in points.items() if one is not None}
+        self.worth_label.setText(told_worth(known) if known else "")
+        self.worth_label.setVisible(bool(known))
+
+    def _show_whole(self, view: ViewId) -> None:
+        """Show a photo at its full size."""
+        photo = self._booth.session.photos.photos.get(view)
+        if photo is not None:
+            WholePhoto(VIEW_TITLES[view], self.cards[view].verdict.text(), photo.rgb, self).open()
 
     # --- what the operator does -------------------------------------------------
 
@@ -196,9 +242,11 @@ class PhotosPage(QWidget):
         return None if folder is None else photo_files.photo_of(folder, view)
 
     def _choose_camera_folder(self) -> None:
-        """Ask for the folder of a tethered camera; cancelling stops watching."""
+        """Ask for the folder of a tethered camera; who asks for none keeps the one there is."""
         text = translate("photos", "Folder where the camera drops its photos")
-        self._booth.change(camera_folder=QFileDialog.getExistingDirectory(self, text))
+        chosen = QFileDialog.getExistingDirectory(self, text)
+        if chosen:
+            self._booth.change(camera_folder=chosen)
 
     def _open_webcam(self) -> None:
         dialog = WebcamDialog(self._next_view(), self)

@@ -7,19 +7,20 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QSplitter, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QProgressBar, QSplitter, QStackedWidget, QVBoxLayout, QWidget
 
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, next_anchor
 from cloner_gui.canvas.filmstrip import Filmstrip
-from cloner_gui.canvas.hints import legend, told_point
+from cloner_gui.canvas.hints import legend, told_point, told_rest
 from cloner_gui.canvas.live import LiveOutlines
 from cloner_gui.canvas.orbit import framing_of
 from cloner_gui.canvas.picking import next_of, worst_first
 from cloner_gui.canvas.preview import Preview
 from cloner_gui.canvas.view import PhotoView
+from cloner_gui.flow import Flow
 from cloner_gui.newest import newest
-from cloner_gui.pieces import button, name
+from cloner_gui.pieces import button, name, scrolled
 from cloner_gui.session import Session
 from cloner_gui.told import spoken_refit
 from cloner_gui.words import VIEW_TITLES, spoken_step, translate
@@ -42,7 +43,7 @@ class PointsPage(QWidget):
         self.live = LiveOutlines(self)
         self.strip, self.stack = Filmstrip(), QStackedWidget()
         self.preview = Preview()
-        self.hint, self.status, self.legend, self.keys = QLabel(), QLabel(), QLabel(), QLabel()
+        self.hint, self.status, self.legend, self.keys = (QLabel(wordWrap=True) for _ in range(4))
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
         self.again, self.previous, self.following = button("main"), button(), button("main")
@@ -55,11 +56,6 @@ class PointsPage(QWidget):
         self._connect()
         self._speak()
         self._open()
-
-    @property
-    def title(self) -> str:
-        """What the step is called."""
-        return translate("points", "Points")
 
     def why_not(self) -> str:
         """Return why the next page cannot come yet: points may always stay as they are."""
@@ -88,37 +84,33 @@ class PointsPage(QWidget):
             self.show_view(found[0])
             self.views[found[0]].setFocus()
             self.views[found[0]].choose(found[1], close=True)
+            self.status.setText(told_rest(self._order, self._points, found))
 
     # --- making -------------------------------------------------------------------
 
     def _lay_out(self) -> None:
-        right = QWidget()
-        beside = QVBoxLayout(right)
-        beside.setContentsMargins(0, 0, 0, 0)
-        for text in (self.hint, self.status, self.keys):
-            text.setWordWrap(True)
-        self.hint.setMinimumHeight(3 * self.fontMetrics().height())
+        self.hint.setMinimumHeight(2 * self.fontMetrics().height())
         self.hint.setAlignment(Qt.AlignmentFlag.AlignTop)
-        beside.addWidget(self.hint)
-        beside.addWidget(self.preview, 1)
-        beside.addWidget(self.keys)
         parts = QSplitter(Qt.Orientation.Horizontal)
-        for part, share in ((self.strip, 0), (self.stack, 5), (right, 3)):
+        for part, share in ((self.strip, 0), (self.stack, 5), (self.preview, 3)):
             parts.addWidget(part)
             parts.setStretchFactor(parts.count() - 1, share)
             parts.setCollapsible(parts.count() - 1, False)
         parts.setSizes([96, 560, 320])
-        bottom = QHBoxLayout()
+        bottom, inside = Flow(), QWidget()
         for widget in (self.previous, self.following, self.reset, self.anchor, self.whole, self.again):
             bottom.addWidget(widget)
             widget.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click must not take the keys from the photo
         bottom.addWidget(self.progress)
-        bottom.addWidget(self.status, 1)
-        column = QVBoxLayout(self)
+        column = QVBoxLayout(inside)
         column.setContentsMargins(0, 0, 0, 0)
+        column.addWidget(self.hint)
         column.addWidget(parts, 1)
         column.addLayout(bottom)
+        column.addWidget(self.status)
         column.addWidget(self.legend)
+        column.addWidget(self.keys)
+        scrolled(self, inside)
 
     def _connect(self) -> None:
         session = self._session
@@ -183,6 +175,7 @@ class PointsPage(QWidget):
             self.show_view(next(iter(self.views)))
         if self.isVisible():
             self._session.propose()
+            self._take_keys()
         self.changed.emit()
 
     def _canvas(self, view: ViewId) -> PhotoView:
@@ -208,6 +201,12 @@ class PointsPage(QWidget):
         """Propose points when the page is first seen."""
         super().showEvent(event)
         self._session.propose()
+        self._take_keys()
+
+    def _take_keys(self) -> None:
+        """Give the keyboard to the photo: the first Tab goes to the first point, not to a button."""
+        if self.view is not None:
+            self.views[self.view].setFocus()
 
     def changeEvent(self, event: QEvent) -> None:
         """Speak another language."""
@@ -279,14 +278,16 @@ class PointsPage(QWidget):
     def _show_busy(self) -> None:
         session = self._session
         found = bool(session.proposed)
-        self.progress.setVisible(session.busy)
+        self.progress.setVisible(session.seeking)
         self.again.setVisible(not found and not session.busy and bool(self.views))
         for widget in (self.previous, self.following, self.reset, self.whole, self.anchor):
             widget.setEnabled(found)
-        if not session.busy:
+        if not session.seeking:
             self.status.setText("")
 
     def _show_progress(self, step: str, fraction: float) -> None:
+        if not self._session.seeking:
+            return
         self.progress.setValue(round(1000 * fraction))
         self.status.setText(spoken_step(step))
 

@@ -56,10 +56,10 @@ class StatisticsWindow(QDialog):
         told = translate("statistics", "{n} visitors; in the middle {s} s, {c} clicks, {d} drags each")
         self.summary.setText(told.format(n=len(visits), s=round(seconds), c=round(clicks), d=round(drags)))
         self.table.setHorizontalHeaderLabels(_titles())
-        rows = effort_rows(visits)
+        rows, folders = effort_rows(visits), list(visits)
         self.table.setRowCount(len(rows))
         for number, row in enumerate(rows):
-            shown = (*row[:2], STATES[State(row[2])], *row[3:])
+            shown = (self._booth.name_of(folders[number]), row[1], STATES[State(row[2])], *row[3:])
             for column, text in enumerate(shown):
                 self.table.setItem(number, column, QTableWidgetItem(text))
 

@@ -12,11 +12,9 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QFileDialog,
     QGridLayout,
-    QHBoxLayout,
     QLabel,
     QLineEdit,
-    QScrollArea,
-    QVBoxLayout,
+    QSizePolicy,
     QWidget,
 )
 
@@ -26,9 +24,12 @@ from cloner.errors import ClonerError
 from cloner_gui.booth import Booth
 from cloner_gui.canvas.painting import pixmap_of
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
+from cloner_gui.flow import Flow
 from cloner_gui.formats import FORMATS
 from cloner_gui.handing import Handing
-from cloner_gui.pieces import GAP, Card, button, label, name
+from cloner_gui.phone import Phone
+from cloner_gui.pieces import GAP, Card, button, label, name, scrolled
+from cloner_gui.told import told_stale
 from cloner_gui.words import translate
 
 _CODE_PX = 200
@@ -39,13 +40,15 @@ class TakeawayPage(QWidget):
 
     changed = Signal()
 
-    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
+    def __init__(self, booth: Booth, phone: Phone, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._booth = booth
+        self._booth, self._phone = booth, phone
+        self.phone_box, self.phone_note = QCheckBox(), label("dim")
         self.handing = Handing(booth.session, self)
         self.status, self.files_heading, self.code_heading, self.data_heading = (
             label("dim"), label("heading"), label("heading"), label("heading"),
         )  # fmt: skip
+        self.stale = label("warn")
         self.formats = {kind: QCheckBox() for kind in FORMATS}
         self.folder_button, self.zip_button, self.report_button, self.show_button = (
             button("main"), button(), button(), button(),
@@ -64,9 +67,10 @@ class TakeawayPage(QWidget):
         files, code, data = Card(), Card(), Card()
         files.column.addWidget(self.files_heading)
         files.column.addWidget(self.status)
+        files.column.addWidget(self.stale)
         grid = QGridLayout()
         for number, box in enumerate(self.formats.values()):
-            grid.addWidget(box, number // 2, number % 2)
+            grid.addWidget(box, number, 0)
         files.column.addLayout(grid)
         for one in (self.folder_button, self.zip_button, self.report_button, self.show_button):
             files.column.addWidget(one)
@@ -75,6 +79,8 @@ class TakeawayPage(QWidget):
         self.code.setFixedSize(_CODE_PX, _CODE_PX)
         self.code.setAlignment(Qt.AlignmentFlag.AlignCenter)
         code.column.addWidget(self.code, 0, Qt.AlignmentFlag.AlignHCenter)
+        code.column.addWidget(self.phone_box)
+        code.column.addWidget(self.phone_note)
         code.column.addWidget(self.link)
         code.column.addWidget(self.code_note)
         code.column.addStretch(1)
@@ -83,18 +89,13 @@ class TakeawayPage(QWidget):
         data.column.addWidget(self.export_button)
         data.column.addWidget(self.forget_button)
         data.column.addStretch(1)
-        room, inside = QScrollArea(), QWidget()
-        row = QHBoxLayout(inside)
-        row.setContentsMargins(0, 0, 0, 0)
+        inside = QWidget()
+        row = Flow(inside)
         row.setSpacing(GAP)
         for card in (files, code, data):
-            row.addWidget(card, 1)
-        room.setWidget(inside)
-        room.setWidgetResizable(True)
-        room.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-        column = QVBoxLayout(self)
-        column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(room)
+            card.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+            row.addWidget(card)
+        scrolled(self, inside)
 
     def _connect(self) -> None:
         session = self._booth.session
@@ -102,6 +103,8 @@ class TakeawayPage(QWidget):
         self.zip_button.clicked.connect(self._to_zip)
         self.report_button.clicked.connect(lambda: self._open("report.html"))
         self.show_button.clicked.connect(lambda: self._open(""))
+        self.phone_box.clicked.connect(lambda on: self._booth.change(phone=on))
+        self._phone.changed.connect(self._show)
         self.export_button.clicked.connect(self._export)
         self.forget_button.clicked.connect(self._forget)
         self.link.editingFinished.connect(lambda: self._booth.change(link=self.link.text().strip()))
@@ -113,6 +116,9 @@ class TakeawayPage(QWidget):
         session.opened.connect(self.handing.forget)
         session.opened.connect(self._show)
         session.cloned.connect(self._show)
+        session.points_changed.connect(self._show)
+        session.busy_changed.connect(self._show)
+        self._booth.visits_changed.connect(self._show)
         self._booth.event_changed.connect(self._show)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -129,11 +135,13 @@ class TakeawayPage(QWidget):
         self.zip_button.setText(translate("takeaway", "Save as one &zip file…"))
         self.report_button.setText(translate("takeaway", "Show &report"))
         self.show_button.setText(translate("takeaway", "Show f&older"))
+        self.phone_box.setText(translate("takeaway", "&Page for telephones on this network"))
+        name(self.phone_box, translate("takeaway", "Page for telephones on this network"))
         self.export_button.setText(translate("takeaway", "Save &everything held…"))
         self.forget_button.setText(translate("takeaway", "&Delete this visitor…"))
         told = translate("takeaway", "Text or address in the code; {id} stands for the visitor")
         name(self.link, translate("takeaway", "Text of the code"), told)
-        self.link.setPlaceholderText(translate("takeaway", "Where the files were put"))
+        self.link.setPlaceholderText("https://…/{id}")
         name(self.code, translate("takeaway", "Code to scan"))
         for kind, box in self.formats.items():
             box.setText(FORMATS[kind])
@@ -143,12 +151,17 @@ class TakeawayPage(QWidget):
         """Show what can be taken."""
         session, settings = self._booth.session, self._booth.settings
         ready = session.outcome is not None and not self.handing.busy
+        self.stale.setText(told_stale())
+        self.stale.setVisible(session.is_stale() and not session.cloning)
         for one in (self.folder_button, self.zip_button, self.report_button, self.show_button):
             one.setEnabled(ready)
         for one in (self.export_button, self.forget_button):
             one.setEnabled(session.folder is not None)
         for kind, box in self.formats.items():
             box.setChecked(kind in settings.formats)
+        self.phone_box.setChecked(settings.phone)
+        self.phone_box.setEnabled(self._booth.root is not None)
+        self.phone_note.setText(self._told_phone())
         if not self.link.hasFocus():
             self.link.setText(settings.link)
         none = translate("takeaway", "There is no clone yet.")
@@ -164,14 +177,30 @@ class TakeawayPage(QWidget):
 
     def _show_code(self) -> None:
         folder = self._booth.session.folder
-        text = link_text(self.link.text().strip(), "" if folder is None else folder.name, self.handing.target)
+        own = link_text(self.link.text().strip(), "" if folder is None else folder.name)
+        text = self._phone.link() or own
         try:
             modules = code_modules(text) if text else None
         except ClonerError as error:
             modules, text = None, str(error)
         self.code.setVisible(modules is not None)
         self.code.setPixmap(QPixmap() if modules is None else _code_pixmap(modules))
-        self.code_note.setText(text or translate("takeaway", "Copy the files first, or type an address."))
+        none = translate("takeaway", "Switch the page for telephones on, or type the address of a page of your own.")
+        self.code_note.setText(text or none)
+
+    def _told_phone(self) -> str:
+        """Say who can see the page, and for how long."""
+        settings = self._booth.settings
+        if not settings.phone:
+            return translate("takeaway", "Off: nothing leaves this computer.")
+        if self._phone.busy:
+            return translate("takeaway", "The page is being made…")
+        if settings.phone_https:
+            safe = translate("takeaway", "Telephones warn of the booth's own certificate once.")
+        else:
+            safe = translate("takeaway", "Not encrypted: use a hotspot of your own with a password.")
+        lasts = translate("takeaway", "Each visitor's link works for {n} hours.").format(n=settings.phone_hours)
+        return f"{lasts} {safe}"
 
     # --- what the operator does ----------------------------------------------------
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtWidgets import QHBoxLayout, QListWidget, QListWidgetItem, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QHBoxLayout, QListWidget, QListWidgetItem, QMenu, QVBoxLayout, QWidget
 
 from cloner.booth.visits import State
 from cloner_gui.booth import Booth
+from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
 from cloner_gui.pages.person_form import PersonForm
-from cloner_gui.pieces import GAP, Card, button, label, name
+from cloner_gui.pieces import GAP, Card, button, label, name, scrolled
 from cloner_gui.told import told_problem
 from cloner_gui.words import STATES, translate
 
@@ -26,6 +28,10 @@ class VisitorPage(QWidget):
         self.event_label, self.hint = label("dim"), label("dim")
         self.heading = label("heading")
         self.list = QListWidget()
+        self.list.setWordWrap(True)
+        self.list.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.list.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        self.opening_label = label("dim")
         self.new_button, self.open_button = button("main"), button()
         self.form = PersonForm(booth)
         self._lay_out()
@@ -33,6 +39,10 @@ class VisitorPage(QWidget):
         self.open_button.clicked.connect(lambda: self.window().choose_folder())  # type: ignore[attr-defined]
         self.list.itemActivated.connect(self._open)
         self.list.itemClicked.connect(self._open)
+        self.list.customContextMenuRequested.connect(self._show_menu)
+        self.list.installEventFilter(self)
+        booth.opening_changed.connect(self._show_opening)
+        booth.page_wanted.connect(self._take_keys)
         self.form.changed.connect(self.changed)
         booth.visits_changed.connect(self._show)
         booth.event_changed.connect(self._show)
@@ -50,19 +60,16 @@ class VisitorPage(QWidget):
         left.column.addWidget(self.heading)
         left.column.addWidget(self.event_label)
         left.column.addWidget(self.new_button)
+        left.column.addWidget(self.opening_label)
         left.column.addWidget(self.list, 1)
         left.column.addWidget(self.open_button)
-        left.setMaximumWidth(340)
-        right = QScrollArea()
-        right.setWidgetResizable(True)
-        right.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # it scrolls to whatever inside has the keyboard
-        inside = QWidget()
+        right, inside = QWidget(), QWidget()
         column = QVBoxLayout(inside)
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.form)
         column.addWidget(self.hint)
         column.addStretch(1)
-        right.setWidget(inside)
+        scrolled(right, inside)
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(GAP)
@@ -86,7 +93,7 @@ class VisitorPage(QWidget):
         """Show who is here."""
         root, folder = self._booth.root, self._booth.session.folder
         self.event_label.setText(translate("visitor", "No event is open.") if root is None else root.name)
-        self.new_button.setEnabled(root is not None)
+        self._show_opening()
         self.form.setVisible(folder is not None)
         self.hint.setVisible(folder is None)
         begin = translate("visitor", "Open the event's folder; an empty one begins a new event.")
@@ -105,9 +112,10 @@ class VisitorPage(QWidget):
                 self.list.addItem(QListWidgetItem())
         for row, (place, visit) in enumerate(visits.items()):
             item = self.list.item(row)
-            item.setText(f"{_MARKS[visit.state]}  {place.name}\n     {STATES[visit.state]}")
+            called = self._booth.name_of(place)
+            item.setText(f"{_MARKS[visit.state]}  {called}\n     {STATES[visit.state]}")
             item.setData(Qt.ItemDataRole.UserRole, place)
-            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{place.name}, {STATES[visit.state]}")
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{called}, {STATES[visit.state]}")
             item.setToolTip(told_problem(visit.problem))
             if place == folder and self.list.currentItem() is not item:
                 self.list.setCurrentItem(item)
@@ -117,3 +125,47 @@ class VisitorPage(QWidget):
         place = item.data(Qt.ItemDataRole.UserRole)
         if place != self._booth.session.folder:
             self._booth.open_visitor(place)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Ask about deleting the marked visitor when Delete is pressed in the list."""
+        if event.type() == QEvent.Type.KeyPress and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Delete:
+            self._delete(self.list.currentItem())
+            return True
+        return super().eventFilter(watched, event)
+
+    def menu_of(self, item: QListWidgetItem) -> QMenu:
+        """Return what can be done with a visitor of the list."""
+        place = item.data(Qt.ItemDataRole.UserRole)
+        menu = QMenu(self)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.addAction(translate("visitor", "&Open"), lambda: self._open(item))
+        menu.addAction(
+            translate("visitor", "&Save everything held…"), lambda: ask_to_save_data(self._booth, place, self)
+        )
+        menu.addAction(translate("visitor", "&Delete…"), lambda: self._delete(item))
+        return menu
+
+    def _show_menu(self, at: QPoint) -> None:
+        item = self.list.itemAt(at)
+        if item is not None:
+            self.menu_of(item).popup(self.list.mapToGlobal(at))
+
+    def _delete(self, item: QListWidgetItem | None) -> None:
+        if item is not None:
+            ask_to_forget(self._booth, (item.data(Qt.ItemDataRole.UserRole),), self)
+
+    def _show_opening(self) -> None:
+        """Say who is being opened: large photos take a second or two."""
+        folder = self._booth.opening
+        told = (
+            "" if folder is None else translate("visitor", "Opening {name}…").format(name=self._booth.name_of(folder))
+        )
+        self.opening_label.setText(told)
+        self.opening_label.setVisible(folder is not None)
+        self.list.setEnabled(folder is None)
+        self.new_button.setEnabled(folder is None and self._booth.root is not None)
+
+    def _take_keys(self, page: str) -> None:
+        """Let what is typed for a new visitor be the name, not another new visitor."""
+        if page == "visitor" and self._booth.session.folder is not None:
+            self.form.name_field.setFocus()

@@ -49,7 +49,6 @@
     <name>clone</name>
     <message>
         <source>Clone</source>
-        <extracomment>Stages that the five parts of the work end with, in order; between them the operator sees which part is under way.</extracomment>
         <translation>Klonen</translation>
     </message>
     <message>
@@ -57,8 +56,17 @@
         <translation>Erst klonen.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
+        <source>The clone is being made; the next visitor can come.</source>
+        <extracomment>Stages that the five parts of the work end with, in order; between them the operator sees which part is under way.</extracomment>
+        <translation>Der Klon entsteht; der nächste Besucher kann kommen.</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w it off</source>
+        <translation>&amp;Vorführen</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>A&amp;bbrechen</translation>
     </message>
     <message>
         <source>Points</source>
@@ -84,13 +92,30 @@
         <source>Press Clone: after about a minute the person stands here.</source>
         <translation>Klonen drücken: nach etwa einer Minute steht die Person hier.</translation>
     </message>
+    <message>
+        <source>C&amp;lone again</source>
+        <translation>Noch einmal k&amp;lonen</translation>
+    </message>
+    <message>
+        <source>C&amp;lone</source>
+        <translation>K&amp;lonen</translation>
+    </message>
+    <message>
+        <source>Points or height were changed since: what is seen and taken away is the clone before.</source>
+        <translation>Punkte oder Größe wurden seither geändert: gezeigt und mitgenommen wird der Klon von vorher.</translation>
+    </message>
 </context>
 <context>
     <name>consent</name>
     <message>
-        <source>I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, and that both are kept for the time named at the booth. I can have everything deleted at any time.</source>
+        <source>I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, and that both are kept for {days} days and then deleted. I can have everything deleted at any time.</source>
         <extracomment>What visitors agree to, unless the event has a text of its own.</extracomment>
-        <translation>Ich bin einverstanden, dass hier Fotos von mir aufgenommen werden, dass daraus auf diesem Rechner ein dreidimensionales Abbild von mir entsteht und dass beides für die am Stand genannte Zeit aufbewahrt wird. Ich kann jederzeit alles löschen lassen.</translation>
+        <translation>Ich bin einverstanden, dass hier Fotos von mir gemacht werden, dass daraus auf diesem Rechner ein dreidimensionales Abbild entsteht und dass beides {days} Tage aufbewahrt und dann gelöscht wird. Ich kann jederzeit alles löschen lassen.</translation>
+    </message>
+    <message>
+        <source>I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, and that both are kept until I have them deleted. I can have everything deleted at any time.</source>
+        <extracomment>The same where an event keeps its visitors until somebody deletes them.</extracomment>
+        <translation>Ich bin einverstanden, dass hier Fotos von mir gemacht werden, dass daraus auf diesem Rechner ein dreidimensionales Abbild entsteht und dass beides aufbewahrt wird, bis ich es löschen lasse. Ich kann jederzeit alles löschen lassen.</translation>
     </message>
 </context>
 <context>
@@ -121,9 +146,78 @@
     </message>
 </context>
 <context>
+    <name>gallery</name>
+    <message>
+        <source>Everybody of today</source>
+        <extracomment>What is shown: everybody, the cloned, those without a clone, who lies in the trash.</extracomment>
+        <translation>Alle von heute</translation>
+    </message>
+    <message>
+        <source>Name or number</source>
+        <translation>Name oder Nummer</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>with a clone</source>
+        <translation>mit Klon</translation>
+    </message>
+    <message>
+        <source>without a clone</source>
+        <translation>ohne Klon</translation>
+    </message>
+    <message>
+        <source>in the trash</source>
+        <translation>im Papierkorb</translation>
+    </message>
+    <message>
+        <source>Search by name or number</source>
+        <translation>Nach Name oder Nummer suchen</translation>
+    </message>
+    <message>
+        <source>Who is shown</source>
+        <translation>Wer gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Visitors of this event</source>
+        <translation>Besucher dieser Veranstaltung</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Clone &amp;again</source>
+        <translation>Noch ein&amp;mal klonen</translation>
+    </message>
+    <message>
+        <source>&amp;Throw away</source>
+        <translation>&amp;Wegwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Bring back</source>
+        <translation>&amp;Zurückholen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete for good…</source>
+        <translation>Endgültig &amp;löschen…</translation>
+    </message>
+    <message>
+        <source>{n} visitors, {m} with a clone</source>
+        <translation>{n} Besucher, {m} mit Klon</translation>
+    </message>
+    <message>
+        <source>deleted for good on {when}</source>
+        <translation>endgültig gelöscht am {when}</translation>
+    </message>
+</context>
+<context>
     <name>hints</name>
     <message>
         <source>Your own point on the outline: drag it on to the border of the person.</source>
+        <extracomment>Hint for every point whose name, without its side, begins so; the longest beginning wins.</extracomment>
         <translation>Ihr eigener Umrisspunkt: auf den Rand der Person ziehen.</translation>
     </message>
     <message>
@@ -348,6 +442,14 @@
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Gallery…</source>
+        <translation>&amp;Galerie…</translation>
+    </message>
+    <message>
+        <source>&amp;Screen for visitors</source>
+        <translation>&amp;Bildschirm für Besucher</translation>
     </message>
     <message>
         <source>&amp;Effort…</source>
@@ -693,11 +795,16 @@
 <context>
     <name>photos</name>
     <message>
+        <source>Photos are still looked at.</source>
+        <translation>Fotos werden noch angesehen.</translation>
+    </message>
+    <message>
         <source>Photos</source>
         <translation>Fotos</translation>
     </message>
     <message>
         <source>Add the photos first.</source>
+        <extracomment>Points are sought when photos have rested so long, milliseconds: looking at new ones comes first.</extracomment>
         <translation>Erst die Fotos hinzufügen.</translation>
     </message>
     <message>
@@ -723,6 +830,10 @@
     <message>
         <source>Photos that appear in this folder are taken at once</source>
         <translation>Fotos, die in diesem Ordner erscheinen, werden sofort übernommen</translation>
+    </message>
+    <message>
+        <source>Watch no camera folder any more</source>
+        <translation>Keinen Kameraordner mehr beobachten</translation>
     </message>
     <message>
         <source>Photos without a place</source>
@@ -759,6 +870,10 @@
     <message>
         <source>What to do with {photo}</source>
         <translation>Was mit {photo} tun</translation>
+    </message>
+    <message>
+        <source>See it large</source>
+        <translation>Groß ansehen</translation>
     </message>
     <message>
         <source>Replace…</source>
@@ -826,6 +941,14 @@
     <message>
         <source>Add photos first.</source>
         <translation>Erst Fotos hinzufügen.</translation>
+    </message>
+    <message>
+        <source>{n} doubtful points are left after this one.</source>
+        <translation>Nach diesem sind noch {n} Punkte zweifelhaft.</translation>
+    </message>
+    <message>
+        <source>All doubtful points are seen: this one is sure. Press Clone.</source>
+        <translation>Alle zweifelhaften Punkte sind gesehen: dieser ist sicher. Drücken Sie Klonen.</translation>
     </message>
     <message>
         <source>Find points</source>
@@ -939,6 +1062,10 @@
         <translation>Sprechen</translation>
     </message>
     <message>
+        <source>Wave</source>
+        <translation>Winken</translation>
+    </message>
+    <message>
         <source>&amp;Show</source>
         <translation>&amp;Zeigen</translation>
     </message>
@@ -955,12 +1082,12 @@
         <translation>Be&amp;wegen</translation>
     </message>
     <message>
-        <source>Whole person</source>
-        <translation>Ganze Person</translation>
+        <source>Whole pe&amp;rson</source>
+        <translation>Ganze Pe&amp;rson</translation>
     </message>
     <message>
-        <source>Face</source>
-        <translation>Gesicht</translation>
+        <source>&amp;Face</source>
+        <translation>&amp;Gesicht</translation>
     </message>
     <message>
         <source>no photo</source>
@@ -1072,8 +1199,60 @@
         <translation> Tage</translation>
     </message>
     <message>
+        <source>Nothing &amp;moves by itself</source>
+        <translation>Nichts &amp;bewegt sich von selbst</translation>
+    </message>
+    <message>
+        <source>&amp;Encrypt the page for telephones</source>
+        <translation>Seite für Telefone &amp;verschlüsseln</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>gar nicht</translation>
+    </message>
+    <message>
+        <source> hours</source>
+        <translation> Stunden</translation>
+    </message>
+    <message>
+        <source>{days} in the text stands for the days that visitors are kept.</source>
+        <translation>{days} im Text steht für die Tage, die Besucher aufbewahrt werden.</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the event</source>
+        <translation>&amp;Name der Veranstaltung</translation>
+    </message>
+    <message>
+        <source>Bring &amp;back thrown away ones for</source>
+        <translation>Weggeworfene &amp;zurückholen</translation>
+    </message>
+    <message>
+        <source>&amp;Language of the text</source>
+        <translation>&amp;Sprache des Textes</translation>
+    </message>
+    <message>
+        <source>Links for &amp;telephones work for</source>
+        <translation>Links für &amp;Telefone gelten</translation>
+    </message>
+    <message>
+        <source>Name of the event</source>
+        <translation>Name der Veranstaltung</translation>
+    </message>
+    <message>
         <source>Days that visitors are kept</source>
         <translation>Tage, die Besucher aufbewahrt werden</translation>
+    </message>
+    <message>
+        <source>Days that thrown away visitors can be brought back</source>
+        <translation>Tage, in denen weggeworfene Besucher zurückgeholt werden können</translation>
+    </message>
+    <message>
+        <source>Hours that links for telephones work</source>
+        <translation>Stunden, die Links für Telefone gelten</translation>
+    </message>
+    <message>
+        <source>Language of the text</source>
+        <translation>Sprache des Textes</translation>
     </message>
     <message>
         <source>What visitors agree to</source>
@@ -1097,6 +1276,25 @@
     <message>
         <source>%1, right</source>
         <translation>%1, rechts</translation>
+    </message>
+</context>
+<context>
+    <name>stage</name>
+    <message>
+        <source> and {n} more</source>
+        <translation> und {n} weitere</translation>
+    </message>
+    <message>
+        <source>Next: {names}</source>
+        <translation>Als Nächste: {names}</translation>
+    </message>
+    <message>
+        <source>Screen for visitors</source>
+        <translation>Bildschirm für Besucher</translation>
+    </message>
+    <message>
+        <source>Five photos, one minute: your own clone stands here.</source>
+        <translation>Fünf Fotos, eine Minute: hier steht Ihr eigener Klon.</translation>
     </message>
 </context>
 <context>
@@ -1304,6 +1502,14 @@
         <translation>&amp;Ordner zeigen</translation>
     </message>
     <message>
+        <source>&amp;Page for telephones on this network</source>
+        <translation>&amp;Seite für Telefone in diesem Netz</translation>
+    </message>
+    <message>
+        <source>Page for telephones on this network</source>
+        <translation>Seite für Telefone in diesem Netz</translation>
+    </message>
+    <message>
         <source>Save &amp;everything held…</source>
         <translation>&amp;Alles Gespeicherte sichern…</translation>
     </message>
@@ -1318,10 +1524,6 @@
     <message>
         <source>Text of the code</source>
         <translation>Text des Codes</translation>
-    </message>
-    <message>
-        <source>Where the files were put</source>
-        <translation>Wohin die Dateien kamen</translation>
     </message>
     <message>
         <source>There is no clone yet.</source>
@@ -1344,8 +1546,28 @@
         <translation>Aufbewahrt.</translation>
     </message>
     <message>
-        <source>Copy the files first, or type an address.</source>
-        <translation>Erst die Dateien kopieren oder eine Adresse eingeben.</translation>
+        <source>Switch the page for telephones on, or type the address of a page of your own.</source>
+        <translation>Schalten Sie die Seite für Telefone ein, oder tippen Sie die Adresse einer eigenen Seite.</translation>
+    </message>
+    <message>
+        <source>Off: nothing leaves this computer.</source>
+        <translation>Aus: nichts verlässt diesen Rechner.</translation>
+    </message>
+    <message>
+        <source>The page is being made…</source>
+        <translation>Die Seite entsteht…</translation>
+    </message>
+    <message>
+        <source>Telephones warn of the booth&apos;s own certificate once.</source>
+        <translation>Telefone warnen einmal vor dem eigenen Zertifikat des Stands.</translation>
+    </message>
+    <message>
+        <source>Not encrypted: use a hotspot of your own with a password.</source>
+        <translation>Unverschlüsselt: nehmen Sie einen eigenen Hotspot mit Kennwort.</translation>
+    </message>
+    <message>
+        <source>Each visitor&apos;s link works for {n} hours.</source>
+        <translation>Jeder Link eines Besuchers gilt {n} Stunden.</translation>
     </message>
     <message>
         <source>Stick or folder for the visitor&apos;s files</source>
@@ -2046,12 +2268,72 @@
         <translation>rechts</translation>
     </message>
     <message>
+        <source>nothing can be written into this folder</source>
+        <translation>in diesen Ordner kann nichts geschrieben werden</translation>
+    </message>
+    <message>
+        <source>the visitor cannot be moved</source>
+        <translation>der Besucher kann nicht verschoben werden</translation>
+    </message>
+    <message>
+        <source>the page for telephones cannot be served</source>
+        <translation>die Seite für Telefone kann nicht angeboten werden</translation>
+    </message>
+    <message>
+        <source>Is the booth&apos;s network up, and is nothing else served here?</source>
+        <translation>Steht das Netz des Stands, und läuft hier kein anderer Dienst?</translation>
+    </message>
+    <message>
+        <source>an encrypted page needs a library that is not here</source>
+        <translation>eine verschlüsselte Seite braucht eine Bibliothek, die hier fehlt</translation>
+    </message>
+    <message>
+        <source>Switch encryption off and use a hotspot of the booth&apos;s own with a password</source>
+        <translation>Schalten Sie die Verschlüsselung aus und nehmen Sie einen eigenen Hotspot mit Kennwort</translation>
+    </message>
+    <message>
+        <source>the keys cannot be written</source>
+        <translation>die Schlüssel können nicht geschrieben werden</translation>
+    </message>
+    <message>
+        <source>Check its permissions and the space left, or choose another</source>
+        <translation>Prüfen Sie Rechte und freien Platz, oder wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>%1 was damaged and is put right from what could be read; the damaged file is kept beside it</source>
+        <translation>%1: beschädigt und aus dem Lesbaren wiederhergestellt; die beschädigte Datei bleibt daneben erhalten</translation>
+    </message>
+    <message>
+        <source>The event&apos;s settings</source>
+        <extracomment>Files of the program&apos;s own, as the operator knows them.</extracomment>
+        <translation>Die Einstellungen der Veranstaltung</translation>
+    </message>
+    <message>
+        <source>The corrected points</source>
+        <translation>Die berichtigten Punkte</translation>
+    </message>
+    <message>
+        <source>What is known of the visitor</source>
+        <translation>Die Angaben zum Besucher</translation>
+    </message>
+    <message>
+        <source>The visit</source>
+        <translation>Der Besuch</translation>
+    </message>
+    <message>
+        <source>The clone</source>
+        <translation>Der Klon</translation>
+    </message>
+    <message>
         <source>Consent</source>
         <translation>Einwilligung</translation>
     </message>
     <message>
+        <source>A photo</source>
+        <translation>Ein Foto</translation>
+    </message>
+    <message>
         <source>its files were changed while they were read</source>
-        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
         <translation>Dateien wurden beim Lesen verändert</translation>
     </message>
     <message>
@@ -2199,6 +2481,10 @@
         <translation>Mehr als eine Person: noch einmal, mit einer Person allein.</translation>
     </message>
     <message>
+        <source>The person lies on the side: turn the photo.</source>
+        <translation>Die Person liegt auf der Seite: drehen Sie das Foto.</translation>
+    </message>
+    <message>
         <source>It shows none of the five views: turn the person or retake.</source>
         <translation>Zeigt keine der fünf Ansichten: Person drehen oder wiederholen.</translation>
     </message>
@@ -2298,6 +2584,22 @@
         <translation>Der Besucher hat das gelesen und &amp;willigt ein</translation>
     </message>
     <message>
+        <source>May be seen on the &amp;screen for visitors</source>
+        <translation>Darf auf dem &amp;Bildschirm für Besucher gezeigt werden</translation>
+    </message>
+    <message>
+        <source>Agrees: on to the &amp;photos</source>
+        <translation>Stimmt zu: weiter zu den &amp;Fotos</translation>
+    </message>
+    <message>
+        <source>To find each other again; a number will do, or nothing at all.</source>
+        <translation>Damit man sich wiederfindet; eine Nummer genügt, oder gar nichts.</translation>
+    </message>
+    <message>
+        <source>With the first name, among the others of today; asked apart.</source>
+        <translation>Mit dem Vornamen, zwischen den anderen von heute; eigens gefragt.</translation>
+    </message>
+    <message>
         <source>Name or number of the visitor</source>
         <translation>Name oder Nummer des Besuchers</translation>
     </message>
@@ -2308,6 +2610,14 @@
     <message>
         <source>The visitor agrees</source>
         <translation>Der Besucher willigt ein</translation>
+    </message>
+    <message>
+        <source>May be seen on the screen for visitors</source>
+        <translation>Darf auf dem Bildschirm für Besucher gezeigt werden</translation>
+    </message>
+    <message>
+        <source>It gives the clone its true size; everything else is measured in the photos.</source>
+        <translation>Sie gibt dem Klon seine wahre Größe; alles andere wird in den Fotos gemessen.</translation>
     </message>
     <message>
         <source>Unknown: {n} cm is assumed, and every length is unscaled.</source>
@@ -2353,12 +2663,31 @@
         <source>Press New visitor when somebody steps up.</source>
         <translation>Neuer Besucher drücken, wenn jemand herantritt.</translation>
     </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save everything held…</source>
+        <translation>&amp;Alles Gespeicherte sichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete…</source>
+        <translation>&amp;Löschen…</translation>
+    </message>
+    <message>
+        <source>Opening {name}…</source>
+        <translation>{name} wird geöffnet…</translation>
+    </message>
+    <message>
+        <source>Visitor {n}</source>
+        <translation>Besucher {n}</translation>
+    </message>
 </context>
 <context>
     <name>webcam</name>
     <message>
         <source>Webcam</source>
-        <extracomment>Half of a person with the arms a hand&apos;s breadth away from the body: shares of the height (taste).</extracomment>
         <translation>Webcam</translation>
     </message>
     <message>
@@ -2394,12 +2723,24 @@
         <translation>&amp;Zurück</translation>
     </message>
     <message>
+        <source>L&amp;ook at the points</source>
+        <translation>&amp;Punkte ansehen</translation>
+    </message>
+    <message>
         <source>Ne&amp;xt visitor</source>
         <translation>Nächster B&amp;esucher</translation>
     </message>
     <message>
+        <source>&amp;Clone</source>
+        <translation>&amp;Klonen</translation>
+    </message>
+    <message>
         <source>Ne&amp;xt</source>
         <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>{n} more</source>
+        <translation>{n} weitere</translation>
     </message>
     <message>
         <source>Close the message</source>
@@ -2408,6 +2749,45 @@
     <message>
         <source>Step {n}: {title}</source>
         <translation>Schritt {n}: {title}</translation>
+    </message>
+    <message>
+        <source>{name} waits for the clone now: it was not asked for.</source>
+        <translation>{name} wartet jetzt auf den Klon: er war nicht verlangt worden.</translation>
+    </message>
+    <message>
+        <source>{name} lies in the trash for {n} days.</source>
+        <translation>{name} liegt {n} Tage im Papierkorb.</translation>
+    </message>
+</context>
+<context>
+    <name>worth</name>
+    <message>
+        <source>the height</source>
+        <translation>die Größe</translation>
+    </message>
+    <message>
+        <source>the face</source>
+        <translation>das Gesicht</translation>
+    </message>
+    <message>
+        <source>the pose</source>
+        <translation>die Haltung</translation>
+    </message>
+    <message>
+        <source>how broad the body is</source>
+        <translation>wie breit der Körper ist</translation>
+    </message>
+    <message>
+        <source>All points are sure: the clone needs no hand.</source>
+        <translation>Alle Punkte sind sicher: der Klon braucht keine Hand.</translation>
+    </message>
+    <message>
+        <source> and {n} more</source>
+        <translation> und {n} weitere</translation>
+    </message>
+    <message>
+        <source>Worth a look under Points: {names}. They set {changes}.</source>
+        <translation>Unter Punkte einen Blick wert: {names}. Davon hängt ab: {changes}.</translation>
     </message>
 </context>
 </TS>

@@ -49,7 +49,6 @@
     <name>clone</name>
     <message>
         <source>Clone</source>
-        <extracomment>Stages that the five parts of the work end with, in order; between them the operator sees which part is under way.</extracomment>
         <translation>Cloner</translation>
     </message>
     <message>
@@ -57,8 +56,17 @@
         <translation>Clonez d’abord.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>Annuler</translation>
+        <source>The clone is being made; the next visitor can come.</source>
+        <extracomment>Stages that the five parts of the work end with, in order; between them the operator sees which part is under way.</extracomment>
+        <translation>Le clone est en cours ; le visiteur suivant peut venir.</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w it off</source>
+        <translation>&amp;Présenter</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>A&amp;nnuler</translation>
     </message>
     <message>
         <source>Points</source>
@@ -84,13 +92,30 @@
         <source>Press Clone: after about a minute the person stands here.</source>
         <translation>Appuyez sur Cloner : après une minute environ, la personne est là.</translation>
     </message>
+    <message>
+        <source>C&amp;lone again</source>
+        <translation>C&amp;loner encore</translation>
+    </message>
+    <message>
+        <source>C&amp;lone</source>
+        <translation>C&amp;loner</translation>
+    </message>
+    <message>
+        <source>Points or height were changed since: what is seen and taken away is the clone before.</source>
+        <translation>Des points ou la taille ont changé depuis : on voit et on emporte le clone d’avant.</translation>
+    </message>
 </context>
 <context>
     <name>consent</name>
     <message>
-        <source>I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, and that both are kept for the time named at the booth. I can have everything deleted at any time.</source>
+        <source>I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, and that both are kept for {days} days and then deleted. I can have everything deleted at any time.</source>
         <extracomment>What visitors agree to, unless the event has a text of its own.</extracomment>
-        <translation>J’accepte que des photos de moi soient prises ici, qu’une image de moi en trois dimensions en soit tirée sur cet ordinateur et que les deux soient conservées pendant la durée indiquée au stand. Je peux faire tout effacer à tout moment.</translation>
+        <translation>J’accepte que des photos de moi soient prises ici, qu’une image en trois dimensions en soit faite sur cet ordinateur et que les deux soient gardées {days} jours puis supprimées. Je peux à tout moment faire tout supprimer.</translation>
+    </message>
+    <message>
+        <source>I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, and that both are kept until I have them deleted. I can have everything deleted at any time.</source>
+        <extracomment>The same where an event keeps its visitors until somebody deletes them.</extracomment>
+        <translation>J’accepte que des photos de moi soient prises ici, qu’une image en trois dimensions en soit faite sur cet ordinateur et que les deux soient gardées jusqu’à ce que je les fasse supprimer. Je peux à tout moment faire tout supprimer.</translation>
     </message>
 </context>
 <context>
@@ -121,9 +146,78 @@
     </message>
 </context>
 <context>
+    <name>gallery</name>
+    <message>
+        <source>Everybody of today</source>
+        <extracomment>What is shown: everybody, the cloned, those without a clone, who lies in the trash.</extracomment>
+        <translation>Tout le monde du jour</translation>
+    </message>
+    <message>
+        <source>Name or number</source>
+        <translation>Nom ou numéro</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>tout le monde</translation>
+    </message>
+    <message>
+        <source>with a clone</source>
+        <translation>avec un clone</translation>
+    </message>
+    <message>
+        <source>without a clone</source>
+        <translation>sans clone</translation>
+    </message>
+    <message>
+        <source>in the trash</source>
+        <translation>dans la corbeille</translation>
+    </message>
+    <message>
+        <source>Search by name or number</source>
+        <translation>Chercher par nom ou numéro</translation>
+    </message>
+    <message>
+        <source>Who is shown</source>
+        <translation>Qui est montré</translation>
+    </message>
+    <message>
+        <source>Visitors of this event</source>
+        <translation>Visiteurs de cet événement</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <source>Clone &amp;again</source>
+        <translation>Cloner &amp;encore</translation>
+    </message>
+    <message>
+        <source>&amp;Throw away</source>
+        <translation>&amp;Jeter</translation>
+    </message>
+    <message>
+        <source>&amp;Bring back</source>
+        <translation>&amp;Récupérer</translation>
+    </message>
+    <message>
+        <source>&amp;Delete for good…</source>
+        <translation>&amp;Supprimer pour de bon…</translation>
+    </message>
+    <message>
+        <source>{n} visitors, {m} with a clone</source>
+        <translation>{n} visiteurs, {m} avec un clone</translation>
+    </message>
+    <message>
+        <source>deleted for good on {when}</source>
+        <translation>supprimé pour de bon le {when}</translation>
+    </message>
+</context>
+<context>
     <name>hints</name>
     <message>
         <source>Your own point on the outline: drag it on to the border of the person.</source>
+        <extracomment>Hint for every point whose name, without its side, begins so; the longest beginning wins.</extracomment>
         <translation>Votre point de contour : glissez-le sur le bord de la personne.</translation>
     </message>
     <message>
@@ -348,6 +442,14 @@
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;Gallery…</source>
+        <translation>&amp;Galerie…</translation>
+    </message>
+    <message>
+        <source>&amp;Screen for visitors</source>
+        <translation>&amp;Écran des visiteurs</translation>
     </message>
     <message>
         <source>&amp;Effort…</source>
@@ -693,11 +795,16 @@
 <context>
     <name>photos</name>
     <message>
+        <source>Photos are still looked at.</source>
+        <translation>Les photos sont encore examinées.</translation>
+    </message>
+    <message>
         <source>Photos</source>
         <translation>Photos</translation>
     </message>
     <message>
         <source>Add the photos first.</source>
+        <extracomment>Points are sought when photos have rested so long, milliseconds: looking at new ones comes first.</extracomment>
         <translation>Ajoutez d’abord les photos.</translation>
     </message>
     <message>
@@ -723,6 +830,10 @@
     <message>
         <source>Photos that appear in this folder are taken at once</source>
         <translation>Les photos qui apparaissent dans ce dossier sont prises aussitôt</translation>
+    </message>
+    <message>
+        <source>Watch no camera folder any more</source>
+        <translation>Ne plus surveiller de dossier d’appareil</translation>
     </message>
     <message>
         <source>Photos without a place</source>
@@ -759,6 +870,10 @@
     <message>
         <source>What to do with {photo}</source>
         <translation>Que faire de {photo}</translation>
+    </message>
+    <message>
+        <source>See it large</source>
+        <translation>Voir en grand</translation>
     </message>
     <message>
         <source>Replace…</source>
@@ -826,6 +941,14 @@
     <message>
         <source>Add photos first.</source>
         <translation>Ajoutez d’abord des photos.</translation>
+    </message>
+    <message>
+        <source>{n} doubtful points are left after this one.</source>
+        <translation>Après celui-ci, il reste {n} points douteux.</translation>
+    </message>
+    <message>
+        <source>All doubtful points are seen: this one is sure. Press Clone.</source>
+        <translation>Tous les points douteux sont vus : celui-ci est sûr. Appuyez sur Cloner.</translation>
     </message>
     <message>
         <source>Find points</source>
@@ -939,6 +1062,10 @@
         <translation>Parler</translation>
     </message>
     <message>
+        <source>Wave</source>
+        <translation>Saluer</translation>
+    </message>
+    <message>
         <source>&amp;Show</source>
         <translation>&amp;Montrer</translation>
     </message>
@@ -955,12 +1082,12 @@
         <translation>&amp;Bouger</translation>
     </message>
     <message>
-        <source>Whole person</source>
-        <translation>Personne entière</translation>
+        <source>Whole pe&amp;rson</source>
+        <translation>Pe&amp;rsonne entière</translation>
     </message>
     <message>
-        <source>Face</source>
-        <translation>Visage</translation>
+        <source>&amp;Face</source>
+        <translation>&amp;Visage</translation>
     </message>
     <message>
         <source>no photo</source>
@@ -1072,8 +1199,60 @@
         <translation> jours</translation>
     </message>
     <message>
+        <source>Nothing &amp;moves by itself</source>
+        <translation>Rien ne &amp;bouge tout seul</translation>
+    </message>
+    <message>
+        <source>&amp;Encrypt the page for telephones</source>
+        <translation>&amp;Chiffrer la page pour téléphones</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>pas du tout</translation>
+    </message>
+    <message>
+        <source> hours</source>
+        <translation> heures</translation>
+    </message>
+    <message>
+        <source>{days} in the text stands for the days that visitors are kept.</source>
+        <translation>{days} dans le texte est remplacé par le nombre de jours de conservation.</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the event</source>
+        <translation>&amp;Nom de l’événement</translation>
+    </message>
+    <message>
+        <source>Bring &amp;back thrown away ones for</source>
+        <translation>&amp;Récupérables après la corbeille</translation>
+    </message>
+    <message>
+        <source>&amp;Language of the text</source>
+        <translation>&amp;Langue du texte</translation>
+    </message>
+    <message>
+        <source>Links for &amp;telephones work for</source>
+        <translation>Liens pour &amp;téléphones valables</translation>
+    </message>
+    <message>
+        <source>Name of the event</source>
+        <translation>Nom de l’événement</translation>
+    </message>
+    <message>
         <source>Days that visitors are kept</source>
         <translation>Jours de conservation des visiteurs</translation>
+    </message>
+    <message>
+        <source>Days that thrown away visitors can be brought back</source>
+        <translation>Jours pendant lesquels un visiteur jeté est récupérable</translation>
+    </message>
+    <message>
+        <source>Hours that links for telephones work</source>
+        <translation>Heures de validité des liens pour téléphones</translation>
+    </message>
+    <message>
+        <source>Language of the text</source>
+        <translation>Langue du texte</translation>
     </message>
     <message>
         <source>What visitors agree to</source>
@@ -1097,6 +1276,25 @@
     <message>
         <source>%1, right</source>
         <translation>%1, droite</translation>
+    </message>
+</context>
+<context>
+    <name>stage</name>
+    <message>
+        <source> and {n} more</source>
+        <translation> et {n} de plus</translation>
+    </message>
+    <message>
+        <source>Next: {names}</source>
+        <translation>Ensuite : {names}</translation>
+    </message>
+    <message>
+        <source>Screen for visitors</source>
+        <translation>Écran des visiteurs</translation>
+    </message>
+    <message>
+        <source>Five photos, one minute: your own clone stands here.</source>
+        <translation>Cinq photos, une minute : votre propre clone est ici.</translation>
     </message>
 </context>
 <context>
@@ -1304,6 +1502,14 @@
         <translation>Montrer le d&amp;ossier</translation>
     </message>
     <message>
+        <source>&amp;Page for telephones on this network</source>
+        <translation>&amp;Page pour téléphones sur ce réseau</translation>
+    </message>
+    <message>
+        <source>Page for telephones on this network</source>
+        <translation>Page pour téléphones sur ce réseau</translation>
+    </message>
+    <message>
         <source>Save &amp;everything held…</source>
         <translation>&amp;Enregistrer toutes les données…</translation>
     </message>
@@ -1318,10 +1524,6 @@
     <message>
         <source>Text of the code</source>
         <translation>Texte du code</translation>
-    </message>
-    <message>
-        <source>Where the files were put</source>
-        <translation>Où les fichiers ont été mis</translation>
     </message>
     <message>
         <source>There is no clone yet.</source>
@@ -1344,8 +1546,28 @@
         <translation>Conservé.</translation>
     </message>
     <message>
-        <source>Copy the files first, or type an address.</source>
-        <translation>Copiez d’abord les fichiers, ou tapez une adresse.</translation>
+        <source>Switch the page for telephones on, or type the address of a page of your own.</source>
+        <translation>Activez la page pour téléphones, ou tapez l’adresse d’une page à vous.</translation>
+    </message>
+    <message>
+        <source>Off: nothing leaves this computer.</source>
+        <translation>Désactivé : rien ne quitte cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>The page is being made…</source>
+        <translation>La page est en cours…</translation>
+    </message>
+    <message>
+        <source>Telephones warn of the booth&apos;s own certificate once.</source>
+        <translation>Les téléphones signalent une fois le certificat du stand.</translation>
+    </message>
+    <message>
+        <source>Not encrypted: use a hotspot of your own with a password.</source>
+        <translation>Non chiffré : utilisez votre propre point d’accès avec mot de passe.</translation>
+    </message>
+    <message>
+        <source>Each visitor&apos;s link works for {n} hours.</source>
+        <translation>Le lien de chaque visiteur marche {n} heures.</translation>
     </message>
     <message>
         <source>Stick or folder for the visitor&apos;s files</source>
@@ -2046,12 +2268,72 @@
         <translation>droite</translation>
     </message>
     <message>
+        <source>nothing can be written into this folder</source>
+        <translation>rien ne peut être écrit dans ce dossier</translation>
+    </message>
+    <message>
+        <source>the visitor cannot be moved</source>
+        <translation>le visiteur ne peut pas être déplacé</translation>
+    </message>
+    <message>
+        <source>the page for telephones cannot be served</source>
+        <translation>la page pour téléphones ne peut pas être servie</translation>
+    </message>
+    <message>
+        <source>Is the booth&apos;s network up, and is nothing else served here?</source>
+        <translation>Le réseau du stand marche-t-il, et rien d’autre n’est-il servi ici ?</translation>
+    </message>
+    <message>
+        <source>an encrypted page needs a library that is not here</source>
+        <translation>une page chiffrée demande une bibliothèque absente ici</translation>
+    </message>
+    <message>
+        <source>Switch encryption off and use a hotspot of the booth&apos;s own with a password</source>
+        <translation>Désactivez le chiffrement et utilisez un point d’accès à vous avec mot de passe</translation>
+    </message>
+    <message>
+        <source>the keys cannot be written</source>
+        <translation>les clés ne peuvent pas être écrites</translation>
+    </message>
+    <message>
+        <source>Check its permissions and the space left, or choose another</source>
+        <translation>Vérifiez ses droits et la place libre, ou choisissez-en un autre</translation>
+    </message>
+    <message>
+        <source>%1 was damaged and is put right from what could be read; the damaged file is kept beside it</source>
+        <translation>%1 : endommagé et rétabli à partir de ce qui était lisible ; le fichier endommagé est gardé à côté</translation>
+    </message>
+    <message>
+        <source>The event&apos;s settings</source>
+        <extracomment>Files of the program&apos;s own, as the operator knows them.</extracomment>
+        <translation>Les réglages de l’événement</translation>
+    </message>
+    <message>
+        <source>The corrected points</source>
+        <translation>Les points corrigés</translation>
+    </message>
+    <message>
+        <source>What is known of the visitor</source>
+        <translation>Ce qu’on sait du visiteur</translation>
+    </message>
+    <message>
+        <source>The visit</source>
+        <translation>La visite</translation>
+    </message>
+    <message>
+        <source>The clone</source>
+        <translation>Le clone</translation>
+    </message>
+    <message>
         <source>Consent</source>
         <translation>Accord</translation>
     </message>
     <message>
+        <source>A photo</source>
+        <translation>Une photo</translation>
+    </message>
+    <message>
         <source>its files were changed while they were read</source>
-        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
         <translation>ses fichiers ont changé pendant la lecture</translation>
     </message>
     <message>
@@ -2199,6 +2481,10 @@
         <translation>Plus d’une personne : reprenez avec une seule.</translation>
     </message>
     <message>
+        <source>The person lies on the side: turn the photo.</source>
+        <translation>La personne est couchée : tournez la photo.</translation>
+    </message>
+    <message>
         <source>It shows none of the five views: turn the person or retake.</source>
         <translation>Ne montre aucune des cinq vues : tournez la personne ou reprenez.</translation>
     </message>
@@ -2298,6 +2584,22 @@
         <translation>Le visiteur a lu ceci et &amp;accepte</translation>
     </message>
     <message>
+        <source>May be seen on the &amp;screen for visitors</source>
+        <translation>Peut être montré sur l’é&amp;cran des visiteurs</translation>
+    </message>
+    <message>
+        <source>Agrees: on to the &amp;photos</source>
+        <translation>D’accord : vers les &amp;photos</translation>
+    </message>
+    <message>
+        <source>To find each other again; a number will do, or nothing at all.</source>
+        <translation>Pour se retrouver ; un numéro suffit, ou rien du tout.</translation>
+    </message>
+    <message>
+        <source>With the first name, among the others of today; asked apart.</source>
+        <translation>Avec le prénom, parmi les autres du jour ; demandé à part.</translation>
+    </message>
+    <message>
         <source>Name or number of the visitor</source>
         <translation>Nom ou numéro du visiteur</translation>
     </message>
@@ -2308,6 +2610,14 @@
     <message>
         <source>The visitor agrees</source>
         <translation>Le visiteur accepte</translation>
+    </message>
+    <message>
+        <source>May be seen on the screen for visitors</source>
+        <translation>Peut être montré sur l’écran des visiteurs</translation>
+    </message>
+    <message>
+        <source>It gives the clone its true size; everything else is measured in the photos.</source>
+        <translation>Elle donne au clone sa vraie taille ; tout le reste est mesuré sur les photos.</translation>
     </message>
     <message>
         <source>Unknown: {n} cm is assumed, and every length is unscaled.</source>
@@ -2353,12 +2663,31 @@
         <source>Press New visitor when somebody steps up.</source>
         <translation>Appuyez sur Nouveau visiteur quand quelqu’un se présente.</translation>
     </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <source>&amp;Save everything held…</source>
+        <translation>&amp;Enregistrer toutes les données…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete…</source>
+        <translation>&amp;Supprimer…</translation>
+    </message>
+    <message>
+        <source>Opening {name}…</source>
+        <translation>Ouverture de {name}…</translation>
+    </message>
+    <message>
+        <source>Visitor {n}</source>
+        <translation>Visiteur {n}</translation>
+    </message>
 </context>
 <context>
     <name>webcam</name>
     <message>
         <source>Webcam</source>
-        <extracomment>Half of a person with the arms a hand&apos;s breadth away from the body: shares of the height (taste).</extracomment>
         <translation>Webcam</translation>
     </message>
     <message>
@@ -2394,12 +2723,24 @@
         <translation>&amp;Retour</translation>
     </message>
     <message>
+        <source>L&amp;ook at the points</source>
+        <translation>Voir les p&amp;oints</translation>
+    </message>
+    <message>
         <source>Ne&amp;xt visitor</source>
         <translation>Visiteur s&amp;uivant</translation>
     </message>
     <message>
+        <source>&amp;Clone</source>
+        <translation>&amp;Cloner</translation>
+    </message>
+    <message>
         <source>Ne&amp;xt</source>
         <translation>S&amp;uivant</translation>
+    </message>
+    <message>
+        <source>{n} more</source>
+        <translation>{n} de plus</translation>
     </message>
     <message>
         <source>Close the message</source>
@@ -2408,6 +2749,45 @@
     <message>
         <source>Step {n}: {title}</source>
         <translation>Étape {n} : {title}</translation>
+    </message>
+    <message>
+        <source>{name} waits for the clone now: it was not asked for.</source>
+        <translation>{name} attend maintenant son clone : il n’avait pas été demandé.</translation>
+    </message>
+    <message>
+        <source>{name} lies in the trash for {n} days.</source>
+        <translation>{name} reste {n} jours dans la corbeille.</translation>
+    </message>
+</context>
+<context>
+    <name>worth</name>
+    <message>
+        <source>the height</source>
+        <translation>la taille</translation>
+    </message>
+    <message>
+        <source>the face</source>
+        <translation>le visage</translation>
+    </message>
+    <message>
+        <source>the pose</source>
+        <translation>la pose</translation>
+    </message>
+    <message>
+        <source>how broad the body is</source>
+        <translation>la largeur du corps</translation>
+    </message>
+    <message>
+        <source>All points are sure: the clone needs no hand.</source>
+        <translation>Tous les points sont sûrs : le clone n’a besoin d’aucune retouche.</translation>
+    </message>
+    <message>
+        <source> and {n} more</source>
+        <translation> et {n} de plus</translation>
+    </message>
+    <message>
+        <source>Worth a look under Points: {names}. They set {changes}.</source>
+        <translation>À regarder sous Points : {names}. En dépendent : {changes}.</translation>
     </message>
 </context>
 </TS>

@@ -48,7 +48,6 @@
     <name>clone</name>
     <message>
         <source>Clone</source>
-        <extracomment>Stages that the five parts of the work end with, in order; between them the operator sees which part is under way.</extracomment>
         <translation>Klonla</translation>
     </message>
     <message>
@@ -56,8 +55,17 @@
         <translation>Önce klonlayın.</translation>
     </message>
     <message>
-        <source>Cancel</source>
-        <translation>İptal</translation>
+        <source>The clone is being made; the next visitor can come.</source>
+        <extracomment>Stages that the five parts of the work end with, in order; between them the operator sees which part is under way.</extracomment>
+        <translation>Klon yapılıyor; sıradaki ziyaretçi gelebilir.</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w it off</source>
+        <translation>&amp;Sergile</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>&amp;Vazgeç</translation>
     </message>
     <message>
         <source>Points</source>
@@ -83,13 +91,30 @@
         <source>Press Clone: after about a minute the person stands here.</source>
         <translation>Klonla düğmesine basın: yaklaşık bir dakika sonra kişi burada durur.</translation>
     </message>
+    <message>
+        <source>C&amp;lone again</source>
+        <translation>Yeniden k&amp;lonla</translation>
+    </message>
+    <message>
+        <source>C&amp;lone</source>
+        <translation>K&amp;lonla</translation>
+    </message>
+    <message>
+        <source>Points or height were changed since: what is seen and taken away is the clone before.</source>
+        <translation>Noktalar ya da boy sonradan değişti: görülen ve götürülen, önceki klondur.</translation>
+    </message>
 </context>
 <context>
     <name>consent</name>
     <message>
-        <source>I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, and that both are kept for the time named at the booth. I can have everything deleted at any time.</source>
+        <source>I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, and that both are kept for {days} days and then deleted. I can have everything deleted at any time.</source>
         <extracomment>What visitors agree to, unless the event has a text of its own.</extracomment>
-        <translation>Burada fotoğraflarımın çekilmesini, bunlardan bu bilgisayarda üç boyutlu bir benzerimin yapılmasını ve her ikisinin stantta belirtilen süre boyunca saklanmasını kabul ediyorum. Her şeyi istediğim zaman sildirebilirim.</translation>
+        <translation>Burada fotoğraflarımın çekilmesini, bu bilgisayarda onlardan üç boyutlu bir benzerimin yapılmasını ve ikisinin de {days} gün saklanıp sonra silinmesini kabul ediyorum. İstediğim zaman her şeyi sildirebilirim.</translation>
+    </message>
+    <message>
+        <source>I agree that photos of me are taken here, that a three-dimensional likeness is made of them on this computer, and that both are kept until I have them deleted. I can have everything deleted at any time.</source>
+        <extracomment>The same where an event keeps its visitors until somebody deletes them.</extracomment>
+        <translation>Burada fotoğraflarımın çekilmesini, bu bilgisayarda onlardan üç boyutlu bir benzerimin yapılmasını ve ben sildirene kadar ikisinin de saklanmasını kabul ediyorum. İstediğim zaman her şeyi sildirebilirim.</translation>
     </message>
 </context>
 <context>
@@ -120,9 +145,78 @@
     </message>
 </context>
 <context>
+    <name>gallery</name>
+    <message>
+        <source>Everybody of today</source>
+        <extracomment>What is shown: everybody, the cloned, those without a clone, who lies in the trash.</extracomment>
+        <translation>Bugünkü herkes</translation>
+    </message>
+    <message>
+        <source>Name or number</source>
+        <translation>Ad ya da numara</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>herkes</translation>
+    </message>
+    <message>
+        <source>with a clone</source>
+        <translation>klonu olanlar</translation>
+    </message>
+    <message>
+        <source>without a clone</source>
+        <translation>klonu olmayanlar</translation>
+    </message>
+    <message>
+        <source>in the trash</source>
+        <translation>çöpte</translation>
+    </message>
+    <message>
+        <source>Search by name or number</source>
+        <translation>Ada ya da numaraya göre ara</translation>
+    </message>
+    <message>
+        <source>Who is shown</source>
+        <translation>Kim gösteriliyor</translation>
+    </message>
+    <message>
+        <source>Visitors of this event</source>
+        <translation>Bu etkinliğin ziyaretçileri</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Aç</translation>
+    </message>
+    <message>
+        <source>Clone &amp;again</source>
+        <translation>&amp;Yeniden klonla</translation>
+    </message>
+    <message>
+        <source>&amp;Throw away</source>
+        <translation>Çö&amp;pe at</translation>
+    </message>
+    <message>
+        <source>&amp;Bring back</source>
+        <translation>&amp;Geri al</translation>
+    </message>
+    <message>
+        <source>&amp;Delete for good…</source>
+        <translation>Tümüyle &amp;sil…</translation>
+    </message>
+    <message>
+        <source>{n} visitors, {m} with a clone</source>
+        <translation>{n} ziyaretçi, {m} klonlu</translation>
+    </message>
+    <message>
+        <source>deleted for good on {when}</source>
+        <translation>tümüyle silinme: {when}</translation>
+    </message>
+</context>
+<context>
     <name>hints</name>
     <message>
         <source>Your own point on the outline: drag it on to the border of the person.</source>
+        <extracomment>Hint for every point whose name, without its side, begins so; the longest beginning wins.</extracomment>
         <translation>Kendi kontur noktanız: kişinin kenarına sürükleyin.</translation>
     </message>
     <message>
@@ -347,6 +441,14 @@
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Çık</translation>
+    </message>
+    <message>
+        <source>&amp;Gallery…</source>
+        <translation>&amp;Galeri…</translation>
+    </message>
+    <message>
+        <source>&amp;Screen for visitors</source>
+        <translation>&amp;Ziyaretçi ekranı</translation>
     </message>
     <message>
         <source>&amp;Effort…</source>
@@ -692,11 +794,16 @@
 <context>
     <name>photos</name>
     <message>
+        <source>Photos are still looked at.</source>
+        <translation>Fotoğraflara hâlâ bakılıyor.</translation>
+    </message>
+    <message>
         <source>Photos</source>
         <translation>Fotoğraflar</translation>
     </message>
     <message>
         <source>Add the photos first.</source>
+        <extracomment>Points are sought when photos have rested so long, milliseconds: looking at new ones comes first.</extracomment>
         <translation>Önce fotoğrafları ekleyin.</translation>
     </message>
     <message>
@@ -722,6 +829,10 @@
     <message>
         <source>Photos that appear in this folder are taken at once</source>
         <translation>Bu klasörde beliren fotoğraflar hemen alınır</translation>
+    </message>
+    <message>
+        <source>Watch no camera folder any more</source>
+        <translation>Artık kamera klasörünü izleme</translation>
     </message>
     <message>
         <source>Photos without a place</source>
@@ -758,6 +869,10 @@
     <message>
         <source>What to do with {photo}</source>
         <translation>{photo} ile yapılacaklar</translation>
+    </message>
+    <message>
+        <source>See it large</source>
+        <translation>Büyük göster</translation>
     </message>
     <message>
         <source>Replace…</source>
@@ -825,6 +940,14 @@
     <message>
         <source>Add photos first.</source>
         <translation>Önce fotoğraf ekleyin.</translation>
+    </message>
+    <message>
+        <source>{n} doubtful points are left after this one.</source>
+        <translation>Bundan sonra {n} kuşkulu nokta kaldı.</translation>
+    </message>
+    <message>
+        <source>All doubtful points are seen: this one is sure. Press Clone.</source>
+        <translation>Kuşkulu noktaların hepsi görüldü: bu nokta kesin. Klonla düğmesine basın.</translation>
     </message>
     <message>
         <source>Find points</source>
@@ -938,6 +1061,10 @@
         <translation>Konuş</translation>
     </message>
     <message>
+        <source>Wave</source>
+        <translation>El salla</translation>
+    </message>
+    <message>
         <source>&amp;Show</source>
         <translation>&amp;Göster</translation>
     </message>
@@ -954,12 +1081,12 @@
         <translation>&amp;Hareket</translation>
     </message>
     <message>
-        <source>Whole person</source>
-        <translation>Tüm kişi</translation>
+        <source>Whole pe&amp;rson</source>
+        <translation>&amp;Bütün kişi</translation>
     </message>
     <message>
-        <source>Face</source>
-        <translation>Yüz</translation>
+        <source>&amp;Face</source>
+        <translation>&amp;Yüz</translation>
     </message>
     <message>
         <source>no photo</source>
@@ -1071,8 +1198,60 @@
         <translation> gün</translation>
     </message>
     <message>
+        <source>Nothing &amp;moves by itself</source>
+        <translation>Hiçbir şey kendiliğinden &amp;oynamasın</translation>
+    </message>
+    <message>
+        <source>&amp;Encrypt the page for telephones</source>
+        <translation>Telefon sayfasını &amp;şifrele</translation>
+    </message>
+    <message>
+        <source>not at all</source>
+        <translation>hiç</translation>
+    </message>
+    <message>
+        <source> hours</source>
+        <translation> saat</translation>
+    </message>
+    <message>
+        <source>{days} in the text stands for the days that visitors are kept.</source>
+        <translation>Metindeki {days}, ziyaretçilerin saklandığı gün sayısıdır.</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the event</source>
+        <translation>Etkinliğin &amp;adı</translation>
+    </message>
+    <message>
+        <source>Bring &amp;back thrown away ones for</source>
+        <translation>Çöpten &amp;geri alma süresi</translation>
+    </message>
+    <message>
+        <source>&amp;Language of the text</source>
+        <translation>Metnin &amp;dili</translation>
+    </message>
+    <message>
+        <source>Links for &amp;telephones work for</source>
+        <translation>Telefon &amp;bağlantılarının süresi</translation>
+    </message>
+    <message>
+        <source>Name of the event</source>
+        <translation>Etkinliğin adı</translation>
+    </message>
+    <message>
         <source>Days that visitors are kept</source>
         <translation>Ziyaretçilerin saklandığı gün sayısı</translation>
+    </message>
+    <message>
+        <source>Days that thrown away visitors can be brought back</source>
+        <translation>Çöpe atılan ziyaretçilerin geri alınabileceği gün sayısı</translation>
+    </message>
+    <message>
+        <source>Hours that links for telephones work</source>
+        <translation>Telefon bağlantılarının geçerli olduğu saat</translation>
+    </message>
+    <message>
+        <source>Language of the text</source>
+        <translation>Metnin dili</translation>
     </message>
     <message>
         <source>What visitors agree to</source>
@@ -1096,6 +1275,25 @@
     <message>
         <source>%1, right</source>
         <translation>%1, sağ</translation>
+    </message>
+</context>
+<context>
+    <name>stage</name>
+    <message>
+        <source> and {n} more</source>
+        <translation> ve {n} tane daha</translation>
+    </message>
+    <message>
+        <source>Next: {names}</source>
+        <translation>Sırada: {names}</translation>
+    </message>
+    <message>
+        <source>Screen for visitors</source>
+        <translation>Ziyaretçi ekranı</translation>
+    </message>
+    <message>
+        <source>Five photos, one minute: your own clone stands here.</source>
+        <translation>Beş fotoğraf, bir dakika: burada kendi klonunuz durur.</translation>
     </message>
 </context>
 <context>
@@ -1303,6 +1501,14 @@
         <translation>&amp;Klasörü göster</translation>
     </message>
     <message>
+        <source>&amp;Page for telephones on this network</source>
+        <translation>Bu ağda &amp;telefon sayfası</translation>
+    </message>
+    <message>
+        <source>Page for telephones on this network</source>
+        <translation>Bu ağda telefon sayfası</translation>
+    </message>
+    <message>
         <source>Save &amp;everything held…</source>
         <translation>Saklanan &amp;her şeyi kaydet…</translation>
     </message>
@@ -1317,10 +1523,6 @@
     <message>
         <source>Text of the code</source>
         <translation>Kodun metni</translation>
-    </message>
-    <message>
-        <source>Where the files were put</source>
-        <translation>Dosyaların konduğu yer</translation>
     </message>
     <message>
         <source>There is no clone yet.</source>
@@ -1343,8 +1545,28 @@
         <translation>Saklanır.</translation>
     </message>
     <message>
-        <source>Copy the files first, or type an address.</source>
-        <translation>Önce dosyaları kopyalayın veya bir adres yazın.</translation>
+        <source>Switch the page for telephones on, or type the address of a page of your own.</source>
+        <translation>Telefon sayfasını açın ya da kendi sayfanızın adresini yazın.</translation>
+    </message>
+    <message>
+        <source>Off: nothing leaves this computer.</source>
+        <translation>Kapalı: bu bilgisayardan hiçbir şey çıkmaz.</translation>
+    </message>
+    <message>
+        <source>The page is being made…</source>
+        <translation>Sayfa hazırlanıyor…</translation>
+    </message>
+    <message>
+        <source>Telephones warn of the booth&apos;s own certificate once.</source>
+        <translation>Telefonlar standın kendi sertifikası için bir kez uyarır.</translation>
+    </message>
+    <message>
+        <source>Not encrypted: use a hotspot of your own with a password.</source>
+        <translation>Şifresiz: parolalı, kendinize ait bir erişim noktası kullanın.</translation>
+    </message>
+    <message>
+        <source>Each visitor&apos;s link works for {n} hours.</source>
+        <translation>Her ziyaretçinin bağlantısı {n} saat geçerlidir.</translation>
     </message>
     <message>
         <source>Stick or folder for the visitor&apos;s files</source>
@@ -2045,12 +2267,72 @@
         <translation>sağ</translation>
     </message>
     <message>
+        <source>nothing can be written into this folder</source>
+        <translation>bu klasöre hiçbir şey yazılamıyor</translation>
+    </message>
+    <message>
+        <source>the visitor cannot be moved</source>
+        <translation>ziyaretçi taşınamıyor</translation>
+    </message>
+    <message>
+        <source>the page for telephones cannot be served</source>
+        <translation>telefon sayfası sunulamıyor</translation>
+    </message>
+    <message>
+        <source>Is the booth&apos;s network up, and is nothing else served here?</source>
+        <translation>Standın ağı çalışıyor mu ve burada başka bir hizmet yok mu?</translation>
+    </message>
+    <message>
+        <source>an encrypted page needs a library that is not here</source>
+        <translation>şifreli sayfa, burada olmayan bir kitaplık gerektirir</translation>
+    </message>
+    <message>
+        <source>Switch encryption off and use a hotspot of the booth&apos;s own with a password</source>
+        <translation>Şifrelemeyi kapatıp standın parolalı erişim noktasını kullanın</translation>
+    </message>
+    <message>
+        <source>the keys cannot be written</source>
+        <translation>anahtarlar yazılamıyor</translation>
+    </message>
+    <message>
+        <source>Check its permissions and the space left, or choose another</source>
+        <translation>İzinlerini ve boş yeri denetleyin ya da başka bir klasör seçin</translation>
+    </message>
+    <message>
+        <source>%1 was damaged and is put right from what could be read; the damaged file is kept beside it</source>
+        <translation>%1: hasarlıydı ve okunabilen kısımdan düzeltildi; hasarlı dosya yanında saklanıyor</translation>
+    </message>
+    <message>
+        <source>The event&apos;s settings</source>
+        <extracomment>Files of the program&apos;s own, as the operator knows them.</extracomment>
+        <translation>Etkinliğin ayarları</translation>
+    </message>
+    <message>
+        <source>The corrected points</source>
+        <translation>Düzeltilen noktalar</translation>
+    </message>
+    <message>
+        <source>What is known of the visitor</source>
+        <translation>Ziyaretçinin bilgileri</translation>
+    </message>
+    <message>
+        <source>The visit</source>
+        <translation>Ziyaret</translation>
+    </message>
+    <message>
+        <source>The clone</source>
+        <translation>Klon</translation>
+    </message>
+    <message>
         <source>Consent</source>
         <translation>Onay</translation>
     </message>
     <message>
+        <source>A photo</source>
+        <translation>Bir fotoğraf</translation>
+    </message>
+    <message>
         <source>its files were changed while they were read</source>
-        <extracomment>What the library may say on the booth&apos;s path, with its places for values; a test looks that none lacks.</extracomment>
         <translation>dosyaları okunurken değişti</translation>
     </message>
     <message>
@@ -2198,6 +2480,10 @@
         <translation>Birden fazla kişi: yalnız bir kişiyle yeniden çekin.</translation>
     </message>
     <message>
+        <source>The person lies on the side: turn the photo.</source>
+        <translation>Kişi yan yatmış: fotoğrafı döndürün.</translation>
+    </message>
+    <message>
         <source>It shows none of the five views: turn the person or retake.</source>
         <translation>Beş görünümden hiçbirini göstermiyor: kişiyi döndürün veya yeniden çekin.</translation>
     </message>
@@ -2297,6 +2583,22 @@
         <translation>Ziyaretçi bunu okudu ve &amp;kabul ediyor</translation>
     </message>
     <message>
+        <source>May be seen on the &amp;screen for visitors</source>
+        <translation>Ziyaretçi &amp;ekranında gösterilebilir</translation>
+    </message>
+    <message>
+        <source>Agrees: on to the &amp;photos</source>
+        <translation>Kabul ediyor: &amp;fotoğraflara geç</translation>
+    </message>
+    <message>
+        <source>To find each other again; a number will do, or nothing at all.</source>
+        <translation>Yeniden bulmak için; bir numara yeter, boş da kalabilir.</translation>
+    </message>
+    <message>
+        <source>With the first name, among the others of today; asked apart.</source>
+        <translation>Adıyla, bugünkü diğerlerinin arasında; ayrıca sorulur.</translation>
+    </message>
+    <message>
         <source>Name or number of the visitor</source>
         <translation>Ziyaretçinin adı veya numarası</translation>
     </message>
@@ -2307,6 +2609,14 @@
     <message>
         <source>The visitor agrees</source>
         <translation>Ziyaretçi kabul ediyor</translation>
+    </message>
+    <message>
+        <source>May be seen on the screen for visitors</source>
+        <translation>Ziyaretçi ekranında gösterilebilir</translation>
+    </message>
+    <message>
+        <source>It gives the clone its true size; everything else is measured in the photos.</source>
+        <translation>Klona gerçek boyunu verir; geri kalan her şey fotoğraflarda ölçülür.</translation>
     </message>
     <message>
         <source>Unknown: {n} cm is assumed, and every length is unscaled.</source>
@@ -2352,12 +2662,31 @@
         <source>Press New visitor when somebody steps up.</source>
         <translation>Biri gelince Yeni ziyaretçi’ye basın.</translation>
     </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Aç</translation>
+    </message>
+    <message>
+        <source>&amp;Save everything held…</source>
+        <translation>Tutulan her şeyi &amp;kaydet…</translation>
+    </message>
+    <message>
+        <source>&amp;Delete…</source>
+        <translation>&amp;Sil…</translation>
+    </message>
+    <message>
+        <source>Opening {name}…</source>
+        <translation>{name} açılıyor…</translation>
+    </message>
+    <message>
+        <source>Visitor {n}</source>
+        <translation>Ziyaretçi {n}</translation>
+    </message>
 </context>
 <context>
     <name>webcam</name>
     <message>
         <source>Webcam</source>
-        <extracomment>Half of a person with the arms a hand&apos;s breadth away from the body: shares of the height (taste).</extracomment>
         <translation>Web kamerası</translation>
     </message>
     <message>
@@ -2393,12 +2722,24 @@
         <translation>&amp;Geri</translation>
     </message>
     <message>
+        <source>L&amp;ook at the points</source>
+        <translation>N&amp;oktalara bak</translation>
+    </message>
+    <message>
         <source>Ne&amp;xt visitor</source>
         <translation>S&amp;onraki ziyaretçi</translation>
     </message>
     <message>
+        <source>&amp;Clone</source>
+        <translation>&amp;Klonla</translation>
+    </message>
+    <message>
         <source>Ne&amp;xt</source>
         <translation>&amp;İleri</translation>
+    </message>
+    <message>
+        <source>{n} more</source>
+        <translation>{n} tane daha</translation>
     </message>
     <message>
         <source>Close the message</source>
@@ -2407,6 +2748,45 @@
     <message>
         <source>Step {n}: {title}</source>
         <translation>Adım {n}: {title}</translation>
+    </message>
+    <message>
+        <source>{name} waits for the clone now: it was not asked for.</source>
+        <translation>{name} artık klonunu bekliyor: istenmemişti.</translation>
+    </message>
+    <message>
+        <source>{name} lies in the trash for {n} days.</source>
+        <translation>{name} {n} gün çöpte kalır.</translation>
+    </message>
+</context>
+<context>
+    <name>worth</name>
+    <message>
+        <source>the height</source>
+        <translation>boy</translation>
+    </message>
+    <message>
+        <source>the face</source>
+        <translation>yüz</translation>
+    </message>
+    <message>
+        <source>the pose</source>
+        <translation>duruş</translation>
+    </message>
+    <message>
+        <source>how broad the body is</source>
+        <translation>gövdenin genişliği</translation>
+    </message>
+    <message>
+        <source>All points are sure: the clone needs no hand.</source>
+        <translation>Bütün noktalar kesin: klon için elle düzeltme gerekmiyor.</translation>
+    </message>
+    <message>
+        <source> and {n} more</source>
+        <translation> ve {n} tane daha</translation>
+    </message>
+    <message>
+        <source>Worth a look under Points: {names}. They set {changes}.</source>
+        <translation>Noktalar altında bakmaya değer: {names}. Belirledikleri: {changes}.</translation>
     </message>
 </context>
 </TS>

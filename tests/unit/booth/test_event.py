@@ -13,6 +13,7 @@ from cloner.booth.person_file import (
     cm_from_feet,
     consent_given,
     consent_when,
+    consent_words,
     feet_from_cm,
     person_facts,
     write_person,
@@ -24,7 +25,11 @@ NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 
 
 def test_settings_come_back_as_they_were_written(tmp_path):
-    event = Event("tr", 7, "Evet", ("glb", "obj"), "/media/camera", "http://x/{id}", "dark", 150, True, "visitor-003")
+    event = Event(
+        title="Fair", language="tr", retention_days=7, consents={"tr": "Evet"}, formats=("glb", "obj"),
+        camera_folder="/media/camera", link="http://x/{id}", phone=True, pin="1", appearance="dark", text_percent=150,
+        big=True, open="visitor-003",
+    )  # fmt: skip
     write_event(tmp_path, event)
     assert read_event(tmp_path) == event
     assert read_event(tmp_path / "nothing") == Event()
@@ -32,8 +37,9 @@ def test_settings_come_back_as_they_were_written(tmp_path):
 
 @pytest.mark.parametrize(
     "text",
-    ["[]", "{", '{"format": 2}', '{"format": 1, "colour": "red"}', '{"format": 1, "big": 1}',
-     '{"format": 1, "language": "xx"}', '{"format": 1, "retention_days": -1}', '{"format": 1, "formats": "glb"}'],
+    ["[]", "{", '{"format": 9}', '{"format": 1, "colour": "red"}', '{"format": 2, "consent": "yes"}',
+     '{"format": 1, "big": 1}', '{"format": 1, "language": "xx"}', '{"format": 1, "retention_days": -1}',
+     '{"format": 1, "formats": "glb"}', '{"format": 2, "consents": {"xx": "yes"}}'],
 )  # fmt: skip
 def test_broken_settings_are_told_by_the_name_of_their_file(tmp_path, text):
     (tmp_path / "event.json").write_text(text)
@@ -117,7 +123,8 @@ def test_feet_and_inches(feet, inches, cm):
 
 def test_a_consent_says_what_when_and_in_which_language():
     told = consent_given("I  agree\n(to all).", NOW, "de")
-    assert told == "I agree (to all). (2026-11-21 12:00 UTC, de)"
+    assert told == "I  agree\n(to all). (2026-11-21 12:00 UTC, de)"
+    assert consent_words(told) == "I  agree\n(to all)."
     assert consent_when(told) == "2026-11-21 12:00 UTC, de"
     assert consent_when("on paper") == "on paper"
 

@@ -33,8 +33,20 @@ def test_five_photos_without_names_find_their_views_and_are_good(seen):
 def test_a_photo_of_another_view_is_told(seen):
     photo = seen[ViewId.BODY_BACK][0]
     told, _ = look(photo, ViewId.BODY_FRONT)
+    assert told == seen[ViewId.BODY_BACK][1], "what a photo shows does not depend on where it is put"
     assert told.view is ViewId.BODY_BACK
-    assert Trouble.OTHER_VIEW in told.troubles
+    assert Trouble.OTHER_VIEW in told.troubles_as(ViewId.BODY_FRONT)
+    assert told.troubles_as(ViewId.BODY_BACK) == ()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("view", "quarters"), [(ViewId.BODY_SIDE, 1), (ViewId.BODY_FRONT, 3), (ViewId.FACE_FRONT, 1)])
+def test_a_photo_that_lies_on_its_side_shows_no_view(seen, view, quarters):
+    lying = replace(seen[view][0], rgb=np.ascontiguousarray(np.rot90(seen[view][0].rgb, quarters)))
+    told, proposal = look(lying, None)
+    assert told.view is None
+    assert told.troubles in ((Trouble.LYING,), (Trouble.NOBODY,))
+    assert proposal is None
 
 
 @pytest.mark.slow
@@ -101,9 +113,12 @@ def test_the_width_of_edges_follows_the_blur():
 
 
 def test_looks_are_kept_and_a_broken_file_is_looked_up_anew(tmp_path):
-    one, two = Look("a", ViewId.FACE_SIDE, (Trouble.DARK, Trouble.CUT)), Look("b", None, ())
+    views = frozenset((ViewId.FACE_SIDE, ViewId.FACE_FRONT))
+    one, two = Look("a", ViewId.FACE_SIDE, (Trouble.DARK, Trouble.CUT), views), Look("b", None, ())
     keep_look(tmp_path, one)
     keep_look(tmp_path, two)
     assert read_looks(tmp_path) == {"a": one, "b": two}
-    (tmp_path / "work" / "looks.json").write_text('{"a": {"view": "moon", "troubles": []}}')
-    assert read_looks(tmp_path) == {}
+    (tmp_path / "work" / "looks.json").write_text(
+        '{"a": {"view": "moon", "troubles": []}, "b": {"view": null, "troubles": [], "passes": []}}'
+    )
+    assert read_looks(tmp_path) == {"b": two}

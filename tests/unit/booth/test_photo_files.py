@@ -52,8 +52,11 @@ def test_the_newest_photo_of_a_view_counts_and_the_old_one_stays_in_the_tray(vis
 
 
 def test_a_photo_of_no_view_waits_in_the_tray(visitor, tmp_path):
-    path = photo_files.store_photo(visitor, jpeg(tmp_path, 10), ".png")
-    assert photo_files.place_new(visitor, path, None) == path
+    new = photo_files.store_photo(visitor, jpeg(tmp_path, 10), ".png")
+    assert photo_files.new_photos(visitor) == (new,)
+    assert photo_files.meant_for(new) is None
+    path = photo_files.place_new(visitor, new, None)
+    assert photo_files.new_photos(visitor) == ()
     assert photo_files.tray_photos(visitor) == (path,)
     assert view_files(visitor) == {}
 
@@ -112,3 +115,14 @@ def test_only_whole_new_photos_have_arrived(tmp_path):
     assert arrivals.arrived(known, last, now) == (new,)
     assert arrivals.arrived(known, now, now) == (growing, new)
     assert arrivals.sizes(tmp_path / "pulled cable") == {}
+
+
+def test_a_stored_photo_says_what_it_is_meant_for_until_it_is_placed(visitor, tmp_path):
+    new = photo_files.store_photo(visitor, jpeg(tmp_path, 10), ".jpg", BACK)
+    assert photo_files.meant_for(new) is BACK
+    assert photo_files.new_photos(visitor) == (new,)
+    photo_files.place_new(visitor, new, photo_files.meant_for(new))
+    assert view_files(visitor) == {BACK: visitor / "body_back.jpg"}
+    again = photo_files.to_tray(visitor, visitor / "body_back.jpg")
+    assert photo_files.new_photos(visitor) == (), "taken out by hand: it stays where it was put"
+    assert photo_files.tray_photos(visitor) == (again,)

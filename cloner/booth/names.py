@@ -1,0 +1,60 @@
+"""What visitors are called on the operator's screen: by their name and number; the log and the files know numbers."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from cloner.errors import ClonerError
+from cloner.project.folder import PERSON_FILE, read_person
+
+
+def number_of(folder: Path) -> str:
+    """Return a visitor's number as it is said, "7" of ``visitor-007``; the folder's name where it has none."""
+    digits = folder.name.removeprefix("visitor-")
+    return str(int(digits)) if digits != folder.name and digits.isdigit() else folder.name
+
+
+def called(name: str, folder: Path, visitor: str) -> str:
+    """Return "Anna (7)", or "Visitor 7" for who gave no name.
+
+    Parameters
+    ----------
+    name : str
+        As it was typed.
+    folder : Path
+    visitor : str
+        "Visitor {n}" in the window's language.
+    """
+    number = number_of(folder)
+    if name and name != number:
+        return f"{name} ({number})" if number != folder.name else name
+    return visitor.format(n=number) if number != folder.name else folder.name
+
+
+def first_name(name: str) -> str:
+    """Return the first word of a name: what is said where others hear it."""
+    return name.split()[0] if name.split() else ""
+
+
+class KnownNames:
+    """Reads visitors' names, and a file again only when it has changed: lists are shown often."""
+
+    def __init__(self) -> None:
+        self._known: dict[Path, tuple[tuple[int, int, int], str]] = {}
+
+    def read(self, folder: Path) -> str:
+        """Return the name as it was typed; "" where there is none, or the file cannot be read."""
+        try:
+            found = (folder / PERSON_FILE).stat()
+        except OSError:
+            self._known.pop(folder, None)
+            return ""
+        stamp = (found.st_ino, found.st_mtime_ns, found.st_size)
+        known = self._known.get(folder)
+        if known is None or known[0] != stamp:
+            try:
+                name = read_person(folder).name.strip()
+            except ClonerError:
+                name = ""
+            known = self._known[folder] = (stamp, name)
+        return known[1]

@@ -1,0 +1,61 @@
+"""The booth's own certificate: made for one event, signed by nobody, so telephones ask once whether to go on."""
+
+from __future__ import annotations
+
+import importlib.util
+import ipaddress
+import os
+from datetime import UTC, datetime, timedelta
+from pathlib import Path
+from typing import Final
+
+from cloner.errors import ClonerError
+
+CERTIFICATE_FILE: Final = ".phone-certificate.pem"
+KEY_FILE: Final = ".phone-key.pem"
+DAYS: Final = 30  # taste: longer than any event
+
+
+def own_certificate(root: Path, address: str) -> tuple[Path, Path]:
+    """Return certificate and key for an address, made anew each time: 0600, in the event's folder.
+
+    Raises
+    ------
+    ClonerError
+        If the library is missing, or the folder cannot be written.
+    """
+    if importlib.util.find_spec("cryptography") is None:
+        hint = "Switch encryption off and use a hotspot of the booth's own with a password"
+        raise ClonerError("an encrypted page needs a library that is not here", hint, "cryptography")
+    from cryptography import x509
+    from cryptography.hazmat.primitives import hashes
+    from cryptography.hazmat.primitives import serialization as told
+    from cryptography.hazmat.primitives.asymmetric import ec
+    from cryptography.x509.oid import NameOID
+
+    key = ec.generate_private_key(ec.SECP256R1())
+    name, now = x509.Name([x509.NameAttribute(NameOID.COMMON_NAME, "cloner booth")]), datetime.now(UTC)
+    made = (
+        x509.CertificateBuilder()
+        .subject_name(name)
+        .issuer_name(name)
+        .public_key(key.public_key())
+        .serial_number(x509.random_serial_number())
+        .not_valid_before(now - timedelta(hours=1))  # telephones' clocks differ
+        .not_valid_after(now + timedelta(days=DAYS))
+        .add_extension(x509.SubjectAlternativeName([x509.IPAddress(ipaddress.ip_address(address))]), False)
+        .sign(key, hashes.SHA256())
+    )
+    contents = {
+        CERTIFICATE_FILE: made.public_bytes(told.Encoding.PEM),
+        KEY_FILE: key.private_bytes(told.Encoding.PEM, told.PrivateFormat.PKCS8, told.NoEncryption()),
+    }
+    try:
+        for file, content in contents.items():
+            (root / file).unlink(missing_ok=True)
+            descriptor = os.open(root / file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+            with os.fdopen(descriptor, "wb") as stream:
+                stream.write(content)
+    except OSError as error:
+        raise ClonerError("the keys cannot be written", "Check permissions and space", root.name) from error
+    return root / CERTIFICATE_FILE, root / KEY_FILE

@@ -1,0 +1,95 @@
+"""What a visitor's telephone gets: a picture, a clone that turns under the finger, a short film, and the GLB file."""
+
+from __future__ import annotations
+
+import math
+import os
+import shutil
+from dataclasses import replace
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from cloner.booth.worker import Progress
+from cloner.errors import ClonerError
+from cloner.exporters.table import EXPORTERS
+from cloner.generic.framing import standard_camera
+from cloner.generic.layers import clone_layers
+from cloner.project.clone_file import CLONE_FILE, load_clone
+from cloner.render import draw
+
+FOLDER: Final = "phone"
+SIDES: Final = 24  # pictures of a whole turn: 15 degrees each still look like turning
+SIZE_PX: Final = (480, 720)  # a telephone's width at double density, and small enough for a booth's radio
+LARGE_PX: Final = (1080, 1620)
+FILM_MS: Final = 110  # for each side: a turn in less than three seconds
+_BACKGROUND: Final = (236, 238, 241)
+FILES: Final = {
+    "picture.jpg": "image/jpeg",
+    "film.webp": "image/webp",
+    "clone.glb": "model/gltf-binary",
+    **{f"side_{number:02d}.jpg": "image/jpeg" for number in range(SIDES)},
+}
+
+
+def pack(visitor: Path, result: Path, progress: Progress) -> Path:
+    """Make the files for a visitor's telephone in the visitor's folder, and return the folder they lie in.
+
+    Parameters
+    ----------
+    visitor, result : Path
+        The visitor's folder, and that of the finished clone.
+    progress : callable
+        May raise Cancelled; an older parcel stays then.
+
+    Raises
+    ------
+    ClonerError
+        If there is no clone, or it cannot be drawn or written.
+    """
+    clone = load_clone(result / CLONE_FILE)
+    layers = clone_layers(clone, None)
+    room, place = visitor / f".{FOLDER}.partial-{os.getpid()}", visitor / FOLDER
+    try:
+        shutil.rmtree(room, ignore_errors=True)
+        room.mkdir()
+        sides = []
+        for number in range(SIDES):
+            progress("previews", number / (SIDES + 2))
+            camera = standard_camera(clone, "front", *SIZE_PX)
+            turned = replace(camera, camera_from_model=camera.camera_from_model @ _turn(2.0 * math.pi * number / SIDES))
+            sides.append(Image.fromarray(draw(layers, turned, background=_BACKGROUND, supersample=2)))
+            sides[-1].save(room / f"side_{number:02d}.jpg", quality=82)
+        sides[0].save(
+            room / "film.webp", save_all=True, append_images=sides[1:], duration=FILM_MS, loop=0, quality=75, method=2
+        )
+        large = draw(layers, standard_camera(clone, "front", *LARGE_PX), background=_BACKGROUND, supersample=2)
+        Image.fromarray(large).save(room / "picture.jpg", quality=90)
+        progress("export", SIDES / (SIDES + 2))
+        ready = result / "clone.glb"
+        if ready.is_file():
+            shutil.copyfile(ready, room / "clone.glb")
+        else:
+            EXPORTERS.get("glb")(clone, room)
+        shutil.rmtree(place, ignore_errors=True)
+        room.rename(place)
+    except OSError as error:
+        raise ClonerError("it cannot be written there", "Check the folder and its space", visitor.name) from error
+    finally:
+        shutil.rmtree(room, ignore_errors=True)
+    return place
+
+
+def is_packed(visitor: Path, result: Path) -> bool:
+    """Return whether the parcel is there and not older than the clone."""
+    last, made = visitor / FOLDER / "clone.glb", result / CLONE_FILE
+    return last.is_file() and made.is_file() and last.stat().st_mtime >= made.stat().st_mtime
+
+
+def _turn(angle: float) -> NDArray[np.float64]:
+    """Return a turn about the vertical axis."""
+    cosine, sine = math.cos(angle), math.sin(angle)
+    return np.array([[cosine, 0, sine, 0], [0, 1, 0, 0], [-sine, 0, cosine, 0], [0, 0, 0, 1.0]])

@@ -1,0 +1,83 @@
+"""One link a visitor, which nobody can guess, and which leads nowhere after some hours.
+
+It lies in the visitor's folder. Whoever is forgotten takes the link along: nothing of it is kept anywhere else.
+"""
+
+from __future__ import annotations
+
+import hmac
+import json
+import secrets
+from collections.abc import Iterable
+from dataclasses import dataclass
+from datetime import datetime, timedelta
+from pathlib import Path
+from typing import Final
+
+from cloner.outside import read_outside
+from cloner.project.atomic import write_text
+from cloner.project.texts import LARGEST_BYTES
+
+TICKET_FILE: Final = "phone.json"
+#: Bytes of chance in a link: 2**128 tries at a hundred a second outlast the sun.
+TOKEN_BYTES: Final = 16
+
+
+@dataclass(frozen=True, slots=True)
+class Ticket:
+    """What opens a visitor's page.
+
+    Attributes
+    ----------
+    token : str
+    expires : datetime
+        UTC.
+    """
+
+    token: str
+    expires: datetime
+
+
+def read_ticket(folder: Path) -> Ticket | None:
+    """Return a visitor's ticket, None where there is none that can be read."""
+    try:
+        told = json.loads(read_outside(folder / TICKET_FILE, LARGEST_BYTES))
+        ticket = Ticket(str(told["token"]), datetime.fromisoformat(told["expires"]))
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
+        return None
+    return ticket if len(ticket.token) >= TOKEN_BYTES and ticket.expires.tzinfo is not None else None
+
+
+def give_ticket(folder: Path, now: datetime, hours: int) -> Ticket:
+    """Return the ticket of a visitor, a new one where there is none or it has expired.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written.
+    """
+    known = read_ticket(folder)
+    if known is not None and now < known.expires:
+        return known
+    made = Ticket(secrets.token_urlsafe(TOKEN_BYTES), now + timedelta(hours=hours))
+    told = {"token": made.token, "expires": made.expires.isoformat(timespec="seconds")}
+    write_text(folder / TICKET_FILE, json.dumps(told) + "\n")
+    return made
+
+
+def take_ticket(folder: Path) -> None:
+    """Make a visitor's link lead nowhere."""
+    (folder / TICKET_FILE).unlink(missing_ok=True)
+
+
+def visitor_of(token: str, folders: Iterable[Path], now: datetime) -> Path | None:
+    """Return whose ticket a token is, None for one that is nobody's or has expired.
+
+    Every ticket is compared to its end, so that the time of the answer tells nothing of how near a guess came.
+    """
+    found = None
+    for folder in folders:
+        ticket = read_ticket(folder)
+        if ticket is not None and hmac.compare_digest(ticket.token.encode(), token.encode()) and now < ticket.expires:
+            found = folder
+    return found

@@ -1,0 +1,38 @@
+"""What visitors see on a screen of their own: clones of who agreed to it, and who is next, by first name or number."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from cloner.booth import line
+from cloner.booth.kept import RESULTS
+from cloner.booth.names import first_name, number_of
+from cloner.booth.takeaway import has_result
+from cloner.booth.visits import State, Visit
+from cloner.project.folder import safe_identifier
+
+
+def shown_clones(visits: Mapping[Path, Visit]) -> tuple[Path, ...]:
+    """Return the visitors whose finished clones may be seen: who agreed to that, the newest first."""
+    those = [
+        (visit.queued, folder)
+        for folder, visit in visits.items()
+        if visit.shown and visit.state is State.CLONED and has_result(result_of(folder))
+    ]
+    return tuple(folder for _, folder in sorted(those, reverse=True))
+
+
+def result_of(folder: Path) -> Path:
+    """Return where a visitor's clone lies."""
+    return folder / RESULTS / safe_identifier(folder.name)
+
+
+def public_name(folder: Path, visit: Visit, name: str) -> str:
+    """Return how a visitor is called where everybody looks: by first name who agreed to be seen, else by number."""
+    return (first_name(name) if visit.shown else "") or number_of(folder)
+
+
+def queue_names(visits: Mapping[Path, Visit], name_of: Callable[[Path], str]) -> tuple[str, ...]:
+    """Return who waits for a clone, the next one first, as everybody may read it."""
+    return tuple(public_name(folder, visits[folder], name_of(folder)) for folder in line.waiting(visits))

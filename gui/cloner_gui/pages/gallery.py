@@ -1,0 +1,215 @@
+"""Everybody of the event as small pictures: searched, opened, cloned again, thrown away and brought back."""
+
+from __future__ import annotations
+
+from collections import deque
+from pathlib import Path
+
+from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtGui import QIcon, QImageReader, QPixmap
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDialog,
+    QLineEdit,
+    QListView,
+    QListWidget,
+    QListWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from cloner.booth import trash
+from cloner.booth.kept import RESULTS
+from cloner.booth.photo_files import photo_of
+from cloner.booth.visits import State, read_visit
+from cloner.errors import ClonerError
+from cloner.frames import ViewId
+from cloner.project.folder import safe_identifier
+from cloner_gui.booth import Booth
+from cloner_gui.dialogs import ask_to_forget
+from cloner_gui.flow import Flow
+from cloner_gui.letters import settle_dialog
+from cloner_gui.pieces import button, label, name
+from cloner_gui.words import STATES, translate
+
+_ICON_PX = QSize(120, 160)
+#: What is shown: everybody, the cloned, those without a clone, who lies in the trash.
+ALL, CLONED, OPEN, TRASHED = range(4)
+
+
+class GalleryWindow(QDialog):
+    """The event's visitors."""
+
+    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._booth = booth
+        self.setWindowTitle(translate("gallery", "Everybody of today"))
+        self.resize(900, 640)
+        self.search, self.which, self.list = QLineEdit(), QComboBox(), QListWidget()
+        self.told = label("dim")
+        self.open_button, self.again_button, self.trash_button = button("main"), button(), button()
+        self.back_button, self.forget_button = button(), button("danger")
+        self._icons: deque[QListWidgetItem] = deque()
+        self._loader = QTimer(self, interval=0)
+        self._loader.timeout.connect(self._load_one)
+        self._known: dict[tuple[Path, int], QIcon] = {}
+        self._lay_out()
+        self._connect()
+        self.show_all()
+        settle_dialog(self)
+
+    def _lay_out(self) -> None:
+        self.list.setViewMode(QListView.ViewMode.IconMode)
+        self.list.setResizeMode(QListView.ResizeMode.Adjust)
+        self.list.setMovement(QListView.Movement.Static)
+        self.list.setIconSize(_ICON_PX)
+        self.list.setSpacing(8)
+        self.list.setTextElideMode(Qt.TextElideMode.ElideNone)
+        self.list.setWordWrap(True)
+        self.list.setSelectionMode(QListWidget.SelectionMode.ExtendedSelection)
+        self.search.setPlaceholderText(translate("gallery", "Name or number"))
+        self.search.setClearButtonEnabled(True)
+        for text in (
+            translate("gallery", "everybody"),
+            translate("gallery", "with a clone"),
+            translate("gallery", "without a clone"),
+            translate("gallery", "in the trash"),
+        ):
+            self.which.addItem(text)
+        for widget, text in (
+            (self.search, translate("gallery", "Search by name or number")),
+            (self.which, translate("gallery", "Who is shown")),
+            (self.list, translate("gallery", "Visitors of this event")),
+        ):
+            name(widget, text)
+        for one, text in (
+            (self.open_button, translate("gallery", "&Open")),
+            (self.again_button, translate("gallery", "Clone &again")),
+            (self.trash_button, translate("gallery", "&Throw away")),
+            (self.back_button, translate("gallery", "&Bring back")),
+            (self.forget_button, translate("gallery", "&Delete for good…")),
+        ):
+            one.setText(text)
+        top, bottom, column = Flow(), Flow(), QVBoxLayout(self)
+        for field in (self.search, self.which):
+            top.addWidget(field)
+        for one in (self.open_button, self.again_button, self.trash_button, self.back_button, self.forget_button):
+            bottom.addWidget(one)
+        column.addLayout(top)
+        column.addWidget(self.list, 1)
+        column.addWidget(self.told)
+        column.addLayout(bottom)
+
+    def _connect(self) -> None:
+        self.search.textChanged.connect(self.show_all)
+        self.which.currentIndexChanged.connect(self.show_all)
+        self.list.itemSelectionChanged.connect(self._show_buttons)
+        self.list.itemActivated.connect(lambda _: self._open())
+        self.open_button.clicked.connect(self._open)
+        self.again_button.clicked.connect(self._clone_again)
+        self.trash_button.clicked.connect(self._throw_away)
+        self.back_button.clicked.connect(self._bring_back)
+        self.forget_button.clicked.connect(lambda: self.marked() and ask_to_forget(self._booth, self.marked(), self))
+        self._booth.visits_changed.connect(self.show_all)
+
+    def marked(self) -> tuple[Path, ...]:
+        """Return the folders of the marked visitors."""
+        return tuple(item.data(Qt.ItemDataRole.UserRole) for item in self.list.selectedItems())
+
+    def show_all(self) -> None:
+        """Show who is wanted; the marks stay."""
+        marked, root = self.marked(), self._booth.root
+        in_trash = self.which.currentIndex() == TRASHED
+        folders = () if root is None else trash.thrown_away(root) if in_trash else tuple(self._booth.visits())
+        shown = [folder for folder in folders if self._is_wanted(folder)]
+        self._icons.clear()
+        self.list.blockSignals(True)
+        self.list.clear()
+        for folder in shown:
+            state = self._told_end(folder) if in_trash else STATES[read_visit(folder).state]
+            item = QListWidgetItem(f"{self._booth.name_of(folder)}\n{state}")
+            item.setData(Qt.ItemDataRole.UserRole, folder)
+            item.setSizeHint(QSize(_ICON_PX.width() + 50, _ICON_PX.height() + 4 * self.fontMetrics().height()))
+            self.list.addItem(item)
+            item.setSelected(folder in marked)
+            self._icons.append(item)
+        self.list.blockSignals(False)
+        cloned = sum(read_visit(folder).state is State.CLONED for folder in shown)
+        told = translate("gallery", "{n} visitors, {m} with a clone")
+        self.told.setText(told.format(n=len(shown), m=cloned))
+        self._loader.start()
+        self._show_buttons()
+
+    def _is_wanted(self, folder: Path) -> bool:
+        text, which = self.search.text().casefold().strip(), self.which.currentIndex()
+        cloned = read_visit(folder).state is State.CLONED
+        fits = which in (ALL, TRASHED) or cloned == (which == CLONED)
+        return fits and text in self._booth.name_of(folder).casefold()
+
+    def _told_end(self, folder: Path) -> str:
+        end = trash.ends(folder, self._booth.settings.trash_days)
+        return translate("gallery", "deleted for good on {when}").format(when=f"{end.astimezone():%d.%m. %H:%M}")
+
+    def _show_buttons(self) -> None:
+        marked, in_trash = len(self.marked()), self.which.currentIndex() == TRASHED
+        self.open_button.setEnabled(marked == 1 and not in_trash)
+        for one in (self.again_button, self.trash_button):
+            one.setEnabled(marked > 0 and not in_trash)
+        self.trash_button.setVisible(self._booth.settings.trash_days > 0)
+        self.back_button.setEnabled(marked > 0 and in_trash)
+        self.forget_button.setEnabled(marked > 0)
+
+    def _load_one(self) -> None:
+        """Load one small picture at a time: hundreds at once would hold the window up."""
+        if not self._icons:
+            self._loader.stop()
+            return
+        item = self._icons.popleft()
+        path = picture_of(item.data(Qt.ItemDataRole.UserRole))
+        if path is None:
+            return
+        key = path, path.stat().st_mtime_ns
+        if key not in self._known:
+            reader = QImageReader(str(path))
+            reader.setAutoTransform(True)
+            size = reader.size()
+            if size.isValid():
+                reader.setScaledSize(size.scaled(_ICON_PX * 2, Qt.AspectRatioMode.KeepAspectRatio))
+            self._known[key] = QIcon(QPixmap.fromImage(reader.read()))
+        item.setIcon(self._known[key])
+
+    # --- what the operator does -----------------------------------------------------
+
+    def _open(self) -> None:
+        for folder in self.marked()[:1]:
+            if self.which.currentIndex() != TRASHED:
+                self._booth.open_visitor(folder)
+                self.close()
+
+    def _clone_again(self) -> None:
+        for folder in self.marked():
+            self._booth.session.queue.ask(folder)
+
+    def _throw_away(self) -> None:
+        for folder in self.marked():
+            self._booth.throw_away(folder)
+
+    def _bring_back(self) -> None:
+        for folder in self.marked():
+            try:
+                trash.bring_back(folder)
+            except ClonerError as error:
+                self._booth.failed.emit(error)
+        self._booth.visits_changed.emit()
+
+
+def picture_of(folder: Path) -> Path | None:
+    """Return the picture by which a visitor is known: of the clone, else a photo; None without either."""
+    previews = folder / RESULTS / safe_identifier(folder.name) / "previews"
+    for path in (folder / "phone" / "picture.jpg", previews / "face.jpg", previews / "face.png"):
+        if path.is_file():
+            return path
+    try:
+        return photo_of(folder, ViewId.FACE_FRONT) or photo_of(folder, ViewId.BODY_FRONT)
+    except ClonerError:
+        return None

@@ -1,0 +1,129 @@
+"""What holds for every visitor of the event: its name, how long visitors are kept, and what they agree to."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFormLayout,
+    QLineEdit,
+    QPlainTextEdit,
+    QScrollArea,
+    QSpinBox,
+    QVBoxLayout,
+    QWidget,
+)
+
+from cloner.booth.event import LANGUAGES
+from cloner_gui.booth import Booth
+from cloner_gui.languages import LANGUAGE_NAMES, consent_text
+from cloner_gui.letters import settle_dialog
+from cloner_gui.pieces import label, name
+from cloner_gui.words import translate
+
+
+class SettingsWindow(QDialog):
+    """The event's settings; nothing counts before they are saved."""
+
+    def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._booth, settings = booth, booth.settings
+        self._consents = dict(settings.consents)
+        self.setWindowTitle(translate("settings", "This event"))
+        self.resize(640, 560)
+        self.title, self.consent, self.language = QLineEdit(settings.title), QPlainTextEdit(), QComboBox()
+        self.days, self.trash = QSpinBox(), QSpinBox()
+        self.calm = QCheckBox(translate("settings", "Nothing &moves by itself"))
+        self.hours, self.https = QSpinBox(), QCheckBox(translate("settings", "&Encrypt the page for telephones"))
+        self._note = label("dim")
+        self._fill()
+        self._lay_out()
+        self._show_language()
+        self.language.currentIndexChanged.connect(self._show_language)
+        self.days.valueChanged.connect(self._show_usual)
+        self.consent.textChanged.connect(self._take_text)
+        settle_dialog(self)
+
+    def _fill(self) -> None:
+        settings = self._booth.settings
+        for code in LANGUAGES:
+            self.language.addItem(LANGUAGE_NAMES[code], code)
+        self.language.setCurrentIndex(list(LANGUAGES).index(settings.language))
+        for box, most, value in ((self.days, 3650, settings.retention_days), (self.trash, 365, settings.trash_days)):
+            box.setRange(0, most)
+            box.setSuffix(translate("settings", " days"))
+            box.setValue(value)
+        self.days.setSpecialValueText(translate("settings", "kept until deleted"))
+        self.trash.setSpecialValueText(translate("settings", "not at all"))
+        self.title.setPlaceholderText("" if self._booth.root is None else self._booth.root.name)
+        self.calm.setChecked(settings.calm)
+        self.hours.setRange(1, 720)
+        self.hours.setSuffix(translate("settings", " hours"))
+        self.hours.setValue(settings.phone_hours)
+        self.https.setChecked(settings.phone_https)
+        self.consent.setTabChangesFocus(True)
+        self._note.setText(translate("settings", "{days} in the text stands for the days that visitors are kept."))
+
+    def _lay_out(self) -> None:
+        form, inside, room = QFormLayout(), QWidget(), QScrollArea()
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
+        form.addRow(translate("settings", "&Name of the event"), self.title)
+        form.addRow(translate("settings", "&Keep visitors for"), self.days)
+        form.addRow(translate("settings", "Bring &back thrown away ones for"), self.trash)
+        form.addRow(translate("settings", "&Language of the text"), self.language)
+        form.addRow(translate("settings", "&Consent"), self.consent)
+        form.addRow("", self._note)
+        form.addRow(translate("settings", "Links for &telephones work for"), self.hours)
+        form.addRow("", self.https)
+        form.addRow("", self.calm)
+        for widget, text in (
+            (self.title, translate("settings", "Name of the event")),
+            (self.days, translate("settings", "Days that visitors are kept")),
+            (self.trash, translate("settings", "Days that thrown away visitors can be brought back")),
+            (self.hours, translate("settings", "Hours that links for telephones work")),
+            (self.language, translate("settings", "Language of the text")),
+            (self.consent, translate("settings", "What visitors agree to")),
+        ):
+            name(widget, text)
+        inside.setLayout(form)
+        room.setWidget(inside)
+        room.setWidgetResizable(True)
+        room.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        column = QVBoxLayout(self)
+        column.addWidget(room, 1)
+        column.addWidget(buttons)
+
+    def _code(self) -> str:
+        return str(self.language.currentData())
+
+    def _show_language(self) -> None:
+        """Show the consent in one language."""
+        self.consent.blockSignals(True)
+        self.consent.setPlainText(self._consents.get(self._code(), ""))
+        self.consent.blockSignals(False)
+        self._show_usual()
+
+    def _show_usual(self) -> None:
+        self.consent.setPlaceholderText(consent_text(self._code(), self.days.value(), {}))
+
+    def _take_text(self) -> None:
+        self._consents[self._code()] = self.consent.toPlainText().strip()
+
+    def accept(self) -> None:
+        """Save the settings."""
+        self._booth.change(
+            title=self.title.text().strip(),
+            retention_days=self.days.value(),
+            trash_days=self.trash.value(),
+            consents={code: text for code, text in self._consents.items() if text},
+            phone_hours=self.hours.value(),
+            phone_https=self.https.isChecked(),
+            calm=self.calm.isChecked(),
+        )
+        super().accept()
