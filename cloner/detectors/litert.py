@@ -47,7 +47,7 @@ from cloner.vision.crops import Crop, cut, move_points, photo_px_from_crop
 
 __all__ = [
     "POSE_NAMES", "Box", "FaceResult", "PoseResult",
-    "detect_face", "detect_people", "detect_portrait_mask", "detect_pose", "label_features", "let_nets_go",
+    "detect_face", "detect_people", "detect_pose", "label_features", "let_nets_go",
 ]  # fmt: skip
 
 Photo = NDArray[np.uint8]
@@ -245,11 +245,6 @@ def detect_pose(rgb: Photo) -> PoseResult | None:
     if hips_inside(found, rgb):
         return found.result(body_mask(rgb, found.crop, _pose_mask_net))
     return found.result(portrait_mask(rgb, _selfie_net))
-
-
-def detect_portrait_mask(rgb: Photo) -> NDArray[np.float32]:
-    """Return (H, W) the probability 0..1 of a near person, whose pose need not be seen."""
-    return portrait_mask(rgb, _selfie_net)
 
 
 def _pose_mask_net(photo: Photo, crop: Crop) -> Floats:
