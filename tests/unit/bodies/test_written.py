@@ -54,6 +54,7 @@ def test_it_is_a_clone_that_moves_and_is_decent(eva: Path) -> None:
     clone = clone_of(eva)
     assert clone.stature_m == pytest.approx(1.68)
     assert clone.measures_mm["bust_girth"] == 920.0
+    assert clone.consent  # a crowd takes it: nobody is shown
     assert "jawOpen" in clone.morph_names
     generic = load_generic()
     triangles, _ = generic.triangles()
