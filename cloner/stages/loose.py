@@ -20,6 +20,7 @@ from cloner.geometry.atlas import map_atlas
 from cloner.geometry.tubes import tube_mesh
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
+from cloner.records.labels import CLOTHES, shows
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
@@ -89,7 +90,8 @@ def shell_views(views: list[LooseView], proposals: Proposals, silhouettes: Silho
             (person.shape[0], person.shape[1]), margin_px=HEM_MARGIN * figure
         )
         arms = arm_zone(proposal.pose_px, proposal.pose_visibility, figure, (person.shape[0], person.shape[1]))
-        mask &= signed_distance(arms) < -ARM_MARGIN * figure
+        # labels know bare arms where the net's lines miss them; sleeves are told by the lines alone
+        mask &= (signed_distance(arms) < -ARM_MARGIN * figure) & shows(proposal.labels, *CLOTHES)
         inside = signed_distance(mask)
         found.append(ShellView(view.posed, mask, inside, CLAIM[name]))
         if name is ViewId.BODY_SIDE:
