@@ -13,9 +13,10 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.labels.photo import Looks
 from cloner.labels.photo import look as proposals_look
+from cloner.records.labels import Label
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Corrections, Proposals, ViewPoints
-from cloner.stages import points, proposals
+from cloner.stages import photo_checks, points, proposals
 from cloner.stages.hidden import SOMEBODY, shares_colours
 from cloner.stages.photo_checks import check_photos, front_odds, profile_odds, side_odds
 from cloner.stages.proposals import HIDDEN, NobodySeen, nobody_in, propose, settle_hidden
@@ -142,6 +143,24 @@ def test_a_side_photo_of_hair_alone_is_kept_by_its_mask_or_left_out(monkeypatch,
     assert (FACE_SIDE in found.views) is kept
     assert dict(found.left_out) == ({} if kept else {FACE_SIDE: HIDDEN})
     check_photos(found, pictures)  # an unseen pose is no reason to refuse
+
+
+def test_the_pose_of_a_head_counts_less_where_hair_hides_the_face():
+    proposal, given = seen(FACE_SIDE)
+    assert photo_checks.belief_in_pose(proposal) == pytest.approx(1.0)
+    covered = proposal.labels.copy()
+    covered[covered == Label.FACE_SKIN] = Label.HAIR
+    assert photo_checks.belief_in_pose(replace(proposal, labels=covered)) == photo_checks.LEAST_BELIEF
+    half = proposal.labels.copy()
+    head = int(np.isin(half, (Label.FACE_SKIN, Label.HAIR, Label.ACCESSORY)).sum())
+    skin = np.flatnonzero(half.ravel() == Label.FACE_SKIN)
+    half.ravel()[skin[: skin.size - head // 8]] = Label.HAIR  # an eighth of the head is face
+    assert photo_checks.belief_in_pose(replace(proposal, labels=half)) == pytest.approx(0.125 / 0.2, abs=1e-3)
+    pose = proposal.pose_px.copy()
+    pose[0] = pose[[7, 8]].mean(axis=0)  # a guessed nose between the ears
+    guessed = replace(proposal, pose_px=pose, labels=covered)
+    assert profile_odds(guessed) < profile_odds(proposal) - 3.0
+    checked(guessed, given, FACE_SIDE)
 
 
 def test_a_landscape_in_the_side_photo_s_place_is_refused():
