@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -58,6 +58,7 @@ class Booth(Desk):
         super().__init__(session, parent)
         self.intake = Intake(session, self)
         self.root: Path | None = None
+        self.allowed: Callable[[], bool] = lambda: True  # what is the operator's asks here; see `cloner_gui.kiosk`
         self.settings = Event()
         self._known, self._names = KnownVisits(), KnownNames()
         self._opening: Task | None = None

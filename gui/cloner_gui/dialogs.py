@@ -20,8 +20,10 @@ from cloner_gui.words import translate
 log = logging.getLogger(__name__)
 
 
-def ask_to_forget(booth: Booth, folders: Sequence[Path], parent: QWidget) -> QMessageBox:
-    """Ask whether visitors are deleted with everything derived, and do it."""
+def ask_to_forget(booth: Booth, folders: Sequence[Path], parent: QWidget) -> QMessageBox | None:
+    """Ask whether visitors are deleted with everything derived, and do it; None where that is not allowed."""
+    if not booth.allowed():
+        return None
     names = ", ".join(booth.name_of(folder) for folder in folders[:8]) + (", …" if len(folders) > 8 else "")
     text = translate("privacy", "Delete {names} with all photos, points and clones?").format(names=names)
     box = QMessageBox(QMessageBox.Icon.Warning, translate("privacy", "Delete"), text, parent=parent)
@@ -42,6 +44,8 @@ def ask_to_forget(booth: Booth, folders: Sequence[Path], parent: QWidget) -> QMe
 
 def ask_to_save_data(booth: Booth, folder: Path, parent: QWidget) -> None:
     """Ask for a zip file and write everything that is held of a visitor into it."""
+    if not booth.allowed():
+        return
     text = translate("privacy", "Save everything held of {name}").format(name=booth.name_of(folder))
     target, _ = QFileDialog.getSaveFileName(parent, text, f"{folder.name}-data.zip", "Zip (*.zip)")
     if not target:

@@ -39,8 +39,9 @@ class Flow(QLayout):
         return self._items.pop(index) if 0 <= index < len(self._items) else None
 
     def expandingDirections(self) -> Qt.Orientation:
-        """Return that it wants no more room than it needs."""
-        return Qt.Orientation(0)
+        """Return that it fills the height where one of its items does."""
+        grows = any(bool(item.expandingDirections() & Qt.Orientation.Vertical) for item in self._shown())
+        return Qt.Orientation.Vertical if grows else Qt.Orientation(0)
 
     def hasHeightForWidth(self) -> bool:
         """Return that it grows downwards where it is narrow."""
@@ -80,11 +81,14 @@ class Flow(QLayout):
                 left = 0
             rows[-1].append((item, width))
             left += width + self.spacing()
+        highs = [max((_height(item, width) for item, width in row), default=0) for row in rows]
+        needed = sum(highs) + self.spacing() * (len(rows) - 1)
+        if move and self.expandingDirections() and rect.height() > needed:
+            highs = [high + (rect.height() - needed) // len(rows) for high in highs]
         top = rect.top()
         page = self.parentWidget()
         mirrored = page is not None and page.isRightToLeft()
-        for row in rows:
-            high = max((_height(item, width) for item, width in row), default=0)
+        for row, high in zip(rows, highs, strict=True):
             self._place_row(row, QRect(rect.left(), top, rect.width(), high), mirrored) if move else None
             top += high + self.spacing()
         return max(top - self.spacing() - rect.top(), 0)

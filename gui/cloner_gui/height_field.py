@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QHBoxLayout, QSpinBox, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QSpinBox, QWidget
 
 from cloner.booth.person_file import cm_from_feet, feet_from_cm
 from cloner.project.folder import DEFAULT_HEIGHT_CM, LARGEST_HEIGHT_CM, SMALLEST_HEIGHT_CM
+from cloner_gui.flow import Flow
 from cloner_gui.pieces import name, restyle
 from cloner_gui.words import translate
 
@@ -30,8 +31,7 @@ class HeightField(QWidget):
         self.inches.setSingleStep(0.5)
         self.inches.setDecimals(1)
         self.inches.setSuffix(" in")
-        row = QHBoxLayout(self)
-        row.setContentsMargins(0, 0, 0, 0)
+        row = Flow(self)
         for one in (self.cm, self.feet, self.inches, self.unit, self.known):
             row.addWidget(one)
         self.known.toggled.connect(self._tell)

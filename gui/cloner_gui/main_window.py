@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QMainWi
 
 from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget
+from cloner_gui.kiosk import Kiosk
 from cloner_gui.letters import settle
 from cloner_gui.logs import log_to
 from cloner_gui.menus import Menus
@@ -64,6 +65,7 @@ class MainWindow(QMainWindow):
         self.notice = Notice(self.stack)
         self.menus = Menus(self)
         self.undo_action, self.redo_action = self.menus.undo, self.menus.redo
+        self.kiosk = Kiosk(self)
         self._connect()
         self._speak()
         self.go(0)
@@ -114,7 +116,10 @@ class MainWindow(QMainWindow):
             ask_to_forget(self.booth, [one.folders[0] for one in overdue], self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Save, and stop the work before the window goes."""
+        """Save, and stop the work before the window goes; a kiosk goes for the operator alone."""
+        if not self.booth.allowed():
+            event.ignore()
+            return
         for dialog in self.findChildren(QDialog):
             dialog.close()  # a camera's thread must end before its dialog goes
         self.visitor.form.save()
@@ -131,7 +136,7 @@ class MainWindow(QMainWindow):
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take a folder to open."""
-        if any(Path(url.toLocalFile()).is_dir() for url in event.mimeData().urls()):
+        if not self.kiosk.on and any(Path(url.toLocalFile()).is_dir() for url in event.mimeData().urls()):
             event.acceptProposedAction()
 
     def dropEvent(self, event: QDropEvent) -> None:

@@ -53,6 +53,7 @@ class Menus:
             self._add(event, text, act, key)
         edit.addActions([self.undo, self.redo])
         self._fill_view(view)
+        self._add(view, translate("menu", "&Kiosk (Ctrl+Shift+K)"), lambda: self._window.kiosk.toggle(), None)
         self._add(operator, translate("menu", "&Gallery…"), self._open_gallery, QKeySequence("Ctrl+G"))
         self._add(operator, translate("menu", "&Screen for visitors"), self._open_stage, QKeySequence("Ctrl+D"))
         self._add(operator, translate("menu", "&Effort…"), self._open_statistics, QKeySequence("Ctrl+E"))

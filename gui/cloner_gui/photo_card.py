@@ -28,11 +28,19 @@ class Picture(QLabel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(60, 130)
         self._rgb: NDArray[np.uint8] | None = None
         self._whole: QPixmap | None = None
         self._pose: ViewId | None = None
+
+    def sizeHint(self) -> QSize:
+        """Return the least size: what is shown takes what room there is, and asks for none."""
+        return self.minimumSize()
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the least size: the picture that is shown must not keep the room it was given."""
+        return self.minimumSize()
 
     def show_rgb(self, rgb: NDArray[np.uint8] | None) -> None:
         """Show an (H, W, 3) uint8 picture, or none; the same one again costs nothing."""
@@ -84,7 +92,7 @@ class PhotoCard(Card):
         super().__init__(parent)
         self.view = view
         self.setAcceptDrops(True)
-        self.setMinimumWidth(110)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.heading, self.picture, self.verdict = label("heading"), Picture(), label("dim")
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.menu_button = QToolButton()
@@ -100,6 +108,14 @@ class PhotoCard(Card):
         self.column.addWidget(self.heading)
         self.column.addWidget(self.picture, 1)
         self.column.addWidget(self.verdict)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return a width in which the longest words of what is wrong fit; five cards beside each other as a rule."""
+        return super().minimumSizeHint().expandedTo(QSize(9 * self.fontMetrics().height(), 0))
+
+    def sizeHint(self) -> QSize:
+        """Return no more than the least width: cards share what there is."""
+        return QSize(self.minimumSizeHint().width(), super().sizeHint().height())
 
     def show_photo(self, rgb: NDArray[np.uint8] | None, verdict: str, *, fine: bool) -> None:
         """Show a photo with what was found; None shows an empty place."""

@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QFrame, QLabel, QPushButton, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QMouseEvent, QResizeEvent
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QPushButton,
+    QScrollArea,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
 
 GAP = 12  # px between things on a page; taste
 EDGE = 18  # px around a card's content; taste
@@ -24,27 +34,25 @@ class Card(QFrame):
 class Scrolled(QScrollArea):
     """Scrolls up and down; what is inside is as high as its texts need in the width that is left beside the bar."""
 
-    def setWidget(self, widget: QWidget) -> None:
-        """Take what scrolls."""
-        super().setWidget(widget)
-        widget.installEventFilter(self)
-
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the inside to the new width."""
         super().resizeEvent(event)
         self._fit()
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Fit the inside when its texts have changed."""
-        if event.type() == QEvent.Type.LayoutRequest and watched is self.widget():
+    def event(self, event: QEvent) -> bool:
+        """Fit the inside when texts have changed: what is inside says so to what is around it."""
+        fits = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
             self._fit()
-        return super().eventFilter(watched, event)
+        return fits
 
     def _fit(self) -> None:
         inside = self.widget()
         layout = None if inside is None else inside.layout()
         if inside is not None and layout is not None and layout.hasHeightForWidth():
-            inside.setMinimumHeight(max(layout.totalHeightForWidth(self.viewport().width()), 0))
+            high = max(layout.totalHeightForWidth(self.viewport().width()), 0)
+            if high != inside.minimumHeight():  # asked again and again it would never rest
+                inside.setMinimumHeight(high)
 
 
 def scrolled(page: QWidget, inside: QWidget) -> QScrollArea:
@@ -67,6 +75,22 @@ def label(kind: str = "", *, wraps: bool = True) -> QLabel:
     made.setWordWrap(wraps)
     made.setTextFormat(Qt.TextFormat.PlainText)
     return made
+
+
+def beside(box: QCheckBox, words: QLabel) -> QHBoxLayout:
+    """Return a box with its words beside it, which may break; a click on the words is one on the box."""
+
+    def click(event: QMouseEvent) -> None:
+        if box.isEnabled():
+            box.click()
+
+    words.setBuddy(box)
+    words.mousePressEvent = click  # type: ignore[method-assign]
+    box.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+    row = QHBoxLayout()
+    row.addWidget(box)
+    row.addWidget(words, 1)
+    return row
 
 
 def button(kind: str = "") -> QPushButton:

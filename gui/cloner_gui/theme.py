@@ -154,4 +154,7 @@ def dress(app: QApplication, appearance: str, *, big: bool, text_percent: int) -
     font = app.font()
     font.setPointSizeF(points)
     app.setFont(font)
-    app.setStyleSheet(style_of(colours, control_px=TOUCH_PX if big else CONTROL_PX, points=points))
+    control_px = max(
+        TOUCH_PX if big else CONTROL_PX, round(2.3 * points)
+    )  # a line of large text is higher than a mouse needs
+    app.setStyleSheet(style_of(colours, control_px=control_px, points=points))

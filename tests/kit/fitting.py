@@ -42,12 +42,13 @@ def _too_small(one: QWidget) -> str:
         return f"{one.width()} px wide, wants {wanted}" if one.width() < wanted else ""
     if isinstance(one, QAbstractButton) and one.text() and not one.inherits("QComboBoxListViewItem"):
         wanted = one.sizeHint() if isinstance(one, QCheckBox) else one.minimumSizeHint()
-        if one.width() < wanted.width() or one.height() < wanted.height():
-            return f"{one.width()} x {one.height()} px, wants {wanted.width()} x {wanted.height()}"
+        high = one.fontMetrics().height() + 6
+        if one.width() < wanted.width() or one.height() < high:
+            return f"{one.width()} x {one.height()} px, wants {wanted.width()} x {high}"
     if isinstance(one, QComboBox | QAbstractSpinBox):
-        wanted = one.minimumSizeHint()
-        if one.width() < wanted.width() or one.height() < wanted.height():
-            return f"{one.width()} x {one.height()} px, wants {wanted.width()} x {wanted.height()}"
+        wide, high = one.minimumSizeHint().width(), one.fontMetrics().height()
+        if one.width() < wide or one.height() < high:
+            return f"{one.width()} x {one.height()} px, wants {wide} x {high}"
     return ""
 
 
@@ -62,30 +63,18 @@ def _out_of_sight(one: QWidget) -> str:
     """Return whether a control with a text lies outside what is around it; what scrolls may do so up and down."""
     if not isinstance(one, QLabel | QAbstractButton | QComboBox | QAbstractSpinBox) or not _text(one):
         return ""
-    parent, child = one.parentWidget(), one
+    parent, up_and_down, sideways = one.parentWidget(), False, False
     while parent is not None:
         place = QRect(one.mapTo(parent, QPoint()), one.size())
-        scrolls = isinstance(parent.parentWidget(), QScrollArea) or isinstance(parent, QScrollArea)
-        if place.left() < 0 or place.right() > parent.width():
-            if not (scrolls and _scrolls_sideways(parent)):
-                return f"beyond the side of {type(parent).__name__}"
-        if not scrolls and not _inside_scroll(child, parent) and (place.top() < 0 or place.bottom() > parent.height()):
+        area = parent.parentWidget()
+        if isinstance(area, QScrollArea) and parent is area.viewport():
+            up_and_down = True
+            sideways = sideways or area.verticalScrollBarPolicy() is Qt.ScrollBarPolicy.ScrollBarAlwaysOff
+        if not sideways and (place.left() < 0 or place.right() >= parent.width()):
+            return f"beyond the side of {type(parent).__name__} ({place.left()} to {place.right()} of {parent.width()})"
+        if not up_and_down and (place.top() < 0 or place.bottom() >= parent.height()):
             return f"beyond the edge of {type(parent).__name__}"
         if parent.isWindow():
             break
-        child, parent = parent, parent.parentWidget()
+        parent = area
     return ""
-
-
-def _inside_scroll(child: QWidget, parent: QWidget) -> bool:
-    node = child
-    while node is not None and node is not parent:
-        if isinstance(node, QScrollArea):
-            return True
-        node = node.parentWidget()
-    return False
-
-
-def _scrolls_sideways(parent: QWidget) -> bool:
-    area = parent if isinstance(parent, QScrollArea) else parent.parentWidget()
-    return isinstance(area, QScrollArea) and area.verticalScrollBarPolicy() is Qt.ScrollBarPolicy.ScrollBarAlwaysOff

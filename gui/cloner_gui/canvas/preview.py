@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QPointF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QImage, QKeyEvent, QMouseEvent, QPixmap, QShowEvent, QTouchEvent, QWheelEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
@@ -48,7 +48,7 @@ class Preview(QLabel):
         self.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.setWordWrap(True)
         self.setMinimumSize(160, 200)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
         self.empty_text = self.tr("Press Clone: after about a minute the person stands here.")
@@ -71,6 +71,14 @@ class Preview(QLabel):
         self._film.timeout.connect(self.refresh)
         self.setText(self.empty_text)
         self._speak()
+
+    def sizeHint(self) -> QSize:
+        """Return the least size: the picture takes what room there is, and asks for none."""
+        return self.minimumSize()
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the least size: the picture that is shown must not keep the room it was given."""
+        return self.minimumSize()
 
     def _speak(self) -> None:
         self.setAccessibleName(self.tr("The clone in three dimensions"))

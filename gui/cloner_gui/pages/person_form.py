@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QHBoxLayout, QLineEdit, QSizePolicy, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLineEdit, QSizePolicy, QWidget
 
 from cloner.booth.event import LANGUAGES
 from cloner.booth.person_file import consent_when, consent_words
@@ -14,7 +14,7 @@ from cloner.project.folder import DEFAULT_HEIGHT_CM
 from cloner_gui.booth import Booth
 from cloner_gui.height_field import HeightField
 from cloner_gui.languages import LANGUAGE_NAMES, consent_text
-from cloner_gui.pieces import GAP, Card, button, label, name
+from cloner_gui.pieces import GAP, Card, beside, button, label, name
 from cloner_gui.words import translate
 
 #: Typing that rests so long is saved, milliseconds.
@@ -39,6 +39,7 @@ class PersonForm(Card):
         self.consent_text, self.consent_box, self.consent_note = label(), QCheckBox(), label("dim")
         self.shown_box, self.agree_button = QCheckBox(), button("main")
         self.name_why, self.shown_why = label("dim"), label("dim")
+        self.consent_words, self.shown_words = label(), label()
         self.name_label, self.height_label, self.language_label = (label(wraps=False) for _ in range(3))
         self.height_hint = label("dim")
         self.name_field.returnPressed.connect(self.focusNextChild)
@@ -83,9 +84,6 @@ class PersonForm(Card):
         form.setVerticalSpacing(GAP // 2)
         form.setLabelAlignment(Qt.AlignmentFlag.AlignVCenter)
         form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapAllRows)
-        height = QHBoxLayout()
-        height.addWidget(self.height_field)
-        height.addStretch(1)
         for text, field in (
             (self.name_label, self.name_field),
             (self.height_label, self.height_field.first_field()),
@@ -97,15 +95,15 @@ class PersonForm(Card):
             one.setContentsMargins(0, 0, GAP // 2, 0)  # the last letter was cut where the text is large
         form.addRow(self.name_label, self.name_field)
         form.addRow("", self.name_why)
-        form.addRow(self.height_label, height)
+        form.addRow(self.height_label, self.height_field)
         form.addRow("", self.height_hint)
         form.addRow(self.language_label, self.language)
         self.column.addWidget(self.heading)
         self.column.addLayout(form)
         self.column.addWidget(self.consent_text)
-        self.column.addWidget(self.consent_box)
+        self.column.addLayout(beside(self.consent_box, self.consent_words))
         self.column.addWidget(self.consent_note)
-        self.column.addWidget(self.shown_box)
+        self.column.addLayout(beside(self.shown_box, self.shown_words))
         self.column.addWidget(self.shown_why)
         self.column.addWidget(self.agree_button)
 
@@ -119,8 +117,8 @@ class PersonForm(Card):
         self.name_label.setText(translate("visitor", "N&ame or number"))
         self.height_label.setText(translate("visitor", "&Height without shoes"))
         self.language_label.setText(translate("visitor", "&Language of the consent"))
-        self.consent_box.setText(translate("visitor", "The visitor has read this and &agrees"))
-        self.shown_box.setText(translate("visitor", "May be seen on the &screen for visitors"))
+        self.consent_words.setText(translate("visitor", "The visitor has read this and &agrees"))
+        self.shown_words.setText(translate("visitor", "May be seen on the &screen for visitors"))
         self.agree_button.setText(translate("visitor", "Agrees: on to the &photos"))
         self.name_why.setText(translate("visitor", "To find each other again; a number will do, or nothing at all."))
         self.shown_why.setText(translate("visitor", "With the first name, among the others of today; asked apart."))

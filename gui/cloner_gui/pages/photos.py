@@ -63,13 +63,13 @@ class PhotosPage(QWidget):
         return ""
 
     def _lay_out(self) -> None:
-        top, cards, inside = Flow(), QHBoxLayout(), QWidget()
+        top, cards, inside = Flow(), Flow(), QWidget()
         for one in (self.add_button, self.paste_button, self.webcam_button, self.watch_button, self.unwatch_button):
             top.addWidget(one)
         top.addWidget(self.busy_label)
         cards.setSpacing(GAP)
         for card in self.cards.values():
-            cards.addWidget(card, 1)
+            cards.addWidget(card)
         column = QVBoxLayout(inside)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(GAP)

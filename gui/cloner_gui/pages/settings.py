@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from cloner.booth.event import LANGUAGES
+from cloner.booth.pin import kept_pin
 from cloner_gui.booth import Booth
 from cloner_gui.languages import LANGUAGE_NAMES, consent_text
 from cloner_gui.letters import settle_dialog
@@ -39,6 +40,7 @@ class SettingsWindow(QDialog):
         self.calm = QCheckBox(translate("settings", "Nothing &moves by itself"))
         self.hours, self.https = QSpinBox(), QCheckBox(translate("settings", "&Encrypt the page for telephones"))
         self._note = label("dim")
+        self.pin, self.asks = QLineEdit(), QCheckBox(translate("settings", "The kiosk &asks for a number"))
         self._fill()
         self._lay_out()
         self._show_language()
@@ -65,6 +67,10 @@ class SettingsWindow(QDialog):
         self.hours.setValue(settings.phone_hours)
         self.https.setChecked(settings.phone_https)
         self.consent.setTabChangesFocus(True)
+        self.pin.setEchoMode(QLineEdit.EchoMode.Password)
+        self.asks.setChecked(bool(settings.pin))
+        self.pin.setPlaceholderText(translate("settings", "unchanged") if settings.pin else "")
+        self.pin.textEdited.connect(lambda: self.asks.setChecked(True))
         self._note.setText(translate("settings", "{days} in the text stands for the days that visitors are kept."))
 
     def _lay_out(self) -> None:
@@ -79,12 +85,15 @@ class SettingsWindow(QDialog):
         form.addRow(translate("settings", "Links for &telephones work for"), self.hours)
         form.addRow("", self.https)
         form.addRow("", self.calm)
+        form.addRow("", self.asks)
+        form.addRow(translate("settings", "N&umber of the operator"), self.pin)
         for widget, text in (
             (self.title, translate("settings", "Name of the event")),
             (self.days, translate("settings", "Days that visitors are kept")),
             (self.trash, translate("settings", "Days that thrown away visitors can be brought back")),
             (self.hours, translate("settings", "Hours that links for telephones work")),
             (self.language, translate("settings", "Language of the text")),
+            (self.pin, translate("settings", "Number of the operator")),
             (self.consent, translate("settings", "What visitors agree to")),
         ):
             name(widget, text)
@@ -117,6 +126,7 @@ class SettingsWindow(QDialog):
 
     def accept(self) -> None:
         """Save the settings."""
+        number, kept = self.pin.text().strip(), self._booth.settings.pin
         self._booth.change(
             title=self.title.text().strip(),
             retention_days=self.days.value(),
@@ -125,5 +135,6 @@ class SettingsWindow(QDialog):
             phone_hours=self.hours.value(),
             phone_https=self.https.isChecked(),
             calm=self.calm.isChecked(),
+            pin="" if not self.asks.isChecked() else kept_pin(number) if number else kept,
         )
         super().accept()

@@ -62,6 +62,7 @@ class VisitorPage(QWidget):
         left.column.addWidget(self.new_button)
         left.column.addWidget(self.opening_label)
         left.column.addWidget(self.list, 1)
+        self.list.setMinimumWidth(120)
         left.column.addWidget(self.open_button)
         right, inside = QWidget(), QWidget()
         column = QVBoxLayout(inside)
@@ -76,6 +77,11 @@ class VisitorPage(QWidget):
         row.addWidget(left, 1)
         row.addWidget(right, 2)
 
+    def show_others(self, seen: bool) -> None:
+        """Show or hide the other visitors of the day: they are nobody's business in a kiosk."""
+        for one in (self.heading, self.event_label, self.list, self.open_button):
+            one.setVisible(seen)
+
     def changeEvent(self, event: QEvent) -> None:
         """Speak another language."""
         if event.type() == QEvent.Type.LanguageChange:
@@ -85,7 +91,7 @@ class VisitorPage(QWidget):
     def _speak(self) -> None:
         self.heading.setText(translate("visitor", "Visitors"))
         self.new_button.setText(translate("visitor", "&New visitor"))
-        self.open_button.setText(translate("visitor", "&Open event…"))
+        self.open_button.setText(translate("visitor", "&Open…"))
         name(self.list, translate("visitor", "Visitors of this event"))
         self._show()
 

@@ -426,6 +426,29 @@
     </message>
 </context>
 <context>
+    <name>kiosk</name>
+    <message>
+        <source>Operator</source>
+        <translation>Bediener</translation>
+    </message>
+    <message>
+        <source>Number of the operator</source>
+        <translation>Nummer des Bedieners</translation>
+    </message>
+    <message>
+        <source>Too many wrong numbers: wait half a minute.</source>
+        <translation>Zu viele falsche Nummern: warten Sie eine halbe Minute.</translation>
+    </message>
+    <message>
+        <source>This is not the number.</source>
+        <translation>Das ist nicht die Nummer.</translation>
+    </message>
+    <message>
+        <source>Give the operator a number under Event, Settings first.</source>
+        <translation>Geben Sie dem Bediener zuerst unter Veranstaltung, Einstellungen eine Nummer.</translation>
+    </message>
+</context>
+<context>
     <name>menu</name>
     <message>
         <source>&amp;Open…</source>
@@ -442,6 +465,10 @@
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Kiosk (Ctrl+Shift+K)</source>
+        <translation>&amp;Kiosk (Strg+Umschalt+K)</translation>
     </message>
     <message>
         <source>&amp;Gallery…</source>
@@ -1207,12 +1234,20 @@
         <translation>Seite für Telefone &amp;verschlüsseln</translation>
     </message>
     <message>
+        <source>The kiosk &amp;asks for a number</source>
+        <translation>Der Kiosk &amp;fragt nach einer Nummer</translation>
+    </message>
+    <message>
         <source>not at all</source>
         <translation>gar nicht</translation>
     </message>
     <message>
         <source> hours</source>
         <translation> Stunden</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>unverändert</translation>
     </message>
     <message>
         <source>{days} in the text stands for the days that visitors are kept.</source>
@@ -1235,6 +1270,10 @@
         <translation>Links für &amp;Telefone gelten</translation>
     </message>
     <message>
+        <source>N&amp;umber of the operator</source>
+        <translation>N&amp;ummer des Bedieners</translation>
+    </message>
+    <message>
         <source>Name of the event</source>
         <translation>Name der Veranstaltung</translation>
     </message>
@@ -1253,6 +1292,10 @@
     <message>
         <source>Language of the text</source>
         <translation>Sprache des Textes</translation>
+    </message>
+    <message>
+        <source>Number of the operator</source>
+        <translation>Nummer des Bedieners</translation>
     </message>
     <message>
         <source>What visitors agree to</source>
@@ -2644,8 +2687,8 @@
         <translation>&amp;Neuer Besucher</translation>
     </message>
     <message>
-        <source>&amp;Open event…</source>
-        <translation>Veranstaltung ö&amp;ffnen…</translation>
+        <source>&amp;Open…</source>
+        <translation>Öff&amp;nen…</translation>
     </message>
     <message>
         <source>Visitors of this event</source>

@@ -426,6 +426,29 @@
     </message>
 </context>
 <context>
+    <name>kiosk</name>
+    <message>
+        <source>Operator</source>
+        <translation>Opérateur</translation>
+    </message>
+    <message>
+        <source>Number of the operator</source>
+        <translation>Numéro de l’opérateur</translation>
+    </message>
+    <message>
+        <source>Too many wrong numbers: wait half a minute.</source>
+        <translation>Trop de mauvais numéros : attendez une demi-minute.</translation>
+    </message>
+    <message>
+        <source>This is not the number.</source>
+        <translation>Ce n’est pas le numéro.</translation>
+    </message>
+    <message>
+        <source>Give the operator a number under Event, Settings first.</source>
+        <translation>Donnez d’abord un numéro à l’opérateur sous Événement, Réglages.</translation>
+    </message>
+</context>
+<context>
     <name>menu</name>
     <message>
         <source>&amp;Open…</source>
@@ -442,6 +465,10 @@
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;Kiosk (Ctrl+Shift+K)</source>
+        <translation>&amp;Kiosque (Ctrl+Maj+K)</translation>
     </message>
     <message>
         <source>&amp;Gallery…</source>
@@ -1207,12 +1234,20 @@
         <translation>&amp;Chiffrer la page pour téléphones</translation>
     </message>
     <message>
+        <source>The kiosk &amp;asks for a number</source>
+        <translation>Le kiosque dem&amp;ande un numéro</translation>
+    </message>
+    <message>
         <source>not at all</source>
         <translation>pas du tout</translation>
     </message>
     <message>
         <source> hours</source>
         <translation> heures</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>inchangé</translation>
     </message>
     <message>
         <source>{days} in the text stands for the days that visitors are kept.</source>
@@ -1235,6 +1270,10 @@
         <translation>Liens pour &amp;téléphones valables</translation>
     </message>
     <message>
+        <source>N&amp;umber of the operator</source>
+        <translation>N&amp;uméro de l’opérateur</translation>
+    </message>
+    <message>
         <source>Name of the event</source>
         <translation>Nom de l’événement</translation>
     </message>
@@ -1253,6 +1292,10 @@
     <message>
         <source>Language of the text</source>
         <translation>Langue du texte</translation>
+    </message>
+    <message>
+        <source>Number of the operator</source>
+        <translation>Numéro de l’opérateur</translation>
     </message>
     <message>
         <source>What visitors agree to</source>
@@ -2644,8 +2687,8 @@
         <translation>&amp;Nouveau visiteur</translation>
     </message>
     <message>
-        <source>&amp;Open event…</source>
-        <translation>&amp;Ouvrir l’événement…</translation>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
     </message>
     <message>
         <source>Visitors of this event</source>

@@ -425,6 +425,29 @@
     </message>
 </context>
 <context>
+    <name>kiosk</name>
+    <message>
+        <source>Operator</source>
+        <translation>Görevli</translation>
+    </message>
+    <message>
+        <source>Number of the operator</source>
+        <translation>Görevlinin numarası</translation>
+    </message>
+    <message>
+        <source>Too many wrong numbers: wait half a minute.</source>
+        <translation>Çok fazla yanlış numara: yarım dakika bekleyin.</translation>
+    </message>
+    <message>
+        <source>This is not the number.</source>
+        <translation>Numara bu değil.</translation>
+    </message>
+    <message>
+        <source>Give the operator a number under Event, Settings first.</source>
+        <translation>Önce Etkinlik, Ayarlar altında görevliye bir numara verin.</translation>
+    </message>
+</context>
+<context>
     <name>menu</name>
     <message>
         <source>&amp;Open…</source>
@@ -441,6 +464,10 @@
     <message>
         <source>&amp;Quit</source>
         <translation>&amp;Çık</translation>
+    </message>
+    <message>
+        <source>&amp;Kiosk (Ctrl+Shift+K)</source>
+        <translation>&amp;Kiosk (Ctrl+Shift+K)</translation>
     </message>
     <message>
         <source>&amp;Gallery…</source>
@@ -1206,12 +1233,20 @@
         <translation>Telefon sayfasını &amp;şifrele</translation>
     </message>
     <message>
+        <source>The kiosk &amp;asks for a number</source>
+        <translation>Kiosk bir num&amp;ara sorar</translation>
+    </message>
+    <message>
         <source>not at all</source>
         <translation>hiç</translation>
     </message>
     <message>
         <source> hours</source>
         <translation> saat</translation>
+    </message>
+    <message>
+        <source>unchanged</source>
+        <translation>değişmedi</translation>
     </message>
     <message>
         <source>{days} in the text stands for the days that visitors are kept.</source>
@@ -1234,6 +1269,10 @@
         <translation>Telefon &amp;bağlantılarının süresi</translation>
     </message>
     <message>
+        <source>N&amp;umber of the operator</source>
+        <translation>Görevlinin n&amp;umarası</translation>
+    </message>
+    <message>
         <source>Name of the event</source>
         <translation>Etkinliğin adı</translation>
     </message>
@@ -1252,6 +1291,10 @@
     <message>
         <source>Language of the text</source>
         <translation>Metnin dili</translation>
+    </message>
+    <message>
+        <source>Number of the operator</source>
+        <translation>Görevlinin numarası</translation>
     </message>
     <message>
         <source>What visitors agree to</source>
@@ -2643,8 +2686,8 @@
         <translation>&amp;Yeni ziyaretçi</translation>
     </message>
     <message>
-        <source>&amp;Open event…</source>
-        <translation>&amp;Etkinlik aç…</translation>
+        <source>&amp;Open…</source>
+        <translation>&amp;Aç…</translation>
     </message>
     <message>
         <source>Visitors of this event</source>
