@@ -1,11 +1,11 @@
 """A point dragged after cloning moves the shown body at once; the refit itself is the real one, on a known person."""
 
 import itertools
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from cloner.booth.opened import Cloned
 from cloner.evaluate.baselines import generic_clone
 from cloner.frames import BODY_VIEWS, ViewId
 from cloner.generic.load import load_generic
@@ -35,7 +35,7 @@ def cloned(window, jobs, qtbot):
         "photos": photos, "body_points": points, "face_points": PointSet({}), "silhouettes": outlines,
         "joined": person, "obeyed": person, "clone": generic_clone(load_generic(), 1.72),
     }  # fmt: skip
-    session._take_clone(SimpleNamespace(folder=session.folder / "clones" / "anna", values=values, warnings=()))
+    session._take_clone(Cloned(session.folder / "clones" / "anna", values))
     window.show_page(window.points)
     qtbot.waitUntil(lambda: window.points.views[VIEW].isVisible())
     session.points_changed.emit()

@@ -10,6 +10,7 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap
 from cloner.frames import ViewId
 
 #: Which way a figure that is seen from the side looks: the quarter turn to the left shows the right side.
+_UPRIGHT: Final = 0.56  # width over height of a picture that a figure fits
 _NOSE: Final = ((0.065, 0.055), (0.085, 0.075), (0.062, 0.085))
 
 
@@ -19,9 +20,9 @@ def pose_picture(view: ViewId, size: QSize, ink: QColor, paper: QColor) -> QPixm
     picture.fill(Qt.GlobalColor.transparent)
     painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    room = QRectF(0, 0, size.width(), size.height())
-    if view.is_face:
-        room = room.adjusted(0.05 * room.width(), 0, -0.05 * room.width(), 0)
+    high = min(float(size.height()), size.width() / _UPRIGHT)
+    room = QRectF(0, 0, _UPRIGHT * high, high)  # all of the figure is seen, however narrow the card
+    room.moveCenter(QRectF(0, 0, size.width(), size.height()).center())
     painter.setPen(QPen(ink, max(size.height() / 90.0, 1.5)))
     painter.setBrush(paper)
     painter.drawPath(pose_outline(view, room))
