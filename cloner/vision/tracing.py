@@ -156,6 +156,8 @@ def _candidates(loop: MaskLoop, band: Band, piece: _Piece) -> tuple[Candidates, 
             mean_distances=(far[first + count] - far[first]) / np.maximum(count, 1),
             counts=count.astype(np.float64),
             tail=tail,
+            places=((middle[members] - piece.start) % size).astype(np.float64),
+            length=float(piece.length),
         ),
         members,
     )
