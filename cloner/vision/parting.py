@@ -1,4 +1,4 @@
-"""Does an edge part the person from the room?  Log odds from the colours on its two sides, the edge itself, and the mask.
+"""Does an edge part the person from the room?  Log odds from the colours on its two sides, the edge and the mask.
 
 Colours are learned deep inside the mask and well outside it, so that a mask that is wrong by a fiftieth of the figure
 teaches nothing wrong.  The weights are a logistic regression on the edges of people of the kit.
@@ -43,12 +43,12 @@ BETWEEN: Final = (0.15, 0.35, 0.6, 0.85)
 NOTHING_BETWEEN_PX: Final = 4.0
 #: Distance from the contour at which the mask begins to speak against an edge, figure heights.
 DOUBT: Final = 0.001
-#: Log odds of: a constant, log contrast in units of the hysteresis's lower threshold, its log ratio to that beside the edge
-#: (shadows are soft), likeness to the person of the
-#: inner and of the outer side, likeness of what lies between edge and contour (positive where the edge moves the contour
-#: the way these colours want it), log(1 + distance from the contour / DOUBT), cosine of the edge's angle to the contour.
-#: ``generic_models/build/train_edges.py``.
-WEIGHTS: Final = (-4.38, 0.14, 2.24, 0.89, -1.25, 0.68, -1.09, 1.81)
+#: Log odds of: a constant; log ratio of the edge's contrast to that beside it (shadows are soft); likeness of the outer
+#: side to the person; the lesser of the inner side's likeness and the outer one's opposite; likeness of what lies between
+#: edge and contour (positive where these colours want the contour at the edge); log(1 + distance from the contour /
+#: ``DOUBT``); cosine of the edge's angle to the contour.  Taught by ``generic_models/build/train_edges.py``.
+BETWEEN_COLUMN: Final = 4
+WEIGHTS: Final = (-2.9, 2.22, -0.78, 1.25, 0.51, -0.94, 1.56)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -72,7 +72,7 @@ class EdgePoints:
 def likeness_map(
     rgb: NDArray[np.uint8], mask: Image, room: Image | None, *, height_px: float, reach_px: float
 ) -> Image:
-    """Return per pixel how much likelier its colour is on the person than in the room, in the vicinity of the mask's rim.
+    """Return per pixel how much likelier its colour is on the person than in the room, near the mask's rim.
 
     Parameters
     ----------
@@ -114,7 +114,7 @@ def likeness_map(
 def edge_features(
     likeness: Image, magnitude: Image, edges: EdgePoints, contour_px: Floats, towards: Floats, doubt_px: float
 ) -> Floats:
-    """Return the (P, 8) features of edge points that ``WEIGHTS`` weigh.
+    """Return the (P, 7) features of edge points that ``WEIGHTS`` weigh.
 
     Parameters
     ----------
@@ -138,12 +138,22 @@ def edge_features(
     return np.column_stack(
         [
             np.ones(len(points)),
-            np.log(np.maximum(edges.contrast, 1e-3)),
             np.log(edges.contrast + 1.0) - np.log(beside / 2.0 + 1.0),
-            inner,
             outer,
+            np.minimum(inner, -outer),
             between * outside * np.minimum(distance / NOTHING_BETWEEN_PX, 1.0),
             np.log1p(distance / doubt_px),
             np.abs((inward * towards).sum(axis=1)),
         ]
     )
+
+
+def outline_odds(features: Floats) -> Floats:
+    """Return log odds (S,) that edges are the outline's, from the mean features (S, 7) of each.
+
+    Notes
+    -----
+    Colours between edge and contour that speak against the edge count once more than the regression says: most edges
+    that taught it lie at the contour and have nothing between.
+    """
+    return np.asarray(features @ np.array(WEIGHTS) + np.minimum(features[:, BETWEEN_COLUMN], 0.0))

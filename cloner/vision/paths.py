@@ -25,8 +25,7 @@ Ints = NDArray[np.intp]
 
 #: Weights w1, w2, w3 of G^P, as printed.
 PATH_WEIGHTS = (0.2, 0.2, 0.8)
-#: Added to G^P's denominator, px.
-DOUBT_PX = 20.0
+#: A bridge is at least so long as that share of what it skips of L: fingers and bays are not cut short.
 SKIP = 0.5
 #: Links kept from either end of a segment.
 MOST_LINKS = 6
@@ -56,6 +55,8 @@ class Candidates:
         Where along L the middle of each lies, px.
     length : float
         Length of L, px.
+    doubt_px : float
+        How little L is known, px: added to the denominator of G^P.
     """
 
     starts: Floats
@@ -69,6 +70,7 @@ class Candidates:
     tail: Floats
     places: Floats
     length: float
+    doubt_px: float
 
     @property
     def reach(self) -> Floats:
@@ -123,6 +125,7 @@ def path_goodness(
     alpha1: Floats,
     alpha2: Floats,
     *,
+    doubt_px: float,
     weights: tuple[float, float, float] = PATH_WEIGHTS,
 ) -> float:
     """Return G^P(P), the goodness of a path of N segments with N - 1 joints.
@@ -148,7 +151,8 @@ def path_goodness(
 
     Notes
     -----
-    Departure: ``DOUBT_PX`` is added to the denominator, which a perfect path leaves at zero.
+    Departure: ``doubt_px`` is added to the denominator, which a perfect path leaves at zero: with little of it the
+    smoothest path nearest to L wins, however weak its edges.
 
     References
     ----------
@@ -156,7 +160,7 @@ def path_goodness(
     """
     w1, w2, w3 = weights
     cost = w1 * dt1_px + w2 * dt2_px + w3 * float(joint_cost(d_px, alpha1, alpha2).sum())
-    return float(np.sum(magnitudes)) / (cost + DOUBT_PX)
+    return float(np.sum(magnitudes)) / (cost + doubt_px)
 
 
 def links_of(near: Candidates, *, longest_bridge_px: float, smoothness_rad: float = SMOOTHNESS_RAD) -> Links:
@@ -186,20 +190,23 @@ def links_of(near: Candidates, *, longest_bridge_px: float, smoothness_rad: floa
     """
     vectors = near.ends - near.starts
     later = near.places[None] - near.places[:, None]
-    first, second = np.nonzero((later > 0.0) & (later <= 2.0 * longest_bridge_px + near.reach[:, None] + near.reach[None]))
+    first, second = np.nonzero(
+        (later > 0.0) & (later <= 2.0 * longest_bridge_px + near.reach[:, None] + near.reach[None])
+    )
     gap = near.starts[second] - near.ends[first]
     close = np.linalg.norm(gap, axis=1) <= longest_bridge_px
     first, second, gap = first[close], second[close], gap[close]
     alpha1, alpha2, d1 = bridge(vectors[first], vectors[second], gap)
     allowed = is_admissible(vectors[first], vectors[second], alpha1, alpha2, smoothness_rad=smoothness_rad)
-    first, second, alpha1, alpha2, d1 = (each[allowed] for each in (first, second, alpha1, alpha2, d1))
+    first, second = first[allowed], second[allowed]
+    alpha1, alpha2, d1 = alpha1[allowed], alpha2[allowed], d1[allowed]
     forward = link_goodness(alpha1, alpha2, d1, near.end_distances[second], near.magnitudes[second])
     # Seen from S2 backwards the same joint has S1 as its newcomer: D2 and M2 are S1's.
     backward = link_goodness(alpha1, alpha2, d1, near.start_distances[first], near.magnitudes[first])
     kept = (_rank(first, forward) < MOST_LINKS) | (_rank(second, backward) < MOST_LINKS)
-    first, second, alpha1, alpha2, d1 = (each[kept] for each in (first, second, alpha1, alpha2, d1))
+    first, second, d1 = first[kept], second[kept], d1[kept]
     skipped = later[first, second] - near.reach[first] - near.reach[second]
-    return Links(first, second, joint_cost(np.maximum(d1, SKIP * skipped), alpha1, alpha2))
+    return Links(first, second, joint_cost(np.maximum(d1, SKIP * skipped), alpha1[kept], alpha2[kept]))
 
 
 def _rank(groups: Ints, values: Floats) -> Ints:
@@ -220,7 +227,7 @@ def score_path(members: Ints, near: Candidates) -> float:
     ends = np.stack([near.starts[members[0]], near.ends[members[-1]]])
     dt1 = float(np.linalg.norm(ends - near.tail, axis=1).sum())
     dt2 = float((near.mean_distances[members] * near.counts[members]).sum() / near.length)
-    return path_goodness(near.totals[members], dt1, dt2, d, alpha1, alpha2)
+    return path_goodness(near.totals[members], dt1, dt2, d, alpha1, alpha2, doubt_px=near.doubt_px)
 
 
 def best_path(near: Candidates, *, longest_bridge_px: float, smoothness_rad: float = SMOOTHNESS_RAD) -> Path | None:
@@ -272,7 +279,9 @@ def _dearest(near: Candidates, links: Links, price: float) -> Ints:
     value, before = opening + own, np.full(len(own), -1)
     # Plain lists: one pass over a few hundred links is faster than NumPy's calls.
     reached, gain, back = value.tolist(), own.tolist(), before.tolist()
-    rows = zip(links.first[order].tolist(), links.second[order].tolist(), (w3 * links.cost[order]).tolist(), strict=True)
+    rows = zip(
+        links.first[order].tolist(), links.second[order].tolist(), (w3 * links.cost[order]).tolist(), strict=True
+    )
     for i, j, cost in rows:
         through = reached[i] - cost + gain[j]
         if through > reached[j]:

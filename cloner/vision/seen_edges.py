@@ -13,6 +13,7 @@ from cloner.vision.parting import likeness_map
 Floats = NDArray[np.float64]
 Image = NDArray[np.float32]
 
+
 @dataclass(frozen=True, slots=True, eq=False)
 class SeenEdges:
     """The edges of one part of a photo.

@@ -1,6 +1,6 @@
 """What other photos of a camera that stood still show of the room behind the person.
 
-In a booth the camera stands on a tripod and the person turns, so one photo shows the wall that the person hides in another.
+In a booth the camera stands on a tripod and the person turns: one photo shows the wall that the person hides in another.
 A pixel that looks the same in a photo where nobody stands there is the room's, whatever its colour.
 """
 
@@ -31,8 +31,8 @@ PERSON_LEVELS: Final = 40.0
 LEAST_NOISE: Final = 1.5
 #: The largest of three channels' differences is spread so many times its median (half-normal distributions).
 SPREAD: Final = 1.0
-#: Pixels of a neighbourhood that decide together, and how many of them count as independent: a white shirt before a white
-#: wall has folds somewhere, so a neighbourhood that differs by no more than noise shows the wall.
+#: Pixels of a neighbourhood that decide together, and how many of them count as independent: a white shirt before a
+#: white wall has folds somewhere, so a neighbourhood that differs by no more than noise shows the wall.
 NEIGHBOURS: Final = 5
 INDEPENDENT: Final = 3.0
 #: Log odds a comparison may claim: the room's, and the person's, whose shadow changes the room as well.

@@ -1,8 +1,9 @@
 """Teach which edges part a person from the room: ``python generic_models/build/train_edges.py PEOPLE``.
 
-PEOPLE holds people of the kit with labels, none of whom may judge afterwards.  Prints ``cloner.vision.parting.WEIGHTS``: a
-logistic regression on the edge segments near the outline of each photo's mask, once as the nets gave it and once with that
-mask disturbed by up to a fiftieth of the figure, so that the mask is not believed more than it deserves.
+PEOPLE holds people of the kit with labels, none of whom may judge afterwards.  Prints
+``cloner.vision.parting.WEIGHTS``: a logistic regression on the edge segments near the outline of each photo's mask, once
+as the nets gave it and once disturbed by up to a fiftieth of the figure, so that no mask is believed more than it
+deserves.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from cloner.vision.outlines import smoothed
 from cloner.vision.seen_edges import see_edges
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "benchmarks"))
-from linking_masks import DISTURBED, disturb  # noqa: E402
+from linking_masks import DISTURBED, disturb
 
 #: An edge this near to the true outline, and this parallel to it, is the outline's, px and cosine.
 NEAR_PX, PARALLEL = 1.5, 0.5
@@ -36,8 +37,10 @@ TURNS = 15
 Floats = NDArray[np.float64]
 
 
-def rows_of(rgb: NDArray[np.uint8], mask: NDArray[np.float32], truth: NDArray[np.bool_]) -> tuple[Floats, Floats, Floats]:
-    """Return features (S, 8), share of each segment on the true outline (S,) and its number of points (S,)."""
+def rows_of(
+    rgb: NDArray[np.uint8], mask: NDArray[np.float32], truth: NDArray[np.bool_]
+) -> tuple[Floats, Floats, Floats]:
+    """Return features (S, 7), share of each segment on the true outline (S,) and its number of points (S,)."""
     params, height = LinkParams(), figure_height(mask)
     soft = smoothed(mask, height, params)
     loops = mask_loops(soft, height_px=height)
