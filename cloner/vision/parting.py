@@ -44,9 +44,9 @@ NOTHING_BETWEEN_PX: Final = 4.0
 #: Distance from the contour at which the mask begins to speak against an edge, figure heights.
 DOUBT: Final = 0.001
 #: Log odds of: a constant; log ratio of the edge's contrast to that beside it (shadows are soft); likeness of the outer
-#: side to the person; the lesser of the inner side's likeness and the outer one's opposite; likeness of what lies between
-#: edge and contour (positive where these colours want the contour at the edge); log(1 + distance from the contour /
-#: ``DOUBT``); cosine of the edge's angle to the contour.  Taught by ``generic_models/build/train_edges.py``.
+#: side to the person; the lesser of the inner side's likeness and the outer one's opposite; likeness of what lies
+#: between edge and contour (positive where these colours want the contour at the edge); log(1 + distance from the
+#: contour / ``DOUBT``); cosine of the edge's angle to the contour.  Taught by ``generic_models/build/train_edges.py``.
 BETWEEN_COLUMN: Final = 4
 WEIGHTS: Final = (-2.9, 2.22, -0.78, 1.25, 0.51, -0.94, 1.56)
 

@@ -1,6 +1,6 @@
 """What other photos of a camera that stood still show of the room behind the person.
 
-In a booth the camera stands on a tripod and the person turns: one photo shows the wall that the person hides in another.
+In a booth the camera stands on a tripod and the person turns: one photo shows the wall that another one hides.
 A pixel that looks the same in a photo where nobody stands there is the room's, whatever its colour.
 """
 

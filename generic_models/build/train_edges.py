@@ -1,8 +1,8 @@
 """Teach which edges part a person from the room: ``python generic_models/build/train_edges.py PEOPLE``.
 
 PEOPLE holds people of the kit with labels, none of whom may judge afterwards.  Prints
-``cloner.vision.parting.WEIGHTS``: a logistic regression on the edge segments near the outline of each photo's mask, once
-as the nets gave it and once disturbed by up to a fiftieth of the figure, so that no mask is believed more than it
+``cloner.vision.parting.WEIGHTS``: a logistic regression on the edge segments near the outline of each photo's mask,
+once as the nets gave it and once disturbed by up to a fiftieth of the figure, so that no mask is believed more than it
 deserves.
 """
 
