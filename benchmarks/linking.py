@@ -65,7 +65,7 @@ class Shot:
     rgb: NDArray[np.uint8]
     mask: NDArray[np.float32]
     points_px: Array
-    names: tuple[str, ...]
+    named_px: Array
     room: NDArray[np.float32] | None
     truth: Mask
 
@@ -80,10 +80,13 @@ def shots(who: str, folder: Path, truth_of: Callable[[str], Mask]) -> Iterator[S
     assert isinstance(proposals, Proposals)
     assert isinstance(points, PointSet)
     for view, proposal in proposals.views.items():
-        names, places, _ = outline_points(for_fitting(points.views[view]))
+        given = points.views[view]
+        _, places, _ = outline_points(for_fitting(given))
+        # all but joints; soles, toes and heels lie on the outline too, and are no bounds of the product's segments
+        named = given.points_px[[not name.startswith(("l_", "r_")) for name in given.names]]
         room = behind(photos, proposals, view)
         rgb, mask = photos.photos[view].rgb, probability(proposal)
-        yield Shot(who, view, rgb, mask, places, names, room, truth_of(view.value))
+        yield Shot(who, view, rgb, mask, places, named, room, truth_of(view.value))
 
 
 def sample_shots() -> Iterator[Shot]:
@@ -201,7 +204,7 @@ def without_nets(seen: list[Shot], rng: np.random.Generator) -> list[str]:
     out = ["| photo | points | their polygon, IoU | outline, IoU | error |", "| --- | --- | --- | --- | --- |"]
     for shot in seen:
         contour = max(true_contours(shot.truth), key=len)
-        away, at = cKDTree(contour).query(shot.points_px)
+        away, at = cKDTree(contour).query(shot.named_px)
         at = np.unique(at[away < 0.03 * figure_height(shot.mask)])
         points = contour[at] + rng.normal(0.0, CLICK_PX, (len(at), 2))
         outline = outline_from_points(shot.rgb, points)
