@@ -196,7 +196,8 @@ def test_without_any_face_it_gives_the_generic_head_and_says_so():
     generic = load_generic()
     result = fit(PhotoSet({}), Proposals({}), PointSet({}))
     start = generic.shape(np.zeros(1), STATURE_M)[0][generic.head_vertices]
-    away = np.linalg.norm(result.values["head"].vertices_m - start, axis=1)
+    skin = generic.vertex_part[generic.head_vertices] == generic.part_names.index("body")  # the tongue is laid anew
+    away = np.linalg.norm(result.values["head"].vertices_m - start, axis=1)[skin]
     # half way to the canonical face, nothing of a person's own
     assert np.median(away) < 0.0025
     assert away.max() < 0.008
