@@ -55,7 +55,9 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
 def _file(clone: Clone, motion: Motion) -> Any:
     bones = hanim_bones()
     gltf = pygltflib.GLTF2(
-        asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}", copyright=CREDITS), scene=0
+        asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}", copyright=CREDITS),
+        scene=0,
+        extras={"stamp": clone.stamp},
     )
     buffer = GltfBuffer(gltf, np.zeros((2, 3)))
     add_skeleton(gltf, buffer, clone, bones)
