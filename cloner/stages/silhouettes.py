@@ -19,7 +19,6 @@ from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.points import FAR, figure_height_px, for_fitting, shows_crotch
 from cloner.vision.loose_outline import find_loose
 from cloner.vision.outlines import Outline, OutlineLoop, extract_outline
-from cloner.vision.still_room import still_room
 
 #: Named points that lie on the outline and so bound feature segments.
 ON_OUTLINE = (
@@ -53,26 +52,7 @@ def _segment_names(loop: OutlineLoop, number: int, names: tuple[str, ...]) -> li
     return [f"{labels[k]} - {labels[(k + 1) % len(labels)]}" for k in range(len(labels))]
 
 
-def behind(photos: PhotoSet, proposals: Proposals, view: ViewId) -> NDArray[np.float32] | None:
-    """Return what the other body photos show of the room behind a body photo, as ``still_room``; None where nothing."""
-    if not view.is_body:
-        return None
-    others = [
-        (photos.photos[other].rgb, probability(proposal))
-        for other, proposal in proposals.views.items()
-        if other.is_body and other is not view
-    ]
-    return still_room(photos.photos[view].rgb, probability(proposals.views[view]), others)
-
-
-def probability(proposal: Proposal) -> NDArray[np.float32]:
-    """Return (H, W) the person's probability 0..1 in a photo."""
-    return proposal.mask.astype(np.float32) / np.float32(255.0)
-
-
-def silhouette(
-    photo: Photo, proposal: Proposal, points: ViewPoints | None, room: NDArray[np.float32] | None = None
-) -> Silhouette:
+def silhouette(photo: Photo, proposal: Proposal, points: ViewPoints | None) -> Silhouette:
     """Return one photo's outline, as the fit takes it.
 
     It is traced by the proposed points. Only where an operator's point lies so far off that the outline must have
@@ -84,8 +64,8 @@ def silhouette(
         If no outline can be drawn around the person.
     """
     names, positions, fixed = outline_points(None if points is None else for_fitting(points))
-    mask = probability(proposal)
-    outline: Outline = extract_outline(photo.rgb, mask, positions, fixed=fixed, room=room)
+    mask = proposal.mask.astype(np.float32) / np.float32(255.0)
+    outline: Outline = extract_outline(photo.rgb, mask, positions, fixed=fixed)
     if not outline.loops:
         raise ClonerError(
             "the person's outline was not found", "Retake the photo before a plain background", photo.name
@@ -93,7 +73,7 @@ def silhouette(
     astray = astray_points([loop.polygon for loop in outline.loops], points)
     if points is not None and astray:
         names, positions, fixed = outline_points(for_fitting(points, astray))
-        outline = extract_outline(photo.rgb, mask, positions, fixed=fixed, room=room)
+        outline = extract_outline(photo.rgb, mask, positions, fixed=fixed)
     sources: list[tuple[str, str, float]] = []
     for number, loop in enumerate(outline.loops, start=1):
         labels = _segment_names(loop, number, names)
@@ -115,8 +95,7 @@ def run(
     residuals = []
 
     def outlined(view: ViewId) -> Silhouette:
-        room = behind(photos, proposals, view)
-        return silhouette(photos.photos[view], proposals.views[view], body_points.views.get(view), room)
+        return silhouette(photos.photos[view], proposals.views[view], body_points.views.get(view))
 
     for view, found in zip(proposals.views, abreast(outlined, proposals.views), strict=True):
         views[view] = found

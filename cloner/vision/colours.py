@@ -72,7 +72,7 @@ def make_palette(lab: Picture, where: Bools) -> Palette:
 
 
 def colour_ratio(
-    palette: Palette, person: Bools, behind: Bools, wanted: Bools, *, window_px: float, unseen: float = 0.0
+    palette: Palette, person: Bools, behind: Bools, wanted: Bools, *, window_px: float
 ) -> tuple[Floats, Floats]:
     """Return log ratios of colours, person against background, in the whole photo and in windows.
 
@@ -84,8 +84,6 @@ def colour_ratio(
     wanted : (H, W) bool
     window_px : float
         Sigma of the windows, px.
-    unseen : float
-        Share added to every colour's on both sides: a colour that is rarer on both tells nothing.
 
     Returns
     -------
@@ -94,7 +92,7 @@ def colour_ratio(
     """
     cell = max(int(window_px / CELLS_PER_SIGMA), 1)
     ratio_wide, ratio_near = (
-        np.clip(_log_sum(a, unseen) - _log_sum(b, unseen), -LIMIT, LIMIT)
+        np.clip(a - b, -LIMIT, LIMIT)
         for a, b in zip(
             _log_shares(palette, person, cell, window_px / cell),
             _log_shares(palette, behind, cell, window_px / cell),
@@ -104,11 +102,6 @@ def colour_ratio(
     rows, columns = np.nonzero(wanted)
     colour = palette.of_pixel[rows, columns]
     return ratio_wide[colour], _between(ratio_near, colour, (rows + 0.5) / cell - 0.5, (columns + 0.5) / cell - 0.5)
-
-
-def _log_sum(log_shares: Floats, added: float) -> Floats:
-    """Return the logarithms of shares and something added."""
-    return np.logaddexp(log_shares, np.float32(np.log(added))) if added > 0.0 else log_shares
 
 
 def _log_shares(palette: Palette, sure: Bools, cell: int, sigma: float) -> tuple[Floats, Floats]:

@@ -26,7 +26,6 @@ from cloner.vision.loops import (
     place_feature_points,
 )
 from cloner.vision.seen_edges import see_edges
-from cloner.vision.still_room import without_room
 from cloner.vision.tracing import trace_loop
 
 Floats = NDArray[np.float64]
@@ -100,7 +99,6 @@ def extract_outline(
     feature_points_px: Floats | None = None,
     *,
     fixed: Bools | None = None,
-    room: NDArray[np.float32] | None = None,
     params: LinkParams | None = None,
 ) -> Outline:
     """Trace a person's outline along image edges, near the contour of a rough mask.
@@ -118,8 +116,6 @@ def extract_outline(
     fixed : ndarray, shape (N,), bool, optional
         Which of them an operator placed: the outline passes through these exactly.  None by
         default.
-    room : ndarray, shape (H, W), float32, optional
-        Log odds of the person by comparison with other photos, of ``still_room``.
     params : LinkParams, optional
         Lengths in figure heights, and weights.
 
@@ -136,7 +132,7 @@ def extract_outline(
     """
     settings = params or LinkParams()
     height = figure_height(mask)
-    mask = smoothed(without_room(mask, room), height, settings)
+    mask = smoothed(mask, height, settings)
     loops = mask_loops(mask, height_px=height)
     if not loops:
         return Outline((), np.zeros(mask.shape, dtype=bool), height)
@@ -144,16 +140,8 @@ def extract_outline(
     given = _given_to_loops(loops, points, np.zeros(len(points), dtype=bool) if fixed is None else fixed)
     loops = [_bent(loop, own, height) for loop, own in zip(loops, given, strict=True)]
     everywhere = np.concatenate([loop.points for loop in loops])
-    seen = see_edges(
-        rgb,
-        mask,
-        everywhere,
-        height_px=height,
-        reach_px=settings.band * height,
-        margin_px=max(settings.margin * height, 8.0),
-        room=room,
-    )
-    bands = gather_band(seen, loops, height_px=height, params=settings)
+    seen = see_edges(rgb, everywhere, margin_px=max(settings.margin * height, 8.0))
+    bands = gather_band(seen, mask, loops, height_px=height, params=settings)
     traced = [_trace(*its, height, settings) for its in zip(loops, bands, given, strict=True)]
     filled = fill_polygons([t.polygon for t in traced], [t.is_hole for t in traced], mask.shape)
     return Outline(tuple(traced), filled, height)

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.vision.edges import EdgeMap, detect_edges
-from cloner.vision.parting import likeness_map
 
 Floats = NDArray[np.float64]
 Image = NDArray[np.float32]
+
+#: Blur of the colours that are compared across edges, px.
+COLOUR_BLUR_PX = 1.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -24,13 +27,13 @@ class SeenEdges:
         The photo's pixel at the part's first one.
     edge_map : EdgeMap
         Of that part.
-    likeness : ndarray, shape (h, w), float32
-        Log ratio of its colours, person against room.
+    smooth : ndarray, shape (h, w, 3), float32
+        Its colours, blurred a little.
     """
 
     top_left: Floats
     edge_map: EdgeMap
-    likeness: Image
+    smooth: Image
 
     @property
     def window(self) -> tuple[slice, slice]:
@@ -44,38 +47,22 @@ class SeenEdges:
         own = self.edge_map
         corner, at = _window(points_px - self.top_left, own.edges.shape, margin_px=margin_px)
         cut = EdgeMap(own.edges[at], own.gradient[at], own.magnitude[at], own.low, own.high)
-        return SeenEdges(self.top_left + corner, cut, self.likeness[at])
+        return SeenEdges(self.top_left + corner, cut, self.smooth[at])
 
 
-def see_edges(
-    rgb: NDArray[np.uint8],
-    mask: Image,
-    points_px: Floats,
-    *,
-    height_px: float,
-    reach_px: float,
-    margin_px: float,
-    room: Image | None = None,
-) -> SeenEdges:
-    """Find the edges of the part of a photo that holds all points, and tell its colours apart.
+def see_edges(rgb: NDArray[np.uint8], points_px: Floats, *, margin_px: float) -> SeenEdges:
+    """Find the edges of the part of a photo that holds all points.
 
     Parameters
     ----------
     rgb : ndarray, shape (H, W, 3), uint8
-    mask : ndarray, shape (H, W), float32
-        Person probability 0..1.
     points_px : ndarray, shape (N, 2), float64
-    height_px, reach_px : float
-        Figure height, and how far the mask's contour may be wrong.
     margin_px : float
         How far beyond the points the part reaches.
-    room : ndarray, shape (H, W), float32, optional
-        Of ``still_room``.
     """
     top_left, window = _window(points_px, rgb.shape, margin_px=margin_px)
-    behind = None if room is None else room[window]
-    likeness = likeness_map(rgb[window], mask[window], behind, height_px=height_px, reach_px=reach_px)
-    return SeenEdges(top_left, detect_edges(rgb[window]), likeness)
+    smooth = cv2.GaussianBlur(rgb[window], (0, 0), COLOUR_BLUR_PX).astype(np.float32)
+    return SeenEdges(top_left, detect_edges(rgb[window]), smooth)
 
 
 def _window(points_px: Floats, shape: tuple[int, ...], *, margin_px: float) -> tuple[Floats, tuple[slice, slice]]:

@@ -39,12 +39,14 @@ class Linkable:
 
     Attributes
     ----------
+    mask : (H, W) float32, smoothed
     loops : tuple of MaskLoop
         The mask's contours.
     seen : SeenEdges
     height_px : float
     """
 
+    mask: NDArray[np.float32]
     loops: tuple[MaskLoop, ...]
     seen: SeenEdges
     height_px: float
@@ -57,15 +59,8 @@ def make_linkable(rgb: NDArray[np.uint8], mask: NDArray[np.float32]) -> Linkable
     loops = mask_loops(smooth, height_px=height)
     if not loops:
         return None
-    seen = see_edges(
-        rgb,
-        smooth,
-        np.concatenate([loop.points for loop in loops]),
-        height_px=height,
-        reach_px=LinkParams().band * height,
-        margin_px=READY * height,
-    )
-    return Linkable(tuple(loops), seen, height)
+    seen = see_edges(rgb, np.concatenate([loop.points for loop in loops]), margin_px=READY * height)
+    return Linkable(smooth, tuple(loops), seen, height)
 
 
 def link_stretch(
@@ -102,7 +97,7 @@ def _linked(ready: Linkable, loop: MaskLoop, fixed_px: Floats, moved_px: Floats)
     rows = np.arange(centre - half, centre + half + 1) % size
     piece = MaskLoop(bent.points[rows], bent.tangents[rows], bent.inward[rows], loop.is_hole)
     seen = ready.seen.around(piece.points, margin_px=params.margin * ready.height_px)
-    (band,) = gather_band(seen, [piece], height_px=ready.height_px, params=params)
+    (band,) = gather_band(seen, ready.mask, [piece], height_px=ready.height_px, params=params)
     places = np.unique(np.asarray(beside[own] + half, dtype=np.intp))
     band = keep_in_cones(band, places, contour_points=len(rows))
     indices = np.unique(np.concatenate([[0], places, [len(rows) - 1]]))

@@ -101,13 +101,16 @@ def _search(
     Returns per path the positions along the piece (increasing) and the band's point indices,
     in order along the piece, and the best goodness.
     """
-    near, members = _candidates(loop, band, piece, params.doubt * height_px)
+    near, members = _candidates(loop, band, piece)
     path = best_path(near, longest_bridge_px=params.bridge * height_px)
     if path is None:
         return [], 0.0
     if path.goodness < params.least_goodness:
         return [], path.goodness
-    at, chosen = _positions(loop, band, piece, members[path.members])
+    chain = _trimmed(members[path.members], band.along, params.end_along)
+    if len(chain) == 0:
+        return [], path.goodness
+    at, chosen = _positions(loop, band, piece, chain)
     if len(at) < 2:
         return [], path.goodness
     found = [(at, chosen)]
@@ -125,7 +128,13 @@ def _search(
     return found, path.goodness
 
 
-def _candidates(loop: MaskLoop, band: Band, piece: _Piece, doubt_px: float) -> tuple[Candidates, Ints]:
+def _trimmed(chain: Ints, along: Floats, least: float) -> Ints:
+    """Drop the first and last segments of a chain while they turn away from the contour."""
+    good = np.flatnonzero(along[chain] >= least)
+    return chain[good[0] : good[-1] + 1] if len(good) else chain[:0]
+
+
+def _candidates(loop: MaskLoop, band: Band, piece: _Piece) -> tuple[Candidates, Ints]:
     """Return the band's segments whose middle lies along a piece, and which ones they are."""
     size = len(loop.points)
     middle = band.nearest[band.first + band.count // 2]
@@ -147,9 +156,6 @@ def _candidates(loop: MaskLoop, band: Band, piece: _Piece, doubt_px: float) -> t
             mean_distances=(far[first + count] - far[first]) / np.maximum(count, 1),
             counts=count.astype(np.float64),
             tail=tail,
-            places=((middle[members] - piece.start) % size).astype(np.float64),
-            length=float(piece.length),
-            doubt_px=doubt_px,
         ),
         members,
     )

@@ -48,15 +48,13 @@ def test_path_goodness_never_rises_when_a_kink_is_added(
 ) -> None:
     d, a1, a2 = (np.array(column) for column in zip(*rows, strict=True))
     magnitudes = np.full(len(rows) + 1, 2.0)
-    before = path_goodness(magnitudes, dt1, dt2, d, a1, a2, doubt_px=2.0)
+    before = path_goodness(magnitudes, dt1, dt2, d, a1, a2)
     at = data.draw(st.integers(0, len(rows) - 1))
     kink = data.draw(st.floats(0.0, np.pi))
     bent = a1.copy()
     bent[at] = min(bent[at] + kink, np.pi)
-    assert path_goodness(magnitudes, dt1, dt2, d, bent, a2, doubt_px=2.0) <= before + SLACK
-    assert path_goodness(magnitudes, dt1, dt2, d, a2, bent, doubt_px=2.0) <= (
-        path_goodness(magnitudes, dt1, dt2, d, a2, a1, doubt_px=2.0) + SLACK
-    )
+    assert path_goodness(magnitudes, dt1, dt2, d, bent, a2) <= before + SLACK
+    assert path_goodness(magnitudes, dt1, dt2, d, a2, bent) <= (path_goodness(magnitudes, dt1, dt2, d, a2, a1) + SLACK)
 
 
 @given(joints, length, length, more)
@@ -65,11 +63,11 @@ def test_path_goodness_grows_with_strength_and_falls_with_distance(
 ) -> None:
     d, a1, a2 = (np.array(column) for column in zip(*rows, strict=True))
     magnitudes = np.full(len(rows) + 1, 2.0)
-    here = path_goodness(magnitudes, dt1, dt2, d, a1, a2, doubt_px=2.0)
-    assert path_goodness(magnitudes + extra, dt1, dt2, d, a1, a2, doubt_px=2.0) >= here - SLACK
-    assert path_goodness(magnitudes, dt1 + extra, dt2, d, a1, a2, doubt_px=2.0) <= here + SLACK
-    assert path_goodness(magnitudes, dt1, dt2 + extra, d, a1, a2, doubt_px=2.0) <= here + SLACK
-    assert path_goodness(magnitudes, dt1, dt2, d + extra, a1, a2, doubt_px=2.0) <= here + SLACK
+    here = path_goodness(magnitudes, dt1, dt2, d, a1, a2)
+    assert path_goodness(magnitudes + extra, dt1, dt2, d, a1, a2) >= here - SLACK
+    assert path_goodness(magnitudes, dt1 + extra, dt2, d, a1, a2) <= here + SLACK
+    assert path_goodness(magnitudes, dt1, dt2 + extra, d, a1, a2) <= here + SLACK
+    assert path_goodness(magnitudes, dt1, dt2, d + extra, a1, a2) <= here + SLACK
 
 
 vector = st.tuples(st.floats(-20, 20), st.floats(-20, 20)).filter(lambda v: np.hypot(*v) > 0.5)

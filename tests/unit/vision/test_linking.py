@@ -15,7 +15,7 @@ from cloner.vision.linking import (
     split_curves,
     walk_curves,
 )
-from cloner.vision.paths import Candidates, best_path, links_of, path_goodness, score_path
+from cloner.vision.paths import Candidates, best_path, best_successors, grow_path, path_goodness
 
 
 def test_link_goodness_of_a_straight_link() -> None:
@@ -43,14 +43,13 @@ def test_path_goodness_of_two_joined_segments() -> None:
         np.array([3.0]),
         np.array([np.pi / 6]),
         np.array([np.pi / 2]),
-        doubt_px=4.0,
     )
-    assert value == pytest.approx(5.0 / (9.0 + 4.0))
+    assert value == pytest.approx(5.0 / 9.0)
 
 
 def test_path_goodness_of_a_perfect_path_is_finite() -> None:
     none = np.zeros(0)
-    assert path_goodness(np.array([4.0]), 0.0, 0.0, none, none, none, doubt_px=5.0) == pytest.approx(0.8)
+    assert path_goodness(np.array([4.0]), 0.0, 0.0, none, none, none) == pytest.approx(4.0 / LEAST_DISTANCE_PX)
 
 
 @pytest.mark.parametrize(
@@ -118,9 +117,6 @@ def _candidates(rows: list[tuple[float, float, float, float, float]]) -> Candida
         np.abs((starts + ends)[:, 1] / 2),
         counts,
         np.array([[0.0, 0.0], [100.0, 0.0]]),
-        (starts + ends)[:, 0] / 2,
-        100.0,
-        5.0,
     )
 
 
@@ -140,35 +136,46 @@ def test_path_does_not_turn_on_to_a_crossing_line() -> None:
     assert path.members.tolist() == [0, 1, 2, 3, 4]
 
 
-def test_a_link_never_leads_back_along_the_outline() -> None:
-    line = [(x, 0.5, x + 18.0, 0.5, 3.0) for x in (0.0, 20.0, 40.0, 60.0, 80.0)]
-    near = _candidates(line)
-    links = links_of(near, longest_bridge_px=30.0)
-    assert len(links.first) > 0
-    assert (near.places[links.second] > near.places[links.first]).all()
+def test_growth_ends_at_a_loop() -> None:
+    following, preceding = np.array([1, 2, 0]), np.array([2, 0, 1])
+    assert sorted(grow_path(0, following, preceding)) == [0, 1, 2]
 
 
 def test_no_segment_gives_no_path() -> None:
-    none = np.zeros(0)
-    empty = Candidates(
-        np.zeros((0, 2)), np.zeros((0, 2)), none, none, none, none, none, none, np.zeros((2, 2)), none, 100.0, 5.0
-    )
-    assert best_path(empty, longest_bridge_px=5.0) is None
+    empty = _candidates([(0.0, 0.0, 1.0, 0.0, 1.0)])
+    none = Candidates(
+        *(getattr(empty, f)[:0] for f in (
+            "starts", "ends", "magnitudes", "totals", "start_distances", "end_distances",
+            "mean_distances", "counts",
+        )),
+        empty.tail,
+    )  # fmt: skip
+    assert best_path(none, longest_bridge_px=5.0) is None
+    following, preceding = best_successors(none, longest_bridge_px=5.0)
+    assert len(following) == len(preceding) == 0
 
 
-def test_best_path_is_the_argmax_over_all_paths_through_the_links() -> None:
+def test_best_path_is_the_argmax_over_all_grown_paths() -> None:
     rng = np.random.default_rng(4)
     for _ in range(6):
-        x = rng.uniform(0, 80, 12)
-        y, rise = rng.uniform(-6, 6, 12), rng.uniform(-3, 3, 12)
+        x = rng.uniform(0, 80, 14)
+        y, rise = rng.uniform(-6, 6, 14), rng.uniform(-3, 3, 14)
         rows = [(a, b, a + rng.uniform(6, 18), b + c, rng.uniform(1, 4)) for a, b, c in zip(x, y, rise, strict=True)]
         near = _candidates(rows)
-        links = links_of(near, longest_bridge_px=15.0)
-        chains = [[k] for k in range(12)]
-        for chain in chains:  # grows while it is walked: every path through the links
-            chains += [[*chain, int(j)] for j in links.second[links.first == chain[-1]]]
-        scores = [score_path(np.array(chain, dtype=np.intp), near) for chain in chains]
+        following, preceding = best_successors(near, longest_bridge_px=15.0)
+        scores = {}
+        for seed in range(14):
+            chain = list(grow_path(seed, following, preceding))
+            joints = list(itertools.pairwise(chain))
+            turns = [
+                bridge(near.ends[a] - near.starts[a], near.ends[b] - near.starts[b], near.starts[b] - near.ends[a])
+                for a, b in joints
+            ]
+            alpha1, alpha2, gaps = (np.array([turn[k] for turn in turns]) for k in range(3))
+            tails = np.linalg.norm(near.starts[chain[0]]) + np.linalg.norm(near.ends[chain[-1]] - [100.0, 0.0])
+            away = np.average(near.mean_distances[chain], weights=near.counts[chain])
+            scores[tuple(chain)] = path_goodness(near.totals[chain], float(tails), float(away), gaps, alpha1, alpha2)
         best = best_path(near, longest_bridge_px=15.0)
         assert best is not None
-        assert len(chains) > 24
-        assert best.goodness == pytest.approx(max(scores))
+        assert best.goodness == pytest.approx(max(scores.values()))
+        assert scores[tuple(best.members.tolist())] == pytest.approx(best.goodness)

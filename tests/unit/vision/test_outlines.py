@@ -8,6 +8,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.vision.band import LinkParams, band_reach
 from cloner.vision.edges import detect_edges, refine_subpixel
 from cloner.vision.loops import fill_polygon, fill_polygons, mask_loops, signed_area
 from cloner.vision.outlines import Outline, extract_outline
@@ -146,6 +147,18 @@ def test_red_on_green_of_equal_brightness_is_an_edge() -> None:
     rgb[:, :30, 0] = 120
     rgb[:, 30:, 1] = 120
     assert detect_edges(rgb).edges[5:35, 28:32].any(axis=1).all()
+
+
+def test_band_is_wide_only_where_the_mask_is_in_doubt() -> None:
+    figure = fill_polygon(ellipse(), (HEIGHT, WIDTH)).astype(np.float32)
+    sure, vague = cv2.GaussianBlur(figure, (0, 0), 0.8), cv2.GaussianBlur(figure, (0, 0), 6.0)
+    mask = np.where(np.arange(HEIGHT)[:, None] < 300, sure, vague).astype(np.float32)
+    loop = mask_loops(mask, height_px=480.0)[0]
+    params = LinkParams()
+    reach = band_reach(mask, loop, height_px=480.0, params=params)
+    above, below = reach[loop.points[:, 1] < 270], reach[loop.points[:, 1] > 330]
+    assert above.max() < 3.0
+    assert below.min() > 0.8 * params.band * 480.0
 
 
 @pytest.mark.parametrize("radius", [60.3, 151.7])
