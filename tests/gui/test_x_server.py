@@ -61,4 +61,5 @@ def test_the_path_with_the_servers_own_mouse(samples, tmp_path, display, scale):
     assert told["cloned"]
     assert told["clicks_seen"], "the last page is reached by clicks alone"
     x, y = told["points"]["body_front"]["nose_tip"]
-    assert (x, y) == (pytest.approx(60.0, abs=2.0), pytest.approx(90.0, abs=2.0))
+    near = 2.0 if scale == "1" else 3.0  # on 960 x 540 points the canvas is small: a point is some 2.5 px of the photo
+    assert (x, y) == (pytest.approx(60.0, abs=near), pytest.approx(90.0, abs=near))

@@ -16,7 +16,7 @@ from kit.xmouse import Mouse
 
 def main() -> None:
     from PySide6.QtCore import QPoint
-    from PySide6.QtWidgets import QApplication
+    from PySide6.QtWidgets import QApplication, QScrollArea
 
     from cloner.frames import ViewId
     from cloner_gui.main_window import MainWindow
@@ -47,6 +47,12 @@ def main() -> None:
         settle(0.05)
 
     def click(widget, place=None):
+        above = widget.parentWidget()
+        while above is not None:  # as an operator turns the wheel
+            if isinstance(above, QScrollArea):
+                above.ensureWidgetVisible(widget)
+            above = above.parentWidget()
+        settle(0.05)
         to(widget, place or widget.rect().center())
         mouse.button(True)
         settle(0.05)
