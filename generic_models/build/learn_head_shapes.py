@@ -81,7 +81,7 @@ def scan_displacements(path: Path, count: int, skin: Skin, rest: Array, towards:
     out = []
     for seed in range(FIRST_HEAD, FIRST_HEAD + count):
         drawn = np.random.default_rng([seed, 68]).normal(size=len(family.modes_m))
-        out.append(onto(twin_vertices(family, laid, family.head(drawn))[head], mean) - rest)
+        out.append(onto(twin_vertices(laid, family.head(drawn))[head], mean) - rest)
     return np.stack(out)
 
 

@@ -9,7 +9,6 @@ some to look at. Nobody of them lives.
 from __future__ import annotations
 
 import argparse
-import functools
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -19,11 +18,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 from painted_faces_extras import spectacled
-from painted_heads import Head
 from painted_people_bodies import waves
 from painted_people_pictures import rendered
 from painted_skin import marked, packed
+from portrait_canvas import Canvas, canvas, hidden_from, scan_canvas
 from profile_shapes import random_face
+from scan_heads import laid_generic, read_family, twin_vertices
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
@@ -50,13 +50,6 @@ EAR_BENDS_M, EAR_WAVES_M = 0.0012, (0.012, 0.05)
 HIDDEN_M: Final = 0.005
 GLASSES, STUBBLE, CROPPED = 0.15, 0.35, 0.35
 _GAMMA: Final = 2.2
-_MARKS: Final = (
-    "glabella", "nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom",
-    *(f"{name}_{side}" for side in "LR" for name in (
-        "eye_inner", "eye_outer", "eye_upper", "eye_lower", "pupil", "ala", "mouth_corner",
-        "ear_top", "ear_lobe", "ear_back", "ear_outer",
-    )),
-)  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -88,90 +81,6 @@ class Portrait:
     tilt: float
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Canvas:
-    """What all portraits share.
-
-    Attributes
-    ----------
-    head : Head
-    shade : (V',) float64
-        How much of all light hollows keep off, 0..1.
-    hair_m : (V',) float64
-        How far inside the hair a place lies on the mean head, metres.
-    ears, beard : (V',) float64
-        Shares of ears, and of where stubble grows.
-    corner_m : (V',) float64
-        The way to the nearer corner of the mouth, metres.
-    lips : (V',) bool
-    rows : dict of str to int
-        The marks' vertices.
-    """
-
-    head: Head
-    shade: Array
-    hair_m: Array
-    ears: Array
-    beard: Array
-    corner_m: Array
-    lips: NDArray[np.bool_]
-    rows: dict[str, int]
-
-
-@functools.cache
-def canvas() -> Canvas:
-    """Return what all portraits share."""
-    generic = load_generic()
-    head = Head(generic, splits=1, below_m=0.14)
-    normals = vertex_normals(head.mean, head.fine)
-    shade = np.mean([hidden_from(head.mean, normals, way) for way in _sphere(90)], axis=0)
-    scalp = head.masks["scalp"] > 0.5
-    inside, _ = cKDTree(head.mean[~scalp]).query(head.mean)
-    outside, _ = cKDTree(head.mean[scalp]).query(head.mean)
-    ears = np.asarray(head.matrix @ (generic.region("ear_left") | generic.region("ear_right")).astype(np.float64))
-    place = {n: generic.vertices_m[generic.feature(n)].astype(np.float64) for n in ("subnasale", "ear_lobe_L")}
-    low = np.clip((place["subnasale"][1] - 0.004 - head.mean[:, 1]) / 0.02, 0.0, 1.0)
-    beard = low * np.clip((head.mean[:, 2] - place["ear_lobe_L"][2]) / 0.02, 0.0, 1.0)
-    beard *= (1.0 - head.masks["lips"]) * (1.0 - ears)
-    rows = {name: generic.feature(name) for name in _MARKS}
-    corners = generic.vertices_m[[rows[f"mouth_corner_{side}"] for side in "LR"]].astype(np.float64)
-    corner, _ = cKDTree(corners).query(head.mean)
-    hair = np.where(scalp, inside, -outside)
-    return Canvas(head, shade, hair, ears, beard, corner, head.masks["lips"] > 0.9, rows)
-
-
-def _sphere(count: int) -> Array:
-    """Return (count, 3) directions spread evenly over the sphere."""
-    up = 1.0 - 2.0 * (np.arange(count) + 0.5) / count
-    turn = np.pi * (1.0 + np.sqrt(5.0)) * np.arange(count)
-    flat = np.sqrt(1.0 - up**2)
-    return np.column_stack([flat * np.cos(turn), up, flat * np.sin(turn)])
-
-
-def hidden_from(vertices_m: Array, normals: Array, towards: Array, cell_m: float = 0.003) -> Array:
-    """Return (N,) 0..1 how much of a far light other parts of a surface keep from its vertices.
-
-    Parameters
-    ----------
-    vertices_m : (N, 3) float64
-    normals : (N, 3) float64
-    towards : (3,) unit direction of the light
-    cell_m : float
-        Cells of the shadow map, metres.
-    """
-    towards = towards / np.linalg.norm(towards)
-    across = np.cross(towards, [0.0, 1.0, 0.0] if abs(towards[1]) < 0.9 else [1.0, 0.0, 0.0])
-    across /= np.linalg.norm(across)
-    cells = np.floor(vertices_m @ np.stack([across, np.cross(towards, across)], axis=1) / cell_m).astype(int)
-    cells -= cells.min(axis=0) - 1
-    depth = vertices_m @ towards
-    nearest = np.full(cells.max(axis=0) + 2, -np.inf)
-    np.maximum.at(nearest, tuple(cells.T), depth)
-    covered = np.mean([nearest[tuple((cells + step).T)] > depth + 0.007 for step in
-                       ([0, 0], [1, 0], [-1, 0], [0, 1], [0, -1])], axis=0)  # fmt: skip
-    return np.asarray(np.maximum(covered, normals @ towards < 0.0))
-
-
 def random_head(rng: np.random.Generator) -> Array:
     """Return the vertices of a random head within and beyond the generic's family, with ears of many kinds."""
     generic = load_generic()
@@ -187,13 +96,27 @@ def random_head(rng: np.random.Generator) -> Array:
     return vertices
 
 
-def portrait(seed: int, azimuth_deg: float) -> Portrait:
-    """Return one random portrait; azimuth 0 shows the front, 90 the person's left, -90 the right."""
-    rng, shared = np.random.default_rng([seed, 31]), canvas()
-    naked = random_head(rng)
-    skin = np.asarray(shared.head.matrix @ naked)
+def portrait(seed: int, azimuth_deg: float, scans: Path | None = None) -> Portrait:
+    """Return one random portrait; azimuth 0 shows the front, 90 the person's left, -90 the right.
+
+    ``scans`` is the file of the scan-based family when the head is to be one of it.
+    """
+    rng = np.random.default_rng([seed, 31])
+    if scans is None:
+        shared, naked = canvas(), random_head(rng)
+        skin = np.asarray(shared.head.matrix @ naked)
+    else:
+        shared, family = scan_canvas(scans), read_family(scans)
+        head = family.head(np.random.default_rng([seed, 68]).normal(size=len(family.modes_m)))
+        naked = twin_vertices(laid_generic(scans), head)
+        skin = np.asarray(shared.head.matrix @ head)
+    return _taken(shared, naked, skin, azimuth_deg, rng)
+
+
+def _taken(shared: Canvas, naked: Array, skin: Array, azimuth_deg: float, rng: np.random.Generator) -> Portrait:
+    """Return a portrait of a head: ``naked`` (V, 3) are the generic's vertices on it, ``skin`` (V', 3) the canvas'."""
     normals = vertex_normals(skin, shared.head.fine)
-    camera, tilt = _camera(naked, azimuth_deg, rng)
+    camera, tilt = _camera(shared, naked, azimuth_deg, rng)
     hair = _hair(shared, rng)
     long = 0.0 if rng.random() < CROPPED else rng.uniform(0.003, 0.03)
     rough = 1.0 + 0.3 * waves(shared.head.mean, (0.01, 0.04), 16, rng)
@@ -209,13 +132,13 @@ def portrait(seed: int, azimuth_deg: float) -> Portrait:
     left, right = (naked[shared.rows[f"pupil_{side}"]] for side in "LR")
     iod = float(np.linalg.norm(left - right)) / camera.metres_per_pixel((left + right) / 2.0)
     known = {name: marks[k] for k, name in enumerate(shared.rows) if inside[k]}
-    mask, hidden = _mask(person, rng), _hidden(naked, worn, camera)
+    mask, hidden = _mask(person, rng), _hidden(shared, naked, worn, camera)
     return Portrait(packed(picture, rng), mask, known, hidden, camera.project(naked), iod, tilt)
 
 
-def _camera(naked: Array, azimuth_deg: float, rng: np.random.Generator) -> tuple[Camera, float]:
+def _camera(shared: Canvas, naked: Array, azimuth_deg: float, rng: np.random.Generator) -> tuple[Camera, float]:
     """Return a camera on the head, turned, nodded and rolled a little, and its clockwise roll of the head."""
-    rows = canvas().rows
+    rows = shared.rows
     target = naked[[rows[name] for name in ("nasion", "chin_bottom", "ear_top_L", "ear_top_R")]].mean(axis=0)
     target = target + rng.uniform(-0.015, 0.015, 3)
     away = float(np.exp(rng.uniform(*np.log(DISTANCE_M))))
@@ -307,9 +230,8 @@ def _mask(person: Picture, rng: np.random.Generator) -> NDArray[np.uint8]:
     return np.asarray(np.clip(255.0 * (0.5 + (soft - 0.5) * 2.0), 0.0, 255.0), np.uint8)
 
 
-def _hidden(naked: Array, worn: Array, camera: Camera) -> frozenset[str]:
+def _hidden(shared: Canvas, naked: Array, worn: Array, camera: Camera) -> frozenset[str]:
     """Return the marks before which something else is seen."""
-    shared = canvas()
     seen, depth = camera.project(worn), camera.to_camera(worn)[:, 2]
     tree = cKDTree(seen)
     out = set()
@@ -325,12 +247,13 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("out", type=Path)
     parser.add_argument("--heads", type=int, default=8)
+    parser.add_argument("--scans", type=Path, help="the scan-based family's file, to paint its heads instead")
     chosen = parser.parse_args()
     chosen.out.mkdir(parents=True, exist_ok=True)
     for seed in range(chosen.heads):
         shown = []
         for azimuth in (0.0, 90.0 if seed % 2 else -90.0):
-            found = portrait(seed, azimuth)
+            found = portrait(seed, azimuth, chosen.scans)
             drawn = found.rgb.copy()
             for name, place in found.marks_px.items():
                 colour = (255, 0, 0) if name in found.hidden else (0, 255, 0)

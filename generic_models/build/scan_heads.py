@@ -210,8 +210,19 @@ def _laid_softly(
     return np.asarray(start + moved)
 
 
-def twin_vertices(family: Family, laid: Laid, head_m: Array) -> Array:
-    """Return the generic's vertices (V, 3) of a head (N, 3): its skin as bound, the rest as on the mean head."""
-    out = laid.vertices_m.copy()
+def twin_vertices(laid: Laid, head_m: Array) -> Array:
+    """Return the generic's vertices (V, 3) of a head (N, 3): its skin as bound, eyeballs where its own are.
+
+    The rest stays as on the mean head.
+    """
+    out, generic = laid.vertices_m.copy(), load_generic()
     out[laid.rows] = laid.twin(head_m)
+    for part, (low, high) in EYES.items():
+        rows = generic.part(part)
+        out[rows] += _middle(head_m[low:high]) - _middle(out[rows])
     return out
+
+
+def _middle(points: Array) -> Array:
+    """Return the middle (3,) of the box around points."""
+    return np.asarray((points.min(axis=0) + points.max(axis=0)) / 2.0)

@@ -123,7 +123,7 @@ def scan_sitter(path: Path, seed: int, scale: float = 1.0) -> ScanSitter:
     rng = np.random.default_rng([seed, 68])
     family, laid, painter, generic = read_family(path), laid_generic(path), scan_head(path), load_generic()
     head = scale * family.head(SPREAD * rng.normal(size=len(family.modes_m)))
-    twin = twin_vertices(family, laid, head / scale) * scale
+    twin = twin_vertices(laid, head / scale) * scale
     fine = painter.matrix @ head
     kind = int(rng.choice(len(HAIR), p=[chance for chance, _ in HAIR]))
     hair = float(rng.uniform(*HAIR[kind][1]))
