@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import logging
+import os
 import re
 import tomllib
 import unicodedata
@@ -77,6 +78,8 @@ def view_files(folder: Path) -> dict[ViewId, Path]:
             raise ClonerError(message, "Keep one of them", folder.name)
         check_own(path)
         if not path.is_file():
+            if not os.path.lexists(path):
+                continue  # moved away while the folder was read
             told = "this is no photo but a folder, a pipe or the like"
             raise ClonerError(told, "Put the photo itself there", path.name)
         found[view] = path
