@@ -38,7 +38,8 @@ CLOSE_MM = 25.0  # thicker hair does not follow the head: all outlines together 
 FURTHEST_MM = 40.0  # an outline farther off is another thing's, say a tail's
 ROUNDS = 4
 STIFFNESS = 0.08  # of the surface between outlines, against one outline point
-SURE_RIM, FULL_HAIR = 0.3, 0.8  # outline points that tell how thick the cap usually is
+FULL_SHARE = 0.8  # hairiness where hair has its whole thickness
+SURE_RIM = 0.3  # weight of outline points that tell how thick the cap usually is
 THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this against its median; more is a tail
 DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
 THINNEST_MM = 2.0  # where hair grows it covers the skin
@@ -194,7 +195,7 @@ def settle_cap(
 
 def _thickest_mm(wanted_mm: Array, weight: Array, hairy: Array) -> float:
     """Return how thick one photo's outline may make the cap, mm: hair that is flat in front may be thick behind."""
-    sure = wanted_mm[(weight > SURE_RIM) & (hairy > FULL_HAIR)]
+    sure = wanted_mm[(weight > SURE_RIM) & (hairy > FULL_SHARE)]
     sure = sure if sure.size else wanted_mm[weight > 0.0]
     usual = max(float(np.median(sure)), 0.0) if sure.size else 0.0
     return min(THICKEST_SHARE * usual + THICKEST_EXTRA_MM, CLOSE_MM)

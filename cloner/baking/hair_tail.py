@@ -20,9 +20,7 @@ WIDEST_TAIL_MM = 110.0  # wider hair in the back photo is the head's, not a tail
 FARTHEST_ASIDE_MM = 40.0  # a tail is looked for this far beside where the side photo has it
 LEAST_ALONE = 0.3  # of a tail's rows stand alone in the back photo; above them the head's hair lies behind it
 THINNEST_MM = 10.0  # thin plaits
-FREE_MM = (
-    30.0  # a tail hangs farther than this from body and cap; nearer is their own error: a fin down the head's back
-)
+FREE_MM = 30.0  # a tail hangs farther than this from body and cap; nearer is their own error: a fin behind the head
 SMALLEST_TAIL_MM2 = 900.0  # smaller free areas are the cap's own roughness
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, gaussian_filter, label
 from scipy.spatial import cKDTree
 
-from cloner.baking.hair_cap import FACE_PHOTO, SOFT_MM, Scalp, hairline_mm, surface_mm
+from cloner.baking.hair_cap import FACE_PHOTO, FULL_SHARE, SOFT_MM, Scalp, hairline_mm, surface_mm
 from cloner.baking.hair_tail import Tail, find_tail
 from cloner.baking.hair_views import FAR_MM, HairView, hull_mm
 from cloner.frames import ViewId, m_from_mm, mm_from_m
@@ -26,7 +26,6 @@ COARSE = 4  # voxels a side of a trial cell
 FILM_MM = 2.0  # clear of the skin's mesh
 BEYOND_MM = 8.0  # how far the film reaches: past what labels and mesh may err
 DRAPE_DOUBT_MM = 4.0
-FULL_SHARE = 0.8  # hairiness where hair has its whole thickness
 OVERHANG_DOUBT_MM = 2.0  # heads stand a little off their photos
 TAIL_DOUBT_MM = 6.0  # heads nod between photos, and tails swing
 SMALLEST_LOCK_M3 = 4e-5  # taste: 40 ml, a thin lock
