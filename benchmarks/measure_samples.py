@@ -76,7 +76,7 @@ def fitted(seed: int, number: int) -> dict[str, Any]:
     found, reports = pipeline.run(values, stages=pipeline.STAGES[: names.index(LAST_STAGE) + 1])
     fine = next(report for report in reports if report.name == "fine")
     joined = found["joined"]
-    cover = covers(known.photos, found["proposals"], joined)
+    cover = covers(found["proposals"], joined)
     dressed_m = known.dressed.vertices_m[: len(known.body.vertices_m)]
     return {
         "seed": seed,

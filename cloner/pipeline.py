@@ -97,8 +97,8 @@ STAGES: tuple[Stage, ...] = (
     ),
     Stage(
         "measures",
-        1,
-        ("photos", "proposals", "obeyed_silhouettes", "phenotype", "bodies", "obeyed", "person"),
+        2,
+        ("proposals", "obeyed_silhouettes", "phenotype", "bodies", "obeyed", "person"),
         ("measures",),
         taking_obeyed(measures.run),
     ),

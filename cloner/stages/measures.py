@@ -18,7 +18,7 @@ from cloner.records.bodies import BodySet, Phenotype
 from cloner.records.clones import Joined
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.measures import BY_KEY, FITS, MEASURE_KEYS, Cover, Measure, MeasureSet
-from cloner.records.photos import Person, PhotoSet
+from cloner.records.photos import Person
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
@@ -125,7 +125,6 @@ def unseen(shown_mm: Mapping[str, float]) -> MeasureSet:
 
 def run(
     *,
-    photos: PhotoSet,
     proposals: Proposals,
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
@@ -148,7 +147,7 @@ def run(
     seen = {view: see(bodies.consensus, photo) for view, photo in outlined.items()}
     gap = float(np.mean([gaps_mm(seen[view], photo)[""] for view, photo in outlined.items()]))
     tick(0.7)
-    cover = covers(photos, proposals, joined)
+    cover = covers(proposals, joined)
     rumple = garments_rumples_mm(seen, outlined, silhouettes, cover)
     noise = max(1.0, gap / prior.gap_mm)
     hidden = hidden_rows(bodies.consensus.vertices_m, seen)

@@ -1,4 +1,4 @@
-"""The colour of a person's skin in one photo, and how far other colours are from it."""
+"""The colour of a person's skin in one photo."""
 
 from __future__ import annotations
 
@@ -12,10 +12,6 @@ Array = NDArray[np.float64]
 
 #: Least spread of skin in log red/green and log blue/green (JPEG, make-up, blood; measured on the sample faces: 0.05).
 LEAST_SPREAD: Final = 0.05
-#: Farthest a patch of skin lies from the face's colour in spreads; hands are redder and darker than faces.
-FARTHEST: Final = 3.0
-#: Brightness of skin over that of the face: shadows below an arm, light on a shoulder.
-BRIGHTNESS: Final = (0.25, 2.2)
 #: Fewer samples tell no colour.
 LEAST_SAMPLES: Final = 30
 _GAMMA: Final = 2.2
@@ -32,13 +28,10 @@ class SkinColour:
         Log red/green and log blue/green of linear light.
     spread : tuple of float
         Standard deviations of both.
-    brightness : float
-        Mean linear light.
     """
 
     middle: tuple[float, float]
     spread: tuple[float, float]
-    brightness: float
 
     def shares(self) -> tuple[float, float]:
         """Return red and blue against green in coded levels."""
@@ -56,16 +49,8 @@ def skin_colour(rgb: NDArray[np.number]) -> SkinColour | None:
     """Return the colour of (N, 3) samples of bare skin; None when there are too few."""
     if len(rgb) < LEAST_SAMPLES:
         return None
-    ratios, light = chroma(rgb)
+    ratios, _ = chroma(rgb)
     middle = np.median(ratios, axis=0)
     spread = 1.48 * np.median(np.abs(ratios - middle), axis=0)  # a normal distribution's, robust
     wide = np.maximum(spread, LEAST_SPREAD)
-    return SkinColour((float(middle[0]), float(middle[1])), (float(wide[0]), float(wide[1])), float(np.median(light)))
-
-
-def skin_distance(rgb: NDArray[np.number], skin: SkinColour) -> Array:
-    """Return (N,) distances of colours from skin in spreads; infinite where they are too dark or bright for it."""
-    ratios, light = chroma(rgb)
-    away = np.linalg.norm((ratios - skin.middle) / skin.spread, axis=1)
-    low, high = (limit * skin.brightness for limit in BRIGHTNESS)
-    return np.where((light > low) & (light < high), away, np.inf)
+    return SkinColour((float(middle[0]), float(middle[1])), (float(wide[0]), float(wide[1])))
