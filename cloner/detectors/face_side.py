@@ -11,9 +11,10 @@ from numpy.typing import NDArray
 
 from cloner.detectors.profile import front_contour, outline
 from cloner.detectors.profile_fit import Laid, find_laid, named_px
-from cloner.detectors.profile_search import ProfileModel
+from cloner.detectors.profile_search import ProfileModel, normals_of
 from cloner.detectors.results import POSE_NAMES
 from cloner.geometry.contour_match import contour_normals
+from cloner.records.labels import FACE, shows
 from cloner.records.points import Proposal
 from cloner.vision.snake import look_along, normals, snake_picture
 
@@ -43,6 +44,11 @@ _STRETCHES: Final = (0.16, 0.28, 0.44, 0.66)
 IOD_M: Final = 0.063
 #: Cost at which every second profile was wrong, and how sharply that turns (painted faces).
 WRONG, _WRONG_TURN = 0.32, 0.025
+#: How much cheaper a profile counts with face all along its inner side than with none, and how deep inside that is
+#: asked: 13 profiles of generated people that long hair hid had none at costs of .28 to .42, 9 clear ones .6 to 1 at
+#: costs of .10 to .34.
+FACE_INSIDE: Final = 0.6
+INSIDE_M: Final = 0.008
 #: Error of a point on a profile laid wrongly, share of the eye distance.
 WRONG_ERROR: Final = 0.5
 
@@ -100,30 +106,44 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
     """Return the profile of a side photo, or None without an outline.
 
     What the pose net tells is believed unless the profile fits badly there; then all fronts are tried, either way.
+    A profile has a face on its inner side: a fall of hair may have the same outline.
     """
     ring = outline(proposal.mask)
     if len(ring) < 50:
         return None
     full = np.hstack([ring, contour_normals(ring)])
     hints = pose_hints(proposal)
-    found: list[tuple[int, Laid]] = []
+    found: list[tuple[float, int, Laid]] = []
     if hints is not None:
         near = _lay_near(proposal.mask, full, model, hints)
-        found += [] if near is None else [(hints.facing, near)]
-    if not found or found[0][1].cost > _DOUBTED:
+        found += [] if near is None else [(_cost(near, model, proposal.labels), hints.facing, near)]
+    if not found or found[0][0] > _DOUBTED:
         for facing in (1, -1):
-            found += [(facing, laid) for laid in _lay_anywhere(proposal.mask, full, model, facing)]
+            laid_there = _lay_anywhere(proposal.mask, full, model, facing)
+            found += [(_cost(laid, model, proposal.labels), facing, laid) for laid in laid_there]
     if not found:
         return None
-    facing, laid = min(found, key=lambda pair: pair[1].cost)
+    cost, facing, laid = min(found, key=lambda one: one[0])
     points, spread_m = named_px(model, laid)
-    wrong = 1.0 / (1.0 + np.exp(-(laid.cost - WRONG) / _WRONG_TURN))
+    wrong = 1.0 / (1.0 + np.exp(-(cost - WRONG) / _WRONG_TURN))
     # a mean distance in the plane is 1.25 times the spread along one axis
     error = 1.25 * spread_m / IOD_M + wrong * WRONG_ERROR
     side = "R" if facing > 0 else "L"
     paired = ("eye", "pupil", "ala", "mouth", "ear")
     names = tuple(f"{name}_{side}" if name.startswith(paired) else name for name in model.names)
     return SideFace(facing, full, laid, names, points, error)
+
+
+def _cost(laid: Laid, model: ProfileModel, labels: NDArray[np.uint8]) -> float:
+    """Return a laid profile's cost with what the labels on its inner side say; no labels say nothing."""
+    if not labels.any():
+        return laid.cost
+    inwards = -normals_of(model.shape(laid.weights)[: model.samples]) @ laid.px_from_m[:, :2].T
+    column, row = np.rint(laid.curve_px(model) + INSIDE_M * inwards).astype(np.int64).T
+    height, width = labels.shape
+    within = (column >= 0) & (row >= 0) & (column < width) & (row < height)
+    share = float(shows(labels, *FACE)[row[within], column[within]].mean()) if within.any() else 0.0
+    return laid.cost + FACE_INSIDE * (0.5 - share)
 
 
 def doubt_of(rgb: NDArray[np.uint8], model: ProfileModel, laid: Laid) -> float:

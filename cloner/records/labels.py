@@ -32,6 +32,8 @@ class Label(IntEnum):
 #: Their names, each at its own place.
 LABELS = tuple(label.name.lower() for label in Label)
 SKINS = (Label.BODY_SKIN, Label.FACE_SKIN)
+#: What lies inside a face's outline.
+FACE = (Label.FACE_SKIN, Label.EYES, Label.MOUTH, Label.BEARD)
 #: The person's own, nothing worn.
 OWN = (*SKINS, Label.HAIR, Label.EYES, Label.MOUTH, Label.BEARD)
 CLOTHES = (Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES, Label.ACCESSORY)

@@ -30,6 +30,10 @@ Array = NDArray[np.float64]
 
 #: Depth inside the outline at which hair and skin are told apart, share of the face's height.
 SKIN_DEPTH = 0.015
+#: Whose outline is the face's own; no beard's, no cap's, no lock's.
+OWN_OUTLINE = (Label.FACE_SKIN, Label.BODY_SKIN, Label.EYES, Label.MOUTH)
+#: What hides the skin below a net point, which the net then draws on what hides it.
+HIDING = (Label.BEARD, Label.HAIR)
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +55,8 @@ class Params:
     drift, together : float
         The joint errors of net points on photos against those on painted heads, and how much their own errors grow in
         the shape fit, where hundreds add up.
+    hidden_net : float
+        How much larger the errors of net points on a beard or on hair are.
     loose_net : float
         The same where DFFD follows single net points.
     named_m, corrected_m : float
@@ -85,6 +91,7 @@ class Params:
     net_floor_m: float = 0.0013
     drift: float = 1.0
     together: float = 1.5
+    hidden_net: float = 4.0
     loose_net: float = 2.0
     named_m: float = 0.009
     corrected_m: float = 0.0008
@@ -145,11 +152,12 @@ class Model:
 @dataclass(frozen=True, slots=True, eq=False)
 class Front:
     """The front photo's evidence: net points taught by corrections, corrected named points, ears, the outline, and
-    what is found inside it.
+    what is found inside it. ``hidden`` (468,) tells which net points lie on a beard or on hair.
     """
 
     view: ViewId
     net_px: Array
+    hidden: NDArray[np.bool_]
     vertices: NDArray[np.int64]
     points_px: Array
     ears: Spots
@@ -216,8 +224,17 @@ def read_front(
         inside: tuple[Together, ...] = ()
         if view is ViewId.FACE_FRONT and named is not None:
             inside = read_inside_front(photos.photos[view], proposal, named)
-        return Front(view, net_px, vertices, fixed, read_ears(model.generic, named, params.corrected_m), edge, inside)
+        hidden = np.isin(_labels_at(proposal.labels, net_px), HIDING)
+        ears = read_ears(model.generic, named, params.corrected_m)
+        return Front(view, net_px, hidden, vertices, fixed, ears, edge, inside)
     return None
+
+
+def _labels_at(labels: NDArray[np.uint8], places_px: Array) -> NDArray[np.uint8]:
+    """Return the (N,) labels of pixels, of the nearest one where a place lies off the picture."""
+    column, row = np.rint(places_px).astype(np.int64).T
+    found = labels[np.clip(row, 0, labels.shape[0] - 1), np.clip(column, 0, labels.shape[1] - 1)]
+    return np.asarray(found, np.uint8)
 
 
 def _corrected(model: Model, named: ViewPoints) -> tuple[NDArray[np.int64], Array]:
@@ -254,7 +271,7 @@ def read_side(
     low = tip[1] + 0.95 * np.ptp(named.points_px[known, 1])
     normals = contour_normals(contour)
     front = front_contour(np.hstack([contour, normals]), facing, low)
-    front = _without_hair(front, proposals.views[ViewId.FACE_SIDE].labels, float(tip[1]))
+    front = _of_the_face(front, proposals.views[ViewId.FACE_SIDE].labels, float(tip[1]))
     return Side(
         facing, tuple(named.names[k] for k in known), vertices, np.array(named.points_px[known]), sigma,
         front[:, :2], front[:, 2:], read_ears(model.generic, named, params.corrected_m),
@@ -263,14 +280,15 @@ def read_side(
     )  # fmt: skip
 
 
-def _without_hair(front: Array, labels: NDArray[np.uint8], tip_row: float) -> Array:
-    """Return the outline (N, 4) below the lowest hair over the nose tip: above it hair hides the forehead."""
+def _of_the_face(front: Array, labels: NDArray[np.uint8], tip_row: float) -> Array:
+    """Return the outline (N, 4) of the face's own skin: no beard's, no cap's, nor what hair over it hides."""
+    if not labels.any():
+        return front
     inward = SKIN_DEPTH * np.ptp(front[:, 1])
-    column, row = np.round(front[:, :2] - inward * front[:, 2:]).astype(int).T
-    column, row = np.clip(column, 0, labels.shape[1] - 1), np.clip(row, 0, labels.shape[0] - 1)
-    hair = (labels[row, column] == Label.HAIR) & (front[:, 1] < tip_row)
-    lowest = float(front[hair, 1].max()) if hair.any() else -np.inf
-    return np.asarray(front[front[:, 1] > lowest + inward])
+    inside, row = _labels_at(labels, front[:, :2] - inward * front[:, 2:]), front[:, 1]
+    hair = (inside == Label.HAIR) & (row < tip_row)
+    lowest = float(row[hair].max()) if hair.any() else -np.inf
+    return np.asarray(front[np.isin(inside, OWN_OUTLINE) & (row > lowest + inward)])
 
 
 def focal_px(photo: Photo, params: Params, log: Log) -> float:

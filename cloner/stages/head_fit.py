@@ -108,10 +108,16 @@ def outline_vertices(whole: Array, candidates: NDArray[np.int64], camera: Camera
     return candidates[np.unique(np.concatenate(found))]
 
 
+def _net_errors_m(model: Model, front: Front, params: Params) -> Array:
+    """Return (468,) each net point's own error, metres."""
+    own = np.hypot(model.modes.alone_m, params.net_floor_m)
+    return np.asarray(np.where(front.hidden, params.hidden_net, 1.0) * own)
+
+
 def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) -> list[Evidence]:
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
     base, basis = model.places(model.net.places)
-    sigma = params.together * np.hypot(model.modes.alone_m, params.net_floor_m) / metres
+    sigma = params.together * _net_errors_m(model, front, params) / metres
     drift = np.concatenate([params.drift * model.modes.drift_m / metres, np.zeros((len(HAIR_M), len(base), 2))])
     skew = model.modes.skew_m / metres
     target = front.net_px - model.modes.seen_errors_m(camera) / metres
@@ -244,7 +250,7 @@ def _front_leftovers(model: Model, whole: Array, camera: Camera, front: Front, n
                      controls: HeadControls, params: Params) -> list[Leftover]:  # fmt: skip
     metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
     weights = _rows(controls.weights, model, model.net.places, controls.movable)
-    sigma = params.loose_net * np.hypot(model.modes.alone_m, params.net_floor_m) / metres
+    sigma = params.loose_net * _net_errors_m(model, front, params) / metres
     target = front.net_px - net_error_m / metres
     out = [Leftover(camera, model.net.places.at(whole), weights, target, sigma)]
     if len(front.vertices):

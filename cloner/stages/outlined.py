@@ -16,7 +16,7 @@ from cloner.geometry.rims import borders_px, rim_vertices
 from cloner.geometry.skinning import blend_transforms, joint_transforms
 from cloner.geometry.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
-from cloner.records.labels import Label
+from cloner.records.labels import Label, shows
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 
@@ -85,7 +85,7 @@ def masked_field(proposal: Proposal) -> OutlineField:
     return outline_field(
         borders_px(person.astype(np.uint8)),
         person,
-        proposal.labels == Label.HAIR,
+        shows(proposal.labels, Label.HAIR, Label.BEARD, Label.ACCESSORY),
         step_px=2.0 * reduction,
         reduction=reduction,
     )

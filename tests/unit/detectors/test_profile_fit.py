@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import pytest
@@ -10,6 +12,7 @@ from cloner.detectors.face_net import load_face_net
 from cloner.detectors.face_side import doubt_of, find_side_face
 from cloner.detectors.results import POSE_NAMES
 from cloner.frames import ViewId
+from cloner.records.labels import Label
 from cloner.records.points import Proposal, expected_face_error, face_confidence
 
 SIZE = (700, 560)  # height, width
@@ -172,3 +175,13 @@ def test_without_hints_the_profile_is_sought_everywhere():
     found = find_side_face(blind, sitter.model)
     assert found.facing == -1
     assert np.mean([sitter.errors(found)[n] for n in MIDLINE[2:]]) < 0.04
+
+
+def test_a_fall_of_hair_with_a_profiles_outline_is_none():
+    sitter = Sitter(12)
+    shown = {}
+    for label in (Label.FACE_SKIN, Label.HAIR):
+        labels = np.where(sitter.mask > 127, label, Label.BACKGROUND).astype(np.uint8)
+        shown[label] = find_side_face(replace(sitter.proposal(), labels=labels), sitter.model)
+    assert shown[Label.FACE_SKIN].error_iod.min() < 0.1
+    assert shown[Label.HAIR].error_iod.min() > 0.4
