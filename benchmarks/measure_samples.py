@@ -1,45 +1,49 @@
-"""Known people for the calibration of measures: what clothes add, and how the fit errs.
+"""Known people for the calibration of measures: random bodies, and dressed people beside their clones.
 
-``python benchmarks/measure_samples.py ease OUT --people 250`` dresses random bodies in three dimensions, without a
-photo (one CPU second each); ``python benchmarks/measure_samples.py fits OUT --people 60`` photographs random people,
-clones their bodies and keeps what the clones measure beside what is true (half a CPU minute each). Interrupted runs
-go on where they stopped. The seeds are apart from those of every benchmark that judges.
+``python benchmarks/measure_samples.py bodies OUT --people 250`` measures random bodies of the generic family;
+``python benchmarks/measure_samples.py people OUT --photos KIT`` clones people of the generator of labelled people
+(``make_people.py``; any clothes, any light) as far as measures need and keeps what the clones measure beside what is
+true (some 10 CPU seconds each). Interrupted runs go on where they stopped. Their seeds must be apart from those of any
+benchmark that judges (5000 to 5999, 9000 to 9999).
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "generic_models" / "build"))
 
-from painted_people import photograph_person
 from painted_people_bodies import random_body
-from painted_people_clothes import CLOTH, TIGHTNESSES, dress, random_wardrobe
-from painted_people_pictures import BACKGROUNDS
 
 from cloner import pipeline
 from cloner.errors import ClonerError
+from cloner.evaluate.kit import kit_people
+from cloner.evaluate.rulers import apply, fit_similarity
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measuring import measures_mm
-from cloner.project.corrections import no_corrections
+from cloner.project.folder import load_photos, read_corrections, read_person
+from cloner.records.loose import AROUND_LEGS
 from cloner.records.measures import Cover
 from cloner.stages.covering import covers
-from cloner.stages.outlined import outlined_photos, see
+from cloner.stages.outlined import gaps_mm, outlined_photos, see
 from cloner.stages.rumpled import garments_rumples_mm
 from cloner.stages.side_arms import hidden_rows
 
-#: First seeds: dressed bodies without photos, photographed people to calibrate on, and people to check the result on.
-#: People 750000 to 750029 checked an earlier table and went into the next one.
-EASE_SEED, FIT_SEED, CHECK_SEED = 710_000, 740_000, 760_000
-#: The stages up to the joined person; hair and textures measure nothing.
-LAST_STAGE = "join"
+#: First seed of the bodies without photos.
+BODY_SEED = 710_000
+#: The stages up to the obeyed person; hair and textures measure nothing.
+LAST_STAGE = "obeyed"
+#: Skin vertices that carry a joint along with a posed body.
+CARRIERS = 120
 
 
 def vector(vertices_m: np.ndarray, joints_m: np.ndarray, floor_m: float = 0.0) -> np.ndarray:
@@ -47,59 +51,47 @@ def vector(vertices_m: np.ndarray, joints_m: np.ndarray, floor_m: float = 0.0) -
     return np.array(list(measures_mm(vertices_m, joints_m, load_tape_rules(), floor_m).values()))
 
 
-def eased(seed: int) -> dict[str, Any]:
-    """Return the measures of one body naked and in clothes of every tightness."""
+def body(seed: int) -> dict[str, Any]:
+    """Return the shape and the measures of one random body."""
+    found = random_body(load_generic(), np.random.default_rng([seed, 0]))
+    naked = vector(found.vertices_m, found.joints_m)
+    return {"coefficients": found.coefficients, "stature_m": found.stature_m, "naked": naked}
+
+
+def naked_mm(person: Path) -> np.ndarray:
+    """Return every measure of a generated person's naked body, mm: in the front photo's pose, a few mm from rest."""
     generic = load_generic()
-    body = random_body(generic, np.random.default_rng([seed, 0]))
-    worn = []
-    for place, tightness in enumerate(TIGHTNESSES):
-        rng = np.random.default_rng([seed, 1, place])
-        wardrobe = random_wardrobe(tightness, rng)
-        long = type(wardrobe)(**{**{n: getattr(wardrobe, n) for n in wardrobe.__slots__}, "sleeve": 0.97, "leg": 0.97})
-        dressed = dress(body, long, rng, splits=0)
-        worn.append(vector(dressed.vertices_m[: len(body.vertices_m)], body.joints_m))
-    return {
-        "coefficients": body.coefficients,
-        "stature_m": body.stature_m,
-        "sex": body.phenotype["sex"],
-        "naked": vector(body.vertices_m, body.joints_m),
-        "worn": np.array(worn),
-    }
+    with np.load(person / "truth_body.npz") as held:
+        posed = held["vertices_body_front"].astype(np.float64)
+    whole = np.array(generic.vertices_m, np.float64)
+    whole[: len(posed)] = posed
+    tree, joints = cKDTree(generic.vertices_m[: len(posed)]), np.array(generic.joints_m, np.float64)
+    for row, joint in enumerate(joints):
+        near = tree.query(joint, CARRIERS)[1]
+        joints[row] = apply(fit_similarity(generic.vertices_m[near], posed[near], scale=True), joint[None])[0]
+    return vector(whole, joints)
 
 
-def fitted(seed: int, number: int) -> dict[str, Any]:
+def cloned(person: Path) -> dict[str, Any]:
     """Return what a clone of one photographed person measures, and what is true of the person."""
-    tightness = TIGHTNESSES[number % 3]
-    known = photograph_person(seed, tightness=tightness, background=BACKGROUNDS[(number // 3) % 3])
-    values = {"photos": known.photos, "person": known.person, "corrections": no_corrections()}
+    values = {"photos": load_photos(person), "person": read_person(person), "corrections": read_corrections(person)}
     names = [stage.name for stage in pipeline.STAGES]
-    found, reports = pipeline.run(values, stages=pipeline.STAGES[: names.index(LAST_STAGE) + 1])
-    fine = next(report for report in reports if report.name == "fine")
-    joined = found["joined"]
+    found, _ = pipeline.run(values, stages=pipeline.STAGES[: names.index(LAST_STAGE) + 1])
+    joined, silhouettes, bodies = found["obeyed"], found["obeyed_silhouettes"], found["bodies"]
     cover = covers(found["proposals"], joined)
-    dressed_m = known.dressed.vertices_m[: len(known.body.vertices_m)]
-    return {
-        "seed": seed,
-        "tightness": TIGHTNESSES.index(tightness),
-        "background": known.background,
-        "stature_m": known.body.stature_m,
-        "sex": known.body.phenotype["sex"],
-        "shown": vector(joined.vertices_m, joined.joints_m, joined.sole_m),
-        "dressed": vector(dressed_m, known.body.joints_m),
-        "naked": vector(known.body.vertices_m, known.body.joints_m),
-        "cloth": known.dressed.kind[: len(dressed_m)] == CLOTH,
-        **evidence(found, cover),
-        "gap_mm": [residual.value for residual in fine.residuals if residual.name == "outline gap"],
-    } | {f"cover_{name}": flags(own) for name, own in cover.items()}
-
-
-def evidence(found: Mapping[str, Any], cover: Mapping[str, Cover]) -> dict[str, np.ndarray]:
-    """Return how rumpled the outline is above and below the waist, and where an arm hides the trunk's depth."""
-    bodies = found["bodies"]
-    photos = outlined_photos(found["phenotype"], found["silhouettes"], found["proposals"], bodies.views)
+    photos = outlined_photos(found["phenotype"], silhouettes, found["proposals"], bodies.views)
     seen = {view: see(bodies.consensus, photo) for view, photo in photos.items()}
-    rumple = garments_rumples_mm(seen, photos, found["silhouettes"], cover)
-    return {"rumple": rumple, "hidden": hidden_rows(bodies.consensus.vertices_m, seen)}
+    regions = [region.name for silhouette in silhouettes.views.values() for region in silhouette.loose]
+    truth = json.loads((person / "truth.json").read_text())
+    return {
+        "stature_m": float(truth["stature_mm"]) / 1e3,
+        "shown": vector(joined.vertices_m, joined.joints_m, joined.sole_m),
+        "naked": naked_mm(person),
+        "rumple": garments_rumples_mm(seen, photos, silhouettes, cover),
+        "hidden": hidden_rows(bodies.consensus.vertices_m, seen),
+        "around_legs": AROUND_LEGS in regions,
+        "gap_mm": float(np.mean([gaps_mm(seen[view], photo)[""] for view, photo in photos.items()])),
+    } | {f"cover_{name}": flags(own) for name, own in cover.items()}
 
 
 def flags(cover: Cover) -> np.ndarray:
@@ -107,30 +99,31 @@ def flags(cover: Cover) -> np.ndarray:
     return np.array([-1 if slice_ is None else int(slice_) for slice_ in cover.covered])
 
 
-def stored(folder: Path, seeds: range) -> Iterator[tuple[int, int, Path]]:
-    """Yield number, seed and file of the samples that are not there yet."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for number, seed in enumerate(seeds):
-        path = folder / f"{seed}.npz"
-        if not path.exists():
-            yield number, seed, path
+def keep(path: Path, sample: Mapping[str, Any]) -> None:
+    np.savez_compressed(path, **sample)
+    print(path.name, flush=True)
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("what", choices=("ease", "fits", "checks"))
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("what", choices=("bodies", "people"))
     parser.add_argument("out", type=Path)
-    parser.add_argument("--people", type=int, default=60)
+    parser.add_argument("--people", type=int, default=250, help="how many bodies")
+    parser.add_argument("--photos", type=Path, help="the generated people")
     chosen = parser.parse_args()
-    first = {"ease": EASE_SEED, "fits": FIT_SEED, "checks": CHECK_SEED}[chosen.what]
-    for number, seed, path in stored(chosen.out / chosen.what, range(first, first + chosen.people)):
-        try:
-            sample = eased(seed) if chosen.what == "ease" else fitted(seed, number)
-        except ClonerError as error:  # the product refuses a photo now and then, and says so: no measures then
-            print(f"{seed}: {error}", flush=True)
-            continue
-        np.savez_compressed(path, **sample)
-        print(path.name, flush=True)
+    folder = chosen.out / chosen.what
+    folder.mkdir(parents=True, exist_ok=True)
+    if chosen.what == "bodies":
+        for seed in range(BODY_SEED, BODY_SEED + chosen.people):
+            if not (folder / f"{seed}.npz").exists():
+                keep(folder / f"{seed}.npz", body(seed))
+        return
+    for person in kit_people([chosen.photos]):
+        if not (folder / f"{person.name}.npz").exists():
+            try:
+                keep(folder / f"{person.name}.npz", cloned(person))
+            except ClonerError as error:  # the product refuses a photo now and then, and says so: no measures then
+                print(f"{person.name}: {error}", flush=True)
 
 
 if __name__ == "__main__":
