@@ -1,5 +1,5 @@
 // Bundled by the test: reads the VRM inside the page with the format's own reader and tells what it found.
-import { Vector3 } from "three";
+import { Object3D, Quaternion, Vector3 } from "three";
 import { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 import { VRMLoaderPlugin } from "@pixiv/three-vrm";
 
@@ -20,6 +20,21 @@ loader.parse(
     vrm.humanoid.getNormalizedBoneNode("leftUpperArm").rotation.z = 1;
     vrm.expressionManager.setValue("blink", 1);
     vrm.update(0.016);
+    const eyeTurned = (x_m, y_m) => {
+      // The target hangs on the head, a metre before the eyes: where it stands is the angle that the format speaks of.
+      const target = new Object3D();
+      vrm.scene.updateMatrixWorld(true);
+      const from = vrm.lookAt.getLookAtWorldPosition(new Vector3());
+      target.position.copy(from).add(new Vector3(x_m, y_m, 1));
+      vrm.scene.add(target);
+      vrm.lookAt.target = target;
+      vrm.update(0.016);
+      return ["leftEye", "rightEye"].map((bone) => {
+        const ahead = new Vector3(0, 0, 1).applyQuaternion(vrm.humanoid.getRawBoneNode(bone).getWorldQuaternion(new Quaternion()));
+        return [Math.atan2(ahead.x, ahead.z), Math.asin(ahead.y)].map((angle) => (angle * 180) / Math.PI);
+      });
+    };
+    const gaze = { left: eyeTurned(1, 0), up: eyeTurned(0, 1), down: eyeTurned(0, -1) };
     let mesh = null;
     vrm.scene.traverse((node) => { if (!mesh && node.morphTargetDictionary) mesh = node; });
     window.result = {
@@ -27,6 +42,9 @@ loader.parse(
       bones: Object.keys(vrm.humanoid.humanBones),
       expressions: vrm.expressionManager.expressions.map((one) => one.expressionName),
       lookAt: Boolean(vrm.lookAt),
+      gaze_deg: gaze,
+      name: vrm.meta.name,
+      authors: vrm.meta.authors,
       hips_m: hips,
       hand_raised_m: Math.abs(place("leftHand").y - before),
       blink_weight: mesh.morphTargetInfluences[mesh.morphTargetDictionary.eyeBlinkLeft],

@@ -7,7 +7,6 @@ import json
 import os
 import shutil
 import subprocess
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,8 +15,10 @@ import pytest
 from PIL import Image
 
 from cloner.exporters.vrm import EXPRESSIONS, export, human_bones
+from cloner.exporters.vrm_terms import vrm_meta
 from cloner.generic.load import load_generic
 from cloner.motion.rest import in_t_pose
+from cloner.records.terms import Terms
 from kit.browser import CHROMIUM, browser
 from kit.clones import toy_clone
 from kit.compare_clones import snapshot
@@ -107,14 +108,26 @@ def test_the_thumbnail_shows_the_head(gltf) -> None:
 def test_terms_protect_the_person(gltf) -> None:
     meta = gltf.extensions["VRMC_vrm"]["meta"]
     assert meta["avatarPermission"] == "onlyAuthor"
+    assert meta["commercialUsage"] == "personalNonProfit"
     assert meta["allowRedistribution"] is False
-    assert {"name", "authors", "licenseUrl"} <= set(meta)
+    assert meta["modification"] == "prohibited"
+    assert meta["creditNotation"] == "required"
+    assert (meta["name"], meta["authors"]) == ("clone", ["The person shown"])
+    assert meta["licenseUrl"] == "https://vrm.dev/licenses/1.0/", "the only one that the format's schema knows"
 
 
-def test_recorded_consent_lets_those_use_it_whom_the_person_allows(clone, tmp_path: Path) -> None:
-    (path,) = export(replace(clone, consent=True), tmp_path)
-    meta = pygltflib.GLTF2().load_binary(str(path)).extensions["VRMC_vrm"]["meta"]
-    assert meta["avatarPermission"] == "onlySeparatelyLicensedPerson"
+@pytest.mark.parametrize(("licence", "told"), [
+    ("own", ("onlySeparatelyLicensedPerson", "personalNonProfit", False, "allowModification")),
+    ("event", ("onlySeparatelyLicensedPerson", "corporation", False, "allowModification")),
+    ("everyone", ("everyone", "personalNonProfit", True, "allowModificationRedistribution")),
+])  # fmt: skip
+def test_a_consent_s_licence_says_who_may_use_it(licence: str, told: tuple[object, ...]) -> None:
+    meta = vrm_meta(Terms("Zoë", "Fair 2026", licence), "clone")
+    keys = ("avatarPermission", "commercialUsage", "allowRedistribution", "modification")
+    assert tuple(meta[key] for key in keys) == told
+    assert (meta["name"], meta["authors"]) == ("Zoë", ["Zoë", "Fair 2026"])
+    assert meta["creditNotation"] == "required"
+    assert not any(meta[key] for key in meta if key.startswith("allow") and key != "allowRedistribution")
 
 
 def test_eyes_turn_so_that_it_is_seen(gltf) -> None:
@@ -167,6 +180,11 @@ def test_three_vrm_reads_bones_expressions_and_gaze(vrm, tmp_path: Path) -> None
     assert set(REQUIRED) <= set(result["bones"])
     assert set(EXPRESSIONS) <= set(result["expressions"])
     assert result["lookAt"] is True
+    assert (result["name"], result["authors"]) == ("clone", ["The person shown"])
+    turned = {way: np.array(result["gaze_deg"][way]) for way in ("left", "up", "down")}  # two eyes, aside and up
+    assert (turned["left"][:, 0] > 15.0).all(), "her own left, seen from 45 degrees aside"
+    assert (turned["up"][:, 1] > 12.0).all()
+    assert (turned["down"][:, 1] < -12.0).all()
     assert result["hips_m"] == pytest.approx(0.85, abs=0.2)
     assert result["hand_raised_m"] > 0.2
     assert result["blink_weight"] == pytest.approx(1.0, abs=1e-3)
