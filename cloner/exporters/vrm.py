@@ -16,6 +16,8 @@ import pygltflib
 
 from cloner.exporters.files import jpeg_bytes, write_bytes
 from cloner.exporters.gltf import build
+from cloner.exporters.vrm_springs import EXTENSION as SPRINGS
+from cloner.exporters.vrm_springs import hang_tails
 from cloner.exporters.vrm_terms import vrm_meta
 from cloner.generic.framing import standard_camera
 from cloner.generic.layers import clone_layers
@@ -78,6 +80,10 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
     gltf.extensions = {EXTENSION: _vrm(posed, nodes, name)}
     gltf.extensions[EXTENSION]["meta"]["thumbnailImage"] = _thumbnail(gltf, posed)
+    springs = hang_tails(gltf, posed)
+    if springs is not None:
+        gltf.extensionsUsed = [*gltf.extensionsUsed, SPRINGS]
+        gltf.extensions[SPRINGS] = springs
     path = folder / f"{name}.vrm"
     write_bytes(path, b"".join(gltf.save_to_bytes()))
     return (path,)

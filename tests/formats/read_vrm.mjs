@@ -37,7 +37,40 @@ loader.parse(
     const gaze = { left: eyeTurned(1, 0), up: eyeTurned(0, 1), down: eyeTurned(0, -1) };
     let mesh = null;
     vrm.scene.traverse((node) => { if (!mesh && node.morphTargetDictionary) mesh = node; });
+    const springs = () => {
+      const manager = vrm.springBoneManager;
+      if (!manager || manager.joints.size === 0) return null;
+      const head = vrm.humanoid.getRawBoneNode("head");
+      const joints = [...manager.joints];
+      const tip = joints[joints.length - 1].child;
+      const tipAt = () => (vrm.scene.updateMatrixWorld(true), tip.getWorldPosition(new Vector3()));
+      const nearest = () => Math.min(...joints.flatMap((joint) => joint.colliderGroups.flatMap((group) => group.colliders.map(
+        (one) => one.shape.calculateCollision(one.matrixWorld, joint.child.getWorldPosition(new Vector3()), 0, new Vector3())))));
+      const run = (frames) => { for (let k = 0; k < frames; k++) vrm.update(1 / 60); };
+      const normalised = vrm.humanoid.getNormalizedBoneNode("head");
+      const first = tipAt();
+      run(180);
+      const rest = tipAt();
+      const held = head.worldToLocal(rest.clone());
+      normalised.rotation.y = 1;
+      run(1);
+      const rigid = (vrm.scene.updateMatrixWorld(true), head.localToWorld(held.clone()));
+      const lag = tipAt().distanceTo(rigid);
+      run(180);
+      const before = tipAt();
+      run(1);
+      const still = tipAt().distanceTo(before);
+      normalised.rotation.set(0, 0, 0);
+      const inside = [-0.6, 0.6].map((nod) => { normalised.rotation.x = nod; run(180); return nearest(); });
+      normalised.rotation.set(0, 0, 0);
+      return {
+        joints: joints.length, colliders: manager.colliders.length, sag_m: rest.distanceTo(first), lag_m: lag,
+        still_m: still, inside_m: inside,
+      };
+    };
+    const swinging = springs();
     window.result = {
+      springs: swinging,
       metaVersion: vrm.meta.metaVersion,
       bones: Object.keys(vrm.humanoid.humanBones),
       expressions: vrm.expressionManager.expressions.map((one) => one.expressionName),

@@ -22,6 +22,7 @@ from cloner.records.terms import Terms
 from kit.browser import CHROMIUM, browser
 from kit.clones import toy_clone
 from kit.compare_clones import snapshot
+from kit.tails import with_tail
 
 MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node")).resolve()
 READER = Path(__file__).with_name("read_vrm.mjs")
@@ -149,13 +150,45 @@ def test_the_khronos_validator_finds_no_error(vrm) -> None:
 
 
 @pytest.mark.skipif(
+    shutil.which("node") is None or not (MODULES / "node_modules/gltf-validator").is_dir(),
+    reason="gltf-validator is not here",
+)
+def test_a_tail_s_bones_pass_the_validator_and_carry_it(clone, tmp_path: Path) -> None:
+    (path,) = export(with_tail(clone), tmp_path)
+    done = subprocess.run(["node", VALIDATOR, MODULES, path], capture_output=True, text=True, check=True, timeout=120)
+    issues = json.loads(done.stdout)["issues"]
+    assert issues["numErrors"] == issues["numWarnings"] == 0
+    gltf = pygltflib.GLTF2().load_binary(str(path))
+    spring = gltf.extensions["VRMC_springBone"]["springs"][0]
+    names = [gltf.nodes[joint["node"]].name for joint in spring["joints"]]
+    assert names == [f"hair_tail1_{number}" for number in range(1, len(names) + 1)]
+    hair = next(mesh for mesh in gltf.meshes if mesh.name == "Hair").primitives[0].attributes
+    joints, weights = (_values(gltf, accessor) for accessor in (hair.JOINTS_0, hair.WEIGHTS_0))
+    assert weights.sum(axis=1) == pytest.approx(1.0, abs=1e-6)
+    lowest = _values(gltf, hair.POSITION)[:, 1].argmin()
+    assert gltf.nodes[gltf.skins[0].joints[joints[lowest, 0]]].name == names[-2], "the last one is but an end"
+
+
+def test_short_hair_has_no_springs(gltf) -> None:
+    assert "VRMC_springBone" not in gltf.extensions
+
+
+def _values(gltf, number: int) -> np.ndarray:
+    accessor = gltf.accessors[number]
+    kind, width = {5121: np.uint8, 5126: np.float32}[accessor.componentType], {"VEC3": 3, "VEC4": 4}[accessor.type]
+    start = gltf.bufferViews[accessor.bufferView].byteOffset
+    return np.frombuffer(gltf.binary_blob(), kind, accessor.count * width, start).reshape(-1, width)
+
+
+needs_three_vrm = pytest.mark.skipif(
     CHROMIUM is None
     or not all((MODULES / "node_modules" / name).is_dir() for name in ("three", "@pixiv/three-vrm", "esbuild")),
     reason="three-vrm, esbuild or Chromium is not here; run: npm install three @pixiv/three-vrm esbuild",
 )
-@pytest.mark.slow
-def test_three_vrm_reads_bones_expressions_and_gaze(vrm, tmp_path: Path) -> None:
-    """The reader of the format's own makers finds the person, blinks it and lifts its arm."""
+
+
+def in_three_vrm(vrm: Path, tmp_path: Path) -> dict:
+    """Return what the reader of the format's own makers tells of a file."""
     import base64
 
     entry = MODULES / "read_vrm_entry.mjs"
@@ -175,6 +208,14 @@ def test_three_vrm_reads_bones_expressions_and_gaze(vrm, tmp_path: Path) -> None
         page.open(page_file)
         page.wait_for("window.result")
         result = page.value("window.result")
+    return result
+
+
+@needs_three_vrm
+@pytest.mark.slow
+def test_three_vrm_reads_bones_expressions_and_gaze(vrm, tmp_path: Path) -> None:
+    """The reader of the format's own makers finds the person, blinks it and lifts its arm."""
+    result = in_three_vrm(vrm, tmp_path)
     assert result.get("error") is None
     assert result["metaVersion"] == "1"
     assert set(REQUIRED) <= set(result["bones"])
@@ -188,3 +229,17 @@ def test_three_vrm_reads_bones_expressions_and_gaze(vrm, tmp_path: Path) -> None
     assert result["hips_m"] == pytest.approx(0.85, abs=0.2)
     assert result["hand_raised_m"] > 0.2
     assert result["blink_weight"] == pytest.approx(1.0, abs=1e-3)
+
+
+@needs_three_vrm
+@pytest.mark.slow
+def test_a_tail_lags_behind_a_turning_head_comes_to_rest_and_stays_outside_the_body(clone, tmp_path: Path) -> None:
+    """Its tip hangs 8 cm behind the skull's axis: a head turned at once by a radian moves it by 8 cm and more."""
+    (path,) = export(with_tail(clone), tmp_path)
+    springs = in_three_vrm(path, tmp_path)["springs"]
+    assert springs["colliders"] == 3
+    assert springs["joints"] >= 3
+    assert springs["sag_m"] < 0.03, "resting hair hangs as in the photos"
+    assert springs["lag_m"] > 0.05
+    assert springs["still_m"] < 0.001
+    assert min(springs["inside_m"]) > -0.002
