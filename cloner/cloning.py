@@ -29,6 +29,7 @@ from cloner.project.folder import (
     read_consent,
     read_corrections,
     read_person,
+    read_terms,
 )
 from cloner.project.results import RESULT_MARK, place_digest
 from cloner.project.stamps import beside_digests, output_digests, stamp_of, stamp_text
@@ -199,7 +200,7 @@ def clone_folder(
     progress("photos", 0.0)
     beside = beside_digests(photos_dir)
     person = read_person(photos_dir, height_cm, identifier)
-    corrections, consent = read_corrections(photos_dir), bool(read_consent(photos_dir))
+    corrections, consent, terms = read_corrections(photos_dir), bool(read_consent(photos_dir)), read_terms(photos_dir)
     if beside_digests(photos_dir) != beside:
         raise ClonerError("its files were changed while they were read", "Clone again", photos_dir.name)
     with result_folder(out_dir, person.identifier, photos_dir) as folder:
@@ -215,7 +216,7 @@ def clone_folder(
             known=still_true(known or {}, photos, person, corrections),
             progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
-        values["clone"] = replace(values["clone"], consent=consent)
+        values["clone"] = replace(values["clone"], consent=consent, terms=terms)
         seen = _write_clone(values, formats, folder, progress)
         if (folder / GLB_FILE).is_file():
             write_viewer(f"Clone of {person.name or person.identifier}", folder / GLB_FILE)

@@ -18,6 +18,7 @@ from cloner.geometry.measuring import measures_mm
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import Clone
 from cloner.records.measures import MEASURE_KEYS
+from cloner.records.terms import Terms
 from cloner.stages.face_targets import face_targets
 from cloner.stages.join import eye_joints, flat_soles, named_features
 
@@ -52,7 +53,7 @@ def clone_of_measures(told: Told, size: int, seed: int = 0) -> Clone:
         vertices, joints, names, index, delta, start,
         painted(BodyMesh(vertices, joints), told.sex, size, np.random.default_rng(seed)),
         (), named_features(generic, vertices), {}, told.stature_m, 0.0,
-        consent=True,  # nobody's likeness: a family's face and drawn skin
+        consent=True, terms=Terms(licence="everyone"),  # nobody's likeness: a family's face and drawn skin
         triangle_regions=regions(told.sex),
         measures_mm={key: round(told.mm.get(key, shown[key]), 1) for key in MEASURE_KEYS},
     )  # fmt: skip

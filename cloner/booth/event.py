@@ -19,6 +19,7 @@ from cloner.outside import read_outside
 from cloner.project.atomic import write_text
 from cloner.project.folder import PERSON_FILE, holds_photos
 from cloner.project.texts import LARGEST_BYTES, check_format
+from cloner.records.terms import LICENCES
 
 EVENT_FILE: Final = "event.json"
 TRASH: Final = "trash"
@@ -30,6 +31,7 @@ DEFAULT_RETENTION_DAYS: Final = 30  # taste: long enough to mend a complaint, sh
 DEFAULT_TRASH_DAYS: Final = 2  # taste: a slip is noticed on the same day or the next
 DEFAULT_PHONE_HOURS: Final = 24  # taste: until the visitor is at home, and no longer
 _OLD_CONSENT: Final = "consent"
+_CHOICES: Final = {"language": LANGUAGES, "appearance": APPEARANCES, "licence": LICENCES}
 _RANGES: Final = {
     "retention_days": (0, 3650), "trash_days": (0, 365), "text_percent": (50, 300), "phone_hours": (1, 24 * 30),
 }  # fmt: skip
@@ -56,6 +58,9 @@ class Event:
     consents : mapping of str to str
         What visitors agree to, by language, "{days}" standing for `retention_days`; a language without takes the
         window's own text.
+    licence : str
+        What others may do with the files of visitors who agreed to a text of the event's own that says so; one of
+        `cloner.records.terms.LICENCES`.
     formats : tuple of str
         Exporters whose files visitors take away.
     camera_folder : str
@@ -87,6 +92,7 @@ class Event:
     retention_days: int = DEFAULT_RETENTION_DAYS
     trash_days: int = DEFAULT_TRASH_DAYS
     consents: Mapping[str, str] = field(default_factory=dict)
+    licence: str = LICENCES[0]
     formats: tuple[str, ...] = ("glb", "wrl")
     camera_folder: str = ""
     link: str = ""
@@ -181,8 +187,8 @@ def _has_kind(key: str, value: object) -> bool:
 
 
 def _is_in_range(key: str, value: Any) -> bool:
-    if key in ("language", "appearance"):
-        return value in (LANGUAGES if key == "language" else APPEARANCES)
+    if key in _CHOICES:
+        return value in _CHOICES[key]
     if key == "consents":
         return set(value) <= set(LANGUAGES)
     low, high = _RANGES.get(key, (None, None))

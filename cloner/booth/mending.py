@@ -28,6 +28,7 @@ from cloner.project.folder import (
 )
 from cloner.project.texts import read_text
 from cloner.records.points import Correction, Corrections
+from cloner.records.terms import LICENCES
 
 log = logging.getLogger(__name__)
 
@@ -152,8 +153,9 @@ def _whole_lines(text: str) -> Iterator[str]:
 
 
 def _fits(told: Mapping[str, Any]) -> bool:
-    kinds = {"name": str, "notes": str, "consent": str, "height_cm": (int, float)}
+    kinds = {"name": str, "notes": str, "consent": str, "event": str, "licence": str, "height_cm": (int, float)}
     fits = all(key in kinds and isinstance(value, kinds[key]) for key, value in told.items())  # type: ignore[arg-type]
+    fits = fits and told.get("licence", LICENCES[0]) in LICENCES
     high = told.get("height_cm", SMALLEST_HEIGHT_CM)
     return bool(told) and fits and SMALLEST_HEIGHT_CM <= high <= LARGEST_HEIGHT_CM
 

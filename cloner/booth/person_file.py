@@ -8,6 +8,7 @@ import tomllib
 from collections.abc import Mapping
 from datetime import datetime
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, Final
 
 from cloner.errors import ClonerError
@@ -18,6 +19,7 @@ from cloner.project.texts import read_text
 
 CENTIMETRES_PER_INCH: Final = 2.54
 INCHES_PER_FOOT: Final = 12
+AGREED: Final = ("event", "licence")
 
 
 def cm_from_feet(feet: int, inches: float) -> float:
@@ -31,8 +33,25 @@ def feet_from_cm(height_cm: float) -> tuple[int, float]:
     return int(inches // INCHES_PER_FOOT), inches % INCHES_PER_FOOT
 
 
-def write_person(folder: Path, *, name: str, height_cm: float | None, consent: str) -> None:
+def write_person(
+    folder: Path,
+    *,
+    name: str,
+    height_cm: float | None,
+    consent: str,
+    agreed: Mapping[str, str] = MappingProxyType({}),
+) -> None:
     """Write what is known of a visitor, in one step; notes and tape measures stay, comments do not.
+
+    Parameters
+    ----------
+    folder : Path
+    name : str
+    height_cm : float or None
+    consent : str
+        "" takes it back, and the licence with it.
+    agreed : mapping of str to str
+        What came with a new consent: "event", its title, and "licence".
 
     Raises
     ------
@@ -42,7 +61,9 @@ def write_person(folder: Path, *, name: str, height_cm: float | None, consent: s
     read_person(folder, height_cm)  # refuses absurd heights and malformed files
     path = folder / PERSON_FILE
     told: dict[str, Any] = tomllib.loads(read_text(path)) if path.exists() else {}
-    told |= {"name": name, "height_cm": height_cm, "consent": consent}
+    told |= {"name": name, "height_cm": height_cm, "consent": consent, **agreed}
+    if not consent:
+        told |= dict.fromkeys(AGREED, "")
     tables = {key: value for key, value in told.items() if isinstance(value, Mapping)}
     lines = [_line(key, value) for key, value in told.items() if key not in tables and value not in ("", None)]
     for title, table in tables.items():

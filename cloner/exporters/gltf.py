@@ -128,6 +128,7 @@ def _facts(clone: Clone, bones: Bones) -> dict[str, Any]:
         "features_m": {key: [round(float(x), 5) for x in point] for key, point in clone.features_m.items()},
         "measures_mm": dict(clone.measures_mm),
         "consent": "recorded" if clone.consent else "not recorded",
+        "licence": clone.terms.licence or "none",
         "credits": CREDITS,
     }
 

@@ -14,9 +14,11 @@ from typing import Any, Final
 
 import pygltflib
 
-from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes, write_bytes
 from cloner.exporters.gltf import build
+from cloner.exporters.vrm_springs import EXTENSION as SPRINGS
+from cloner.exporters.vrm_springs import hang_tails
+from cloner.exporters.vrm_terms import vrm_meta
 from cloner.generic.framing import standard_camera
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
@@ -27,7 +29,6 @@ from cloner.motion.rig import centred
 from cloner.records.clones import Clone
 
 EXTENSION: Final = "VRMC_vrm"
-_LICENCE: Final = "https://vrm.dev/licenses/1.0/"  # the one address that the format allows here
 _TRUNK: Final = {
     "hips": "HumanoidRoot", "spine": "vl5", "chest": "vl1", "upperChest": "vt6", "neck": "vc4", "head": "skullbase",
     "jaw": "temporomandibular",
@@ -66,8 +67,7 @@ EXPRESSIONS: Final[Mapping[str, Mapping[str, float]]] = MappingProxyType({
 def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = own_motions) -> tuple[Path, ...]:
     """Write ``<name>.vrm`` and return its path.
 
-    The terms say what holds for a person's likeness unless that person says otherwise: only they may use it or, where
-    their consent was recorded, those they allow; it is not to be passed on.
+    Without a recorded consent its terms let nobody but the person use it; with one, what its licence says.
 
     Raises
     ------
@@ -80,6 +80,10 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
     gltf.extensions = {EXTENSION: _vrm(posed, nodes, name)}
     gltf.extensions[EXTENSION]["meta"]["thumbnailImage"] = _thumbnail(gltf, posed)
+    springs = hang_tails(gltf, posed)
+    if springs is not None:
+        gltf.extensionsUsed = [*gltf.extensionsUsed, SPRINGS]
+        gltf.extensions[SPRINGS] = springs
     path = folder / f"{name}.vrm"
     write_bytes(path, b"".join(gltf.save_to_bytes()))
     return (path,)
@@ -104,22 +108,7 @@ def _vrm(clone: Clone, nodes: Mapping[str, int], name: str) -> dict[str, Any]:
     eyes = (clone.joints_m[generic.joint("l_eyeball_joint")] + clone.joints_m[generic.joint("r_eyeball_joint")]) / 2.0
     return {
         "specVersion": "1.0",
-        "meta": {
-            "name": name,
-            "version": "1",
-            "authors": ["Cloner"],
-            "copyrightInformation": CREDITS,
-            "licenseUrl": _LICENCE,
-            "avatarPermission": "onlySeparatelyLicensedPerson" if clone.consent else "onlyAuthor",
-            "allowExcessivelyViolentUsage": False,
-            "allowExcessivelySexualUsage": False,
-            "commercialUsage": "personalNonProfit",
-            "allowPoliticalOrReligiousUsage": False,
-            "allowAntisocialOrHateUsage": False,
-            "creditNotation": "required",
-            "allowRedistribution": False,
-            "modification": "prohibited",
-        },
+        "meta": vrm_meta(clone.terms, name),
         "humanoid": {"humanBones": {bone: {"node": nodes[joint]} for bone, joint in human_bones().items()}},
         "expressions": {"preset": _expressions(clone, nodes["Body"])},
         "lookAt": {

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final
 
@@ -19,6 +20,7 @@ from cloner.project.archives import BROKEN, opened
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.heads import Shell
+from cloner.records.terms import LICENCES, LONGEST_TERM, Terms
 from cloner.records.views import Camera
 
 #: What a result's clone is called.
@@ -65,6 +67,7 @@ def save_clone(clone: Clone, path: Path) -> None:
         "stamp": clone.stamp,
         "measures_mm": dict(clone.measures_mm),
         "consent": clone.consent,
+        "terms": asdict(clone.terms),
     }
     arrays["facts_json"] = np.frombuffer(json.dumps(facts).encode(), dtype=np.uint8)
     stream = io.BytesIO()
@@ -119,8 +122,17 @@ def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
         sole_m=facts["sole_m"],
         measures_mm={str(name): float(value) for name, value in facts.get("measures_mm", {}).items()},
         consent=facts.get("consent") is True,
+        terms=_terms(facts),
         stamp="".join(one for one in str(facts.get("stamp", "")) if one.isalnum() or one in " .,=:-")[:400],
     )
+
+
+def _terms(facts: dict[str, Any]) -> Terms:
+    """Return the terms of a file's facts; older files have none."""
+    told = facts.get("terms", {"licence": LICENCES[0] if facts.get("consent") is True else ""})
+    if not all(isinstance(value, str) and len(value) <= LONGEST_TERM for value in told.values()):
+        raise ValueError("its terms are no short texts")
+    return Terms(**told)
 
 
 def _check_fits(clone: Clone) -> None:

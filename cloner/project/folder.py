@@ -19,11 +19,13 @@ from cloner.project.tape import read_tape
 from cloner.project.texts import check_format, check_own, read_text
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import Corrections
+from cloner.records.terms import LICENCES, LONGEST_TERM, Terms
 from cloner.vision.pictures import read_picture
 
 log = logging.getLogger(__name__)
 
 SUFFIXES: Final = (".jpg", ".jpeg", ".png", ".webp", ".tif", ".tiff", ".heic", ".heif")
+LONGEST_TOLD_TEXT: Final = 30  # of a word nobody knows; taste
 LARGEST_TOLD: Final = 1e9  # whole numbers in TOML may have more digits than a float holds
 DEFAULT_HEIGHT_CM: Final = 170.0  # taste: near the mean adult; lengths are then marked as unscaled
 SMALLEST_HEIGHT_CM: Final = 60.0  # below the smallest adult ever measured (55 cm), above any typing slip in metres
@@ -32,7 +34,7 @@ LONGEST_IDENTIFIER: Final = 60  # file systems allow 255 bytes; leaves room for 
 FEW: Final = 5  # names in a sentence; taste
 PERSON_FILE: Final = "person.toml"
 PERSON_FORMAT: Final = 1  # files without a number are of format 1
-_PERSON_KEYS: Final = {"format", "name", "height_cm", "notes", "measures", "consent"}
+_PERSON_KEYS: Final = {"format", "name", "height_cm", "notes", "measures", "consent", "event", "licence"}
 
 
 def find_photos(folder: Path) -> dict[ViewId, Path]:
@@ -131,7 +133,7 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
     Parameters
     ----------
     folder : Path
-        May hold ``person.toml`` with name, height_cm, notes, consent and a table measures (centimetres).
+        May hold ``person.toml`` with name, height_cm, notes, consent, event, licence and a table measures (cm).
     height_cm : float or None
         Barefoot height from the command line; wins over the file.
     identifier : str or None
@@ -154,7 +156,7 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
     height = height_cm if height_cm is not None else data.get("height_cm")
     known = height is not None
     stature_m = m_from_cm(_checked_height(height, source) if known else DEFAULT_HEIGHT_CM)
-    _text(data, "consent")
+    _terms(data)
     return Person(
         identifier=safe_identifier(identifier if identifier is not None else folder.resolve().name),
         name=name,
@@ -174,6 +176,17 @@ def read_consent(folder: Path) -> str:
         If the file is malformed.
     """
     return _text(_person_table(folder / PERSON_FILE), "consent")
+
+
+def read_terms(folder: Path) -> Terms:
+    """Return what ``person.toml`` lets others do with the clone; nothing where it records no consent.
+
+    Raises
+    ------
+    ClonerError
+        If the file is malformed or names an unknown licence.
+    """
+    return _terms(_person_table(folder / PERSON_FILE))
 
 
 def checked_height_m(height_m: float | None) -> tuple[float, bool]:
@@ -293,6 +306,16 @@ def _text(data: Mapping[str, Any], key: str) -> str:
     if not isinstance(value, str):
         raise ClonerError(f"{key} must be text in quotes", "Put it in quotes", f"person.toml, {key}")
     return value
+
+
+def _terms(data: Mapping[str, Any]) -> Terms:
+    consent, event, licence = (_text(data, key) for key in ("consent", "event", "licence"))
+    if licence not in ("", *LICENCES):
+        hint = f"The licences are {', '.join(LICENCES)}"
+        raise ClonerError(f"the licence {licence[:LONGEST_TOLD_TEXT]!r} is not known", hint, "person.toml, licence")
+    if not consent:
+        return Terms()
+    return Terms(_text(data, "name").strip()[:LONGEST_TERM], event.strip()[:LONGEST_TERM], licence or LICENCES[0])
 
 
 def _tape_mm(data: Mapping[str, Any], stature_m: float) -> tuple[tuple[str, float], ...]:

@@ -13,6 +13,7 @@ from cloner.frames import ViewId
 from cloner.records.arrays import freeze
 from cloner.records.bodies import PosedView
 from cloner.records.heads import Shell
+from cloner.records.terms import Terms
 
 
 def _freeze_person(person: Joined | Clone) -> None:
@@ -113,6 +114,8 @@ class Clone:
         Measures of the body under its clothes by their names in ISO 8559-1; empty where nobody measured.
     consent : bool
         Whether the person's consent was recorded with the photos.
+    terms : Terms
+        Whom the files name, and what others may do with them; empty without consent.
     """
 
     vertices_m: NDArray[np.float64]
@@ -131,6 +134,7 @@ class Clone:
     stamp: str = ""
     measures_mm: Mapping[str, float] = field(default_factory=dict)
     consent: bool = False
+    terms: Terms = field(default_factory=Terms)
 
     def __post_init__(self) -> None:
         _freeze_person(self)

@@ -11,6 +11,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal
 
 from cloner.booth import arrivals, keeping, line, trash
+from cloner.booth.agreed import agreed_terms
 from cloner.booth.event import (
     Event,
     check_can_write,
@@ -130,6 +131,10 @@ class Booth(Desk):
         root, camera = self.root, self.intake.camera_folder
         if root is not None and camera is not None:
             self._guard(lambda: arrivals.write_note(root, camera, known))
+
+    def terms(self, language: str) -> Mapping[str, str]:
+        """Return the event's title, and its licence where its own text in the language was read."""
+        return {} if self.root is None else agreed_terms(self.settings, self.root, language)
 
     def typed_name(self, folder: Path) -> str:
         """Return a visitor's name as it was typed."""

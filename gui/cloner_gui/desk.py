@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from datetime import UTC, datetime
+from types import MappingProxyType
 from typing import Any, Final
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -48,7 +50,11 @@ class Desk(QObject):
 
     def agree(self, text: str, language: str) -> None:
         """Record that the open visitor agrees to a text, now."""
-        self._save(*self.person()[:2], consent_given(text, datetime.now(UTC), language))
+        self._save(*self.person()[:2], consent_given(text, datetime.now(UTC), language), self.terms(language))
+
+    def terms(self, language: str) -> Mapping[str, str]:
+        """Return what a consent given now, in a language, says besides its text; nothing without an event."""
+        return {}
 
     def withdraw_consent(self) -> None:
         """Record that the open visitor agrees no more; what is stored already is deleted on the last page."""
@@ -59,10 +65,12 @@ class Desk(QObject):
         folder = self.session.folder
         return ("", None, "") if folder is None else self._guard(lambda: person_facts(folder)) or ("", None, "")
 
-    def _save(self, name: str, height_cm: float | None, consent: str) -> None:
+    def _save(
+        self, name: str, height_cm: float | None, consent: str, agreed: Mapping[str, str] = MappingProxyType({})
+    ) -> None:
         folder = self.session.folder
         if folder is not None and (name, height_cm, consent) != self.person():
-            self._guard(lambda: write_person(folder, name=name, height_cm=height_cm, consent=consent))
+            self._guard(lambda: write_person(folder, name=name, height_cm=height_cm, consent=consent, agreed=agreed))
             self.session.height_cm, self.session.consent = height_cm, self.person()[2]
             self.visits_changed.emit()
 

@@ -11,6 +11,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.records.bodies import PosedView
+from cloner.records.terms import Terms
 from cloner.records.views import Camera
 from kit.clones import toy_clone
 from kit.compare_clones import snapshot
@@ -21,12 +22,14 @@ def test_a_clone_comes_back_bit_for_bit(tmp_path):
     flat = Camera(300, 401, 0.0, np.eye(4), pixels_per_m=1.0 / 3.0)
     views = dict(clone.views) | {ViewId.FACE_SIDE: PosedView(ViewId.FACE_SIDE, flat, np.full((94, 3), 0.1))}
     clone = replace(clone, views=views, sole_m=0.1 + 0.2, measures_mm={"chest_girth": 0.1 + 0.2}, consent=True)
+    clone = replace(clone, terms=Terms("Zoë", "Fair", "event"))
     before = snapshot(clone)
     save_clone(clone, tmp_path / "clone.npz")
     assert snapshot(clone) == before
     back = load_clone(tmp_path / "clone.npz")
     assert snapshot(back) == before
     assert (back.measures_mm, back.consent) == (clone.measures_mm, True)
+    assert back.terms == Terms("Zoë", "Fair", "event")
     assert [path.name for path in tmp_path.iterdir()] == ["clone.npz"]
 
 

@@ -7,7 +7,6 @@ import json
 import os
 import shutil
 import subprocess
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,11 +15,14 @@ import pytest
 from PIL import Image
 
 from cloner.exporters.vrm import EXPRESSIONS, export, human_bones
+from cloner.exporters.vrm_terms import vrm_meta
 from cloner.generic.load import load_generic
 from cloner.motion.rest import in_t_pose
+from cloner.records.terms import Terms
 from kit.browser import CHROMIUM, browser
 from kit.clones import toy_clone
 from kit.compare_clones import snapshot
+from kit.tails import with_tail
 
 MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node")).resolve()
 READER = Path(__file__).with_name("read_vrm.mjs")
@@ -107,14 +109,26 @@ def test_the_thumbnail_shows_the_head(gltf) -> None:
 def test_terms_protect_the_person(gltf) -> None:
     meta = gltf.extensions["VRMC_vrm"]["meta"]
     assert meta["avatarPermission"] == "onlyAuthor"
+    assert meta["commercialUsage"] == "personalNonProfit"
     assert meta["allowRedistribution"] is False
-    assert {"name", "authors", "licenseUrl"} <= set(meta)
+    assert meta["modification"] == "prohibited"
+    assert meta["creditNotation"] == "required"
+    assert (meta["name"], meta["authors"]) == ("clone", ["The person shown"])
+    assert meta["licenseUrl"] == "https://vrm.dev/licenses/1.0/", "the only one that the format's schema knows"
 
 
-def test_recorded_consent_lets_those_use_it_whom_the_person_allows(clone, tmp_path: Path) -> None:
-    (path,) = export(replace(clone, consent=True), tmp_path)
-    meta = pygltflib.GLTF2().load_binary(str(path)).extensions["VRMC_vrm"]["meta"]
-    assert meta["avatarPermission"] == "onlySeparatelyLicensedPerson"
+@pytest.mark.parametrize(("licence", "told"), [
+    ("own", ("onlySeparatelyLicensedPerson", "personalNonProfit", False, "allowModification")),
+    ("event", ("onlySeparatelyLicensedPerson", "corporation", False, "allowModification")),
+    ("everyone", ("everyone", "personalNonProfit", True, "allowModificationRedistribution")),
+])  # fmt: skip
+def test_a_consent_s_licence_says_who_may_use_it(licence: str, told: tuple[object, ...]) -> None:
+    meta = vrm_meta(Terms("Zoë", "Fair 2026", licence), "clone")
+    keys = ("avatarPermission", "commercialUsage", "allowRedistribution", "modification")
+    assert tuple(meta[key] for key in keys) == told
+    assert (meta["name"], meta["authors"]) == ("Zoë", ["Zoë", "Fair 2026"])
+    assert meta["creditNotation"] == "required"
+    assert not any(meta[key] for key in meta if key.startswith("allow") and key != "allowRedistribution")
 
 
 def test_eyes_turn_so_that_it_is_seen(gltf) -> None:
@@ -136,13 +150,45 @@ def test_the_khronos_validator_finds_no_error(vrm) -> None:
 
 
 @pytest.mark.skipif(
+    shutil.which("node") is None or not (MODULES / "node_modules/gltf-validator").is_dir(),
+    reason="gltf-validator is not here",
+)
+def test_a_tail_s_bones_pass_the_validator_and_carry_it(clone, tmp_path: Path) -> None:
+    (path,) = export(with_tail(clone), tmp_path)
+    done = subprocess.run(["node", VALIDATOR, MODULES, path], capture_output=True, text=True, check=True, timeout=120)
+    issues = json.loads(done.stdout)["issues"]
+    assert issues["numErrors"] == issues["numWarnings"] == 0
+    gltf = pygltflib.GLTF2().load_binary(str(path))
+    spring = gltf.extensions["VRMC_springBone"]["springs"][0]
+    names = [gltf.nodes[joint["node"]].name for joint in spring["joints"]]
+    assert names == [f"hair_tail1_{number}" for number in range(1, len(names) + 1)]
+    hair = next(mesh for mesh in gltf.meshes if mesh.name == "Hair").primitives[0].attributes
+    joints, weights = (_values(gltf, accessor) for accessor in (hair.JOINTS_0, hair.WEIGHTS_0))
+    assert weights.sum(axis=1) == pytest.approx(1.0, abs=1e-6)
+    lowest = _values(gltf, hair.POSITION)[:, 1].argmin()
+    assert gltf.nodes[gltf.skins[0].joints[joints[lowest, 0]]].name == names[-2], "the last one is but an end"
+
+
+def test_short_hair_has_no_springs(gltf) -> None:
+    assert "VRMC_springBone" not in gltf.extensions
+
+
+def _values(gltf, number: int) -> np.ndarray:
+    accessor = gltf.accessors[number]
+    kind, width = {5121: np.uint8, 5126: np.float32}[accessor.componentType], {"VEC3": 3, "VEC4": 4}[accessor.type]
+    start = gltf.bufferViews[accessor.bufferView].byteOffset
+    return np.frombuffer(gltf.binary_blob(), kind, accessor.count * width, start).reshape(-1, width)
+
+
+needs_three_vrm = pytest.mark.skipif(
     CHROMIUM is None
     or not all((MODULES / "node_modules" / name).is_dir() for name in ("three", "@pixiv/three-vrm", "esbuild")),
     reason="three-vrm, esbuild or Chromium is not here; run: npm install three @pixiv/three-vrm esbuild",
 )
-@pytest.mark.slow
-def test_three_vrm_reads_bones_expressions_and_gaze(vrm, tmp_path: Path) -> None:
-    """The reader of the format's own makers finds the person, blinks it and lifts its arm."""
+
+
+def in_three_vrm(vrm: Path, tmp_path: Path) -> dict:
+    """Return what the reader of the format's own makers tells of a file."""
     import base64
 
     entry = MODULES / "read_vrm_entry.mjs"
@@ -162,11 +208,38 @@ def test_three_vrm_reads_bones_expressions_and_gaze(vrm, tmp_path: Path) -> None
         page.open(page_file)
         page.wait_for("window.result")
         result = page.value("window.result")
+    return result
+
+
+@needs_three_vrm
+@pytest.mark.slow
+def test_three_vrm_reads_bones_expressions_and_gaze(vrm, tmp_path: Path) -> None:
+    """The reader of the format's own makers finds the person, blinks it and lifts its arm."""
+    result = in_three_vrm(vrm, tmp_path)
     assert result.get("error") is None
     assert result["metaVersion"] == "1"
     assert set(REQUIRED) <= set(result["bones"])
     assert set(EXPRESSIONS) <= set(result["expressions"])
     assert result["lookAt"] is True
+    assert (result["name"], result["authors"]) == ("clone", ["The person shown"])
+    turned = {way: np.array(result["gaze_deg"][way]) for way in ("left", "up", "down")}  # two eyes, aside and up
+    assert (turned["left"][:, 0] > 15.0).all(), "her own left, seen from 45 degrees aside"
+    assert (turned["up"][:, 1] > 12.0).all()
+    assert (turned["down"][:, 1] < -12.0).all()
     assert result["hips_m"] == pytest.approx(0.85, abs=0.2)
     assert result["hand_raised_m"] > 0.2
     assert result["blink_weight"] == pytest.approx(1.0, abs=1e-3)
+
+
+@needs_three_vrm
+@pytest.mark.slow
+def test_a_tail_lags_behind_a_turning_head_comes_to_rest_and_stays_outside_the_body(clone, tmp_path: Path) -> None:
+    """Its tip hangs 8 cm behind the skull's axis: a head turned at once by a radian moves it by 8 cm and more."""
+    (path,) = export(with_tail(clone), tmp_path)
+    springs = in_three_vrm(path, tmp_path)["springs"]
+    assert springs["colliders"] == 3
+    assert springs["joints"] >= 3
+    assert springs["sag_m"] < 0.03, "resting hair hangs as in the photos"
+    assert springs["lag_m"] > 0.05
+    assert springs["still_m"] < 0.001
+    assert min(springs["inside_m"]) > -0.002

@@ -40,6 +40,8 @@ from hostile import cases_motion, cases_photos
 from kit.clones import toy_clone
 
 PERSON = b"""format = 1
+event = "Fair"
+licence = "own"
 name = "Anna \\u00e9"
 height_cm = 158.5
 notes = '''two

@@ -2,12 +2,14 @@
 
 import json
 import os
+from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
 import pytest
 
 from cloner.booth import effort, keeping, line
+from cloner.booth.agreed import agreed_terms
 from cloner.booth.event import Event, check_event_folder, is_visitor, new_visitor, read_event, visits, write_event
 from cloner.booth.person_file import (
     cm_from_feet,
@@ -20,6 +22,8 @@ from cloner.booth.person_file import (
 )
 from cloner.booth.visits import KnownVisits, State, Visit, read_visit, write_visit
 from cloner.errors import ClonerError
+from cloner.project.folder import read_terms
+from cloner.records.terms import Terms
 
 NOW = datetime(2026, 11, 21, 12, 0, tzinfo=UTC)
 
@@ -28,7 +32,7 @@ def test_settings_come_back_as_they_were_written(tmp_path):
     event = Event(
         title="Fair", language="tr", retention_days=7, consents={"tr": "Evet"}, formats=("glb", "obj"),
         camera_folder="/media/camera", link="http://x/{id}", phone=True, pin="1", appearance="dark", text_percent=150,
-        big=True, open="visitor-003",
+        big=True, open="visitor-003", licence="everyone",
     )  # fmt: skip
     write_event(tmp_path, event)
     assert read_event(tmp_path) == event
@@ -106,6 +110,19 @@ def test_name_height_and_consent_are_written_and_the_rest_stays(tmp_path):
     assert "waist_girth = 70.5" in text
     write_person(tmp_path, name="", height_cm=None, consent="")
     assert person_facts(tmp_path) == ("", None, "")
+
+
+def test_a_licence_counts_only_where_the_event_s_own_text_was_read_and_goes_with_the_consent(tmp_path):
+    event = replace(Event(), title="Fair", licence="everyone", consents={"de": "Alle sollen meine Dateien nutzen."})
+    assert agreed_terms(event, tmp_path, "en") == {"event": "Fair", "licence": "own"}
+    agreed = agreed_terms(event, tmp_path, "de")
+    write_person(tmp_path, name=" Anna ", height_cm=None, consent="ja (2026)", agreed=agreed)
+    assert read_terms(tmp_path) == Terms("Anna", "Fair", "everyone")
+    write_person(tmp_path, name="Anna", height_cm=170.0, consent="ja (2026)")
+    assert read_terms(tmp_path).licence == "everyone", "a height typed later changes no terms"
+    write_person(tmp_path, name="Anna", height_cm=170.0, consent="")
+    assert read_terms(tmp_path) == Terms()
+    assert "licence" not in (tmp_path / "person.toml").read_text()
 
 
 def test_absurd_heights_are_refused_and_the_old_ones_stay(tmp_path):

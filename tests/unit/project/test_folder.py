@@ -12,6 +12,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project import folder as project
 from cloner.records.points import Correction, Corrections
+from cloner.records.terms import Terms
 
 #: Round figures of tailors' tables.
 AVERAGE_AT_170_MM = {
@@ -94,6 +95,25 @@ def test_person_file_gives_name_height_and_measures(tmp_path: Path) -> None:
     assert (person.name, person.stature_m, person.stature_is_known, person.notes) == ("Zoë", 1.715, True, "x")
     assert person.tape_mm == (("waist_girth", 702.0), ("inside_leg_height", 780.0))
     assert project.person_warnings(person) == ()
+
+
+@pytest.mark.parametrize(("text", "terms"), [
+    ('name = "Zoë"\nlicence = "everyone"', Terms()),
+    ('name = "Zoë"\nconsent = "yes"', Terms("Zoë", "", "own")),
+    ('consent = "yes"\nevent = "Fair"\nlicence = "event"', Terms("", "Fair", "event")),
+    ("", Terms()),
+])  # fmt: skip
+def test_only_a_recorded_consent_lets_others_do_anything(tmp_path: Path, text: str, terms: Terms) -> None:
+    (tmp_path / "person.toml").write_text(text, encoding="utf-8")
+    assert project.read_terms(tmp_path) == terms
+
+
+def test_an_unknown_licence_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "person.toml").write_text('licence = "free for all"', encoding="utf-8")
+    with pytest.raises(ClonerError, match="not known") as caught:
+        project.read_person(tmp_path)
+    assert caught.value.where == "person.toml, licence"
+    assert "own, event, everyone" in caught.value.hint
 
 
 def test_height_of_the_command_line_wins(tmp_path: Path) -> None:
