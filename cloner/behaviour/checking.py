@@ -36,8 +36,6 @@ def checked(scenario: Scenario, where: str = "scenario") -> Scenario:
         _distinct(kind, names, where)
     if not scenario.floors:
         raise ClonerError("there is nothing to walk on", "Give a floor, such as: floor 0, 0 to 30, 12", where)
-    if not 1 <= scenario.people() <= MOST_PEOPLE:
-        raise ClonerError(f"a scenario of {scenario.people()} people", f"Give 1 to {MOST_PEOPLE} people", where)
     for shape in (*scenario.floors, *scenario.obstacles):
         _check_shape(shape, where)
     for point in scenario.points:
@@ -51,11 +49,15 @@ def checked(scenario: Scenario, where: str = "scenario") -> Scenario:
         _check_near((thing.at,), thing.name, where)
     for emotion in scenario.emotions:
         if not 0.1 <= emotion.speed <= FASTEST_M_S:
-            raise fault(f"{emotion.name} walks {emotion.speed:g} m/s", f"Give .1 to {FASTEST_M_S} m/s", emotion.name, where)
+            raise fault(
+                f"{emotion.name} walks {emotion.speed:g} m/s", f"Give .1 to {FASTEST_M_S} m/s", emotion.name, where
+            )
     for group in scenario.groups:
         _check_group(group, scenario, where)
     for rule in scenario.rules:
         _check_rule(rule, scenario, where)
+    if not 1 <= scenario.people() <= MOST_PEOPLE:
+        raise ClonerError(f"a scenario of {scenario.people()} people", f"Give 1 to {MOST_PEOPLE} people", where)
     return scenario
 
 
@@ -100,14 +102,19 @@ def _known(kind: str, name: str, names: Sequence[str], where: str) -> None:
     if name in names:
         return
     near = difflib.get_close_matches(name, names, 1)
-    known = f"Did you mean {near[0]}" if near else f"Known: {', '.join(names[:8])}" if names else f"Give one: {kind} ..."
+    known = (
+        f"Did you mean {near[0]}" if near else f"Known: {', '.join(names[:8])}" if names else f"Give one: {kind} ..."
+    )
     raise fault(f"there is no {kind} called {name}", known, name, where)
 
 
 def _check_shape(shape: Shape, where: str) -> None:
     name = shape.name or "floor"
     _check_near(shape.corners, name, where)
-    area = sum(ax * by - bx * ay for (ax, ay), (bx, by) in zip(shape.corners, shape.corners[1:] + shape.corners[:1], strict=True))
+    area = sum(
+        ax * by - bx * ay
+        for (ax, ay), (bx, by) in zip(shape.corners, shape.corners[1:] + shape.corners[:1], strict=True)
+    )
     if len(shape.corners) < 3 or abs(area) < 1e-6:
         raise fault(f"{name} has no area", "Give three corners or more that are not on one line", name, where)
 

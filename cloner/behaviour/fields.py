@@ -71,7 +71,7 @@ def _graph(ground: Ground) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]
 
 
 def directions(ground: Ground, distance: Array) -> Array:
-    """Return the unit direction to walk from each cell, (rows, cols, 2): along the shortest way as far as it is seen."""
+    """Return the unit direction to walk from each cell, (rows, cols, 2): as far along the shortest way as is seen."""
     rows, cols = distance.shape
     reached = np.flatnonzero(np.isfinite(distance).ravel() & (distance.ravel() > 0.0))
     after = _next_cells(ground, distance)

@@ -79,6 +79,15 @@ _COLON: /:([ \t]*(#[^\n]*)?\r?\n)*/
 
 #: What tokens are called where one of them was expected.
 CALLED: Final = {
-    "NAME": "a name", "NUMBER": "a number", "INT": "a whole number", "STRING": "a file's name in quotes", "_NL": "a new line",
-    "$END": "the end", "_COMMA": "a comma", "_COLON": "a colon", "SEMICOLON": "a semicolon", "MORETHAN": "'>'", "PERCENT": "'%'",
-}  # fmt: skip
+    "NAME": "a name",
+    "NUMBER": "a number",
+    "INT": "a whole number",
+    "STRING": "a file's name in quotes",
+    "_NL": "a new line",
+    "$END": "the end",
+    "_COMMA": "a comma",
+    "_COLON": "a colon",
+    "SEMICOLON": "a semicolon",
+    "MORETHAN": "'>'",
+    "PERCENT": "'%'",
+}

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Final
 
 import numpy as np
@@ -54,7 +55,8 @@ class Ground:
         """Return row and column of the cell of each place (n, 2), clipped to the raster."""
         column = ((place[:, 0] - self.low[0]) / CELL_M).astype(np.int64)
         row = ((place[:, 1] - self.low[1]) / CELL_M).astype(np.int64)
-        return np.clip(row, 0, self.clear.shape[0] - 1), np.clip(column, 0, self.clear.shape[1] - 1)
+        rows, cols = self.clear.shape
+        return np.maximum(np.minimum(row, rows - 1), 0), np.maximum(np.minimum(column, cols - 1), 0)
 
     def middles(self, row: Indices, column: Indices) -> Array:
         """Return the middles of cells, (n, 2) metres."""
@@ -69,13 +71,14 @@ class Ground:
         """Return whether nothing stands between the places of two lists (n, 2), as wide as a body if wanted."""
         away = end - start
         length = np.sqrt(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1])
-        steps = int(np.ceil(length.max(initial=0.0) / CELL_M)) + 1
-        open_way = np.ones(len(start), bool)
-        for k in range(1, steps):
-            share = np.minimum(k * CELL_M / np.maximum(length, CELL_M), 1.0)
-            row, column = self.cells(start + share[:, None] * away)
-            open_way &= (self.clear[row, column] >= body_m) | (share >= 1.0)
-        return open_way
+        if not len(length):
+            return np.zeros(0, bool)
+        along = np.arange(1, int(np.ceil(length.max() / CELL_M)) + 1) * CELL_M
+        share = np.minimum(along / np.maximum(length, CELL_M)[:, None], 1.0)
+        way = start[:, None] + share[:, :, None] * away[:, None]
+        row, column = self.cells(way.reshape(-1, 2))
+        clear = self.clear[row, column].reshape(share.shape)
+        return np.asarray(((clear >= body_m) | (share >= 1.0)).all(axis=1))
 
 
 def box(middle: Sequence[float], size: Sequence[float]) -> Array:
@@ -137,7 +140,7 @@ def _walls(floors: Sequence[Array], obstacles: Sequence[Array]) -> Array:
     pieces: list[tuple[float, ...]] = []
     for ax, ay, bx, by in edges:
         cuts = sorted({0.0, 1.0, *_cuts(np.array([ax, ay]), np.array([bx, by]), edges)})
-        for s, t in zip(cuts, cuts[1:], strict=False):
+        for s, t in pairwise(cuts):
             pieces.append((ax + s * (bx - ax), ay + s * (by - ay), ax + t * (bx - ax), ay + t * (by - ay)))
     found = np.array(pieces)
     along = found[:, 2:] - found[:, :2]
@@ -161,7 +164,7 @@ def _cuts(start: Array, end: Array, edges: Array) -> list[float]:
     cuts = own[meet].tolist()
     lies = (turn == 0.0) & (np.abs(first[:, 0] * along[1] - first[:, 1] * along[0]) < 1e-9)  # on the same line
     for corner in (edges[lies, :2], edges[lies, 2:]):
-        share = ((corner - start) @ along) / max(along @ along, 1e-18)
+        share = ((corner - start) @ along) / max(float(along @ along), 1e-18)
         cuts += share[(share > 0.0) & (share < 1.0)].tolist()
     return [float(one) for one in cuts]
 

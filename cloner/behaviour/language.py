@@ -13,7 +13,19 @@ from lark.exceptions import UnexpectedCharacters, UnexpectedEOF, UnexpectedToken
 from cloner.behaviour.checking import checked, checked_actions, fault
 from cloner.behaviour.grammar import CALLED, GRAMMAR
 from cloner.behaviour.model import (
-    EMOTIONS, Action, Emotion, Feeling, Follows, Group, Point, Rule, Scenario, Shape, Thing, When, Who,
+    EMOTIONS,
+    Action,
+    Emotion,
+    Feeling,
+    Follows,
+    Group,
+    Point,
+    Rule,
+    Scenario,
+    Shape,
+    Thing,
+    When,
+    Who,
 )  # fmt: skip
 from cloner.errors import ClonerError
 from cloner.outside import text_outside
@@ -30,7 +42,7 @@ class Word(str):
     column: int
 
 
-class _Records(Transformer[Token, Any]):
+class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not be there when types are checked
     """Turns the tree into records."""
 
     def NAME(self, token: Token) -> Word:
@@ -204,6 +216,7 @@ def _once(parts: Sequence[dict[str, Any]], name: str) -> dict[str, Any]:
 
 
 def _group(name: str, people: int, parts: Sequence[dict[str, Any]], *, alone: bool) -> Group:
+    parts = [part for part in parts if part is not None]
     likes = tuple(part["likes"] for part in parts if "likes" in part)
     return Group(name, people, alone, likes=likes, **_once([part for part in parts if "likes" not in part], name))
 

@@ -16,7 +16,7 @@ XY = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Point:
-    """A place to pass (IP), or to act at (AP) if ``act`` says what; ``holds`` people at a time, 0 for any number."""
+    """A place to pass (IP), or to act at (AP) if ``act`` says what; it ``holds`` so many people, 0 for any number."""
 
     name: str
     at: XY
@@ -53,7 +53,7 @@ class Emotion:
     acts: tuple[str, ...] = ("stand",)
 
 
-#: The source's five and afraid. Speeds are those the walks of ``cloner/motion`` give (facts, section 4); afraid is ours.
+#: The source's five and afraid. Speeds are what the walks of ``cloner/motion`` give (facts, section 4); afraid: taste.
 EMOTIONS: Final = (
     Emotion("sad", 0.87, "sad", ("stand", "sit")),
     Emotion("calm", 1.11, "calm", ("stand", "sit", "look")),
@@ -85,8 +85,8 @@ class Follows:
 class Group:
     """People with one mind; or, ``alone``, a crowd of people each with a mind of their own.
 
-    ``leader`` is "random", "emerging" (the highest domination) or a name. ``knows`` None is every point. ``likes`` holds
-    pairs of a group and a liking 0..1. Without ``visits`` they go to known points at random, or wander.
+    ``leader`` is "random", "emerging" (the highest domination) or a name. ``knows`` None is every point. ``likes``
+    holds pairs of a group and a liking 0..1. Without ``visits`` they go to known points at random, or wander.
     """
 
     name: str
@@ -141,7 +141,7 @@ VERBS: Final = {
 class When:
     """What lets a rule act.
 
-    ``kind`` is "at" (``seconds``), "event" (``what``), "sees" (``what`` is a thing, awake only if ``awake``, or a group),
+    ``kind`` is "at" (``seconds``), "event" (``what``), "sees" (``what`` is a thing, if need be ``awake``, or a group),
     "sees feeling" (``what`` is an emotion of others), "is" (an emotion of their own) or "reaches" (a point).
     """
 

@@ -19,9 +19,9 @@ SOON_S: Final = 1.0
 
 
 def nearest(place: Array, velocity: Array, *, period_m: float = 0.0) -> Indices:
-    """Return of each person the places in the list of up to 16 nearest within `AHEAD_M`, (n, 16), nearest first, -1.
+    """Return of each person who the up to 16 nearest within `AHEAD_M` are, (n, 16), nearest first, then -1.
 
-    ``place`` and ``velocity`` are (n, 2), m and m/s. With a period the world repeats along x: a corridor that is a ring.
+    ``place`` and ``velocity`` are (n, 2), m and m/s. With a period the world repeats along x: a corridor is a ring.
     """
     count = len(place)
     if count < 2:

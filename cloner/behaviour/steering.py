@@ -31,7 +31,7 @@ INTENT: Final = 0.5
 SHOULDERS: Final = 0.8
 #: Nobody stands quite still before one who comes the other way, nearer than so: one edges past.
 EDGING_M_S, EDGING_M = 0.3, 1.0
-#: Square of the cosine of 45 degrees: others further aside are beside one. At 60 degrees a .75 m door jams now and then.
+#: Square of the cosine of 45 degrees: others further aside are beside one. At 60 degrees a .75 m door jams at times.
 BESIDE: Final = 0.5
 _FEW: Final = 4  # headings between two looks at who needs no more of them
 
@@ -51,7 +51,7 @@ FAN: Final = _fan()
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Others:
-    """Of each person the others: (n, k) relative place, velocity expected, how near they may come, is one there, passing."""
+    """Of each person the others: (n, k) relative place, expected velocity, least distance, there, and passing."""
 
     x: Array
     y: Array
@@ -86,7 +86,9 @@ def passes(wish: Array, table: Indices, who: Indices) -> Mask:
     return np.asarray(wish[table, 0] * wish[who, :1] + wish[table, 1] * wish[who, 1:] < 0.0)
 
 
-def choose(ground: Ground, place: Array, way: Array, own_speed: Array, others: Others) -> tuple[Array, Array]:
+def choose(
+    ground: Ground, place: Array, way: Array, own_speed: Array, ahead: Array, others: Others
+) -> tuple[Array, Array]:
     """Return the heading (n, 2) and speed (n,) each person chooses.
 
     Parameters
@@ -97,6 +99,8 @@ def choose(ground: Ground, place: Array, way: Array, own_speed: Array, others: O
         Unit direction to the goal.
     own_speed : (n,) m/s
         How fast each would like to walk.
+    ahead : (n,) metres
+        How far each looks: `AHEAD_M`, or to the goal; a wall behind the goal turns nobody.
     others : Others
         Of the same people; who is behind is not seen.
     """
@@ -107,21 +111,24 @@ def choose(ground: Ground, place: Array, way: Array, own_speed: Array, others: O
     best, chosen = np.full(count, np.inf), np.zeros(count, np.int64)
     rest = np.arange(count)
     part, free = _reachable(others, seen, speed), ground.free[row, column]
-    here = way, speed
+    here = way, speed, ahead
     for k, (cosine, sine) in enumerate(FAN):
         wx, wy = here[0][:, 0], here[0][:, 1]
         ex, ey = cosine * wx - sine * wy, sine * wx + cosine * wy
         far = np.minimum(free[np.arange(len(rest)), direction_bins(ex, ey)], _meeting(ex, ey, here[1], part))
-        away = AHEAD_M * AHEAD_M + far * far - 2.0 * AHEAD_M * cosine * far
+        far = np.minimum(far, here[2])
+        away = here[2] * here[2] + far * far - 2.0 * cosine * here[2] * far
         better = away < best[rest]
         best[rest[better]], chosen[rest[better]] = away[better], k
         if k % _FEW == 0 and k + 1 < len(FAN):
-            least = AHEAD_M * AHEAD_M * FAN[k + 1][1] * FAN[k + 1][1]  # the best that any heading further out can give
+            least = (
+                here[2] * here[2] * (FAN[k + 1][1] * FAN[k + 1][1])
+            )  # the best that any heading further out can give
             on = best[rest] > least
             if not on.any():
                 break
             rest, free, part = rest[on], free[on], part.of(on)
-            here = here[0][on], here[1][on]
+            here = here[0][on], here[1][on], here[2][on]
     turn = np.array(FAN)[chosen]
     heading = np.stack(
         [turn[:, 0] * way[:, 0] - turn[:, 1] * way[:, 1], turn[:, 1] * way[:, 0] + turn[:, 0] * way[:, 1]], axis=1
@@ -134,16 +141,18 @@ def choose(ground: Ground, place: Array, way: Array, own_speed: Array, others: O
 
 
 def _reachable(others: Others, seen: Mask, speed: Array) -> Others:
-    """Return the others less those who cannot be met before the end of the look-ahead; only as many columns as needed."""
+    """Return the others less those who cannot be met within the look-ahead, in as few columns as they need."""
     pace = np.sqrt(others.vx * others.vx + others.vy * others.vy)
     room = np.sqrt(others.x * others.x + others.y * others.y) - others.reach
     meets = seen & (room < AHEAD_M + pace * (AHEAD_M / speed)[:, None])
     columns = int(meets.sum(axis=1).max(initial=0))
     if columns < meets.shape[1]:
         first = np.argsort(~meets, axis=1, kind="stable")[:, : max(columns, 1)]
-        taken = (np.take_along_axis(one, first, axis=1)
-                 for one in (others.x, others.y, others.vx, others.vy, others.reach, meets, others.passing))  # fmt: skip
-        return Others(*taken)
+        x, y, vx, vy, reach = (
+            np.take_along_axis(one, first, axis=1) for one in (others.x, others.y, others.vx, others.vy, others.reach)
+        )
+        meets, passing = (np.take_along_axis(one, first, axis=1) for one in (meets, others.passing))
+        return Others(x, y, vx, vy, reach, meets, passing)
     return replace(others, there=meets)
 
 

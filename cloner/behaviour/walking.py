@@ -10,7 +10,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.behaviour.ground import Array, Ground, Indices, Mask
+from cloner.behaviour.ground import AHEAD_M, Array, Ground, Indices, Mask
 from cloner.behaviour.nearby import nearest, wrapped
 from cloner.behaviour.steering import SHOULDERS, choose, others_of, passes
 
@@ -29,7 +29,8 @@ class Bodies:
     """Where everybody is and wants to go; all arrays have a row a person.
 
     ``place, velocity`` (n, 2) m, m/s; ``radius`` m; ``way`` (n, 2) unit direction to the goal, zero to stand;
-    ``own_speed`` m/s; ``avoids`` whether collisions are avoided; ``present`` whether the person is in the world.
+    ``own_speed`` m/s; ``ahead`` how far one looks, m; ``avoids`` whether collisions are avoided; ``present``
+    whether the person is in the world.
     """
 
     place: Array
@@ -42,11 +43,13 @@ class Bodies:
     heading: Array = field(init=False)
     pace: Array = field(init=False)
     near: Indices = field(init=False)
+    ahead: Array = field(init=False)
     steps: int = 0
 
     def __post_init__(self) -> None:
         self.heading = self.way.copy()
         self.pace = np.zeros(len(self.place))
+        self.ahead = np.full(len(self.place), AHEAD_M)
         self.near = np.zeros((0, 0), np.int64)
 
 
@@ -88,7 +91,7 @@ def _choose(bodies: Bodies, ground: Ground, here: Indices, turn: Indices, period
     others = others_of(place, velocity, wish, radius, bodies.near, turn, period_m)
     others.there[~bodies.avoids[who]] = False
     way, speed = bodies.way[who], bodies.own_speed[who]
-    heading, pace = choose(ground, bodies.place[who], way, speed, others)
+    heading, pace = choose(ground, bodies.place[who], way, speed, bodies.ahead[who], others)
     stands = (way[:, 0] == 0.0) & (way[:, 1] == 0.0)
     bodies.heading[who] = np.where(stands[:, None], 0.0, heading)
     bodies.pace[who] = np.where(stands, 0.0, pace)
