@@ -266,6 +266,38 @@ def _crowd_check(pack: Annotated[Path, typer.Argument(metavar="PACK", help="Fold
         typer.echo(line)
 
 
+behaves = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Crowds with a mind: scenarios.")
+app.add_typer(behaves, name="behave")
+ScenarioArgument = Annotated[Path, typer.Argument(metavar="SCENARIO", help="Its text, such as samples/museum.crowd.")]
+
+
+@behaves.command("check")
+def _behave_check(scenario: ScenarioArgument) -> None:
+    """Say what a scenario holds, or what is wrong with it and where."""
+    from cloner.behaviour.written import check_file
+
+    for line in check_file(scenario):
+        typer.echo(line)
+
+
+@behaves.command("run")
+def _behave_run(
+    scenario: ScenarioArgument,
+    out: Annotated[Path, typer.Option("--out", help="The file of trajectories to write.")],
+    seconds: Annotated[float, typer.Option("--seconds", help="How long.")] = 60.0,
+    seed: Annotated[int, typer.Option("--seed", help="The same scenario and seed: the same steps.")] = 0,
+    picture: Annotated[Path | None, typer.Option("--picture", help="The end from above (.png).")] = None,
+    film: Annotated[Path | None, typer.Option("--film", help="All from above (.mp4, .gif, .webp).")] = None,
+) -> None:
+    """Let a scenario's people walk."""
+    from cloner.behaviour.written import run_file
+
+    with ProgressLine() as progress:
+        lines = run_file(scenario, out, seconds=seconds, seed=seed, picture=picture, film=film, progress=progress)
+    for line in lines:
+        typer.echo(line)
+
+
 @app.command("evaluate")
 def _evaluate(
     visitors: Annotated[

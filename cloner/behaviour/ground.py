@@ -1,0 +1,237 @@
+"""The walkable world: floors less obstacles as walls and as a raster, with free distances in every direction.
+
+Frame: metres on the floor, x to the right and y up on the plan; a scene's (x, z) are the plan's (x, y).
+Plain float64 with + - * / and square roots, so that another core can make the same tables.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.errors import ClonerError
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+#: Side of a cell; a .75 m door, .35 m of which a body's middle can use, always holds one.
+CELL_M: Final = 0.2
+#: A standing body as a disc. Half of Weidmann's least room a person at 5.4 /m2 would be .22.
+BODY_M: Final = 0.2
+#: Rays are cast by a slimmer disc: shoulders turn in a door.
+RAY_BODY_M: Final = 0.15
+#: How far anybody looks ahead; facts, section 8: 6 m walks faster than 4 m at low density.
+AHEAD_M: Final = 6.0
+DIRECTIONS: Final = 64
+#: Cells that fit a machine: 2,000 m x 2,000 m would need 100 million.
+LARGEST_CELLS: Final = 4_000_000
+_CONTACT_M: Final = 0.55  # walls nearer to a cell's middle than this can be touched from within the cell
+_SIDE_M: Final = 1e-6
+_HINT: Final = "Give a floor, such as: floor 0, 0 to 30, 12"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Ground:
+    """Where one can walk.
+
+    ``walls`` (S, 4) start and end of each wall; ``clear`` (rows, cols) distance of a cell's middle to the nearest wall,
+    negative where nobody can stand; ``free`` (rows, cols, 64) how far a body gets from there, at most `AHEAD_M`;
+    ``near`` (rows, cols, k) places in ``walls`` of those within reach, -1 for none. Metres.
+    """
+
+    low: Array
+    walls: Array
+    clear: Array
+    free: NDArray[np.float32]
+    near: Indices
+
+    def cells(self, place: Array) -> tuple[Indices, Indices]:
+        """Return row and column of the cell of each place (n, 2), clipped to the raster."""
+        column = ((place[:, 0] - self.low[0]) / CELL_M).astype(np.int64)
+        row = ((place[:, 1] - self.low[1]) / CELL_M).astype(np.int64)
+        rows, cols = self.clear.shape
+        return np.maximum(np.minimum(row, rows - 1), 0), np.maximum(np.minimum(column, cols - 1), 0)
+
+    def middles(self, row: Indices, column: Indices) -> Array:
+        """Return the middles of cells, (n, 2) metres."""
+        return np.stack([self.low[0] + (column + 0.5) * CELL_M, self.low[1] + (row + 0.5) * CELL_M], axis=-1)
+
+    def stands(self, place: Array) -> Mask:
+        """Return whether a body can stand at each place, (n,)."""
+        row, column = self.cells(place)
+        return np.asarray(self.clear[row, column] >= RAY_BODY_M)
+
+    def sees(self, start: Array, end: Array, body_m: float = 0.0) -> Mask:
+        """Return whether nothing stands between the places of two lists (n, 2), as wide as a body if wanted."""
+        away = end - start
+        length = np.sqrt(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1])
+        if not len(length):
+            return np.zeros(0, bool)
+        along = np.arange(1, int(np.ceil(length.max() / CELL_M)) + 1) * CELL_M
+        share = np.minimum(along / np.maximum(length, CELL_M)[:, None], 1.0)
+        way = start[:, None] + share[:, :, None] * away[:, None]
+        row, column = self.cells(way.reshape(-1, 2))
+        clear = self.clear[row, column].reshape(share.shape)
+        return np.asarray(((clear >= body_m) | (share >= 1.0)).all(axis=1))
+
+
+def box(middle: Sequence[float], size: Sequence[float]) -> Array:
+    """Return the corners of a rectangle, (4, 2), against the clock."""
+    x, y, w, h = middle[0], middle[1], size[0] / 2.0, size[1] / 2.0
+    return np.array([[x - w, y - h], [x + w, y - h], [x + w, y + h], [x - w, y + h]])
+
+
+def inside(place: Array, corners: Array) -> Mask:
+    """Return whether places (n, 2) lie in a polygon (k, 2), (n,): a ray to the right crosses its edges oddly."""
+    odd = np.zeros(len(place), bool)
+    x, y = place[:, 0], place[:, 1]
+    for (ax, ay), (bx, by) in zip(corners, np.roll(corners, -1, axis=0), strict=True):
+        if ay == by:
+            continue
+        crosses = (y < ay) != (y < by)
+        odd ^= crosses & (x < ax + (y - ay) / (by - ay) * (bx - ax))
+    return odd
+
+
+def ground_of(floors: Sequence[Array], obstacles: Sequence[Array] = ()) -> Ground:
+    """Return the ground of floors (each (k, 2) corners, overlapping ones are one) less obstacles.
+
+    Raises
+    ------
+    ClonerError
+        If there is no floor, it is too large, or nobody fits anywhere.
+    """
+    if not floors:
+        raise ClonerError("there is nothing to walk on", _HINT, "floor")
+    points = np.concatenate(floors)
+    low = points.min(axis=0) - CELL_M
+    size = points.max(axis=0) + CELL_M - low
+    cols, rows = (int(n) for n in np.ceil(size / CELL_M))
+    if rows * cols > LARGEST_CELLS:
+        raise ClonerError(f"a floor of {size[0]:.0f} x {size[1]:.0f} m is too large", "Make it smaller", "floor")
+    walls = _walls(floors, obstacles)
+    row, column = (one.ravel() for one in np.indices((rows, cols)))
+    middle = np.stack([low[0] + (column + 0.5) * CELL_M, low[1] + (row + 0.5) * CELL_M], axis=1)
+    away, near = _wall_distances(middle, walls)
+    clear = np.where(_open(middle, floors, obstacles), away, -away).reshape(rows, cols)
+    if clear.max() < BODY_M:
+        raise ClonerError("nobody fits between the walls", "Make the floor wider or the obstacles smaller", "floor")
+    return Ground(low, walls, clear, _free(clear), near.reshape(rows, cols, -1))
+
+
+def _open(place: Array, floors: Sequence[Array], obstacles: Sequence[Array]) -> Mask:
+    on = np.zeros(len(place), bool)
+    for corners in floors:
+        on |= inside(place, corners)
+    for corners in obstacles:
+        on &= ~inside(place, corners)
+    return on
+
+
+def _walls(floors: Sequence[Array], obstacles: Sequence[Array]) -> Array:
+    """Return the edges, cut where they meet, that have floor on one side only."""
+    edges = np.concatenate([np.hstack([one, np.roll(one, -1, axis=0)]) for one in (*floors, *obstacles)])
+    pieces: list[tuple[float, ...]] = []
+    for ax, ay, bx, by in edges:
+        cuts = sorted({0.0, 1.0, *_cuts(np.array([ax, ay]), np.array([bx, by]), edges)})
+        for s, t in pairwise(cuts):
+            pieces.append((ax + s * (bx - ax), ay + s * (by - ay), ax + t * (bx - ax), ay + t * (by - ay)))
+    found = np.array(pieces)
+    along = found[:, 2:] - found[:, :2]
+    length = np.sqrt(along[:, 0] * along[:, 0] + along[:, 1] * along[:, 1])
+    found, along, length = found[length > 1e-9], along[length > 1e-9], length[length > 1e-9]
+    aside = np.stack([-along[:, 1], along[:, 0]], axis=1) / length[:, None] * _SIDE_M
+    middle = (found[:, :2] + found[:, 2:]) / 2.0
+    left, right = (_open(middle + sign * aside, floors, obstacles) for sign in (1.0, -1.0))
+    return np.unique(np.asarray(found[left != right]), axis=0)
+
+
+def _cuts(start: Array, end: Array, edges: Array) -> list[float]:
+    """Return where, 0..1, an edge is crossed or touched by others."""
+    along = end - start
+    first, across = edges[:, :2] - start, edges[:, 2:] - edges[:, :2]
+    turn = along[0] * across[:, 1] - along[1] * across[:, 0]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        own = (first[:, 0] * across[:, 1] - first[:, 1] * across[:, 0]) / turn
+        other = (first[:, 0] * along[1] - first[:, 1] * along[0]) / turn
+    meet = (turn != 0.0) & (own > 0.0) & (own < 1.0) & (other >= 0.0) & (other <= 1.0)
+    cuts = own[meet].tolist()
+    lies = (turn == 0.0) & (np.abs(first[:, 0] * along[1] - first[:, 1] * along[0]) < 1e-9)  # on the same line
+    for corner in (edges[lies, :2], edges[lies, 2:]):
+        share = ((corner - start) @ along) / max(float(along @ along), 1e-18)
+        cuts += share[(share > 0.0) & (share < 1.0)].tolist()
+    return [float(one) for one in cuts]
+
+
+def _wall_distances(middle: Array, walls: Array) -> tuple[Array, Indices]:
+    """Return the distance of each place to the nearest wall, and the walls within a body's reach, (n, k)."""
+    nearest = np.full(len(middle), np.inf)
+    touched: list[tuple[Indices, int]] = []
+    for k, wall in enumerate(walls):
+        away = np.sqrt(_square_to(middle, wall))
+        nearest = np.minimum(nearest, away)
+        touched.append((np.flatnonzero(away < _CONTACT_M), k))
+    count = np.zeros(len(middle), np.int64)
+    for cells, _ in touched:
+        count[cells] += 1
+    near = np.full((len(middle), int(count.max(initial=0)) or 1), -1, np.int64)
+    count[:] = 0
+    for cells, k in touched:
+        near[cells, count[cells]] = k
+        count[cells] += 1
+    return nearest, near
+
+
+def _square_to(place: Array, wall: Array) -> Array:
+    """Return the square of the distance of places (n, 2) to a wall."""
+    ax, ay, bx, by = wall
+    ux, uy = bx - ax, by - ay
+    dx, dy = place[:, 0] - ax, place[:, 1] - ay
+    share = np.clip((dx * ux + dy * uy) / (ux * ux + uy * uy), 0.0, 1.0)
+    dx, dy = dx - share * ux, dy - share * uy
+    return np.asarray(dx * dx + dy * dy)
+
+
+def direction_bins(x: Array, y: Array) -> Indices:
+    """Return which of the `DIRECTIONS` each direction is: the turn by |x| + |y| = 1 instead of by the circle."""
+    share = y / np.maximum(np.abs(x) + np.abs(y), 1e-12)
+    turn = np.where(x >= 0.0, np.where(y >= 0.0, share, 4.0 + share), 2.0 - share)
+    return np.asarray((turn * (DIRECTIONS / 4.0) + 0.5).astype(np.int64) % DIRECTIONS)
+
+
+def bin_directions() -> Array:
+    """Return the unit vectors of the `DIRECTIONS`, (64, 2)."""
+    turn = np.arange(DIRECTIONS) * (4.0 / DIRECTIONS)
+    share = np.where(turn <= 1.0, turn, np.where(turn <= 3.0, 2.0 - turn, turn - 4.0))
+    x = (1.0 - np.abs(share)) * np.where((turn > 1.0) & (turn < 3.0), -1.0, 1.0)
+    length = np.sqrt(x * x + share * share)
+    return np.stack([x / length, share / length], axis=1)
+
+
+def _free(clear: Array) -> NDArray[np.float32]:
+    """Return how far a slim body gets from each cell in each direction; from beside a wall, away from it."""
+    rows, cols = clear.shape
+    free = np.zeros((rows, cols, DIRECTIONS), np.float32)
+    row, column = np.nonzero(clear > 0.0)
+    start = np.minimum(clear[row, column], RAY_BODY_M)
+    for k, (x, y) in enumerate(bin_directions()):
+        far, going = np.zeros(len(row)), np.arange(len(row))
+        at = start
+        while len(going):
+            step = np.maximum(at - RAY_BODY_M, CELL_M / 2.0)
+            trial = far[going] + step
+            r = np.floor(row[going] + 0.5 + trial * (y / CELL_M)).astype(np.int64)
+            c = np.floor(column[going] + 0.5 + trial * (x / CELL_M)).astype(np.int64)
+            at = clear[np.clip(r, 0, rows - 1), np.clip(c, 0, cols - 1)]
+            on = at >= start[going]
+            far[going[on]] = np.minimum(trial[on], AHEAD_M)
+            on &= trial < AHEAD_M
+            going, at = going[on], at[on]
+        free[row, column, k] = far
+    return free

@@ -1,0 +1,129 @@
+"""The commands ``cloner behave check`` and ``cloner behave run``: a scenario's file in, lines and files out."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from cloner.behaviour import fields
+from cloner.behaviour.language import read_scenario
+from cloner.behaviour.loop import digest, run
+from cloner.behaviour.model import Scenario
+from cloner.behaviour.plan import Plan
+from cloner.behaviour.trajectories import RATE_HZ, Recorder, Trajectories, pack
+from cloner.behaviour.world import World, world_of
+from cloner.errors import ClonerError
+from cloner.exporters.files import png_bytes, write_bytes
+from cloner.pipeline import Progress, quiet
+from cloner.project.atomic import safe_output
+from cloner.vision.films import FORMATS, write_film
+
+#: Longer than an opening day.
+LONGEST_S: Final = 86_400.0
+
+
+def check_file(path: Path) -> list[str]:
+    """Return what a scenario holds, line by line.
+
+    Raises
+    ------
+    ClonerError
+        If it cannot be run: what it says, or a point that cannot be reached.
+    """
+    scenario = read_scenario(path)
+    world = world_of(scenario)
+    _check_ways(world, path.name)
+    floor = float((world.ground.clear > 0.0).sum()) * 0.04
+    points = ", ".join(f"{one.name}{f' ({one.act})' if one.act else ''}" for one in scenario.points) or "none"
+    lines = [
+        f"{floor:.0f} m2 of floor, {len(scenario.obstacles)} obstacles; {scenario.people() / floor:.2f} people a m2"
+    ]
+    lines.append(f"points: {points}")
+    if scenario.things:
+        lines.append(f"things: {', '.join(one.name for one in scenario.things)}")
+    for group in scenario.groups:
+        kind = "people, each alone" if group.alone else "people"
+        lines.append(f"{group.name}: {group.people} {kind}, {group.feelings.percent:g} % {group.feelings.emotion}")
+    lines.append(f"{len(scenario.rules)} rules")
+    return lines
+
+
+def _check_ways(world: World, where: str) -> None:
+    """Refuse a scenario in which somebody cannot reach a place that is asked of him."""
+    row, column = world.ground.cells(world.bodies.place)
+    asked = {k for band in world.bands for k in band.visits}
+    asked |= {k for k, place in enumerate(world.places) for rule in world.scenario.rules for act in rule.actions
+              if act.what == place.name}  # fmt: skip
+    for number in sorted(asked):
+        place = world.places[number]
+        distance = fields.distances(world.ground, place.corners)
+        shut = np.flatnonzero(~np.isfinite(distance[row, column]))
+        if len(shut):
+            name = world.scenario.groups[int(world.people.home[shut[0]])].name
+            raise ClonerError(f"{name} cannot reach {place.name}", "Open a way, at least half a metre wide", where)
+
+
+def run_file(
+    path: Path, out: Path, *, seconds: float, seed: int = 0, picture: Path | None = None, film: Path | None = None,
+    progress: Progress = quiet,
+) -> list[str]:  # fmt: skip
+    """Run a scenario, write trajectories, and if asked a still of the end or a film; return what to say of it.
+
+    Raises
+    ------
+    ClonerError
+        If the scenario, a number or a file is unfit.
+    """
+    if not (math.isfinite(seconds) and 0.0 < seconds <= LONGEST_S):
+        raise ClonerError(f"{seconds:g} seconds cannot be run", "Give more than 0 and at most a day", "--seconds")
+    if film is not None and film.suffix.lower() not in FORMATS:
+        raise ClonerError(f"no film is written as {film.suffix or 'this'}", f"Give {', '.join(FORMATS)}", film.name)
+    if picture is not None and picture.suffix.lower() != ".png":
+        raise ClonerError("the picture is a PNG", "Give --picture a name that ends with .png", picture.name)
+    for one in (out, picture, film):
+        if one is not None:
+            safe_output(one)
+    scenario = read_scenario(path)
+    world = world_of(scenario, seed)
+    _check_ways(world, path.name)
+    walk = recorded(world, seconds, progress)
+    data = pack(walk)
+    write_bytes(out, data)
+    draw_files(scenario, walk, picture, film)
+    spent = len(walk.place) / RATE_HZ * len(walk.groups)
+    lines = [f"{when:.1f} s: {text}" for when, text in walk.told]
+    lines.append(
+        f"{len(walk.groups)} people, {seconds:g} s, {len(data) / 1e3:.0f} kB: "
+        f"{len(data) / spent:.1f} bytes a person and second"
+    )
+    lines.append(f"digest {digest(world)} after {world.steps} steps with seed {seed}")
+    return [*lines, *(str(one) for one in (out, picture, film) if one is not None)]
+
+
+def recorded(world: World, seconds: float, progress: Progress = quiet) -> Trajectories:
+    """Return what happens in a world in some seconds."""
+    recorder = Recorder()
+    recorder.look(world)
+    for now in run(world, seconds):
+        recorder.look(now)
+        if now.steps % 100 == 0:
+            progress("walking", min(now.time_s / seconds, 1.0))
+    return recorder.done(world)
+
+
+def draw_files(scenario: Scenario, walk: Trajectories, picture: Path | None, film: Path | None) -> None:
+    """Write the last moment as a picture and everything as a film, if asked."""
+    plan = Plan(scenario)
+    if picture is not None:
+        write_bytes(picture, png_bytes(plan.draw(walk, len(walk.place) - 1)))
+    if film is not None:
+        try:
+            film.parent.mkdir(parents=True, exist_ok=True)
+            write_film(plan.film(walk), RATE_HZ, film)
+        except OSError as error:
+            raise ClonerError(
+                "the film cannot be written", "Choose another folder or free some space", film.name
+            ) from error

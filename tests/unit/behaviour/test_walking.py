@@ -1,0 +1,142 @@
+"""Ground, fields and feet: known lengths, no wall crossed, no two in one place, doors passed, lanes formed."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from cloner.behaviour import dice, fields
+from cloner.behaviour.ground import (
+    AHEAD_M,
+    BODY_M,
+    DIRECTIONS,
+    bin_directions,
+    box,
+    direction_bins,
+    ground_of,
+    inside,
+)  # fmt: skip
+from cloner.behaviour.nearby import nearest, wrapped
+from cloner.behaviour.walking import STEP_S, Bodies, walk
+
+
+def bodies_at(place: list[list[float]], way: tuple[float, float], speed: float = 1.34) -> Bodies:
+    at = np.array(place, float)
+    yes = np.ones(len(at), bool)
+    return Bodies(at, np.zeros_like(at), np.full(len(at), BODY_M), np.tile(way, (len(at), 1)).astype(float),
+                  np.full(len(at), speed), yes, yes.copy())  # fmt: skip
+
+
+def test_walls_of_overlapping_floors_are_those_around_all() -> None:
+    ground = ground_of([box((5, 2), (10, 4)), box((9, 2), (4, 1))], [box((3, 2), (1, 1))])
+    length = np.linalg.norm(ground.walls[:, 2:] - ground.walls[:, :2], axis=1).sum()
+    assert length == pytest.approx(
+        2 * (10 + 4) + 2 * 1 + 4 * 1
+    )  # the second floor stands out by 1 m, the obstacle has 4
+    row, column = ground.cells(np.array([[5.5, 2.0]]))
+    middle = ground.middles(row, column)[0]
+    assert ground.clear[row[0], column[0]] == pytest.approx(min(middle[1], 4 - middle[1], abs(middle[0] - 3.5)))
+
+
+def test_sight_ends_at_walls() -> None:
+    ground = ground_of([box((5, 5), (10, 10))], [box((5, 5), (1, 6))])
+    ways = ground.sees(np.array([[2.0, 5.0], [2.0, 9.5], [2.0, 5.0]]), np.array([[8.0, 5.0], [8.0, 9.5], [4.0, 5.0]]))
+    assert ways.tolist() == [False, True, True]
+
+
+def test_inside_of_a_corner_polygon() -> None:
+    corner = np.array([[0, 0], [4, 0], [4, 1], [1, 1], [1, 4], [0, 4]], float)
+    assert inside(np.array([[0.5, 3.0], [3.0, 0.5], [3.0, 3.0], [-1.0, 0.5]]), corner).tolist() == [
+        True,
+        True,
+        False,
+        False,
+    ]
+
+
+def test_directions_and_their_bins_agree() -> None:
+    x, y = bin_directions().T
+    assert direction_bins(x, y).tolist() == list(range(DIRECTIONS))
+
+
+def test_a_field_leads_round_an_obstacle_on_nearly_the_shortest_way() -> None:
+    ground = ground_of([box((10, 5), (20, 10))], [box((10, 3.5), (1, 7))])
+    goal = box((18, 2), (1, 1))
+    distance = fields.distances(ground, goal)
+    row, column = ground.cells(np.array([[2.0, 2.0]]))
+    straight = np.hypot(10 - 0.5 - 2, 5) + 1 + np.hypot(18 - 0.5 - 10.5, 4.5)  # by the corners at y = 7
+    assert straight < distance[row[0], column[0]] < 1.25 * straight  # walls cost more, sixteen directions 2.7 %
+    way = fields.directions(ground, distance)[row[0], column[0]]
+    assert way @ np.array([7.5, 5.2]) / np.hypot(7.5, 5.2) > np.cos(np.radians(12))
+    shut = ground_of([box((2, 2), (4, 4)), box((9, 2), (4, 4))])
+    assert np.isinf(fields.distances(shut, box((9, 2), (1, 1)))[shut.cells(np.array([[2.0, 2.0]]))]).all()
+
+
+def test_the_nearest_sixteen_are_found_by_the_grid() -> None:
+    place = np.stack([dice.uniform(3, k, np.arange(200)) * 20 for k in (1, 2)], axis=1)
+    found = nearest(place, np.zeros_like(place))
+    away = np.linalg.norm(place[:, None] - place[None], axis=2)
+    np.fill_diagonal(away, np.inf)
+    for k, row in enumerate(found):
+        want = [one for one in np.argsort(away[k])[:16] if away[k, one] <= AHEAD_M]
+        assert row[row >= 0].tolist() == want
+
+
+def test_one_alone_walks_forty_metres_at_his_own_speed() -> None:
+    ground = ground_of([box((25, 1), (50, 2))])
+    one = bodies_at([[1.0, 1.0]], (1.0, 0.0), 1.33)
+    for _ in range(round(30.0 / STEP_S)):
+        walk(one, ground)
+    assert one.place[0, 0] == pytest.approx(1.0 + 1.33 * (30.0 - 0.5), abs=0.1)  # half a second to come to speed
+
+
+def test_nobody_crosses_a_wall_or_stands_in_another() -> None:
+    ground = ground_of([box((4, 2), (8, 4)), box((8.2, 2), (0.6, 1.0)), box((11, 2), (5, 4))])
+    way = fields.directions(ground, fields.distances(ground, box((12.5, 2), (1, 3))))
+    people = bodies_at([[1 + 0.6 * (k % 5), 0.7 + 0.6 * (k // 5)] for k in range(25)], (1.0, 0.0))
+    least, passed = np.inf, 0
+    for k in range(round(40.0 / STEP_S)):
+        row, column = ground.cells(people.place)
+        people.way[:] = way[row, column]
+        walk(people, ground)
+        inner = (people.place[:, 0] < 8.0) | (people.place[:, 0] > 8.5)
+        assert (people.place[:, 1] > BODY_M - 1e-9).all()
+        assert (people.place[:, 1] < 4.0 - BODY_M + 1e-9).all()
+        assert (np.abs(people.place[~inner, 1] - 2.0) < 0.5 - BODY_M + 1e-9).all()
+        if k % 20 == 0:
+            away = np.linalg.norm(people.place[:, None] - people.place[None], axis=2)[np.triu_indices(25, 1)]
+            least = min(least, float(away.min()))
+        passed = int((people.place[:, 0] > 8.5).sum())
+    assert passed == 25
+    assert least > 0.3
+
+
+def test_speed_falls_with_density_as_weidmann_says() -> None:
+    found = []
+    for density, speed in ((0.25, 1.34), (1.0, 1.06)):
+        ground = ground_of([box((15, 2), (46, 4))])
+        count = round(density * 30 * 4)
+        k = np.arange(count)
+        rows = 2 if density < 1 else 6
+        place = np.stack([(k // rows + 0.5) * 30 / (count / rows), 0.4 + (k % rows + 0.5) * 3.2 / rows], axis=1)
+        people = bodies_at(place.tolist(), (1.0, 0.0))
+        people.own_speed[:] = 1.34 + 0.26 * np.clip(dice.normal(4, 1, k), -2, 2)
+        went = np.zeros(count)
+        for step in range(300):
+            before = people.place[:, 0].copy()
+            walk(people, ground, period_m=30.0)
+            went += wrapped(people.place[:, 0] - before, 30.0) if step >= 100 else 0.0
+        found.append(float(went.mean() / 10.0) / speed)
+    assert np.allclose(found, 1.0, atol=0.15)
+
+
+def test_dice_are_even_normal_and_repeat() -> None:
+    who = np.arange(20_000)
+    even, bell = dice.uniform(5, 7, who), dice.normal(5, 7, who)
+    assert abs(even.mean() - 0.5) < 0.01
+    assert abs(even.std() - 12**-0.5) < 0.01
+    assert abs(bell.mean()) < 0.03
+    assert abs(bell.std() - 1.0) < 0.03
+    assert np.array_equal(dice.uniform(5, 7, who[::-1]), even[::-1])
+    assert not np.array_equal(dice.uniform(6, 7, who), even)
+    assert sorted(dice.order(1, 2, who[:50]).tolist()) == list(range(50))
