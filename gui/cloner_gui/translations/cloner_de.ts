@@ -119,6 +119,21 @@
     </message>
 </context>
 <context>
+    <name>day</name>
+    <message>
+        <source>{day}: {n} visitors, {m} clones.</source>
+        <translation>{day}: {n} Besucher, {m} Klone.</translation>
+    </message>
+    <message>
+        <source>In the queue {m} minutes in the middle, {l} at most.</source>
+        <translation>In der Schlange in der Mitte {m} Minuten, höchstens {l}.</translation>
+    </message>
+    <message>
+        <source>Refused: {reasons}.</source>
+        <translation>Zurückgewiesen: {reasons}.</translation>
+    </message>
+</context>
+<context>
     <name>formats</name>
     <message>
         <source>GLB: games, web, telephone</source>
@@ -203,6 +218,10 @@
     <message>
         <source>&amp;Delete for good…</source>
         <translation>Endgültig &amp;löschen…</translation>
+    </message>
+    <message>
+        <source>Save the &amp;numbers of the days…</source>
+        <translation>&amp;Zahlen der Tage sichern…</translation>
     </message>
     <message>
         <source>{n} visitors, {m} with a clone</source>

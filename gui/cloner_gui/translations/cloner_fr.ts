@@ -119,6 +119,21 @@
     </message>
 </context>
 <context>
+    <name>day</name>
+    <message>
+        <source>{day}: {n} visitors, {m} clones.</source>
+        <translation>{day} : {n} visiteurs, {m} clones.</translation>
+    </message>
+    <message>
+        <source>In the queue {m} minutes in the middle, {l} at most.</source>
+        <translation>Dans la file {m} minutes en médiane, {l} au plus.</translation>
+    </message>
+    <message>
+        <source>Refused: {reasons}.</source>
+        <translation>Refusés : {reasons}.</translation>
+    </message>
+</context>
+<context>
     <name>formats</name>
     <message>
         <source>GLB: games, web, telephone</source>
@@ -203,6 +218,10 @@
     <message>
         <source>&amp;Delete for good…</source>
         <translation>&amp;Supprimer pour de bon…</translation>
+    </message>
+    <message>
+        <source>Save the &amp;numbers of the days…</source>
+        <translation>Enregistrer les chiffres des &amp;jours…</translation>
     </message>
     <message>
         <source>{n} visitors, {m} with a clone</source>

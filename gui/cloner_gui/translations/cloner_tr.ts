@@ -118,6 +118,21 @@
     </message>
 </context>
 <context>
+    <name>day</name>
+    <message>
+        <source>{day}: {n} visitors, {m} clones.</source>
+        <translation>{day}: {n} ziyaretçi, {m} klon.</translation>
+    </message>
+    <message>
+        <source>In the queue {m} minutes in the middle, {l} at most.</source>
+        <translation>Kuyrukta ortanca {m} dakika, en çok {l}.</translation>
+    </message>
+    <message>
+        <source>Refused: {reasons}.</source>
+        <translation>Geri çevrilen: {reasons}.</translation>
+    </message>
+</context>
+<context>
     <name>formats</name>
     <message>
         <source>GLB: games, web, telephone</source>
@@ -202,6 +217,10 @@
     <message>
         <source>&amp;Delete for good…</source>
         <translation>Tümüyle &amp;sil…</translation>
+    </message>
+    <message>
+        <source>Save the &amp;numbers of the days…</source>
+        <translation>&amp;Günlerin sayılarını kaydet…</translation>
     </message>
     <message>
         <source>{n} visitors, {m} with a clone</source>
