@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import os
 import shutil
-import tempfile
 import zipfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
+from cloner.booth.copying import copied
 from cloner.cloning import check_formats
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
@@ -18,10 +18,16 @@ from cloner.project.clone_file import CLONE_FILE, load_clone
 
 #: Files of a result that go along whatever formats are chosen.
 _BESIDE: Final = ("report.html", "viewer.html", "previews")
+#: Where files are made before they go to the stick: beside the clone, so that they go with the visitor's data.
+_ROOM: Final = ".take-away.partial-"
+#: Share of the whole that making the files takes, the rest copies them and reads them back (taste).
+_MADE: Final = 0.5
 
 
 def hand_over(result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
     """Write a visitor's files to a new folder, or a new zip file where ``target`` ends so; whole or not at all.
+
+    They are made beside the clone first, then copied and read back (`cloner.booth.copying`).
 
     Parameters
     ----------
@@ -43,18 +49,23 @@ def hand_over(result: Path, target: Path, formats: Sequence[str], progress: Prog
     if target.exists():
         raise ClonerError("this is there already", "Choose another name or place", target.name)
     clone = load_clone(result / CLONE_FILE)
+    room = result.parent / f"{_ROOM}{os.getpid()}"
     try:
-        with tempfile.TemporaryDirectory(prefix=f".{target.stem}.partial-{os.getpid()}-", dir=target.parent) as room:
-            inside = Path(room) / target.stem
-            inside.mkdir()
-            for number, name in enumerate(formats):
-                progress("export", number / (1 + len(formats)))
-                EXPORTERS.get(name)(clone, inside)
-            progress("report", len(formats) / (1 + len(formats)))
-            _copy_beside(result, inside)
-            _put(inside, target)
+        for rest in result.parent.glob(f"{_ROOM}*"):  # of runs that were killed
+            shutil.rmtree(rest, ignore_errors=True)
+        inside = room / target.stem
+        inside.mkdir(parents=True)
+        for number, name in enumerate(formats):
+            progress("export", _MADE * number / (1 + len(formats)))
+            EXPORTERS.get(name)(clone, inside)
+        progress("report", _MADE * len(formats) / (1 + len(formats)))
+        _copy_beside(result, inside)
+        whole = _packed(inside) if target.suffix.lower() == ".zip" else inside
+        copied(whole, target, lambda step, done: progress(step, _MADE + (1.0 - _MADE) * done))
     except OSError as error:
         raise ClonerError("it cannot be written there", "Is the stick full or write-protected?", target.name) from error
+    finally:
+        shutil.rmtree(room, ignore_errors=True)
     return target
 
 
@@ -67,14 +78,11 @@ def _copy_beside(result: Path, inside: Path) -> None:
             shutil.copy2(source, inside / name)
 
 
-def _put(inside: Path, target: Path) -> None:
-    """Move the finished folder, or its zip, into place."""
-    if target.suffix.lower() != ".zip":
-        inside.rename(target)
-        return
+def _packed(inside: Path) -> Path:
+    """Return a zip file of the finished folder, beside it."""
     packed = inside.with_suffix(".packed")
     with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in sorted(inside.rglob("*")):
             if path.is_file():
                 archive.write(path, f"{inside.name}/{path.relative_to(inside).as_posix()}")
-    packed.rename(target)
+    return packed

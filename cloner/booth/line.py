@@ -50,12 +50,12 @@ def seconds_left(fraction: float, spent_s: float, usual_s: float, before: int = 
 
 def asked(visit: Visit, now: str) -> Visit:
     """Return the visit with a clone asked for."""
-    return replace(visit, state=State.WAITING, queued=now, problem="", declined=False)
+    return replace(visit, state=State.WAITING, queued=now, finished="", problem="", declined=False)
 
 
-def cloned(visit: Visit, seconds: float) -> Visit:
-    """Return the visit with a finished clone."""
-    return replace(visit, state=State.CLONED, clone_seconds=seconds, problem="")
+def cloned(visit: Visit, seconds: float, now: str) -> Visit:
+    """Return the visit with a clone that was finished now, after some seconds."""
+    return replace(visit, state=State.CLONED, clone_seconds=seconds, finished=now, problem="")
 
 
 def failed(visit: Visit, problem: str) -> Visit:

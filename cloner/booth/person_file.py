@@ -94,6 +94,12 @@ def consent_when(consent: str) -> str:
     return found.group(1) if found else consent
 
 
+def consent_language(consent: str) -> str:
+    """Return the language a consent was read in, "de"; "" where it does not say."""
+    found = re.search(r"\(\d{4}-\d\d-\d\d[^()]*, (\w\w)\)$", consent)
+    return found.group(1) if found else ""
+
+
 def check_consent(folder: Path) -> None:
     """Refuse to store anything of a visitor who has not agreed.
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import io
 import os
 import threading
+import weakref
 from pathlib import Path
 from typing import Final
 
@@ -18,7 +19,7 @@ from cloner.booth.person_file import check_consent
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.folder import SUFFIXES, load_photo, view_files
-from cloner.records.photos import PhotoSet
+from cloner.records.photos import Photo, PhotoSet
 
 TRAY: Final = "unsorted"
 NEW: Final = "new"
@@ -26,6 +27,8 @@ NEW: Final = "new"
 _TURN = threading.Lock()
 #: EXIF orientation after a quarter turn to the right, of the upright ones; mirrored ones are made upright first.
 _TURNED_RIGHT: Final = {1: 6, 6: 3, 3: 8, 8: 1}
+#: Photos that are held by somebody just now.
+_DECODED: Final[weakref.WeakValueDictionary[tuple[object, ...], Photo]] = weakref.WeakValueDictionary()
 _HEADER_MARKERS: Final = (*range(0xE0, 0xF0), 0xFE)  # application segments and comments of a JPEG file
 _WRITE_HINT: Final = "Check the folder's permissions and space"
 
@@ -97,7 +100,28 @@ def placed_photos(folder: Path) -> PhotoSet:
     ClonerError
         If one cannot be read.
     """
-    return PhotoSet({view: load_photo(path, view) for view, path in view_files(folder).items()})
+    return PhotoSet({view: decoded(path, view) for view, path in view_files(folder).items()})
+
+
+def decoded(path: Path, view: ViewId) -> Photo:
+    """Return a decoded photo; one that somebody holds and whose file is still the same is not decoded again.
+
+    A visitor is read anew after every photo that comes: without this the first of five is decoded fifteen times.
+
+    Raises
+    ------
+    ClonerError
+        If it cannot be read.
+    """
+    try:
+        found = path.stat()
+    except OSError:
+        return load_photo(path, view)  # which tells it
+    key = (path, view, found.st_ino, found.st_size, found.st_mtime_ns, found.st_ctime_ns)
+    known = _DECODED.get(key)
+    if known is None:
+        known = _DECODED[key] = load_photo(path, view)
+    return known
 
 
 def photo_of(folder: Path, view: ViewId) -> Path | None:

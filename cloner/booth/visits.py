@@ -53,6 +53,8 @@ class Visit:
         When the visitor was thrown away, ISO 8601; "" for who was not.
     shown : bool
         Whether the visitor agreed to be seen, by first name, on the screen for visitors.
+    finished : str
+        When the clone was finished, ISO 8601; "" while there is none.
     """
 
     page: str = "visitor"
@@ -69,6 +71,7 @@ class Visit:
     declined: bool = False
     shown: bool = False
     trashed: str = ""
+    finished: str = ""
 
 
 def read_visit(folder: Path) -> Visit:

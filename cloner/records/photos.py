@@ -13,7 +13,7 @@ from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId
 from cloner.records.arrays import freeze
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)
 class Photo:
     """One upright photograph.
 

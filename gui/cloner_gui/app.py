@@ -13,12 +13,14 @@ from typing import Final
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
 from PySide6.QtWidgets import QApplication
 
+from cloner.booth.event import Event
 from cloner_gui.dialogs import catch_everything
 from cloner_gui.effort import ClickCounter
 from cloner_gui.main_window import MainWindow
 from cloner_gui.newest import newest
 from cloner_gui.services import Services, process_services
 from cloner_gui.session import Session
+from cloner_gui.theme import dress
 from cloner_gui.tidying import Tidier
 from cloner_gui.worker import stop_all_tasks
 
@@ -36,12 +38,16 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     services : Services or None
         None does the work in processes of its own.
     """
-    app = QApplication.instance() or QApplication(sys.argv[:1])
+    app = QApplication.instance()
+    if not isinstance(app, QApplication):
+        app = QApplication(sys.argv[:1])
     app.setApplicationName("Cloner")
     stopped = _quit_on_signals(app)
     waker = QTimer()  # Python sees signals only while its own code runs
     waker.timeout.connect(lambda: None)
     waker.start(200)
+    usual = Event()
+    dress(app, usual.appearance, big=usual.big, text_percent=usual.text_percent)  # before there are widgets to polish
     tidier = Tidier()
     session = Session(services or process_services())
     window = MainWindow(session)

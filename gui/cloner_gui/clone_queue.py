@@ -142,7 +142,7 @@ class CloneQueue(QObject):
         if folder is not None:
             cloned, seconds = made
             log.info("%s: cloned in %.0f s", folder.name, seconds)
-            update_visit(folder, lambda visit: line.cloned(visit, seconds))
+            update_visit(folder, lambda visit: line.cloned(visit, seconds, now_text()))
             self.shape = None
             self.finished.emit(folder, cloned)
 

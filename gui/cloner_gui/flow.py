@@ -19,6 +19,8 @@ class Flow(QLayout):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._items: list[QLayoutItem] = []
+        self._highs: dict[int, int] = {}  # heights by width that were worked out since anything changed
+        self._least: QSize | None = None
         self.setContentsMargins(0, 0, 0, 0)
         self.setSpacing(GAP // 2)
 
@@ -49,7 +51,14 @@ class Flow(QLayout):
 
     def heightForWidth(self, width: int) -> int:
         """Return how high it is in a width, px."""
-        return self._place(QRect(0, 0, width, 0), move=False)
+        if width not in self._highs:
+            self._highs[width] = self._place(QRect(0, 0, width, 0), move=False)
+        return self._highs[width]
+
+    def invalidate(self) -> None:
+        """Forget sizes: an item has changed; Qt calls this."""
+        self._highs, self._least = {}, None
+        super().invalidate()
 
     def setGeometry(self, rect: QRect) -> None:
         """Place all items."""
@@ -64,8 +73,11 @@ class Flow(QLayout):
 
     def minimumSize(self) -> QSize:
         """Return the size of the largest item."""
-        sizes = [item.minimumSize().expandedTo(_least(item)) for item in self._shown()]
-        return QSize(max((one.width() for one in sizes), default=0), max((one.height() for one in sizes), default=0))
+        if self._least is None:
+            sizes = [item.minimumSize().expandedTo(_least(item)) for item in self._shown()]
+            width = max((one.width() for one in sizes), default=0)
+            self._least = QSize(width, max((one.height() for one in sizes), default=0))
+        return self._least
 
     def _shown(self) -> list[QLayoutItem]:
         return [item for item in self._items if not item.isEmpty()]

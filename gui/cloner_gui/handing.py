@@ -7,7 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import QObject, Signal
 
 from cloner_gui.session import Session
-from cloner_gui.words import translate
+from cloner_gui.words import spoken_step, translate
 from cloner_gui.worker import Task
 
 
@@ -27,6 +27,7 @@ class Handing(QObject):
         super().__init__(parent)
         self._session = session
         self._task: Task | None = None
+        self.step, self.fraction = "", 0.0
         self.target: Path | None = None
 
     @property
@@ -37,11 +38,10 @@ class Handing(QObject):
     def told(self) -> str:
         """Return what became of the files."""
         if self.busy:
-            return translate("takeaway", "Writing the files…")
+            return spoken_step(self.step) + "…" if self.step else translate("takeaway", "Writing the files…")
         if self.target is not None:
-            return translate("takeaway", "Written: {place}").format(
-                place=f"{self.target.parent.name}/{self.target.name}"
-            )
+            place = f"{self.target.parent.name}/{self.target.name}"
+            return translate("takeaway", "Written and read back: {place}").format(place=place)
         return translate("takeaway", "Choose what the visitor takes home.")
 
     def start(self, target: Path, formats: tuple[str, ...]) -> None:
@@ -51,6 +51,8 @@ class Handing(QObject):
             return
         services, result = self._session.services, outcome.folder
         self._task = Task(lambda progress: services.hand_over(result, target, formats, progress), self)
+        self.step, self.fraction = "", 0.0
+        self._task.progressed.connect(self._tell)
         self._task.succeeded.connect(self._take)
         self._task.failed.connect(self.failed)
         self._task.finished.connect(self._done)
@@ -66,6 +68,11 @@ class Handing(QObject):
         if self._task is not None:
             self._task.cancel()
             self._task.wait()
+
+    def _tell(self, step: str, fraction: float) -> None:
+        if step:
+            self.step, self.fraction = step, fraction
+            self.changed.emit()
 
     def _take(self, target: Path) -> None:
         self.target = target

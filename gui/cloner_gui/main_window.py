@@ -123,7 +123,7 @@ class MainWindow(QMainWindow):
         for dialog in self.findChildren(QDialog):
             dialog.close()  # a camera's thread must end before its dialog goes
         self.visitor.form.save()
-        self.takeaway.handing.close()
+        self.takeaway.close_all()
         self.phone.close()
         self.booth.close()
         super().closeEvent(event)

@@ -146,15 +146,22 @@ def _picture(name: str, colour: str) -> str:
 
 
 def dress(app: QApplication, appearance: str, *, big: bool, text_percent: int) -> None:
-    """Give the whole program an appearance; text grows with the operator's wish and in the mode for fingers."""
+    """Give the whole program an appearance; text grows with the operator's wish and in the mode for fingers.
+
+    Two milliseconds before the window is made, half a second after: Qt polishes every widget anew. What the program
+    looks like already is left alone.
+    """
     colours = colours_of(appearance)
-    app.setStyle("Fusion")
-    app.setPalette(palette_of(colours))
     points = BASE_POINTS * text_percent / 100.0 * (BIG_TEXT if big else 1.0)
-    font = app.font()
-    font.setPointSizeF(points)
-    app.setFont(font)
     control_px = max(
         TOUCH_PX if big else CONTROL_PX, round(2.3 * points)
     )  # a line of large text is higher than a mouse needs
-    app.setStyleSheet(style_of(colours, control_px=control_px, points=points))
+    style = style_of(colours, control_px=control_px, points=points)
+    if app.styleSheet() == style:
+        return
+    app.setStyle("Fusion")
+    app.setPalette(palette_of(colours))
+    font = app.font()
+    font.setPointSizeF(points)
+    app.setFont(font)
+    app.setStyleSheet(style)

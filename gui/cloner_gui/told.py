@@ -48,6 +48,8 @@ FILES: Final = Spoken(
         "visit.json": QT_TRANSLATE_NOOP("told", "The visit"),
         "clone.npz": QT_TRANSLATE_NOOP("told", "The clone"),
         "Consent": QT_TRANSLATE_NOOP("told", "Consent"),
+        "Stick": QT_TRANSLATE_NOOP("told", "Stick"),
+        "Printer": QT_TRANSLATE_NOOP("told", "Printer"),
     },
 )
 

@@ -11,6 +11,16 @@ SENTENCES: Final[tuple[str, ...]] = tuple(
     str(one)
     for one in (
         QT_TRANSLATE_NOOP("told", "its files were changed while they were read"),
+        QT_TRANSLATE_NOOP("told", "what was written there reads differently"),
+        QT_TRANSLATE_NOOP("told", "Use another stick: this one loses what is written on it"),
+        QT_TRANSLATE_NOOP("told", "this system does not tell which sticks are plugged in"),
+        QT_TRANSLATE_NOOP("told", "Choose the stick's folder by hand"),
+        QT_TRANSLATE_NOOP("told", "no program that ejects sticks is installed"),
+        QT_TRANSLATE_NOOP("told", "Eject it with the desktop's own files window before it is pulled out"),
+        QT_TRANSLATE_NOOP("told", "the stick cannot be ejected"),
+        QT_TRANSLATE_NOOP("told", "Close every window that shows its files, then eject it again"),
+        QT_TRANSLATE_NOOP("told", "the printer does not answer"),
+        QT_TRANSLATE_NOOP("told", "Is it switched on, with paper in it? A file can be printed elsewhere"),
         QT_TRANSLATE_NOOP("told", "the file exists and is not replaced"),
         QT_TRANSLATE_NOOP("told", "Choose another --out file, or delete it"),
         QT_TRANSLATE_NOOP("told", "no file can be called that"),

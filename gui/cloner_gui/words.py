@@ -66,6 +66,8 @@ STEPS: Final = Spoken(
         "export": QT_TRANSLATE_NOOP("steps", "Writing the files"),
         "previews": QT_TRANSLATE_NOOP("steps", "Drawing previews"),
         "report": QT_TRANSLATE_NOOP("steps", "Writing the report"),
+        "copy": QT_TRANSLATE_NOOP("steps", "Copying"),
+        "verify": QT_TRANSLATE_NOOP("steps", "Reading back what was written"),
         "done": QT_TRANSLATE_NOOP("steps", "Done"),
     },
 )

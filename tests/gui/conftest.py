@@ -11,10 +11,10 @@ import pytest
 from cloner.booth.growing import Shape
 from cloner.booth.looking_table import Look
 from cloner.booth.opened import Cloned
+from cloner.booth.photo_files import decoded
 from cloner.evaluate.baselines import generic_clone
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.project.folder import load_photo
 from cloner.records.points import ViewPoints
 from cloner_gui.main_window import MainWindow
 from cloner_gui.services import Services
@@ -42,7 +42,7 @@ class Jobs:
     def look(self, path, wanted, progress):
         while self.hold_looks is not None and not self.hold_looks.wait(0.01):
             progress("look", 0.0)
-        photo = load_photo(path, wanted or ViewId.BODY_FRONT)
+        photo = decoded(path, wanted or ViewId.BODY_FRONT)
         view, troubles = self.looks.get(photo.digest, self.default or (wanted, ()))
         return Look(photo.digest, view, troubles)
 

@@ -32,13 +32,10 @@ def event(qtbot, jobs, tmp_path):
     window.activateWindow()
     window.booth.open(root)
     app = QApplication.instance()
-    font, palette = app.font(), app.palette()
     yield window
     window.booth.close()
     speak("en")
-    app.setStyleSheet("")
-    app.setFont(font)
-    app.setPalette(palette)
+    dress(app, "system", big=False, text_percent=100)
     app.setLayoutDirection(Qt.LayoutDirection.LeftToRight)
 
 
@@ -188,3 +185,15 @@ def test_text_and_buttons_grow(event, qtbot):
     assert app.font().pointSizeF() == pytest.approx(points * 1.5 * 1.25)
     assert event.next.sizeHint().height() >= max(48, 1.4 * small), "a finger needs 48 px"
     assert event.findChildren(QLabel)[0].font().pointSizeF() > points
+
+
+def test_what_looks_as_wanted_already_is_not_dressed_again(event, monkeypatch):
+    """Every dressing polishes all widgets: half a second at the start of a program, and of every test."""
+    app = QApplication.instance()
+    dress(app, "dark", big=True, text_percent=150)
+    polished = []
+    monkeypatch.setattr(type(app), "setStyleSheet", lambda _, text: polished.append(text))
+    dress(app, "dark", big=True, text_percent=150)
+    assert polished == []
+    dress(app, "light", big=True, text_percent=150)
+    assert len(polished) == 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from PySide6.QtCore import QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QPixmap, QPixmapCache
 
 from cloner.frames import ViewId
 
@@ -15,7 +15,17 @@ _NOSE: Final = ((0.065, 0.055), (0.085, 0.075), (0.062, 0.085))
 
 
 def pose_picture(view: ViewId, size: QSize, ink: QColor, paper: QColor) -> QPixmap:
-    """Return how to stand for a photo, drawn in a picture of some pixels."""
+    """Return how to stand for a photo, drawn in a picture of some pixels; drawn once, as cards show it again often."""
+    key = f"pose {view} {size.width()}x{size.height()} {ink.name()} {paper.name()}"
+    known = QPixmap()
+    if QPixmapCache.find(key, known):
+        return known
+    picture = _drawn_pose(view, size, ink, paper)
+    QPixmapCache.insert(key, picture)
+    return picture
+
+
+def _drawn_pose(view: ViewId, size: QSize, ink: QColor, paper: QColor) -> QPixmap:
     picture = QPixmap(size)
     picture.fill(Qt.GlobalColor.transparent)
     painter = QPainter(picture)

@@ -68,6 +68,12 @@ class Reveal(QObject):
             self._next.stop()
             self._preview.spin(0.0)
 
+    def rest(self) -> None:
+        """Stop, and let the clone stand: nothing is to move by itself any more."""
+        if self._next.isActive():
+            self.stop()
+            self._preview.play("stand")
+
     def _go_on(self) -> None:
         self._number += 1
         if self._number == len(ACTS):

@@ -85,6 +85,7 @@ class ClonePage(QWidget):
         session.cloned.connect(self._begin_reveal)
         session.points_changed.connect(self._show_stale)
         self._booth.visits_changed.connect(self._show_stale)
+        self._booth.event_changed.connect(self._calm_down)
         self.reveal_button.clicked.connect(self.reveal.begin)
         self.panel.used.connect(self.reveal.stop)
         session.refitted.connect(self._show_refit)
@@ -171,6 +172,11 @@ class ClonePage(QWidget):
         self.stale.setVisible(stale)
         again = self._session.outcome is not None
         self.clone_button.setText(translate("clone", "C&lone again") if again else translate("clone", "C&lone"))
+
+    def _calm_down(self) -> None:
+        """Let nothing move by itself any more where that is wanted."""
+        if self._booth.settings.calm:
+            self.reveal.rest()
 
     def _begin_reveal(self) -> None:
         """Let a new clone show itself, where somebody looks and nobody wants the screen to be still."""

@@ -26,6 +26,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.folder import safe_identifier
 from cloner_gui.booth import Booth
+from cloner_gui.day_label import DayNumbers
 from cloner_gui.dialogs import ask_to_forget
 from cloner_gui.flow import Flow
 from cloner_gui.letters import settle_dialog
@@ -46,9 +47,10 @@ class GalleryWindow(QDialog):
         self.setWindowTitle(translate("gallery", "Everybody of today"))
         self.resize(900, 640)
         self.search, self.which, self.list = QLineEdit(), QComboBox(), QListWidget()
-        self.told = label("dim")
+        self.told, self.numbers_label = label("dim"), label()
+        self.numbers = DayNumbers(booth, self)
         self.open_button, self.again_button, self.trash_button = button("main"), button(), button()
-        self.back_button, self.forget_button = button(), button("danger")
+        self.back_button, self.forget_button, self.numbers_button = button(), button("danger"), button()
         self._icons: deque[QListWidgetItem] = deque()
         self._loader = QTimer(self, interval=0)
         self._loader.timeout.connect(self._load_one)
@@ -88,16 +90,19 @@ class GalleryWindow(QDialog):
             (self.trash_button, translate("gallery", "&Throw away")),
             (self.back_button, translate("gallery", "&Bring back")),
             (self.forget_button, translate("gallery", "&Delete for good…")),
+            (self.numbers_button, translate("gallery", "Save the &numbers of the days…")),
         ):
             one.setText(text)
         top, bottom, column = Flow(), Flow(), QVBoxLayout(self)
         for field in (self.search, self.which):
             top.addWidget(field)
-        for one in (self.open_button, self.again_button, self.trash_button, self.back_button, self.forget_button):
+        for one in (self.open_button, self.again_button, self.trash_button, self.back_button, self.forget_button,
+                    self.numbers_button):  # fmt: skip
             bottom.addWidget(one)
         column.addLayout(top)
         column.addWidget(self.list, 1)
         column.addWidget(self.told)
+        column.addWidget(self.numbers_label)
         column.addLayout(bottom)
 
     def _connect(self) -> None:
@@ -110,6 +115,8 @@ class GalleryWindow(QDialog):
         self.trash_button.clicked.connect(self._throw_away)
         self.back_button.clicked.connect(self._bring_back)
         self.forget_button.clicked.connect(lambda: self.marked() and ask_to_forget(self._booth, self.marked(), self))
+        self.numbers_button.clicked.connect(lambda: self.numbers.save(self))
+        self.numbers.changed.connect(lambda: self.numbers_label.setText(self.numbers.told()))
         self._booth.visits_changed.connect(self.show_all)
 
     def marked(self) -> tuple[Path, ...]:
@@ -138,6 +145,7 @@ class GalleryWindow(QDialog):
         told = translate("gallery", "{n} visitors, {m} with a clone")
         self.told.setText(told.format(n=len(shown), m=cloned))
         self._loader.start()
+        self.numbers.refresh()
         self._show_buttons()
 
     def _is_wanted(self, folder: Path) -> bool:

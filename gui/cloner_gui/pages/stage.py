@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QGuiApplication, QMouseEvent, QPixmap
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QLabel, QStackedWidget, QVBoxLayout, QWidget
 
 from cloner.booth.kept import CLONE_FILE
 from cloner.booth.stage import public_name, queue_names, result_of, shown_clones
@@ -16,6 +16,7 @@ from cloner.errors import ClonerError
 from cloner.project.clone_file import load_clone
 from cloner.records.clones import Clone
 from cloner_gui.booth import Booth
+from cloner_gui.canvas.attract import Attract
 from cloner_gui.canvas.preview import Preview
 from cloner_gui.canvas.reveal import Reveal
 from cloner_gui.newest import newest
@@ -39,7 +40,9 @@ class StageWindow(QWidget):
         self._shown: Path | None = None
         self._wanted: list[Path] = []
         self.title, self.who, self.queue = label("title"), label("title"), label("heading")
-        self.logo, self.preview = QLabel(), Preview()
+        self.logo, self.preview, self.attract, self.middle = QLabel(), Preview(), Attract(), QStackedWidget()
+        self.middle.addWidget(self.preview)
+        self.middle.addWidget(self.attract)
         self.preview.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.reveal = Reveal(self.preview, self)
         self._still = QTimer(self, singleShot=True, interval=_STILL_MS)
@@ -50,7 +53,7 @@ class StageWindow(QWidget):
             one.setAlignment(Qt.AlignmentFlag.AlignHCenter)
         for one in (self.logo, self.title):
             column.addWidget(one)
-        column.addWidget(self.preview, 1)
+        column.addWidget(self.middle, 1)
         for one in (self.who, self.queue):
             column.addWidget(one)
         booth.visits_changed.connect(self._show_queue)
@@ -99,13 +102,26 @@ class StageWindow(QWidget):
             folder, clone = None, None
         self._shown = folder
         self.preview.set_clone(clone)
-        said = ""
+        self._show_middle()
+        said = self._invitation()
         if folder is not None:
             said = public_name(folder, read_visit(folder), self._booth.typed_name(folder))
             if not self._booth.settings.calm:
                 self._still.stop()
                 self.reveal.begin()
         self.who.setText(said)
+
+    def _show_middle(self) -> None:
+        """Show the clone, or sample people where nobody's may be seen."""
+        if self._shown is None:
+            self.middle.setCurrentWidget(self.attract)
+            self.attract.begin(calm=self._booth.settings.calm)
+        else:
+            self.attract.stop()
+            self.middle.setCurrentWidget(self.preview)
+
+    def _invitation(self) -> str:
+        return translate("stage", "Five photos, one minute: your own clone stands here.")
 
     def _skip(self, error: ClonerError) -> None:
         self._take(None, None)
@@ -129,9 +145,12 @@ class StageWindow(QWidget):
         self.logo.setVisible(not logo.isNull())
         if not logo.isNull():
             self.logo.setPixmap(logo.scaledToHeight(_LOGO_PX, Qt.TransformationMode.SmoothTransformation))
-        self.preview.empty_text = translate("stage", "Five photos, one minute: your own clone stands here.")
         if self._shown is None:
-            self.preview.setText(self.preview.empty_text)
+            self.who.setText(self._invitation())
+        if settings.calm:
+            self.reveal.rest()
+            self._still.start()
+        self._show_middle()
         self._show_queue()
 
     def changeEvent(self, event: QEvent) -> None:
@@ -150,5 +169,6 @@ class StageWindow(QWidget):
     def closeEvent(self, event: QCloseEvent) -> None:
         """Show nothing any more."""
         self.reveal.stop()
+        self.attract.stop()
         self._still.stop()
         super().closeEvent(event)

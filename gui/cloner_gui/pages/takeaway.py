@@ -14,11 +14,13 @@ from PySide6.QtWidgets import (
     QGridLayout,
     QLabel,
     QLineEdit,
+    QProgressBar,
     QSizePolicy,
     QWidget,
 )
 
 from cloner.booth.person_file import consent_when
+from cloner.booth.sticks import Stick
 from cloner.booth.takeaway import code_modules, free_name, link_text
 from cloner.errors import ClonerError
 from cloner_gui.booth import Booth
@@ -27,8 +29,10 @@ from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
 from cloner_gui.flow import Flow
 from cloner_gui.formats import FORMATS
 from cloner_gui.handing import Handing
+from cloner_gui.keepsakes import Keepsakes
 from cloner_gui.phone import Phone
 from cloner_gui.pieces import GAP, Card, button, label, name, scrolled
+from cloner_gui.stick_row import StickRow
 from cloner_gui.told import told_stale
 from cloner_gui.words import translate
 
@@ -51,8 +55,10 @@ class TakeawayPage(QWidget):
         self.stale = label("warn")
         self.formats = {kind: QCheckBox() for kind in FORMATS}
         self.folder_button, self.zip_button, self.report_button, self.show_button = (
-            button("main"), button(), button(), button(),
+            button(), button(), button(), button(),
         )  # fmt: skip
+        self.sticks, self.bar = StickRow(), QProgressBar()
+        self.keepsakes = Keepsakes(booth, self.code_text)
         self.link, self.code, self.code_note = QLineEdit(), QLabel(), label("dim")
         self.export_button, self.forget_button, self.held_label = button(), button("danger"), label("dim")
         self._lay_out()
@@ -72,7 +78,11 @@ class TakeawayPage(QWidget):
         for number, box in enumerate(self.formats.values()):
             grid.addWidget(box, number, 0)
         files.column.addLayout(grid)
-        for one in (self.folder_button, self.zip_button, self.report_button, self.show_button):
+        self.bar.setTextVisible(False)
+        self.bar.setRange(0, 1000)
+        for one in (
+            self.bar, self.sticks, self.folder_button, self.zip_button, self.report_button, self.show_button,
+        ):  # fmt: skip
             files.column.addWidget(one)
         files.column.addStretch(1)
         code.column.addWidget(self.code_heading)
@@ -92,7 +102,7 @@ class TakeawayPage(QWidget):
         inside = QWidget()
         row = Flow(inside)
         row.setSpacing(GAP)
-        for card in (files, code, data):
+        for card in (files, code, self.keepsakes, data):
             card.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
             row.addWidget(card)
         scrolled(self, inside)
@@ -101,6 +111,8 @@ class TakeawayPage(QWidget):
         session = self._booth.session
         self.folder_button.clicked.connect(self._to_folder)
         self.zip_button.clicked.connect(self._to_zip)
+        self.sticks.copy_wanted.connect(self._to_stick)
+        self.sticks.failed.connect(self._booth.failed)
         self.report_button.clicked.connect(lambda: self._open("report.html"))
         self.show_button.clicked.connect(lambda: self._open(""))
         self.phone_box.clicked.connect(lambda on: self._booth.change(phone=on))
@@ -131,10 +143,10 @@ class TakeawayPage(QWidget):
         self.files_heading.setText(translate("takeaway", "Files"))
         self.code_heading.setText(translate("takeaway", "Code to scan"))
         self.data_heading.setText(translate("takeaway", "What is held"))
-        self.folder_button.setText(translate("takeaway", "Copy to &stick or folder…"))
+        self.folder_button.setText(translate("takeaway", "Copy to a f&older…"))
         self.zip_button.setText(translate("takeaway", "Save as one &zip file…"))
         self.report_button.setText(translate("takeaway", "Show &report"))
-        self.show_button.setText(translate("takeaway", "Show f&older"))
+        self.show_button.setText(translate("takeaway", "Show &folder"))
         self.phone_box.setText(translate("takeaway", "&Page for telephones on this network"))
         name(self.phone_box, translate("takeaway", "Page for telephones on this network"))
         self.export_button.setText(translate("takeaway", "Save &everything held…"))
@@ -143,6 +155,9 @@ class TakeawayPage(QWidget):
         name(self.link, translate("takeaway", "Text of the code"), told)
         self.link.setPlaceholderText("https://…/{id}")
         name(self.code, translate("takeaway", "Code to scan"))
+        name(self.bar, translate("takeaway", "How far the files are"))
+        self.sticks.speak()
+        self.keepsakes.speak()
         for kind, box in self.formats.items():
             box.setText(FORMATS[kind])
         self._show()
@@ -155,6 +170,9 @@ class TakeawayPage(QWidget):
         self.stale.setVisible(session.is_stale() and not session.cloning)
         for one in (self.folder_button, self.zip_button, self.report_button, self.show_button):
             one.setEnabled(ready)
+        self.sticks.allow(ready)
+        self.bar.setVisible(self.handing.busy)
+        self.bar.setValue(round(1000 * self.handing.fraction))
         for one in (self.export_button, self.forget_button):
             one.setEnabled(session.folder is not None)
         for kind, box in self.formats.items():
@@ -176,9 +194,7 @@ class TakeawayPage(QWidget):
         self.changed.emit()
 
     def _show_code(self) -> None:
-        folder = self._booth.session.folder
-        own = link_text(self.link.text().strip(), "" if folder is None else folder.name)
-        text = self._phone.link() or own
+        text = self.code_text()
         try:
             modules = code_modules(text) if text else None
         except ClonerError as error:
@@ -187,6 +203,13 @@ class TakeawayPage(QWidget):
         self.code.setPixmap(QPixmap() if modules is None else _code_pixmap(modules))
         none = translate("takeaway", "Switch the page for telephones on, or type the address of a page of your own.")
         self.code_note.setText(text or none)
+        self.keepsakes.show_card()
+
+    def code_text(self) -> str:
+        """Return what the visitor's code holds: the page for telephones, else the event's own; "" for none."""
+        folder = self._booth.session.folder
+        own = link_text(self.link.text().strip(), "" if folder is None else folder.name)
+        return self._phone.link() or own
 
     def _told_phone(self) -> str:
         """Say who can see the page, and for how long."""
@@ -202,6 +225,11 @@ class TakeawayPage(QWidget):
         lasts = translate("takeaway", "Each visitor's link works for {n} hours.").format(n=settings.phone_hours)
         return f"{lasts} {safe}"
 
+    def close_all(self) -> None:
+        """Stop copying and wait for it, and for a stick that is being let go."""
+        self.handing.close()
+        self.sticks.close_all()
+
     # --- what the operator does ----------------------------------------------------
 
     def _chosen(self) -> tuple[str, ...]:
@@ -209,6 +237,11 @@ class TakeawayPage(QWidget):
 
     def _take_formats(self) -> None:
         self._booth.change(formats=self._chosen())
+
+    def _to_stick(self, stick: Stick) -> None:
+        folder = self._booth.session.folder
+        if folder is not None:
+            self.handing.start(free_name(stick.mount, folder.name), self._chosen())
 
     def _to_folder(self) -> None:
         place = QFileDialog.getExistingDirectory(self, translate("takeaway", "Stick or folder for the visitor's files"))

@@ -119,6 +119,21 @@
     </message>
 </context>
 <context>
+    <name>day</name>
+    <message>
+        <source>{day}: {n} visitors, {m} clones.</source>
+        <translation>{day}: {n} Besucher, {m} Klone.</translation>
+    </message>
+    <message>
+        <source>In the queue {m} minutes in the middle, {l} at most.</source>
+        <translation>In der Schlange in der Mitte {m} Minuten, höchstens {l}.</translation>
+    </message>
+    <message>
+        <source>Refused: {reasons}.</source>
+        <translation>Zurückgewiesen: {reasons}.</translation>
+    </message>
+</context>
+<context>
     <name>formats</name>
     <message>
         <source>GLB: games, web, telephone</source>
@@ -203,6 +218,10 @@
     <message>
         <source>&amp;Delete for good…</source>
         <translation>Endgültig &amp;löschen…</translation>
+    </message>
+    <message>
+        <source>Save the &amp;numbers of the days…</source>
+        <translation>&amp;Zahlen der Tage sichern…</translation>
     </message>
     <message>
         <source>{n} visitors, {m} with a clone</source>
@@ -426,6 +445,37 @@
     </message>
 </context>
 <context>
+    <name>keepsakes</name>
+    <message>
+        <source>Card and e-mail</source>
+        <translation>Karte und E-Mail</translation>
+    </message>
+    <message>
+        <source>Pr&amp;int the card…</source>
+        <translation>Karte dr&amp;ucken…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the card as a file…</source>
+        <translation>Karte als Datei sp&amp;eichern…</translation>
+    </message>
+    <message>
+        <source>E-&amp;mail as a draft…</source>
+        <translation>E-&amp;Mail als Entwurf…</translation>
+    </message>
+    <message>
+        <source>The card as it will be printed</source>
+        <translation>Die Karte, wie sie gedruckt wird</translation>
+    </message>
+    <message>
+        <source>Your files: {folder}</source>
+        <translation>Ihre Dateien: {folder}</translation>
+    </message>
+    <message>
+        <source>Scan to see yourself turn and to take your files home.</source>
+        <translation>Scannen: Sie sehen sich von allen Seiten und nehmen Ihre Dateien mit.</translation>
+    </message>
+</context>
+<context>
     <name>kiosk</name>
     <message>
         <source>Operator</source>
@@ -446,6 +496,41 @@
     <message>
         <source>Give the operator a number under Event, Settings first.</source>
         <translation>Geben Sie dem Bediener zuerst unter Veranstaltung, Einstellungen eine Nummer.</translation>
+    </message>
+</context>
+<context>
+    <name>mail</name>
+    <message>
+        <source>Your clone</source>
+        <translation>Ihr Klon</translation>
+    </message>
+    <message>
+        <source>Your clone from {event}</source>
+        <translation>Ihr Klon von {event}</translation>
+    </message>
+    <message>
+        <source>Hello,</source>
+        <translation>Guten Tag,</translation>
+    </message>
+    <message>
+        <source>Hello {name},</source>
+        <translation>Guten Tag {name},</translation>
+    </message>
+    <message>
+        <source>this is the clone that was made of your photos. Its picture is attached.</source>
+        <translation>dies ist der Klon, der aus Ihren Fotos entstanden ist. Sein Bild ist angehängt.</translation>
+    </message>
+    <message>
+        <source>As long as you are on the booth&apos;s network you can see it turn and take the files here:</source>
+        <translation>Solange Sie im Netz des Standes sind, sehen Sie ihn hier von allen Seiten und holen die Dateien ab:</translation>
+    </message>
+    <message>
+        <source>If you want everything that is held of you deleted, answer this message or tell us.</source>
+        <translation>Wenn alles gelöscht werden soll, was von Ihnen gespeichert ist, antworten Sie auf diese Nachricht oder sagen Sie es uns.</translation>
+    </message>
+    <message>
+        <source>Thank you for your visit.</source>
+        <translation>Danke für Ihren Besuch.</translation>
     </message>
 </context>
 <context>
@@ -1494,8 +1579,60 @@
         <translation>Bericht wird geschrieben</translation>
     </message>
     <message>
+        <source>Copying</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Reading back what was written</source>
+        <translation>Geschriebenes wird gegengelesen</translation>
+    </message>
+    <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+</context>
+<context>
+    <name>stick</name>
+    <message>
+        <source>Sticks are found by themselves on Linux only: choose the stick&apos;s folder.</source>
+        <extracomment>Where Linux tells what is mounted; read again and again, it costs nothing. Only when it changes a program is asked.</extracomment>
+        <translation>Sticks werden nur unter Linux von selbst gefunden: Wählen Sie den Ordner des Sticks.</translation>
+    </message>
+    <message>
+        <source>Which stick</source>
+        <translation>Welcher Stick</translation>
+    </message>
+    <message>
+        <source>This system does not tell which sticks are plugged in: choose the folder.</source>
+        <translation>Dieses System sagt nicht, welche Sticks stecken: Wählen Sie den Ordner.</translation>
+    </message>
+    <message>
+        <source>No stick is plugged in: it is found by itself.</source>
+        <translation>Kein Stick steckt: Er wird von selbst gefunden.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy to {stick}</source>
+        <translation>Auf {stick} &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>E&amp;ject {stick}</source>
+        <translation>{stick} a&amp;uswerfen</translation>
+    </message>
+    <message>
+        <source>{n} GB are free.</source>
+        <translation>{n} GB sind frei.</translation>
+    </message>
+    <message>
+        <source>It is write-protected.</source>
+        <translation>Er ist schreibgeschützt.</translation>
+    </message>
+    <message>
+        <source>The stick is being let go…</source>
+        <translation>Der Stick wird ausgeworfen…</translation>
+    </message>
+    <message>
+        <source>{stick} can be pulled out.</source>
+        <translation>{stick} kann abgezogen werden.</translation>
     </message>
 </context>
 <context>
@@ -1503,6 +1640,10 @@
     <message>
         <source>Writing the files…</source>
         <translation>Dateien werden geschrieben…</translation>
+    </message>
+    <message>
+        <source>Written and read back: {place}</source>
+        <translation>Geschrieben und gegengelesen: {place}</translation>
     </message>
     <message>
         <source>Written: {place}</source>
@@ -1529,10 +1670,6 @@
         <translation>Was gespeichert ist</translation>
     </message>
     <message>
-        <source>Copy to &amp;stick or folder…</source>
-        <translation>Auf &amp;Stick oder in Ordner kopieren…</translation>
-    </message>
-    <message>
         <source>Save as one &amp;zip file…</source>
         <translation>Als eine &amp;Zip-Datei sichern…</translation>
     </message>
@@ -1541,8 +1678,12 @@
         <translation>&amp;Bericht zeigen</translation>
     </message>
     <message>
-        <source>Show f&amp;older</source>
-        <translation>&amp;Ordner zeigen</translation>
+        <source>Copy to a f&amp;older…</source>
+        <translation>In einen &amp;Ordner kopieren…</translation>
+    </message>
+    <message>
+        <source>Show &amp;folder</source>
+        <translation>Ordner &amp;zeigen</translation>
     </message>
     <message>
         <source>&amp;Page for telephones on this network</source>
@@ -1567,6 +1708,10 @@
     <message>
         <source>Text of the code</source>
         <translation>Text des Codes</translation>
+    </message>
+    <message>
+        <source>How far the files are</source>
+        <translation>Wie weit die Dateien sind</translation>
     </message>
     <message>
         <source>There is no clone yet.</source>
@@ -2372,12 +2517,60 @@
         <translation>Einwilligung</translation>
     </message>
     <message>
+        <source>Stick</source>
+        <translation>Stick</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Drucker</translation>
+    </message>
+    <message>
         <source>A photo</source>
         <translation>Ein Foto</translation>
     </message>
     <message>
         <source>its files were changed while they were read</source>
         <translation>Dateien wurden beim Lesen verändert</translation>
+    </message>
+    <message>
+        <source>what was written there reads differently</source>
+        <translation>was dort geschrieben wurde, liest sich anders</translation>
+    </message>
+    <message>
+        <source>Use another stick: this one loses what is written on it</source>
+        <translation>Nehmen Sie einen anderen Stick: Dieser verliert, was auf ihn geschrieben wird</translation>
+    </message>
+    <message>
+        <source>this system does not tell which sticks are plugged in</source>
+        <translation>dieses System sagt nicht, welche Sticks stecken</translation>
+    </message>
+    <message>
+        <source>Choose the stick&apos;s folder by hand</source>
+        <translation>Wählen Sie den Ordner des Sticks von Hand</translation>
+    </message>
+    <message>
+        <source>no program that ejects sticks is installed</source>
+        <translation>kein Programm zum Auswerfen von Sticks ist installiert</translation>
+    </message>
+    <message>
+        <source>Eject it with the desktop&apos;s own files window before it is pulled out</source>
+        <translation>Werfen Sie ihn im Dateifenster des Desktops aus, bevor er abgezogen wird</translation>
+    </message>
+    <message>
+        <source>the stick cannot be ejected</source>
+        <translation>der Stick kann nicht ausgeworfen werden</translation>
+    </message>
+    <message>
+        <source>Close every window that shows its files, then eject it again</source>
+        <translation>Schließen Sie jedes Fenster, das seine Dateien zeigt, und werfen Sie ihn noch einmal aus</translation>
+    </message>
+    <message>
+        <source>the printer does not answer</source>
+        <translation>der Drucker antwortet nicht</translation>
+    </message>
+    <message>
+        <source>Is it switched on, with paper in it? A file can be printed elsewhere</source>
+        <translation>Ist er an, mit Papier darin? Eine Datei lässt sich anderswo drucken</translation>
     </message>
     <message>
         <source>the file exists and is not replaced</source>

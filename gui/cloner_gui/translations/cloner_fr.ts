@@ -119,6 +119,21 @@
     </message>
 </context>
 <context>
+    <name>day</name>
+    <message>
+        <source>{day}: {n} visitors, {m} clones.</source>
+        <translation>{day} : {n} visiteurs, {m} clones.</translation>
+    </message>
+    <message>
+        <source>In the queue {m} minutes in the middle, {l} at most.</source>
+        <translation>Dans la file {m} minutes en médiane, {l} au plus.</translation>
+    </message>
+    <message>
+        <source>Refused: {reasons}.</source>
+        <translation>Refusés : {reasons}.</translation>
+    </message>
+</context>
+<context>
     <name>formats</name>
     <message>
         <source>GLB: games, web, telephone</source>
@@ -203,6 +218,10 @@
     <message>
         <source>&amp;Delete for good…</source>
         <translation>&amp;Supprimer pour de bon…</translation>
+    </message>
+    <message>
+        <source>Save the &amp;numbers of the days…</source>
+        <translation>Enregistrer les chiffres des &amp;jours…</translation>
     </message>
     <message>
         <source>{n} visitors, {m} with a clone</source>
@@ -426,6 +445,37 @@
     </message>
 </context>
 <context>
+    <name>keepsakes</name>
+    <message>
+        <source>Card and e-mail</source>
+        <translation>Carte et e-mail</translation>
+    </message>
+    <message>
+        <source>Pr&amp;int the card…</source>
+        <translation>&amp;Imprimer la carte…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the card as a file…</source>
+        <translation>Enregistrer la carte dans un fichier…</translation>
+    </message>
+    <message>
+        <source>E-&amp;mail as a draft…</source>
+        <translation>&amp;Brouillon d’e-mail…</translation>
+    </message>
+    <message>
+        <source>The card as it will be printed</source>
+        <translation>La carte telle qu’elle sera imprimée</translation>
+    </message>
+    <message>
+        <source>Your files: {folder}</source>
+        <translation>Vos fichiers : {folder}</translation>
+    </message>
+    <message>
+        <source>Scan to see yourself turn and to take your files home.</source>
+        <translation>Scannez pour vous voir tourner et emporter vos fichiers.</translation>
+    </message>
+</context>
+<context>
     <name>kiosk</name>
     <message>
         <source>Operator</source>
@@ -446,6 +496,41 @@
     <message>
         <source>Give the operator a number under Event, Settings first.</source>
         <translation>Donnez d’abord un numéro à l’opérateur sous Événement, Réglages.</translation>
+    </message>
+</context>
+<context>
+    <name>mail</name>
+    <message>
+        <source>Your clone</source>
+        <translation>Votre clone</translation>
+    </message>
+    <message>
+        <source>Your clone from {event}</source>
+        <translation>Votre clone de {event}</translation>
+    </message>
+    <message>
+        <source>Hello,</source>
+        <translation>Bonjour,</translation>
+    </message>
+    <message>
+        <source>Hello {name},</source>
+        <translation>Bonjour {name},</translation>
+    </message>
+    <message>
+        <source>this is the clone that was made of your photos. Its picture is attached.</source>
+        <translation>voici le clone réalisé à partir de vos photos. Son image est jointe.</translation>
+    </message>
+    <message>
+        <source>As long as you are on the booth&apos;s network you can see it turn and take the files here:</source>
+        <translation>Tant que vous êtes sur le réseau du stand, vous pouvez le voir tourner et prendre les fichiers ici :</translation>
+    </message>
+    <message>
+        <source>If you want everything that is held of you deleted, answer this message or tell us.</source>
+        <translation>Si vous voulez que tout ce qui est conservé de vous soit effacé, répondez à ce message ou dites-le-nous.</translation>
+    </message>
+    <message>
+        <source>Thank you for your visit.</source>
+        <translation>Merci de votre visite.</translation>
     </message>
 </context>
 <context>
@@ -1494,8 +1579,60 @@
         <translation>Écriture du rapport</translation>
     </message>
     <message>
+        <source>Copying</source>
+        <translation>Copie</translation>
+    </message>
+    <message>
+        <source>Reading back what was written</source>
+        <translation>Relecture de ce qui est écrit</translation>
+    </message>
+    <message>
         <source>Done</source>
         <translation>Terminé</translation>
+    </message>
+</context>
+<context>
+    <name>stick</name>
+    <message>
+        <source>Sticks are found by themselves on Linux only: choose the stick&apos;s folder.</source>
+        <extracomment>Where Linux tells what is mounted; read again and again, it costs nothing. Only when it changes a program is asked.</extracomment>
+        <translation>Les clés ne sont trouvées d’elles-mêmes que sous Linux : choisissez le dossier de la clé.</translation>
+    </message>
+    <message>
+        <source>Which stick</source>
+        <translation>Quelle clé</translation>
+    </message>
+    <message>
+        <source>This system does not tell which sticks are plugged in: choose the folder.</source>
+        <translation>Ce système ne dit pas quelles clés sont branchées : choisissez le dossier.</translation>
+    </message>
+    <message>
+        <source>No stick is plugged in: it is found by itself.</source>
+        <translation>Aucune clé branchée : elle sera trouvée d’elle-même.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy to {stick}</source>
+        <translation>&amp;Copier sur {stick}</translation>
+    </message>
+    <message>
+        <source>E&amp;ject {stick}</source>
+        <translation>É&amp;jecter {stick}</translation>
+    </message>
+    <message>
+        <source>{n} GB are free.</source>
+        <translation>{n} Go sont libres.</translation>
+    </message>
+    <message>
+        <source>It is write-protected.</source>
+        <translation>Elle est protégée en écriture.</translation>
+    </message>
+    <message>
+        <source>The stick is being let go…</source>
+        <translation>La clé est en cours d’éjection…</translation>
+    </message>
+    <message>
+        <source>{stick} can be pulled out.</source>
+        <translation>{stick} peut être retirée.</translation>
     </message>
 </context>
 <context>
@@ -1503,6 +1640,10 @@
     <message>
         <source>Writing the files…</source>
         <translation>Écriture des fichiers…</translation>
+    </message>
+    <message>
+        <source>Written and read back: {place}</source>
+        <translation>Écrit et relu : {place}</translation>
     </message>
     <message>
         <source>Written: {place}</source>
@@ -1529,10 +1670,6 @@
         <translation>Données conservées</translation>
     </message>
     <message>
-        <source>Copy to &amp;stick or folder…</source>
-        <translation>Copier sur &amp;clé ou dossier…</translation>
-    </message>
-    <message>
         <source>Save as one &amp;zip file…</source>
         <translation>Enregistrer en fichier &amp;zip…</translation>
     </message>
@@ -1541,8 +1678,12 @@
         <translation>Montrer le &amp;rapport</translation>
     </message>
     <message>
-        <source>Show f&amp;older</source>
-        <translation>Montrer le d&amp;ossier</translation>
+        <source>Copy to a f&amp;older…</source>
+        <translation>Copier dans un d&amp;ossier…</translation>
+    </message>
+    <message>
+        <source>Show &amp;folder</source>
+        <translation>Montrer le &amp;dossier</translation>
     </message>
     <message>
         <source>&amp;Page for telephones on this network</source>
@@ -1567,6 +1708,10 @@
     <message>
         <source>Text of the code</source>
         <translation>Texte du code</translation>
+    </message>
+    <message>
+        <source>How far the files are</source>
+        <translation>Avancement des fichiers</translation>
     </message>
     <message>
         <source>There is no clone yet.</source>
@@ -2372,12 +2517,60 @@
         <translation>Accord</translation>
     </message>
     <message>
+        <source>Stick</source>
+        <translation>Clé</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Imprimante</translation>
+    </message>
+    <message>
         <source>A photo</source>
         <translation>Une photo</translation>
     </message>
     <message>
         <source>its files were changed while they were read</source>
         <translation>ses fichiers ont changé pendant la lecture</translation>
+    </message>
+    <message>
+        <source>what was written there reads differently</source>
+        <translation>ce qui y a été écrit se relit autrement</translation>
+    </message>
+    <message>
+        <source>Use another stick: this one loses what is written on it</source>
+        <translation>Prenez une autre clé : celle-ci perd ce qu’on y écrit</translation>
+    </message>
+    <message>
+        <source>this system does not tell which sticks are plugged in</source>
+        <translation>ce système ne dit pas quelles clés sont branchées</translation>
+    </message>
+    <message>
+        <source>Choose the stick&apos;s folder by hand</source>
+        <translation>Choisissez le dossier de la clé à la main</translation>
+    </message>
+    <message>
+        <source>no program that ejects sticks is installed</source>
+        <translation>aucun programme pour éjecter les clés n’est installé</translation>
+    </message>
+    <message>
+        <source>Eject it with the desktop&apos;s own files window before it is pulled out</source>
+        <translation>Éjectez-la avec le gestionnaire de fichiers du bureau avant de la retirer</translation>
+    </message>
+    <message>
+        <source>the stick cannot be ejected</source>
+        <translation>la clé ne peut pas être éjectée</translation>
+    </message>
+    <message>
+        <source>Close every window that shows its files, then eject it again</source>
+        <translation>Fermez toute fenêtre qui montre ses fichiers, puis éjectez-la de nouveau</translation>
+    </message>
+    <message>
+        <source>the printer does not answer</source>
+        <translation>l’imprimante ne répond pas</translation>
+    </message>
+    <message>
+        <source>Is it switched on, with paper in it? A file can be printed elsewhere</source>
+        <translation>Est-elle allumée, avec du papier ? Un fichier peut être imprimé ailleurs</translation>
     </message>
     <message>
         <source>the file exists and is not replaced</source>

@@ -118,6 +118,21 @@
     </message>
 </context>
 <context>
+    <name>day</name>
+    <message>
+        <source>{day}: {n} visitors, {m} clones.</source>
+        <translation>{day}: {n} ziyaretçi, {m} klon.</translation>
+    </message>
+    <message>
+        <source>In the queue {m} minutes in the middle, {l} at most.</source>
+        <translation>Kuyrukta ortanca {m} dakika, en çok {l}.</translation>
+    </message>
+    <message>
+        <source>Refused: {reasons}.</source>
+        <translation>Geri çevrilen: {reasons}.</translation>
+    </message>
+</context>
+<context>
     <name>formats</name>
     <message>
         <source>GLB: games, web, telephone</source>
@@ -202,6 +217,10 @@
     <message>
         <source>&amp;Delete for good…</source>
         <translation>Tümüyle &amp;sil…</translation>
+    </message>
+    <message>
+        <source>Save the &amp;numbers of the days…</source>
+        <translation>&amp;Günlerin sayılarını kaydet…</translation>
     </message>
     <message>
         <source>{n} visitors, {m} with a clone</source>
@@ -425,6 +444,37 @@
     </message>
 </context>
 <context>
+    <name>keepsakes</name>
+    <message>
+        <source>Card and e-mail</source>
+        <translation>Kart ve e-posta</translation>
+    </message>
+    <message>
+        <source>Pr&amp;int the card…</source>
+        <translation>Kartı &amp;yazdır…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the card as a file…</source>
+        <translation>Kartı &amp;dosyaya kaydet…</translation>
+    </message>
+    <message>
+        <source>E-&amp;mail as a draft…</source>
+        <translation>E-posta &amp;taslağı…</translation>
+    </message>
+    <message>
+        <source>The card as it will be printed</source>
+        <translation>Yazdırılacağı haliyle kart</translation>
+    </message>
+    <message>
+        <source>Your files: {folder}</source>
+        <translation>Dosyalarınız: {folder}</translation>
+    </message>
+    <message>
+        <source>Scan to see yourself turn and to take your files home.</source>
+        <translation>Kendinizi her yandan görmek ve dosyalarınızı almak için taratın.</translation>
+    </message>
+</context>
+<context>
     <name>kiosk</name>
     <message>
         <source>Operator</source>
@@ -445,6 +495,41 @@
     <message>
         <source>Give the operator a number under Event, Settings first.</source>
         <translation>Önce Etkinlik, Ayarlar altında görevliye bir numara verin.</translation>
+    </message>
+</context>
+<context>
+    <name>mail</name>
+    <message>
+        <source>Your clone</source>
+        <translation>Klonunuz</translation>
+    </message>
+    <message>
+        <source>Your clone from {event}</source>
+        <translation>{event} etkinliğinden klonunuz</translation>
+    </message>
+    <message>
+        <source>Hello,</source>
+        <translation>Merhaba,</translation>
+    </message>
+    <message>
+        <source>Hello {name},</source>
+        <translation>Merhaba {name},</translation>
+    </message>
+    <message>
+        <source>this is the clone that was made of your photos. Its picture is attached.</source>
+        <translation>fotoğraflarınızdan yapılan klon burada. Resmi ektedir.</translation>
+    </message>
+    <message>
+        <source>As long as you are on the booth&apos;s network you can see it turn and take the files here:</source>
+        <translation>Standın ağında olduğunuz sürece onu her yandan görebilir ve dosyaları buradan alabilirsiniz:</translation>
+    </message>
+    <message>
+        <source>If you want everything that is held of you deleted, answer this message or tell us.</source>
+        <translation>Sizinle ilgili saklanan her şeyin silinmesini isterseniz bu iletiyi yanıtlayın ya da bize söyleyin.</translation>
+    </message>
+    <message>
+        <source>Thank you for your visit.</source>
+        <translation>Ziyaretiniz için teşekkürler.</translation>
     </message>
 </context>
 <context>
@@ -1493,8 +1578,60 @@
         <translation>Rapor yazılıyor</translation>
     </message>
     <message>
+        <source>Copying</source>
+        <translation>Kopyalanıyor</translation>
+    </message>
+    <message>
+        <source>Reading back what was written</source>
+        <translation>Yazılanlar yeniden okunuyor</translation>
+    </message>
+    <message>
         <source>Done</source>
         <translation>Bitti</translation>
+    </message>
+</context>
+<context>
+    <name>stick</name>
+    <message>
+        <source>Sticks are found by themselves on Linux only: choose the stick&apos;s folder.</source>
+        <extracomment>Where Linux tells what is mounted; read again and again, it costs nothing. Only when it changes a program is asked.</extracomment>
+        <translation>Bellekler yalnızca Linux’ta kendiliğinden bulunur: belleğin klasörünü seçin.</translation>
+    </message>
+    <message>
+        <source>Which stick</source>
+        <translation>Hangi bellek</translation>
+    </message>
+    <message>
+        <source>This system does not tell which sticks are plugged in: choose the folder.</source>
+        <translation>Bu sistem hangi belleklerin takılı olduğunu söylemiyor: klasörü seçin.</translation>
+    </message>
+    <message>
+        <source>No stick is plugged in: it is found by itself.</source>
+        <translation>Takılı bellek yok: takılınca kendiliğinden bulunur.</translation>
+    </message>
+    <message>
+        <source>&amp;Copy to {stick}</source>
+        <translation>{stick} belleğine &amp;kopyala</translation>
+    </message>
+    <message>
+        <source>E&amp;ject {stick}</source>
+        <translation>{stick} belleğini çı&amp;kar</translation>
+    </message>
+    <message>
+        <source>{n} GB are free.</source>
+        <translation>{n} GB boş.</translation>
+    </message>
+    <message>
+        <source>It is write-protected.</source>
+        <translation>Yazmaya karşı korumalı.</translation>
+    </message>
+    <message>
+        <source>The stick is being let go…</source>
+        <translation>Bellek çıkarılıyor…</translation>
+    </message>
+    <message>
+        <source>{stick} can be pulled out.</source>
+        <translation>{stick} çekilebilir.</translation>
     </message>
 </context>
 <context>
@@ -1502,6 +1639,10 @@
     <message>
         <source>Writing the files…</source>
         <translation>Dosyalar yazılıyor…</translation>
+    </message>
+    <message>
+        <source>Written and read back: {place}</source>
+        <translation>Yazıldı ve yeniden okundu: {place}</translation>
     </message>
     <message>
         <source>Written: {place}</source>
@@ -1528,10 +1669,6 @@
         <translation>Neler saklanıyor</translation>
     </message>
     <message>
-        <source>Copy to &amp;stick or folder…</source>
-        <translation>&amp;Belleğe veya klasöre kopyala…</translation>
-    </message>
-    <message>
         <source>Save as one &amp;zip file…</source>
         <translation>Tek &amp;zip dosyası olarak kaydet…</translation>
     </message>
@@ -1540,7 +1677,11 @@
         <translation>&amp;Raporu göster</translation>
     </message>
     <message>
-        <source>Show f&amp;older</source>
+        <source>Copy to a f&amp;older…</source>
+        <translation>Bir k&amp;lasöre kopyala…</translation>
+    </message>
+    <message>
+        <source>Show &amp;folder</source>
         <translation>&amp;Klasörü göster</translation>
     </message>
     <message>
@@ -1566,6 +1707,10 @@
     <message>
         <source>Text of the code</source>
         <translation>Kodun metni</translation>
+    </message>
+    <message>
+        <source>How far the files are</source>
+        <translation>Dosyaların ilerleyişi</translation>
     </message>
     <message>
         <source>There is no clone yet.</source>
@@ -2371,12 +2516,60 @@
         <translation>Onay</translation>
     </message>
     <message>
+        <source>Stick</source>
+        <translation>Bellek</translation>
+    </message>
+    <message>
+        <source>Printer</source>
+        <translation>Yazıcı</translation>
+    </message>
+    <message>
         <source>A photo</source>
         <translation>Bir fotoğraf</translation>
     </message>
     <message>
         <source>its files were changed while they were read</source>
         <translation>dosyaları okunurken değişti</translation>
+    </message>
+    <message>
+        <source>what was written there reads differently</source>
+        <translation>oraya yazılanlar farklı okunuyor</translation>
+    </message>
+    <message>
+        <source>Use another stick: this one loses what is written on it</source>
+        <translation>Başka bir bellek kullanın: bu, üzerine yazılanı yitiriyor</translation>
+    </message>
+    <message>
+        <source>this system does not tell which sticks are plugged in</source>
+        <translation>bu sistem hangi belleklerin takılı olduğunu söylemiyor</translation>
+    </message>
+    <message>
+        <source>Choose the stick&apos;s folder by hand</source>
+        <translation>Belleğin klasörünü elle seçin</translation>
+    </message>
+    <message>
+        <source>no program that ejects sticks is installed</source>
+        <translation>bellek çıkaran bir program kurulu değil</translation>
+    </message>
+    <message>
+        <source>Eject it with the desktop&apos;s own files window before it is pulled out</source>
+        <translation>Çekmeden önce masaüstünün dosya penceresinden çıkarın</translation>
+    </message>
+    <message>
+        <source>the stick cannot be ejected</source>
+        <translation>bellek çıkarılamıyor</translation>
+    </message>
+    <message>
+        <source>Close every window that shows its files, then eject it again</source>
+        <translation>Dosyalarını gösteren her pencereyi kapatın, sonra yeniden çıkarın</translation>
+    </message>
+    <message>
+        <source>the printer does not answer</source>
+        <translation>yazıcı yanıt vermiyor</translation>
+    </message>
+    <message>
+        <source>Is it switched on, with paper in it? A file can be printed elsewhere</source>
+        <translation>Açık ve kâğıdı var mı? Dosya başka yerde de yazdırılabilir</translation>
     </message>
     <message>
         <source>the file exists and is not replaced</source>

@@ -149,7 +149,7 @@ def test_a_consent_says_what_when_and_in_which_language():
 def test_who_asked_first_is_cloned_first():
     asked = {Path("a"): line.asked(Visit(), "2"), Path("b"): line.asked(Visit(), "1"), Path("c"): Visit()}
     assert line.waiting(asked) == (Path("b"), Path("a"))
-    assert line.waiting({Path("a"): line.cloned(asked[Path("a")], 30.0)}) == ()
+    assert line.waiting({Path("a"): line.cloned(asked[Path("a")], 30.0, "2")}) == ()
     assert line.failed(asked[Path("a")], "dark").problem == "dark"
     assert line.withdrawn(asked[Path("a")], True).state is State.CLONED
     assert line.withdrawn(asked[Path("a")], False).state is State.NONE

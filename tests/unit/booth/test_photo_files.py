@@ -126,3 +126,14 @@ def test_a_stored_photo_says_what_it_is_meant_for_until_it_is_placed(visitor, tm
     again = photo_files.to_tray(visitor, visitor / "body_back.jpg")
     assert photo_files.new_photos(visitor) == (), "taken out by hand: it stays where it was put"
     assert photo_files.tray_photos(visitor) == (again,)
+
+
+def test_a_photo_that_is_held_is_decoded_once_and_anew_when_its_file_changes(visitor, tmp_path):
+    path = visitor / f"{FRONT}.jpg"
+    path.write_bytes(jpeg(tmp_path, 10))
+    first = photo_files.placed_photos(visitor).photos[FRONT]
+    assert photo_files.placed_photos(visitor).photos[FRONT] is first
+    path.write_bytes(jpeg(tmp_path, 200))
+    after = photo_files.placed_photos(visitor).photos[FRONT]
+    assert after.digest != first.digest
+    assert int(after.rgb.mean().round()) == 200

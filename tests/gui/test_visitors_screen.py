@@ -1,0 +1,102 @@
+"""The screen for visitors before anybody may be seen on it, reduced motion, and the numbers of the day."""
+
+import csv
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage
+
+from cloner.booth.looking_table import Look, Trouble
+from cloner.booth.looks import keep_look
+from cloner_gui.canvas import attract
+from cloner_gui.main_window import CLONE
+from cloner_gui.pages.gallery import GalleryWindow
+from cloner_gui.pages.stage import StageWindow
+
+from .test_flow import begin, event  # noqa: F401  (event is a fixture)
+from .test_visitors_side import cloned, with_result
+
+pytestmark = pytest.mark.gui
+LEFT = Qt.MouseButton.LeftButton
+
+
+@pytest.fixture
+def stage(event, qtbot):  # noqa: F811
+    window = StageWindow(event.booth)
+    window.resize(400, 600)
+    window.show()
+    yield window
+    window.close()
+
+
+def test_sample_people_turn_until_a_visitor_may_be_seen(event, stage, qtbot):  # noqa: F811
+    loop = stage.attract
+    assert loop.active
+    assert stage.middle.currentWidget() is loop
+    assert stage.who.text().startswith("Five photos")
+    front = loop.grab().toImage()
+    for _ in range(attract.ACROSS * attract.DOWN // 2):
+        loop.go_on()
+    assert loop.grab().toImage() != front, "the back is seen"
+    for _ in range(attract.ACROSS * attract.DOWN * 3 // 2):
+        loop.go_on()
+    assert (loop.person, loop.side) == (1, 0), "after two turns the next one comes"
+    folder = begin(event, qtbot)
+    with_result(folder, shown=True)
+    stage.go_on()
+    qtbot.waitUntil(lambda: stage._shown == folder, timeout=20000)
+    assert not loop.active
+    assert stage.middle.currentWidget() is stage.preview
+    event.booth.forget(folder)
+    assert loop.active
+
+
+def test_nothing_moves_by_itself_where_that_is_wanted(event, stage, qtbot, samples):  # noqa: F811
+    loop = stage.attract
+    loop.go_on()
+    event.booth.change(calm=True)
+    assert loop.active
+    front = loop.grab().toImage()
+    loop.go_on()
+    assert (loop.person, loop.side) == (1, 0), "it stands still, and another one comes"
+    assert loop.grab().toImage() != front
+    event.booth.change(calm=False)
+    cloned(event, qtbot, samples)
+    assert event.stack.currentIndex() == CLONE
+    assert event.clone.reveal.active
+    event.booth.change(calm=True)
+    assert not event.clone.reveal.active, "it stops at once"
+    assert event.clone.preview.motion_kind == "stand"
+
+
+def test_the_shipped_pictures_are_whole_turns_and_read_only_when_they_are_shown(qtbot):
+    for person in attract.PEOPLE:
+        sheet = QImage(str(attract.PICTURES / f"turn_{person}.jpg"))
+        assert sheet.width() == attract.ACROSS * attract.SIDE_PX[0]
+        assert sheet.height() == attract.DOWN * attract.SIDE_PX[1]
+        assert (attract.PICTURES / f"turn_{person}.jpg").stat().st_size < 500_000
+    made = attract.Attract()
+    qtbot.addWidget(made)
+    assert not made.active
+    assert made._sheets == {}
+
+
+def test_the_gallery_tells_the_numbers_of_the_day_and_saves_them(event, qtbot, tmp_path, monkeypatch):  # noqa: F811
+    first, second = begin(event, qtbot), begin(event, qtbot)
+    with_result(first, started="2026-11-22T10:00:00+00:00", queued="2026-11-22T10:00:00+00:00",
+                finished="2026-11-22T10:03:00+00:00")  # fmt: skip
+    with_result(second, started="2026-11-22T11:00:00+00:00")
+    keep_look(second, Look("a", None, (Trouble.BLURRED,)))
+    gallery = GalleryWindow(event.booth, event)
+    gallery.show()
+    qtbot.waitUntil(lambda: gallery.numbers_label.text() != "", timeout=10000)
+    told = gallery.numbers_label.text()
+    assert "2 visitors, 2 clones" in told
+    assert "3.0 minutes in the middle, 3.0 at most" in told
+    assert "Refused: 1 × It is blurred." in told
+    monkeypatch.setattr("cloner_gui.day_label.QFileDialog.getSaveFileName", lambda *_: (str(tmp_path / "n.csv"), ""))
+    qtbot.mouseClick(gallery.numbers_button, LEFT)
+    rows = list(csv.reader((tmp_path / "n.csv").open()))
+    assert ["visitors", "", "2"] in [row[1:] for row in rows]
+    assert ["photos to take again", "blurred", "1"] in [row[1:] for row in rows]
+    gallery.close()

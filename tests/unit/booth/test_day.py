@@ -1,0 +1,82 @@
+"""The numbers of a day, counted by hand."""
+
+import csv
+import io
+from pathlib import Path
+
+import pytest
+
+from cloner.booth import line
+from cloner.booth.day import days, days_csv
+from cloner.booth.looking_table import Look, Trouble
+from cloner.booth.visits import State, Visit
+
+
+@pytest.fixture(autouse=True)
+def by_the_sun(monkeypatch):
+    import time
+
+    monkeypatch.setenv("TZ", "UTC")
+    time.tzset()
+    yield
+    monkeypatch.undo()
+    time.tzset()
+
+
+def visit(day, state, queued="", finished="", problem=""):
+    at = f"2026-11-{day}T"
+    return Visit(
+        started=at + "10:00:00+00:00", state=state, problem=problem,
+        queued=queued and f"{at}{queued}+00:00", finished=finished and f"{at}{finished}+00:00",
+    )  # fmt: skip
+
+
+VISITS = {
+    Path("visitor-001"): visit(21, State.CLONED, "10:05:00", "10:06:00"),
+    Path("visitor-002"): visit(22, State.CLONED, "10:05:00", "10:07:00"),
+    Path("visitor-003"): visit(22, State.CLONED, "10:05:00", "10:15:00"),
+    Path("visitor-004"): visit(22, State.CLONED),
+    Path("visitor-005"): visit(22, State.FAILED, problem="visitor-005: nobody is seen. Retake the photo"),
+    Path("visitor-006"): visit(22, State.WAITING, "10:05:00"),
+}
+LOOKS = {
+    Path("visitor-002"): {"a": Look("a", None, (Trouble.BLURRED, Trouble.DARK)), "b": Look("b", None, ())},
+    Path("visitor-005"): {"c": Look("c", None, (Trouble.BLURRED,))},
+}
+
+
+def found():
+    return days(VISITS, lambda folder: LOOKS.get(folder, {}))
+
+
+def test_the_last_day_comes_first_and_everything_is_counted_once():
+    last, first = found()
+    assert (last.date, last.visitors, last.clones) == ("2026-11-22", 5, 3)
+    assert (first.date, first.visitors, first.clones) == ("2026-11-21", 1, 1)
+    assert sorted(last.waited_min) == [2.0, 10.0]
+    assert (last.median_min, last.longest_min) == (6.0, 10.0)
+    assert last.photos == {Trouble.BLURRED: 2, Trouble.DARK: 1}
+    assert last.failures == {"nobody is seen": 1}
+
+
+def test_the_table_tells_numbers_and_nobodys_name():
+    text = days_csv(found())
+    rows = list(csv.reader(io.StringIO(text)))
+    assert rows[0] == ["day", "what", "reason", "number"]
+    assert ["2026-11-22", "visitors", "", "5"] in rows
+    assert ["2026-11-22", "minutes in the queue, longest", "", "10.0"] in rows
+    assert ["2026-11-22", "photos to take again", "blurred", "2"] in rows
+    assert ["2026-11-22", "not cloned", "nobody is seen", "1"] in rows
+    assert "visitor-00" not in text
+
+
+def test_what_is_not_known_is_not_counted():
+    strange = {Path("x"): Visit(started="yesterday", state=State.CLONED, queued="2", finished="1")}
+    assert [(day.date, day.clones, day.waited_min) for day in days(strange, lambda _: {})] == [("", 1, ())]
+    assert days({}, lambda _: {}) == ()
+
+
+def test_a_clone_that_is_asked_for_again_waits_anew():
+    done = line.cloned(line.asked(Visit(), "2026-11-22T10:00:00+00:00"), 30.0, "2026-11-22T10:01:00+00:00")
+    assert done.finished
+    assert line.asked(done, "2026-11-22T11:00:00+00:00").finished == ""
