@@ -28,8 +28,9 @@ demo: $(STAMP)
 	@echo "The clone lies in    demo_out/anna (clone.glb, clone.wrl, previews/)"
 	@echo "Open the report with a browser: file://$(CURDIR)/demo_out/anna/report.html"
 
+# Two processes, a file of tests each: pictures and windows of one file share what they made.
 test: lint types
-	$(BIN)/python -m pytest
+	OMP_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses 2 --dist loadfile
 
 quick: $(STAMP)
 	$(BIN)/python -m pytest -q -m "not slow and not golden" tests/unit tests/property
