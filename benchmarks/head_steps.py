@@ -25,6 +25,7 @@ from cloner.geometry.dffd import deform
 from cloner.project.corrections import no_corrections
 from cloner.records.heads import HeadFit
 from cloner.records.points import PointSet, Proposals, ViewPoints
+from cloner.records.views import Camera
 from cloner.stages import head
 from cloner.stages.head_evidence import Log, Params, make_model, read_front, read_side
 from cloner.stages.head_modes import load_head_modes
@@ -69,19 +70,23 @@ def with_true_net(values: Values, known: KnownHead) -> Values:
 
     Its known bias and pull towards the mean stay, for the fit takes them out again; only for the generic's topology.
     """
+    camera, proposals = known.views[ViewId.FACE_FRONT], dict(values["proposals"].views)
+    true_px = true_net_px(np.asarray(known.vertices_m), camera)
+    proposals[ViewId.FACE_FRONT] = replace(proposals[ViewId.FACE_FRONT], face_px=true_px)
+    return {**values, "proposals": Proposals(proposals)}
+
+
+def true_net_px(vertices: Array, camera: Camera) -> Array:
+    """Return where the net draws a face (V, 3) of the generic's topology on the average, (468, 2) px."""
     from calibrate_head_net import coefficients_of, fitted_shapes, rest_camera
 
     from cloner.detectors.face_net import load_face_net
 
-    net, camera, generic = load_face_net(), known.views[ViewId.FACE_FRONT], load_generic()
-    proposals = dict(values["proposals"].views)
-    vertices = np.asarray(known.vertices_m)
+    net, generic = load_face_net(), load_generic()
     metres = camera.metres_per_pixel(vertices[generic.feature("nasion")])
     coefficients, scale, rotation = coefficients_of(fitted_shapes(), vertices[generic.head_vertices])
     drawn = load_head_modes().errors_m(coefficients, rest_camera(camera, rotation)) / (scale * metres)
-    true_px = camera.project(net.places.at(vertices)) + drawn
-    proposals[ViewId.FACE_FRONT] = replace(proposals[ViewId.FACE_FRONT], face_px=true_px)
-    return {**values, "proposals": Proposals(proposals)}
+    return np.asarray(camera.project(net.places.at(vertices)) + drawn)
 
 
 def steps(values: Values) -> dict[str, Array]:
