@@ -26,6 +26,7 @@ from cloner.vision.repair import signed_distance
 
 Array = NDArray[np.float64]
 
+CAP_OVER_FACE, CAP_OVER_HAIR = 0.1, 0.5  # a cap's middle lies above this share of the face's rows, or of the hair's
 NEVER_ON_SCALPS = (Label.BODY_SKIN, Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES)
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
 FAR_MM = 1000.0
@@ -221,8 +222,8 @@ def hairline(hair: NDArray[np.bool_], person: NDArray[np.bool_]) -> NDArray[np.f
 
 
 def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return (H, W) pixels of hair: labelled so, on the person, in pieces of some size."""
-    hair = (proposal.labels == Label.HAIR) & person
+    """Return (H, W) pixels of hair, or of a cap on it: labelled so, on the person, in pieces of some size."""
+    hair = ((proposal.labels == Label.HAIR) | headwear(proposal.labels)) & person
     small = cv2.morphologyEx(hair.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
     count, pieces, stats, _ = cv2.connectedComponentsWithStats(small, connectivity=8)
     if count < 2:
@@ -230,6 +231,21 @@ def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool
     area = stats[:, cv2.CC_STAT_AREA].astype(float)
     area[0] = 0.0
     return np.isin(pieces, np.flatnonzero(area >= SMALLEST_PIECE * area.max()))
+
+
+def headwear(labels: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    """Return (H, W) pixels of what is worn on the head: it has a volume as hair has, unlike glasses and scarves.
+
+    Its pieces lie above nearly all of the face, or above the middle of the hair where a photo shows no face.
+    """
+    face, hair = (np.nonzero(labels == label)[0] for label in (Label.FACE_SKIN, Label.HAIR))
+    rows, share = (face, CAP_OVER_FACE) if len(face) else (hair, CAP_OVER_HAIR)
+    worn = labels == Label.ACCESSORY
+    if not len(rows) or not worn.any():
+        return np.zeros(labels.shape, np.bool_)
+    count, pieces, _, middles = cv2.connectedComponentsWithStats(worn.astype(np.uint8), connectivity=8)
+    high = [piece for piece in range(1, count) if middles[piece, 1] < np.quantile(rows, share)]
+    return np.asarray(np.isin(pieces, high))
 
 
 def hull_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:
