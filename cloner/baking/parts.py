@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
 from cloner.geometry.atlas import AtlasMap
-from cloner.vision.painting import LASH_RGB, paint_eye, paint_plain, paint_teeth, paint_tongue
+from cloner.vision.painting import LASH_RGB, SCLERA_RGB, paint_eye, paint_plain, paint_teeth, paint_tongue, white_rgb
 
 USUAL_SKIN_RGB = (190.0, 160.0, 145.0)  # taste: for a mesh whose face has no texels
 EDGE_STEP_M = 0.004  # half a tooth: the biting edge is found as finely
@@ -30,6 +30,8 @@ def paint_parts(
     """
     flat = rgb.reshape(-1, 3)
     skin_rgb = face_rgb(generic, rgb)
+    # teeth of full white stare out of a dark photo: they stand in the light of the eyes' whites
+    light = min(float(np.mean(white_rgb(skin_rgb, white_to_skin)) / np.mean(SCLERA_RGB)), 1.0)
     part_of = generic.vertex_part[atlas.triangles[:, 0]]
     for number, name in enumerate(generic.part_names):
         if name == "body":
@@ -48,11 +50,11 @@ def paint_parts(
             colour = paint_eye(spokes, iris_rgb, angle, skin_rgb, white_to_skin, rng)
         elif name.startswith("teeth_"):
             along, height = _along_arch(points), points[:, 1] if name == "teeth_upper" else -points[:, 1]
-            colour = paint_teeth(height - _edge(along, height), along)
+            colour = light * paint_teeth(height - _edge(along, height), along)
         elif name == "tongue":
             tip = vertices_m[vertices].max(axis=0)[2]
             middle = (vertices_m[vertices, 0].min() + vertices_m[vertices, 0].max()) / 2.0
-            colour = paint_tongue(tip - points[:, 2], points[:, 0] - middle)
+            colour = light * paint_tongue(tip - points[:, 2], points[:, 0] - middle)
         else:
             colour = paint_plain(rows.size, LASH_RGB)
         flat[atlas.texel[rows]] = np.clip(np.rint(colour), 0, 255)
