@@ -125,7 +125,7 @@ def test_another_language_is_spoken_at_once_and_the_consent_is_the_visitors(even
     assert "30 gün saklanıp" in form.consent_text.text()
     assert "kabul ediyorum" in form.consent_text.text()
     form.consent_box.click()
-    assert (folder / "person.toml").read_text().rstrip().endswith('UTC, tr)"')
+    assert 'UTC, tr)"' in (folder / "person.toml").read_text()
     event.booth.change(language="en")
     QApplication.processEvents()
     assert event.visitor.new_button.text() == "&New visitor"

@@ -21,7 +21,7 @@ def folder(tmp_path: Path) -> Path:
     for path, mode in ((place / "body_front.jpg", 0o600), (place, 0o700), (place.parent, 0o700)):
         path.chmod(mode)
     for parent in tmp_path.parents:
-        if parent.owner() == tmp_path.owner() and parent != Path(parent.anchor) and "pytest" in parent.name:
+        if parent.owner() == tmp_path.owner() and parent != Path(parent.anchor) and "pytest" in str(parent):
             parent.chmod(0o755)
     tmp_path.chmod(0o755)
     return place.parent

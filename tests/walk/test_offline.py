@@ -121,9 +121,9 @@ def test_no_place_serial_or_author_reaches_the_outputs(walk: Walk) -> None:
                     assert isinstance(image, PngImagePlugin.PngImageFile) or "comment" not in image.info, path
 
 
-def test_the_name_is_in_the_report_alone_and_never_in_the_log(walk: Walk) -> None:
+def test_the_name_is_in_report_and_clone_alone_and_never_in_the_log(walk: Walk) -> None:
     told = {path.name for path in walk.single.rglob("*") if path.is_file() and NAME.encode() in path.read_bytes()}
-    assert told == {"report.json", "report.html", "viewer.html"}
+    assert told == {"clone.npz", "report.json", "report.html", "viewer.html"}, "the clone names whom a VRM is of"
     for name, text in walk.said.items():
         assert NAME not in text, name
         assert str(walk.root) not in text, f"{name} tells where the folders lie"
