@@ -58,6 +58,10 @@ class Bones:
         share /= share.sum(axis=1, keepdims=True)  # once more, in the precision that readers see
         return np.where(share > 0.0, bones, 0), share.astype(np.float64)
 
+    def name_of(self, joint: str) -> str:
+        """Return the name of the bone that carries an H-Anim joint's skin."""
+        return self.names[int(self.carrier[load_generic().joint(joint)])]
+
     def rotations(self, motion: Motion) -> Array:
         """Return (F, K, 3) rotation vectors of the bones against their parents, radians."""
         if len(self.names) == motion.rotations.shape[1]:

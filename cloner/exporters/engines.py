@@ -83,5 +83,5 @@ def export_unreal(clone: Clone, folder: Path, *, name: str = "clone", moves: Mov
 
 
 def _written(clone: Clone, path: Path, bones: Bones, moves: Moves) -> tuple[Path, ...]:
-    write_bytes(path, b"".join(build(clone, moves=moves, bones=bones).save_to_bytes()))
+    write_bytes(path, b"".join(build(clone, moves=moves, bones=bones, corrects=True).save_to_bytes()))
     return (path,)

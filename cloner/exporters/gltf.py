@@ -31,6 +31,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import Surface, load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
+from cloner.motion.correctives import Driver, corrected, driven
 from cloner.motion.own import Moves, own_motions
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
@@ -62,7 +63,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
         If the folder cannot be written to.
     """
     path = folder / f"{name}.glb"
-    write_bytes(path, b"".join(build(centred(clone), moves=moves).save_to_bytes()))
+    write_bytes(path, b"".join(build(centred(clone), moves=moves, corrects=True).save_to_bytes()))
     return (path,)
 
 
@@ -71,6 +72,7 @@ def build(
     *,
     moves: Moves = own_motions,
     bones: Bones | None = None,
+    corrects: bool = False,
     buffer_type: Callable[[Any, Array], GltfBuffer] = GltfBuffer,
 ) -> Any:
     """Return the clone as a ``pygltflib.GLTF2`` with its binary blob set.
@@ -83,10 +85,15 @@ def build(
         Makes the motions of this clone; walk and idle unless told otherwise.
     bones : Bones or None
         The file's skeleton; None takes all H-Anim joints.
+    corrects : bool
+        Add corrective targets, which keep the flesh around bent joints, and let the motions drive them.
     buffer_type : callable
         Makes the buffer of a file and its box (2, 3): how numbers are stored.
     """
-    bones = bones or hanim_bones()
+    bones, motions = bones or hanim_bones(), moves(clone)
+    drivers: tuple[Driver, ...] = ()
+    if corrects:
+        clone, drivers = corrected(clone)
     gltf = pygltflib.GLTF2(
         asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}", copyright=CREDITS),
         scene=0,
@@ -105,9 +112,12 @@ def build(
             gltf.nodes.append(pygltflib.Node(name=mesh.name, mesh=len(gltf.meshes) - 1, skin=skin))
             roots.append(len(gltf.nodes) - 1)
     body = next(number for number, node in enumerate(gltf.nodes) if node.mesh == 0)
-    for motion in moves(clone):
-        gltf.animations.append(animation(gltf, buffer, clone, motion, bones, body))
-    gltf.scenes.append(pygltflib.Scene(name="clone", nodes=roots, extras=_facts(clone, bones)))
+    for motion in motions:
+        gltf.animations.append(animation(gltf, buffer, clone, driven(motion, drivers), bones, body))
+    facts = _facts(clone, bones)
+    if drivers:
+        facts["correctives"] = [driver.told(bones.name_of(driver.joint)) for driver in drivers]
+    gltf.scenes.append(pygltflib.Scene(name="clone", nodes=roots, extras=facts))
     data = buffer.data()
     gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
     gltf.set_binary_blob(data)

@@ -55,5 +55,6 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
         If the folder cannot be written to.
     """
     path = folder / f"{name}_mixamo.glb"
-    write_bytes(path, b"".join(build(in_t_pose(centred(clone)), moves=moves, bones=mixamo_bones()).save_to_bytes()))
+    made = build(in_t_pose(centred(clone)), moves=moves, bones=mixamo_bones(), corrects=True)
+    write_bytes(path, b"".join(made.save_to_bytes()))
     return (path,)

@@ -9,19 +9,21 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import surface_normals
 from cloner.geometry.skinning import blend_transforms, joint_transforms, skin
 from cloner.motion import turns
+from cloner.motion.bending import CLAVICLE_RAD, FLESHED
 from cloner.motion.body import FOOT, SIDES, Body, below, body_of
 from cloner.motion.gait import aim_limb, follow, palm_normal
+from cloner.motion.kept_flesh import kept_flesh
 from cloner.motion.twist import shared_twist
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 
 Array = NDArray[np.float64]
 
-#: Collarbones rise by this much under level arms, radians (taste, of 0, 8, 12, 14 and 20 degrees; that they rise with
-#: an arm: Inman et al. 1944); arms that rise alone leave the collar standing in steps beside the neck.
-CLAVICLE_RAD = np.radians(12.0)
+#: Joints that turn less than this keep their flesh by themselves, radians; taste.
+LEAST_RAD = np.radians(3.0)
 
 
 def in_t_pose(clone: Clone) -> Clone:
@@ -37,8 +39,8 @@ def in_hanging_pose(clone: Clone) -> Clone:
 def in_pose(clone: Clone, rotations: Array) -> Clone:
     """Return the clone whose rest pose is another one.
 
-    Skin, shells, joints, morph targets and feature points are bound anew in that pose; the photos' poses are left out,
-    they belong to the old rest pose. Feet stay on the floor.
+    Limbs keep their flesh (`cloner.motion.kept_flesh`). Skin, shells, joints, morph targets and feature points are
+    bound anew in that pose; the photos' poses are left out, they belong to the old rest pose. Feet stay on the floor.
 
     Parameters
     ----------
@@ -47,6 +49,7 @@ def in_pose(clone: Clone, rotations: Array) -> Clone:
         Rotation vectors of the joints against the old rest pose, radians.
     """
     generic = load_generic()
+    clone = _fleshed(clone, rotations)
     transforms = joint_transforms(clone.joints_m, generic.joint_parents, rotations)
     joints, weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(np.float64)
     vertices = skin(clone.vertices_m, transforms, joints, weights)
@@ -62,6 +65,17 @@ def in_pose(clone: Clone, rotations: Array) -> Clone:
         features_m=_carried(clone, blended, drop),
         views={},
     )
+
+
+def _fleshed(clone: Clone, rotations: Array) -> Clone:
+    """Return the clone with what its skin needs at rest for limbs to keep their flesh in a pose."""
+    generic = load_generic()
+    vertices, normals = clone.vertices_m.copy(), surface_normals(clone.vertices_m)
+    for side, joint in ((side, joint) for side in SIDES for joint in FLESHED):
+        if np.linalg.norm(rotations[generic.joint(f"{side}_{joint}")]) > LEAST_RAD:
+            rows, offsets = kept_flesh(clone, generic.joint_parents, normals, side, joint, rotations)
+            vertices[rows] += offsets
+    return replace(clone, vertices_m=vertices)
 
 
 def _carried(clone: Clone, blended: Array, drop: Array) -> dict[str, Array]:
