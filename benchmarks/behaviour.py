@@ -314,7 +314,7 @@ def museum(told: Told, seeds: int) -> Iterator[Middles]:
         "",
         "## Museum",
         "",
-        f"`samples/museum.crowd`, 100 people, {seeds} seeds: happy {min(happy):.0f}-{max(happy):.0f} % of the visitors; "
+        f"`samples/museum.crowd`, 100 people, {seeds} seeds: happy {min(happy):.0f}-{max(happy):.0f} % of visitors; "
         f"after the "
         f"statue awoke the last is out through 2.4 m after {min(took):.1f}-{max(took):.1f} s "
         f"({sum(one <= 40.0 for one in took)} of {seeds} "

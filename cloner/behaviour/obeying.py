@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 
 from cloner.behaviour import dice
+from cloner.behaviour.curves import along_curves, begin_curves
 from cloner.behaviour.dice import purpose
 from cloner.behaviour.fields import region_cells
 from cloner.behaviour.ground import AHEAD_M, RAY_BODY_M, Array, Indices, Mask
@@ -96,17 +97,19 @@ def inside_region(world: World, place: Place) -> Mask:
 
 
 def _ways(world: World, going: Mask, away: Array, far: Array) -> Array:
-    """Return the direction each wants to walk: to a spot in sight straight, else by the field; wanderers by theirs."""
+    """Return the direction each wants to walk: to a spot in sight by a curve, else by the field; or as wanderers do."""
     people, bodies = world.people, world.bodies
     way = np.zeros_like(away)
     looks = np.flatnonzero(going & ((np.arange(len(going)) + world.steps) % LOOKS_EVERY == 0))
     if len(looks):
         near = far[looks] < STRAIGHT_M
+        before = people.direct.copy()
         people.direct[looks] = False
         some = looks[near]
         people.direct[some] = world.ground.sees(bodies.place[some], people.target[some], RAY_BODY_M)
-    straight = going & people.direct
-    way[straight] = away[straight] / np.maximum(far[straight], 1e-9)[:, None]
+        begin_curves(world, some[people.direct[some] & ~before[some]])
+    straight = np.flatnonzero(going & people.direct)
+    way[straight] = along_curves(world, straight)
     row, column = world.ground.cells(bodies.place)
     for place in np.unique(people.goal[going & ~people.direct]):
         who = np.flatnonzero(going & ~people.direct & (people.goal == place))
