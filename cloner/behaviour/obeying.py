@@ -22,8 +22,9 @@ THERE_M, AWAY_M = 0.12, 0.5
 #: One slows down when the spot is nearer than one walks in this time, seconds: three times `RELAX_S`
 #: stops without overshoot.
 SLOWING_S: Final = 1.5
-#: Who stands in a crowd within the region for so long has arrived too.
-STUCK_S: Final = 2.0
+#: Who stands in a crowd within the region for so long, and has his spot so near, has arrived too. Without the second
+#: people stop where a region begins and shut the door before it (museum, 3 seeds of 20).
+STUCK_S, CLOSE_M = 2.0, 1.5
 STILL_M_S: Final = 0.1
 #: How far one sees a spot to walk straight to it, and how often one looks, in steps.
 STRAIGHT_M: Final = 12.0
@@ -80,7 +81,7 @@ def _arrive(world: World) -> None:
     people.settled |= going & (square < THERE_M * THERE_M)
     people.settled &= ~(going & (square > AWAY_M * AWAY_M))
     pace = bodies.velocity[:, 0] * bodies.velocity[:, 0] + bodies.velocity[:, 1] * bodies.velocity[:, 1]
-    slow = going & ~people.settled & (pace < STILL_M_S * STILL_M_S)
+    slow = going & ~people.settled & (pace < STILL_M_S * STILL_M_S) & (square < CLOSE_M * CLOSE_M)
     people.slow_steps = np.where(slow, people.slow_steps + 1, 0)
     for one in np.flatnonzero(people.slow_steps > STUCK_S / STEP_S):
         place = world.places[int(people.goal[one])]
