@@ -314,8 +314,9 @@ def museum(told: Told, seeds: int) -> Iterator[Middles]:
         "",
         "## Museum",
         "",
-        f"`samples/museum.crowd`, 100 people, {seeds} seeds: happy {min(happy):.0f}-{max(happy):.0f} % of the "
-        f"visitors; after the statue awoke the last is out through 2.4 m after {min(took):.1f}-{max(took):.1f} s "
+        f"`samples/museum.crowd`, 100 people, {seeds} seeds: happy {min(happy):.0f}-{max(happy):.0f} % of visitors; "
+        f"after the "
+        f"statue awoke the last is out through 2.4 m after {min(took):.1f}-{max(took):.1f} s "
         f"({sum(one <= 40.0 for one in took)} of {seeds} "
         f"within 40 s). Digest of seed 1: `{digests[0]}`.",
     )

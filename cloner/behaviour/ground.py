@@ -33,6 +33,7 @@ DIRECTIONS: Final = 64
 LARGEST_CELLS: Final = 4_000_000
 _CONTACT_M: Final = 0.55  # walls nearer to a cell's middle than this can be touched from within the cell
 _SIDE_M: Final = 1e-6
+_FAR_M: Final = 8.0  # nobody asks how much further a wall is than this
 _HINT: Final = "Give a floor, such as: floor 0, 0 to 30, 12"
 
 
@@ -41,8 +42,8 @@ class Ground:
     """Where one can walk.
 
     ``walls`` (S, 4) start and end of each wall; ``clear`` (rows, cols) distance of a cell's middle to the nearest wall,
-    negative where nobody can stand; ``free`` (rows, cols, 64) how far a body gets from there, at most `AHEAD_M`;
-    ``near`` (rows, cols, k) places in ``walls`` of those within reach, -1 for none. Metres.
+    at most 8, negative where nobody can stand; ``free`` (rows, cols, 64) how far a body gets from there, at most
+    `AHEAD_M`; ``near`` (rows, cols, k) places in ``walls`` of those within reach, -1 for none. Metres.
     """
 
     low: Array
@@ -118,11 +119,11 @@ def ground_of(floors: Sequence[Array], obstacles: Sequence[Array] = ()) -> Groun
     walls = _walls(floors, obstacles)
     row, column = (one.ravel() for one in np.indices((rows, cols)))
     middle = np.stack([low[0] + (column + 0.5) * CELL_M, low[1] + (row + 0.5) * CELL_M], axis=1)
-    away, near = _wall_distances(middle, walls)
-    clear = np.where(_open(middle, floors, obstacles), away, -away).reshape(rows, cols)
+    away, near = _wall_distances(low, middle.reshape(rows, cols, 2), walls)
+    clear = np.where(_open(middle, floors, obstacles).reshape(rows, cols), away, -away)
     if clear.max() < BODY_M:
         raise ClonerError("nobody fits between the walls", "Make the floor wider or the obstacles smaller", "floor")
-    return Ground(low, walls, clear, _free(clear), near.reshape(rows, cols, -1))
+    return Ground(low, walls, clear, _free(clear), near)
 
 
 def _open(place: Array, floors: Sequence[Array], obstacles: Sequence[Array]) -> Mask:
@@ -169,23 +170,29 @@ def _cuts(start: Array, end: Array, edges: Array) -> list[float]:
     return [float(one) for one in cuts]
 
 
-def _wall_distances(middle: Array, walls: Array) -> tuple[Array, Indices]:
-    """Return the distance of each place to the nearest wall, and the walls within a body's reach, (n, k)."""
-    nearest = np.full(len(middle), np.inf)
+def _wall_distances(low: Array, middle: Array, walls: Array) -> tuple[Array, Indices]:
+    """Return the distance of each cell's middle (rows, cols, 2) to the nearest wall, and the walls within reach."""
+    rows, cols = middle.shape[:2]
+    nearest = np.full((rows, cols), _FAR_M)
     touched: list[tuple[Indices, int]] = []
+    number = np.arange(rows * cols).reshape(rows, cols)
     for k, wall in enumerate(walls):
-        away = np.sqrt(_square_to(middle, wall))
-        nearest = np.minimum(nearest, away)
-        touched.append((np.flatnonzero(away < _CONTACT_M), k))
-    count = np.zeros(len(middle), np.int64)
+        ends = wall.reshape(2, 2)
+        first = np.maximum(((ends.min(axis=0) - _FAR_M - low) / CELL_M).astype(np.int64), 0)
+        last = ((ends.max(axis=0) + _FAR_M - low) / CELL_M).astype(np.int64) + 1
+        part = np.s_[first[1] : last[1], first[0] : last[0]]
+        away = np.sqrt(_square_to(middle[part].reshape(-1, 2), wall)).reshape(nearest[part].shape)
+        nearest[part] = np.minimum(nearest[part], away)
+        touched.append((number[part][away < _CONTACT_M], k))
+    count = np.zeros(rows * cols, np.int64)
     for cells, _ in touched:
         count[cells] += 1
-    near = np.full((len(middle), int(count.max(initial=0)) or 1), -1, np.int64)
+    near = np.full((rows * cols, int(count.max(initial=0)) or 1), -1, np.int64)
     count[:] = 0
     for cells, k in touched:
         near[cells, count[cells]] = k
         count[cells] += 1
-    return nearest, near
+    return nearest, near.reshape(rows, cols, -1)
 
 
 def _square_to(place: Array, wall: Array) -> Array:

@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 
 from cloner.behaviour import dice
+from cloner.behaviour.curves import along_curves, begin_curves
 from cloner.behaviour.dice import purpose
 from cloner.behaviour.fields import region_cells
 from cloner.behaviour.ground import AHEAD_M, RAY_BODY_M, Array, Indices, Mask
@@ -21,8 +22,9 @@ THERE_M, AWAY_M = 0.12, 0.5
 #: One slows down when the spot is nearer than one walks in this time, seconds: three times `RELAX_S`
 #: stops without overshoot.
 SLOWING_S: Final = 1.5
-#: Who stands in a crowd within the region for so long has arrived too.
-STUCK_S: Final = 2.0
+#: Who stands in a crowd within the region for so long, and has his spot so near, has arrived too. Without the second
+#: people stop where a region begins and shut the door before it (museum, 3 seeds of 20).
+STUCK_S, CLOSE_M = 2.0, 1.5
 STILL_M_S: Final = 0.1
 #: How far one sees a spot to walk straight to it, and how often one looks, in steps.
 STRAIGHT_M: Final = 12.0
@@ -79,7 +81,7 @@ def _arrive(world: World) -> None:
     people.settled |= going & (square < THERE_M * THERE_M)
     people.settled &= ~(going & (square > AWAY_M * AWAY_M))
     pace = bodies.velocity[:, 0] * bodies.velocity[:, 0] + bodies.velocity[:, 1] * bodies.velocity[:, 1]
-    slow = going & ~people.settled & (pace < STILL_M_S * STILL_M_S)
+    slow = going & ~people.settled & (pace < STILL_M_S * STILL_M_S) & (square < CLOSE_M * CLOSE_M)
     people.slow_steps = np.where(slow, people.slow_steps + 1, 0)
     for one in np.flatnonzero(people.slow_steps > STUCK_S / STEP_S):
         place = world.places[int(people.goal[one])]
@@ -96,17 +98,19 @@ def inside_region(world: World, place: Place) -> Mask:
 
 
 def _ways(world: World, going: Mask, away: Array, far: Array) -> Array:
-    """Return the direction each wants to walk: to a spot in sight straight, else by the field; wanderers by theirs."""
+    """Return the direction each wants to walk: to a spot in sight by a curve, else by the field; or as wanderers do."""
     people, bodies = world.people, world.bodies
     way = np.zeros_like(away)
     looks = np.flatnonzero(going & ((np.arange(len(going)) + world.steps) % LOOKS_EVERY == 0))
     if len(looks):
         near = far[looks] < STRAIGHT_M
+        before = people.direct.copy()
         people.direct[looks] = False
         some = looks[near]
         people.direct[some] = world.ground.sees(bodies.place[some], people.target[some], RAY_BODY_M)
-    straight = going & people.direct
-    way[straight] = away[straight] / np.maximum(far[straight], 1e-9)[:, None]
+        begin_curves(world, some[people.direct[some] & ~before[some]])
+    straight = np.flatnonzero(going & people.direct)
+    way[straight] = along_curves(world, straight)
     row, column = world.ground.cells(bodies.place)
     for place in np.unique(people.goal[going & ~people.direct]):
         who = np.flatnonzero(going & ~people.direct & (people.goal == place))

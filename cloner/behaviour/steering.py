@@ -33,7 +33,7 @@ SHOULDERS: Final = 0.8
 EDGING_M_S, EDGING_M = 0.3, 1.0
 #: Square of the cosine of 45 degrees: others further aside are beside one. At 60 degrees a .75 m door jams at times.
 BESIDE: Final = 0.5
-_FEW: Final = 4  # headings between two looks at who needs no more of them
+_FEW: Final = 2  # headings between two looks at who needs no more of them
 
 
 def _fan() -> list[tuple[float, float]]:
@@ -110,7 +110,7 @@ def choose(
     count = len(place)
     best, chosen = np.full(count, np.inf), np.zeros(count, np.int64)
     rest = np.arange(count)
-    part, free = _reachable(others, seen, speed), ground.free[row, column]
+    part, free = _lines(_reachable(others, seen, speed), speed), ground.free[row, column]
     here = way, speed, ahead
     for k, (cosine, sine) in enumerate(FAN):
         wx, wy = here[0][:, 0], here[0][:, 1]
@@ -156,19 +156,46 @@ def _reachable(others: Others, seen: Mask, speed: Array) -> Others:
     return replace(others, there=meets)
 
 
-def _meeting(ex: Array, ey: Array, speed: Array, others: Others) -> Array:
+@dataclass(frozen=True, slots=True, eq=False)
+class _Lines:
+    """What the crossings of one's lines with the others' need at every heading: squares and products, (m, k)."""
+
+    x: Array
+    y: Array
+    vx: Array
+    vy: Array
+    along: Array
+    square: Array
+    room: Array
+    away: Mask
+
+    def of(self, who: Mask) -> _Lines:
+        """Return the same of some people."""
+        return _Lines(*(getattr(self, name)[who] for name in self.__slots__))
+
+
+def _lines(others: Others, speed: Array) -> _Lines:
+    """Return what is needed for people of some speeds, (m,) m/s."""
+    x, y, vx, vy = others.x, others.y, others.vx, others.vy
+    square = vx * vx + vy * vy + (speed * speed)[:, None]
+    return _Lines(x, y, vx, vy, x * vx + y * vy, square, x * x + y * y - others.reach * others.reach, ~others.there)
+
+
+def _meeting(ex: Array, ey: Array, speed: Array, lines: _Lines) -> Array:
     """Return how far one gets in a direction at one's own speed before meeting anybody who walks on, (n,) metres."""
-    wx = (speed * ex)[:, None] - others.vx
-    wy = (speed * ey)[:, None] - others.vy
-    a = wx * wx + wy * wy
-    b = others.x * wx + others.y * wy
-    c = others.x * others.x + others.y * others.y - others.reach * others.reach
-    root = b * b - a * c
-    meets = others.there & (b > 0.0) & (root > 0.0)
+    sx, sy = (speed * ex)[:, None], (speed * ey)[:, None]
+    a = lines.square - 2.0 * (sx * lines.vx + sy * lines.vy)
+    b = sx * lines.x + sy * lines.y - lines.along
+    root = b * b - a * lines.room
+    misses = lines.away | (b <= 0.0) | (root <= 0.0)
     np.maximum(root, 0.0, out=root)
-    time = (b - np.sqrt(root)) / np.maximum(a, 1e-9)
-    time = np.where(meets, np.maximum(time, 0.0), np.inf)
-    return np.asarray(np.minimum(time.min(axis=1) * speed, AHEAD_M))
+    np.sqrt(root, out=root)
+    np.subtract(b, root, out=b)
+    np.maximum(b, 0.0, out=b)
+    np.maximum(a, 1e-9, out=a)
+    b /= a
+    b[misses] = np.inf
+    return np.asarray(np.minimum(b.min(axis=1) * speed, AHEAD_M))
 
 
 def _gap(ex: Array, ey: Array, others: Others) -> Array:

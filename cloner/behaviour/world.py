@@ -76,6 +76,7 @@ class People:
     target: Array
     settled: Mask
     direct: Mask
+    curve: Array
     slow_steps: Indices
     visit: Indices
     phase: Indices
@@ -203,6 +204,7 @@ def _people(scenario: Scenario, seed: int, count: int) -> People:
         target=np.zeros((count, 2)),
         settled=np.ones(count, bool),
         direct=np.zeros(count, bool),
+        curve=np.zeros((count, 2, 2)),
         slow_steps=np.zeros(count, np.int64),
         visit=np.full(count, -1),
         phase=np.full(count, DONE),

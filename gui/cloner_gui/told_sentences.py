@@ -50,6 +50,8 @@ SENTENCES: Final[tuple[str, ...]] = tuple(
         QT_TRANSLATE_NOOP("told", "Correct %1, or move it away to start with the usual settings"),
         QT_TRANSLATE_NOOP("told", "the key %1 is not known"),
         QT_TRANSLATE_NOOP("told", "The keys are %1"),
+        QT_TRANSLATE_NOOP("told", "the licence %1 is not known"),
+        QT_TRANSLATE_NOOP("told", "The licences are %1"),
         QT_TRANSLATE_NOOP("told", "%1 has a value of the wrong kind"),
         QT_TRANSLATE_NOOP("told", "the folder cannot be read"),
         QT_TRANSLATE_NOOP("told", "Check its permissions"),

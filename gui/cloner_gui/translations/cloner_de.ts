@@ -1840,6 +1840,14 @@
         <translation>Die Schlüssel sind %1</translation>
     </message>
     <message>
+        <source>the licence %1 is not known</source>
+        <translation>die Lizenz %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>The licences are %1</source>
+        <translation>Die Lizenzen sind %1</translation>
+    </message>
+    <message>
         <source>%1 has a value of the wrong kind</source>
         <translation>%1 hat einen Wert der falschen Art</translation>
     </message>

@@ -1840,6 +1840,14 @@
         <translation>Les clés sont %1</translation>
     </message>
     <message>
+        <source>the licence %1 is not known</source>
+        <translation>la licence %1 est inconnue</translation>
+    </message>
+    <message>
+        <source>The licences are %1</source>
+        <translation>Les licences sont %1</translation>
+    </message>
+    <message>
         <source>%1 has a value of the wrong kind</source>
         <translation>%1 a une valeur du mauvais type</translation>
     </message>

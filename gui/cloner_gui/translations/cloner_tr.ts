@@ -1839,6 +1839,14 @@
         <translation>Anahtarlar: %1</translation>
     </message>
     <message>
+        <source>the licence %1 is not known</source>
+        <translation>%1 lisansı bilinmiyor</translation>
+    </message>
+    <message>
+        <source>The licences are %1</source>
+        <translation>Lisanslar: %1</translation>
+    </message>
+    <message>
         <source>%1 has a value of the wrong kind</source>
         <translation>%1 yanlış türde bir değer taşıyor</translation>
     </message>

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import guide, step
 from cloner.behaviour.together.attraction import gathered
 from cloner.behaviour.together.wandering import turned
-from cloner.behaviour.world import ACTING, WAITING
+from cloner.behaviour.world import ACTING, WAITING, world_of
 from kit.scenes import goals, of, pass_time, scene
 
 
@@ -102,7 +103,8 @@ def test_attraction_spreads_people_over_the_region_looking_at_the_thing_until_th
     pass_time(world, 15.0)
     stage = len(world.places) - 1
     place = world.bodies.place
-    assert np.abs(place - world.places[stage].middle).max() < 2.5 + 0.15
+    assert np.abs(world.people.target - world.places[stage].middle).max() <= 2.5
+    assert np.linalg.norm(place - world.people.target, axis=1).max() < 0.5
     assert np.ptp(place, axis=0).min() > 3.0, "all over the region"
     apart = np.linalg.norm(place[:, None] - place[None], axis=2)[np.triu_indices(9, 1)]
     assert apart.min() > 0.4
@@ -184,6 +186,30 @@ def test_wanderers_keep_off_the_walls_and_each_other() -> None:
         assert (world.bodies.place > 0.19).all()
         assert (world.bodies.place < np.array([24.0, 8.0]) - 0.19).all()
     assert (np.linalg.norm(world.bodies.place - begun, axis=1) > 0.5).all()
+
+
+def bent(floor: str) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far six people who went from one place to one spot were aside of the straight line at most."""
+    ways = []
+    for seed in range(1, 7):
+        world = world_of(read_text(f"{floor}\npoint end at 11, 4\ngroup one: 1 people, visits end\n"), seed)
+        world.bodies.place[0] = (1.0, 4.0)
+        aside = []
+        while not world.people.settled[0] or world.people.goal[0] < 0:
+            step(world)
+            aside.append(world.bodies.place[0, 1] - 4.0)
+        ways.append(max(aside, key=abs))
+        assert np.linalg.norm(world.bodies.place[0] - world.people.target[0]) < 0.15
+    return np.abs(ways), np.array(ways)
+
+
+def test_every_way_is_a_curve_of_its_own_where_there_is_room() -> None:
+    wide, signed = bent("floor 0, 0 to 12, 8")
+    assert wide.max() < 0.15 * 10.0
+    assert wide.max() > 0.3
+    assert len(np.unique(np.round(signed, 2))) >= 5, "never two equal"
+    narrow, _ = bent("floor 0, 3.6 to 12, 4.4")
+    assert narrow.max() < 0.25
 
 
 def test_a_turn_keeps_length_and_angle() -> None:
