@@ -76,8 +76,8 @@ class TakeawayPage(QWidget):
         files.column.addWidget(self.stale)
         self.bar.setTextVisible(False)
         self.bar.setRange(0, 1000)
-        for one in (self.bar, self.sticks):  # what is done most comes first, also where the text is large
-            files.column.addWidget(one)
+        files.column.addWidget(self.bar)
+        files.column.addWidget(self.sticks)  # what is done most comes first, also where the text is large
         grid = QGridLayout()
         for number, box in enumerate(self.formats.values()):
             grid.addWidget(box, number, 0)
