@@ -66,8 +66,14 @@ def reopen(world: object) -> None:
     cloner_gui.phone.PORT = 0
     window = MainWindow(Session(services()))
     window.booth.open(world.event)
-    least = time.monotonic() + 1.5  # the camera's folder is looked at twice
-    while window.booth._opening is not None or window.booth.intake.pending() or time.monotonic() < least:
+    intake = window.booth.intake
+    for _ in range(4):  # the camera's folder has to be looked at twice, however slow the machine is
+        least = time.monotonic() + 0.3
+        while window.booth._opening is not None or intake.pending() or time.monotonic() < least:
+            QApplication.processEvents()
+            time.sleep(0.005)
+        intake.look_for_arrivals()
+    while intake.pending():
         QApplication.processEvents()
         time.sleep(0.005)
     window.session.queue.close()

@@ -21,6 +21,15 @@ class Camera(Protocol):
     def read(self) -> NDArray[np.uint8] | None:
         """Return the next (H, W, 3) uint8 sRGB picture; None when there is none any more."""
 
+    def shoot(self) -> bytes:
+        """Take a photo and return its file's bytes.
+
+        Raises
+        ------
+        ClonerError
+            If the camera takes none.
+        """
+
     def close(self) -> None:
         """Let the camera go."""
 
@@ -56,6 +65,13 @@ class Webcam:
         fine, bgr = self._capture.read()
         return np.asarray(cv2.cvtColor(bgr, cv2.COLOR_BGR2RGB)) if fine else None
 
+    def shoot(self) -> bytes:
+        """Return the next picture as a JPEG file."""
+        picture = self.read()
+        if picture is None:
+            raise ClonerError("the camera gives no pictures any more", "Plug it in again", "Camera")
+        return jpeg_bytes(picture)
+
     def close(self) -> None:
         """Let the camera go."""
         self._capture.release()
@@ -72,3 +88,13 @@ def jpeg_bytes(rgb: NDArray[np.uint8]) -> bytes:
 def turned(rgb: NDArray[np.uint8], quarters: int) -> NDArray[np.uint8]:
     """Return a picture turned clockwise by quarters: webcams stand on their side to see a whole body."""
     return np.ascontiguousarray(np.rot90(rgb, -quarters))
+
+
+def turned_file(data: bytes, quarters: int) -> bytes:
+    """Return a photo's file turned clockwise by quarters; as the camera wrote it where it is not turned."""
+    if quarters % 4 == 0:
+        return data
+    bgr = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_COLOR)
+    if bgr is None:
+        raise ClonerError("the camera gives no pictures any more", "Plug it in again", "Camera")
+    return jpeg_bytes(turned(np.asarray(cv2.cvtColor(bgr, cv2.COLOR_BGR2RGB)), quarters))

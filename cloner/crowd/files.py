@@ -19,12 +19,12 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from cloner.crowd.held import MARK as MARK
 from cloner.crowd.impostors import Tiles
 from cloner.errors import ClonerError
 
 Pixels = NDArray[np.uint8]
 
-MARK: Final = "crowd.json"
 FORMAT: Final = "cloner-crowd"
 VERSION: Final = 1
 COLOUR_QUALITY: Final = 80  # taste: no blocks at a texel a pixel

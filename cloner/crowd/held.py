@@ -8,11 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Final
 
-from cloner.crowd.files import MARK
-from cloner.crowd.reading import read_facts
 from cloner.errors import ClonerError
 
+#: The file that makes a folder a pack.
+MARK: Final = "crowd.json"
 #: Where a pack keeps what is one person's.
 PEOPLE = "people"
 
@@ -30,6 +31,8 @@ def packs_of(identifier: str, root: Path) -> tuple[Path, ...]:
 
 def shown_in(pack: Path, otherwise: tuple[str, ...] = ()) -> tuple[str, ...]:
     """Return who is in a pack, ``otherwise`` where its description is broken."""
+    from cloner.crowd.reading import read_facts  # with all that draws crowds: a second that no window's start has
+
     try:
         return tuple(str(row["id"]) for row in read_facts(pack)["people"])
     except ClonerError:

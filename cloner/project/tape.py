@@ -8,8 +8,6 @@ from typing import Any, Final
 
 from cloner.errors import ClonerError
 from cloner.frames import MILLIMETRES_PER_METRE, mm_from_m
-from cloner.generic.measure_prior import load_measure_prior
-from cloner.geometry.measuring import ALL_KEYS
 from cloner.records.measures import BY_KEY, MEASURE_KEYS
 
 MILLIMETRES_PER_CENTIMETRE: Final = 10.0
@@ -75,5 +73,8 @@ def _checked_cm(name: str, key: str, value: Any, stature_m: float, where: str) -
 
 def _usual_cm(key: str, stature_m: float) -> float:
     """Return the measure of the average adult of a height."""
+    from cloner.generic.measure_prior import load_measure_prior  # with scipy: only where somebody gave a measure
+    from cloner.geometry.measuring import ALL_KEYS
+
     share = load_measure_prior().means.mean(axis=0)[ALL_KEYS.index(key)] / MILLIMETRES_PER_METRE
     return float(mm_from_m(stature_m * share)) / MILLIMETRES_PER_CENTIMETRE

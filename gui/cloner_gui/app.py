@@ -91,7 +91,12 @@ def _quit_on_signals(app: QCoreApplication) -> list[int]:
 
 def load_the_rest() -> None:
     """Load what the later pages need, while the operator looks at the first one."""
-    for module in ("cloner_gui.pages.points", "cloner_gui.pages.clone", "cloner.refitting"):
+    for module in (
+        "cloner_gui.pages.points",
+        "cloner_gui.pages.clone",
+        "cloner_gui.canvas.greeting",
+        "cloner.refitting",
+    ):
         importlib.import_module(module)
 
 

@@ -11,7 +11,6 @@ from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QRectF, Qt
 from PySide6.QtGui import QImage, QPainter, QPixmap, QShowEvent
 from PySide6.QtWidgets import QFileDialog, QLabel, QWidget
 
-from cloner.booth.letter import draft
 from cloner.booth.names import first_name, number_of
 from cloner.booth.opened import Cloned
 from cloner.booth.person_file import consent_language
@@ -19,11 +18,21 @@ from cloner.booth.stage import public_name
 from cloner.booth.takeaway import code_modules
 from cloner.booth.visits import read_visit
 from cloner.errors import ClonerError
+from cloner.records.clones import Clone
 from cloner_gui.booth import Booth
 from cloner_gui.letters_home import letter_text
 from cloner_gui.newest import newest
 from cloner_gui.pieces import Card, button, label, name
-from cloner_gui.printed_card import CARD_MM, CardContent, card_image, greeting, paint_true_size, save_card
+from cloner_gui.printed_card import (
+    CARD_MM,
+    DOTS_PER_INCH,
+    MM_PER_INCH,
+    CardContent,
+    card_image,
+    paint_true_size,
+    picture_room,
+    save_card,
+)
 from cloner_gui.words import translate
 
 _SHOWN_PX: Final = 190  # height of the card on the page
@@ -81,7 +90,7 @@ class Keepsakes(Card):
             if not self.isVisible():
                 self._of = None  # drawn when it is seen
             elif outcome is not None:
-                work = functools.partial(greeting, outcome.values["clone"])
+                work = functools.partial(_drawn, outcome.values["clone"])
                 newest().ask(self, "card", work, functools.partial(self._take, outcome), self._booth.failed.emit)
         content = self.content()
         for one in (self.print_button, self.save_button, self.mail_button):
@@ -168,6 +177,8 @@ class Keepsakes(Card):
         path = self._ask(".eml", "E-mail (*.eml)")
         if folder is None or picture is None or path is None:
             return
+        from cloner.booth.letter import draft  # Python's own e-mail library: seldom wanted
+
         code = consent_language(self._booth.session.consent) or self._booth.settings.language
         called, event = first_name(self._booth.typed_name(folder)), self._booth.settings.title
         subject, text = letter_text(code, called, event, self._link())
@@ -190,6 +201,15 @@ class Keepsakes(Card):
             self._booth.failed.emit(error)
         else:
             self.note.setText(translate("takeaway", "Written: {place}").format(place=path.name))
+
+
+def _drawn(clone: Clone) -> QImage:
+    """Return the clone's picture in the card's own size; runs on another thread."""
+    from cloner_gui.canvas.greeting import greeting  # drawing and motion: not paid for before there is a clone
+
+    room = picture_room()
+    width, height = (round(side / MM_PER_INCH * DOTS_PER_INCH) for side in (room.width(), room.height()))
+    return greeting(clone, width, height)
 
 
 def _write(path: Path, data: bytes) -> None:

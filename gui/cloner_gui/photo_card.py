@@ -130,6 +130,8 @@ class PhotoCard(Card):
         self.heading.setText(title)
         name(self.menu_button, translate("photos", "What to do with {photo}").format(photo=title))
         self.setAccessibleName(f"{title}: {verdict}")
+        keys = translate("photos", "Return shows or chooses the photo, Space tells what else can be done.")
+        self.setAccessibleDescription(keys)
         self._fill_menu()
 
     def _place_menu(self) -> None:

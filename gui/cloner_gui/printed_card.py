@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
@@ -12,24 +12,15 @@ from PySide6.QtCore import QMarginsF, QRect, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QImage, QPageLayout, QPageSize, QPainter, QPdfWriter
 
 from cloner.errors import ClonerError
-from cloner.motion.expressions import EXPRESSIONS
-from cloner.motion.wave import UP_S
-from cloner.records.clones import Clone
-from cloner_gui.canvas.acting import motion_of, with_face
-from cloner_gui.canvas.orbit import Orbit
-from cloner_gui.canvas.scene import Scene
 
 #: A6 upright, as photo printers have it, mm.
 CARD_MM: Final = (105.0, 148.0)
 DOTS_PER_INCH: Final = 300  # what photo printers print
-_MM_PER_INCH: Final = 25.4
+MM_PER_INCH: Final = 25.4
 _EDGE_MM: Final = 6.0  # printers leave up to 5 mm white
 _CODE_MM: Final = 27.0  # a telephone reads 25 mm from an arm's length (taste)
 _TITLE_MM, _NAME_MM, _NOTE_MM = 5.0, 8.0, 3.2
 _INK, _DIM = QColor(28, 36, 48), QColor(90, 100, 114)
-_SMILE: Final = 0.8  # of the whole smile: friendly, no grin
-#: Taste: down to the knees, so that the face is large enough to be known.
-_ZOOM, _BELOW = 1.5, 0.25
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,20 +49,8 @@ class CardContent:
     logo: QImage | None = None
 
 
-def greeting(clone: Clone) -> QImage:
-    """Return the clone as it waves and smiles, in the size that the card prints; may be called on any thread."""
-    motion = motion_of("wave", clone)
-    still = None if motion is None else replace(motion, weights={})
-    smiles = {name: _SMILE * weight for name, weight in EXPRESSIONS["joy"].items()}
-    near = Orbit("front").zoomed(_ZOOM).moved(0.0, _BELOW)
-    scene = Scene(with_face(clone, smiles), near, motion=still, seconds=sum(UP_S[1:3]) / 2.0)
-    room = _picture_room()
-    width, height = (round(side / _MM_PER_INCH * DOTS_PER_INCH) for side in (room.width(), room.height()))
-    return scene.image(width, height, fine=True)
-
-
-def _picture_room() -> QRectF:
-    """Return where the picture lies, mm."""
+def picture_room() -> QRectF:
+    """Return where the picture lies on the card, mm."""
     width, height = CARD_MM
     below = _EDGE_MM + _CODE_MM + _EDGE_MM / 2.0
     top = _EDGE_MM + 1.6 * _TITLE_MM
@@ -90,7 +69,7 @@ def paint_card(painter: QPainter, room: QRectF, content: CardContent) -> None:
 
     painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
     painter.fillRect(at(QRectF(0.0, 0.0, *CARD_MM)), Qt.GlobalColor.white)
-    picture = _picture_room()
+    picture = picture_room()
     wide = picture.width()
     if content.logo is not None:
         high = 1.5 * _TITLE_MM
@@ -142,11 +121,11 @@ def _draw_code(painter: QPainter, room: QRectF, modules: NDArray[np.bool_]) -> N
 
 def card_image(content: CardContent, dots_per_inch: int = DOTS_PER_INCH) -> QImage:
     """Return the card as a picture."""
-    width, height = (round(side / _MM_PER_INCH * dots_per_inch) for side in CARD_MM)
+    width, height = (round(side / MM_PER_INCH * dots_per_inch) for side in CARD_MM)
     image = QImage(width, height, QImage.Format.Format_RGB32)
     image.fill(Qt.GlobalColor.white)
-    image.setDotsPerMeterX(round(1000.0 * dots_per_inch / _MM_PER_INCH))
-    image.setDotsPerMeterY(round(1000.0 * dots_per_inch / _MM_PER_INCH))
+    image.setDotsPerMeterX(round(1000.0 * dots_per_inch / MM_PER_INCH))
+    image.setDotsPerMeterY(round(1000.0 * dots_per_inch / MM_PER_INCH))
     painter = QPainter(image)
     paint_card(painter, QRectF(image.rect()), content)
     painter.end()
@@ -179,7 +158,7 @@ def save_card(content: CardContent, path: Path) -> None:
 
 def paint_true_size(painter: QPainter, page: QRectF, dots_per_inch: float, content: CardContent) -> None:
     """Draw the card on a printer's page: as large as it is, or as the paper allows, in its middle."""
-    wide, high = (side / _MM_PER_INCH * dots_per_inch for side in CARD_MM)
+    wide, high = (side / MM_PER_INCH * dots_per_inch for side in CARD_MM)
     share = min(page.width() / wide, page.height() / high, 1.0)
     room = QRectF(0.0, 0.0, share * wide, share * high)
     room.moveCenter(page.center())

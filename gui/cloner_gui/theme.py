@@ -35,7 +35,7 @@ class Colours:
 
 
 LIGHT: Final = Colours(
-    "#eef0f3", "#ffffff", "#1c2430", "#5a6472", "#cfd5dd", "#1f6feb", "#ffffff", "#8a4b00", "#fff1d6", "#1a7f4b"
+    "#eef0f3", "#ffffff", "#1c2430", "#5a6472", "#cfd5dd", "#1a63d8", "#ffffff", "#8a4b00", "#fff1d6", "#177545"
 )
 DARK: Final = Colours(
     "#1b1f26", "#262c35", "#e8ecf2", "#a3adba", "#3d4653", "#5b9dff", "#0c1420", "#ffc66b", "#3a2f19", "#5fd39b"
@@ -106,7 +106,7 @@ def style_of(colours: Colours, *, control_px: int, points: float) -> str:
     QPushButton#step:focus {{ border-color: {c.accent}; }}
     QLineEdit, QDoubleSpinBox, QSpinBox, QComboBox, QPlainTextEdit {{ background: {c.card};
         border: 1px solid {c.line}; border-radius: {radius}px; padding: 2px 8px; min-height: {control_px}px;
-        selection-background-color: {c.accent}; selection-color: {c.on_accent}; }}
+        placeholder-text-color: {c.dim}; selection-background-color: {c.accent}; selection-color: {c.on_accent}; }}
     QLineEdit:focus, QDoubleSpinBox:focus, QSpinBox:focus, QComboBox:focus, QPlainTextEdit:focus,
     QListWidget:focus, QTableWidget:focus {{ border: 2px solid {c.accent}; }}
     QListWidget, QTableWidget {{ background: {c.card}; border: 1px solid {c.line}; border-radius: {radius}px; }}

@@ -11,6 +11,12 @@ SENTENCES: Final[tuple[str, ...]] = tuple(
     str(one)
     for one in (
         QT_TRANSLATE_NOOP("told", "its files were changed while they were read"),
+        QT_TRANSLATE_NOOP("told", "gphoto2, which speaks with cameras, is not installed"),
+        QT_TRANSLATE_NOOP("told", "Install it, or let the camera's own program write into a folder and watch that"),
+        QT_TRANSLATE_NOOP("told", "no camera is found on the cable"),
+        QT_TRANSLATE_NOOP("told", "Is it switched on, and no other program using it? Plug it in again"),
+        QT_TRANSLATE_NOOP("told", "the camera took no photo"),
+        QT_TRANSLATE_NOOP("told", "the camera does not answer"),
         QT_TRANSLATE_NOOP("told", "what was written there reads differently"),
         QT_TRANSLATE_NOOP("told", "Use another stick: this one loses what is written on it"),
         QT_TRANSLATE_NOOP("told", "this system does not tell which sticks are plugged in"),

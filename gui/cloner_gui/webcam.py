@@ -10,10 +10,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QRectF, Qt, QThread, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QColor, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QCloseEvent, QColor, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QComboBox, QDialog, QHBoxLayout, QVBoxLayout, QWidget
 
-from cloner.booth.camera import Camera, Webcam, jpeg_bytes, shrunk, turned
+from cloner.booth.camera import Camera, Webcam, shrunk, turned, turned_file
+from cloner.booth.tethered import Tethered
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner_gui.canvas.painting import pixmap_of
@@ -24,6 +25,7 @@ from cloner_gui.words import VIEW_TITLES, translate
 #: Time between button and photo, seconds, so that the operator can look at the visitor again (taste).
 COUNTDOWN_S: Final = 3
 _LIVE_PX: Final = 720  # height of the live picture; the photo itself keeps all that the camera gives
+_COUNT_SHARE: Final = 0.5  # of the picture's height; 10 cm on a small screen are read from 3 m
 _PAUSE_S: Final = 0.04  # 25 pictures a second are smooth, more only warm the machine
 
 
@@ -31,13 +33,14 @@ class Grabber(QThread):
     """Reads a camera off the window's thread; only the newest picture counts."""
 
     seen = Signal()
+    shot = Signal(bytes)
     failed = Signal(object)
 
     def __init__(self, make: Callable[[], Camera], parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._make = make
         self._stopped = threading.Event()
-        self._shown = threading.Event()
+        self._shown, self._wanted = threading.Event(), threading.Event()
         self._shown.set()
         self.newest: NDArray[np.uint8] | None = None
         self.small: NDArray[np.uint8] | None = None
@@ -51,6 +54,9 @@ class Grabber(QThread):
             return
         try:
             while not self._stopped.is_set():
+                if self._wanted.is_set():
+                    self._wanted.clear()
+                    self.shot.emit(camera.shoot())
                 picture = camera.read()
                 if picture is None:
                     self.failed.emit(ClonerError("the camera gives no pictures any more", "Plug it in again", "Camera"))
@@ -60,8 +66,14 @@ class Grabber(QThread):
                     self._shown.clear()
                     self.seen.emit()
                 time.sleep(_PAUSE_S)
+        except ClonerError as error:
+            self.failed.emit(error)
         finally:
             camera.close()
+
+    def shoot(self) -> None:
+        """Have a photo taken; ``shot`` tells it."""
+        self._wanted.set()
 
     def shown(self) -> None:
         """Say that the newest picture is on the screen."""
@@ -101,10 +113,18 @@ class Guided(QWidget):
             painter.setPen(QPen(colour, width, Qt.PenStyle.DashLine if width < 4 else Qt.PenStyle.SolidLine))
             painter.drawPath(outline)
         if self.count:
-            font = painter.font()
-            font.setPointSizeF(90)
-            painter.setFont(font)
-            painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, self.count)
+            self._draw_count(painter)
+
+    def _draw_count(self, painter: QPainter) -> None:
+        """Draw the number that counts down so large that the visitor reads it from three metres, on whatever ground."""
+        font, number = painter.font(), QPainterPath()
+        font.setPixelSize(max(round(_COUNT_SHARE * self.height()), 1))
+        font.setBold(True)
+        number.addText(0.0, 0.0, font, self.count)
+        number.translate(QRectF(self.rect()).center() - number.boundingRect().center())
+        painter.setPen(QPen(QColor(0, 0, 0), font.pixelSize() / 24.0))
+        painter.setBrush(QColor(255, 255, 255))
+        painter.drawPath(number)
 
 
 class WebcamDialog(QDialog):
@@ -114,18 +134,25 @@ class WebcamDialog(QDialog):
     ----------
     view : ViewId
         Whose outline is shown first.
-    make : callable
-        Opens the camera; called off the window's thread.
+    make, tethered : callable
+        Open the webcam, and the camera on a cable; called off the window's thread.
     """
 
     taken = Signal(bytes, object)
     failed = Signal(object)
 
-    def __init__(self, view: ViewId, parent: QWidget | None = None, make: Callable[[], Camera] = Webcam) -> None:
+    def __init__(
+        self,
+        view: ViewId,
+        parent: QWidget | None = None,
+        make: Callable[[], Camera] = Webcam,
+        tethered: Callable[[], Camera] = Tethered,
+    ) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setWindowTitle(translate("webcam", "Webcam"))
-        self.live, self.views = Guided(), QComboBox()
+        self.live, self.views, self.sources = Guided(), QComboBox(), QComboBox()
+        self._makers = (make, tethered)
         self.take_button, self.turn_button, self.hint = button("main"), button(), label("dim")
         self._quarters, self._left = 0, 0
         self._timer = QTimer(self, interval=1000)
@@ -134,13 +161,27 @@ class WebcamDialog(QDialog):
             self.views.addItem(VIEW_TITLES[one], one)
         self.views.setCurrentIndex(list(ViewId).index(view))
         self._lay_out()
-        self._grabber = Grabber(make, self)
-        self._grabber.seen.connect(self._show)
-        self._grabber.failed.connect(self._fail)
+        self._grabber = self._grab(make)
+        self.sources.currentIndexChanged.connect(self._change_source)
         self.views.currentIndexChanged.connect(self._choose)
         self.take_button.clicked.connect(self.take)
         self.turn_button.clicked.connect(self._turn)
         self._choose()
+        self._grabber.start()
+
+    def _grab(self, make: Callable[[], Camera]) -> Grabber:
+        grabber = Grabber(make, self)
+        grabber.seen.connect(self._show)
+        grabber.shot.connect(self._take)
+        grabber.failed.connect(self._fail)
+        return grabber
+
+    def _change_source(self, number: int) -> None:
+        """Look through the other camera."""
+        self._grabber.stop()
+        self._grabber.deleteLater()
+        self.live.picture = None
+        self._grabber = self._grab(self._makers[number])
         self._grabber.start()
 
     def take(self) -> None:
@@ -165,10 +206,13 @@ class WebcamDialog(QDialog):
         self.take_button.setText(translate("webcam", "&Take the photo"))
         self.turn_button.setText(translate("webcam", "T&urn the picture"))
         self.hint.setText(translate("webcam", "Fill the outline, and keep all of it in the picture."))
+        self.sources.addItem(translate("webcam", "Webcam"))
+        self.sources.addItem(translate("webcam", "Camera on a cable"))
+        name(self.sources, translate("webcam", "Which camera takes it"))
         name(self.views, translate("webcam", "Which photo is taken"))
         name(self.live, translate("webcam", "Live picture"))
         row, column = QHBoxLayout(), QVBoxLayout(self)
-        for one in (self.views, self.turn_button, self.take_button):
+        for one in (self.sources, self.views, self.turn_button, self.take_button):
             row.addWidget(one)
         column.addWidget(self.live, 1)
         column.addWidget(self.hint)
@@ -194,9 +238,12 @@ class WebcamDialog(QDialog):
         if self._left <= 0:
             self._timer.stop()
             if self._grabber.newest is not None:
-                whole = turned(self._grabber.newest, self._quarters)
-                self.taken.emit(jpeg_bytes(whole), ViewId(self.views.currentData()))
-                self._next()
+                self._grabber.shoot()
+
+    def _take(self, data: bytes) -> None:
+        """Hand the photo over as the camera wrote it, turned where the picture is, and go on to the next view."""
+        self.taken.emit(turned_file(data, self._quarters), ViewId(self.views.currentData()))
+        self._next()
 
     def _next(self) -> None:
         """Show the outline of the next view."""

@@ -24,7 +24,10 @@ def reopen(qtbot, monkeypatch):
         qtbot.addWidget(window)
         window.booth.open(world.event)
         qtbot.waitUntil(lambda: window.booth._opening is None, timeout=20000)
-        qtbot.wait(1500)  # the camera's folder is looked at twice
+        for _ in range(4):  # the camera's folder has to be looked at twice, however slow the machine is
+            qtbot.wait(300)
+            qtbot.waitUntil(lambda: window.booth.intake.pending() == 0, timeout=20000)
+            window.booth.intake.look_for_arrivals()
         qtbot.waitUntil(lambda: window.booth.intake.pending() == 0, timeout=20000)
         window.session.queue.close()
         window.phone.close()

@@ -10,6 +10,7 @@ from PIL import Image
 from PySide6.QtCore import QRectF, Qt
 from shiboken6 import isValid
 
+from cloner.booth.camera import jpeg_bytes
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner_gui.webcam import WebcamDialog, pose_outline
@@ -28,6 +29,9 @@ class Still:
 
     def read(self):
         return None if self.broken else self.rgb
+
+    def shoot(self):
+        return jpeg_bytes(self.rgb)
 
     def close(self):
         self.closed = True

@@ -28,7 +28,9 @@ def services():
     from cloner.generic.load import load_generic
     from cloner.project.atomic import result_folder
     from cloner.project.clone_file import save_clone
+    from cloner.project.corrections import WHERE
     from cloner.project.folder import load_photo, view_files
+    from cloner.project.results import file_digest
     from cloner.records.photos import PhotoSet
     from cloner.records.points import ViewPoints
     from cloner_gui.services import Services
@@ -47,6 +49,8 @@ def services():
         with result_folder(folder / "clones", folder.name) as room:
             save_clone(generic_clone(load_generic(), 1.7), room / "clone.npz")
             stamp = {"photos": {str(view): photo.digest for view, photo in photos.photos.items()}}
+            obeyed = folder / WHERE
+            stamp["beside"] = {WHERE: file_digest(obeyed)} if obeyed.is_file() else {}
             (room / "report.json").write_text(json.dumps({"stamp": stamp, "warnings": []}))
             progress("textures", 0.9)
         return read_cloned(folder, photos), 1.0

@@ -15,11 +15,7 @@ from PIL import Image
 
 from cloner.booth.worker import Progress
 from cloner.errors import ClonerError
-from cloner.exporters.table import EXPORTERS
-from cloner.generic.framing import standard_camera
-from cloner.generic.layers import clone_layers
 from cloner.project.clone_file import CLONE_FILE, load_clone
-from cloner.render import draw
 
 FOLDER: Final = "phone"
 SIDES: Final = 24  # pictures of a whole turn: 15 degrees each still look like turning
@@ -50,6 +46,12 @@ def pack(visitor: Path, result: Path, progress: Progress) -> Path:
     ClonerError
         If there is no clone, or it cannot be drawn or written.
     """
+    # drawing and scipy: the window knows the parcel's files from its start, and draws one only where a page is served
+    from cloner.exporters.table import EXPORTERS
+    from cloner.generic.framing import standard_camera
+    from cloner.generic.layers import clone_layers
+    from cloner.render import draw
+
     clone = load_clone(result / CLONE_FILE)
     layers = clone_layers(clone, None)
     room, place = visitor / f".{FOLDER}.partial-{os.getpid()}", visitor / FOLDER

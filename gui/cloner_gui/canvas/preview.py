@@ -235,6 +235,12 @@ class Preview(QLabel):
 
     # --- events -----------------------------------------------------------------
 
+    def changeEvent(self, event: QEvent) -> None:
+        """Be called in another language."""
+        if event.type() == QEvent.Type.LanguageChange:
+            self._speak()
+        super().changeEvent(event)
+
     def event(self, event: QEvent) -> bool:
         """Take fingers."""
         if isinstance(event, QTouchEvent):

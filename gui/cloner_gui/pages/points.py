@@ -180,7 +180,6 @@ class PointsPage(QWidget):
 
     def _canvas(self, view: ViewId) -> PhotoView:
         canvas = PhotoView()
-        canvas.setAccessibleName(VIEW_TITLES[view])
         canvas.point_moved.connect(lambda name, x, y, gesture: self._session.place_point(view, name, x, y, gesture))
         canvas.point_reset.connect(lambda name: self._session.reset_point(view, name))
         canvas.hovered.connect(lambda name: self._tell_point(name or canvas.chosen))
@@ -213,11 +212,14 @@ class PointsPage(QWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.LanguageChange:
             self._speak()
+            self._show_points()
 
     def _show_points(self) -> None:
         """Show what changed since the last time."""
         session, corrections = self._session, self._session.corrections
         for view, canvas in self.views.items():
+            name(canvas, VIEW_TITLES[view])
+            canvas.setAccessibleDescription(self.keys.text())
             state = (session.proposed.get(view), corrections.points.get(view, {}))
             if state == self._shown.get(view, ()):
                 continue

@@ -74,15 +74,15 @@ class TakeawayPage(QWidget):
         files.column.addWidget(self.files_heading)
         files.column.addWidget(self.status)
         files.column.addWidget(self.stale)
+        self.bar.setTextVisible(False)
+        self.bar.setRange(0, 1000)
+        files.column.addWidget(self.bar)
+        files.column.addWidget(self.sticks)  # what is done most comes first, also where the text is large
         grid = QGridLayout()
         for number, box in enumerate(self.formats.values()):
             grid.addWidget(box, number, 0)
         files.column.addLayout(grid)
-        self.bar.setTextVisible(False)
-        self.bar.setRange(0, 1000)
-        for one in (
-            self.bar, self.sticks, self.folder_button, self.zip_button, self.report_button, self.show_button,
-        ):  # fmt: skip
+        for one in (self.folder_button, self.zip_button, self.report_button, self.show_button):
             files.column.addWidget(one)
         files.column.addStretch(1)
         code.column.addWidget(self.code_heading)

@@ -984,6 +984,10 @@
         <translation>Was mit {photo} tun</translation>
     </message>
     <message>
+        <source>Return shows or chooses the photo, Space tells what else can be done.</source>
+        <translation>Eingabe zeigt oder wählt das Foto, die Leertaste sagt, was sonst noch geht.</translation>
+    </message>
+    <message>
         <source>See it large</source>
         <translation>Groß ansehen</translation>
     </message>
@@ -2541,6 +2545,30 @@
         <translation>Dateien wurden beim Lesen verändert</translation>
     </message>
     <message>
+        <source>gphoto2, which speaks with cameras, is not installed</source>
+        <translation>gphoto2, das mit Kameras spricht, ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>Install it, or let the camera&apos;s own program write into a folder and watch that</source>
+        <translation>Installieren Sie es, oder lassen Sie das Programm der Kamera in einen Ordner schreiben und diesen beobachten</translation>
+    </message>
+    <message>
+        <source>no camera is found on the cable</source>
+        <translation>am Kabel wird keine Kamera gefunden</translation>
+    </message>
+    <message>
+        <source>Is it switched on, and no other program using it? Plug it in again</source>
+        <translation>Ist sie an, und benutzt sie kein anderes Programm? Stecken Sie sie neu an</translation>
+    </message>
+    <message>
+        <source>the camera took no photo</source>
+        <translation>die Kamera hat kein Foto gemacht</translation>
+    </message>
+    <message>
+        <source>the camera does not answer</source>
+        <translation>die Kamera antwortet nicht</translation>
+    </message>
+    <message>
         <source>what was written there reads differently</source>
         <translation>was dort geschrieben wurde, liest sich anders</translation>
     </message>
@@ -2945,6 +2973,14 @@
     <message>
         <source>Fill the outline, and keep all of it in the picture.</source>
         <translation>Den Umriss füllen und ganz im Bild halten.</translation>
+    </message>
+    <message>
+        <source>Camera on a cable</source>
+        <translation>Kamera am Kabel</translation>
+    </message>
+    <message>
+        <source>Which camera takes it</source>
+        <translation>Welche Kamera es aufnimmt</translation>
     </message>
     <message>
         <source>Which photo is taken</source>

@@ -984,6 +984,10 @@
         <translation>Que faire de {photo}</translation>
     </message>
     <message>
+        <source>Return shows or chooses the photo, Space tells what else can be done.</source>
+        <translation>Entrée montre ou choisit la photo, Espace dit ce qu’on peut faire d’autre.</translation>
+    </message>
+    <message>
         <source>See it large</source>
         <translation>Voir en grand</translation>
     </message>
@@ -2541,6 +2545,30 @@
         <translation>ses fichiers ont changé pendant la lecture</translation>
     </message>
     <message>
+        <source>gphoto2, which speaks with cameras, is not installed</source>
+        <translation>gphoto2, qui parle avec les appareils, n’est pas installé</translation>
+    </message>
+    <message>
+        <source>Install it, or let the camera&apos;s own program write into a folder and watch that</source>
+        <translation>Installez-le, ou laissez le programme de l’appareil écrire dans un dossier à surveiller</translation>
+    </message>
+    <message>
+        <source>no camera is found on the cable</source>
+        <translation>aucun appareil n’est trouvé sur le câble</translation>
+    </message>
+    <message>
+        <source>Is it switched on, and no other program using it? Plug it in again</source>
+        <translation>Est-il allumé, et aucun autre programme ne l’utilise-t-il ? Rebranchez-le</translation>
+    </message>
+    <message>
+        <source>the camera took no photo</source>
+        <translation>l’appareil n’a pas pris de photo</translation>
+    </message>
+    <message>
+        <source>the camera does not answer</source>
+        <translation>l’appareil ne répond pas</translation>
+    </message>
+    <message>
         <source>what was written there reads differently</source>
         <translation>ce qui y a été écrit se relit autrement</translation>
     </message>
@@ -2945,6 +2973,14 @@
     <message>
         <source>Fill the outline, and keep all of it in the picture.</source>
         <translation>Remplissez le contour et gardez-le entier dans l’image.</translation>
+    </message>
+    <message>
+        <source>Camera on a cable</source>
+        <translation>Appareil sur câble</translation>
+    </message>
+    <message>
+        <source>Which camera takes it</source>
+        <translation>Quel appareil la prend</translation>
     </message>
     <message>
         <source>Which photo is taken</source>

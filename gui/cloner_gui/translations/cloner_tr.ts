@@ -983,6 +983,10 @@
         <translation>{photo} ile yapılacaklar</translation>
     </message>
     <message>
+        <source>Return shows or chooses the photo, Space tells what else can be done.</source>
+        <translation>Enter fotoğrafı gösterir ya da seçer, boşluk tuşu başka neler yapılabileceğini söyler.</translation>
+    </message>
+    <message>
         <source>See it large</source>
         <translation>Büyük göster</translation>
     </message>
@@ -2540,6 +2544,30 @@
         <translation>dosyaları okunurken değişti</translation>
     </message>
     <message>
+        <source>gphoto2, which speaks with cameras, is not installed</source>
+        <translation>kameralarla konuşan gphoto2 kurulu değil</translation>
+    </message>
+    <message>
+        <source>Install it, or let the camera&apos;s own program write into a folder and watch that</source>
+        <translation>Kurun, ya da kameranın kendi programı bir klasöre yazsın ve o izlensin</translation>
+    </message>
+    <message>
+        <source>no camera is found on the cable</source>
+        <translation>kabloda kamera bulunamadı</translation>
+    </message>
+    <message>
+        <source>Is it switched on, and no other program using it? Plug it in again</source>
+        <translation>Açık mı, başka bir program kullanmıyor mu? Yeniden takın</translation>
+    </message>
+    <message>
+        <source>the camera took no photo</source>
+        <translation>kamera fotoğraf çekmedi</translation>
+    </message>
+    <message>
+        <source>the camera does not answer</source>
+        <translation>kamera yanıt vermiyor</translation>
+    </message>
+    <message>
         <source>what was written there reads differently</source>
         <translation>oraya yazılanlar farklı okunuyor</translation>
     </message>
@@ -2944,6 +2972,14 @@
     <message>
         <source>Fill the outline, and keep all of it in the picture.</source>
         <translation>Konturu doldurun ve tümünü resimde tutun.</translation>
+    </message>
+    <message>
+        <source>Camera on a cable</source>
+        <translation>Kablodaki kamera</translation>
+    </message>
+    <message>
+        <source>Which camera takes it</source>
+        <translation>Hangi kamera çekiyor</translation>
     </message>
     <message>
         <source>Which photo is taken</source>

@@ -1,0 +1,41 @@
+"""A screen reader's own way to the window: session bus, accessibility bus, X server. Skipped where one lacks."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from .test_x_server import display  # noqa: F401  (a fixture)
+from .test_x_server import pytestmark as needs_x
+
+BUS = [
+    Path(place) / "at-spi-bus-launcher" for place in ("/usr/libexec", "/usr/lib/at-spi2-core", "/usr/libexec/at-spi2")
+]
+pytestmark = [
+    *needs_x,
+    pytest.mark.skipif(not any(path.exists() for path in BUS), reason="at-spi2-core is not installed"),
+    pytest.mark.skipif(shutil.which("dbus-run-session") is None, reason="dbus-run-session is not installed"),
+    pytest.mark.skipif(shutil.which("gdbus") is None, reason="gdbus is not installed"),
+]
+
+
+def test_a_screen_reader_finds_every_control_of_the_first_page(tmp_path, display):  # noqa: F811
+    event = tmp_path / "fair"
+    event.mkdir()
+    environment = {**os.environ, "DISPLAY": f":{display}", "PYTHONPATH": os.pathsep.join(sys.path)}
+    command = ["dbus-run-session", "--", sys.executable, "-m", "kit.at_spi", str(event)]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=180, check=False)
+    assert done.returncode == 0, done.stderr[-2000:]
+    found = {(role, name.replace("&", "")) for role, name in json.loads(done.stdout.splitlines()[-1])}
+    names = {name for _, name in found}
+    assert {"Name or number of the visitor", "Language of the consent", "The visitor agrees"} <= names
+    roles = {name: role for role, name in found if name}
+    assert roles["Step 1: Visitor"] in ("push button", "toggle button", "check box"), "one that stays pressed"
+    assert roles["The visitor agrees"] == "check box"
+    assert roles["Language of the consent"] == "combo box"
+    assert "text" in roles["Name or number of the visitor"]
+    assert roles["New visitor"] in ("push button", "button", "menu item")
