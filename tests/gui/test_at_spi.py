@@ -33,9 +33,8 @@ def test_a_screen_reader_finds_every_control_of_the_first_page(tmp_path, display
     found = {(role, name.replace("&", "")) for role, name in json.loads(done.stdout.splitlines()[-1])}
     names = {name for _, name in found}
     assert {"Name or number of the visitor", "Language of the consent", "The visitor agrees"} <= names
-    roles = {name: role for role, name in found if name}
-    assert roles["Step 1: Visitor"] in ("push button", "toggle button", "check box"), "one that stays pressed"
-    assert roles["The visitor agrees"] == "check box"
-    assert roles["Language of the consent"] == "combo box"
+    steps = {role for role, name in found if name == "Step 1: Visitor"}
+    assert steps & {"push button", "toggle button", "check box"}, "one that stays pressed"
+    assert {("check box", "The visitor agrees"), ("combo box", "Language of the consent")} <= found
     assert "text" in roles["Name or number of the visitor"]
     assert roles["New visitor"] in ("push button", "button", "menu item")
