@@ -24,6 +24,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.dffd import deform
 from cloner.project.corrections import no_corrections
 from cloner.records.heads import HeadFit
+from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import PointSet, Proposals, ViewPoints
 from cloner.records.views import Camera
 from cloner.stages import head
@@ -41,7 +42,12 @@ WAYS: Final = ("carried by DFFD", "carried by RBF", "scaled by axis")
 
 def fit_head(known: KnownHead) -> tuple[Values, dict[str, float]]:
     """Return the values of all stages before the head, and their CPU seconds; nets run here, once."""
-    start = {"photos": known.photos, "person": known.person, "corrections": no_corrections()}
+    return before_head(known.photos, known.person)
+
+
+def before_head(photos: PhotoSet, person: Person) -> tuple[Values, dict[str, float]]:
+    """Return the values of all stages before the head of anybody, and their CPU seconds."""
+    start = {"photos": photos, "person": person, "corrections": no_corrections()}
     stages = tuple(stage for stage in pipeline.STAGES if stage.name in BEFORE)
     values, reports = pipeline.run(start, stages=stages)
     return values, {report.name: report.cpu_seconds for report in reports}
@@ -52,11 +58,12 @@ def with_true_features(values: Values, known: KnownHead) -> Values:
     points = dict(values["face_points"].views)
     for view, camera in known.views.items():
         if view in points:
-            points[view] = _true_points(points[view], camera.project, known.truth.marks_m)
+            points[view] = true_points(points[view], camera.project, known.truth.marks_m)
     return {**values, "face_points": PointSet(points)}
 
 
-def _true_points(points: ViewPoints, project: Any, marks: Mapping[str, Array]) -> ViewPoints:
+def true_points(points: ViewPoints, project: Any, marks: Mapping[str, Array]) -> ViewPoints:
+    """Return the points with those of known marks (3,) where they truly are, as an operator would put them."""
     rows = [row for row, name in enumerate(points.names) if name in marks]
     places, corrected = points.points_px.copy(), points.corrected.copy()
     if rows:

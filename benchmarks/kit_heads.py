@@ -17,17 +17,16 @@ from typing import Final
 import numpy as np
 from head_scans import azimuth_error_deg
 from head_scores import ruler, score
-from head_steps import BEFORE, Values, finished, true_net_px
+from head_steps import Values, before_head, finished, true_net_px, true_points
 from numpy.typing import NDArray
 
-from cloner import pipeline
 from cloner.errors import ClonerError
 from cloner.evaluate.kit import KitTruth, kit_people, read_kit
 from cloner.evaluate.posing import LANDMARKS
 from cloner.evaluate.rulers import fit_similarity
 from cloner.frames import FACE_VIEWS, ViewId
 from cloner.generic.load import load_generic
-from cloner.project.folder import load_photos, read_corrections, read_person
+from cloner.project.folder import load_photos, read_person
 from cloner.records.points import PointSet, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 
@@ -70,13 +69,10 @@ def with_true_net(values: Values, head: KitHead) -> Values:
 def with_true_points(values: Values, head: KitHead) -> Values:
     """Return the values with every found named point of both photos put where it truly is, as an operator would."""
     generic, views = load_generic(), dict(values["face_points"].views)
-    for view in [view for view in FACE_VIEWS if view in views and len(views[view].names)]:
-        points, camera = views[view], head.kit.truth.views[view.value].camera
-        rows = [row for row, name in enumerate(points.names) if name in generic.feature_names]
-        places, corrected = points.points_px.copy(), points.corrected.copy()
-        true = head.vertices_m(view)[[generic.feature(points.names[row]) for row in rows]]
-        places[rows], corrected[rows] = camera.project(true), True
-        views[view] = replace(points, points_px=places, corrected=corrected)
+    for view in [view for view in FACE_VIEWS if view in views]:
+        whole, known = head.vertices_m(view), [name for name in views[view].names if name in generic.feature_names]
+        marks = {name: whole[generic.feature(name)] for name in known}
+        views[view] = true_points(views[view], head.kit.truth.views[view.value].camera.project, marks)
     return {**values, "face_points": PointSet(views)}
 
 
@@ -88,13 +84,6 @@ EXCHANGES: Final[dict[str, tuple[Exchange, ...]]] = {
     "points": (with_true_points,),
     "all": (with_true_masks, with_true_net, with_true_points),
 }
-
-
-def before_the_head(person: Path) -> Values:
-    """Return the values of all stages before the head."""
-    start = {"photos": load_photos(person), "person": read_person(person), "corrections": read_corrections(person)}
-    values, _ = pipeline.run(start, stages=tuple(stage for stage in pipeline.STAGES if stage.name in BEFORE))
-    return values
 
 
 def figures(values: Values, head: KitHead) -> tuple[float, float, float]:
@@ -121,7 +110,7 @@ def main() -> None:
     names = list(EXCHANGES) if chosen.exchange else ["found"]
     for person in kit_people([chosen.people]):
         try:
-            values = before_the_head(person)
+            values, _ = before_head(load_photos(person), read_person(person))
         except ClonerError as error:
             print(f"{person.name}: {error}", flush=True)
             continue

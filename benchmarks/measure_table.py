@@ -45,6 +45,8 @@ BOTH = (
     *("navel_girth", "hip_girth", "hip_height", "total_crotch_length"),
     *("trunk_slice_55", "trunk_slice_70", "trunk_slice_85"),
 )
+#: What a skirt or a coat around the legs hides, (K,).
+LOOSE = np.array([key in LOOSE_KEYS for key in ALL_KEYS])
 #: Girths that tell how loosely a person is dressed above and below the waist.
 TELLING = (
     ("bust_girth", "underbust_girth", "narrowest_waist_girth", "waist_girth", "navel_girth"),
@@ -176,8 +178,7 @@ def table(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]
     added = np.array([one["shown"] - one["naked"] for one in people])
     naked = np.array([one["naked"] for one in people])
     bare = np.array([bare_rows(covers_of(one)) for one in people]) | (garment == 0)
-    loose = np.array([key in LOOSE_KEYS for key in ALL_KEYS])
-    hidden = np.array([bool(one["around_legs"]) for one in people])[:, None] & loose
+    hidden = np.array([bool(one["around_legs"]) for one in people])[:, None] & LOOSE
     bias, covariance = fit_error(added / naked, bare & ~hidden)
     which = np.stack([np.choose(garment, (-1, upper, lower, max(upper, lower))) for upper, lower in fits])
     mean, spread = ease(added - bias * naked, np.where(bare | hidden, -1, which))
@@ -193,12 +194,10 @@ def table(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]
 
 def evidence(sample: Mapping[str, Any], prior: MeasurePrior) -> Evidence:
     """Return what the product would know of a photographed person."""
-    loose = np.array([key in LOOSE_KEYS for key in ALL_KEYS])
-    shown = np.where(bool(sample["around_legs"]) & loose, np.nan, sample["shown"])
+    hidden = np.asarray(sample["hidden"], dtype=bool) | (bool(sample["around_legs"]) & LOOSE)
+    shown = np.where(hidden, np.nan, sample["shown"])
     noise = max(1.0, float(sample["gap_mm"]) / prior.gap_mm)
-    hidden = np.asarray(sample["hidden"], dtype=bool)
-    stature_m = float(sample["stature_m"])
-    return Evidence(shown, stature_m, bare_rows(covers_of(sample)), {}, noise, sample["rumple"], hidden)
+    return Evidence(shown, float(sample["stature_m"]), bare_rows(covers_of(sample)), {}, noise, sample["rumple"])
 
 
 def left_out(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]]) -> tuple[np.ndarray, np.ndarray]:

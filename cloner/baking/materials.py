@@ -11,7 +11,7 @@ from cloner.baking.sources import Source
 from cloner.baking.zones import hair_allowed
 from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import SurfaceGraph
-from cloner.records.labels import SURFACE_OF, SURFACES
+from cloner.records.labels import SURFACE_OF, SURFACES, labels_at
 from cloner.vision.aligning import sample
 
 Array = NDArray[np.float64]
@@ -79,14 +79,7 @@ def shown_bare(generic: GenericHuman, sources: list[Source]) -> Array:
 
 def shown_surfaces(sources: list[Source]) -> NDArray[np.int8]:
     """Return (K, V) the place in ``SURFACES`` of what each photo shows at each vertex, -1 where that is nobody."""
-    found = []
-    for source in sources:
-        labels = source.plate.labels
-        column, row = np.rint(source.lookup_px).astype(np.int64).T
-        inside = (column >= 0) & (row >= 0) & (column < labels.shape[1]) & (row < labels.shape[0])
-        shown = labels[np.clip(row, 0, labels.shape[0] - 1), np.clip(column, 0, labels.shape[1] - 1)]
-        found.append(np.where(inside, SURFACE_OF[shown], -1))
-    return np.stack(found).astype(np.int8)
+    return np.stack([SURFACE_OF[labels_at(source.plate.labels, source.lookup_px)] for source in sources])
 
 
 def find_materials(generic: GenericHuman, sources: list[Source], graph: SurfaceGraph) -> Materials:

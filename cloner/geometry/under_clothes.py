@@ -113,7 +113,7 @@ class Evidence:
     Attributes
     ----------
     shown_mm : (K,) float64
-        Measures of the clone's skin, clothes included; NaN where not measured.
+        Measures of the clone's skin, clothes included; NaN where not measured or hidden by an arm.
     stature_m : float
     bare : (K,) bool
         Where a photo shows bare skin at the measure's place.
@@ -123,8 +123,6 @@ class Evidence:
         How much worse this clone fits its outlines than those the prior was measured on, as a ratio.
     rumple_mm : (2,) float64
         How rumpled the outline of the clothes is above and below the waist; NaN where not seen.
-    hidden : (K,) bool, or empty
-        Where an arm hides the depth of the trunk in the side photo.
     """
 
     shown_mm: Array
@@ -133,13 +131,6 @@ class Evidence:
     tape_mm: Mapping[int, float] = field(default_factory=dict)
     noise: float = 1.0
     rumple_mm: Array = field(default_factory=lambda: np.full(2, np.nan))
-    hidden: NDArray[np.bool_] = field(default_factory=lambda: np.zeros(0, dtype=np.bool_))
-
-    @property
-    def seen(self) -> Rows:
-        """The measures that tell something: what an arm hides is left to its neighbours (as good: 52 against 53 mm)."""
-        known = ~np.isnan(self.shown_mm)
-        return np.flatnonzero(known & ~self.hidden if len(self.hidden) else known)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -182,7 +173,7 @@ class Hypotheses:
 
 def hypotheses(evidence: Evidence, prior: MeasurePrior) -> Hypotheses:
     """Return what every sex in every pair of clothes would mean for one person."""
-    rows = evidence.seen
+    rows = np.flatnonzero(~np.isnan(evidence.shown_mm))
     shown = evidence.shown_mm[rows] / (1.0 + prior.fit_bias[rows])
     error = shown * evidence.noise
     noise = prior.fit_covariance[np.ix_(rows, rows)] * np.outer(error, error)

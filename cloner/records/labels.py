@@ -45,6 +45,15 @@ SURFACES = ("skin", "hair", "upper_clothes", "lower_clothes", "shoes", "accessor
 SURFACE_OF = np.array([-1, 0, 0, 1, 2, 3, 4, 0, 0, 5, 0], np.int8)
 
 
+def labels_at(labels: NDArray[np.uint8], places_px: NDArray[np.floating]) -> NDArray[np.uint8]:
+    """Return the (N,) labels of the pixels nearest to places (N, 2), right and down; background off the picture."""
+    column, row = np.rint(places_px).astype(np.int64).T
+    inside = (column >= 0) & (row >= 0) & (column < labels.shape[1]) & (row < labels.shape[0])
+    found = np.full(len(places_px), Label.BACKGROUND, np.uint8)
+    found[inside] = labels[row[inside], column[inside]]
+    return found
+
+
 def shows(labels: NDArray[np.uint8], *classes: Label) -> NDArray[np.bool_]:
     """Return (H, W) where a label picture shows one of some classes."""
     wanted = np.zeros(256, np.bool_)

@@ -15,7 +15,7 @@ from cloner.geometry.seeing import facing, look
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
-from cloner.records.labels import CLOTHES, SKINS
+from cloner.records.labels import CLOTHES, SKINS, labels_at
 from cloner.records.measures import Cover
 from cloner.records.points import Proposals
 from cloner.stages.outlined import body_triangles
@@ -113,11 +113,9 @@ def _seen_labels(
     posed_m = skin(joined.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
     triangles = body_triangles()
     sight = look(posed_m, triangles, posed.camera, facing(posed_m, triangles, posed.camera))
-    column, row = np.rint(sight.pixel_px).astype(np.int64).T
-    inside = (column >= 0) & (row >= 0) & (column < labels.shape[1]) & (row < labels.shape[0])
-    good = inside & (sight.cosine > LEAST_COSINE) & sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
+    good = (sight.cosine > LEAST_COSINE) & sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
     rows = np.flatnonzero(good & (generic.vertex_part == generic.part_names.index("body")))
-    return rows, sight.cosine[rows], labels[row[rows], column[rows]]
+    return rows, sight.cosine[rows], labels_at(labels, sight.pixel_px[rows])
 
 
 def _slices(generic: GenericHuman, name: str, bare: Array) -> Array:

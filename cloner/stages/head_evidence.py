@@ -15,7 +15,7 @@ from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.contour_match import contour_normals
 from cloner.geometry.surface import SurfacePoints
 from cloner.records.bodies import Phenotype
-from cloner.records.labels import Label
+from cloner.records.labels import Label, labels_at
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import FacePoints, Proposals, ViewPoints
 from cloner.records.results import Residual
@@ -232,9 +232,7 @@ def read_front(
 
 def _labels_at(labels: NDArray[np.uint8], places_px: Array) -> NDArray[np.uint8]:
     """Return the (N,) labels of pixels, of the nearest one where a place lies off the picture."""
-    column, row = np.rint(places_px).astype(np.int64).T
-    found = labels[np.clip(row, 0, labels.shape[0] - 1), np.clip(column, 0, labels.shape[1] - 1)]
-    return np.asarray(found, np.uint8)
+    return labels_at(labels, np.clip(places_px, 0.0, np.array(labels.shape[::-1]) - 1.0))
 
 
 def _corrected(model: Model, named: ViewPoints) -> tuple[NDArray[np.int64], Array]:

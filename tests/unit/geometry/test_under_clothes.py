@@ -117,14 +117,11 @@ def test_a_worse_outline_leaves_more_open_and_missing_slices_are_no_zero() -> No
 
 
 def test_a_hidden_depth_leaves_that_girth_open_and_its_neighbours_speak_for_it() -> None:
-    hidden = NOTHING_BARE.copy()
-    hidden[WAIST] = True
     wider = []
     for body in bodies(20):
-        wider.append(found(body, hidden=hidden).deviation_mm[WAIST] - found(body).deviation_mm[WAIST])
-        wrong = body.copy()
-        wrong[WAIST] += 30.0
-        assert found(wrong, hidden=hidden).mm == pytest.approx(found(body, hidden=hidden).mm)
+        hidden = body.copy()
+        hidden[WAIST] = np.nan
+        wider.append(found(hidden).deviation_mm[WAIST] - found(body).deviation_mm[WAIST])
     assert np.mean(wider) > 0.2, "one is unsure of what one has not seen"
 
 

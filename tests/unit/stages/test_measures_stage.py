@@ -62,6 +62,8 @@ def test_an_arm_over_the_waist_is_told_and_leaves_it_less_sure(shown: dict[str, 
     assert len(told[1]) == 1
     assert "arm" in told[1][0]
     assert told[0].measures["waist_girth"].plus_minus_mm > plain[0].measures["waist_girth"].plus_minus_mm + 1.0
+    wrong = measured(shown | {"waist_girth": shown["waist_girth"] + 30.0}, person(), {}, hidden=hidden)
+    assert wrong[0].measures["waist_girth"].value_mm == pytest.approx(told[0].measures["waist_girth"].value_mm)
 
 
 def test_a_bare_throat_does_not_make_the_neck_bare(shown: dict[str, float]) -> None:
