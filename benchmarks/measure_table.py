@@ -2,9 +2,8 @@
 
 ``python benchmarks/measure_table.py SAMPLES`` learns the table from SAMPLES/people and SAMPLES/bodies; without bodies
 the family's own numbers stay as they are. Nobody of the generator wears tight clothes, and its cloth has no folds at
-the outline: tight clothes and rumples of the table before stay too, learned from painted people; so start from the
-table of commit f2dbc6f. ``--check`` writes nothing: it prints the errors on the people, each judged by a table made
-without them. No sample visitor takes part.
+the outline: tight clothes and rumples stay too, learned from painted people and kept in the file. ``--check`` writes
+nothing: it prints the errors on the people, each judged by a table made without them. No sample visitor takes part.
 """
 
 from __future__ import annotations
@@ -46,7 +45,7 @@ BOTH = (
     *("trunk_slice_55", "trunk_slice_70", "trunk_slice_85"),
 )
 #: What a skirt or a coat around the legs hides, (K,).
-LOOSE = np.array([key in LOOSE_KEYS for key in ALL_KEYS])
+UNDER_SKIRTS = np.array([key in LOOSE_KEYS for key in ALL_KEYS])
 #: Girths that tell how loosely a person is dressed above and below the waist.
 TELLING = (
     ("bust_girth", "underbust_girth", "narrowest_waist_girth", "waist_girth", "navel_girth"),
@@ -161,15 +160,28 @@ def ease(added: np.ndarray, worn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return mean * changed, covariance * np.outer(changed, changed)
 
 
-def tight_before(naked: np.ndarray, bias: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Return what tight clothes add by the table before, (K,) mm, and its covariance, for bodies (N, K) mm.
+def painted() -> dict[str, np.ndarray]:
+    """Return what tight clothes add to painted people, and how the fit erred there, as it was learned."""
+    with np.load(MODELS / FILE) as archive:
+        if "painted_ease_mm" in archive:
+            return {name: archive[name] for name in archive.files if name.startswith("painted_")}
+        return {  # the last table that was learned from painted people alone
+            "painted_ease_mm": archive["ease_mm"][TIGHT],
+            "painted_ease_covariance": archive["ease_covariances"][TIGHT],
+            "painted_fit_bias": archive["fit_bias"],
+            "painted_fit_covariance": archive["fit_covariance"],
+        }
 
-    That table told the fit's errors apart from what clothes add; under clothes this one counts both as one.
+
+def tight(naked: np.ndarray, bias: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return what tight clothes add to painted people, (K,) mm, and its covariance, for bodies (N, K) mm.
+
+    There the fit's errors were told apart from what clothes add; under clothes this table counts both as one.
     """
-    before, usual, changed = load_measure_prior(), naked.mean(axis=0), (garments() > 0).astype(float)
-    mean = before.ease_mm[TIGHT] + changed * (before.fit_bias - bias) * usual
-    erred = before.fit_covariance * np.outer(changed * usual, changed * usual)
-    return mean, before.ease_covariances[TIGHT] + erred
+    own, usual, changed = painted(), naked.mean(axis=0), (garments() > 0).astype(float)
+    mean = own["painted_ease_mm"] + changed * (own["painted_fit_bias"] - bias) * usual
+    erred = own["painted_fit_covariance"] * np.outer(changed * usual, changed * usual)
+    return mean, own["painted_ease_covariance"] + erred
 
 
 def table(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]]) -> MeasurePrior:
@@ -178,11 +190,11 @@ def table(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]
     added = np.array([one["shown"] - one["naked"] for one in people])
     naked = np.array([one["naked"] for one in people])
     bare = np.array([bare_rows(covers_of(one)) for one in people]) | (garment == 0)
-    hidden = np.array([bool(one["around_legs"]) for one in people])[:, None] & LOOSE
+    hidden = np.array([bool(one["around_legs"]) for one in people])[:, None] & UNDER_SKIRTS
     bias, covariance = fit_error(added / naked, bare & ~hidden)
     which = np.stack([np.choose(garment, (-1, upper, lower, max(upper, lower))) for upper, lower in fits])
     mean, spread = ease(added - bias * naked, np.where(bare | hidden, -1, which))
-    mean[TIGHT], spread[TIGHT] = tight_before(naked, bias)
+    mean[TIGHT], spread[TIGHT] = tight(naked, bias)
     shares = np.array([(1.0 - WEAR_TIGHT) * (fits == fit).mean() for fit in range(len(FITS))])
     shares[TIGHT] = WEAR_TIGHT
     gap = float(np.median([one["gap_mm"] for one in people]))
@@ -194,7 +206,7 @@ def table(own: tuple[np.ndarray, np.ndarray], people: Sequence[Mapping[str, Any]
 
 def evidence(sample: Mapping[str, Any], prior: MeasurePrior) -> Evidence:
     """Return what the product would know of a photographed person."""
-    hidden = np.asarray(sample["hidden"], dtype=bool) | (bool(sample["around_legs"]) & LOOSE)
+    hidden = np.asarray(sample["hidden"], dtype=bool) | (bool(sample["around_legs"]) & UNDER_SKIRTS)
     shown = np.where(hidden, np.nan, sample["shown"])
     noise = max(1.0, float(sample["gap_mm"]) / prior.gap_mm)
     return Evidence(shown, float(sample["stature_m"]), bare_rows(covers_of(sample)), {}, noise, sample["rumple"])
@@ -248,7 +260,7 @@ def write(prior: MeasurePrior, names: Sequence[str], bodies: str) -> None:
         "people": "of the generator of labelled people; nobody real",
         "licence": "CC0-1.0",
     }
-    np.savez_compressed(MODELS / FILE, keys=np.array(ALL_KEYS), made=json.dumps(made), **small)
+    np.savez_compressed(MODELS / FILE, keys=np.array(ALL_KEYS), made=json.dumps(made), **small, **painted())
     print(json.dumps(made, indent=1), f"\n{(MODELS / FILE).stat().st_size / 1024:.0f} KiB")
 
 
