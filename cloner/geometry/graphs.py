@@ -72,7 +72,8 @@ class SurfaceGraph:
         anchor = 1e-6  # keeps parts without data solvable; far below any real weight
         system = (diags(weight + anchor) + stiffness * laplacian).tocsc()
         right = weight[:, None] * values + anchor * mean
-        return np.asarray(splu(system).solve(right))
+        symmetric = splu(system, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
+        return np.asarray(symmetric.solve(right))
 
 
 def surface_graph(vertices_m: Array, triangles: NDArray[np.int32]) -> SurfaceGraph:

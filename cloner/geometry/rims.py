@@ -25,10 +25,10 @@ def fill_triangles(
 
     Notes
     -----
-    OpenCV fills every touched pixel, so the picture is about half a pixel too
-    large on every side; 1/16 px fixed point keeps it from being more.
+    Every pixel whose centre lies in a triangle or on its border's line: about half a
+    pixel too large on every side. Inner edges cancel, so only the contour of what faces
+    the viewer is filled, by its winding number, instead of triangle after triangle.
     """
-    picture = np.zeros(size, dtype=np.uint8)
     fixed = np.round(np.clip(points_px, -8000, 8000) * 16).astype(np.int32)
     corners = fixed[triangles]
     first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
@@ -36,9 +36,38 @@ def fill_triangles(
     drawn = area > 0 if (area > 0).sum() > (area < 0).sum() else area < 0
     beyond = _beyond(fixed, np.array([[0, 0], size[::-1]]) if box is None else box)[triangles]
     drawn &= (beyond[:, 0] & beyond[:, 1] & beyond[:, 2]) == 0
-    for corner in corners[drawn]:
-        cv2.fillConvexPoly(picture, corner, 255, cv2.LINE_8, 4)
+    starts, ends, times = _contour(triangles[drawn])
+    inside = _windings(fixed[starts] / 16, fixed[ends] / 16, times, size) != 0
+    picture: NDArray[np.uint8] = 255 * inside.astype(np.uint8)
+    cv2.polylines(picture, np.stack([fixed[starts], fixed[ends]], axis=1), False, 255, 1, cv2.LINE_8, 4)
     return picture
+
+
+def _contour(triangles: Triangles) -> tuple[NDArray[np.int64], NDArray[np.int64], NDArray[np.int64]]:
+    """Return the edges that do not cancel between neighbours of alike turn: first and last vertices, how often."""
+    tail, head = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
+    count = int(triangles.max(initial=0)) + 1
+    edges = np.minimum(tail, head).astype(np.int64) * count + np.maximum(tail, head)
+    key, which = np.unique(edges, return_inverse=True)
+    times = np.bincount(which, np.where(tail < head, 1, -1), len(key)).astype(np.int64)
+    kept = times != 0
+    return key[kept] // count, key[kept] % count, times[kept]
+
+
+def _windings(starts: Array, ends: Array, times: NDArray[np.int64], size: tuple[int, int]) -> NDArray[np.int32]:
+    """Return (H, W) how often directed edges, (E, 2) pixels each, turn round every pixel's centre."""
+    height, width = size
+    upper, lower = np.ceil(np.minimum(starts[:, 1], ends[:, 1])), np.ceil(np.maximum(starts[:, 1], ends[:, 1]))
+    first, last = np.clip(upper, 0, height).astype(np.int64), np.clip(lower, 0, height).astype(np.int64)
+    rows_of = last - first
+    edge = np.repeat(np.arange(len(starts)), rows_of)
+    row = np.arange(len(edge)) - np.repeat(np.cumsum(rows_of) - rows_of - first, rows_of)
+    slope = np.diff(np.stack([starts, ends], axis=1), axis=1)[edge, 0]
+    column = np.ceil(starts[edge, 0] + (row - starts[edge, 1]) * slope[:, 0] / slope[:, 1])
+    turn = np.where(slope[:, 1] > 0, times[edge], -times[edge])
+    steps = np.zeros((height, width + 1), dtype=np.int32)
+    np.add.at(steps, (row, np.clip(column, 0, width).astype(np.int64)), turn)
+    return np.asarray(np.cumsum(steps[:, :width], axis=1, dtype=np.int32))
 
 
 def _beyond(fixed: NDArray[np.int32], box: NDArray[np.int64]) -> NDArray[np.uint8]:

@@ -87,3 +87,14 @@ def test_what_lies_beyond_the_picture_changes_nothing(sphere, camera):
 def test_a_triangle_whose_corners_all_lie_outside_is_seen_where_it_crosses_the_picture():
     corners = np.array([[-300.0, -50.0], [500.0, -50.0], [100.0, 900.0]])
     assert fill_triangles(corners, np.array([[0, 1, 2]]), (60, 80)).all()
+
+
+def test_layers_before_each_other_fill_one_picture():
+    """A square before a larger one, and one that overlaps it by half: no hole where two are seen."""
+    square = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
+    corners = np.concatenate([10.0 + 40.0 * square, 20.0 + 10.0 * square, 40.0 + 40.0 * square])
+    faces = np.concatenate([np.array([[0, 1, 2], [0, 2, 3]]) + 4 * k for k in range(3)])
+    picture = fill_triangles(corners, faces, (100, 100)) > 0
+    wanted = np.zeros((100, 100), dtype=bool)
+    wanted[10:51, 10:51] = wanted[40:81, 40:81] = True
+    assert np.array_equal(picture, wanted)
