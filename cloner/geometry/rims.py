@@ -39,7 +39,7 @@ def fill_triangles(
     starts, ends, times = _contour(triangles[drawn])
     inside = _windings(fixed[starts] / 16, fixed[ends] / 16, times, size) != 0
     picture: NDArray[np.uint8] = 255 * inside.astype(np.uint8)
-    cv2.polylines(picture, np.stack([fixed[starts], fixed[ends]], axis=1), False, 255, 1, cv2.LINE_8, 4)
+    cv2.polylines(picture, list(np.stack([fixed[starts], fixed[ends]], axis=1)), False, 255, 1, cv2.LINE_8, 4)
     return picture
 
 
