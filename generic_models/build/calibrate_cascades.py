@@ -1,18 +1,16 @@
 """Teach where small features of faces lie:
-``python generic_models/build/calibrate_cascades.py [--portraits 800] [--features NAME ...]``.
+``python generic_models/build/calibrate_cascades.py --scans ICT_FAMILY.npz --people PEOPLE [--features NAME ...]``.
 
-Portraits of random heads (``painted_portraits.py``), with ``--scans`` half of a scan-based family whose seeds no
-benchmark judges (the shipped file was taught without). A cascade of ridge regressions for each feature learns points
-from gradient histograms around a rough guess, which is what a profile laid on the outline would tell. Goes to
-``cloner_models/cascades.npz`` with the error to expect for the spread that several guesses show. 8 CPU minutes for all;
-other features than the told ones stay as they are (ears and the side photo's eye, wing and mouth corner were taught
-before portraits had freckles, folds, make-up and JPEG's traces; teaching them anew moved them by less than they err).
+Three families: portraits of random heads (``painted_portraits.py``), with ``--scans`` half of them of a scan-based
+family, with ``--people`` photos of the generator of photographed people; nobody of them is judged by a benchmark. A
+cascade of ridge regressions for each feature learns points from gradient histograms around a rough guess, which is what
+a profile laid on the outline would tell. Goes to ``cloner_models/cascades.npz`` with the error to expect for the spread
+that several guesses show. 40 CPU minutes for all; other features than the told ones stay as they are.
 """
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Final
@@ -21,6 +19,8 @@ import numpy as np
 from archives import save
 from numpy.typing import NDArray
 from painted_portraits import portrait
+from photographed_heads import Head, photographed
+from portrait_canvas import canvas
 from scipy.spatial import cKDTree
 
 from cloner.detectors.cascade import FEATURES, Cascade, Picture, Pose, find_feature, look, prepare, sided
@@ -37,6 +37,7 @@ REPEATS: Final = {"side": 8, "front": 4}  # guesses a picture and feature
 RIDGE = 40.0
 LATER = 0.02  # noise that later stages are taught with, so that they do not believe the first one's own pictures
 TILT, SIZE = 0.07, 0.06  # errors of a laid profile's turn, radians, and size, logarithmic
+PEOPLE_COUNT = 2  # a photographed head counts as so many painted ones: there are fewer of them
 HELD_OUT = 5  # every so manieth head tells the errors
 
 
@@ -65,19 +66,6 @@ PLANS: Final = {
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Head:
-    """One picture of a head: photo, mask (0..255), marks, those that are hidden, and the side that is asked for."""
-
-    seed: int
-    rgb: NDArray[np.uint8]
-    mask: NDArray[np.uint8]
-    marks_px: Mapping[str, Array]
-    hidden: frozenset[str]
-    vertices_px: Array
-    side: str
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class Seen:
     """One feature in a picture: points (K, 2) px, its pose, and where it is guessed (2,) px."""
 
@@ -89,10 +77,11 @@ class Seen:
     guess_px: Array
 
 
-def heads(view: str, portraits: int, scans: Path | None) -> list[Head]:
+def heads(view: str, portraits: int, scans: Path | None, people: Path | None) -> list[Head]:
     """Return the pictures of one view, "front" or "side"; a front picture counts for both its ears.
 
-    With ``scans`` two sitters of the generic's family and two of the scan-based one follow each other.
+    With ``scans`` two sitters of the generic's family and two of the scan-based one follow each other; photographed
+    ``people`` come after them, each as often as `PEOPLE_COUNT` tells.
     """
     out = []
     for seed in range(FIRST_PORTRAIT[view], FIRST_PORTRAIT[view] + portraits):
@@ -101,6 +90,9 @@ def heads(view: str, portraits: int, scans: Path | None) -> list[Head]:
         known = portrait(seed, azimuth, scans if seed % 4 > 1 else None)
         for one in "LR" if view == "front" else side:
             out.append(Head(seed, known.rgb, known.mask, known.marks_px, known.hidden, known.vertices_px, one))
+    for known in [] if people is None else photographed(people, f"face_{view}", tuple(canvas().rows)):
+        for one in "LR" if view == "front" else known.side:
+            out += PEOPLE_COUNT * [replace(known, side=one)]
     return out
 
 
@@ -279,6 +271,7 @@ def main() -> None:
     """Paint, train, write."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--scans", type=Path, help="the scan-based family's file")
+    parser.add_argument("--people", type=Path, help="people of the generator of photographed people")
     parser.add_argument("--portraits", type=int, default=800, help="of the side; of the front three quarters")
     parser.add_argument("--features", nargs="*", choices=FEATURES, default=list(FEATURES))
     chosen = parser.parse_args()
@@ -289,7 +282,7 @@ def main() -> None:
     for view in ("side", "front"):
         wanted = [name for name in chosen.features if name.startswith(view)]
         count = chosen.portraits if view == "side" else 3 * chosen.portraits // 4
-        pictures = heads(view, count, chosen.scans) if wanted else []
+        pictures = heads(view, count, chosen.scans, chosen.people) if wanted else []
         for feature in wanted:
             arrays |= calibrate(feature, seen(feature, pictures))
     save(OUT, arrays)

@@ -132,7 +132,7 @@ def _taken(shared: Canvas, naked: Array, skin: Array, azimuth_deg: float, rng: n
     left, right = (naked[shared.rows[f"pupil_{side}"]] for side in "LR")
     iod = float(np.linalg.norm(left - right)) / camera.metres_per_pixel((left + right) / 2.0)
     known = {name: marks[k] for k, name in enumerate(shared.rows) if inside[k]}
-    mask, hidden = _mask(person, rng), _hidden(shared, naked, worn, camera)
+    mask, hidden = segmented(person[..., 3], rng), _hidden(shared, naked, worn, camera)
     return Portrait(packed(picture, rng), mask, known, hidden, camera.project(naked), iod, tilt)
 
 
@@ -222,11 +222,11 @@ def _developed(person: Picture, rng: np.random.Generator) -> NDArray[np.uint8]:
     return np.clip(255.0 * picture + noise + 0.5, 0.0, 255.0).astype(np.uint8)
 
 
-def _mask(person: Picture, rng: np.random.Generator) -> NDArray[np.uint8]:
-    """Return the person's mask as a segmentation gives it: with a soft edge a little off."""
-    height, width = person.shape[:2]
+def segmented(person: Picture, rng: np.random.Generator) -> NDArray[np.uint8]:
+    """Return a person's share (H, W), 0..1, as a segmentation gives it, 0..255: with a soft edge a little off."""
+    height, width = person.shape
     away = cv2.resize(rng.standard_normal((7, 6), dtype=np.float32), (width, height), interpolation=cv2.INTER_CUBIC)
-    soft = cv2.GaussianBlur(person[..., 3], (0, 0), 2.0) + np.float32(rng.uniform(0.0, 0.2)) * away
+    soft = cv2.GaussianBlur(person, (0, 0), 2.0) + np.float32(rng.uniform(0.0, 0.2)) * away
     return np.asarray(np.clip(255.0 * (0.5 + (soft - 0.5) * 2.0), 0.0, 255.0), np.uint8)
 
 
