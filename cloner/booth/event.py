@@ -59,8 +59,8 @@ class Event:
         What visitors agree to, by language, "{days}" standing for `retention_days`; a language without takes the
         window's own text.
     licence : str
-        What others may do with the files of visitors who agreed to a text of the event's own that says so; one of
-        `cloner.records.terms.LICENCES`.
+        The most that visitors may let others do with their files, one of `cloner.records.terms.LICENCES`; each
+        chooses at the consent (`cloner.booth.agreed`).
     formats : tuple of str
         Exporters whose files visitors take away.
     camera_folder : str

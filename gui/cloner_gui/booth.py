@@ -132,9 +132,9 @@ class Booth(Desk):
         if root is not None and camera is not None:
             self._guard(lambda: arrivals.write_note(root, camera, known))
 
-    def terms(self, language: str) -> Mapping[str, str]:
-        """Return the event's title, and its licence where its own text in the language was read."""
-        return {} if self.root is None else agreed_terms(self.settings, self.root, language)
+    def terms(self, language: str, licence: str = "") -> Mapping[str, str]:
+        """Return the event's title, and the licence that was chosen, or that the event's own text speaks of."""
+        return {} if self.root is None else agreed_terms(self.settings, self.root, language, licence)
 
     def typed_name(self, folder: Path) -> str:
         """Return a visitor's name as it was typed."""

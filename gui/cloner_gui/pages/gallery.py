@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QRect, QSize, Qt, QTimer
 from PySide6.QtGui import QIcon, QImageReader, QPixmap
 from PySide6.QtWidgets import (
     QComboBox,
@@ -30,10 +30,11 @@ from cloner_gui.day_label import DayNumbers
 from cloner_gui.dialogs import ask_to_forget
 from cloner_gui.flow import Flow
 from cloner_gui.letters import settle_dialog
-from cloner_gui.pieces import button, label, name
+from cloner_gui.pieces import button, label, name, roomy
 from cloner_gui.words import STATES, translate
 
 _ICON_PX = QSize(120, 160)
+_EDGE_PX = 8  # around an entry, as the style sheet has it
 #: What is shown: everybody, the cloned, those without a clone, who lies in the trash.
 ALL, CLONED, OPEN, TRASHED = range(4)
 
@@ -45,7 +46,7 @@ class GalleryWindow(QDialog):
         super().__init__(parent)
         self._booth = booth
         self.setWindowTitle(translate("gallery", "Everybody of today"))
-        self.resize(900, 640)
+        roomy(self, 900, 640)
         self.search, self.which, self.list = QLineEdit(), QComboBox(), QListWidget()
         self.told, self.numbers_label = label("dim"), label()
         self.numbers = DayNumbers(booth, self)
@@ -136,10 +137,10 @@ class GalleryWindow(QDialog):
             state = self._told_end(folder) if in_trash else STATES[read_visit(folder).state]
             item = QListWidgetItem(f"{self._booth.name_of(folder)}\n{state}")
             item.setData(Qt.ItemDataRole.UserRole, folder)
-            item.setSizeHint(QSize(_ICON_PX.width() + 50, _ICON_PX.height() + 4 * self.fontMetrics().height()))
             self.list.addItem(item)
             item.setSelected(folder in marked)
             self._icons.append(item)
+        self._make_room()
         self.list.blockSignals(False)
         cloned = sum(read_visit(folder).state is State.CLONED for folder in shown)
         told = translate("gallery", "{n} visitors, {m} with a clone")
@@ -147,6 +148,17 @@ class GalleryWindow(QDialog):
         self._loader.start()
         self.numbers.refresh()
         self._show_buttons()
+
+    def _make_room(self) -> None:
+        """Make all entries so large that the longest name and state have room below their picture."""
+        letters = self.list.fontMetrics()
+        wide = max(_ICON_PX.width() + 50, 9 * letters.height())
+        room = QRect(0, 0, wide - 3 * _EDGE_PX, 9999)
+        items = [self.list.item(row) for row in range(self.list.count())]
+        wraps = Qt.TextFlag.TextWordWrap
+        high = max((letters.boundingRect(room, wraps, item.text()).height() for item in items), default=0)
+        for item in items:
+            item.setSizeHint(QSize(wide, _ICON_PX.height() + high + 3 * _EDGE_PX))
 
     def _is_wanted(self, folder: Path) -> bool:
         text, which = self.search.text().casefold().strip(), self.which.currentIndex()

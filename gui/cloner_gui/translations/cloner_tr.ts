@@ -124,6 +124,10 @@
         <translation>{day}: {n} ziyaretçi, {m} klon.</translation>
     </message>
     <message>
+        <source>{n} of them lie in the trash.</source>
+        <translation>{n} tanesi çöp kutusunda.</translation>
+    </message>
+    <message>
         <source>In the queue {m} minutes in the middle, {l} at most.</source>
         <translation>Kuyrukta ortanca {m} dakika, en çok {l}.</translation>
     </message>
@@ -495,6 +499,34 @@
     <message>
         <source>Give the operator a number under Event, Settings first.</source>
         <translation>Önce Etkinlik, Ayarlar altında görevliye bir numara verin.</translation>
+    </message>
+</context>
+<context>
+    <name>licences</name>
+    <message>
+        <source>the visitor alone</source>
+        <extracomment>Who may use a visitor&apos;s files, by licence; and what that means.</extracomment>
+        <translation>yalnızca ziyaretçi</translation>
+    </message>
+    <message>
+        <source>visitor and event</source>
+        <translation>ziyaretçi ve etkinlik</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>herkes</translation>
+    </message>
+    <message>
+        <source>Nobody else may use the files or earn money with them.</source>
+        <translation>Başka hiç kimse dosyaları kullanamaz ve onlarla para kazanamaz.</translation>
+    </message>
+    <message>
+        <source>The event may use the files too, also in its advertising.</source>
+        <translation>Etkinlik de dosyaları kullanabilir, reklamlarında da.</translation>
+    </message>
+    <message>
+        <source>Everybody may use the files, change them and pass them on, but not earn money with them.</source>
+        <translation>Herkes dosyaları kullanabilir, değiştirebilir ve başkalarına verebilir, ama onlarla para kazanamaz.</translation>
     </message>
 </context>
 <context>
@@ -1354,6 +1386,10 @@
         <translation>Metnin &amp;dili</translation>
     </message>
     <message>
+        <source>Visitors may let &amp;use the files</source>
+        <translation>Ziyaretçiler dosyaları &amp;kullandırabilir</translation>
+    </message>
+    <message>
         <source>Links for &amp;telephones work for</source>
         <translation>Telefon &amp;bağlantılarının süresi</translation>
     </message>
@@ -1380,6 +1416,10 @@
     <message>
         <source>Language of the text</source>
         <translation>Metnin dili</translation>
+    </message>
+    <message>
+        <source>Who visitors may let use the files, at the most</source>
+        <translation>Ziyaretçiler dosyaları en çok kime kullandırabilir</translation>
     </message>
     <message>
         <source>Number of the operator</source>
@@ -1649,6 +1689,10 @@
         <translation>Yazıldı ve yeniden okundu: {place}</translation>
     </message>
     <message>
+        <source>Stopped: nothing of it was left there.</source>
+        <translation>Durduruldu: orada hiçbir şey kalmadı.</translation>
+    </message>
+    <message>
         <source>Written: {place}</source>
         <translation>Yazıldı: {place}</translation>
     </message>
@@ -1683,6 +1727,10 @@
     <message>
         <source>Copy to a f&amp;older…</source>
         <translation>Bir k&amp;lasöre kopyala…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Durdur</translation>
     </message>
     <message>
         <source>Show &amp;folder</source>
@@ -2851,6 +2899,10 @@
         <translation>Onayın &amp;dili</translation>
     </message>
     <message>
+        <source>Who may use the &amp;files</source>
+        <translation>Dosyaları &amp;kim kullanabilir</translation>
+    </message>
+    <message>
         <source>The visitor has read this and &amp;agrees</source>
         <translation>Ziyaretçi bunu okudu ve &amp;kabul ediyor</translation>
     </message>
@@ -2877,6 +2929,10 @@
     <message>
         <source>Language of the consent</source>
         <translation>Onayın dili</translation>
+    </message>
+    <message>
+        <source>Who may use the files</source>
+        <translation>Dosyaları kim kullanabilir</translation>
     </message>
     <message>
         <source>The visitor agrees</source>
