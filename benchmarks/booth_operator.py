@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -43,6 +44,7 @@ def main() -> int:
     parser.add_argument("--languages", default=",".join(LANGUAGES))
     parser.add_argument("--pictures", type=Path)
     parser.add_argument("--no-real", action="store_true")
+    parser.add_argument("--keep", type=Path, help="where the event of the real walks is kept")
     chosen = parser.parse_args()
     rows = []
     for screen in chosen.screens.split(","):
@@ -50,7 +52,7 @@ def main() -> int:
         rows += [(screen, told) for told in found]
         for told in found:
             print(screen, json.dumps(told), flush=True)
-    real = [] if chosen.no_real else walks("1280x800", "en", None, real=True)
+    real = [] if chosen.no_real else walks("1280x800", "en", None, real=True, keep=chosen.keep)
     for told in real:
         print("real", json.dumps(told), flush=True)
     whole = len(chosen.screens.split(",")) == len(SCREENS) and real
@@ -59,7 +61,9 @@ def main() -> int:
     return 1 if any(told["to_takeaway"] > MOST[told["how"]] for _, told in rows) else 0
 
 
-def walks(screen: str, languages: str, pictures: Path | None, *, real: bool) -> list[dict[str, Any]]:
+def walks(
+    screen: str, languages: str, pictures: Path | None, *, real: bool, keep: Path | None = None
+) -> list[dict[str, Any]]:
     """Walk on one screen in all languages, in an X server of its own."""
     size, scale = SCREENS[screen]
     if pictures is not None:
@@ -90,6 +94,8 @@ def walks(screen: str, languages: str, pictures: Path | None, *, real: bool) -> 
         finally:
             server.terminate()
             server.wait()
+        if keep is not None:
+            shutil.copytree(room / "fair", keep)
     return [json.loads(line) for line in done.stdout.splitlines()]
 
 

@@ -52,7 +52,7 @@ def test_the_window_is_never_silent_for_long_by_its_own_work(event, qtbot, sampl
     silence, window = Silence(), event
     crowd(window.booth.root)
     window.resize(1280, 800)
-    silence.step("opening the event", lambda: window.booth.open(window.booth.root))
+    silence.step("opening the event", lambda: window.open_folder(window.booth.root))
     for number in (VISITOR, PHOTOS, POINTS, CLONE, TAKEAWAY):
         window.go(number)  # made once, behind the first page: `cloner_gui.app.load_the_rest`
     window.go(VISITOR)
@@ -108,9 +108,11 @@ def others(window, silence):
     silence.step("somebody's state changes", window.booth.visits_changed.emit, lambda: not gallery._icons)
     gallery.list.item(3).setSelected(True)
     silence.step("thrown away", gallery._throw_away, lambda: not gallery._icons)
+    gallery.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)  # as the menu opens it
     gallery.close()
     for kind in (SettingsWindow, StatisticsWindow, HeldWindow):
         silence.step(
             f"{kind.__name__} opens", lambda kind=kind: made.append(kind(window.booth, window)) or made[-1].show()
         )
+        made[-1].setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         made[-1].close()

@@ -13,6 +13,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from cloner.booth.visits import Visit, write_visit
+from cloner_gui.letters import letter_of, lettered_in
 from cloner_gui.main_window import TAKEAWAY
 from cloner_gui.printed_card import card_image
 from kit.odd_programs import install
@@ -138,6 +139,9 @@ def test_a_stick_is_found_by_itself_written_read_back_and_let_go(taken, qtbot, t
     qtbot.waitUntil(lambda: row.copy_button.isVisible(), timeout=10000)
     assert row.copy_button.text().replace("&&", "+").replace("&", "") == "Copy to FAIR + CO"
     assert row.note.text() == "7.5 GB are free."
+    qtbot.wait(50)
+    letters = [letter_of(one.text()) for one in lettered_in(taken.takeaway) if one.isVisible()]
+    assert len(letters) == len(set(letters)), "a stick that comes by itself takes nobody's letter"
     qtbot.mouseClick(row.copy_button, LEFT)
     qtbot.waitUntil(lambda: not taken.takeaway.handing.busy, timeout=20000)
     assert (stick / "visitor-001" / "clone.glb").is_file()

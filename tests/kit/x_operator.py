@@ -47,7 +47,8 @@ class Walk:
         self.app = QApplication([])
         self.room, self.pictures = room, pictures
         self.window = MainWindow(Session(process_services() if real else services()))
-        self.app.installEventFilter(ClickCounter(self.window.booth))
+        self.counter = ClickCounter(self.window.booth)
+        self.app.installEventFilter(self.counter)
         self.window.setGeometry(self.app.primaryScreen().availableGeometry())
         self.window.show()
         self.hands = Hands(self.app)
@@ -61,6 +62,7 @@ class Walk:
         from kit.x_hands import Done
 
         window, hands, session = self.window, self.hands, self.window.session
+        self.how = how
         window.booth.change(language=language, camera_folder=str(self.room / "camera") if how == "camera" else "")
         hands.focus(window)
         hands.settle(0.4)
@@ -131,7 +133,7 @@ class Walk:
 
     def picture(self, name: str) -> None:
         """Keep what is seen."""
-        if self.pictures is not None:
+        if self.pictures is not None and self.how == "files":
             screen = self.app.primaryScreen().size()
             self.window.grab().save(str(self.pictures / f"{screen.width()}_{name}.png"))
 
@@ -152,6 +154,8 @@ class Walk:
             self.hands.settle(0.8)
             one.grab().save(str(self.pictures / f"{screen.width()}_{language}_{number}.png"))
             one.close()
+        window.go(4)
+        self.hands.settle()
 
 
 def main() -> None:

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from cloner.booth import trash
 from cloner.booth.kept import RESULTS
 from cloner.booth.photo_files import photo_of
-from cloner.booth.visits import State, read_visit
+from cloner.booth.visits import State, Visit, read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.folder import safe_identifier
@@ -128,13 +128,15 @@ class GalleryWindow(QDialog):
         """Show who is wanted; the marks stay."""
         marked, root = self.marked(), self._booth.root
         in_trash = self.which.currentIndex() == TRASHED
-        folders = () if root is None else trash.thrown_away(root) if in_trash else tuple(self._booth.visits())
-        shown = [folder for folder in folders if self._is_wanted(folder)]
+        visits = self._booth.visits()
+        if in_trash and root is not None:
+            visits = {folder: read_visit(folder) for folder in trash.thrown_away(root)}
+        shown = {folder: visit for folder, visit in visits.items() if self._is_wanted(folder, visit)}
         self._icons.clear()
         self.list.blockSignals(True)
         self.list.clear()
-        for folder in shown:
-            state = self._told_end(folder) if in_trash else STATES[read_visit(folder).state]
+        for folder, visit in shown.items():
+            state = self._told_end(folder) if in_trash else STATES[visit.state]
             item = QListWidgetItem(f"{self._booth.name_of(folder)}\n{state}")
             item.setData(Qt.ItemDataRole.UserRole, folder)
             self.list.addItem(item)
@@ -142,7 +144,7 @@ class GalleryWindow(QDialog):
             self._icons.append(item)
         self._make_room()
         self.list.blockSignals(False)
-        cloned = sum(read_visit(folder).state is State.CLONED for folder in shown)
+        cloned = sum(visit.state is State.CLONED for visit in shown.values())
         told = translate("gallery", "{n} visitors, {m} with a clone")
         self.told.setText(told.format(n=len(shown), m=cloned))
         self._loader.start()
@@ -160,9 +162,9 @@ class GalleryWindow(QDialog):
         for item in items:
             item.setSizeHint(QSize(wide, _ICON_PX.height() + high + 3 * _EDGE_PX))
 
-    def _is_wanted(self, folder: Path) -> bool:
+    def _is_wanted(self, folder: Path, visit: Visit) -> bool:
         text, which = self.search.text().casefold().strip(), self.which.currentIndex()
-        cloned = read_visit(folder).state is State.CLONED
+        cloned = visit.state is State.CLONED
         fits = which in (ALL, TRASHED) or cloned == (which == CLONED)
         return fits and text in self._booth.name_of(folder).casefold()
 

@@ -15,8 +15,10 @@ from PySide6.QtWidgets import (
 )
 
 from cloner.booth.person_file import consent_when
+from cloner.holdings import Holding
 from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
+from cloner_gui.newest import newest
 from cloner_gui.pieces import button, label, name, roomy, show_whole_columns
 from cloner_gui.words import translate
 
@@ -48,8 +50,10 @@ class HeldWindow(QDialog):
         self.show_all()
 
     def show_all(self) -> None:
-        """Fill the table."""
-        held = self._booth.held()
+        """Count what is held of everybody, beside the window's thread: that is every file of the event."""
+        newest().ask(self, "held", self._booth.held_soon(), self._fill, self._booth.failed.emit)
+
+    def _fill(self, held: tuple[Holding, ...]) -> None:
         size = sum(one.size_bytes for one in held) / 1e6
         told = translate("privacy", "{n} visitors, {size} MB; nothing leaves this computer")
         self.summary.setText(told.format(n=len(held), size=round(size)))

@@ -24,6 +24,7 @@ from cloner_gui.booth import Booth
 from cloner_gui.languages import LANGUAGE_NAMES, consent_text
 from cloner_gui.letters import settle_dialog
 from cloner_gui.licence_field import LicenceField
+from cloner_gui.logo_field import LogoField
 from cloner_gui.pieces import label, name, roomy
 from cloner_gui.words import translate
 
@@ -38,6 +39,7 @@ class SettingsWindow(QDialog):
         self.setWindowTitle(translate("settings", "This event"))
         roomy(self, 640, 620)
         self.title, self.consent, self.language = QLineEdit(settings.title), QPlainTextEdit(), QComboBox()
+        self.logo = LogoField(settings.logo)
         self.days, self.trash, self.licence = QSpinBox(), QSpinBox(), LicenceField()
         self.calm = QCheckBox(translate("settings", "Nothing &moves by itself"))
         self.hours, self.https = QSpinBox(), QCheckBox(translate("settings", "&Encrypt the page for telephones"))
@@ -80,6 +82,7 @@ class SettingsWindow(QDialog):
         form, inside, room = QFormLayout(), QWidget(), QScrollArea()
         form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapAllRows)
         form.addRow(translate("settings", "&Name of the event"), self.title)
+        form.addRow(translate("settings", "Logo"), self.logo)
         form.addRow(translate("settings", "&Keep visitors for"), self.days)
         form.addRow(translate("settings", "Bring &back thrown away ones for"), self.trash)
         form.addRow(translate("settings", "&Language of the text"), self.language)
@@ -137,6 +140,7 @@ class SettingsWindow(QDialog):
             retention_days=self.days.value(),
             trash_days=self.trash.value(),
             consents={code: text for code, text in self._consents.items() if text},
+            logo=self.logo.path,
             licence=self.licence.chosen(),
             phone_hours=self.hours.value(),
             phone_https=self.https.isChecked(),

@@ -114,6 +114,7 @@ class TakeawayPage(QWidget):
         self.zip_button.clicked.connect(self._to_zip)
         self.stop_button.clicked.connect(self.handing.stop)
         self.sticks.copy_wanted.connect(self._to_stick)
+        self.sticks.changed.connect(self.changed)
         self.sticks.failed.connect(self._booth.failed)
         self.report_button.clicked.connect(lambda: self._open("report.html"))
         self.show_button.clicked.connect(lambda: self._open(""))

@@ -25,6 +25,7 @@ class VisitorPage(QWidget):
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._booth = booth
+        self._told: tuple[object, ...] = ()
         self.event_label, self.hint = label("dim"), label("dim")
         self.heading = label("heading")
         self.list = QListWidget()
@@ -110,19 +111,23 @@ class VisitorPage(QWidget):
     def _fill(self) -> None:
         """Show the visitors; the list stays where it was scrolled to while only their states change."""
         folder, visits = self._booth.session.folder, self._booth.visits()
+        rows = [(place, visit.state, visit.problem, self._booth.name_of(place)) for place, visit in visits.items()]
+        told = (folder, STATES[State.NONE], rows)
+        if told == self._told:
+            return  # much is said to have changed that does not concern the list
+        self._told = told
         shown = [self.list.item(row).data(Qt.ItemDataRole.UserRole) for row in range(self.list.count())]
         self.list.blockSignals(True)
         if shown != list(visits):
             self.list.clear()
             for _ in visits:
                 self.list.addItem(QListWidgetItem())
-        for row, (place, visit) in enumerate(visits.items()):
+        for row, (place, state, problem, called) in enumerate(rows):
             item = self.list.item(row)
-            called = self._booth.name_of(place)
-            item.setText(f"{_MARKS[visit.state]}  {called}\n     {STATES[visit.state]}")
+            item.setText(f"{_MARKS[state]}  {called}\n     {STATES[state]}")
             item.setData(Qt.ItemDataRole.UserRole, place)
-            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{called}, {STATES[visit.state]}")
-            item.setToolTip(told_problem(visit.problem))
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{called}, {STATES[state]}")
+            item.setToolTip(told_problem(problem))
             if place == folder and self.list.currentItem() is not item:
                 self.list.setCurrentItem(item)
         self.list.blockSignals(False)

@@ -1379,6 +1379,10 @@
         <translation>&amp;Name der Veranstaltung</translation>
     </message>
     <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
         <source>Bring &amp;back thrown away ones for</source>
         <translation>Weggeworfene &amp;zurückholen</translation>
     </message>
@@ -1437,6 +1441,22 @@
     <message>
         <source>&amp;Consent</source>
         <translation>&amp;Einwilligung</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;picture…</source>
+        <translation>&amp;Bild wählen…</translation>
+    </message>
+    <message>
+        <source>No pictu&amp;re</source>
+        <translation>Kein B&amp;ild</translation>
+    </message>
+    <message>
+        <source>Logo of the event</source>
+        <translation>Logo der Veranstaltung</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
     </message>
 </context>
 <context>

@@ -1379,6 +1379,10 @@
         <translation>&amp;Nom de l’événement</translation>
     </message>
     <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
         <source>Bring &amp;back thrown away ones for</source>
         <translation>&amp;Récupérables après la corbeille</translation>
     </message>
@@ -1437,6 +1441,22 @@
     <message>
         <source>&amp;Consent</source>
         <translation>C&amp;onsentement</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;picture…</source>
+        <translation>Choisir une &amp;image…</translation>
+    </message>
+    <message>
+        <source>No pictu&amp;re</source>
+        <translation>&amp;Aucune image</translation>
+    </message>
+    <message>
+        <source>Logo of the event</source>
+        <translation>Logo de l’événement</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
     </message>
 </context>
 <context>

@@ -1378,6 +1378,10 @@
         <translation>Etkinliğin &amp;adı</translation>
     </message>
     <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
         <source>Bring &amp;back thrown away ones for</source>
         <translation>Çöpten &amp;geri alma süresi</translation>
     </message>
@@ -1436,6 +1440,22 @@
     <message>
         <source>&amp;Consent</source>
         <translation>&amp;Onay</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;picture…</source>
+        <translation>&amp;Resim seç…</translation>
+    </message>
+    <message>
+        <source>No pictu&amp;re</source>
+        <translation>Resim &amp;yok</translation>
+    </message>
+    <message>
+        <source>Logo of the event</source>
+        <translation>Etkinliğin logosu</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Resimler</translation>
     </message>
 </context>
 <context>
