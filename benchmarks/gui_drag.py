@@ -2,9 +2,8 @@
 
 One sample is cloned first (about half a minute of CPU), unless the folder is a visitor's whom the window has cloned.
 Every drag presses on one point of one photo, moves it in three steps and lets go. For each move the time is taken until
-the photo shows the outline linked through the moved point, and until the preview shows the person who follows. Printed:
-median and 95th percentile, wall and CPU milliseconds, by kind of photo; and the longest that the window's thread did not
-listen.
+the photo shows the outline linked through the moved point, and until the preview shows the person who follows. Told:
+median and 95th percentile, wall and CPU milliseconds, by kind of photo; and the longest silence of the window's thread.
 
 Bars: 150 ms median, 300 ms at the 95th percentile, 100 ms without listening.
 """

@@ -109,6 +109,7 @@ class MainWindow(QMainWindow):
         """Open an event, its log beside it, and ask about visitors whose time is over; or open one visitor."""
         self.booth.open(folder)
         if self.booth.root == folder:
+            self.visitor.recent.note(folder)
             log_to(folder)
             self.booth.empty_trash()
             self.sweep()
@@ -186,6 +187,7 @@ class MainWindow(QMainWindow):
             self._page(number).changed.connect(self._refresh)
         self.stack.made.connect(lambda page: page.changed.connect(self._refresh))
         self.steps.chosen.connect(self.go)
+        self.visitor.recent.chosen.connect(self.open_folder)
         self.back.clicked.connect(lambda: self.go(self.stack.currentIndex() - 1))
         self.next.clicked.connect(self._go_on)
 

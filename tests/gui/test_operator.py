@@ -2,15 +2,17 @@
 
 import logging
 import os
+import shutil
 import time
 
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
-from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox
+from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QPushButton
 
 from cloner.booth.event import new_visitor, read_event
 from cloner.booth.person_file import write_person
+from cloner.booth.recent import recent_events
 from cloner.errors import ClonerError
 from cloner_gui.effort import ClickCounter
 from cloner_gui.logs import log_to
@@ -122,6 +124,32 @@ def test_the_logo_is_a_picture_that_is_chosen_and_taken_away_again(window, root,
     qtbot.mouseClick(dialog.logo.none_button, Qt.MouseButton.LeftButton)
     dialog.accept()
     assert read_event(root).logo == ""
+
+
+def test_events_that_were_open_last_are_offered_at_the_start(qtbot, jobs, root, tmp_path):
+    file, other = tmp_path / "config" / "recent.json", tmp_path / "other & fair"
+    other.mkdir()
+    for folder in (root, other):
+        window = MainWindow(Session(jobs.services()))
+        qtbot.addWidget(window)
+        window.visitor.recent.follow(file)
+        window.open_folder(folder)
+        window.booth.change(title="Fair of today" if folder == root else "")
+        window.close()
+    window = MainWindow(Session(jobs.services()))
+    qtbot.addWidget(window)
+    window.show()
+    window.visitor.recent.follow(file)
+    shown = [one for one in window.visitor.recent.findChildren(QPushButton) if one.isVisible()]
+    assert [one.text() for one in shown] == ["other && fair", "Fair of today (fair)"]
+    qtbot.mouseClick(shown[1], Qt.MouseButton.LeftButton)
+    assert window.booth.root == root
+    assert not window.visitor.recent.isVisible()
+    window.close()
+    shutil.rmtree(other)
+    assert recent_events(file) == (root,), "what is gone is not offered"
+    file.write_text("[[")
+    assert recent_events(file) == ()
 
 
 def test_the_table_of_effort_is_a_window_of_its_own(window, root, qtbot, monkeypatch, tmp_path):

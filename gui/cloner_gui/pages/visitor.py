@@ -11,6 +11,7 @@ from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
 from cloner_gui.pages.person_form import PersonForm
 from cloner_gui.pieces import GAP, Card, button, label, name, scrolled
+from cloner_gui.recent_card import RecentCard
 from cloner_gui.told import told_problem
 from cloner_gui.words import STATES, translate
 
@@ -34,7 +35,7 @@ class VisitorPage(QWidget):
         self.list.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.opening_label = label("dim")
         self.new_button, self.open_button = button("main"), button()
-        self.form = PersonForm(booth)
+        self.form, self.recent = PersonForm(booth), RecentCard()
         self._lay_out()
         self.new_button.clicked.connect(booth.new_visitor)
         self.open_button.clicked.connect(lambda: self.window().choose_folder())  # type: ignore[attr-defined]
@@ -70,6 +71,7 @@ class VisitorPage(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.form)
         column.addWidget(self.hint)
+        column.addWidget(self.recent)
         column.addStretch(1)
         scrolled(right, inside)
         row = QHBoxLayout(self)
@@ -104,6 +106,7 @@ class VisitorPage(QWidget):
         self.form.setVisible(folder is not None)
         self.hint.setVisible(folder is None)
         begin = translate("visitor", "Open the event's folder; an empty one begins a new event.")
+        self.recent.setVisible(root is None and folder is None and bool(self.recent.folders))
         self.hint.setText(begin if root is None else translate("visitor", "Press New visitor when somebody steps up."))
         self._fill()
         self.changed.emit()

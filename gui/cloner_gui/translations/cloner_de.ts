@@ -3031,6 +3031,10 @@
         <source>Visitor {n}</source>
         <translation>Besucher {n}</translation>
     </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
 </context>
 <context>
     <name>webcam</name>

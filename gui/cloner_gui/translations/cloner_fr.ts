@@ -3031,6 +3031,10 @@
         <source>Visitor {n}</source>
         <translation>Visiteur {n}</translation>
     </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Ouverts récemment</translation>
+    </message>
 </context>
 <context>
     <name>webcam</name>

@@ -3030,6 +3030,10 @@
         <source>Visitor {n}</source>
         <translation>Ziyaretçi {n}</translation>
     </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Son açılanlar</translation>
+    </message>
 </context>
 <context>
     <name>webcam</name>
