@@ -257,7 +257,7 @@ class MainWindow(QMainWindow):
 
     def _settle_letters(self) -> None:
         """Give every control that is seen a letter of its own; once, however many pages said that they changed."""
-        settle(self.menuBar(), (self.back, self.aside, self.next), self.stack.currentWidget())
+        settle(self.menuBar(), (self.back, self.aside, self.next), self.stack.page(self.stack.currentIndex()))
 
     def _next_text(self) -> str:
         """Return what the main button does."""

@@ -41,7 +41,7 @@ def served(event, qtbot, monkeypatch):  # noqa: F811
         if number == 0:
             assert not event.phone.is_on, "off until somebody switches it on"
             qtbot.mouseClick(event.takeaway.phone_box, LEFT, pos=event.takeaway.phone_box.rect().center() / 4)
-        qtbot.waitUntil(lambda: bool(event.phone.link()), timeout=60000)
+        qtbot.waitUntil(lambda: bool(event.phone.link()), timeout=300000)
         links.append(event.phone.link())
     assert event.takeaway.code_note.text() == links[1], "what the code holds"
     return event, links
@@ -59,7 +59,7 @@ def beside(qtbot, work):
 
     thread = threading.Thread(target=run)
     thread.start()
-    qtbot.waitUntil(lambda: bool(found), timeout=180000)
+    qtbot.waitUntil(lambda: bool(found), timeout=400000)
     thread.join()
     if isinstance(found[0], Exception):
         raise found[0]
@@ -132,10 +132,10 @@ window = MainWindow(Session(services()))
 window.show()
 window.booth.open(Path(sys.argv[1]))
 window.booth.new_visitor()
-QTimer.singleShot(1500, lambda: window.go(4))
+QTimer.singleShot(500, lambda: window.go(4))
 if sys.argv[2] == "on":
-    QTimer.singleShot(2000, lambda: window.booth.change(phone=True))
-QTimer.singleShot(4000, app.quit)
+    QTimer.singleShot(1000, lambda: window.booth.change(phone=True))
+QTimer.singleShot(2500, app.quit)
 app.exec()
 window.close()
 """
