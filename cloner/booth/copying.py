@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import glob
 import hashlib
 import os
 import shutil
@@ -33,8 +34,7 @@ def copied(source: Path, target: Path, progress: Progress) -> Path:
     OSError
         If it cannot be written.
     """
-    for rest in target.parent.glob(f".{target.name}.partial-*"):
-        _remove(rest)
+    remove_rests(target)
     room = target.with_name(f".{target.name}.partial-{os.getpid()}")
     try:
         files = [source] if source.is_file() else sorted(path for path in source.rglob("*") if path.is_file())
@@ -50,6 +50,12 @@ def copied(source: Path, target: Path, progress: Progress) -> Path:
     finally:
         _remove(room)
     return target
+
+
+def remove_rests(target: Path) -> None:
+    """Remove what a killed run left of a copy that was to be called ``target``."""
+    for rest in target.parent.glob(f".{glob.escape(target.name)}.partial-*"):
+        _remove(rest)
 
 
 class _Told:

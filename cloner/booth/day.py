@@ -26,7 +26,8 @@ class Day:
     ----------
     date : str
         "2026-11-22", by this computer's clock; "" for visitors of whom nothing says when they came.
-    visitors, clones : int
+    visitors, clones, trashed : int
+        Who lies in the trash came too, and is counted in all of it.
     waited_min : tuple of float
         Minutes from the wish for a clone to the clone, of everybody of whom both are known.
     photos : mapping of Trouble to int
@@ -38,6 +39,7 @@ class Day:
     date: str
     visitors: int
     clones: int
+    trashed: int
     waited_min: tuple[float, ...]
     photos: Mapping[Trouble, int]
     failures: Mapping[str, int]
@@ -80,6 +82,7 @@ def _day(date: str, visits: Mapping[Path, Visit], looks: Callable[[Path], Mappin
         date,
         len(visits),
         cloned,
+        sum(bool(visit.trashed) for visit in visits.values()),
         tuple(one for one in waited if one is not None),
         dict(photos.most_common()),
         dict(failures.most_common()),
@@ -118,6 +121,7 @@ def days_csv(told: tuple[Day, ...]) -> str:
         rows = [
             ("visitors", "", str(day.visitors)),
             ("clones", "", str(day.clones)),
+            ("in the trash", "", str(day.trashed)),
             ("minutes in the queue, median", "", f"{day.median_min:.1f}"),
             ("minutes in the queue, longest", "", f"{day.longest_min:.1f}"),
             *(("photos to take again", str(trouble), str(count)) for trouble, count in day.photos.items()),

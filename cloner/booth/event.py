@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import re
 import tempfile
 from collections.abc import Callable, Mapping
@@ -59,8 +60,8 @@ class Event:
         What visitors agree to, by language, "{days}" standing for `retention_days`; a language without takes the
         window's own text.
     licence : str
-        What others may do with the files of visitors who agreed to a text of the event's own that says so; one of
-        `cloner.records.terms.LICENCES`.
+        The most that visitors may let others do with their files, one of `cloner.records.terms.LICENCES`; each
+        chooses at the consent (`cloner.booth.agreed`).
     formats : tuple of str
         Exporters whose files visitors take away.
     camera_folder : str
@@ -209,7 +210,7 @@ def write_event(folder: Path, event: Event) -> None:
 
 def is_visitor(folder: Path) -> bool:
     """Return whether a folder is one visitor's."""
-    return (folder / VISIT_FILE).is_file() or holds_photos(folder)
+    return os.path.isfile(os.path.join(folder, VISIT_FILE)) or holds_photos(folder)
 
 
 def check_event_folder(folder: Path) -> None:
@@ -258,8 +259,9 @@ def is_untouched(folder: Path) -> bool:
 
 def visitor_folders(root: Path) -> tuple[Path, ...]:
     """Return the folders of an event's visitors, by name."""
-    inside = (path for path in sorted(root.iterdir()) if path.is_dir() and not path.name.startswith("."))
-    return tuple(path for path in inside if is_visitor(path))
+    with os.scandir(root) as inside:
+        names = sorted(one.name for one in inside if one.is_dir() and not one.name.startswith("."))
+    return tuple(path for path in (root / name for name in names) if is_visitor(path))
 
 
 def new_visitor(root: Path, now: str) -> Path:

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
-from cloner.booth.copying import copied
+from cloner.booth.copying import copied, remove_rests
 from cloner.cloning import check_formats
 from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
@@ -51,8 +51,7 @@ def hand_over(result: Path, target: Path, formats: Sequence[str], progress: Prog
     clone = load_clone(result / CLONE_FILE)
     room = result.parent / f"{_ROOM}{os.getpid()}"
     try:
-        for rest in result.parent.glob(f"{_ROOM}*"):  # of runs that were killed
-            shutil.rmtree(rest, ignore_errors=True)
+        _remove_rooms(result)
         inside = room / target.stem
         inside.mkdir(parents=True)
         for number, name in enumerate(formats):
@@ -67,6 +66,18 @@ def hand_over(result: Path, target: Path, formats: Sequence[str], progress: Prog
     finally:
         shutil.rmtree(room, ignore_errors=True)
     return target
+
+
+def clean_up(result: Path, target: Path) -> None:
+    """Remove what a run left that was stopped in the middle, beside the clone and where it was to go."""
+    _remove_rooms(result)
+    remove_rests(target)
+
+
+def _remove_rooms(result: Path) -> None:
+    """Remove the files that killed runs made."""
+    for rest in result.parent.glob(f"{_ROOM}*"):
+        shutil.rmtree(rest, ignore_errors=True)
 
 
 def _copy_beside(result: Path, inside: Path) -> None:

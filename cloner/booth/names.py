@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import os
+import tomllib
 from pathlib import Path
 
 from cloner.errors import ClonerError
-from cloner.project.folder import PERSON_FILE, read_person
+from cloner.project.folder import PERSON_FILE
+from cloner.project.texts import read_text
 
 
 def number_of(folder: Path) -> str:
@@ -45,7 +48,7 @@ class KnownNames:
     def read(self, folder: Path) -> str:
         """Return the name as it was typed; "" where there is none, or the file cannot be read."""
         try:
-            found = (folder / PERSON_FILE).stat()
+            found = os.stat(os.path.join(folder, PERSON_FILE))  # asked for hundreds of visitors at once
         except OSError:
             self._known.pop(folder, None)
             return ""
@@ -53,8 +56,9 @@ class KnownNames:
         known = self._known.get(folder)
         if known is None or known[0] != stamp:
             try:
-                name = read_person(folder).name.strip()
-            except ClonerError:
-                name = ""
+                told = tomllib.loads(read_text(folder / PERSON_FILE)).get("name", "")
+            except (ClonerError, tomllib.TOMLDecodeError, RecursionError):
+                told = ""
+            name = told.strip() if isinstance(told, str) else ""
             known = self._known[folder] = (stamp, name)
         return known[1]

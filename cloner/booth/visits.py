@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import logging
+import os
 from dataclasses import asdict, dataclass
 from enum import StrEnum
 from pathlib import Path
@@ -74,6 +75,9 @@ class Visit:
     finished: str = ""
 
 
+_KINDS: Final = {key: type(value) for key, value in asdict(Visit()).items()}
+
+
 def read_visit(folder: Path) -> Visit:
     """Return how far a visitor has come; from the start where the file is missing or broken.
 
@@ -81,8 +85,7 @@ def read_visit(folder: Path) -> Visit:
     """
     try:
         told = json.loads(read_outside(folder / VISIT_FILE, LARGEST_BYTES))
-        usual = asdict(Visit())
-        return Visit(**{key: type(usual[key])(value) for key, value in told.items() if key in usual})
+        return Visit(**{key: _KINDS[key](value) for key, value in told.items() if key in _KINDS})
     except FileNotFoundError:
         return Visit()
     except (OSError, ValueError, TypeError, AttributeError, ArithmeticError, RecursionError):
@@ -99,7 +102,7 @@ class KnownVisits:
     def read(self, folder: Path) -> Visit:
         """Return how far a visitor has come, as :func:`read_visit` does."""
         try:
-            found = (folder / VISIT_FILE).stat()
+            found = os.stat(os.path.join(folder, VISIT_FILE))  # asked for hundreds of visitors at once
         except OSError:
             self._known.pop(folder, None)
             return read_visit(folder)

@@ -65,7 +65,9 @@ class Worker:
         ClonerError
             Of the job, or if the process dies.
         """
-        with self._turn:
+        while not self._turn.acquire(timeout=LISTEN_S):
+            progress("", 0.0)  # who waits behind another job may give up too
+        try:
             pipe = self._connected()
             try:
                 pipe.send((method, arguments))
@@ -78,6 +80,8 @@ class Worker:
             except BaseException:
                 self.stop()
                 raise
+        finally:
+            self._turn.release()
 
     def start(self) -> None:
         """Start the process before it is needed: its first job then does not wait for imports."""

@@ -10,10 +10,11 @@ from pathlib import Path
 from types import FrameType
 from typing import Final
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, QTimer
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QStandardPaths, QTimer
 from PySide6.QtWidgets import QApplication
 
 from cloner.booth.event import Event
+from cloner.booth.recent import RECENT_FILE
 from cloner_gui.dialogs import catch_everything
 from cloner_gui.effort import ClickCounter
 from cloner_gui.main_window import MainWindow
@@ -52,6 +53,8 @@ def run_app(folder: Path | None = None, services: Services | None = None) -> int
     session = Session(services or process_services())
     window = MainWindow(session)
     window.menus.follow()
+    kept = QStandardPaths.writableLocation(QStandardPaths.StandardLocation.AppConfigLocation)
+    window.visitor.recent.follow(Path(kept) / RECENT_FILE)
     catch_everything(window.notice.tell)
     counter = ClickCounter(window.booth)
     app.installEventFilter(counter)

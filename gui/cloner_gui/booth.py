@@ -132,9 +132,9 @@ class Booth(Desk):
         if root is not None and camera is not None:
             self._guard(lambda: arrivals.write_note(root, camera, known))
 
-    def terms(self, language: str) -> Mapping[str, str]:
-        """Return the event's title, and its licence where its own text in the language was read."""
-        return {} if self.root is None else agreed_terms(self.settings, self.root, language)
+    def terms(self, language: str, licence: str = "") -> Mapping[str, str]:
+        """Return the event's title, and the licence that was chosen, or that the event's own text speaks of."""
+        return {} if self.root is None else agreed_terms(self.settings, self.root, language, licence)
 
     def typed_name(self, folder: Path) -> str:
         """Return a visitor's name as it was typed."""
@@ -201,15 +201,15 @@ class Booth(Desk):
 
     # --- what is held ---------------------------------------------------------
 
-    def held(self) -> tuple[Holding, ...]:
-        """Return what is held of everybody."""
-        return () if self.root is None else keeping.held(self.root)
+    def held_soon(self) -> Callable[[], tuple[Holding, ...]]:
+        """Return work that gives what is held of everybody; it looks at every file and belongs on another thread."""
+        root = self.root
+        return lambda: () if root is None else keeping.held(root)
 
-    def overdue(self) -> tuple[Holding, ...]:
-        """Return whose time is over."""
-        if self.root is None:
-            return ()
-        return keeping.overdue(self.root, self.settings.retention_days, datetime.now(UTC))
+    def overdue_soon(self) -> Callable[[], tuple[Holding, ...]]:
+        """Return work that gives whose time is over; as :meth:`held_soon`."""
+        root, days = self.root, self.settings.retention_days
+        return lambda: () if root is None else keeping.overdue(root, days, datetime.now(UTC))
 
     def forget(self, folder: Path) -> tuple[str, ...]:
         """Delete a visitor with everything derived; return the files that still speak of it."""

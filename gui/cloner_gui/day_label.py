@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Mapping
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from cloner.booth import trash
 from cloner.booth.day import Day, days, days_csv
 from cloner.booth.looks import read_looks
+from cloner.booth.visits import Visit, read_visit
 from cloner.errors import ClonerError
 from cloner.project.atomic import write_text
 from cloner_gui.booth import Booth
@@ -35,7 +38,7 @@ class DayNumbers(QObject):
 
     def refresh(self) -> None:
         """Work the numbers out anew, soon."""
-        work = functools.partial(days, dict(self._booth.visits()), read_looks)
+        work = functools.partial(_counted, dict(self._booth.visits()), self._booth.root)
         newest().ask(self, "numbers", work, self._take, self._booth.failed.emit)
 
     def _take(self, found: tuple[Day, ...]) -> None:
@@ -60,6 +63,8 @@ class DayNumbers(QObject):
         parts = [
             translate("day", "{day}: {n} visitors, {m} clones.").format(day=day.date, n=day.visitors, m=day.clones)
         ]
+        if day.trashed:
+            parts.append(translate("day", "{n} of them lie in the trash.").format(n=day.trashed))
         if day.waited_min:
             waits = translate("day", "In the queue {m} minutes in the middle, {l} at most.")
             parts.append(waits.format(m=f"{day.median_min:.1f}", l=f"{day.longest_min:.1f}"))
@@ -68,3 +73,9 @@ class DayNumbers(QObject):
         if reasons:
             parts.append(translate("day", "Refused: {reasons}.").format(reasons="; ".join(reasons)))
         return " ".join(parts)
+
+
+def _counted(visits: Mapping[Path, Visit], root: Path | None) -> tuple[Day, ...]:
+    """Return the days' numbers of everybody who came, those in the trash too: what was refused then counts as well."""
+    thrown = () if root is None else trash.thrown_away(root)
+    return days({**visits, **{folder: read_visit(folder) for folder in thrown}}, read_looks)

@@ -16,6 +16,8 @@ from cloner.booth.person_file import consent_given, person_facts, write_person
 from cloner.booth.visits import read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.project.folder import read_terms
+from cloner.records.terms import Terms
 from cloner_gui.clone_queue import now_text, update_visit
 from cloner_gui.session import Session
 
@@ -48,13 +50,20 @@ class Desk(QObject):
         consent = self.session.consent
         self._save(name, height_cm, consent)
 
-    def agree(self, text: str, language: str) -> None:
-        """Record that the open visitor agrees to a text, now."""
-        self._save(*self.person()[:2], consent_given(text, datetime.now(UTC), language), self.terms(language))
+    def agree(self, text: str, language: str, licence: str = "") -> None:
+        """Record that the open visitor agrees to a text, now, and who may use the files; "" takes the usual."""
+        given = consent_given(text, datetime.now(UTC), language)
+        self._save(*self.person()[:2], given, self.terms(language, licence))
 
-    def terms(self, language: str) -> Mapping[str, str]:
+    def terms(self, language: str, licence: str = "") -> Mapping[str, str]:
         """Return what a consent given now, in a language, says besides its text; nothing without an event."""
         return {}
+
+    def licence(self) -> str:
+        """Return who may use the open visitor's files, one of `LICENCES`; "" before there is a consent."""
+        folder = self.session.folder
+        terms: Terms | None = None if folder is None else self._guard(lambda: read_terms(folder))
+        return "" if terms is None else terms.licence
 
     def withdraw_consent(self) -> None:
         """Record that the open visitor agrees no more; what is stored already is deleted on the last page."""

@@ -29,6 +29,7 @@ class Handing(QObject):
         self._task: Task | None = None
         self.step, self.fraction = "", 0.0
         self.target: Path | None = None
+        self._stopped = False
 
     @property
     def busy(self) -> bool:
@@ -42,6 +43,8 @@ class Handing(QObject):
         if self.target is not None:
             place = f"{self.target.parent.name}/{self.target.name}"
             return translate("takeaway", "Written and read back: {place}").format(place=place)
+        if self._stopped:
+            return translate("takeaway", "Stopped: nothing of it was left there.")
         return translate("takeaway", "Choose what the visitor takes home.")
 
     def start(self, target: Path, formats: tuple[str, ...]) -> None:
@@ -51,7 +54,8 @@ class Handing(QObject):
             return
         services, result = self._session.services, outcome.folder
         self._task = Task(lambda progress: services.hand_over(result, target, formats, progress), self)
-        self.step, self.fraction = "", 0.0
+        self.step, self.fraction, self.target, self._stopped = "", 0.0, None, False
+        self._task.stopped.connect(self._note_stop)
         self._task.progressed.connect(self._tell)
         self._task.succeeded.connect(self._take)
         self._task.failed.connect(self.failed)
@@ -61,7 +65,12 @@ class Handing(QObject):
 
     def forget(self) -> None:
         """Forget where the last visitor's files went."""
-        self.target = None
+        self.target, self._stopped = None, False
+
+    def stop(self) -> None:
+        """Stop at once; what was begun is removed again."""
+        if self._task is not None:
+            self._task.cancel()
 
     def close(self) -> None:
         """Stop, and wait for it."""
@@ -76,6 +85,9 @@ class Handing(QObject):
 
     def _take(self, target: Path) -> None:
         self.target = target
+
+    def _note_stop(self) -> None:
+        self._stopped = True
 
     def _done(self) -> None:
         if self._task is not None:

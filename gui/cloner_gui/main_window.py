@@ -5,16 +5,18 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Final, cast
 
-from PySide6.QtCore import QEvent, Qt
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QMainWindow, QVBoxLayout, QWidget
 
+from cloner.holdings import Holding
 from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget
 from cloner_gui.kiosk import Kiosk
 from cloner_gui.letters import settle
 from cloner_gui.logs import log_to
 from cloner_gui.menus import Menus
+from cloner_gui.newest import newest
 from cloner_gui.notice import Notice
 from cloner_gui.pages.photos import PhotosPage
 from cloner_gui.pages.takeaway import TakeawayPage
@@ -24,7 +26,7 @@ from cloner_gui.pieces import GAP, button, label
 from cloner_gui.queue_bar import QueueBar
 from cloner_gui.session import Session
 from cloner_gui.shelf import Page, Shelf
-from cloner_gui.step_bar import StepBar
+from cloner_gui.step_bar import StepBar, step_titles
 from cloner_gui.words import translate
 
 if TYPE_CHECKING:
@@ -61,6 +63,8 @@ class MainWindow(QMainWindow):
         self.queue_bar = QueueBar(self.booth)
         self.back, self.aside, self.next, self.reason = button(), button(), button("main"), label("dim")
         self.who = QLabel()
+        self._letters_soon = QTimer(self, singleShot=True, interval=0)
+        self._letters_soon.timeout.connect(self._settle_letters)
         self._lay_out()
         self.notice = Notice(self.stack)
         self.menus = Menus(self)
@@ -105,15 +109,20 @@ class MainWindow(QMainWindow):
         """Open an event, its log beside it, and ask about visitors whose time is over; or open one visitor."""
         self.booth.open(folder)
         if self.booth.root == folder:
+            self.visitor.recent.note(folder)
             log_to(folder)
             self.booth.empty_trash()
             self.sweep()
 
     def sweep(self) -> None:
         """Ask about visitors whose time is over."""
-        overdue = self.booth.overdue()
-        if overdue:
-            ask_to_forget(self.booth, [one.folders[0] for one in overdue], self)
+        newest().ask(self, "overdue", self.booth.overdue_soon(), self._ask_about, self.booth.failed.emit)
+
+    def _ask_about(self, overdue: tuple[Holding, ...]) -> None:
+        """Ask whether visitors whose time is over are deleted, if their event is still open."""
+        folders = [one.folders[0] for one in overdue if self.booth.root in one.folders[0].parents]
+        if folders:
+            ask_to_forget(self.booth, folders, self)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Save, and stop the work before the window goes; a kiosk goes for the operator alone."""
@@ -178,6 +187,7 @@ class MainWindow(QMainWindow):
             self._page(number).changed.connect(self._refresh)
         self.stack.made.connect(lambda page: page.changed.connect(self._refresh))
         self.steps.chosen.connect(self.go)
+        self.visitor.recent.chosen.connect(self.open_folder)
         self.back.clicked.connect(lambda: self.go(self.stack.currentIndex() - 1))
         self.next.clicked.connect(self._go_on)
 
@@ -243,8 +253,11 @@ class MainWindow(QMainWindow):
         self.reason.setText("" if leaves and number == TAKEAWAY else reason or waits)
         self.queue_bar.leave_to_page(number == CLONE)
         self._show_who()
-        frame = (self.back, self.aside, self.next)
-        settle(self.menuBar(), frame, self.stack.page(number))
+        self._letters_soon.start()
+
+    def _settle_letters(self) -> None:
+        """Give every control that is seen a letter of its own; once, however many pages said that they changed."""
+        settle(self.menuBar(), (self.back, self.aside, self.next), self.stack.page(self.stack.currentIndex()))
 
     def _next_text(self) -> str:
         """Return what the main button does."""
@@ -268,17 +281,6 @@ class MainWindow(QMainWindow):
             self.next.click()
         else:
             super().keyPressEvent(event)
-
-
-def step_titles() -> tuple[str, ...]:
-    """Return what the steps are called."""
-    return (
-        translate("visitor", "Visitor"),
-        translate("photos", "Photos"),
-        translate("points", "Points"),
-        translate("clone", "Clone"),
-        translate("takeaway", "Take away"),
-    )
 
 
 # Both pages draw in three dimensions and know the fit; loading that takes longer than all the rest of the window.

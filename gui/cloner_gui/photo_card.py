@@ -7,8 +7,8 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QMimeData, QPoint, QSize, Qt, Signal
-from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent, QKeyEvent, QMouseEvent, QPixmap, QResizeEvent
+from PySide6.QtCore import QMimeData, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent, QKeyEvent, QMouseEvent, QPixmap, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
 from cloner.frames import ViewId
@@ -33,6 +33,8 @@ class Picture(QLabel):
         self._rgb: NDArray[np.uint8] | None = None
         self._whole: QPixmap | None = None
         self._pose: ViewId | None = None
+        self._draw_soon = QTimer(self, singleShot=True, interval=0)
+        self._draw_soon.timeout.connect(self._draw_pose)
 
     def sizeHint(self) -> QSize:
         """Return the least size: what is shown takes what room there is, and asks for none."""
@@ -59,17 +61,29 @@ class Picture(QLabel):
         self._fit()
         self.resized.emit()
 
+    def _draw_pose(self) -> None:
+        """Draw how to stand, or nothing."""
+        drawn, ratio = QPixmap(), self.devicePixelRatioF()
+        if self._pose is not None:
+            palette = self.palette()
+            ink, paper = palette.placeholderText().color(), palette.window().color()
+            drawn = pose_picture(self._pose, (self.size() * ratio).expandedTo(QSize(8, 8)), ink, paper)
+            drawn.setDevicePixelRatio(ratio)
+        self.setPixmap(drawn)
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Draw what was shown meanwhile."""
+        super().showEvent(event)
+        self._fit()
+
     def _fit(self) -> None:
+        if not self.isVisible():
+            return  # drawn when it is seen
         ratio = self.devicePixelRatioF()
         if self._whole is None:
-            drawn = QPixmap()
-            if self._pose is not None:
-                palette = self.palette()
-                ink, paper = palette.placeholderText().color(), palette.window().color()
-                drawn = pose_picture(self._pose, (self.size() * ratio).expandedTo(QSize(8, 8)), ink, paper)
-                drawn.setDevicePixelRatio(ratio)
-            self.setPixmap(drawn)
+            self._draw_soon.start()  # five figures at once would hold the window up
             return
+        self._draw_soon.stop()
         mode = (Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation)
         fitted = self._whole.scaled(self.size() * ratio, *mode)
         fitted.setDevicePixelRatio(ratio)

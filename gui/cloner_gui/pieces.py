@@ -8,16 +8,19 @@ from PySide6.QtWidgets import (
     QCheckBox,
     QFrame,
     QHBoxLayout,
+    QHeaderView,
     QLabel,
     QPushButton,
     QScrollArea,
     QSizePolicy,
+    QTableWidget,
     QVBoxLayout,
     QWidget,
 )
 
 GAP = 12  # px between things on a page; taste
 EDGE = 18  # px around a card's content; taste
+LINE_PX = 17  # height of a line of text of the usual size
 
 
 class Card(QFrame):
@@ -99,6 +102,26 @@ def button(kind: str = "") -> QPushButton:
     made.setObjectName(kind)
     made.setSizePolicy(QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
     return made
+
+
+def roomy(window: QWidget, width: int, height: int) -> None:
+    """Give a window a size that grows with its letters, as far as the screen goes.
+
+    Parameters
+    ----------
+    window : QWidget
+    width, height : int
+        px where a line is `LINE_PX` high.
+    """
+    share = max(window.fontMetrics().height() / LINE_PX, 1.0)
+    screen = window.screen().availableGeometry()
+    window.resize(min(round(share * width), screen.width()), min(round(share * height), screen.height()))
+
+
+def show_whole_columns(table: QTableWidget) -> None:
+    """Make every column as wide as its heading and its longest cell; it scrolls where there is no room for all."""
+    table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
+    table.setHorizontalScrollMode(QTableWidget.ScrollMode.ScrollPerPixel)
 
 
 def name(widget: QWidget, text: str, told: str = "") -> None:

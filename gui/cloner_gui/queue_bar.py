@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
+from typing import Final
 
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
 from cloner_gui.booth import Booth
 from cloner_gui.pieces import name
 from cloner_gui.words import spoken_step, spoken_time, translate
+
+_LEAST_PX: Final = 170
 
 
 class QueueBar(QWidget):
@@ -23,7 +27,7 @@ class QueueBar(QWidget):
         self.bar.setTextVisible(False)
         self.bar.setFixedWidth(90)
         self.text.setWordWrap(True)
-        self.text.setMinimumWidth(170)
+        self.text.setMinimumWidth(_LEAST_PX)
         self.cancel.setText("✕")
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
@@ -63,6 +67,8 @@ class QueueBar(QWidget):
             name=self._booth.name_of(folder), step=spoken_step(step), left=left
         )
         self.text.setText(told + waiting)
+        longest = max(map(self.text.fontMetrics().horizontalAdvance, re.split(r"\s|(?<=-)", told)))
+        self.text.setMinimumWidth(max(_LEAST_PX, longest + 2))  # a long name in large letters
         self.bar.setValue(round(1000 * fraction))
 
     def _stop(self) -> None:

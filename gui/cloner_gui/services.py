@@ -15,7 +15,7 @@ from cloner.booth.looking_table import Look
 from cloner.booth.opened import Cloned, Opened, open_visitor, read_cloned
 from cloner.booth.photo_files import placed_photos
 from cloner.booth.worker import Progress, Show, Worker
-from cloner.errors import ClonerError
+from cloner.errors import Cancelled, ClonerError
 from cloner.frames import ViewId
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Corrections, ViewPoints
@@ -128,7 +128,13 @@ def _clone(
 
 
 def _hand_over(worker: Worker, result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
-    written: Path = worker.call("hand_over", result, target, tuple(formats), progress=progress)
+    try:
+        written: Path = worker.call("hand_over", result, target, tuple(formats), progress=progress)
+    except Cancelled:  # the process was killed wherever it was
+        from cloner.booth.handing import clean_up  # all exporters: not paid for at the start
+
+        clean_up(result, target)
+        raise
     return written
 
 

@@ -39,3 +39,14 @@ class StepBar(QWidget):
             one.setEnabled(number <= reachable or number == current)
             step = translate("window", "Step {n}: {title}").format(n=number + 1, title=title)
             name(one, step)
+
+
+def step_titles() -> tuple[str, ...]:
+    """Return what the steps are called."""
+    return (
+        translate("visitor", "Visitor"),
+        translate("photos", "Photos"),
+        translate("points", "Points"),
+        translate("clone", "Clone"),
+        translate("takeaway", "Take away"),
+    )

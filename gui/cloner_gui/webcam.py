@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QRectF, Qt, QThread, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QPainter, QPainterPath, QPaintEvent, QPen
-from PySide6.QtWidgets import QComboBox, QDialog, QHBoxLayout, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QDialog, QVBoxLayout, QWidget
 
 from cloner.booth.camera import Camera, Webcam, shrunk, turned, turned_file
 from cloner.booth.tethered import Tethered
@@ -19,6 +19,7 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner_gui.canvas.painting import pixmap_of
 from cloner_gui.canvas.poses import pose_outline as pose_outline
+from cloner_gui.flow import Flow
 from cloner_gui.pieces import button, label, name
 from cloner_gui.words import VIEW_TITLES, translate
 
@@ -211,7 +212,7 @@ class WebcamDialog(QDialog):
         name(self.sources, translate("webcam", "Which camera takes it"))
         name(self.views, translate("webcam", "Which photo is taken"))
         name(self.live, translate("webcam", "Live picture"))
-        row, column = QHBoxLayout(), QVBoxLayout(self)
+        row, column = Flow(), QVBoxLayout(self)
         for one in (self.sources, self.views, self.turn_button, self.take_button):
             row.addWidget(one)
         column.addWidget(self.live, 1)

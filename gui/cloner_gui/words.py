@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterator, Mapping
 from typing import Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication, QTranslator
 
 from cloner.booth.looking_table import Trouble
 from cloner.booth.visits import State
@@ -24,6 +24,11 @@ class Spoken(Mapping[str, str]):
     def __getitem__(self, key: str) -> str:
         """Return the words in the window's language."""
         return translate(self._context, str(self._words[key]))
+
+    def by(self, translator: QTranslator, key: str) -> str:
+        """Return the words in another language than the window's."""
+        text = str(self._words[key])
+        return translator.translate(self._context, text) or text
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._words)
@@ -94,6 +99,25 @@ STATES: Final = Spoken(
         State.WAITING: QT_TRANSLATE_NOOP("states", "waiting for the clone"),
         State.CLONED: QT_TRANSLATE_NOOP("states", "cloned"),
         State.FAILED: QT_TRANSLATE_NOOP("states", "not cloned: look at the photos"),
+    },
+)
+#: Who may use a visitor's files, by licence; and what that means.
+LICENCE_NAMES: Final = Spoken(
+    "licences",
+    {
+        "own": QT_TRANSLATE_NOOP("licences", "the visitor alone"),
+        "event": QT_TRANSLATE_NOOP("licences", "visitor and event"),
+        "everyone": QT_TRANSLATE_NOOP("licences", "everybody"),
+    },
+)
+LICENCE_MEANINGS: Final = Spoken(
+    "licences",
+    {
+        "own": QT_TRANSLATE_NOOP("licences", "Nobody else may use the files or earn money with them."),
+        "event": QT_TRANSLATE_NOOP("licences", "The event may use the files too, also in its advertising."),
+        "everyone": QT_TRANSLATE_NOOP(
+            "licences", "Everybody may use the files, change them and pass them on, but not earn money with them."
+        ),
     },
 )
 #: What visitors agree to, unless the event has a text of its own.

@@ -34,7 +34,7 @@ class Jobs:
         self.seen = []
         self.looks = {}
         self.default = None
-        self.hold_points = self.hold_looks = None
+        self.hold_points = self.hold_looks = self.hold_copies = None
 
     def services(self):
         return Services(look=self.look, propose=self.propose, clone=self.clone, hand_over=self.hand_over)
@@ -72,6 +72,8 @@ class Jobs:
         return Cloned(folder / "clones" / folder.name, {"clone": clone}, ("the hair is a guess",)), 12.5
 
     def hand_over(self, result, target, formats, progress):
+        while self.hold_copies is not None and not self.hold_copies.wait(0.01):
+            progress("copy", 0.7)
         target.mkdir()
         for name in formats:
             (target / f"clone.{name}").write_text("x")

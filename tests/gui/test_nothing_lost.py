@@ -369,7 +369,7 @@ def test_an_empty_card_shows_how_to_stand_at_every_size(event, qtbot):  # noqa: 
         event.resize(width, 740)
         QApplication.processEvents()
         card = event.photos.cards[SIDE]
-        assert card.picture.pixmap().height() > 100
+        qtbot.waitUntil(lambda card=card: card.picture.pixmap().height() > 100)
         assert card.verdict.text() == "Drop a photo here"
 
 

@@ -2,14 +2,17 @@
 
 import logging
 import os
+import shutil
 import time
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QDialog, QFileDialog
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QPushButton
 
 from cloner.booth.event import new_visitor, read_event
 from cloner.booth.person_file import write_person
+from cloner.booth.recent import recent_events
 from cloner.errors import ClonerError
 from cloner_gui.effort import ClickCounter
 from cloner_gui.logs import log_to
@@ -50,19 +53,25 @@ def window(qtbot, jobs, root):
             handler.close()
 
 
-def test_whose_time_is_over_is_asked_about_at_the_start(window, root):
+def asked(window, qtbot):
+    """Return the question that comes when everybody's files were counted."""
+    qtbot.waitUntil(lambda: any(box.isVisible() for box in window.findChildren(QMessageBox)), timeout=10000)
+    return _box(window)
+
+
+def test_whose_time_is_over_is_asked_about_at_the_start(window, root, qtbot):
     window.open_folder(root)
-    box = _box(window)
+    box = asked(window, qtbot)
     assert "Anna Long (1)" in box.text()
     assert "Visitor 2" not in box.text()
     box.reject()
     assert (root / "visitor-001").is_dir(), "nothing goes unasked"
     window.booth.change(retention_days=0)
     window.sweep()
-    assert window.booth.overdue() == ()
+    assert window.booth.overdue_soon()() == ()
     window.booth.change(retention_days=30)
     window.sweep()
-    next(one for one in _box(window).buttons() if "Delete" in one.text()).click()
+    next(one for one in asked(window, qtbot).buttons() if "Delete" in one.text()).click()
     assert [path.name for path in sorted(root.glob("visitor-*"))] == ["visitor-002"]
 
 
@@ -70,8 +79,9 @@ def test_the_list_says_what_is_held_and_deletes_who_is_marked(window, root, qtbo
     window.booth.open(root)
     held = HeldWindow(window.booth, window)
     held.show()
-    assert held.table.rowCount() == 2
-    assert held.table.item(0, 4).text().startswith("yes")
+    qtbot.waitUntil(lambda: held.table.rowCount() == 2, timeout=10000)
+    assert held.table.item(0, 4).text() == "2026-10-01 10:00 UTC, en"
+    assert held.table.item(0, 4).toolTip().startswith("yes"), "all of it, where somebody asks"
     assert held.table.item(1, 4).text() == "not recorded"
     held.table.selectRow(0)
     target = tmp_path / "out.zip"
@@ -80,7 +90,7 @@ def test_the_list_says_what_is_held_and_deletes_who_is_marked(window, root, qtbo
     assert target.stat().st_size > 100
     qtbot.mouseClick(held.forget_button, Qt.MouseButton.LeftButton)
     next(one for one in _box(held).buttons() if "Delete" in one.text()).click()
-    assert held.table.rowCount() == 1
+    qtbot.waitUntil(lambda: held.table.rowCount() == 1, timeout=10000)
     assert not (root / "visitor-001").exists()
 
 
@@ -93,6 +103,53 @@ def test_settings_are_saved_in_the_events_folder(window, root):
     dialog.accept()
     assert (read_event(root).retention_days, read_event(root).consents) == (7, {"en": "Our own words."})
     assert window.visitor.form.asked() == "Our own words."
+
+
+def test_the_logo_is_a_picture_that_is_chosen_and_taken_away_again(window, root, qtbot, monkeypatch, tmp_path):
+    window.booth.open(root)
+    dialog = SettingsWindow(window.booth, window)
+    dialog.show()
+    (tmp_path / "no.png").write_bytes(b"no picture")
+    QImage(40, 20, QImage.Format.Format_RGB32).save(str(tmp_path / "fair.png"))
+    for file, seen in (("no.png", ""), ("fair.png", str(tmp_path / "fair.png"))):
+        place = str(tmp_path / file)
+        monkeypatch.setattr("cloner_gui.logo_field.QFileDialog.getOpenFileName", lambda *_, place=place: (place, ""))
+        qtbot.mouseClick(dialog.logo.choose_button, Qt.MouseButton.LeftButton)
+        assert dialog.logo.path == seen
+    assert dialog.logo.seen.pixmap().size().toTuple() == (96, 48)
+    dialog.accept()
+    assert read_event(root).logo == str(tmp_path / "fair.png")
+    dialog = SettingsWindow(window.booth, window)
+    dialog.show()
+    qtbot.mouseClick(dialog.logo.none_button, Qt.MouseButton.LeftButton)
+    dialog.accept()
+    assert read_event(root).logo == ""
+
+
+def test_events_that_were_open_last_are_offered_at_the_start(qtbot, jobs, root, tmp_path):
+    file, other = tmp_path / "config" / "recent.json", tmp_path / "other & fair"
+    other.mkdir()
+    for folder in (root, other):
+        window = MainWindow(Session(jobs.services()))
+        qtbot.addWidget(window)
+        window.visitor.recent.follow(file)
+        window.open_folder(folder)
+        window.booth.change(title="Fair of today" if folder == root else "")
+        window.close()
+    window = MainWindow(Session(jobs.services()))
+    qtbot.addWidget(window)
+    window.show()
+    window.visitor.recent.follow(file)
+    shown = [one for one in window.visitor.recent.findChildren(QPushButton) if one.isVisible()]
+    assert [one.text() for one in shown] == ["other && fair", "Fair of today (fair)"]
+    qtbot.mouseClick(shown[1], Qt.MouseButton.LeftButton)
+    assert window.booth.root == root
+    assert not window.visitor.recent.isVisible()
+    window.close()
+    shutil.rmtree(other)
+    assert recent_events(file) == (root,), "what is gone is not offered"
+    file.write_text("[[")
+    assert recent_events(file) == ()
 
 
 def test_the_table_of_effort_is_a_window_of_its_own(window, root, qtbot, monkeypatch, tmp_path):

@@ -4,6 +4,7 @@ import email
 import email.policy
 import json
 import re
+import threading
 
 import cv2
 import numpy as np
@@ -12,6 +13,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from cloner.booth.visits import Visit, write_visit
+from cloner_gui.letters import letter_of, lettered_in
 from cloner_gui.main_window import TAKEAWAY
 from cloner_gui.printed_card import card_image
 from kit.odd_programs import install
@@ -137,6 +139,9 @@ def test_a_stick_is_found_by_itself_written_read_back_and_let_go(taken, qtbot, t
     qtbot.waitUntil(lambda: row.copy_button.isVisible(), timeout=10000)
     assert row.copy_button.text().replace("&&", "+").replace("&", "") == "Copy to FAIR + CO"
     assert row.note.text() == "7.5 GB are free."
+    qtbot.wait(50)
+    letters = [letter_of(one.text()) for one in lettered_in(taken.takeaway) if one.isVisible()]
+    assert len(letters) == len(set(letters)), "a stick that comes by itself takes nobody's letter"
     qtbot.mouseClick(row.copy_button, LEFT)
     qtbot.waitUntil(lambda: not taken.takeaway.handing.busy, timeout=20000)
     assert (stick / "visitor-001" / "clone.glb").is_file()
@@ -146,6 +151,28 @@ def test_a_stick_is_found_by_itself_written_read_back_and_let_go(taken, qtbot, t
     qtbot.waitUntil(lambda: row.note.text() == "FAIR & CO can be pulled out.", timeout=10000)
     qtbot.waitUntil(lambda: not row.busy and row.copy_button.isHidden(), timeout=10000)
     assert log.read_text().splitlines()[0].startswith("unmount")
+
+
+def test_copying_is_stopped_by_a_button_and_nothing_is_left(taken, qtbot, tmp_path, jobs, monkeypatch):
+    page, stick = taken.takeaway, tmp_path / "stick"
+    stick.mkdir()
+    monkeypatch.setattr("cloner_gui.pages.takeaway.QFileDialog.getExistingDirectory", lambda *_: str(stick))
+    jobs.hold_copies = threading.Event()
+    assert not page.stop_button.isVisible()
+    qtbot.mouseClick(page.folder_button, LEFT)
+    qtbot.waitUntil(lambda: page.handing.step == "copy", timeout=10000)
+    assert page.stop_button.isVisible()
+    qtbot.mouseClick(page.stop_button, LEFT)
+    qtbot.waitUntil(lambda: not page.handing.busy, timeout=5000)
+    assert page.status.text() == "Stopped: nothing of it was left there."
+    assert list(stick.iterdir()) == []
+    assert not taken.notice.isVisible(), "that was no error"
+    jobs.hold_copies = None
+    qtbot.mouseClick(page.folder_button, LEFT)
+    qtbot.waitUntil(lambda: not page.handing.busy, timeout=20000)
+    assert (stick / "visitor-001" / "clone.glb").is_file()
+    assert "stick/visitor-001" in page.status.text()
+    assert not page.stop_button.isVisible()
 
 
 def test_where_sticks_cannot_be_found_it_is_said(taken, qtbot, tmp_path, monkeypatch):

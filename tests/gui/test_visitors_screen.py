@@ -32,6 +32,8 @@ def stage(event, qtbot):  # noqa: F811
 def test_sample_people_turn_until_a_visitor_may_be_seen(event, stage, qtbot):  # noqa: F811
     loop = stage.attract
     assert loop.active
+    loop._timer.timeout.disconnect(loop.go_on)  # only the test turns them, however slow the machine is
+    loop.side = loop._turned = 0
     assert stage.middle.currentWidget() is loop
     assert stage.who.text().startswith("Five photos")
     front = loop.grab().toImage()
@@ -99,4 +101,10 @@ def test_the_gallery_tells_the_numbers_of_the_day_and_saves_them(event, qtbot, t
     rows = list(csv.reader((tmp_path / "n.csv").open()))
     assert ["visitors", "", "2"] in [row[1:] for row in rows]
     assert ["photos to take again", "blurred", "1"] in [row[1:] for row in rows]
+    gallery.list.setCurrentRow(1)
+    gallery.list.item(1).setSelected(True)
+    qtbot.mouseClick(gallery.trash_button, LEFT)
+    qtbot.waitUntil(lambda: "1 of them lie in the trash" in gallery.numbers_label.text(), timeout=10000)
+    assert "2 visitors, 2 clones" in gallery.numbers_label.text()
+    assert "Refused: 1 × It is blurred." in gallery.numbers_label.text(), "what was refused was refused"
     gallery.close()

@@ -64,6 +64,34 @@ class Page:
         self._ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
         self._ask("Page.navigate", url=path.resolve().as_uri())
 
+    def visit(self, url: str, width: int, height: int, density: float) -> None:
+        """Open an address as a telephone does: a small dense screen and a finger."""
+        self._ask(
+            "Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=density, mobile=True
+        )
+        self._ask("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=1)
+        self._ask("Page.navigate", url=url)
+
+    def drag(self, places: list[tuple[float, float]]) -> None:
+        """Put a finger down, move it along places in points of the page, and lift it."""
+        for number, (x, y) in enumerate(places):
+            kind = "touchMove" if number else "touchStart"
+            self._ask("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y}])
+        self._ask("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
+    def tap(self, selector: str) -> None:
+        """Tap in the middle of an element, scrolled to where it is seen."""
+        there = f"document.querySelector({json.dumps(selector)})"
+        self.value(f"{there}.scrollIntoView({{block: 'center', behavior: 'instant'}})")
+        box = self.value(
+            f"(() => {{const b = {there}.getBoundingClientRect(); return [b.x + b.width / 2, b.y + b.height / 2]}})()"
+        )
+        self.drag([(box[0], box[1])])
+
+    def keep_downloads(self, folder: Path) -> None:
+        """Let downloads go into a folder."""
+        self._ask("Page.setDownloadBehavior", behavior="allow", downloadPath=str(folder))
+
     def value(self, expression: str) -> Any:
         """Return the JSON value of a JavaScript expression."""
         found = self._ask("Runtime.evaluate", expression=expression, returnByValue=True, awaitPromise=True)

@@ -11,6 +11,7 @@ from cloner.frames import ViewId
 
 #: Which way a figure that is seen from the side looks: the quarter turn to the left shows the right side.
 _UPRIGHT: Final = 0.56  # width over height of a picture that a figure fits
+_HEAD: Final = 0.66  # the same of a head, whose nose stands out at the side
 _NOSE: Final = ((0.065, 0.055), (0.085, 0.075), (0.062, 0.085))
 
 
@@ -30,8 +31,9 @@ def _drawn_pose(view: ViewId, size: QSize, ink: QColor, paper: QColor) -> QPixma
     picture.fill(Qt.GlobalColor.transparent)
     painter = QPainter(picture)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    high = min(float(size.height()), size.width() / _UPRIGHT)
-    room = QRectF(0, 0, _UPRIGHT * high, high)  # all of the figure is seen, however narrow the card
+    share = _HEAD if view.is_face else _UPRIGHT
+    high = min(float(size.height()), size.width() / share)
+    room = QRectF(0, 0, share * high, high)  # all of the figure is seen, however narrow the card
     room.moveCenter(QRectF(0, 0, size.width(), size.height()).center())
     painter.setPen(QPen(ink, max(size.height() / 90.0, 1.5)))
     painter.setBrush(paper)

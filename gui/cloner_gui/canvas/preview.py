@@ -99,6 +99,8 @@ class Preview(QLabel):
         if clone is None:
             self._film.stop()
             self.setText(self.empty_text)
+        elif self.pixmap().isNull():
+            self.setText("")  # it is being drawn: nobody has to press Clone any more
         self.refresh()
 
     def set_mode(self, mode: str) -> None:

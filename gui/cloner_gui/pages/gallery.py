@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Qt, QTimer
+from PySide6.QtCore import QRect, QSize, Qt, QTimer
 from PySide6.QtGui import QIcon, QImageReader, QPixmap
 from PySide6.QtWidgets import (
     QComboBox,
@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 from cloner.booth import trash
 from cloner.booth.kept import RESULTS
 from cloner.booth.photo_files import photo_of
-from cloner.booth.visits import State, read_visit
+from cloner.booth.visits import State, Visit, read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.folder import safe_identifier
@@ -30,10 +30,11 @@ from cloner_gui.day_label import DayNumbers
 from cloner_gui.dialogs import ask_to_forget
 from cloner_gui.flow import Flow
 from cloner_gui.letters import settle_dialog
-from cloner_gui.pieces import button, label, name
+from cloner_gui.pieces import button, label, name, roomy
 from cloner_gui.words import STATES, translate
 
 _ICON_PX = QSize(120, 160)
+_EDGE_PX = 8  # around an entry, as the style sheet has it
 #: What is shown: everybody, the cloned, those without a clone, who lies in the trash.
 ALL, CLONED, OPEN, TRASHED = range(4)
 
@@ -45,7 +46,7 @@ class GalleryWindow(QDialog):
         super().__init__(parent)
         self._booth = booth
         self.setWindowTitle(translate("gallery", "Everybody of today"))
-        self.resize(900, 640)
+        roomy(self, 900, 640)
         self.search, self.which, self.list = QLineEdit(), QComboBox(), QListWidget()
         self.told, self.numbers_label = label("dim"), label()
         self.numbers = DayNumbers(booth, self)
@@ -127,30 +128,43 @@ class GalleryWindow(QDialog):
         """Show who is wanted; the marks stay."""
         marked, root = self.marked(), self._booth.root
         in_trash = self.which.currentIndex() == TRASHED
-        folders = () if root is None else trash.thrown_away(root) if in_trash else tuple(self._booth.visits())
-        shown = [folder for folder in folders if self._is_wanted(folder)]
+        visits = self._booth.visits()
+        if in_trash and root is not None:
+            visits = {folder: read_visit(folder) for folder in trash.thrown_away(root)}
+        shown = {folder: visit for folder, visit in visits.items() if self._is_wanted(folder, visit)}
         self._icons.clear()
         self.list.blockSignals(True)
         self.list.clear()
-        for folder in shown:
-            state = self._told_end(folder) if in_trash else STATES[read_visit(folder).state]
+        for folder, visit in shown.items():
+            state = self._told_end(folder) if in_trash else STATES[visit.state]
             item = QListWidgetItem(f"{self._booth.name_of(folder)}\n{state}")
             item.setData(Qt.ItemDataRole.UserRole, folder)
-            item.setSizeHint(QSize(_ICON_PX.width() + 50, _ICON_PX.height() + 4 * self.fontMetrics().height()))
             self.list.addItem(item)
             item.setSelected(folder in marked)
             self._icons.append(item)
+        self._make_room()
         self.list.blockSignals(False)
-        cloned = sum(read_visit(folder).state is State.CLONED for folder in shown)
+        cloned = sum(visit.state is State.CLONED for visit in shown.values())
         told = translate("gallery", "{n} visitors, {m} with a clone")
         self.told.setText(told.format(n=len(shown), m=cloned))
         self._loader.start()
         self.numbers.refresh()
         self._show_buttons()
 
-    def _is_wanted(self, folder: Path) -> bool:
+    def _make_room(self) -> None:
+        """Make all entries so large that the longest name and state have room below their picture."""
+        letters = self.list.fontMetrics()
+        wide = max(_ICON_PX.width() + 50, 9 * letters.height())
+        room = QRect(0, 0, wide - 3 * _EDGE_PX, 9999)
+        items = [self.list.item(row) for row in range(self.list.count())]
+        wraps = Qt.TextFlag.TextWordWrap
+        high = max((letters.boundingRect(room, wraps, item.text()).height() for item in items), default=0)
+        for item in items:
+            item.setSizeHint(QSize(wide, _ICON_PX.height() + high + 3 * _EDGE_PX))
+
+    def _is_wanted(self, folder: Path, visit: Visit) -> bool:
         text, which = self.search.text().casefold().strip(), self.which.currentIndex()
-        cloned = read_visit(folder).state is State.CLONED
+        cloned = visit.state is State.CLONED
         fits = which in (ALL, TRASHED) or cloned == (which == CLONED)
         return fits and text in self._booth.name_of(folder).casefold()
 

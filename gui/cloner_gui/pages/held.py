@@ -8,16 +8,18 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QDialog,
-    QHeaderView,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
     QWidget,
 )
 
+from cloner.booth.person_file import consent_when
+from cloner.holdings import Holding
 from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
-from cloner_gui.pieces import button, label, name
+from cloner_gui.newest import newest
+from cloner_gui.pieces import button, label, name, roomy, show_whole_columns
 from cloner_gui.words import translate
 
 
@@ -28,13 +30,13 @@ class HeldWindow(QDialog):
         super().__init__(parent)
         self._booth = booth
         self.setWindowTitle(translate("privacy", "What is held"))
-        self.resize(820, 520)
+        roomy(self, 820, 520)
         self.summary = label("heading")
         self.table = QTableWidget(0, 5)
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         self.table.verticalHeader().hide()
-        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        show_whole_columns(self.table)
         name(self.table, translate("privacy", "What is held, by visitor"))
         self.save_button, self.forget_button = button(), button("danger")
         self.save_button.setText(translate("privacy", "&Save everything held…"))
@@ -48,8 +50,10 @@ class HeldWindow(QDialog):
         self.show_all()
 
     def show_all(self) -> None:
-        """Fill the table."""
-        held = self._booth.held()
+        """Count what is held of everybody, beside the window's thread: that is every file of the event."""
+        newest().ask(self, "held", self._booth.held_soon(), self._fill, self._booth.failed.emit)
+
+    def _fill(self, held: tuple[Holding, ...]) -> None:
         size = sum(one.size_bytes for one in held) / 1e6
         told = translate("privacy", "{n} visitors, {size} MB; nothing leaves this computer")
         self.summary.setText(told.format(n=len(held), size=round(size)))
@@ -66,7 +70,9 @@ class HeldWindow(QDialog):
         for row, one in enumerate(held):
             called = self._booth.name_of(one.photos[0])
             texts = (called, str(one.files), f"{one.size_bytes / 1e6:.1f}", f"{one.newest:%Y-%m-%d %H:%M}")
-            items = [QTableWidgetItem(text) for text in (*texts, one.consent or translate("privacy", "not recorded"))]
+            agreed = consent_when(one.consent) or translate("privacy", "not recorded")
+            items = [QTableWidgetItem(text) for text in (*texts, agreed)]
+            items[-1].setToolTip(one.consent)
             items[0].setData(Qt.ItemDataRole.UserRole, one.photos[0])
             for column, item in enumerate(items):
                 self.table.setItem(row, column, item)

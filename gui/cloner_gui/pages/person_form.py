@@ -7,13 +7,16 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLineEdit, QSizePolicy, QWidget
 
+from cloner.booth.agreed import offered_licences, usual_licence
 from cloner.booth.event import LANGUAGES
 from cloner.booth.person_file import consent_when, consent_words
 from cloner.booth.visits import read_visit
 from cloner.project.folder import DEFAULT_HEIGHT_CM
+from cloner.records.terms import LICENCES
 from cloner_gui.booth import Booth
 from cloner_gui.height_field import HeightField
 from cloner_gui.languages import LANGUAGE_NAMES, consent_text
+from cloner_gui.licence_field import LicenceField
 from cloner_gui.pieces import GAP, Card, beside, button, label, name
 from cloner_gui.words import translate
 
@@ -40,7 +43,10 @@ class PersonForm(Card):
         self.shown_box, self.agree_button = QCheckBox(), button("main")
         self.name_why, self.shown_why = label("dim"), label("dim")
         self.consent_words, self.shown_words = label(), label()
-        self.name_label, self.height_label, self.language_label = (label(wraps=False) for _ in range(3))
+        self.name_label, self.height_label, self.language_label, self.licence_label = (
+            label(wraps=False) for _ in range(4)
+        )
+        self.licence = LicenceField()
         self.height_hint = label("dim")
         self.name_field.returnPressed.connect(self.focusNextChild)
         for code in LANGUAGES:
@@ -88,11 +94,11 @@ class PersonForm(Card):
             (self.name_label, self.name_field),
             (self.height_label, self.height_field.first_field()),
             (self.language_label, self.language),
+            (self.licence_label, self.licence.choice),
         ):
             text.setBuddy(field)
             text.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        for one in (self.name_label, self.height_label, self.language_label):
-            one.setContentsMargins(0, 0, GAP // 2, 0)  # the last letter was cut where the text is large
+            text.setContentsMargins(0, 0, GAP // 2, 0)  # the last letter was cut where the text is large
         form.addRow(self.name_label, self.name_field)
         form.addRow("", self.name_why)
         form.addRow(self.height_label, self.height_field)
@@ -101,6 +107,8 @@ class PersonForm(Card):
         self.column.addWidget(self.heading)
         self.column.addLayout(form)
         self.column.addWidget(self.consent_text)
+        self.column.addWidget(self.licence_label)
+        self.column.addWidget(self.licence)
         self.column.addLayout(beside(self.consent_box, self.consent_words))
         self.column.addWidget(self.consent_note)
         self.column.addLayout(beside(self.shown_box, self.shown_words))
@@ -117,6 +125,7 @@ class PersonForm(Card):
         self.name_label.setText(translate("visitor", "N&ame or number"))
         self.height_label.setText(translate("visitor", "&Height without shoes"))
         self.language_label.setText(translate("visitor", "&Language of the consent"))
+        self.licence_label.setText(translate("visitor", "Who may use the &files"))
         self.consent_words.setText(translate("visitor", "The visitor has read this and &agrees"))
         self.shown_words.setText(translate("visitor", "May be seen on the &screen for visitors"))
         self.agree_button.setText(translate("visitor", "Agrees: on to the &photos"))
@@ -125,6 +134,7 @@ class PersonForm(Card):
         for field, text in (
             (self.name_field, translate("visitor", "Name or number of the visitor")),
             (self.language, translate("visitor", "Language of the consent")),
+            (self.licence.choice, translate("visitor", "Who may use the files")),
             (self.consent_box, translate("visitor", "The visitor agrees")),
             (self.shown_box, translate("visitor", "May be seen on the screen for visitors")),
         ):
@@ -142,6 +152,8 @@ class PersonForm(Card):
             self._save_soon.stop()
             self.name_field.setText(person)
             self.height_field.set_height(height_cm)
+        if folder != self._folder:
+            self.licence.forget()
         self._folder = folder
         at = self.language.findData(self._booth.settings.language)
         self.language.setCurrentIndex(max(at, 0))
@@ -158,6 +170,7 @@ class PersonForm(Card):
     def _show_consent(self) -> None:
         consent, folder = self._booth.session.consent, self._booth.session.folder
         self.consent_text.setText(consent_words(consent) if consent_when(consent) != consent else self.asked())
+        self._show_licence()
         self.consent_box.setChecked(bool(consent))
         self.shown_box.setChecked(folder is not None and read_visit(folder).shown)
         self.shown_box.setEnabled(bool(consent))
@@ -168,6 +181,15 @@ class PersonForm(Card):
         self.consent_note.setVisible(bool(consent))
         self.changed.emit()
 
+    def _show_licence(self) -> None:
+        """Ask who may use the files, as far as the event asks for more than nobody else; or show what was agreed."""
+        settings, code, consent = self._booth.settings, str(self.language.currentData()), self._booth.session.consent
+        offered, recorded = offered_licences(settings), self._booth.licence() if consent else ""
+        self.licence.offer((recorded,) if recorded else offered, code, recorded or usual_licence(settings, code))
+        self.licence.choice.setEnabled(not recorded)
+        for one in (self.licence_label, self.licence):
+            one.setVisible(len(offered) > 1 or recorded not in ("", LICENCES[0]))
+
     def _take_height(self) -> None:
         self._show_hint()
         if not self._showing:
@@ -177,7 +199,7 @@ class PersonForm(Card):
         """Record the consent with its text and time, or that it was withdrawn."""
         self.save()
         if agrees:
-            self._booth.agree(self.asked(), str(self.language.currentData()))
+            self._booth.agree(self.asked(), str(self.language.currentData()), self.licence.chosen())
         else:
             self._booth.withdraw_consent()
             self._booth.set_shown(False)

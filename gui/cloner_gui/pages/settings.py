@@ -19,10 +19,13 @@ from PySide6.QtWidgets import (
 
 from cloner.booth.event import LANGUAGES
 from cloner.booth.pin import kept_pin
+from cloner.records.terms import LICENCES
 from cloner_gui.booth import Booth
 from cloner_gui.languages import LANGUAGE_NAMES, consent_text
 from cloner_gui.letters import settle_dialog
-from cloner_gui.pieces import label, name
+from cloner_gui.licence_field import LicenceField
+from cloner_gui.logo_field import LogoField
+from cloner_gui.pieces import label, name, roomy
 from cloner_gui.words import translate
 
 
@@ -34,9 +37,10 @@ class SettingsWindow(QDialog):
         self._booth, settings = booth, booth.settings
         self._consents = dict(settings.consents)
         self.setWindowTitle(translate("settings", "This event"))
-        self.resize(640, 560)
+        roomy(self, 640, 620)
         self.title, self.consent, self.language = QLineEdit(settings.title), QPlainTextEdit(), QComboBox()
-        self.days, self.trash = QSpinBox(), QSpinBox()
+        self.logo = LogoField(settings.logo)
+        self.days, self.trash, self.licence = QSpinBox(), QSpinBox(), LicenceField()
         self.calm = QCheckBox(translate("settings", "Nothing &moves by itself"))
         self.hours, self.https = QSpinBox(), QCheckBox(translate("settings", "&Encrypt the page for telephones"))
         self._note = label("dim")
@@ -60,6 +64,7 @@ class SettingsWindow(QDialog):
             box.setValue(value)
         self.days.setSpecialValueText(translate("settings", "kept until deleted"))
         self.trash.setSpecialValueText(translate("settings", "not at all"))
+        self.licence.offer(LICENCES, settings.language, settings.licence)
         self.title.setPlaceholderText("" if self._booth.root is None else self._booth.root.name)
         self.calm.setChecked(settings.calm)
         self.hours.setRange(1, 720)
@@ -75,13 +80,15 @@ class SettingsWindow(QDialog):
 
     def _lay_out(self) -> None:
         form, inside, room = QFormLayout(), QWidget(), QScrollArea()
-        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)
+        form.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapAllRows)
         form.addRow(translate("settings", "&Name of the event"), self.title)
+        form.addRow(translate("settings", "Logo"), self.logo)
         form.addRow(translate("settings", "&Keep visitors for"), self.days)
         form.addRow(translate("settings", "Bring &back thrown away ones for"), self.trash)
         form.addRow(translate("settings", "&Language of the text"), self.language)
         form.addRow(translate("settings", "&Consent"), self.consent)
         form.addRow("", self._note)
+        form.addRow(translate("settings", "Visitors may let &use the files"), self.licence)
         form.addRow(translate("settings", "Links for &telephones work for"), self.hours)
         form.addRow("", self.https)
         form.addRow("", self.calm)
@@ -93,6 +100,7 @@ class SettingsWindow(QDialog):
             (self.trash, translate("settings", "Days that thrown away visitors can be brought back")),
             (self.hours, translate("settings", "Hours that links for telephones work")),
             (self.language, translate("settings", "Language of the text")),
+            (self.licence.choice, translate("settings", "Who visitors may let use the files, at the most")),
             (self.pin, translate("settings", "Number of the operator")),
             (self.consent, translate("settings", "What visitors agree to")),
         ):
@@ -132,6 +140,8 @@ class SettingsWindow(QDialog):
             retention_days=self.days.value(),
             trash_days=self.trash.value(),
             consents={code: text for code, text in self._consents.items() if text},
+            logo=self.logo.path,
+            licence=self.licence.chosen(),
             phone_hours=self.hours.value(),
             phone_https=self.https.isChecked(),
             calm=self.calm.isChecked(),

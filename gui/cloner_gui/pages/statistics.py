@@ -8,7 +8,6 @@ from PySide6.QtWidgets import (
     QDialog,
     QDialogButtonBox,
     QFileDialog,
-    QHeaderView,
     QTableWidget,
     QTableWidgetItem,
     QVBoxLayout,
@@ -20,7 +19,7 @@ from cloner.booth.visits import State
 from cloner.errors import ClonerError
 from cloner.project.atomic import write_text
 from cloner_gui.booth import Booth
-from cloner_gui.pieces import label, name
+from cloner_gui.pieces import label, name, roomy, show_whole_columns
 from cloner_gui.words import STATES, translate
 
 
@@ -31,12 +30,12 @@ class StatisticsWindow(QDialog):
         super().__init__(parent)
         self._booth = booth
         self.setWindowTitle(translate("statistics", "Operator's effort"))
-        self.resize(760, 480)
+        roomy(self, 820, 480)
         self.summary = label("heading")
         self.table = QTableWidget(0, 7)
         self.table.setEditTriggers(QTableWidget.EditTrigger.NoEditTriggers)
         self.table.verticalHeader().hide()
-        self.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        show_whole_columns(self.table)
         name(self.table, translate("statistics", "Effort by visitor"))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         save = buttons.addButton(translate("statistics", "&Save as table…"), QDialogButtonBox.ButtonRole.ActionRole)

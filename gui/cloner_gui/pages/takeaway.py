@@ -57,7 +57,7 @@ class TakeawayPage(QWidget):
         self.folder_button, self.zip_button, self.report_button, self.show_button = (
             button(), button(), button(), button(),
         )  # fmt: skip
-        self.sticks, self.bar = StickRow(), QProgressBar()
+        self.sticks, self.bar, self.stop_button = StickRow(), QProgressBar(), button()
         self.keepsakes = Keepsakes(booth, self.code_text)
         self.link, self.code, self.code_note = QLineEdit(), QLabel(), label("dim")
         self.export_button, self.forget_button, self.held_label = button(), button("danger"), label("dim")
@@ -77,6 +77,7 @@ class TakeawayPage(QWidget):
         self.bar.setTextVisible(False)
         self.bar.setRange(0, 1000)
         files.column.addWidget(self.bar)
+        files.column.addWidget(self.stop_button)
         files.column.addWidget(self.sticks)  # what is done most comes first, also where the text is large
         grid = QGridLayout()
         for number, box in enumerate(self.formats.values()):
@@ -111,7 +112,9 @@ class TakeawayPage(QWidget):
         session = self._booth.session
         self.folder_button.clicked.connect(self._to_folder)
         self.zip_button.clicked.connect(self._to_zip)
+        self.stop_button.clicked.connect(self.handing.stop)
         self.sticks.copy_wanted.connect(self._to_stick)
+        self.sticks.changed.connect(self.changed)
         self.sticks.failed.connect(self._booth.failed)
         self.report_button.clicked.connect(lambda: self._open("report.html"))
         self.show_button.clicked.connect(lambda: self._open(""))
@@ -145,6 +148,7 @@ class TakeawayPage(QWidget):
         self.data_heading.setText(translate("takeaway", "What is held"))
         self.folder_button.setText(translate("takeaway", "Copy to a f&older…"))
         self.zip_button.setText(translate("takeaway", "Save as one &zip file…"))
+        self.stop_button.setText(translate("takeaway", "&Stop"))
         self.report_button.setText(translate("takeaway", "Show &report"))
         self.show_button.setText(translate("takeaway", "Show &folder"))
         self.phone_box.setText(translate("takeaway", "&Page for telephones on this network"))
@@ -171,7 +175,8 @@ class TakeawayPage(QWidget):
         for one in (self.folder_button, self.zip_button, self.report_button, self.show_button):
             one.setEnabled(ready)
         self.sticks.allow(ready)
-        self.bar.setVisible(self.handing.busy)
+        for working in (self.bar, self.stop_button):
+            working.setVisible(self.handing.busy)
         self.bar.setValue(round(1000 * self.handing.fraction))
         for one in (self.export_button, self.forget_button):
             one.setEnabled(session.folder is not None)

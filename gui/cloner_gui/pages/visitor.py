@@ -11,6 +11,7 @@ from cloner_gui.booth import Booth
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
 from cloner_gui.pages.person_form import PersonForm
 from cloner_gui.pieces import GAP, Card, button, label, name, scrolled
+from cloner_gui.recent_card import RecentCard
 from cloner_gui.told import told_problem
 from cloner_gui.words import STATES, translate
 
@@ -25,6 +26,7 @@ class VisitorPage(QWidget):
     def __init__(self, booth: Booth, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._booth = booth
+        self._told: tuple[object, ...] = ()
         self.event_label, self.hint = label("dim"), label("dim")
         self.heading = label("heading")
         self.list = QListWidget()
@@ -33,7 +35,7 @@ class VisitorPage(QWidget):
         self.list.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         self.opening_label = label("dim")
         self.new_button, self.open_button = button("main"), button()
-        self.form = PersonForm(booth)
+        self.form, self.recent = PersonForm(booth), RecentCard()
         self._lay_out()
         self.new_button.clicked.connect(booth.new_visitor)
         self.open_button.clicked.connect(lambda: self.window().choose_folder())  # type: ignore[attr-defined]
@@ -69,6 +71,7 @@ class VisitorPage(QWidget):
         column.setContentsMargins(0, 0, 0, 0)
         column.addWidget(self.form)
         column.addWidget(self.hint)
+        column.addWidget(self.recent)
         column.addStretch(1)
         scrolled(right, inside)
         row = QHBoxLayout(self)
@@ -103,6 +106,7 @@ class VisitorPage(QWidget):
         self.form.setVisible(folder is not None)
         self.hint.setVisible(folder is None)
         begin = translate("visitor", "Open the event's folder; an empty one begins a new event.")
+        self.recent.setVisible(root is None and folder is None and bool(self.recent.folders))
         self.hint.setText(begin if root is None else translate("visitor", "Press New visitor when somebody steps up."))
         self._fill()
         self.changed.emit()
@@ -110,19 +114,23 @@ class VisitorPage(QWidget):
     def _fill(self) -> None:
         """Show the visitors; the list stays where it was scrolled to while only their states change."""
         folder, visits = self._booth.session.folder, self._booth.visits()
+        rows = [(place, visit.state, visit.problem, self._booth.name_of(place)) for place, visit in visits.items()]
+        told = (folder, STATES[State.NONE], rows)
+        if told == self._told:
+            return  # much is said to have changed that does not concern the list
+        self._told = told
         shown = [self.list.item(row).data(Qt.ItemDataRole.UserRole) for row in range(self.list.count())]
         self.list.blockSignals(True)
         if shown != list(visits):
             self.list.clear()
             for _ in visits:
                 self.list.addItem(QListWidgetItem())
-        for row, (place, visit) in enumerate(visits.items()):
+        for row, (place, state, problem, called) in enumerate(rows):
             item = self.list.item(row)
-            called = self._booth.name_of(place)
-            item.setText(f"{_MARKS[visit.state]}  {called}\n     {STATES[visit.state]}")
+            item.setText(f"{_MARKS[state]}  {called}\n     {STATES[state]}")
             item.setData(Qt.ItemDataRole.UserRole, place)
-            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{called}, {STATES[visit.state]}")
-            item.setToolTip(told_problem(visit.problem))
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{called}, {STATES[state]}")
+            item.setToolTip(told_problem(problem))
             if place == folder and self.list.currentItem() is not item:
                 self.list.setCurrentItem(item)
         self.list.blockSignals(False)

@@ -125,6 +125,10 @@
         <translation>{day}: {n} Besucher, {m} Klone.</translation>
     </message>
     <message>
+        <source>{n} of them lie in the trash.</source>
+        <translation>{n} davon liegen im Papierkorb.</translation>
+    </message>
+    <message>
         <source>In the queue {m} minutes in the middle, {l} at most.</source>
         <translation>In der Schlange in der Mitte {m} Minuten, höchstens {l}.</translation>
     </message>
@@ -496,6 +500,34 @@
     <message>
         <source>Give the operator a number under Event, Settings first.</source>
         <translation>Geben Sie dem Bediener zuerst unter Veranstaltung, Einstellungen eine Nummer.</translation>
+    </message>
+</context>
+<context>
+    <name>licences</name>
+    <message>
+        <source>the visitor alone</source>
+        <extracomment>Who may use a visitor&apos;s files, by licence; and what that means.</extracomment>
+        <translation>der Besucher allein</translation>
+    </message>
+    <message>
+        <source>visitor and event</source>
+        <translation>Besucher und Veranstaltung</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>Nobody else may use the files or earn money with them.</source>
+        <translation>Niemand sonst darf die Dateien benutzen oder damit Geld verdienen.</translation>
+    </message>
+    <message>
+        <source>The event may use the files too, also in its advertising.</source>
+        <translation>Auch die Veranstaltung darf die Dateien benutzen, auch in ihrer Werbung.</translation>
+    </message>
+    <message>
+        <source>Everybody may use the files, change them and pass them on, but not earn money with them.</source>
+        <translation>Alle dürfen die Dateien benutzen, verändern und weitergeben, aber kein Geld damit verdienen.</translation>
     </message>
 </context>
 <context>
@@ -1347,12 +1379,20 @@
         <translation>&amp;Name der Veranstaltung</translation>
     </message>
     <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
         <source>Bring &amp;back thrown away ones for</source>
         <translation>Weggeworfene &amp;zurückholen</translation>
     </message>
     <message>
         <source>&amp;Language of the text</source>
         <translation>&amp;Sprache des Textes</translation>
+    </message>
+    <message>
+        <source>Visitors may let &amp;use the files</source>
+        <translation>Besucher dürfen die Dateien &amp;benutzen lassen</translation>
     </message>
     <message>
         <source>Links for &amp;telephones work for</source>
@@ -1383,6 +1423,10 @@
         <translation>Sprache des Textes</translation>
     </message>
     <message>
+        <source>Who visitors may let use the files, at the most</source>
+        <translation>Wen Besucher die Dateien höchstens benutzen lassen</translation>
+    </message>
+    <message>
         <source>Number of the operator</source>
         <translation>Nummer des Bedieners</translation>
     </message>
@@ -1397,6 +1441,22 @@
     <message>
         <source>&amp;Consent</source>
         <translation>&amp;Einwilligung</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;picture…</source>
+        <translation>&amp;Bild wählen…</translation>
+    </message>
+    <message>
+        <source>No pictu&amp;re</source>
+        <translation>Kein B&amp;ild</translation>
+    </message>
+    <message>
+        <source>Logo of the event</source>
+        <translation>Logo der Veranstaltung</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
     </message>
 </context>
 <context>
@@ -1650,6 +1710,10 @@
         <translation>Geschrieben und gegengelesen: {place}</translation>
     </message>
     <message>
+        <source>Stopped: nothing of it was left there.</source>
+        <translation>Angehalten: nichts davon blieb dort.</translation>
+    </message>
+    <message>
         <source>Written: {place}</source>
         <translation>Geschrieben: {place}</translation>
     </message>
@@ -1684,6 +1748,10 @@
     <message>
         <source>Copy to a f&amp;older…</source>
         <translation>In einen &amp;Ordner kopieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
     </message>
     <message>
         <source>Show &amp;folder</source>
@@ -2852,6 +2920,10 @@
         <translation>&amp;Sprache der Einwilligung</translation>
     </message>
     <message>
+        <source>Who may use the &amp;files</source>
+        <translation>Wer die &amp;Dateien benutzen darf</translation>
+    </message>
+    <message>
         <source>The visitor has read this and &amp;agrees</source>
         <translation>Der Besucher hat das gelesen und &amp;willigt ein</translation>
     </message>
@@ -2878,6 +2950,10 @@
     <message>
         <source>Language of the consent</source>
         <translation>Sprache der Einwilligung</translation>
+    </message>
+    <message>
+        <source>Who may use the files</source>
+        <translation>Wer die Dateien benutzen darf</translation>
     </message>
     <message>
         <source>The visitor agrees</source>
@@ -2954,6 +3030,10 @@
     <message>
         <source>Visitor {n}</source>
         <translation>Besucher {n}</translation>
+    </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Zuletzt geöffnet</translation>
     </message>
 </context>
 <context>

@@ -125,6 +125,10 @@
         <translation>{day} : {n} visiteurs, {m} clones.</translation>
     </message>
     <message>
+        <source>{n} of them lie in the trash.</source>
+        <translation>{n} d’entre eux sont dans la corbeille.</translation>
+    </message>
+    <message>
         <source>In the queue {m} minutes in the middle, {l} at most.</source>
         <translation>Dans la file {m} minutes en médiane, {l} au plus.</translation>
     </message>
@@ -496,6 +500,34 @@
     <message>
         <source>Give the operator a number under Event, Settings first.</source>
         <translation>Donnez d’abord un numéro à l’opérateur sous Événement, Réglages.</translation>
+    </message>
+</context>
+<context>
+    <name>licences</name>
+    <message>
+        <source>the visitor alone</source>
+        <extracomment>Who may use a visitor&apos;s files, by licence; and what that means.</extracomment>
+        <translation>le visiteur seul</translation>
+    </message>
+    <message>
+        <source>visitor and event</source>
+        <translation>visiteur et événement</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>tout le monde</translation>
+    </message>
+    <message>
+        <source>Nobody else may use the files or earn money with them.</source>
+        <translation>Personne d’autre ne peut utiliser les fichiers ni gagner d’argent avec eux.</translation>
+    </message>
+    <message>
+        <source>The event may use the files too, also in its advertising.</source>
+        <translation>L’événement peut aussi utiliser les fichiers, y compris dans sa publicité.</translation>
+    </message>
+    <message>
+        <source>Everybody may use the files, change them and pass them on, but not earn money with them.</source>
+        <translation>Tout le monde peut utiliser, modifier et transmettre les fichiers, mais sans gagner d’argent avec eux.</translation>
     </message>
 </context>
 <context>
@@ -1347,12 +1379,20 @@
         <translation>&amp;Nom de l’événement</translation>
     </message>
     <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
         <source>Bring &amp;back thrown away ones for</source>
         <translation>&amp;Récupérables après la corbeille</translation>
     </message>
     <message>
         <source>&amp;Language of the text</source>
         <translation>&amp;Langue du texte</translation>
+    </message>
+    <message>
+        <source>Visitors may let &amp;use the files</source>
+        <translation>Les visiteurs peuvent laisser &amp;utiliser les fichiers</translation>
     </message>
     <message>
         <source>Links for &amp;telephones work for</source>
@@ -1383,6 +1423,10 @@
         <translation>Langue du texte</translation>
     </message>
     <message>
+        <source>Who visitors may let use the files, at the most</source>
+        <translation>Qui les visiteurs peuvent laisser utiliser les fichiers, au plus</translation>
+    </message>
+    <message>
         <source>Number of the operator</source>
         <translation>Numéro de l’opérateur</translation>
     </message>
@@ -1397,6 +1441,22 @@
     <message>
         <source>&amp;Consent</source>
         <translation>C&amp;onsentement</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;picture…</source>
+        <translation>Choisir une &amp;image…</translation>
+    </message>
+    <message>
+        <source>No pictu&amp;re</source>
+        <translation>&amp;Aucune image</translation>
+    </message>
+    <message>
+        <source>Logo of the event</source>
+        <translation>Logo de l’événement</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
     </message>
 </context>
 <context>
@@ -1650,6 +1710,10 @@
         <translation>Écrit et relu : {place}</translation>
     </message>
     <message>
+        <source>Stopped: nothing of it was left there.</source>
+        <translation>Arrêté : rien n’en est resté là-bas.</translation>
+    </message>
+    <message>
         <source>Written: {place}</source>
         <translation>Écrit : {place}</translation>
     </message>
@@ -1684,6 +1748,10 @@
     <message>
         <source>Copy to a f&amp;older…</source>
         <translation>Copier dans un d&amp;ossier…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
     </message>
     <message>
         <source>Show &amp;folder</source>
@@ -2852,6 +2920,10 @@
         <translation>&amp;Langue du consentement</translation>
     </message>
     <message>
+        <source>Who may use the &amp;files</source>
+        <translation>Qui peut utiliser les &amp;fichiers</translation>
+    </message>
+    <message>
         <source>The visitor has read this and &amp;agrees</source>
         <translation>Le visiteur a lu ceci et &amp;accepte</translation>
     </message>
@@ -2878,6 +2950,10 @@
     <message>
         <source>Language of the consent</source>
         <translation>Langue du consentement</translation>
+    </message>
+    <message>
+        <source>Who may use the files</source>
+        <translation>Qui peut utiliser les fichiers</translation>
     </message>
     <message>
         <source>The visitor agrees</source>
@@ -2954,6 +3030,10 @@
     <message>
         <source>Visitor {n}</source>
         <translation>Visiteur {n}</translation>
+    </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Ouverts récemment</translation>
     </message>
 </context>
 <context>

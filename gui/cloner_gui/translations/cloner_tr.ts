@@ -124,6 +124,10 @@
         <translation>{day}: {n} ziyaretçi, {m} klon.</translation>
     </message>
     <message>
+        <source>{n} of them lie in the trash.</source>
+        <translation>{n} tanesi çöp kutusunda.</translation>
+    </message>
+    <message>
         <source>In the queue {m} minutes in the middle, {l} at most.</source>
         <translation>Kuyrukta ortanca {m} dakika, en çok {l}.</translation>
     </message>
@@ -495,6 +499,34 @@
     <message>
         <source>Give the operator a number under Event, Settings first.</source>
         <translation>Önce Etkinlik, Ayarlar altında görevliye bir numara verin.</translation>
+    </message>
+</context>
+<context>
+    <name>licences</name>
+    <message>
+        <source>the visitor alone</source>
+        <extracomment>Who may use a visitor&apos;s files, by licence; and what that means.</extracomment>
+        <translation>yalnızca ziyaretçi</translation>
+    </message>
+    <message>
+        <source>visitor and event</source>
+        <translation>ziyaretçi ve etkinlik</translation>
+    </message>
+    <message>
+        <source>everybody</source>
+        <translation>herkes</translation>
+    </message>
+    <message>
+        <source>Nobody else may use the files or earn money with them.</source>
+        <translation>Başka hiç kimse dosyaları kullanamaz ve onlarla para kazanamaz.</translation>
+    </message>
+    <message>
+        <source>The event may use the files too, also in its advertising.</source>
+        <translation>Etkinlik de dosyaları kullanabilir, reklamlarında da.</translation>
+    </message>
+    <message>
+        <source>Everybody may use the files, change them and pass them on, but not earn money with them.</source>
+        <translation>Herkes dosyaları kullanabilir, değiştirebilir ve başkalarına verebilir, ama onlarla para kazanamaz.</translation>
     </message>
 </context>
 <context>
@@ -1346,12 +1378,20 @@
         <translation>Etkinliğin &amp;adı</translation>
     </message>
     <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
         <source>Bring &amp;back thrown away ones for</source>
         <translation>Çöpten &amp;geri alma süresi</translation>
     </message>
     <message>
         <source>&amp;Language of the text</source>
         <translation>Metnin &amp;dili</translation>
+    </message>
+    <message>
+        <source>Visitors may let &amp;use the files</source>
+        <translation>Ziyaretçiler dosyaları &amp;kullandırabilir</translation>
     </message>
     <message>
         <source>Links for &amp;telephones work for</source>
@@ -1382,6 +1422,10 @@
         <translation>Metnin dili</translation>
     </message>
     <message>
+        <source>Who visitors may let use the files, at the most</source>
+        <translation>Ziyaretçiler dosyaları en çok kime kullandırabilir</translation>
+    </message>
+    <message>
         <source>Number of the operator</source>
         <translation>Görevlinin numarası</translation>
     </message>
@@ -1396,6 +1440,22 @@
     <message>
         <source>&amp;Consent</source>
         <translation>&amp;Onay</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;picture…</source>
+        <translation>&amp;Resim seç…</translation>
+    </message>
+    <message>
+        <source>No pictu&amp;re</source>
+        <translation>Resim &amp;yok</translation>
+    </message>
+    <message>
+        <source>Logo of the event</source>
+        <translation>Etkinliğin logosu</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Resimler</translation>
     </message>
 </context>
 <context>
@@ -1649,6 +1709,10 @@
         <translation>Yazıldı ve yeniden okundu: {place}</translation>
     </message>
     <message>
+        <source>Stopped: nothing of it was left there.</source>
+        <translation>Durduruldu: orada hiçbir şey kalmadı.</translation>
+    </message>
+    <message>
         <source>Written: {place}</source>
         <translation>Yazıldı: {place}</translation>
     </message>
@@ -1683,6 +1747,10 @@
     <message>
         <source>Copy to a f&amp;older…</source>
         <translation>Bir k&amp;lasöre kopyala…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Durdur</translation>
     </message>
     <message>
         <source>Show &amp;folder</source>
@@ -2851,6 +2919,10 @@
         <translation>Onayın &amp;dili</translation>
     </message>
     <message>
+        <source>Who may use the &amp;files</source>
+        <translation>Dosyaları &amp;kim kullanabilir</translation>
+    </message>
+    <message>
         <source>The visitor has read this and &amp;agrees</source>
         <translation>Ziyaretçi bunu okudu ve &amp;kabul ediyor</translation>
     </message>
@@ -2877,6 +2949,10 @@
     <message>
         <source>Language of the consent</source>
         <translation>Onayın dili</translation>
+    </message>
+    <message>
+        <source>Who may use the files</source>
+        <translation>Dosyaları kim kullanabilir</translation>
     </message>
     <message>
         <source>The visitor agrees</source>
@@ -2953,6 +3029,10 @@
     <message>
         <source>Visitor {n}</source>
         <translation>Ziyaretçi {n}</translation>
+    </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Son açılanlar</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 
 import csv
 import io
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -39,6 +40,7 @@ VISITS = {
     Path("visitor-005"): visit(22, State.FAILED, problem="visitor-005: nobody is seen. Retake the photo"),
     Path("visitor-006"): visit(22, State.WAITING, "10:05:00"),
 }
+TRASHED = replace(visit(22, State.NONE), trashed="2026-11-22T12:00:00+00:00")
 LOOKS = {
     Path("visitor-002"): {"a": Look("a", None, (Trouble.BLURRED, Trouble.DARK)), "b": Look("b", None, ())},
     Path("visitor-005"): {"c": Look("c", None, (Trouble.BLURRED,))},
@@ -57,6 +59,15 @@ def test_the_last_day_comes_first_and_everything_is_counted_once():
     assert (last.median_min, last.longest_min) == (6.0, 10.0)
     assert last.photos == {Trouble.BLURRED: 2, Trouble.DARK: 1}
     assert last.failures == {"nobody is seen": 1}
+
+
+def test_who_lies_in_the_trash_came_too():
+    thrown = Path("trash/visitor-007")
+    told = {**VISITS, thrown: TRASHED}
+    last, _ = days(told, lambda folder: {"d": Look("d", None, (Trouble.DARK,))} if folder == thrown else {})
+    assert (last.visitors, last.clones, last.trashed) == (6, 3, 1)
+    assert last.photos == {Trouble.DARK: 1}
+    assert ["2026-11-22", "in the trash", "", "1"] in list(csv.reader(io.StringIO(days_csv((last,)))))
 
 
 def test_the_table_tells_numbers_and_nobodys_name():

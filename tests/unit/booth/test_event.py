@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from cloner.booth import effort, keeping, line
-from cloner.booth.agreed import agreed_terms
+from cloner.booth.agreed import agreed_terms, offered_licences
 from cloner.booth.event import Event, check_event_folder, is_visitor, new_visitor, read_event, visits, write_event
 from cloner.booth.person_file import (
     cm_from_feet,
@@ -123,6 +123,14 @@ def test_a_licence_counts_only_where_the_event_s_own_text_was_read_and_goes_with
     write_person(tmp_path, name="Anna", height_cm=170.0, consent="")
     assert read_terms(tmp_path) == Terms()
     assert "licence" not in (tmp_path / "person.toml").read_text()
+
+
+def test_a_visitor_may_choose_less_than_the_event_asks_but_not_more(tmp_path):
+    event = replace(Event(), licence="event", consents={"de": "Die Messe darf meine Dateien nutzen."})
+    assert offered_licences(event) == ("own", "event")
+    assert agreed_terms(event, tmp_path, "en", "event")["licence"] == "event"
+    assert agreed_terms(event, tmp_path, "de", "own")["licence"] == "own"
+    assert agreed_terms(event, tmp_path, "en", "everyone")["licence"] == "own"
 
 
 def test_absurd_heights_are_refused_and_the_old_ones_stay(tmp_path):

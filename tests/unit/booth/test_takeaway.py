@@ -62,6 +62,17 @@ def test_nothing_is_overwritten_and_nothing_is_left_of_a_stopped_one(result, tmp
     assert [path.name for path in tmp_path.iterdir()] == ["anna"]
 
 
+def test_a_killed_process_leaves_nothing_behind_when_it_is_cleaned_up(result, tmp_path):
+    """The window kills its worker wherever it is, so that nobody in there can clean up."""
+    stick, made = tmp_path / ".anna [1].partial-77", result.parent / ".take-away.partial-77"
+    for room in (stick, made, tmp_path / ".boris.partial-77"):
+        room.mkdir()
+        (room / "half.glb").write_bytes(b"x")
+    handing.clean_up(result, tmp_path / "anna [1]")
+    assert [path.name for path in tmp_path.iterdir()] == [".boris.partial-77"], "another's copy goes on"
+    assert not made.exists()
+
+
 def test_without_a_clone_there_is_nothing(tmp_path):
     with pytest.raises(ClonerError, match="not there"):
         handing.hand_over(tmp_path, tmp_path / "x", ("ply",), quiet)

@@ -4,6 +4,7 @@ import logging
 import os
 import subprocess
 import sys
+import threading
 import time
 
 import pytest
@@ -45,6 +46,30 @@ def test_it_shows_what_it_has_so_far_whole_and_in_order_while_threads_talk(worke
     shown = []
     worker.call("paint", 60000, progress=quiet, show=shown.append)
     assert [(len(one), set(one.tolist())) for one in shown] == [(60000, {float(k)}) for k in range(5)]
+
+
+def test_who_waits_behind_another_job_may_give_up(worker):
+    begun, done = threading.Event(), []
+
+    def tell(step, fraction):
+        begun.set()
+
+    def long():
+        done.append(worker.call("sleep", 1.0, progress=tell))
+
+    other = threading.Thread(target=long)
+    other.start()
+    assert begun.wait(20)
+
+    def stop(step, fraction):
+        raise Cancelled
+
+    start = time.monotonic()
+    with pytest.raises(Cancelled):
+        worker.call("add", 1, progress=stop)
+    assert time.monotonic() - start < 0.8
+    other.join()
+    assert len(done) == 1, "the other job goes on"
 
 
 def test_failures_come_in_words_and_the_process_goes_on(worker, caplog):

@@ -1,0 +1,36 @@
+"""Which events were open last on this computer: places of folders, nothing of anybody in them."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+from pathlib import Path
+from typing import Final
+
+from cloner.booth.event import EVENT_FILE
+from cloner.errors import ClonerError
+from cloner.outside import read_outside
+from cloner.project.atomic import write_text
+from cloner.project.texts import LARGEST_BYTES
+
+RECENT_FILE: Final = "recent.json"
+MOST: Final = 5  # taste: a booth has one event a day
+
+
+def recent_events(file: Path) -> tuple[Path, ...]:
+    """Return the events that were open last and are still there, the newest first; none where the file is damaged."""
+    try:
+        told = json.loads(read_outside(file, LARGEST_BYTES))
+    except (OSError, ValueError, RecursionError):
+        return ()
+    folders = [Path(one) for one in told if isinstance(one, str)] if isinstance(told, list) else []
+    return tuple(folder for folder in folders if (folder / EVENT_FILE).is_file())
+
+
+def note_recent(file: Path, folder: Path) -> None:
+    """Note that an event was opened now; where nothing can be noted it is opened by hand the next time."""
+    known = [one for one in recent_events(file) if one != folder]
+    kept = [str(one) for one in (folder.absolute(), *known)][:MOST]
+    with contextlib.suppress(ClonerError, OSError):
+        file.parent.mkdir(parents=True, exist_ok=True)
+        write_text(file, json.dumps(kept, indent=1, ensure_ascii=False) + "\n")
