@@ -100,7 +100,7 @@ def measure_scalp(
     tail : Tail or None
         Free hair; behind it no photo sees the skin.
     """
-    votes = np.stack([_votes(view, points_m, normals, tail) for view in views])
+    votes = np.stack([seen_votes(view, points_m, normals, tail) for view in views])
     votes = graph.smooth(votes.T.copy(), 1).T * (votes > 0.0)
     line = np.stack([hairline_mm(view, points_m) for view in views])
     total = votes.sum(axis=0)
@@ -133,7 +133,7 @@ def _grown(flags: NDArray[np.bool_], triangles: NDArray[np.int32]) -> NDArray[np
     return flags
 
 
-def _votes(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -> Array:
+def seen_votes(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -> Array:
     """Return (N,) how much a photo's labels count: squared cosine where the skin is seen."""
     posed = view.to_view(points_m)
     towards = view.posed.camera.position_m - posed
@@ -151,7 +151,7 @@ def _votes(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -
 
 def covered_share(views: list[HairView], points_m: Array, normals: Array) -> Array:
     """Return (N,) 0..1 how far photos that see some skin show hair over it instead; zero where none sees it."""
-    votes = np.stack([_votes(view, points_m, normals, None) for view in views])
+    votes = np.stack([seen_votes(view, points_m, normals, None) for view in views])
     line = np.stack([hairline_mm(view, points_m) for view in views])
     mean = (votes * line).sum(axis=0) / np.maximum(votes.sum(axis=0), 1e-9)
     return np.where(votes.sum(axis=0) > SURE_VOTE, np.clip(0.5 + mean / BARE_MM, 0.0, 1.0), 0.0)
@@ -234,7 +234,7 @@ def settle_shell(
     """
     graph = surface_graph(vertices_m, triangles)
     for _ in range(SHELL_ROUNDS):
-        drive, trust = _outline_drive(views, vertices_m, triangles)
+        drive, trust = outline_drive(views, vertices_m, triangles)
         gap = np.clip(drive / np.maximum(trust, 1e-9), -SHELL_REACH_MM, SHELL_REACH_MM)
         move = graph.fill(gap[:, None], np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)[:, 0]
         room = np.maximum(surface_mm(scalp.points_m, scalp.normals, vertices_m)[0] - least_mm, 0.0)
@@ -243,27 +243,33 @@ def settle_shell(
     return vertices_m
 
 
-def _outline_drive(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
+def outline_drive(
+    views: list[HairView], surface_m: Array, triangles: NDArray[np.int32], furthest_mm: float = FURTHEST_MM
+) -> tuple[Array, Array]:
     """Return (N,) the sum of what the photos want a surface moved outwards, mm, and of their weights."""
     drive, trust = np.zeros(len(surface_m)), np.zeros(len(surface_m))
-    for gap, weight in _outline_gaps(views, surface_m, triangles):
+    for gap, weight in _outline_gaps(views, surface_m, triangles, furthest_mm):
         drive += weight * gap
         trust += weight
     return drive, trust
 
 
-def _outline_gaps(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> list[tuple[Array, Array]]:
+def _outline_gaps(
+    views: list[HairView], surface_m: Array, triangles: NDArray[np.int32], furthest_mm: float = FURTHEST_MM
+) -> list[tuple[Array, Array]]:
     """Return each photo's gaps (N,) to a surface's outline, mm, and their weights."""
     facing = vertex_normals(surface_m, triangles)
     straight = [view for view in views if view.flip_m is None]
-    gaps = abreast(lambda view: _outline_gap(view, surface_m, facing, triangles), straight)
+    gaps = abreast(lambda view: _outline_gap(view, surface_m, facing, triangles, furthest_mm), straight)
     return [
         (gap, weight * (FACE_PHOTO if view.posed.view.is_face else 1.0))
         for view, (gap, weight) in zip(straight, gaps, strict=True)
     ]
 
 
-def _outline_gap(view: HairView, surface_m: Array, normals: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
+def _outline_gap(
+    view: HairView, surface_m: Array, normals: Array, triangles: NDArray[np.int32], furthest_mm: float
+) -> tuple[Array, Array]:
     """Return (N,) how far the photo's outline lies outside the surface's own, mm, and how much that counts."""
     posed = view.to_view(surface_m)
     camera = view.posed.camera
@@ -276,7 +282,7 @@ def _outline_gap(view: HairView, surface_m: Array, normals: Array, triangles: ND
     outline, edge = (sample(distance, pixel)[:, 0] * scale for distance in (view.outline_px, view.hair_px))
     gap = outline - inside
     # The photo's outline must be the hair's, and this vertex at the own outline.
-    good = (sample(view.line_px, pixel)[:, 0] > 0.0) & (inside < RIM_MM) & (np.abs(gap) < FURTHEST_MM)
+    good = (sample(view.line_px, pixel)[:, 0] > 0.0) & (inside < RIM_MM) & (np.abs(gap) < furthest_mm)
     good &= np.abs(outline - edge) < SAME_EDGE_MM  # a tail before neck or back ends inside the person
     good &= (pixel > 2.0).all(axis=1) & (pixel < np.array([camera.width_px, camera.height_px]) - 3.0).all(axis=1)
     return gap, np.where(good, np.clip(across, 0.0, 1.0) ** RIM_POWER, 0.0)

@@ -2,7 +2,8 @@
 
 Metres, +Y up, facing +Z. Scene: the node "Armature" holds the 94 H-Anim
 joints; the skinned nodes "Body", "Hair" and "Cloth" stand beside it, because glTF
-ignores the parents of skinned meshes and the validator warns of any.
+ignores the parents of skinned meshes and the validator warns of any. A beard is a primitive of the body: what
+moves the face moves it too.
 
 References
 ----------
@@ -29,7 +30,7 @@ from cloner.exporters.gltf_motion import animation
 from cloner.exporters.roughness import roughness_map
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
-from cloner.generic.surfaces import Surface, load_surfaces, surface_normals
+from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
 from cloner.motion.correctives import Driver, corrected, driven
 from cloner.motion.own import Moves, own_motions
@@ -188,9 +189,12 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> Any:
                 attributes=attributes,
                 indices=buffer.indices(surface.triangles),
                 material=_material(gltf, surface.name, texture, mode, _ROUGHNESS[surface.name]),
-                targets=[{"POSITION": accessor} for accessor in _targets(buffer, clone, surface)],
+                targets=_targets(buffer, clone, surface.vertex),
             )
         )
+    for number, shell in enumerate(shell for shell in clone.shells if len(shell.rides)):
+        primitives.append(_shell(gltf, buffer, bones, shell, number))
+        primitives[-1].targets = _targets(buffer, clone, shell.rides)
     if len(clone.triangle_regions):
         # The skin's own material, the first: skin, cloth and shoes shine each in their way.
         rough = _texture(gltf, buffer, png_bytes(roughness_map(clone)), "image/png", "roughness")
@@ -203,23 +207,23 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> Any:
     return mesh
 
 
-def _targets(buffer: GltfBuffer, clone: Clone, surface: Surface) -> list[int]:
-    """Return one sparse accessor a morph target; wedges of one vertex move alike."""
+def _targets(buffer: GltfBuffer, clone: Clone, vertex: NDArray[np.int32]) -> list[dict[str, int]]:
+    """Return a sparse accessor for every morph target; what belongs to one vertex of the skin moves alike."""
     accessors, still = [], -1
     for _, offsets in target_offsets(clone):
-        own = offsets[surface.vertex]
+        own = offsets[vertex]
         moved = np.flatnonzero(np.abs(own).max(axis=1) > SMALLEST_OFFSET_M)
         if len(moved) == 0 and still >= 0:
             accessors.append(still)  # all targets that leave this surface alone share one accessor of zeros
             continue
-        accessors.append(buffer.offsets(len(surface.vertex), moved, own[moved]))
+        accessors.append(buffer.offsets(len(vertex), moved, own[moved]))
         still = accessors[-1] if len(moved) == 0 else still
-    return accessors
+    return [{"POSITION": accessor} for accessor in accessors]
 
 
 def _loose(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, kind: str) -> Any:
-    """Return the mesh of all shells of a kind, or None for a person without any."""
-    shells = [shell for shell in clone.shells if shell.kind == kind]
+    """Return the mesh of all shells of a kind that do not ride on the body, or None for a person without any."""
+    shells = [shell for shell in clone.shells if shell.kind == kind and not len(shell.rides)]
     if not shells:
         return None
     return pygltflib.Mesh(

@@ -89,7 +89,7 @@ def skin_meshes(clone: Clone, generic: GenericHuman, name: str) -> tuple[SkinMes
                 shell.triangles,
                 shell.skin_joints,
                 shell.skin_weights,
-                np.full(len(shell.vertices_m), -1, dtype=np.int32),
+                shell.rides if len(shell.rides) else np.full(len(shell.vertices_m), -1, dtype=np.int32),
             )
         )
     return tuple(meshes)

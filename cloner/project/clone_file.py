@@ -19,7 +19,7 @@ from cloner.generic.load import load_generic
 from cloner.project.archives import BROKEN, opened
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone, TextureAtlas
-from cloner.records.heads import Shell
+from cloner.records.heads import NO_RIDES, Shell
 from cloner.records.terms import LICENCES, LONGEST_TERM, Terms
 from cloner.records.views import Camera
 
@@ -50,6 +50,8 @@ def save_clone(clone: Clone, path: Path) -> None:
     for number, shell in enumerate(clone.shells):
         arrays |= {f"shell_{number}_{name}": getattr(shell, name) for name in _SHELL}
         arrays[f"shell_{number}_rgba_png"] = _packed(shell.rgba)
+        if len(shell.rides):
+            arrays[f"shell_{number}_rides"] = shell.rides
     arrays["features_m"] = np.array(list(clone.features_m.values()), dtype=np.float64).reshape(-1, 3)
     for view, posed in clone.views.items():
         arrays[f"view_{view}_rotations"] = posed.rotations
@@ -108,8 +110,7 @@ def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
         lens = Camera(camera_from_model=arrays[f"view_{key}_camera_from_model"], **camera)
         views[ViewId(key)] = PosedView(ViewId(key), lens, arrays[f"view_{key}_rotations"])
     shells = tuple(
-        _shell({name: arrays[f"shell_{number}_{name}"] for name in (*_SHELL, "rgba_png")}, kind)
-        for number, kind in enumerate(facts.get("shell_kinds", ["hair"] * facts["shells"]))
+        _shell(arrays, number, kind) for number, kind in enumerate(facts.get("shell_kinds", ["hair"] * facts["shells"]))
     )
     return Clone(
         **{name: arrays[name] for name in _PLAIN},
@@ -146,7 +147,9 @@ def _check_fits(clone: Clone) -> None:
         and len(clone.morph_index) == len(clone.morph_delta_m) == clone.morph_start[-1]
         and bool((np.diff(clone.morph_start, prepend=0) >= 0).all())
         and all(
-            _within(shell.triangles, len(shell.vertices_m)) and _within(shell.skin_joints, len(clone.joints_m))
+            _within(shell.triangles, len(shell.vertices_m))
+            and _within(shell.skin_joints, len(clone.joints_m))
+            and _within(shell.rides, len(clone.vertices_m))
             for shell in clone.shells
         )
     )
@@ -158,10 +161,11 @@ def _within(index: NDArray[np.integer], count: int) -> bool:
     return not index.size or (int(index.min()) >= 0 and int(index.max()) < count)
 
 
-def _shell(parts: dict[str, NDArray[Any]], kind: str) -> Shell:
-    """Return the shell of its arrays."""
-    plain: dict[str, Any] = {name: parts[name] for name in _SHELL}
-    return Shell(**plain, rgba=_unpacked(parts["rgba_png"]), kind=kind)
+def _shell(arrays: dict[str, NDArray[Any]], number: int, kind: str) -> Shell:
+    """Return one shell of the file's arrays; older files have none that rides on the face."""
+    plain: dict[str, Any] = {name: arrays[f"shell_{number}_{name}"] for name in _SHELL}
+    rides = arrays.get(f"shell_{number}_rides", NO_RIDES)
+    return Shell(**plain, rgba=_unpacked(arrays[f"shell_{number}_rgba_png"]), kind=kind, rides=rides)
 
 
 def _camera_facts(camera: Camera) -> dict[str, Any]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from types import MappingProxyType
 
 import numpy as np
@@ -53,12 +53,14 @@ class HeadFit:
 
 
 #: What a shell can be.
-SHELL_KINDS = ("hair", "cloth", "glasses")
+SHELL_KINDS = ("hair", "cloth", "glasses", "beard")
+#: What a shell rides on that no morph target moves.
+NO_RIDES = np.zeros(0, np.int32)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shell:
-    """A surface of its own beside the body: hair, a skirt, the lower part of a coat, glasses.
+    """A surface of its own beside the body: hair, a beard, a skirt, the lower part of a coat, glasses.
 
     Attributes
     ----------
@@ -70,6 +72,8 @@ class Shell:
     rgba : (S, S, 4) uint8 texture
     kind : str
         One of ``SHELL_KINDS``.
+    rides : (N,) int32, or empty
+        Vertex of the skin with which each moves in morph targets; empty where none moves the shell.
     """
 
     vertices_m: NDArray[np.float64]
@@ -79,6 +83,7 @@ class Shell:
     skin_weights: NDArray[np.float64]
     rgba: NDArray[np.uint8]
     kind: str = "hair"
+    rides: NDArray[np.int32] = field(default_factory=lambda: NO_RIDES)
 
     def __post_init__(self) -> None:
         freeze(
@@ -89,4 +94,5 @@ class Shell:
             skin_joints=(np.int32, (None, 4)),
             skin_weights=(np.float64, (None, 4)),
             rgba=(np.uint8, (None, None, 4)),
+            rides=(np.int32, (len(self.vertices_m) if len(self.rides) else 0,)),
         )

@@ -12,26 +12,23 @@ from dataclasses import dataclass, replace
 from typing import cast
 
 import numpy as np
-from fast_simplification import simplify
 from numpy.typing import NDArray
-from scipy.ndimage import label, map_coordinates
-from skimage.measure import marching_cubes
 
+from cloner.baking.beard import beard_shell
 from cloner.baking.glasses import glasses_shell
 from cloner.baking.hair_cap import Scalp, covered_share, measure_scalp, settle_shell
-from cloner.baking.hair_edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge
+from cloner.baking.hair_mesh import lowest_m, mesh_of
+from cloner.baking.hair_shell import dress_shell, shown_part
 from cloner.baking.hair_tail import find_tail
 from cloner.baking.hair_views import HairView, Hanger, hair_views, views_of
-from cloner.baking.hair_volume import FILM_MM, VOXEL_M, hair_field
+from cloner.baking.hair_volume import FILM_MM, hair_field
+from cloner.baking.hair_weights import hair_weights
 from cloner.baking.hoods import without_hoods
 from cloner.baking.posed import body_triangles
-from cloner.baking.shell_paint import ShellView, paint_shell
 from cloner.baking.tucking import ear_masks, lay_ears, whole_ears
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.atlas import map_atlas
 from cloner.geometry.graphs import surface_graph
-from cloner.geometry.unwrapping import unwrap
 from cloner.geometry.wedges import vertex_normals
 from cloner.labels.glasses import wears_glasses
 from cloner.records.clones import Joined
@@ -44,16 +41,7 @@ from cloner.stages.loose import SAID, loose_shells
 
 Array = NDArray[np.float64]
 
-CLAIM = {  # taste: face photos have three times the pixels
-    ViewId.FACE_FRONT: 1.0,
-    ViewId.FACE_SIDE: 1.0,
-    ViewId.BODY_BACK: 0.85,
-    ViewId.BODY_FRONT: 0.6,
-    ViewId.BODY_SIDE: 0.6,
-}
 FRONTS = (ViewId.FACE_FRONT, ViewId.BODY_FRONT)  # with no other photo the back of the hair is made up
-LOOK_PX = 4  # of the lowest hair, a margin is added
-HIDDEN_MM = 3.0  # this deep in the head nothing is seen
 
 
 @dataclass(frozen=True, slots=True)
@@ -94,13 +82,17 @@ def run(
     rng: np.random.Generator,
     params: Params | None = None,
 ) -> StageResult:
-    """Return the hair's shell, or none with the reason as a warning, then those of loose clothing and of glasses.
+    """Return the hair's shell, or none with the reason as a warning, then a beard's, loose clothing's and glasses'.
 
     Residuals: median and largest thickness of the cap, mm.
     """
-    hair = grow_hair(photos, proposals, silhouettes, joined, tick, params or Params())
-    loose = loose_shells(load_generic(), joined, photos, proposals, silhouettes)
-    shells = (*cast(tuple[Shell, ...], hair.values["shells"]), *loose, *worn_glasses(photos, proposals, joined))
+    generic = load_generic()
+    views = hair_views(generic, joined, proposals, silhouettes)
+    hair = grow_hair(photos, views, joined, tick, params or Params())
+    beard = beard_shell(generic, joined, photos, proposals, views)
+    loose = loose_shells(generic, joined, photos, proposals, silhouettes)
+    worn = (*(() if beard is None else (beard,)), *loose, *worn_glasses(photos, proposals, joined))
+    shells = (*cast(tuple[Shell, ...], hair.values["shells"]), *worn)
     return StageResult({"shells": shells}, hair.residuals, (*hair.warnings, *((SAID,) if loose else ())))
 
 
@@ -114,16 +106,10 @@ def worn_glasses(photos: PhotoSet, proposals: Proposals, joined: Joined) -> tupl
 
 
 def grow_hair(
-    photos: PhotoSet,
-    proposals: Proposals,
-    silhouettes: SilhouetteSet,
-    joined: Joined,
-    tick: Callable[[float], None],
-    params: Params,
+    photos: PhotoSet, views: list[HairView], joined: Joined, tick: Callable[[float], None], params: Params
 ) -> StageResult:
     """Return one hair shell, or none with the reason as a warning, and the thickness of its cap."""
     generic = load_generic()
-    views = hair_views(generic, joined, proposals, silhouettes)
     if not any(view.hair.any() for view in views):
         return StageResult({"shells": ()}, (), ("No hair was found in the photos: the head stays bare",))
     joined, views = with_ears_laid(generic, joined, views)
@@ -143,10 +129,13 @@ def grow_hair(
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
     settled = settle_shell(views, scalp, *mesh, FILM_MM)
-    vertices, triangles, inside_mm = shown_part(views, settled, mesh[1])
+    used, triangles, inside_mm = shown_part(views, settled, mesh[1])
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
-    shell = dress_shell(generic, joined, photos, views, vertices, triangles, inside_mm, params)
+    surface, hung = (settled[used], triangles, inside_mm), Hanger.of(generic, joined).weights(settled[used])
+    strands = 1.0 if all(view.posed.view in FRONTS for view in views) else 0.0
+    carried = hair_weights(generic, joined, settled[used], triangles)
+    shell = dress_shell(generic, joined, photos, views, surface, hung, params.size, strands=strands, carried=carried)
     residuals = (
         Residual("hair_thickness_median", float(np.median(thick)), "mm"),
         Residual("hair_thickness_largest", float(thick.max()), "mm"),
@@ -209,67 +198,4 @@ def hair_mesh(
     tucked[head_rows(generic)] = scalp.points_m
     body = tucked[skin], vertex_normals(tucked, body_triangles(generic))[skin]
     field, skin_mm = hair_field(views, scalp, body, low, high, middle_of(generic, joined), float(ears[:, 1].mean()))
-    pieces, count = label(field > 0.0)
-    if count == 0:
-        return None
-    volume = np.bincount(pieces.ravel())
-    volume[0] = 0
-    field = np.where((volume >= params.smallest_piece * volume.max())[pieces] | (field <= 0.0), field, -1.0)
-    field = np.pad(field, 1, constant_values=-1.0)
-    points, faces, _, _ = marching_cubes(field, 0.0, gradient_direction="ascent")
-    hidden = (map_coordinates(skin_mm, (points - 1.0).T, order=1, mode="nearest") < -HIDDEN_MM)[faces].all(axis=1)
-    # The wall inside the head goes after the reduction: an open rim would fray in it.
-    target = int(params.triangles / max(1.0 - hidden.mean(), 0.1))
-    if len(faces) > target:
-        points, faces = simplify(points.astype(np.float64), faces.astype(np.int32), target_count=target)
-    depth = map_coordinates(skin_mm, (points - 1.0).T, order=1, mode="nearest")
-    outer = faces[(depth[faces] > -HIDDEN_MM).any(axis=1)]
-    used, outer = np.unique(outer, return_inverse=True)
-    vertices = low + (points[used].astype(np.float64) - 1.0) * VOXEL_M
-    return vertices, outer.reshape(-1, 3).astype(np.int32)
-
-
-def lowest_m(views: list[HairView]) -> float:
-    """Return the height of the lowest hair in any photo, rest frame, metres; infinite where no photo shows any."""
-    lowest = np.inf
-    for view in views:
-        rows, columns = np.nonzero(view.hair[::LOOK_PX, ::LOOK_PX])
-        if view.flip_m is None and rows.size:
-            last = int(rows.argmax())
-            pixel = np.array([[columns[last], rows[last]]], np.float64) * LOOK_PX
-            head = view.transforms[view.hanger.joints[0], :3, 3][None]
-            lowest = min(lowest, float(view.to_rest(view.posed.camera.back_project(pixel, head))[0, 1]))
-    return lowest
-
-
-def shown_part(
-    views: list[HairView], vertices_m: Array, triangles: NDArray[np.int32]
-) -> tuple[Array, NDArray[np.int32], Array]:
-    """Return vertices and triangles of what photos show as hair, and how far inside its edge the vertices lie, mm."""
-    inside_mm = inside_hairline_mm(views, [CLAIM[v.posed.view] for v in views], vertices_m, triangles)
-    shown = (inside_mm[triangles] > FADE_MM[0] - STRAND_MM).any(axis=1)
-    used, places = np.unique(triangles[shown], return_inverse=True)
-    return vertices_m[used], places.reshape(-1, 3).astype(np.int32), inside_mm[used]
-
-
-def dress_shell(
-    generic: GenericHuman,
-    joined: Joined,
-    photos: PhotoSet,
-    views: list[HairView],
-    vertices_m: Array,
-    triangles: NDArray[np.int32],
-    inside_mm: Array,
-    params: Params,
-) -> Shell:
-    """Return the shell with weights, charts and texture."""
-    joints, weights = Hanger.of(generic, joined).weights(vertices_m)
-    charts = unwrap(vertices_m, triangles, params.size)
-    atlas = map_atlas(charts.uv, charts.triangles, triangles, params.size)
-    sights = [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
-    strands = 1.0 if all(view.posed.view in FRONTS for view in views) else 0.0
-    rgba = paint_shell(generic, joined, photos.photos, sights, atlas, vertices_m, joints, weights, strands=strands)
-    rgba = soften_edge(rgba, atlas, inside_mm)
-    return Shell(
-        vertices_m[charts.vertex], charts.triangles, charts.uv, joints[charts.vertex], weights[charts.vertex], rgba
-    )
+    return mesh_of(field, skin_mm, low, params.triangles, params.smallest_piece)

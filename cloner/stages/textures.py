@@ -98,7 +98,7 @@ def run(
     """
     params = params or Params()
     generic = load_generic()
-    hiding = tuple(shell for shell in shells if shell.kind != "glasses")  # lenses are clear
+    hiding = tuple(shell for shell in shells if shell.kind in ("hair", "cloth"))  # lenses are clear, beards thin out
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, hiding))
     baked, surfaces, residuals = lay_photos(generic, photos, proposals, silhouettes, joined, hiding, params, tick)
     warnings = () if baked else ("No photo could be laid on the body: it keeps one plain colour",)

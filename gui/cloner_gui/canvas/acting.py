@@ -91,7 +91,12 @@ def with_face(clone: Clone, weights: Mapping[str, float]) -> Clone:
         if weight > 1e-3:
             rows = slice(int(clone.morph_start[number]), int(clone.morph_start[number + 1]))
             vertices[clone.morph_index[rows]] += weight * clone.morph_delta_m[rows]
-    return replace(clone, vertices_m=vertices)
+    moved = vertices - clone.vertices_m
+    shells = tuple(
+        replace(shell, vertices_m=shell.vertices_m + moved[shell.rides]) if len(shell.rides) else shell
+        for shell in clone.shells
+    )
+    return replace(clone, vertices_m=vertices, shells=shells)
 
 
 def dressed(clone: Clone, rotations: Array | None, mode: str, gaps_mm: Array | None) -> list[Layer]:
