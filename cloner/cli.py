@@ -213,6 +213,24 @@ def _body(
     typer.echo(str(folder))
 
 
+@app.command("undress")
+def _undress(
+    clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
+    out: OutOption,
+    identifier: Annotated[str, typer.Option("--id", help="Name of the result's folder.")] = "",
+    sex: Annotated[str, typer.Option("--sex", help="f or m; the clone's shape decides without it.")] = "",
+    formats: FormatOption = DEFAULT_FORMATS,
+) -> None:
+    """Make a clone barefoot and in neutral underwear, to be dressed anew; consent must be recorded."""
+    from cloner.bodies.undressed import undress_folder
+
+    with ProgressLine() as progress:
+        folder = undress_folder(
+            clone_path, out, identifier, sex=sex.lower(), formats=split_formats(formats), progress=progress
+        )
+    typer.echo(str(folder))
+
+
 @app.command("dress")
 def _dress(
     clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],

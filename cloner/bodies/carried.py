@@ -1,4 +1,4 @@
-"""How joints follow the skin round them."""
+"""How joints follow the skin round them, and hair and loose cloth the skin below."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import functools
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
+from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 
@@ -14,6 +15,8 @@ Array = NDArray[np.float64]
 
 #: A joint whose skin it shares with its parent less than this, in vertices, goes with its parent.
 LEAST: float = 0.5
+#: Skin points that carry a point of hair or loose cloth.
+NEAREST: int = 4
 
 
 @functools.cache
@@ -36,3 +39,11 @@ def _rings() -> csr_array:
 def joints_follow(shift_m: Array) -> Array:
     """Return (94, 3) how far the joints go when the skin goes (V, 3) metres."""
     return np.asarray(_rings() @ shift_m)
+
+
+def carried(points_m: Array, skin_m: Array, shift_m: Array) -> Array:
+    """Return points (N, 3) that go with the skin nearest to them."""
+    away, rows = cKDTree(skin_m).query(points_m, k=NEAREST)
+    weight = 1.0 / np.maximum(away, 1e-4)
+    weight /= weight.sum(axis=1, keepdims=True)
+    return np.asarray(points_m + np.einsum("nk,nka->na", weight, shift_m[rows]))

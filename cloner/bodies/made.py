@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
+from cloner.bodies.carried import carried
 from cloner.bodies.measured import measured_body, remeasured_body
 from cloner.bodies.ruler import read
 from cloner.bodies.skin import painted, regions
@@ -23,9 +23,6 @@ from cloner.stages.face_targets import face_targets
 from cloner.stages.join import eye_joints, flat_soles, named_features
 
 Array = NDArray[np.float64]
-
-#: Skin points that carry a point of hair or loose cloth.
-NEAREST = 4
 
 
 def clone_of_measures(told: Told, size: int, seed: int = 0) -> Clone:
@@ -93,7 +90,7 @@ def remeasured_clone(clone: Clone, told: Told) -> Clone:
         vertices_m=vertices,
         joints_m=after.joints_m + lift,
         shells=tuple(
-            replace(shell, vertices_m=_carried(shell.vertices_m, clone.vertices_m[skin], shift[skin]))
+            replace(shell, vertices_m=carried(shell.vertices_m, clone.vertices_m[skin], shift[skin]))
             for shell in clone.shells
         ),
         features_m=named_features(generic, vertices),
@@ -119,11 +116,3 @@ def scaled_clone(clone: Clone, scale: float) -> Clone:
         measures_mm={name: scale * value for name, value in clone.measures_mm.items()},
         views={},  # their cameras saw the person as they are
     )
-
-
-def _carried(points_m: Array, skin_m: Array, shift_m: Array) -> Array:
-    """Return points (N, 3) that go with the skin nearest to them."""
-    away, rows = cKDTree(skin_m).query(points_m, k=NEAREST)
-    weight = 1.0 / np.maximum(away, 1e-4)
-    weight /= weight.sum(axis=1, keepdims=True)
-    return np.asarray(points_m + np.einsum("nk,nka->na", weight, shift_m[rows]))

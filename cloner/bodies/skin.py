@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from cloner.baking.parts import paint_parts
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.atlas import AtlasMap
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import TextureAtlas
 from cloner.records.regions import REGIONS
@@ -26,6 +27,8 @@ CLOTH: Final = np.array([96.0, 100.0, 108.0])
 IRIS: Final = np.array([92.0, 70.0, 50.0])
 #: Edges fade over this, metres.
 SOFT_M: Final = 0.002
+#: Levels that the knit goes up and down, and a hem's seam is darker; how far the seam lies from the edge, metres.
+KNIT, HEM_SHADE, HEM_M = 3.0, 22.0, 0.010
 #: Briefs reach so far above the crotch, shares of the generic stature; their legs rise to the sides.
 BRIEFS: Final = (0.085, 0.75)
 #: Brows stand above the eyes, at 1.70 m: height, half thickness, metres.
@@ -50,13 +53,12 @@ def painted(body: BodyMesh, sex: str, size: int, rng: np.random.Generator) -> Te
     rgb = np.tile(SKIN.round().astype(np.uint8), (size, size, 1))
     texels = np.tile(SKIN.astype(np.float32), (len(atlas.texel), 1))
     places = atlas.interpolate(generic.vertices_m.astype(np.float64))
-    texels += GRAIN * _grain(places, rng)[:, None]
+    texels += GRAIN * grain(places, rng)[:, None]
     skin = atlas.interpolate((generic.vertex_part == generic.part_names.index("body")).astype(np.float64)) > 0.5
     brows = np.where(skin, _brows(generic, places.astype(np.float64)), -1.0)
-    fields = [(atlas.interpolate(field), colour) for field, colour in _fields(generic, sex)]
-    for field, colour in ((brows, BROWS), *fields):
-        share = np.clip(0.5 + field / (2.0 * SOFT_M), 0.0, 1.0)[:, None]
-        texels += share * (colour.astype(np.float32) - texels)
+    for field, colour in ((brows, BROWS), *((atlas.interpolate(each), rgb_) for each, rgb_ in _fields(generic))):
+        texels += _inside(field) * (colour.astype(np.float32) - texels)
+    draw_underwear(texels, generic, sex, atlas)
     rgb.reshape(-1, 3)[atlas.texel] = np.clip(np.rint(texels), 0, 255)
     paint_parts(generic, parts_atlas(generic, size), rgb, body.vertices_m, IRIS, 0.0, None, rng)
     return TextureAtlas(pad_charts(rgb, atlas.covered()), np.zeros((size, size), np.uint8))
@@ -68,7 +70,7 @@ def regions(sex: str) -> NDArray[np.uint8]:
     triangles, _ = generic.triangles()
     part = np.array([name.split("_")[0] for name in generic.part_names])[generic.vertex_part[triangles[:, 0]]]
     labels = np.full(len(triangles), REGIONS.index("skin"))
-    fields = {name: field[triangles].mean(axis=1) > 0.0 for name, field in _cloth(generic, sex).items()}
+    fields = {name: field[triangles].mean(axis=1) > 0.0 for name, field in underwear(generic, sex).items()}
     labels[fields["briefs"]] = REGIONS.index("lower_clothes")
     labels[fields.get("top", np.zeros(len(triangles), bool))] = REGIONS.index("upper_clothes")
     labels[_hair(generic)[triangles].mean(axis=1) > 0.0] = REGIONS.index("hair")
@@ -77,23 +79,35 @@ def regions(sex: str) -> NDArray[np.uint8]:
     return labels.astype(np.uint8)
 
 
-def _grain(points_m: NDArray[np.float32], rng: np.random.Generator) -> NDArray[np.float32]:
+def draw_underwear(texels: NDArray[np.float32], generic: GenericHuman, sex: str, atlas: AtlasMap) -> None:
+    """Draw neutral underwear over (N, 3) texels of an atlas: a plain knit with a hem."""
+    rows, columns = np.divmod(atlas.texel, atlas.shape[1])
+    knit = KNIT * np.where((rows + columns) % 4 < 2, 1.0, -1.0).astype(np.float32)[:, None]
+    for each in underwear(generic, sex).values():
+        field = atlas.interpolate(each)
+        hem = HEM_SHADE * np.clip(1.0 - np.abs(field - HEM_M) / SOFT_M, 0.0, 1.0)[:, None]
+        texels += _inside(field) * (CLOTH.astype(np.float32) + knit - hem - texels)
+
+
+def _inside(field: NDArray[np.float32]) -> NDArray[np.float32]:
+    return np.asarray(np.clip(0.5 + field / (2.0 * SOFT_M), 0.0, 1.0)[:, None], np.float32)
+
+
+def grain(points_m: NDArray[np.float32], rng: np.random.Generator) -> NDArray[np.float32]:
     """Return (N,) smooth unevenness about 0 of size one, from a few waves through space."""
     waves = rng.normal(size=(12, 3)) * rng.uniform(60.0, 500.0, (12, 1))
     phases = rng.uniform(0.0, 2.0 * np.pi, 12)
     return np.asarray(np.sin(points_m @ waves.T.astype(np.float32) + phases).mean(axis=1) * 2.0, np.float32)
 
 
-def _fields(generic: GenericHuman, sex: str) -> list[tuple[Array, Array]]:
+def _fields(generic: GenericHuman) -> list[tuple[Array, Array]]:
     """Return signed distances (V,), metres, positive inside, and their colours; later ones lie above."""
     lips = np.where(generic.region("lips"), SOFT_M, -2.0 * SOFT_M)
-    return [
-        (lips, LIPS), (_hair(generic), HAIR),
-        *((field, CLOTH) for field in _cloth(generic, sex).values()),
-    ]  # fmt: skip
+    return [(lips, LIPS), (_hair(generic), HAIR)]
 
 
-def _cloth(generic: GenericHuman, sex: str) -> dict[str, Array]:
+def underwear(generic: GenericHuman, sex: str) -> dict[str, Array]:
+    """Return by "briefs" and "top" (women's) the signed distance (V,) of every vertex to its edge, positive inside."""
     places = generic.vertices_m.astype(np.float64)
     x, y = np.abs(places[:, 0]), places[:, 1]
     rows = [generic.segment_names.index(name) for name in ("torso", "pelvis", "left_thigh", "right_thigh")]

@@ -80,20 +80,28 @@ def body_folder(
     progress("body", 0.0)
     old = clone_of(source) if source is not None else None
     stature_m = old.stature_m if stature_cm is None and old is not None else float(stature_cm or 0.0) / 100.0
-    told = Told(sex or (_sex_of(old) if old is not None else ""), stature_m, _tape(measures_cm, stature_m))
+    told = Told(sex or (sex_of(old) if old is not None else ""), stature_m, _tape(measures_cm, stature_m))
     with result_folder(out, safe_identifier(identifier)) as folder:
         clone = clone_of_measures(told, texture_size) if old is None else remeasured_clone(old, told)
         clone = replace(clone, stamp=_stamp(told, identifier, texture_size, old))
         progress("export", 0.5)
-        save_clone(clone, folder / CLONE_FILE)
-        for name in formats:
-            EXPORTERS.get(name)(clone, folder)
-        if (folder / GLB_FILE).is_file():
-            write_viewer(f"Body {identifier}", folder / GLB_FILE)
-        files = [path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()]
-        write_report(_manifest(clone, told, source) | {"outputs": output_digests(folder, files)}, folder)
+        options = {"sex": told.sex, "stature_m": round(told.stature_m, 4), "told_mm": dict(told.mm)}
+        told_mm = {key: round(value, 1) for key, value in told.mm.items()}
+        manifest = manifest_of(clone, "body from measures", options, source) | {"told_mm": told_mm}
+        write_result(clone, folder, f"Body {identifier}", formats, manifest)
     progress("done", 1.0)
     return out / safe_identifier(identifier), _said(clone, told, old)
+
+
+def write_result(clone: Clone, folder: Path, title: str, formats: Sequence[str], manifest: Mapping[str, Any]) -> None:
+    """Write a clone that no photos were read for into a result's folder: its file, formats, viewer and manifest."""
+    save_clone(clone, folder / CLONE_FILE)
+    for name in formats:
+        EXPORTERS.get(name)(clone, folder)
+    if (folder / GLB_FILE).is_file():
+        write_viewer(title, folder / GLB_FILE)
+    files = [path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()]
+    write_report(dict(manifest) | {"outputs": output_digests(folder, files)}, folder)
 
 
 def _tape(measures_cm: Mapping[str, float], stature_m: float) -> dict[str, float]:
@@ -102,7 +110,7 @@ def _tape(measures_cm: Mapping[str, float], stature_m: float) -> dict[str, float
     return dict(read_tape(measures_cm, stature_m, WHERE))
 
 
-def _sex_of(clone: Clone) -> str:
+def sex_of(clone: Clone) -> str:
     """Return which of the two tables is nearer to a clone's shoulders and hips."""
     hip, chest = (clone.measures_mm.get(key, 0.0) for key in ("hip_girth", "underbust_girth"))
     return "m" if chest > 0.88 * hip > 0.0 else "f"
@@ -117,16 +125,15 @@ def _stamp(told: Told, identifier: str, size: int, old: Clone | None) -> str:
     return stamp_text(0, size, [hashlib.sha256(text.encode()).hexdigest()])
 
 
-def _manifest(clone: Clone, told: Told, source: Path | None) -> dict[str, Any]:
-    """Return the manifest; a changed clone belongs to its photos' visitor as the clone itself."""
+def manifest_of(clone: Clone, kind: str, options: Mapping[str, Any], source: Path | None) -> dict[str, Any]:
+    """Return the manifest; what was made of a clone belongs to its photos' visitor as the clone itself."""
     first = read_manifest(source if source.is_dir() else source.parent) if source is not None else None
     kept = {name: first.stamp.get(name, {}) for name in ("photos", "beside")} if first is not None else {}
     return {
         "format": FORMAT,
-        "kind": "body from measures",
+        "kind": kind,
         "made_by": clone.stamp,
         "stature_m": round(clone.stature_m, 4),
-        "told_mm": {key: round(value, 1) for key, value in told.mm.items()},
         "measures_mm": dict(clone.measures_mm),
         "source": first.source if first is not None else "",
         "stamp": {
@@ -134,7 +141,7 @@ def _manifest(clone: Clone, told: Told, source: Path | None) -> dict[str, Any]:
             "models": digest_of_models(),
             "photos": kept.get("photos", {}),
             "beside": kept.get("beside", {}),
-            "options": {"sex": told.sex, "stature_m": round(told.stature_m, 4), "told_mm": dict(told.mm)},
+            "options": dict(options),
         },
     }
 
