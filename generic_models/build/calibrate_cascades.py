@@ -5,7 +5,9 @@ Three families: portraits of random heads (``painted_portraits.py``), with ``--s
 family, with ``--people`` photos of the generator of photographed people; nobody of them is judged by a benchmark. A
 cascade of ridge regressions for each feature learns points from gradient histograms around a rough guess, which is what
 a profile laid on the outline would tell. Goes to ``cloner_models/cascades.npz`` with the error to expect for the spread
-that several guesses show. 40 CPU minutes for all; other features than the told ones stay as they are.
+that several guesses show. 40 CPU minutes for all; other features than the told ones stay as they are. The shipped side
+eye was taught on painted heads alone: the three families find it nearer in the generator's photos (10.2 to 5.7 % of the
+eye distance) and 13 % off in a sample's hand-held one.
 """
 
 from __future__ import annotations
