@@ -43,22 +43,22 @@ def main() -> int:
     parser.add_argument("--screens", default=",".join(SCREENS))
     parser.add_argument("--languages", default=",".join(LANGUAGES))
     parser.add_argument("--pictures", type=Path)
+    parser.add_argument("--rows", type=Path, help="a file of walks done before, to which these are added")
     parser.add_argument("--no-real", action="store_true")
     parser.add_argument("--keep", type=Path, help="where the event of the real walks is kept")
     chosen = parser.parse_args()
-    rows = []
-    for screen in chosen.screens.split(","):
-        found = walks(screen, chosen.languages, chosen.pictures, real=False)
-        rows += [(screen, told) for told in found]
-        for told in found:
-            print(screen, json.dumps(told), flush=True)
-    real = [] if chosen.no_real else walks("1280x800", "en", None, real=True, keep=chosen.keep)
-    for told in real:
-        print("real", json.dumps(told), flush=True)
-    whole = len(chosen.screens.split(",")) == len(SCREENS) and real
-    if whole:
-        PAGE.write_text(page(rows, real), encoding="utf-8")
-    return 1 if any(told["to_takeaway"] > MOST[told["how"]] for _, told in rows) else 0
+    told = [] if chosen.rows is None or not chosen.rows.is_file() else json.loads(chosen.rows.read_text())
+    for screen in filter(None, chosen.screens.split(",")):
+        for walked in walks(screen, chosen.languages, chosen.pictures, real=False):
+            print(screen, json.dumps(walked), flush=True)
+            told.append({"screen": screen, "real": False, **walked})
+    for walked in [] if chosen.no_real else walks("1280x800", "en", None, real=True, keep=chosen.keep):
+        print("real", json.dumps(walked), flush=True)
+        told.append({"screen": "1280x800, real", "real": True, **walked})
+    if chosen.rows is not None:
+        chosen.rows.write_text(json.dumps(told, indent=1))
+    PAGE.write_text(page(told), encoding="utf-8")
+    return 1 if any(one["to_takeaway"] > MOST[one["how"]] for one in told) else 0
 
 
 def walks(
@@ -118,28 +118,31 @@ def prepare(room: Path, *, small: bool) -> None:
     script.chmod(0o755)
 
 
-def page(rows: list[tuple[str, dict[str, Any]]], real: list[dict[str, Any]]) -> str:
-    """Return the page of the documentation."""
+def page(told: list[dict[str, Any]]) -> str:
+    """Return the page of the documentation, with a row for each walk."""
     lines = [
         "# What a visitor costs the operator", "",
         "`python benchmarks/booth_operator.py` (X server, its own mouse and keyboard): *New visitor*, name and height "
         "typed, consent, photos, *Clone*, *Next*, and the click that copies to a stick. Clicks are told to the "
         "take-away page, then in all; keys are the typed name and height and, with files, Ctrl+A and Return in the "
         "dialog. Seconds of hands: keystroke-level model (Card, Moran, Newell 1980), without the machine's time. The "
-        "clone of these walks is a finished result; the last two rows are real.", "",
+        "clone of these walks is a finished result, but where the row says that it is real.", "",
         "| screen | language | photos | clicks to the take-away | and copied | keys | wheel | hands, s |",
         "| --- | --- | --- | --- | --- | --- | --- | --- |",
     ]  # fmt: skip
-    lines += [_row(screen, told) for screen, told in rows]
-    lines += [_row("1280x800, real", told) for told in real]
-    slowest = ", ".join(f"{told['how']} {told['wall_s']:.0f} s" for told in real)
-    lines += ["", f"By the clock, clone included, on this machine with others at work: {slowest}."]
+    lines += [_row(one) for one in told]
+    slowest = ", ".join(f"{one['how']} {one['wall_s']:.0f} s" for one in told if one["real"])
+    if slowest:
+        lines += ["", f"By the clock, clone included, on a machine with others at work: {slowest}."]
     return "\n".join(lines) + "\n"
 
 
-def _row(screen: str, told: dict[str, Any]) -> str:
-    cells = (screen, told["language"], told["how"], f"{told['to_takeaway']} of {MOST[told['how']]}", told["clicks"],
-             told["keys"], told["wheels"], f"{told['seconds']:.1f}")  # fmt: skip
+def _row(told: dict[str, Any]) -> str:
+    clicks = f"{told['to_takeaway']} of {MOST[told['how']]}"
+    cells = (
+        told["screen"], told["language"], told["how"], clicks, told["clicks"], told["keys"], told["wheels"],
+        f"{told['seconds']:.1f}",
+    )  # fmt: skip
     return "| " + " | ".join(str(cell) for cell in cells) + " |"
 
 

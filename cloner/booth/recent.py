@@ -7,7 +7,6 @@ import json
 from pathlib import Path
 from typing import Final
 
-from cloner.booth.event import EVENT_FILE
 from cloner.errors import ClonerError
 from cloner.outside import read_outside
 from cloner.project.atomic import write_text
@@ -24,7 +23,7 @@ def recent_events(file: Path) -> tuple[Path, ...]:
     except (OSError, ValueError, RecursionError):
         return ()
     folders = [Path(one) for one in told if isinstance(one, str)] if isinstance(told, list) else []
-    return tuple(folder for folder in folders if (folder / EVENT_FILE).is_file())
+    return tuple(folder for folder in folders if folder.is_dir())
 
 
 def note_recent(file: Path, folder: Path) -> None:

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Final
 
-from PySide6.QtCore import QCoreApplication, QTranslator
+from PySide6.QtCore import QCoreApplication, QLibraryInfo, QTranslator
 
 from cloner_gui.words import CONSENT, CONSENT_KEPT
 
@@ -24,11 +24,22 @@ def translator_of(code: str) -> QTranslator:
     return made
 
 
+@functools.cache
+def qt_translator_of(code: str) -> QTranslator:
+    """Return the translator of Qt's own words: Save, Cancel, and all that stands in the dialogs for files."""
+    made = QTranslator()
+    if code != "en":
+        made.load(f"qtbase_{code}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath))
+    return made
+
+
 def speak(code: str) -> None:
     """Make the whole program speak a language; every widget hears of it (LanguageChange)."""
     for other in LANGUAGE_NAMES:
         QCoreApplication.removeTranslator(translator_of(other))
+        QCoreApplication.removeTranslator(qt_translator_of(other))
     if code != "en":
+        QCoreApplication.installTranslator(qt_translator_of(code))
         QCoreApplication.installTranslator(translator_of(code))
 
 

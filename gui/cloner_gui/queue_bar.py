@@ -6,6 +6,8 @@ import re
 from pathlib import Path
 from typing import Final
 
+from PySide6.QtCore import QRect, Qt
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QToolButton, QWidget
 
 from cloner_gui.booth import Booth
@@ -13,6 +15,7 @@ from cloner_gui.pieces import name
 from cloner_gui.words import spoken_step, spoken_time, translate
 
 _LEAST_PX: Final = 170
+_LINES: Final = 2
 
 
 class QueueBar(QWidget):
@@ -22,6 +25,7 @@ class QueueBar(QWidget):
         super().__init__(parent)
         self._booth, self._queue = booth, booth.session.queue
         self._hidden = False
+        self._texts: tuple[str, ...] = ("",)
         self.text, self.bar, self.cancel = QLabel(), QProgressBar(), QToolButton()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
@@ -63,13 +67,27 @@ class QueueBar(QWidget):
         left = spoken_time(self._queue.seconds_left(folder))
         more = self._queue.size() - 1
         waiting = translate("queue", ", {n} more wait").format(n=more) if more else ""
-        told = translate("queue", "{name}: {step}, {left}").format(
-            name=self._booth.name_of(folder), step=spoken_step(step), left=left
-        )
-        self.text.setText(told + waiting)
-        longest = max(map(self.text.fontMetrics().horizontalAdvance, re.split(r"\s|(?<=-)", told)))
-        self.text.setMinimumWidth(max(_LEAST_PX, longest + 2))  # a long name in large letters
+        called, pattern = self._booth.name_of(folder), translate("queue", "{name}: {step}, {left}")
+        told = pattern.format(name=called, step=spoken_step(step), left=left) + waiting
+        self._texts = (told, f"{called}: {left}{waiting}", f"{called}: {left}", called)
+        self.text.setToolTip(told)
+        self._fit()
         self.bar.setValue(round(1000 * fraction))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Say as much as there is room for now."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        """Say as much as fits into a few lines: higher it would take the page's room, which must not move."""
+        letters = self.text.fontMetrics()
+        longest = max(map(letters.horizontalAdvance, re.split(r"\s|(?<=-)", self._texts[0])))
+        self.text.setMinimumWidth(max(_LEAST_PX, longest + 2))  # a long name in large letters
+        room = QRect(0, 0, max(self.text.width(), self.text.minimumWidth()), 9999)
+        high, wraps = _LINES * letters.lineSpacing(), Qt.TextFlag.TextWordWrap
+        fits = (one for one in self._texts if letters.boundingRect(room, wraps, one).height() <= high)
+        self.text.setText(next(fits, self._texts[-1]))
 
     def _stop(self) -> None:
         if self._queue.at_work is not None:

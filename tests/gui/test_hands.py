@@ -6,7 +6,7 @@ import xml.etree.ElementTree as ElementTree
 import pytest
 from PySide6.QtCore import QMimeData, Qt, QUrl
 from PySide6.QtGui import QAccessible, QColor, QGuiApplication
-from PySide6.QtWidgets import QApplication, QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLabel, QPushButton, QWidget
 
 from cloner.booth.event import LANGUAGES
 from cloner.frames import ViewId
@@ -129,6 +129,16 @@ def test_another_language_is_spoken_at_once_and_the_consent_is_the_visitors(even
     event.booth.change(language="en")
     QApplication.processEvents()
     assert event.visitor.new_button.text() == "&New visitor"
+
+
+@pytest.mark.parametrize(("code", "save", "cancel"), [
+    ("en", "Save", "Cancel"), ("de", "Speichern", "Abbrechen"), ("fr", "Enregistrer", "Annuler"),
+    ("tr", "Kaydet", "İptal"),
+])  # fmt: skip
+def test_qts_own_buttons_speak_the_language_too(event, code, save, cancel):
+    event.booth.change(language=code)
+    box = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel)
+    assert [one.text().replace("&", "") for one in box.buttons()] == [save, cancel]
 
 
 @pytest.mark.parametrize("code", [code for code in LANGUAGES if code != "en"])
