@@ -117,7 +117,9 @@ def covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bools) ->
     middle = np.median(colour[seed], axis=0)
     spread = np.clip(1.4826 * np.median(np.abs(colour[seed] - middle), axis=0), LEAST_SPREAD, MOST_SPREAD)
     alike = (np.abs(colour - middle) < DEVIATIONS * spread).all(axis=2)
-    alike &= ~shows(shown, *BARE) & (place | ~shows(shown, Label.FACE_SKIN, Label.HAIR))
+    # cloth lies higher than the scalp: what is told to be skin up there is cloth too, lower down it is a face
+    crown = np.arange(box[0].start, box[0].start + len(shown))[:, None] < rows[0] + height // 2
+    alike &= ~shows(shown, *BARE) & (place | crown | ~shows(shown, Label.FACE_SKIN, Label.HAIR))
     pieces = cv2.connectedComponents((alike | seed).astype(np.uint8), connectivity=4)[1]
     cloth[box] = np.isin(pieces, np.unique(pieces[seed & alike])) & (alike | seed) & (pieces > 0)
     return cloth

@@ -36,12 +36,13 @@ def picture():
 
 
 def labelled(*, scarf=Label.ACCESSORY):
-    """Return labels that call the scarf hair on its left and clothes below the chin."""
+    """Return labels that call the scarf hair on its left, clothes below the chin and skin at its top."""
     labels = np.zeros((SIZE, SIZE), np.uint8)
     labels[TOP], labels[SCARF] = Label.UPPER_CLOTHES, scarf
     if scarf == Label.ACCESSORY:
         labels[25:130, 60:75] = Label.HAIR
         labels[100:130, 60:140] = Label.UPPER_CLOTHES
+        labels[25:35, 90:110] = Label.FACE_SKIN
     labels[FACE] = Label.FACE_SKIN
     return labels
 
