@@ -60,7 +60,7 @@ def coloured(clone: Clone) -> list[Layer]:
     for layer, surface in zip(layers, surfaces, strict=False):
         head = own[surface.vertex] if surface.name == "body" else np.ones(len(surface.vertex), bool)
         two = np.array([[(0, 0, 0), FACE_RGB]], np.uint8)
-        uv = np.column_stack([np.where(head, 1.0, 0.0), np.full(len(head), 0.5)])
+        uv = np.column_stack([np.where(head, 0.75, 0.25), np.full(len(head), 0.5)])
         found.append(replace(layer, texture=two, uv=uv))
     kinds: Mapping[str, tuple[int, int, int]] = {"hair": HAIR, "beard": BEARD}
     for layer, shell in zip(layers[len(surfaces) :], clone.shells, strict=True):

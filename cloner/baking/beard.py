@@ -70,6 +70,8 @@ NEAR_MM: Final = 40.0
 ALL_SKULL_M: Final = 10.0
 #: How far the grid reaches around the skin where a beard can grow, and below the lowest label, metres.
 MARGIN_M: Final = 0.045
+#: The first of these photos bounds a beard: the face was fitted to the face photos.
+SEEN_FROM: Final = (ViewId.FACE_FRONT, ViewId.BODY_FRONT, ViewId.FACE_SIDE, ViewId.BODY_SIDE)
 #: Most triangles, and the texture's side, texels.
 TRIANGLES: Final = 3000
 SIZE: Final = 512
@@ -183,19 +185,29 @@ def beard_field(
     low[1] = min(low[1], lowest_m(views) - MARGIN_M)
     shape = tuple(int(cells) for cells in np.ceil((high - low) / VOXEL_M))
     grid = low + VOXEL_M * np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3)
-    skin_mm = surface_mm(*body, grid)[0]
-    cap, hanging = (np.full(len(grid), np.float32(-CLIP_MM)) for _ in range(2))
+    shown = next(view for name in SEEN_FROM for view in views if view.posed.view is name and view.flip_m is None)
+    rows = np.flatnonzero(shown.evidence(grid)[0] > -CLIP_MM)  # four fifths of the box are beside the beard
+    points = grid[rows]
+    skin_mm = surface_mm(*body, points)[0]
+    cap, hanging = (np.full(len(rows), np.float32(-CLIP_MM)) for _ in range(2))
     close, outside = np.abs(skin_mm) < NEAR_MM, skin_mm > -INNER_MM
-    cap[close] = np.clip(cap_mm(views, near_skin(grown, grid[close])), -CLIP_MM, CLIP_MM)
-    inside, sides = agreed_mm(views, grid[outside], float(zone_m[:, 0].mean()))
+    cap[close] = cap_mm(views, near_skin(grown, points[close]))
+    inside, sides = agreed_mm(views, points[outside], float(zone_m[:, 0].mean()))
     thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[outside])
     hanging[outside] = np.minimum(np.minimum(inside - DOUBT_MM, thin), skin_mm[outside] + INNER_MM)
-    skin_mm, cap, hanging = (values.reshape(shape) for values in (skin_mm, cap, hanging))
+
+    def spread(values: Floats, elsewhere: float) -> Floats:
+        whole = np.full(len(grid), np.float32(elsewhere))
+        whole[rows] = values
+        return whole.reshape(shape)
+
+    distance_mm, cap, hanging = spread(skin_mm, FAR_MM), spread(cap, -CLIP_MM), spread(hanging, -CLIP_MM)
+    cap = np.clip(cap, -CLIP_MM, CLIP_MM)
     hanging = np.clip(np.minimum(hanging, below_mm(cap)), -CLIP_MM, CLIP_MM)
     pieces = label((cap > 0.0) | (hanging > 0.0))[0]
     held = np.isin(pieces, np.unique(pieces[cap > 0.0])) & (pieces > 0)
     field = np.where(held, np.maximum(cap, hanging), cap)
-    return gaussian_filter(field.astype(np.float32), SMOOTH_VOXELS), skin_mm, low
+    return gaussian_filter(field.astype(np.float32), SMOOTH_VOXELS), distance_mm, low
 
 
 def agreed_mm(views: list[HairView], points_m: Array, middle_m: float) -> tuple[Floats, NDArray[np.int64]]:
@@ -209,7 +221,7 @@ def agreed_mm(views: list[HairView], points_m: Array, middle_m: float) -> tuple[
         seen = {view.posed.view: view for view in views if view.flip_m is None}
         view = next((seen[name] for name in names if name in seen), None)
         if view is not None:
-            aside = names[0] is ViewId.FACE_SIDE
+            aside = ViewId.FACE_SIDE in names
             places = np.column_stack([np.full(len(points_m), middle_m), points_m[:, 1:]]) if aside else points_m
             inside, judged = view.evidence(places)
             away += np.where(judged, np.maximum(ROUND_MM - inside, 0.0) ** 2, 0.0).astype(np.float32)

@@ -32,12 +32,12 @@ CLAIM: Final = {  # taste: face photos have three times the pixels
 
 def shown_part(
     views: list[HairView], vertices_m: Array, triangles: NDArray[np.int32]
-) -> tuple[NDArray[np.intp], NDArray[np.int32], Array]:
+) -> tuple[NDArray[np.int32], NDArray[np.int32], Array]:
     """Return which vertices (M,) photos show as hair, triangles of those, and how far inside its edge they lie, mm."""
     inside_mm = inside_hairline_mm(views, [CLAIM[v.posed.view] for v in views], vertices_m, triangles)
     shown = (inside_mm[triangles] > FADE_MM[0] - STRAND_MM).any(axis=1)
     used, places = np.unique(triangles[shown], return_inverse=True)
-    return used, places.reshape(-1, 3).astype(np.int32), inside_mm[used]
+    return used.astype(np.int32), places.reshape(-1, 3).astype(np.int32), inside_mm[used]
 
 
 def dress_shell(

@@ -19,8 +19,6 @@ Skinned = tuple[NDArray[np.int32], Array]
 #: Hair nearer to the body's skin than the first lies on it, farther than the second it hangs free, metres: the outside
 #: of thick hair moves with its inside.
 LYING_M: Final = (0.03, 0.07)
-#: So much of hair that lies on a shoulder follows the shoulder; the rest the head pulls along (taste).
-MOST: Final = 0.9
 #: Skin vertices whose weights are averaged: hair is as smooth as five of them.
 NEAREST: Final = 8
 #: Rounds over the hair's own surface, so that locks do not tear where they leave the body.
@@ -48,7 +46,7 @@ def hair_weights(generic: GenericHuman, joined: Joined, vertices_m: Array, trian
     gap_m, near = cKDTree(joined.vertices_m[skin]).query(vertices_m[low], k=NEAREST)
     lying = np.zeros(len(vertices_m))
     lying[low] = np.clip((LYING_M[1] - gap_m[:, 0]) / (LYING_M[1] - LYING_M[0]), 0.0, 1.0)
-    lying = MOST * below * surface_graph(vertices_m, triangles).smooth(lying, ROUNDS)
+    lying = below * surface_graph(vertices_m, triangles).smooth(lying, ROUNDS)
     whole = np.zeros((len(vertices_m), len(generic.joint_names)))
     np.add.at(whole, (np.arange(len(vertices_m))[:, None], joints), (1.0 - lying)[:, None] * weights)
     closeness = 1.0 / (gap_m + 1e-3)

@@ -27,7 +27,7 @@ def without_hoods(
     scalp_m, normals : (N, 3)
     triangles : (T, 3) of the scalp
     """
-    places = [_seen_scalp(view, scalp_m, normals, triangles) for view in views]
+    places = [seen_scalp(view, scalp_m, normals, triangles) for view in views]
     straight = [(view, place) for view, place in zip(views, places, strict=True) if view.flip_m is None]
     hairy = sum(int((view.hair & place).sum()) for view, place in straight)
     clothed = sum(int((view.clothed & place).sum()) for view, place in straight)
@@ -43,7 +43,7 @@ def without_hoods(
     return found
 
 
-def _seen_scalp(view: HairView, scalp_m: Array, normals: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+def seen_scalp(view: HairView, scalp_m: Array, normals: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
     """Return (H, W) pixels that show the scalp or what grows there: nothing of a head lies before it."""
     towards = view.posed.camera.position_m - view.to_view(scalp_m)
     facing = np.einsum("nk,nk->n", view.turn(normals), towards) > 0.0

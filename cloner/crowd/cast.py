@@ -23,6 +23,8 @@ Pixels = NDArray[np.uint8]
 
 ATLAS_PX: Final = 512  # taste: 330 texels a metre, a screen pixel at 2.6 m through a 50 degree lens of 720 lines
 SHELL_PX: Final = 192  # hair's density is then that of the body's
+#: Shells that have a half of the picture; beards and glasses would be painted with hair, so walkers have them as paint.
+DRAWN: Final = ("hair", "cloth")
 #: Heights from the chest's middle count as chest, share of the stature either way; taste.
 CHEST: Final = (0.68, 0.80)
 
@@ -74,7 +76,7 @@ def cast_of(
     ClonerError
         If a captured walk cannot be laid on.
     """
-    groups = triangle_groups(clone)
+    groups, shells = triangle_groups(clone), [shell for shell in clone.shells if shell.kind in DRAWN]
     atlas, codes = smaller(clone.atlas.rgb, atlas_px), texel_groups(groups, atlas_px)
     clips = clips_of(clone, poses, walks)
     normals = surface_normals(clone.vertices_m)[body.vertex]
@@ -83,12 +85,12 @@ def cast_of(
         clone.stature_m,
         clone.vertices_m[body.vertex],
         normals / np.linalg.norm(normals, axis=1, keepdims=True),
-        _loose(clone.shells, len(body.triangles)),
+        _loose(shells, len(body.triangles)),
         clips,
         atlas,
         codes,
         marks_of(codes),
-        _shell_picture(clone.shells),
+        _shell_picture(shells),
         looks_of(atlas, codes),
         groups,
         _width_to_depth(clone.vertices_m[body.vertex], body, clips[0], clone.stature_m),

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.baking.beard import beard_shell
+from cloner.baking.coverings import with_whole_coverings
 from cloner.baking.glasses import glasses_shell
 from cloner.baking.hair_cap import Scalp, covered_share, measure_scalp, settle_shell
 from cloner.baking.hair_mesh import lowest_m, mesh_of
@@ -88,6 +89,9 @@ def run(
     """
     generic = load_generic()
     views = hair_views(generic, joined, proposals, silhouettes)
+    body, on_scalp = body_triangles(generic), generic.region("scalp")
+    scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]
+    views = with_whole_coverings(views, photos.photos, proposals, *scalp)
     hair = grow_hair(photos, views, joined, tick, params or Params())
     beard = beard_shell(generic, joined, photos, proposals, views)
     loose = loose_shells(generic, joined, photos, proposals, silhouettes)

@@ -27,7 +27,7 @@ def _photo(view: ViewId, clothed: np.ndarray) -> HairView:
 
 @pytest.fixture(autouse=True)
 def scalp(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(hoods, "_seen_scalp", lambda *_: SCALP)
+    monkeypatch.setattr(hoods, "seen_scalp", lambda *_: SCALP)
 
 
 def _cleaned(*clothed: np.ndarray) -> list[HairView]:
