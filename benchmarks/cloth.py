@@ -15,12 +15,12 @@ from scipy.spatial import cKDTree
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
 from cloner.cloth.blocks import BLOCKS, draft
+from cloner.cloth.dressing import STEP_M, Dressed, pictures
 from cloner.cloth.fabrics import FABRICS
 from cloner.cloth.loop import best_loop
 from cloner.cloth.moving import Worn, put_on, simulate
 from cloner.cloth.placing import body_ring
 from cloner.cloth.solver import strains
-from cloner.cloth.written import STEP_M, Dressed, pictures
 from cloner.motion.own import own_motions
 from cloner.motion.rig import centred
 

@@ -234,9 +234,10 @@ def _undress(
 @app.command("dress")
 def _dress(
     clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
-    out: Annotated[Path, typer.Option("--out", help="The file to write: .glb, or a film: .gif, .webp, .mp4.")],
+    out: Annotated[Path, typer.Option("--out", help="The file: .glb, .pc2, .usdc, or a film: .gif, .webp, .mp4.")],
     garment: Annotated[
-        str, typer.Option(help="skirt, circle-skirt, straight-skirt, long-skirt or a .json file.")
+        str,
+        typer.Option(help="skirt, circle-, straight-, long-skirt, cape, tee, dress, coat, trousers, .json or .svg."),
     ] = "skirt",
     fabric: Annotated[str, typer.Option(help="silk, cotton, linen, wool, denim or burlap.")] = "cotton",
     motion: Annotated[str, typer.Option(help="walk, or a captured walk (.bvh).")] = "walk",

@@ -27,12 +27,15 @@ class Block:
         Share of a full circle that both pieces make together.
     share : float
         Its length as a share of the height of its ring above the floor.
+    is_open : bool
+        In front: then its pieces are a left and a right one, sewn behind.
     """
 
     name: str
     ring: str
     circle: float
     share: float
+    is_open: bool = False
 
 
 BLOCKS: Final = MappingProxyType({
@@ -42,6 +45,7 @@ BLOCKS: Final = MappingProxyType({
         Block("circle-skirt", "natural_waist", 1.0, 0.58),
         Block("straight-skirt", "natural_waist", 0.12, 0.52),
         Block("long-skirt", "natural_waist", 0.35, 0.90),
+        Block("cape", "neck", 0.80, 0.48, is_open=True),
     )
 })  # fmt: skip
 
@@ -59,15 +63,17 @@ def draft(block: Block, ring_m: float, length_m: float) -> Pattern:
     angle = 2.0 * np.pi * block.circle
     inner = ring_m / angle
     segments = []
-    for name in ("front", "back"):
+    for name in ("left", "right") if block.is_open else ("front", "back"):
         half = angle / 4.0
-        arcs = {"top": _arc(inner, half, -half), "left": _line(_at(inner, -half), _at(inner + length_m, -half))}
+        arcs = {"top": _arc(inner, half, -half), "left": line(_at(inner, -half), _at(inner + length_m, -half))}
         arcs |= {
             "hem": _arc(inner + length_m, -half, half),
-            "right": _line(_at(inner + length_m, half), _at(inner, half)),
+            "right": line(_at(inner + length_m, half), _at(inner, half)),
         }
         segments.append(Segment(name, arcs))
-    seams = (("front.left", "back.right"), ("front.right", "back.left"))
+    seams: tuple[tuple[str, str], ...] = (("front.left", "back.right"), ("front.right", "back.left"))
+    if block.is_open:
+        seams = (("left.right", "right.left"),)
     return Pattern(block.name, tuple(segments), seams)
 
 
@@ -76,7 +82,9 @@ def _at(radius: float, angle: float) -> Array:
     return np.array([radius * np.sin(angle), -radius * np.cos(angle)])
 
 
-def _line(start: Array, end: Array) -> Array:
+def line(start: Array | tuple[float, float], end: Array | tuple[float, float]) -> Array:
+    """Return the (4, 2) curve of a straight edge."""
+    start, end = np.asarray(start, np.float64), np.asarray(end, np.float64)
     return np.array([start + share * (end - start) for share in (0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0)])
 
 

@@ -13,8 +13,10 @@ from cloner.cloth.cut import Cloth, cut
 from cloner.cloth.fabrics import Fabric
 from cloner.cloth.pattern import Pattern
 from cloner.cloth.placing import Band, Ring, band, outside, placed
-from cloner.cloth.solver import Sheet, State, sheet_of, step
-from cloner.cloth.wearer import FRAMES_PER_S, Wearer, frames, skin_between, wearer
+from cloner.cloth.sections import sections
+from cloner.cloth.solver import THICK_M, Sheet, State, pull, sheet_of, step
+from cloner.cloth.wearer import FRAMES_PER_S, Wearer, frames, planes_under, skin_between, wearer
+from cloner.cloth.wrapping import DEEP_M, wrapped
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
@@ -23,6 +25,10 @@ Array = NDArray[np.float64]
 SUBSTEPS: Final = 20
 #: Frames of hanging still at rest, and of going from the rest pose to the walk's first frame.
 SETTLE, BLEND = 24, 24
+#: What hangs from a ring above this share of the stature covers the arms.
+NECK: Final = 0.75
+#: Times that threads are drawn to their lengths before a sewn garment is let go.
+EASING: Final = 90
 #: Speed kept between frames while the cloth settles.
 CALM: Final = 0.6
 
@@ -54,16 +60,38 @@ class Worn:
     start: State
 
 
-def put_on(clone: Clone, pattern: Pattern, ring: Ring, fabric: Fabric, motion: Motion, step_m: float) -> Worn:
-    """Return a garment placed round a clone in rest pose, not yet let go."""
+def put_on(clone: Clone, pattern: Pattern, ring: Ring | None, fabric: Fabric, motion: Motion, step_m: float) -> Worn:
+    """Return a garment placed round a clone in rest pose, not yet let go; what hangs from a ring needs it."""
     cloth = cut(pattern, step_m)
-    places, held, held_m = placed(pattern, cloth, ring)
-    body = wearer(clone)
-    places = outside(places, clone.vertices_m[body.rows], held)
+    body = wearer(clone, whole=ring is None or float(ring.points_m[0, 1]) > NECK * clone.stature_m)
+    if ring is None:
+        places, held, held_m = wrapped(pattern, cloth, sections(clone))
+    else:
+        places, held, held_m = placed(pattern, cloth, ring)
+        places = outside(places, clone.vertices_m[body.rows], held)
     root, rotations = frames(body, motion)
     tied = band(clone, held_m, body.rows)
+    sheet = sheet_of(cloth, fabric, held)
+    if ring is None:
+        places = _eased(sheet, body, places)
     state = State(places, np.zeros_like(places))
-    return Worn(cloth, sheet_of(cloth, fabric, held), body, tied, root, rotations, motion.speed_m_s, state)
+    return Worn(cloth, sheet, body, tied, root, rotations, motion.speed_m_s, state)
+
+
+def _eased(sheet: Sheet, body: Wearer, places_m: Array) -> Array:
+    """Return places in which threads that sewing stretched are back at their lengths, outside the skin, weightless."""
+    out, free = places_m.copy(), 1.0 / sheet.mass_kg
+    free[sheet.held] = 0.0
+    skin_m = body.clone.vertices_m[body.rows]
+    now = skin_between(body, skin_m, skin_m)
+    for number in range(EASING):
+        pull(sheet.stretch, out, free, 1.0)
+        if number % 3 == 2:
+            planes = planes_under(now, now.tree, out, DEEP_M)
+            deep = THICK_M - np.einsum("ij,ij->i", out[planes.rows] - planes.late_m, planes.normals)
+            deep[np.isin(planes.rows, sheet.held)] = 0.0
+            out[planes.rows] += np.maximum(deep, 0.0)[:, None] * planes.normals
+    return out
 
 
 def simulate(worn: Worn, cycles: int) -> Iterator[tuple[int, State]]:

@@ -6,6 +6,9 @@ The words are the crowd paper's: a *segment* is a planar piece of cloth, a *seam
         "top": [[x, y], [x, y], [x, y], [x, y]], ...}}], "seams": [["front.left", "back.right"]]}
 
 Edges follow one another round a segment, each a cubic Bézier curve of four points in metres; warp runs along y.
+A segment with "around" lies round a part of the body (`AROUND`) as it is drawn, x to the left as its wearer's front is
+seen from within, y up from the natural waist, on arms from the shoulder joint; without, it hangs from a ring by its
+edge "top". "held" names edges that stay on the skin under them.
 """
 
 from __future__ import annotations
@@ -28,6 +31,11 @@ FORMAT: Final = 1
 #: A garment's pieces lie within this of one another, metres; nothing smaller is a piece.
 LARGEST_M, SMALLEST_M = 10.0, 0.02
 MOST_SEGMENTS: Final = 60
+#: Where a segment can lie; "" hangs from a ring.
+AROUND: Final = (
+    "", "front", "back", "left_arm", "right_arm", "left_leg_front", "left_leg_back", "right_leg_front",
+    "right_leg_back",
+)  # fmt: skip
 #: Two edges that are sewn differ by less than this share of their length: the rest would be gathers.
 EASE: Final = 0.10
 #: Ends of neighbouring edges meet within this, metres.
@@ -44,10 +52,13 @@ class Segment:
     name : str
     edges : mapping of str to (4, 2) float64
         Cubic Bézier curves, metres, in order round the piece.
+    around : str
+        One of `AROUND`.
     """
 
     name: str
     edges: Mapping[str, Array]
+    around: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -60,11 +71,19 @@ class Pattern:
     segments : tuple of Segment
     seams : tuple of (str, str)
         Pairs of "segment.edge"; the second runs against the first.
+    held : tuple of str
+        Edges, as "segment.edge", that stay on the skin; a ring's upper edges always do.
     """
 
     name: str
     segments: tuple[Segment, ...]
     seams: tuple[tuple[str, str], ...]
+    held: tuple[str, ...] = ()
+
+    @property
+    def from_ring(self) -> bool:
+        """Whether it hangs from a ring."""
+        return all(not segment.around for segment in self.segments)
 
     def edge(self, place: str) -> Array:
         """Return the (4, 2) curve of "segment.edge"."""
@@ -107,6 +126,11 @@ def check_pattern(pattern: Pattern, where: str) -> None:
     for segment in pattern.segments:
         _check_segment(segment, where)
     known = {f"{segment.name}.{edge}" for segment in pattern.segments for edge in segment.edges}
+    if not pattern.from_ring and not all(segment.around for segment in pattern.segments):
+        raise ClonerError("some pieces hang from a ring and others lie round the body", _HINT, where)
+    for place in pattern.held:
+        if place not in known:
+            raise ClonerError(f"the held edge {place!r} is in no piece", _HINT, where)
     sewn = [place for seam in pattern.seams for place in seam]
     for place in sewn:
         if place not in known:
@@ -122,6 +146,9 @@ def check_pattern(pattern: Pattern, where: str) -> None:
 
 def _check_segment(segment: Segment, where: str) -> None:
     edges = list(segment.edges.values())
+    if segment.around not in AROUND:
+        hint = f"A piece lies round {', '.join(filter(None, AROUND))}"
+        raise ClonerError(f"the piece {segment.name!r} lies round {segment.around!r}, which is no part", hint, where)
     if len(edges) < 2:
         raise ClonerError(f"the piece {segment.name!r} has fewer than two edges", _HINT, where)
     if not all(edge.shape == (4, 2) and np.isfinite(edge).all() for edge in edges):
@@ -168,11 +195,13 @@ def read_pattern(path: Path) -> Pattern:
             Segment(
                 str(each["name"]),
                 {str(name): np.asarray(edge, dtype=np.float64) for name, edge in dict(each["edges"]).items()},
+                str(each.get("around", "")),
             )
             for each in list(told["segments"])[: MOST_SEGMENTS + 1]
         )
         seams = tuple((str(one), str(other)) for one, other in told["seams"])
-        pattern = Pattern(str(told.get("name", path.stem)), segments, seams)
+        held = tuple(str(place) for place in told.get("held", ()))
+        pattern = Pattern(str(told.get("name", path.stem)), segments, seams, held)
         if told.get("format") != FORMAT:
             raise ValueError("another form")
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
@@ -187,9 +216,14 @@ def pattern_text(pattern: Pattern) -> str:
         "format": FORMAT,
         "name": pattern.name,
         "segments": [
-            {"name": segment.name, "edges": {name: edge.round(5).tolist() for name, edge in segment.edges.items()}}
+            {
+                "name": segment.name,
+                "around": segment.around,
+                "edges": {name: edge.round(5).tolist() for name, edge in segment.edges.items()},
+            }
             for segment in pattern.segments
         ],
         "seams": [list(seam) for seam in pattern.seams],
+        "held": list(pattern.held),
     }
     return json.dumps(told, indent=1) + "\n"

@@ -16,6 +16,7 @@ from scipy.spatial import ConvexHull, cKDTree
 
 from cloner.cloth.cut import Cloth
 from cloner.cloth.pattern import Pattern, even, length_m
+from cloner.cloth.sections import girth_of, hull_ring, wider
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
@@ -30,8 +31,9 @@ Ints = NDArray[np.int64]
 OUTSIDE_M: Final = 0.006
 #: No piece is placed flatter than this, radians from upright: what is wider lies in folds.
 FLATTEST: Final = 1.2
-SAMPLES: Final = 720
 TOP, HEM = "top", "hem"
+#: Places along an upper edge.
+RING: Final = 720
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,19 +61,8 @@ def body_ring(clone: Clone, level: str) -> Ring:
     rules = load_tape_rules()
     height = float(clone.vertices_m[list(rules.level_vertices[level]), 1].mean())
     points = slice_points(clone.vertices_m, rules.torso, np.array([0.0, height, 0.0]), UP)[:, [0, 2]]
-    hull = points[ConvexHull(points).vertices]
-    centre = (hull.min(axis=0) + hull.max(axis=0)) / 2.0
-    away = hull - centre
-    hull = centre + away * (1.0 + OUTSIDE_M / np.linalg.norm(away, axis=1, keepdims=True))
-    angle = np.arctan2(hull[:, 0] - centre[0], hull[:, 1] - centre[1])
-    hull = hull[np.argsort(angle)]
-    closed = np.vstack([hull, hull[:1]])
-    run = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))]
-    fine = np.column_stack([np.interp(np.linspace(0.0, run[-1], SAMPLES + 1), run, closed[:, k]) for k in (0, 1)])
-    front = int(np.argmin(np.abs(np.arctan2(fine[:-1, 0] - centre[0], fine[:-1, 1] - centre[1]))))
-    fine = np.roll(fine[:-1], -front, axis=0)
-    fine = np.vstack([fine, fine[:1]])
-    return Ring(np.column_stack([fine[:, 0], np.full(len(fine), height), fine[:, 1]]), float(run[-1]))
+    fine = wider(hull_ring(points), OUTSIDE_M)
+    return Ring(np.column_stack([fine[:, 0], np.full(len(fine), height), fine[:, 1]]), girth_of(fine))
 
 
 def placed(pattern: Pattern, cloth: Cloth, ring: Ring) -> tuple[Array, Ints, Array]:
@@ -90,13 +81,15 @@ def placed(pattern: Pattern, cloth: Cloth, ring: Ring) -> tuple[Array, Ints, Arr
         tops.append(length_m(segment.edges[TOP]))
     shares = np.array(tops) / sum(tops)
     middles = np.cumsum(shares) - shares / 2.0 - shares[0] / 2.0
+    if len(pattern.seams) < len(tops):
+        middles += shares[0] / 2.0  # what is not sewn all round opens in front
     points = np.zeros((len(cloth.flat_m), 3))
     centre = ring.points_m.mean(axis=0)
     for number, segment in enumerate(pattern.segments):
         own = np.flatnonzero(cloth.segment == number)
-        line = even(segment.edges[TOP], SAMPLES)
+        line = even(segment.edges[TOP], RING)
         down, near = cKDTree(line).query(cloth.flat_m[own])
-        way = middles[number] + shares[number] * (0.5 - near / SAMPLES)
+        way = middles[number] + shares[number] * (0.5 - near / RING)
         base = ring.at(way)
         length = max(float(down.max()), 1e-6)
         wider = (length_m(segment.edges[HEM]) - tops[number]) / shares[number] / (2.0 * np.pi * length)

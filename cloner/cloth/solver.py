@@ -125,12 +125,14 @@ def sheet_of(cloth: Cloth, fabric: Fabric, held: Ints) -> Sheet:
 
 def _leashes(cloth: Cloth, held: Ints) -> tuple[Ints, Array]:
     """Return every vertex's nearest held one in the plane of its own piece, and the distance."""
-    anchor, leash = np.full(cloth.count, held[0]), np.full(cloth.count, np.inf)
+    anchor, leash = np.zeros(cloth.count, dtype=np.int64), np.full(cloth.count, np.inf)
     is_held = np.zeros(cloth.count, dtype=bool)
     is_held[held] = True
     for number in range(int(cloth.segment.max()) + 1):
         own = np.flatnonzero(cloth.segment == number)
         ends = own[is_held[cloth.vertex[own]]]
+        if not len(ends):
+            continue
         away, near = cKDTree(cloth.flat_m[ends]).query(cloth.flat_m[own])
         rows = cloth.vertex[own]
         nearer = away < leash[rows]
@@ -253,6 +255,8 @@ def pull(threads: Threads, places: Array, free: Array, h: float) -> None:
 
 def leash(sheet: Sheet, places: Array) -> None:
     """Draw back what went farther from the ring than its cloth is long (Kim, Chentanez, Müller 2012)."""
+    if not len(sheet.held):
+        return
     base = places[sheet.anchor]
     away = places - base
     length = np.sqrt(np.einsum("ij,ij->i", away, away))

@@ -19,8 +19,9 @@ Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 FRAMES_PER_S: Final = 30
-#: What a skirt meets; arms swing beside it.
+#: What a skirt meets; arms swing beside it. Sleeves and capes meet arms too, but no hands.
 MET: Final = ("torso", "pelvis", "left_thigh", "right_thigh", "left_calf", "right_calf", "left_foot", "right_foot")
+ARMS: Final = ("left_upper_arm", "right_upper_arm", "left_forearm", "right_forearm")
 #: Skin points that are blended into one tangent plane.
 NEAREST: Final = 4
 
@@ -49,10 +50,13 @@ class Wearer:
         return skin(self.clone.vertices_m[self.rows], transforms, joints, weights.astype(np.float64)) + root_m
 
 
-def wearer(clone: Clone) -> Wearer:
-    """Return what cloth can meet of a clone."""
+def wearer(clone: Clone, *, whole: bool = False) -> Wearer:
+    """Return what cloth can meet of a clone; ``whole`` with arms and neck."""
     generic = load_generic()
-    met = np.isin(generic.vertex_segment, [generic.segment_names.index(name) for name in MET])
+    names = (*MET, *ARMS) if whole else MET
+    met = np.isin(generic.vertex_segment, [generic.segment_names.index(name) for name in names])
+    if whole:
+        met |= generic.region("neck") & (generic.head_blend < 0.9)
     met &= generic.vertex_part == generic.part_names.index("body")
     triangles, _ = generic.triangles()
     triangles = triangles[met[triangles].all(axis=1)]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from pathlib import Path
 
 import numpy as np
@@ -12,12 +13,16 @@ from scipy.spatial import cKDTree
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
 from cloner.cloth.blocks import BLOCKS, draft
+from cloner.cloth.caches import obj, pc2, usd
+from cloner.cloth.dressing import Dressed, dressed
 from cloner.cloth.fabrics import FABRICS
+from cloner.cloth.glb import MASKED, glb
 from cloner.cloth.placing import body_ring
 from cloner.cloth.solver import strains
-from cloner.cloth.written import Dressed, dress_file, dressed, glb
+from cloner.cloth.written import dress_file
 from cloner.errors import Cancelled, ClonerError
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import load_surfaces
 from cloner.motion.own import own_motions
 from cloner.motion.rig import centred
 from cloner.project.clone_file import save_clone
@@ -98,6 +103,56 @@ def test_every_frame_is_a_target_that_the_walk_turns_on(walking: Dressed) -> Non
     assert values(sampler.input)[-1, 0] == pytest.approx(walking.motion.times_s[-1])
 
 
+def test_skin_under_the_skirt_is_masked_and_none_is_lost(walking: Dressed) -> None:
+    gltf = pygltflib.GLTF2.load_from_bytes(glb(walking))
+    blob = gltf.binary_blob()
+    body = next(mesh for mesh in gltf.meshes if mesh.name == "Body")
+    hidden = next(each for each in body.primitives if gltf.materials[each.material].name == MASKED)
+    assert gltf.materials[hidden.material].alphaMode == "MASK"
+    assert hidden.attributes.POSITION == body.primitives[0].attributes.POSITION
+
+    def rows(primitive: pygltflib.Primitive) -> np.ndarray:
+        accessor = gltf.accessors[primitive.indices]
+        view = gltf.bufferViews[accessor.bufferView]
+        kind = np.uint16 if accessor.componentType == pygltflib.UNSIGNED_SHORT else np.uint32
+        return np.frombuffer(blob, kind, accessor.count, view.byteOffset + accessor.byteOffset).reshape(-1, 3)
+
+    both = np.concatenate([rows(body.primitives[0]), rows(hidden)])
+    whole = load_surfaces()[0].triangles
+    assert sorted(map(tuple, both.tolist())) == sorted(map(tuple, whole.tolist()))
+    own = load_generic().vertex_segment[load_surfaces()[0].vertex[rows(hidden)]]
+    names = {load_generic().segment_names[row] for row in np.unique(own)}
+    assert names
+    assert names <= {"torso", "pelvis", "left_thigh", "right_thigh"}  # a skirt of 50 cm ends above the calves
+
+
+def test_caches_hold_every_frame(walking: Dressed) -> None:
+    data, frames = pc2(walking), walking.loop.frames_m
+    assert data[:12] == b"POINTCACHE2\0"
+    version, count, first, rate, samples = struct.unpack("<iiffi", data[12:32])
+    assert (version, count, first, rate, samples) == (1, frames.shape[1], 0.0, 1.0, len(frames) + 1)
+    points = np.frombuffer(data, "<f4", offset=32).reshape(samples, count, 3)
+    assert points[:-1] == pytest.approx(frames, abs=1e-6)
+    assert points[-1].tolist() == points[0].tolist()
+    lines = obj(walking).decode().splitlines()
+    assert sum(line.startswith("v ") for line in lines) == count
+    assert [float(x) for x in next(line for line in lines if line.startswith("v ")).split()[1:]] == pytest.approx(
+        frames[0, 0], abs=1e-6
+    )
+    assert sum(line.startswith("f ") for line in lines) == len(walking.worn.cloth.faces)
+
+
+def test_usd_moves_the_points(walking: Dressed, tmp_path: Path) -> None:
+    pxr = pytest.importorskip("pxr.Usd"), pytest.importorskip("pxr.UsdGeom")
+    path = tmp_path / "skirt.usdc"
+    path.write_bytes(usd(walking))
+    stage = pxr[0].Stage.Open(str(path))
+    mesh = pxr[1].Mesh(stage.GetDefaultPrim())
+    assert stage.GetTimeCodesPerSecond() == 30.0
+    assert np.array(mesh.GetPointsAttr().Get(7.0)) == pytest.approx(walking.loop.frames_m[7], abs=1e-6)
+    assert len(mesh.GetFaceVertexCountsAttr().Get()) == len(walking.worn.cloth.faces)
+
+
 def test_wrong_words_and_a_stop_leave_no_file(eva: Clone, tmp_path: Path) -> None:
     save_clone(eva, tmp_path / "clone.npz")
     for words, names in (
@@ -106,6 +161,7 @@ def test_wrong_words_and_a_stop_leave_no_file(eva: Clone, tmp_path: Path) -> Non
         ({"garment": "skirt", "fabric": "silk", "length_cm": 500.0}, "500 cm"),
         ({"garment": "skirt", "fabric": "silk", "length_cm": float("nan")}, "nan cm"),
         ({"garment": "skirt", "fabric": "silk", "motion": "swim"}, "swim"),
+        ({"garment": "trousers", "fabric": "silk", "length_cm": 12.0}, "12 cm"),
     ):
         with pytest.raises(ClonerError, match=names):
             dress_file(tmp_path, tmp_path / "out.glb", **words)  # type: ignore[arg-type]

@@ -1,0 +1,82 @@
+"""A garment's moving points for other programs: PC2 beside an OBJ, and USD with a time sample a frame.
+
+References
+----------
+PC2: the point cache of 3ds Max and Blender, read off Blender's documentation of its Mesh Cache modifier: a head of
+32 bytes (name, version 1, points, first frame, frames a sample, samples), then 32-bit floats.
+"""
+
+from __future__ import annotations
+
+import struct
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from cloner.cloth.dressing import Dressed
+from cloner.cloth.wearer import FRAMES_PER_S
+from cloner.errors import ClonerError
+
+
+def pc2(found: Dressed) -> bytes:
+    """Return the garment's vertices in every frame of the loop; the last repeats the first."""
+    frames = np.concatenate([found.loop.frames_m, found.loop.frames_m[:1]]).astype("<f4")
+    return struct.pack("<12siiffi", b"POINTCACHE2\0", 1, frames.shape[1], 0.0, 1.0, len(frames)) + frames.tobytes()
+
+
+def obj(found: Dressed) -> bytes:
+    """Return the garment's mesh in the first frame: the cache's order of vertices, flat pieces' metres as texture."""
+    cloth = found.worn.cloth
+    lines = [f"# {found.fabric.name}, metres, Y up", "o Garment"]
+    lines += [f"v {x:.6f} {y:.6f} {z:.6f}" for x, y, z in found.loop.frames_m[0]]
+    lines += [f"vt {u:.6f} {v:.6f}" for u, v in cloth.flat_m]
+    own = cloth.faces + 1
+    lines += [
+        "f " + " ".join(f"{vertex}/{place}" for vertex, place in zip(face, flat, strict=True))
+        for face, flat in zip(own.tolist(), (cloth.triangles + 1).tolist(), strict=True)
+    ]
+    return ("\n".join(lines) + "\n").encode()
+
+
+def usd(found: Dressed) -> bytes:
+    """Return a USD file (binary) of the garment: a mesh with points at every frame.
+
+    Raises
+    ------
+    ClonerError
+        If the USD library is not installed.
+    """
+    try:
+        from pxr import Gf, Sdf, Usd, UsdGeom, Vt
+    except ImportError as error:
+        hint = "Install it with: pip install 'photo-cloner[usd]'"
+        raise ClonerError("USD needs a library that is not here", hint, "usd-core") from error
+    cloth, frames = found.worn.cloth, np.concatenate([found.loop.frames_m, found.loop.frames_m[:1]])
+    with tempfile.TemporaryDirectory() as folder:
+        path = Path(folder) / "garment.usdc"
+        stage = Usd.Stage.CreateNew(str(path))
+        UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.y)
+        UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+        stage.SetStartTimeCode(0.0)
+        stage.SetEndTimeCode(float(len(frames) - 1))
+        stage.SetTimeCodesPerSecond(float(FRAMES_PER_S))
+        mesh = UsdGeom.Mesh.Define(stage, "/Garment")
+        stage.SetDefaultPrim(mesh.GetPrim())
+        mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+        mesh.CreateDoubleSidedAttr(True)
+        mesh.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(np.full(len(cloth.faces), 3, np.int32)))
+        mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(cloth.faces.ravel().astype(np.int32)))
+        places = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
+            "st", Sdf.ValueTypeNames.TexCoord2fArray, UsdGeom.Tokens.faceVarying
+        )
+        places.Set(Vt.Vec2fArray.FromNumpy(cloth.flat_m[cloth.triangles.ravel()].astype(np.float32)))
+        linear = [(value / 255.0) ** 2.2 for value in found.fabric.rgb]
+        mesh.CreateDisplayColorAttr([Gf.Vec3f(*linear)])
+        points, box = mesh.CreatePointsAttr(), mesh.CreateExtentAttr()
+        for number, frame in enumerate(frames.astype(np.float32)):
+            points.Set(Vt.Vec3fArray.FromNumpy(frame), float(number))
+            box.Set([Gf.Vec3f(*map(float, end)) for end in (frame.min(axis=0), frame.max(axis=0))], float(number))
+        stage.GetRootLayer().Save()
+        del stage
+        return path.read_bytes()

@@ -1,0 +1,164 @@
+"""A clone that is dressed: the garment found or drafted, put on, moved with a walk, and closed to a loop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.cloth.blocks import BLOCKS, draft
+from cloner.cloth.drawn import read_drawing
+from cloner.cloth.fabrics import FABRICS, Fabric
+from cloner.cloth.loop import Loop, best_loop
+from cloner.cloth.moving import Worn, put_on, simulate
+from cloner.cloth.pattern import Pattern, read_pattern
+from cloner.cloth.placing import Ring, body_ring
+from cloner.cloth.sections import sections
+from cloner.cloth.tailored import TAILORED, TROUSERS, tailored
+from cloner.errors import ClonerError
+from cloner.generic.layers import Layer, clone_layers
+from cloner.geometry.viewpoints import framing_camera
+from cloner.geometry.wedges import vertex_normals
+from cloner.motion.body import body_of
+from cloner.motion.bvh import read_bvh
+from cloner.motion.cycle import walk_cycle
+from cloner.motion.own import own_motions
+from cloner.motion.retarget import retarget
+from cloner.pipeline import Progress, quiet
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
+from cloner.render import draw
+
+Array = NDArray[np.float64]
+
+WALK: Final = "walk"
+WAIST: Final = "natural_waist"
+#: Everything that is cut to measure by name.
+GARMENTS: Final = (*BLOCKS, *TAILORED)
+#: What a garment of one's own is read by.
+FILES: Final[Mapping[str, Callable[[Path], Pattern]]] = {".json": read_pattern, ".svg": read_drawing}
+#: Cycles that are simulated to find a loop in, and the step of the cloth's triangles: about 5,000 vertices in a skirt.
+CYCLES: Final = 8
+STEP_M: Final = 0.0152
+#: Lengths that a garment can have, metres, and trousers below their crotch.
+LENGTHS_M: Final = (0.15, 1.2)
+LEGS_M: Final = 0.10
+SIZE_PX: Final = (480, 720)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Dressed:
+    """A clone and its garment in a closed loop."""
+
+    clone: Clone
+    motion: Motion
+    worn: Worn
+    loop: Loop
+    fabric: Fabric
+
+
+def dressed(
+    clone: Clone,
+    pattern: Pattern,
+    ring_level: str | None,
+    fabric: Fabric,
+    motion: Motion,
+    *,
+    cycles: int = CYCLES,
+    step_m: float = STEP_M,
+    progress: Progress = quiet,
+) -> Dressed:
+    """Return a clone with a garment that moves in a loop with a cyclic motion; only what hangs from a ring has one."""
+    ring = body_ring(clone, ring_level) if ring_level is not None else None
+    worn = put_on(clone, pattern, ring, fabric, motion, step_m)
+    total, kept = cycles * len(worn.rotations), []
+    for number, state in simulate(worn, cycles):
+        if number >= 0:
+            kept.append(state.places_m)
+        progress("cloth", 0.9 * max(number, 0) / total)
+    progress("loop", 0.9)
+    return Dressed(clone, motion, worn, best_loop(worn, np.array(kept)), fabric)
+
+
+def fabric_named(name: str) -> Fabric:
+    """Return a fabric.
+
+    Raises
+    ------
+    ClonerError
+        If there is none of that name.
+    """
+    if name not in FABRICS:
+        raise ClonerError(f"the fabric {name!r} is not known", f"The fabrics are {', '.join(FABRICS)}", "--fabric")
+    return FABRICS[name]
+
+
+def pattern_of(clone: Clone, garment: str, length_cm: float | None) -> tuple[Pattern, str | None]:
+    """Return the pieces of a named garment or a file's, and the level of the ring that they hang from, if any.
+
+    Raises
+    ------
+    ClonerError
+        If there is no such garment, the file is none, or it cannot be so long.
+    """
+    read = FILES.get(Path(garment).suffix.lower())
+    if read is not None:
+        pattern = read(Path(garment))
+        return pattern, WAIST if pattern.from_ring else None
+    if garment not in GARMENTS:
+        hint = f"The garments are {', '.join(GARMENTS)}, or a .json or .svg file"
+        raise ClonerError(f"the garment {garment!r} is not known", hint, "--garment")
+    length = None if length_cm is None else length_cm / 100.0
+    if garment in TAILORED:
+        body = sections(clone)
+        lowest = LEGS_M + body.waist_m - float(body.place("crotch")[1]) if garment == TROUSERS else LENGTHS_M[0]
+        if length is not None:
+            _check_length(garment, length, lowest, body.waist_m)
+        return tailored(garment, body, length), None
+    block = BLOCKS[garment]
+    ring: Ring = body_ring(clone, block.ring)
+    high = float(ring.points_m[0, 1])
+    length = block.share * high if length is None else length
+    _check_length(garment, length, LENGTHS_M[0], high)
+    return draft(block, ring.girth_m, length), block.ring
+
+
+def _check_length(garment: str, length: float, lowest: float, high: float) -> None:
+    if not lowest <= length <= min(LENGTHS_M[1], high - 0.03):  # neither nan
+        hint = f"{100 * lowest:.0f} to {100 * min(LENGTHS_M[1], high - 0.03):.0f} cm hang clear of the floor"
+        raise ClonerError(f"a {garment} of {100 * length:g} cm cannot be cut", hint, "--length")
+
+
+def motion_of(clone: Clone, motion: str) -> Motion:
+    """Return the clone's own walk, or a captured one as a cycle.
+
+    Raises
+    ------
+    ClonerError
+        If it is neither.
+    """
+    if motion == WALK:
+        return own_motions(clone)[0]
+    path = Path(motion)
+    if path.suffix.lower() != ".bvh":
+        raise ClonerError(f"the motion {motion!r} is not known", "Give walk, or a captured walk (.bvh)", "--motion")
+    body = body_of(clone)
+    return walk_cycle(body, retarget(read_bvh(path), body, name=path.stem))
+
+
+def pictures(found: Dressed, turn_deg: float = 30.0) -> Iterator[NDArray[np.uint8]]:
+    """Yield the loop's pictures."""
+    camera = framing_camera(found.clone.vertices_m, turn_deg, *SIZE_PX)
+    faces, colour = found.worn.cloth.faces.astype(np.int32), tuple(value / 255.0 for value in found.fabric.rgb)
+    for frame, places in enumerate(found.loop.frames_m):
+        shown = [
+            replace(layer, vertices_m=layer.vertices_m + found.worn.root_m[frame])
+            for layer in clone_layers(found.clone, found.worn.rotations[frame])
+        ]
+        normals = vertex_normals(places, faces)
+        shown.append(Layer(places, normals, faces, colour=(colour[0], colour[1], colour[2]), two_sided=True))
+        yield draw(shown, camera, shading="soft", background=(226, 228, 230))
