@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.abreast import abreast
 from cloner.baking.baked import Baked, blank
+from cloner.baking.doubted import STRANGER
 from cloner.baking.grain import coarse_tiles
 from cloner.baking.materials import Materials, always_bare
 from cloner.baking.sources import (
@@ -27,6 +28,7 @@ from cloner.generic.photo_shares import head_weight
 from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.geometry.partition import border_shares, partition_surface
+from cloner.records.labels import SURFACE_OF, labels_at
 from cloner.vision.aligning import sample
 from cloner.vision.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.evening import apply_light
@@ -44,6 +46,9 @@ KIND_EDGE = 0.15  # kinds mix where their shares differ by less
 FILL_SHARE = 1e-6  # the smooth fill shows only where no photo does
 SHARE_COLUMN = 6  # of the table that :func:`paint_table` makes
 
+COARSEST = 128  # pixels a side of an atlas in which a band is one pixel wide
+MOST_LEVELS = 4  # reach 30 texels, within a tile's margin
+
 Painted = tuple[NDArray[np.int32], NDArray[np.float32], NDArray[np.float32]]
 """Texels (N,), their colours (N, 3) in levels and weights (N,) from one photo."""
 
@@ -58,6 +63,14 @@ def share_surface(
     band = head_band_m * head + band_m * (1.0 - head)
     shares = border_shares(owner, len(sources), graph, band)
     return np.where(scores > 0.0, shares + SECOND_CHOICE * scores, 0.0)
+
+
+def blend_levels(size: int) -> int:
+    """Return the pyramid levels of an atlas of ``size`` texels a side: its coarsest pixel is as wide as the bands.
+
+    Bands are 16 mm wide on the head and 24 mm on the body, 16 texels of 2,048. Margins of tiles allow no more levels.
+    """
+    return max(min((size // COARSEST).bit_length() - 1, MOST_LEVELS), 1)
 
 
 def bake(
@@ -147,7 +160,7 @@ def bake_tile(
 def paint_table(
     generic: GenericHuman, source: Source, share: Array, light: Array, kinds: Materials
 ) -> NDArray[np.float32]:
-    """Return (V, 14) what :func:`paint` must know of every vertex: places and depth, shares, kinds, light."""
+    """Return (V, 20) what :func:`paint` must know of every vertex: places and depth, shares, kinds, light, surfaces."""
     return np.column_stack(
         [
             source.sight.pixel_px,
@@ -160,6 +173,7 @@ def paint_table(
             kinds.bare,
             always_bare(generic),
             light,
+            kinds.surfaces,
         ]
     ).astype(np.float32)
 
@@ -215,10 +229,21 @@ def _paint_rows(
     clash = np.abs(np.maximum(skin, own) - bare)
     unsure = (weight > OWNER_SHARE) & (np.abs(bare - 0.5) < BORDER_KIND)
     good &= (clash < CLASH) | unsure
+    good &= ~_strange(source, lookup, kinds[7:].T) | (own > 0.5)
     unsafe = source.sight.before_edge(pixel, depth, cosine)
     weight = np.where(unsafe, LAST_CHOICE * weight, weight)
     colour = apply_light(shown_colours(source, lookup[good], skin[good]), kinds[4:7, good].T)
     return atlas.texel[rows[good]], colour.astype(np.float32), weight[good]
+
+
+def _strange(source: Source, lookup_px: NDArray[np.float32], surfaces: NDArray[np.float32]) -> NDArray[np.bool_]:
+    """Return which of (N,) texels a photo shows to be of another kind than they are by all photos, (N, 6) shares.
+
+    As for vertices, but these lie centimetres apart: between two of a shoe a trouser's hem may hang before it.
+    """
+    shown = SURFACE_OF[labels_at(source.plate.labels, lookup_px)]
+    share = surfaces[np.arange(len(shown)), np.maximum(shown, 0)]
+    return np.asarray((shown >= 0) & (share < STRANGER), np.bool_)
 
 
 def lay_ground(atlas: AtlasMap, base: NDArray[np.float32], kinds: Materials) -> NDArray[np.float32]:

@@ -77,6 +77,11 @@ def lower_arms(generic: GenericHuman) -> NDArray[np.bool_]:
     return _segments(generic, ("forearm", "hand"))
 
 
+def arms(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) arms with their hands."""
+    return _segments(generic, tuple(_ARM_SIDE))
+
+
 def _segments(generic: GenericHuman, endings: tuple[str, ...]) -> NDArray[np.bool_]:
     """Return (V,) where the segments of both sides with these names are."""
     names = [k for k, name in enumerate(generic.segment_names) if name.endswith(endings)]

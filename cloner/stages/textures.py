@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from cloner.abreast import abreast
 from cloner.baking.baked import Baked, unpainted
-from cloner.baking.compose import bake, share_surface
+from cloner.baking.compose import bake, blend_levels, share_surface
 from cloner.baking.doubted import doubt_grazing, doubt_slanted, doubt_strangers
 from cloner.baking.evened import (
     compare_photos,
@@ -25,6 +25,7 @@ from cloner.baking.evened import (
     level_photos,
     vertex_colours,
 )
+from cloner.baking.feature_lines import meet_lines
 from cloner.baking.hands import finish_hands, finish_soles
 from cloner.baking.lid_skin import clean_lids
 from cloner.baking.materials import Materials, find_materials
@@ -62,9 +63,6 @@ class Params:
     ----------
     size : int
         Side of the atlas, texels.
-    levels : int
-        Levels of the Laplacian pyramids. Light is evened on the surface: more levels only carry halos of what
-        photos disagree about over 2**levels texels.
     band_m, head_band_m : float
         Half width L of the mixing band between two photos on body and head, metres (taste).
     limits : Limits
@@ -72,7 +70,6 @@ class Params:
     """
 
     size: int = 2048
-    levels: int = 2
     band_m: float = 0.012
     head_band_m: float = 0.008
     limits: Limits = field(default_factory=Limits)
@@ -165,7 +162,7 @@ def lay_photos(
         return None, np.zeros((len(joined.vertices_m), len(SURFACES))), residuals
     baked = bake(
         generic, params.size, shared.sources, shared.shares, shared.light, shared.base, shared.kinds, params.limits,
-        levels=params.levels, tick=lambda part: tick(0.4 + 0.5 * part),
+        levels=blend_levels(params.size), tick=lambda part: tick(0.4 + 0.5 * part),
     )  # fmt: skip
     claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in shared.sources], axis=0)
     kinds = shared.kinds
@@ -188,9 +185,10 @@ def share_photos(
     """Return what every photo may paint, None where no photo shows the body, and the residuals of finding it."""
     tick(0.15)
     sources, residuals = gather_sources(generic, photos, proposals, silhouettes, joined, shells, params.limits)
-    tick(0.4)
     if not sources:
         return None, residuals
+    sources = meet_lines(generic, sources)
+    tick(0.4)
     graph = person_graph(generic, joined.vertices_m)
     normals = vertex_normals(joined.vertices_m, body_triangles(generic))
     colours = vertex_colours(sources)
