@@ -20,11 +20,11 @@ from head_people import random_face
 from cloner.evaluate.baselines import generic_clone
 from cloner.evaluate.face_motion import FaceFigures, face_figures, mixture_figures, target_figures
 from cloner.generic.load import load_generic
+from cloner.head.parts import seat_parts
+from cloner.head.targets import face_targets
 from cloner.motion.limits import limited
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
-from cloner.stages.face_targets import face_targets
-from cloner.stages.head_parts import seat_parts
 
 #: Faces of several targets; they are played as the product plays them, held back by `limited`.
 TOGETHER: Final[Mapping[str, Mapping[str, float]]] = {

@@ -25,7 +25,6 @@ from hair import before_hair, overlap, with_hair
 from hair_people import HairCase
 from numpy.typing import NDArray
 
-from cloner.baking.hair_views import headwear
 from cloner.errors import ClonerError
 from cloner.evaluate.kit import KitTruth, kit_people, read_kit
 from cloner.evaluate.posing import moved_camera
@@ -33,6 +32,7 @@ from cloner.evaluate.rulers import fit_similarity
 from cloner.generic.layers import Layer, clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
+from cloner.hair.views import headwear
 from cloner.project.folder import load_photos, read_person
 from cloner.records.clones import Clone
 from cloner.records.labels import FACE, Label, shows

@@ -22,14 +22,14 @@ from cloner.frames import ViewId
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.dffd import deform
+from cloner.head.evidence import Log, Params, make_model, read_front, read_side
+from cloner.head.modes import load_head_modes
 from cloner.project.corrections import no_corrections
 from cloner.records.heads import HeadFit
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import PointSet, Proposals, ViewPoints
 from cloner.records.views import Camera
 from cloner.stages import head
-from cloner.stages.head_evidence import Log, Params, make_model, read_front, read_side
-from cloner.stages.head_modes import load_head_modes
 
 Array = NDArray[np.float64]
 Values = dict[str, Any]

@@ -24,19 +24,19 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "generic_models" / 
 from painted_people_bodies import random_body
 
 from cloner import pipeline
+from cloner.body.outlined import gaps_mm, outlined_photos, see
 from cloner.errors import ClonerError
 from cloner.evaluate.kit import kit_people
 from cloner.evaluate.rulers import apply, fit_similarity
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measuring import measures_mm
+from cloner.measure.covering import covers
+from cloner.measure.rumpled import garments_rumples_mm
+from cloner.measure.side_arms import hidden_rows
 from cloner.project.folder import load_photos, read_corrections, read_person
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.measures import Cover
-from cloner.stages.covering import covers
-from cloner.stages.outlined import gaps_mm, outlined_photos, see
-from cloner.stages.rumpled import garments_rumples_mm
-from cloner.stages.side_arms import hidden_rows
 
 #: First seed of the bodies without photos.
 BODY_SEED = 710_000

@@ -32,6 +32,7 @@ from numpy.typing import NDArray
 from operator_page import write_page
 
 from cloner import pipeline
+from cloner.detectors.body_points import ENDS
 from cloner.errors import ClonerError
 from cloner.evaluate import rulers
 from cloner.evaluate.truth import SETS, TruthView, read_truth
@@ -41,7 +42,7 @@ from cloner.project.corrections import move_point, no_corrections
 from cloner.project.folder import load_photos, read_person
 from cloner.records.points import Corrections, ViewPoints
 from cloner.refitting import moved_points
-from cloner.stages.points import ENDS, corrected, figure_height_px
+from cloner.stages.points import corrected, figure_height_px
 from cloner_gui.canvas.picking import worst_first
 from cloner_gui.services import points_by_view
 

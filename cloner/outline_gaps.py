@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.body.outlined import body_triangles
+from cloner.editing.claims import scene_of
+from cloner.editing.places import generic_metric
 from cloner.frames import ViewId
 from cloner.geometry.rim_search import rim_of
 from cloner.geometry.rims import borders_px, fill_triangles
 from cloner.records.bodies import PosedView
 from cloner.records.silhouettes import Silhouette
-from cloner.stages.obeyed_claims import scene_of
-from cloner.stages.obeyed_places import generic_metric
-from cloner.stages.outlined import body_triangles
 
 Array = NDArray[np.float64]
 

@@ -14,6 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner import pipeline
+from cloner.body.outlined import body_triangles
+from cloner.editing.claims import scene_of
+from cloner.editing.face import show_face
 from cloner.frames import ViewId
 from cloner.geometry.rims import borders_px, fill_triangles
 from cloner.records.clones import Clone, Joined
@@ -21,9 +24,6 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, ObeyedPoint, PointSet, ViewPoints
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.obeyed import obey
-from cloner.stages.obeyed_claims import scene_of
-from cloner.stages.obeyed_face import show_face
-from cloner.stages.outlined import body_triangles
 from cloner.stages.points import corrected, for_fitting
 from cloner.stages.silhouettes import astray_points
 

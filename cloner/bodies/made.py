@@ -12,15 +12,16 @@ from cloner.bodies.measured import measured_body, remeasured_body
 from cloner.bodies.ruler import read
 from cloner.bodies.skin import painted, regions
 from cloner.bodies.telling import Told, check_told
+from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measuring import measures_mm
+from cloner.head.targets import face_targets
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import Clone
 from cloner.records.measures import MEASURE_KEYS
 from cloner.records.terms import Terms
-from cloner.stages.face_targets import face_targets
-from cloner.stages.join import eye_joints, flat_soles, named_features
+from cloner.stages.join import eye_joints, flat_soles
 
 Array = NDArray[np.float64]
 

@@ -7,10 +7,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.parts import paint_parts
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.atlas import AtlasMap
+from cloner.paint.parts import paint_parts
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import TextureAtlas
 from cloner.records.regions import REGIONS

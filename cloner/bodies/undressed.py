@@ -18,6 +18,7 @@ from cloner.bodies.under import body_under
 from cloner.bodies.written import manifest_of, sex_of, write_result
 from cloner.cloning import check_formats
 from cloner.errors import ClonerError
+from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
@@ -26,7 +27,7 @@ from cloner.project.folder import safe_identifier
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
-from cloner.stages.join import flat_soles, named_features
+from cloner.stages.join import flat_soles
 
 #: Nobody shorter is undressed: it may be a child.
 SHORTEST_M: Final = 1.40

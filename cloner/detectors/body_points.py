@@ -29,6 +29,8 @@ from cloner.vision.outline_walk import Figure, figure_of
 Array = NDArray[np.float64]
 
 KINDS: Final = {ViewId.BODY_FRONT: "front", ViewId.BODY_SIDE: "side", ViewId.BODY_BACK: "back"}
+#: Points that set a body photo's scale.
+ENDS = ("head_top", "sole_left", "sole_right")
 #: Expected error of the figure's top and of a sole on the outline, figure heights.
 END_ERROR: Final = 0.004
 #: Expected error of an end that the picture's border cuts off.

@@ -9,12 +9,12 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.compose import paint, paint_table
-from cloner.baking.sources import Source
-from cloner.baking.tucking import tuck_scalp
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.paint.compose import paint, paint_table
+from cloner.paint.sources import Source
+from cloner.paint.tucking import tuck_scalp
 from cloner.stages.textures import Params, share_photos
 
 #: Side of the atlas that is asked, texels: enough to count.

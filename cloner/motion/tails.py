@@ -19,9 +19,9 @@ from cloner.records.heads import Shell
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: Hair farther from the scalp than this hangs, metres: the cap is at most 25 mm thick there (`baking.hair_volume`).
+#: Hair farther from the scalp than this hangs, metres: the cap is at most 25 mm thick there (`hair.volume`).
 FREE_M: Final = 0.03
-#: Wider hair is no tail but hangs loose around the neck, metres (`baking.hair_tail.WIDEST_TAIL_MM`).
+#: Wider hair is no tail but hangs loose around the neck, metres (`hair.tail.WIDEST_TAIL_MM`).
 WIDEST_M: Final = 0.11
 #: Shorter ends do not swing, metres; taste.
 SHORTEST_M: Final = 0.08

@@ -14,6 +14,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.body.feet import Params as FeetParams
+from cloner.body.feet import shaped_feet, sized_feet
+from cloner.body.hands import SPREAD, USUAL, sized_hands
+from cloner.body.outlined import Outlined, body_triangles, coverage, gaps_mm, outlined_photos, see, views_of
+from cloner.body.stances import Params as StanceParams
+from cloner.body.stances import fit_stances
+from cloner.body.tape_fit import taped_body
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
@@ -23,14 +30,7 @@ from cloner.records.photos import Person
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.feet import Params as FeetParams
-from cloner.stages.feet import shaped_feet, sized_feet
-from cloner.stages.hands import SPREAD, USUAL, sized_hands
-from cloner.stages.outlined import Outlined, body_triangles, coverage, gaps_mm, outlined_photos, see, views_of
 from cloner.stages.rough import shape_slices
-from cloner.stages.stances import Params as StanceParams
-from cloner.stages.stances import fit_stances
-from cloner.stages.tape_fit import taped_body
 
 Array = NDArray[np.float64]
 

@@ -14,31 +14,31 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.beard import beard_shell
-from cloner.baking.coverings import with_whole_coverings
-from cloner.baking.glasses import glasses_shell
-from cloner.baking.hair_cap import Scalp, covered_share, measure_scalp, settle_shell
-from cloner.baking.hair_mesh import lowest_m, mesh_of
-from cloner.baking.hair_shell import dress_shell, shown_part
-from cloner.baking.hair_tail import find_tail
-from cloner.baking.hair_views import HairView, Hanger, hair_views, views_of
-from cloner.baking.hair_volume import FILM_MM, hair_field
-from cloner.baking.hair_weights import hair_weights
-from cloner.baking.hoods import without_hoods
-from cloner.baking.posed import body_triangles
-from cloner.baking.tucking import ear_masks, lay_ears, whole_ears
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.graphs import surface_graph
 from cloner.geometry.wedges import vertex_normals
+from cloner.hair.beard import beard_shell
+from cloner.hair.cap import Scalp, covered_share, measure_scalp, settle_shell
+from cloner.hair.coverings import with_whole_coverings
+from cloner.hair.hoods import without_hoods
+from cloner.hair.loose_clothes import SAID, loose_shells
+from cloner.hair.mesh import lowest_m, mesh_of
+from cloner.hair.shell import dress_shell, shown_part
+from cloner.hair.tail import find_tail
+from cloner.hair.views import HairView, Hanger, hair_views, views_of
+from cloner.hair.volume import FILM_MM, hair_field
+from cloner.hair.weights import hair_weights
 from cloner.labels.glasses import wears_glasses
+from cloner.paint.glasses import glasses_shell
+from cloner.paint.posed import body_triangles
+from cloner.paint.tucking import ear_masks, lay_ears, whole_ears
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.loose import SAID, loose_shells
 
 Array = NDArray[np.float64]
 

@@ -12,15 +12,8 @@ from cloner.frames import ViewId, mm_from_m
 from cloner.generic.head_controls import load_head_controls
 from cloner.geometry.eyeballs import IRIS_M
 from cloner.geometry.iris import sample_iris
-from cloner.records.bodies import Phenotype
-from cloner.records.heads import HeadFit
-from cloner.records.photos import Person, PhotoSet
-from cloner.records.points import FacePoints, Proposals
-from cloner.records.results import Residual, StageResult
-from cloner.records.silhouettes import SilhouetteSet
-from cloner.records.views import Camera
-from cloner.stages.head_evidence import Front, Log, Model, Params, Side, focal_px, make_model, read_front, read_side
-from cloner.stages.head_fit import (
+from cloner.head.evidence import Front, Log, Model, Params, Side, focal_px, make_model, read_front, read_side
+from cloner.head.fit import (
     Fitted,
     add_relief,
     fit_basis,
@@ -28,11 +21,18 @@ from cloner.stages.head_fit import (
     start_front,
     start_side,
 )
-from cloner.stages.head_flank import find_flank
-from cloner.stages.head_parts import Sight, seat_parts
-from cloner.stages.head_report import report_front, report_side, warn_missing
-from cloner.stages.head_size import body_camera, head_scale
-from cloner.stages.head_skull import fit_skull
+from cloner.head.flank import find_flank
+from cloner.head.parts import Sight, seat_parts
+from cloner.head.report import report_front, report_side, warn_missing
+from cloner.head.size import body_camera, head_scale
+from cloner.head.skull import fit_skull
+from cloner.records.bodies import Phenotype
+from cloner.records.heads import HeadFit
+from cloner.records.photos import Person, PhotoSet
+from cloner.records.points import FacePoints, Proposals
+from cloner.records.results import Residual, StageResult
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
 

@@ -14,10 +14,18 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.body.carriage import carry_heads
+from cloner.body.carriage_looks import look_up
+from cloner.body.carriage_sight import NECK
+from cloner.body.outlined import Outlined, masked_field, outlined_photos
 from cloner.detectors.face_net import load_face_net
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.face_grids import eyeball
+from cloner.generic.features import named_features
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.hair.agreement import hair_fields
+from cloner.head.modes import load_head_modes
+from cloner.head.targets import face_targets
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import HeadFit
@@ -26,15 +34,8 @@ from cloner.records.points import BodyPoints, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
-from cloner.stages.carriage import carry_heads
-from cloner.stages.carriage_looks import look_up
-from cloner.stages.carriage_sight import NECK
-from cloner.stages.face_targets import face_targets
 from cloner.stages.fine import Params as FineParams
 from cloner.stages.fine import neck_trust, settled
-from cloner.stages.hair_agreement import hair_fields
-from cloner.stages.head_modes import load_head_modes
-from cloner.stages.outlined import Outlined, masked_field, outlined_photos
 from cloner.stages.points import for_fitting
 
 Array = NDArray[np.float64]
@@ -137,14 +138,6 @@ def eye_joints(generic: GenericHuman, joints_m: Array, vertices_m: Array) -> Arr
     for side in ("left", "right"):
         out[generic.joint(f"{side[0]}_eyeball_joint")] = eyeball(vertices_m, side).centre
     return out
-
-
-def named_features(generic: GenericHuman, vertices_m: Array) -> dict[str, Array]:
-    """Return the named feature points of a surface, those of MPEG-4 as ``fdp_...``, (3,) each."""
-    named = zip(generic.feature_names, generic.feature_vertices, strict=True)
-    standard = zip(generic.fdp_names, generic.fdp_vertices, strict=True)
-    features = {name: vertices_m[vertex] for name, vertex in named}
-    return features | {f"fdp_{name}": vertices_m[vertex] for name, vertex in standard}
 
 
 def run(

@@ -9,11 +9,15 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.body.outlined import gaps_mm, outlined_photos, see
 from cloner.frames import ViewId
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows, measures_mm
 from cloner.geometry.under_clothes import NINE_IN_TEN, Estimate, Evidence, MeasurePrior, estimate
+from cloner.measure.covering import covers
+from cloner.measure.rumpled import garments_rumples_mm
+from cloner.measure.side_arms import hidden_rows
 from cloner.records.bodies import BodySet, Phenotype
 from cloner.records.clones import Joined
 from cloner.records.loose import AROUND_LEGS
@@ -22,10 +26,6 @@ from cloner.records.photos import Person
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.covering import covers
-from cloner.stages.outlined import gaps_mm, outlined_photos, see
-from cloner.stages.rumpled import garments_rumples_mm
-from cloner.stages.side_arms import hidden_rows
 
 Array = NDArray[np.float64]
 

@@ -15,18 +15,19 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.detectors.body_points import ENDS
+from cloner.editing.claims import Wish, scene_of
+from cloner.editing.pose import PoseWish, obey_pose
+from cloner.editing.skin import obey_skin
 from cloner.frames import ViewId
+from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.points import ANCHOR, BodyPoints, ObeyedPoint
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
-from cloner.stages.join import named_features
-from cloner.stages.obeyed_claims import Wish, scene_of
-from cloner.stages.obeyed_pose import PoseWish, obey_pose
-from cloner.stages.obeyed_skin import obey_skin
-from cloner.stages.points import ENDS, FAR
+from cloner.stages.points import FAR
 from cloner.stages.silhouettes import ON_OUTLINE
 from cloner.vision.fixed_points import bend_through
 from cloner.vision.loops import fill_polygon

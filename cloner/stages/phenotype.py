@@ -12,6 +12,11 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.body.evidence import Evidence, Params, gather_evidence
+from cloner.body.footwear import FOOTWEAR, sole_height
+from cloner.body.model import WORN, Family, family
+from cloner.body.portrait import portrait_shape
+from cloner.body.solve import State, outline_term, solve
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.bodies import Phenotype, PosedView
@@ -20,12 +25,7 @@ from cloner.records.points import BodyPoints, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet
-from cloner.stages.footwear import FOOTWEAR, sole_height
-from cloner.stages.phenotype_evidence import Evidence, Params, gather_evidence
-from cloner.stages.phenotype_model import WORN, Family, family
-from cloner.stages.phenotype_solve import State, outline_term, solve
 from cloner.stages.points import for_fitting
-from cloner.stages.portrait import portrait_shape
 
 Array = NDArray[np.float64]
 

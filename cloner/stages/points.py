@@ -9,6 +9,8 @@ from typing import cast
 import numpy as np
 
 from cloner.abreast import abreast
+from cloner.body.bone_checks import check_bones
+from cloner.detectors.body_points import ENDS
 from cloner.detectors.table import DETECTORS
 from cloner.detectors.taught import taught
 from cloner.errors import ClonerError
@@ -26,14 +28,11 @@ from cloner.records.points import (
     ViewPoints,
 )
 from cloner.records.results import Residual, StageResult
-from cloner.stages.bone_checks import check_bones
 from cloner.stages.photo_checks import check_photos
 from cloner.vision.loose_outline import find_loose
 
 #: A point that all faces have, and no body.
 FACE_MARK = "nose_tip"
-#: Points that set a body photo's scale.
-ENDS = ("head_top", "sole_left", "sole_right")
 #: A correction farther than this share of the figure's height from the proposal says that the proposal was wrong:
 #: two spreads of the pose net's joints (facts.md: 5-40 px in 1,800 px).
 FAR = 0.035

@@ -15,15 +15,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.frames import ViewId
-from cloner.generic.load import load_generic
-from cloner.geometry.settling import unfolded
-from cloner.geometry.slices import aspect_shift, fine_shift
-from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
-from cloner.records.points import Proposals
-from cloner.records.results import Residual, StageResult
-from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.outlined import (
+from cloner.body.clothes import clothed_body
+from cloner.body.outlined import (
     GRID_SEGMENTS,
     Outlined,
     body_triangles,
@@ -33,7 +26,14 @@ from cloner.stages.outlined import (
     slice_pairs,
     views_of,
 )
-from cloner.stages.phenotype_clothes import clothed_body
+from cloner.frames import ViewId
+from cloner.generic.load import load_generic
+from cloner.geometry.settling import unfolded
+from cloner.geometry.slices import aspect_shift, fine_shift
+from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
+from cloner.records.points import Proposals
+from cloner.records.results import Residual, StageResult
+from cloner.records.silhouettes import SilhouetteSet
 
 Array = NDArray[np.float64]
 

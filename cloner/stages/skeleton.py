@@ -14,14 +14,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.body.clothes import clothed_body
+from cloner.body.outlined import Outlined, Seen, outlined_photos, see, slice_pairs, views_of
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.bodies import BodyMesh, Phenotype, Skeleton, SkeletonSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.outlined import Outlined, Seen, outlined_photos, see, slice_pairs, views_of
-from cloner.stages.phenotype_clothes import clothed_body
 
 Array = NDArray[np.float64]
 

@@ -14,28 +14,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
-from cloner.baking.baked import Baked, unpainted
-from cloner.baking.compose import bake, blend_levels, share_surface
-from cloner.baking.doubted import doubt_grazing, doubt_slanted, doubt_strangers
-from cloner.baking.evened import (
-    compare_photos,
-    even_photos,
-    evened_colours,
-    fill_surface,
-    level_photos,
-    vertex_colours,
-)
-from cloner.baking.feature_lines import meet_lines
-from cloner.baking.hands import finish_hands, finish_soles
-from cloner.baking.lid_skin import clean_lids
-from cloner.baking.materials import Materials, find_materials
-from cloner.baking.nostrils import darken_nostrils
-from cloner.baking.parts import paint_parts
-from cloner.baking.posed import body_triangles
-from cloner.baking.sources import Limits, Source, gather_sources
-from cloner.baking.tiles import Tile, cut_tiles
-from cloner.baking.tucking import tuck_scalp
-from cloner.baking.undressed import dress_unseen, near_sight, only_faces, plain_beyond
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
@@ -43,6 +21,28 @@ from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.iris import white_to_skin
 from cloner.geometry.wedges import vertex_normals
 from cloner.memory import give_back
+from cloner.paint.baked import Baked, unpainted
+from cloner.paint.compose import bake, blend_levels, share_surface
+from cloner.paint.doubted import doubt_grazing, doubt_slanted, doubt_strangers
+from cloner.paint.evened import (
+    compare_photos,
+    even_photos,
+    evened_colours,
+    fill_surface,
+    level_photos,
+    vertex_colours,
+)
+from cloner.paint.feature_lines import meet_lines
+from cloner.paint.hands import finish_hands, finish_soles
+from cloner.paint.lid_skin import clean_lids
+from cloner.paint.materials import Materials, find_materials
+from cloner.paint.nostrils import darken_nostrils
+from cloner.paint.parts import paint_parts
+from cloner.paint.posed import body_triangles
+from cloner.paint.sources import Limits, Source, gather_sources
+from cloner.paint.tiles import Tile, cut_tiles
+from cloner.paint.tucking import tuck_scalp
+from cloner.paint.undressed import dress_unseen, near_sight, only_faces, plain_beyond
 from cloner.records.clones import Clone, Joined, TextureAtlas
 from cloner.records.heads import HeadFit, Shell
 from cloner.records.labels import SURFACES

@@ -24,8 +24,8 @@ from cloner.detectors.face_net import load_face_net
 from cloner.detectors.table import DETECTORS
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.sockets import similarity
+from cloner.head.modes import bent_shapes, head_shapes, turned_from
 from cloner.records.views import Camera
-from cloner.stages.head_modes import bent_shapes, head_shapes, turned_from
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "head_net.npz"

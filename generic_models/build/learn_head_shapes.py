@@ -21,7 +21,7 @@ from scan_heads import laid_generic, outer_skin, read_family, twin_vertices
 
 from cloner.generic.load import load_generic
 from cloner.geometry.sockets import similarity
-from cloner.stages.head_modes import family_parameters, parameter_fields
+from cloner.head.modes import family_parameters, parameter_fields
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "head_shapes.npz"

@@ -28,9 +28,9 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
+from cloner.head.ears import ear_fields
+from cloner.head.modes import bent_shapes
 from cloner.records.views import Camera
-from cloner.stages.head_ears import ear_fields
-from cloner.stages.head_modes import bent_shapes
 
 Array = NDArray[np.float64]
 Picture = NDArray[np.float32]

@@ -7,6 +7,7 @@ import functools
 import numpy as np
 
 from cloner.frames import BODY_VIEWS
+from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import fill_triangles
 from cloner.geometry.skinning import joint_transforms, skin
@@ -14,7 +15,6 @@ from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.points import PointSet, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages.join import named_features
 from kit import people, studio
 
 

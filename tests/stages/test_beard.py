@@ -7,9 +7,9 @@ import pytest
 import trimesh
 from scipy.spatial import cKDTree
 
-from cloner.baking.beard import beard_rows
 from cloner.generic.load import load_generic
 from cloner.geometry.wedges import vertex_normals
+from cloner.hair.beard import beard_rows
 from cloner.records.labels import Label
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet

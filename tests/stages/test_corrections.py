@@ -10,13 +10,13 @@ import cv2
 import numpy as np
 import pytest
 
+from cloner.editing.face import show_face
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import triangle_normals
 from cloner.records.bodies import PosedView
 from cloner.records.points import PointSet, ViewPoints
 from cloner.stages.obeyed import bent_silhouettes, obey, warnings_of
-from cloner.stages.obeyed_face import show_face
 from kit import fitted, people, studio
 
 FRONT, SIDE, BACK = ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.BODY_BACK

@@ -17,14 +17,14 @@ from cloner.frames import ViewId
 from cloner.generic.face_grids import eye_grid, eyeball
 from cloner.generic.load import load_generic
 from cloner.geometry.sockets import similarity
+from cloner.head.ears import ear_fields
+from cloner.head.modes import load_head_modes
 from cloner.records.bodies import Phenotype
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import PointSet, Proposal, Proposals, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 from cloner.stages import head
-from cloner.stages.head_ears import ear_fields
-from cloner.stages.head_modes import load_head_modes
 from kit.scripts import script
 
 WIDTH, HEIGHT, FOCAL_35MM = 900, 1200, 80.0

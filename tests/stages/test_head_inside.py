@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
+from cloner.head.inside import read_inside_front
 from cloner.records.points import Proposal, ViewPoints
-from cloner.stages.head_inside import read_inside_front
 from kit.visitors import photo, truth_mask, visitor_folder
 
 NAMES = ("pupil_L", "pupil_R", "ala_L", "ala_R", "subnasale", "nose_tip", "chin_front", "chin_bottom")

@@ -11,17 +11,17 @@ import pytest
 import trimesh
 from scipy.spatial import cKDTree
 
-from cloner.baking.loose_views import Hanging
 from cloner.exporters import gltf, vrml97
 from cloner.frames import BODY_VIEWS, ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.contours import outline_field
 from cloner.geometry.skinning import joint_transforms, skin
+from cloner.hair import loose_clothes as loose
+from cloner.hair.loose_views import Hanging
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.stages import loose
 from cloner.vision.loose_outline import find_loose
 from kit import painted, people, studio
 from kit.clones import toy_clone

@@ -48,9 +48,9 @@ def nearest_on_outline(borders_px: Iterable[Array], at_px: tuple[float, float], 
 def worst_first(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]:
     """Return the proposed points of all photos, the one first whose true place is expected to mend most.
 
-    See `cloner.stages.points_order.worth_first`; what an operator placed comes last.
+    See `cloner.editing.order.worth_first`; what an operator placed comes last.
     """
-    from cloner.stages.points_order import worth_first  # with the generic human: not paid for at the start
+    from cloner.editing.order import worth_first  # with the generic human: not paid for at the start
 
     return worth_first(points)
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from cloner.body.hands import sized_hands
 from cloner.evaluate.baselines import generic_clone
 from cloner.evaluate.posing import JOINTS, hand_vertices, pose_clone, rotations_towards, truth_from_body
 from cloner.generic.load import load_generic
 from cloner.records.bodies import BodyMesh
-from cloner.stages.hands import sized_hands
 from kit import people
 
 STATURE_M = 1.70

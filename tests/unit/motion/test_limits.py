@@ -10,9 +10,9 @@ import pytest
 from cloner.evaluate.face_motion import mixture_figures
 from cloner.generic.face_grids import lips_apart, mouth_grid
 from cloner.generic.load import load_generic
+from cloner.head.parts import seat_parts
+from cloner.head.targets import face_targets
 from cloner.motion.limits import limited
-from cloner.stages.face_targets import face_targets
-from cloner.stages.head_parts import seat_parts
 from kit.clones import toy_clone
 
 

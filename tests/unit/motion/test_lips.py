@@ -11,11 +11,11 @@ from scipy.io import wavfile
 from cloner.errors import ClonerError
 from cloner.generic.face_grids import lips_apart, mouth_grid
 from cloner.generic.morphs import target_offsets
+from cloner.head.targets import face_targets
 from cloner.motion import espeak, speech
 from cloner.motion.body import body_of
 from cloner.motion.limits import limited
 from cloner.motion.talk import spoken_visemes, talk
-from cloner.stages.face_targets import face_targets
 from kit.clones import toy_clone
 
 SPEECH = Path(__file__).resolve().parents[2] / "kit" / "speech"

@@ -4,11 +4,11 @@ import cv2
 import numpy as np
 import pytest
 
+from cloner.body.bone_checks import check_bones
 from cloner.detectors import pose_rows as net
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.points import PhotoState, Proposals, StateKind, ViewPoints, confidence_of, expected_error
-from cloner.stages.bone_checks import check_bones
 from cloner.stages.photo_checks import check_photos
 from cloner.stages.points import body_proposals, told
 from kit import net as known_net

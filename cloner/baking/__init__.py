@@ -1,1 +1,0 @@
-"""Photos laid on the generic human: between the stages and the plain vision and geometry below."""

@@ -1,0 +1,114 @@
+"""How the head is carried in each photo, found anew with the person's own head.
+
+The phenotype's head is nobody's; once the fitted head sits on the body, neck and
+skull base turn a little until the head lies where each photo shows it (method §5,
+"one rest-pose body and one pose per photo"). A face seen from the front places its
+photo's head to two millimetres. Where hair makes the outline, all photos share one
+thickness of hair, an unknown of the same fit: what front and side tell about it
+holds the head in the photo of the back, which shows nothing else. Face photos nod
+about the face, whose place is known already: no photo of a face tells its nod well.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.body.carriage_sight import HAIR, Head, Params, angles_of, sight_of, turned
+from cloner.body.outlined import Outlined
+from cloner.frames import ViewId
+from cloner.hair.agreement import HairField, agreement
+from cloner.head.flank import Flank
+from cloner.records.bodies import BodyMesh, PosedView
+from cloner.records.points import ViewPoints
+
+Array = NDArray[np.float64]
+
+#: Largest turn of one step, radians.
+_STEP_RAD = 0.15
+#: A photo without a face, and one in which nothing was looked up.
+UNSEEN = np.zeros((0, 2))
+NOTHING = Flank(np.zeros(0, dtype=np.int64), np.zeros((0, 2)), np.zeros(0))
+
+
+def carry_heads(
+    mesh: BodyMesh,
+    photos: Mapping[ViewId, Outlined],
+    points: Mapping[ViewId, ViewPoints],
+    faces_px: Mapping[ViewId, Array],
+    face_errors_m: Array,
+    lines: Mapping[ViewId, HairField],
+    look: Callable[[Mapping[ViewId, PosedView]], Mapping[ViewId, Flank]],
+) -> dict[ViewId, PosedView]:
+    """Return the photos' poses with the head turned to what each photo shows.
+
+    Parameters
+    ----------
+    mesh : BodyMesh
+        The joined person in rest pose, in the frame of the photos' cameras.
+    photos : mapping of ViewId to Outlined
+        Pose, camera and outline of each photo.
+    points : mapping of ViewId to ViewPoints
+        Named points of body photos.
+    faces_px : mapping of ViewId to (468, 2)
+        The face net's points where a body photo shows a face.
+    face_errors_m : (468, 2)
+        What the net makes of this face when it looks straight at the camera: right and down in the picture.
+    lines : mapping of ViewId to HairField
+        Hairlines of the photos that show hair.
+    look : callable
+        Gives the skin that is found in some photos, from the poses so far.
+    """
+    params, head = Params(), Head.of(mesh)
+    usual = np.deg2rad([(0.0, degrees) for view in photos for degrees in _usual_deg(view, params)])
+    rest, spread = np.concatenate([usual.reshape(-1, 2), params.thickness_mm]).T
+    ends = np.cumsum([angles_of(view) for view in photos])
+    own = {view: slice(end - angles_of(view), end) for view, end in zip(photos, ends, strict=True)}
+    state, hair = rest.copy(), slice(len(rest) - HAIR, None)
+    turning = {view: functools.partial(turned, photos[view].posed, pivot_m=head.pivot_m) for view in lines}
+    spots: Mapping[ViewId, Flank] = {}
+    for step in range(params.turns):
+        if step == params.looks_at:
+            spots = look({view: turned(photo.posed, state[own[view]], head.pivot_m) for view, photo in photos.items()})
+        sights = {
+            view: sight_of(
+                head,
+                photo,
+                state[own[view]],
+                points.get(view),
+                faces_px.get(view, UNSEEN),
+                face_errors_m,
+                spots.get(view, NOTHING),
+                params,
+            )
+            for view, photo in photos.items()
+        }
+        values, slopes = [(state - rest) / spread], [np.diag(1.0 / spread)]
+        for view, sight in sights.items():
+            value, slope = sight.linear(state[own[view]], state[hair])
+            values.append(value)
+            slopes.append(_placed({view: slope[:, :-HAIR]}, own, len(state)))
+            slopes[-1][:, hair] = slope[:, -HAIR:]
+        for value, by_view in agreement(mesh, lines, turning, {view: state[own[view]] for view in lines}):
+            values.append(value)
+            slopes.append(_placed(by_view, own, len(state)))
+        jacobian = np.concatenate(slopes)
+        move = np.linalg.solve(jacobian.T @ jacobian, -jacobian.T @ np.concatenate(values))
+        move[: hair.start] = np.clip(move[: hair.start], -_STEP_RAD, _STEP_RAD)
+        state = state + move
+    return {view: turned(photo.posed, state[own[view]], head.pivot_m) for view, photo in photos.items()}
+
+
+def _placed(slopes: Mapping[ViewId, Array], own: Mapping[ViewId, slice], width: int) -> Array:
+    """Return (R, width) derivatives by all angles from those by some photos' own."""
+    found = np.zeros((len(next(iter(slopes.values()))), width))
+    for view, slope in slopes.items():
+        found[:, own[view]] = slope
+    return found
+
+
+def _usual_deg(view: ViewId, params: Params) -> tuple[float, ...]:
+    return (params.nod_deg,) if view.is_face else (*[params.neck_deg] * 3, *[params.head_deg] * 3)

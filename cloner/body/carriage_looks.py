@@ -1,0 +1,70 @@
+"""Where body photos show what the face photos show: skin looked up in them tells how the head is turned there.
+
+A face photo and the body photo of the same direction show the same skin from nearly the same side. Places on ear, eye,
+nose and mouth are found again in the body photo to about a millimetre, eight times as well as outline and pose net
+place them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.generic.load import load_generic
+from cloner.head.flank import PLACES, Flank, find_places, vertex_of
+from cloner.head.size import head_camera
+from cloner.records.bodies import BodyMesh, PosedView
+from cloner.records.photos import PhotoSet
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+#: Body photos and the face photos of the same direction.
+TWINS: Final = ((ViewId.BODY_FRONT, ViewId.FACE_FRONT), (ViewId.BODY_SIDE, ViewId.FACE_SIDE))
+#: Places on the ear that are looked up beside those of the face.
+EAR: Final = tuple((f"{name}_L", f"{name}_R") for name in ("ear_top", "ear_lobe", "ear_outer", "ear_back"))
+#: Photos whose directions differ by more than this show different skin (cosine).
+SAME_WAY: Final = 0.85
+#: A place aside of the head counts as shown when the camera stands at least this far to its side (sine).
+ASIDE: Final = 0.35
+
+
+def look_up(mesh: BodyMesh, photos: PhotoSet, poses: Mapping[ViewId, PosedView]) -> dict[ViewId, Flank]:
+    """Return what was found in body photos of the skin that face photos show.
+
+    Parameters
+    ----------
+    mesh : BodyMesh
+        The person in rest pose.
+    photos : PhotoSet
+    poses : mapping of ViewId to PosedView
+        As the head lies in the photos now.
+    """
+    generic = load_generic()
+    middle = mesh.vertices_m[generic.head_vertices].mean(axis=0)
+    found = {}
+    for view, twin in TWINS:
+        if view not in poses or twin not in poses or not {view, twin} <= set(photos.photos):
+            continue
+        cameras = head_camera(mesh.joints_m, poses[twin]), head_camera(mesh.joints_m, poses[view])
+        ways = [_way(camera, middle) for camera in cameras]
+        if ways[0] @ ways[1] > SAME_WAY:
+            pictures = photos.photos[twin].rgb, photos.photos[view].rgb
+            places = np.array([vertex_of(generic, name) for name in shown_places(ways[0])])
+            found[view] = find_places(places, mesh.vertices_m, cameras, pictures)
+    return found
+
+
+def shown_places(way: Array) -> list[str]:
+    """Return the names of the places that a camera in a direction (3,) from the head sees."""
+    sides = [0] if way[0] > ASIDE else [1] if way[0] < -ASIDE else [0, 1]
+    return [pair[side] for pair in (*PLACES, *EAR) for side in sides]
+
+
+def _way(camera: Camera, middle: Array) -> Array:
+    away = camera.position_m - middle
+    return np.asarray(away / np.linalg.norm(away))

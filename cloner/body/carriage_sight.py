@@ -1,0 +1,245 @@
+"""What one photo says about how the head is carried, for small turns of neck and skull base."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.body.outlined import Outlined, body_triangles, see
+from cloner.detectors.face_net import load_face_net
+from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.generic.load import load_generic
+from cloner.geometry.rims import vertex_normals
+from cloner.geometry.skinning import joint_transforms, skin
+from cloner.head.flank import Flank
+from cloner.head.modes import load_head_modes
+from cloner.head.rim import HAIR_M, thickening
+from cloner.records.bodies import BodyMesh, PosedView
+from cloner.records.points import ViewPoints
+
+Array = NDArray[np.float64]
+
+#: Joints that carry the head, in two groups that may counter each other.
+NECK, SKULL = ("vc7", "vc5", "vc3"), ("skullbase",)
+#: Features of the head that body photos show.
+HEAD_POINTS = ("nose_tip", "ear_outer_L", "ear_outer_R", "pupil_L", "pupil_R")
+#: Numbers of the hair's thickness: everywhere, more on top, more behind, more at the sides.
+HAIR = len(HAIR_M)
+#: Neighbouring points of a rim or a face err together: so many count as independent.
+_INDEPENDENT = 30.0
+#: A place found wrongly pulls no more than one that is so many spreads off.
+_WRONG = 4.0
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """Trust in the evidence.
+
+    Attributes
+    ----------
+    point_mm, outline_mm, face_mm : float
+        Spread of the pose net's points on the head, of the head's outline, and of the face net's points.
+    hair_mm : float
+        Spread of the hair's outline around the skull by the shared thickness.
+    thickness_mm : tuple of four (mean, spread) of the numbers of the hair's thickness.
+    neck_deg, head_deg, nod_deg : float
+        Usual bend of the neck away from the phenotype's, turn of the head by all that, and nod of a face photo.
+    spot_mm : float
+        Spread of the skin looked up.
+    turns, looks_at : int
+        Gauss-Newton steps (six find no better heads on eight painted people), and before which of them skin is looked
+        up: nearer to the truth than the phenotype's head, whose skin lies beyond the search.
+    """
+
+    point_mm: float = 20.0
+    outline_mm: float = 3.0
+    face_mm: float = 2.0
+    hair_mm: float = 2.0
+    thickness_mm: tuple[tuple[float, float], ...] = tuple((mm_from_m(a), mm_from_m(b)) for a, b in HAIR_M)
+    neck_deg: float = 8.0
+    head_deg: float = 4.0
+    nod_deg: float = 2.0
+    spot_mm: float = 1.5
+    turns: int = 5
+    looks_at: int = 2
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Head:
+    """The head in rest pose, and how its hair may thicken.
+
+    Attributes
+    ----------
+    mesh : BodyMesh
+    on_head, on_cap : (V,) bool
+        Skin of the head, and of it the scalp above the ears, where hair follows the skull.
+    hair : (V, 4) float64
+        How much each number of the hair's thickness counts at a vertex.
+    pivot_m : (3,) float64
+        Middle of the face, about which face photos nod.
+    """
+
+    mesh: BodyMesh
+    on_head: NDArray[np.bool_]
+    on_cap: NDArray[np.bool_]
+    hair: Array
+    pivot_m: Array
+
+    @classmethod
+    def of(cls, mesh: BodyMesh) -> Head:
+        """Return the head of a person."""
+        generic = load_generic()
+        normals = vertex_normals(mesh.vertices_m, body_triangles())
+        ears = generic.region("ear_left") | generic.region("ear_right")
+        above = mesh.vertices_m[:, 1] > mesh.vertices_m[ears, 1].mean()
+        on_head = (generic.head_blend > 0.9) & (generic.vertex_part == generic.part_names.index("body"))
+        pivot = load_face_net().places.at(mesh.vertices_m).mean(axis=0)
+        return cls(mesh, on_head, generic.region("scalp") & above & ~ears, thickening(normals), pivot)
+
+
+@functools.cache
+def _spread() -> Array:
+    """Return the (282, 6) matrix to stacked rotation vectors from how the neck bends and how the head turns at all."""
+    generic = load_generic()
+    matrix = np.zeros((len(generic.joint_names) * 3, 6))
+    for axis in range(3):
+        for name in NECK:
+            matrix[generic.joint(name) * 3 + axis, axis] = 1.0 / len(NECK)
+        for name in SKULL:
+            matrix[generic.joint(name) * 3 + axis, [axis, 3 + axis]] = -1.0 / len(SKULL), 1.0 / len(SKULL)
+    return matrix
+
+
+def angles_of(view: ViewId) -> int:
+    """Return how many angles a photo has: three of the neck and three of the head, or a face photo's nod."""
+    return 1 if view.is_face else 6
+
+
+def turned(posed: PosedView, angles: Array, pivot_m: Array) -> PosedView:
+    """Return a photo's pose with neck and skull base turned, or a face photo's camera that sees the head nod."""
+    if not posed.view.is_face:
+        rotations = posed.rotations + (_spread() @ angles).reshape(-1, 3)
+        return replace(posed, rotations=rotations)
+    cosine, sine = np.cos(angles[0]), np.sin(angles[0])
+    nod = np.array([[1.0, 0.0, 0.0], [0.0, cosine, -sine], [0.0, sine, cosine]])
+    matrix, camera = posed.camera.camera_from_model.copy(), posed.camera
+    matrix[:3, 3] += matrix[:3, :3] @ (pivot_m - nod @ pivot_m)
+    matrix[:3, :3] = matrix[:3, :3] @ nod
+    return replace(posed, camera=replace(camera, camera_from_model=matrix))
+
+
+def placed(mesh: BodyMesh, rows: NDArray[np.int64], posed: PosedView) -> tuple[Array, Array]:
+    """Return where some vertices (N, 3) stand in a photo's pose, and the joints' transforms (94, 4, 4)."""
+    generic = load_generic()
+    transforms = joint_transforms(mesh.joints_m, generic.joint_parents, posed.rotations)
+    weights = generic.skin_weights[rows].astype(np.float64)
+    return skin(mesh.vertices_m[rows], transforms, generic.skin_joints[rows], weights), transforms
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sight:
+    """What one photo says about the head, prepared for small turns.
+
+    Attributes
+    ----------
+    photo : Outlined
+        In the pose before any turn.
+    chosen : (N,) int64
+        Vertices that the evidence needs: the rim (R), named points (P), then corners of the face net's places.
+    bare, cap : (R,) bool
+        Rim vertices whose outline is the skin's, and whose outline is the hair's over the scalp.
+    mm_per_px : float
+    points_px, trust : (P, 2), (P, 1)
+        Named points, and one over their spread, per px.
+    face_px : (468, 2) or (0, 2)
+    face_errors_m : (468, 2)
+    corners : (468, 3) int64
+        Rows of ``chosen``.
+    """
+
+    photo: Outlined
+    head: Head
+    chosen: NDArray[np.int64]
+    bare: NDArray[np.bool_]
+    cap: NDArray[np.bool_]
+    mm_per_px: float
+    points_px: Array
+    trust: Array
+    face_px: Array
+    face_errors_m: Array
+    corners: NDArray[np.int64]
+    params: Params = field(default_factory=Params)
+
+    def residual(self, angles: Array, hair_mm: Array) -> Array:
+        """Return outline, points and face in spreads, for a photo's angles and the hair's thickness (4,)."""
+        generic, mesh = load_generic(), self.head.mesh
+        posed = turned(self.photo.posed, angles, self.head.pivot_m)
+        places, transforms = placed(mesh, self.chosen, posed)
+        pixels, rim = posed.camera.project(places), len(self.bare)
+        named = (pixels[rim : rim + len(self.points_px)] - self.points_px) * self.trust
+        named = _WRONG * np.tanh(named / _WRONG)
+        within = load_face_net().places.weights[: len(self.face_px), :, None]
+        away = (within * pixels[self.corners]).sum(axis=1) - self.face_px
+        if len(away):
+            seen = posed.camera.camera_from_model[:3, :3] @ transforms[generic.joint(SKULL[0]), :3, :3]
+            away = away + (self.face_errors_m + load_head_modes().turn_errors_m(seen)) / m_from_mm(self.mm_per_px)
+        face = away * self.mm_per_px / self.params.face_mm / np.sqrt(max(len(away) / _INDEPENDENT, 1.0))
+        return np.concatenate([self._gaps(pixels[:rim], hair_mm), named.ravel(), face.ravel()])
+
+    def _gaps(self, pixels: Array, hair_mm: Array) -> Array:
+        """Return how far the rim (R, 2) px stands out of where the outline wants it, in spreads."""
+        gap = self.photo.field.signed_distance(pixels) * self.mm_per_px
+        over = gap + self.head.hair[self.chosen[: len(gap)]] @ hair_mm
+        away = np.where(self.bare, gap, np.maximum(gap, 0.0)) / self.params.outline_mm
+        away = np.where(self.cap, over / self.params.hair_mm, away)
+        return np.asarray(_WRONG * np.tanh(away / _WRONG) / np.sqrt(max(len(gap) / _INDEPENDENT, 1.0)))
+
+    def linear(self, angles: Array, hair_mm: Array) -> tuple[Array, Array]:
+        """Return the residual (R,) and its derivatives (R, angles + 4)."""
+        value = self.residual(angles, hair_mm)
+        columns = [(self.residual(angles + 1e-3 * one, hair_mm) - value) / 1e-3 for one in np.eye(len(angles))]
+        columns += [(self.residual(angles, hair_mm + 0.1 * one) - value) / 0.1 for one in np.eye(HAIR)]
+        return value, np.stack(columns, axis=1)
+
+
+def sight_of(
+    head: Head,
+    photo: Outlined,
+    angles: Array,
+    points: ViewPoints | None,
+    face_px: Array,
+    face_errors_m: Array,
+    spots: Flank,
+    params: Params,
+) -> Sight:
+    """Return a photo's evidence, with the rim of the head as it is turned now."""
+    generic, net = load_generic(), load_face_net()
+    seen = see(head.mesh, Outlined(turned(photo.posed, angles, head.pivot_m), photo.field), head.on_head)
+    rim = np.flatnonzero(seen.body.on_rim & head.on_head)
+    veiled = photo.field.is_veiled(seen.body.pixels[rim])
+    silent = points is None or len(face_px) > 0  # the face net's points are ten times as good
+    rows = [] if silent or points is None else [k for k, name in enumerate(points.names) if name in HEAD_POINTS]
+    marks = np.array([generic.feature(points.names[k]) for k in rows] if points else [], dtype=np.int64)
+    used, corners = np.unique(net.places.corners[: len(face_px)], return_inverse=True)
+    pixels = points.points_px[rows] if points else np.zeros((0, 2))
+    trust = points.confidence[rows, None] / params.point_mm if points else np.zeros((0, 1))
+    marks = np.concatenate([marks, spots.vertices])
+    pixels = np.concatenate([pixels, spots.points_px])
+    trust = np.concatenate([trust, np.full((len(spots.vertices), 1), 1.0 / params.spot_mm)])
+    return Sight(
+        photo,
+        head,
+        np.concatenate([rim, marks, used.astype(np.int64)]),
+        ~veiled,
+        veiled & head.on_cap[rim],
+        seen.mm_per_px,
+        pixels,
+        trust * seen.mm_per_px,
+        face_px,
+        face_errors_m,
+        corners.reshape(-1, 3).astype(np.int64) + len(rim) + len(marks),
+        params,
+    )

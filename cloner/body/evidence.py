@@ -1,0 +1,130 @@
+"""What a body photo says about shape, pose and camera: its outline, the pose net's points, an operator's points."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.detectors.body_points import ENDS
+from cloner.frames import mm_from_m
+from cloner.generic.body_net import NetPoints, net_points
+from cloner.geometry.contours import OutlineField, outline_field
+from cloner.records.labels import Label
+from cloner.records.points import Proposal, ViewPoints
+from cloner.records.silhouettes import Silhouette
+from cloner.records.views import View
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """Weights of the evidence, as spreads.
+
+    Attributes
+    ----------
+    joint_mm, corrected_mm : float
+        Trust in joints where no net spoke, and in an operator's points.
+    outline_mm : float
+        Trust in one independent piece of outline.
+    outline_piece_mm : float
+        Length of outline that counts as independent evidence.
+    hair_mm, hair_spread_mm : float
+        Usual hair above the skull and its spread (taste).
+    floor_mm : float
+        How far heels and toes of both feet may stand off one level floor.
+    height_m, same_height_m : tuple, float
+        Usual height of a camera and its spread; how far the cameras of one person's photos usually differ.
+    azimuth_degrees, facing_degrees, pitch_degrees, roll_degrees : float
+        Spread of the direction that the person was asked to turn to, and of the camera's aim.
+    same_pose : float
+        How much a person's photos differ in pose, relative to how much people do.
+    shapes : tuple of int
+        Number of shape coefficients in the successive rounds.
+    reach_mm : tuple of float
+        Farthest matched outline in the successive rounds; the first has points only.
+    turns_per_round : int
+        Gauss-Newton steps a round.
+    fade : tuple of float
+        Spreads beyond which a point loses its weight, in the first round and later.
+    height_px : int
+        Photo height at which outlines are compared.
+    most_step, most_sigmas : float
+        Longest step of a camera or joint angle (radians, metres), and largest shape coefficient.
+    """
+
+    joint_mm: float = 30.0
+    corrected_mm: float = 4.0
+    outline_mm: float = 10.0
+    outline_piece_mm: float = 25.0
+    hair_mm: float = 12.0
+    hair_spread_mm: float = 8.0
+    floor_mm: float = 4.0
+    height_m: tuple[float, float] = (1.25, 0.22)
+    same_height_m: float = 0.2
+    azimuth_degrees: float = 4.0
+    facing_degrees: float = 12.0
+    pitch_degrees: float = 40.0
+    roll_degrees: float = 1.5
+    same_pose: float = 0.35
+    shapes: tuple[int, ...] = (6, 12, 24, 30, 30)
+    reach_mm: tuple[float, ...] = (0.0, 120.0, 80.0, 60.0, 45.0)
+    turns_per_round: int = 3
+    fade: tuple[float, float] = (8.0, 3.0)
+    height_px: int = 640
+    most_step: float = 0.35
+    most_sigmas: float = 3.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Evidence:
+    """What one photo says, with the first camera.
+
+    Attributes
+    ----------
+    view : View
+    points : ViewPoints
+        The contour's proposals and an operator's points.
+    net : NetPoints
+        The pose net's points, calibrated.
+    field : OutlineField
+    mm_per_px : float
+    top_px : float
+        Row of the person's highest point.
+    soles_px : mapping of str to float
+        Rows of soles that an operator placed, by "left" and "right".
+    barefoot : bool
+    """
+
+    view: View
+    points: ViewPoints
+    net: NetPoints
+    field: OutlineField
+    mm_per_px: float
+    top_px: float
+    soles_px: Mapping[str, float]
+    barefoot: bool
+
+
+def gather_evidence(
+    view: View, points: ViewPoints, outline: Silhouette, proposal: Proposal, params: Params
+) -> Evidence:
+    """Return what one photo says, prepared for fitting."""
+    mm_per_px = mm_from_m(view.camera.metres_per_pixel(np.array([0.0, 0.9, 0.0])))
+    reduction = max(view.camera.height_px / params.height_px, 1.0)
+    field = outline_field(
+        outline.contours_px,
+        outline.mask,
+        proposal.labels == Label.HAIR,
+        cloth=outline.loose_mask(),
+        step_px=2.0 * reduction,
+        reduction=reduction,
+    )
+    placed = {n: p for n, p, fixed in zip(points.names, points.points_px, points.corrected, strict=True) if fixed}
+    top = float(np.flatnonzero(outline.mask.any(axis=1))[0] if ENDS[0] not in placed else placed[ENDS[0]][1]) - 0.5
+    soles = {name.removeprefix("sole_"): float(placed[name][1]) + 0.5 for name in ENDS[1:] if name in placed}
+    net = net_points(proposal, view.side_shown, without=tuple(placed))
+    return Evidence(view, points, net, field, mm_per_px, top, soles, proposal.barefoot)

@@ -1,0 +1,76 @@
+"""Shoes on the generic human: its feet closed, lengthened and raised as shoes show them in outlines.
+
+An outline shows shoes, not feet. So the family of bodies that is fitted to photos
+wears shoes of a usual shape, and three numbers of the family's linear model tell
+how thick their soles are, and how long and how wide they are.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.body.feet import closed_toes, sized_feet
+from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
+from cloner.records.bodies import BodyMesh
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Footwear:
+    """A kind of footwear: usual size and one standard deviation each (taste, after shoes of shops).
+
+    Attributes
+    ----------
+    sole_m : tuple of float
+        Height of the soles below the naked feet, mean, spread and limits, metres.
+    length, width : tuple of float
+        Factors of the foot's length and width about the ankle: mean and spread.
+    instep : float
+        Factor of the instep's height.
+    closed : bool
+        Whether toes are hidden.
+    """
+
+    sole_m: tuple[float, float, float, float]
+    length: tuple[float, float]
+    width: tuple[float, float]
+    instep: float
+    closed: bool
+
+
+SHOES = Footwear((0.024, 0.005, 0.014, 0.036), (1.08, 0.05), (1.08, 0.08), 1.2, True)
+BAREFOOT = Footwear((0.0015, 0.001, 0.0, 0.003), (1.0, 0.03), (1.0, 0.03), 1.0, False)
+#: Number of linear modes: sole height, length, width.
+FOOTWEAR = 3
+
+
+def shod(generic: GenericHuman, stature_m: float, wear: Footwear) -> tuple[Array, Array]:
+    """Return vertices (V, 3) of the mean human in footwear, and the modes' moves (3, V, 3), metres.
+
+    Parameters
+    ----------
+    stature_m : float
+        Stature of the person in naked feet, metres; footwear has its real size at that stature.
+    """
+    scale = stature_m / GENERIC_STATURE_M
+    mesh = BodyMesh(scale * generic.vertices_m.astype(np.float64), scale * generic.joints_m.astype(np.float64))
+    foot = closed_toes(mesh) if wear.closed else mesh
+    sole, length, width = wear.sole_m[:2], wear.length, wear.width
+
+    def sized(sole_sigmas: float, length_sigmas: float, width_sigmas: float) -> Array:
+        size = (width[0] + width_sigmas * width[1], length[0] + length_sigmas * length[1], wear.instep, 0.0)
+        return sized_feet(foot, np.array(size), sole[0] + sole_sigmas * sole[1])
+
+    mean = sized(0.0, 0.0, 0.0)
+    modes = np.array([(sized(*step) - sized(*(-step))) / 2.0 for step in np.eye(FOOTWEAR)])
+    return mean, modes
+
+
+def sole_height(wear: Footwear, sigmas: float) -> float:
+    """Return the soles' height in metres, within the footwear's limits."""
+    mean, spread, low, high = wear.sole_m
+    return float(np.clip(mean + sigmas * spread, low, high))

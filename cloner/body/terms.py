@@ -1,0 +1,214 @@
+"""Residuals of the phenotype's fit: points, outlines, the floor.
+
+A term knows its points of the model and returns, for a linearisation of them,
+residuals in units of their own spread and exact derivatives. Robust residuals are
+weighted by what they are now (iterated reweighting), so a wrong point fades.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.body.evidence import Evidence, Params
+from cloner.body.model import Drawn, Family
+from cloner.body.outlined import body_triangles
+from cloner.detectors.body_points import ENDS
+from cloner.frames import mm_from_m
+from cloner.generic.load import GenericHuman
+from cloner.geometry.posing import Chosen
+from cloner.geometry.rims import rim_vertices, vertex_normals
+from cloner.geometry.tripods import placed_camera
+
+Array = NDArray[np.float64]
+Rows = tuple[Array, Array]
+
+
+class Term(Protocol):
+    """A kind of evidence."""
+
+    model: Chosen
+
+    def rows(self, drawn: Drawn) -> Rows:
+        """Return residuals (M,) in spreads and their derivatives (M, U)."""
+
+
+def faded(value: Array, jacobian: Array, weight: Array) -> Rows:
+    """Return residuals and derivatives with the square roots of weights on them."""
+    root = np.sqrt(weight)
+    return value * root, jacobian * root[:, None]
+
+
+def sole_vertices(generic: GenericHuman) -> NDArray[np.int64]:
+    """Return (2 N,) vertices spread over both soles, the left foot's first."""
+    chosen = []
+    for side in ("left", "right"):
+        own = np.flatnonzero(generic.region("sole") & generic.region(f"foot_{side}"))
+        own = own[generic.vertices_m[own, 1] < 0.006]
+        along = generic.vertices_m[own, 2]
+        places = np.linspace(along.min(), along.max(), 8)
+        chosen.append([own[np.argmin(np.abs(along - place))] for place in places])
+    return np.array(chosen).ravel()
+
+
+class PointTerm:
+    """Named points of one photo against joints and features of the model; corrected ones never fade.
+
+    The pose net's points are expected where the net was calibrated to put them. A
+    proposal farther away than ``fade`` spreads loses its weight: one wrong point
+    cannot drag a limb.
+    """
+
+    def __init__(self, body: Family, evidence: Evidence, params: Params, *, modes: int, fade: float) -> None:
+        generic, net = body.generic, evidence.net
+        own = _own_points(generic, evidence, params)
+        bases = [*(base for base, *_ in own), *net.bases]
+        offsets = np.vstack([np.zeros((len(own), 3)), body.stature_m * net.offset])
+        targets = np.vstack([*(target for _, target, *_ in own), net.points_px])
+        spreads = np.append([spread for *_, spread, _ in own], mm_from_m(body.stature_m) * net.spread)
+        fixed = np.append([fixed for *_, fixed in own], np.zeros(len(net.bases), dtype=bool))
+        is_joint = np.array([base in generic.joint_names for base in bases], dtype=bool)
+        order = np.argsort(is_joint, kind="stable")  # the model's points are vertices first, then joints
+        features = [generic.feature(bases[k]) for k in order if not is_joint[k]]
+        joints = [generic.joint(bases[k]) for k in order if is_joint[k]]
+        model = body.points(np.array(features, dtype=np.int64), np.array(joints, dtype=np.int64), modes=modes)
+        self.model = replace(model, mean_m=model.mean_m + offsets[order])
+        self.target_px, self.fixed, self.fade = targets[order], fixed[order].astype(bool), fade
+        self.weight = evidence.mm_per_px / spreads[order]
+
+    def rows(self, drawn: Drawn) -> Rows:
+        """Return residuals (2 N,) and derivatives."""
+        away = (drawn.pixels - self.target_px) * self.weight[:, None]
+        weight = 1.0 / (1.0 + (away**2).sum(axis=1) / self.fade**2)
+        weight = np.repeat(np.where(self.fixed, 1.0, weight), 2)
+        jacobian = drawn.by_pixels * self.weight[:, None, None]
+        return faded(away.ravel(), jacobian.reshape(len(weight), -1), weight)
+
+
+def _own_points(generic: GenericHuman, evidence: Evidence, params: Params) -> list[tuple[str, Array, float, bool]]:
+    """Return base, pixel (1, 2), spread in mm and whether it is corrected, of the points that are no net's.
+
+    Proposed points on the outline are left out: the outline itself says more (measured: no difference with or without).
+    """
+    points, told = evidence.points, len(evidence.net.bases) > 0
+    own = []
+    for name, pixel, sure, fixed in zip(
+        points.names, points.points_px, points.confidence, points.corrected, strict=True
+    ):
+        joint = name in generic.joint_names
+        if fixed and (joint or name in generic.feature_names) and name not in ENDS:
+            own.append((name, pixel[None], params.corrected_mm, True))
+        elif joint and not told:
+            own.append((name, pixel[None], params.joint_mm / max(float(sure), 1e-3), False))
+    return own
+
+
+class GroundTerm:
+    """Both feet stand flat on one level floor, usual hair lies above the skull, placed soles are obeyed."""
+
+    def __init__(self, body: Family, evidence: Evidence, params: Params, *, modes: int) -> None:
+        self.model = body.points(np.append(sole_vertices(body.generic), body.generic.feature("head_top")), modes=modes)
+        self.evidence, self.params = evidence, params
+
+    def rows(self, drawn: Drawn) -> Rows:
+        """Return residuals and derivatives: the floor (2 N), the top (1), corrected soles."""
+        mm, params = self.evidence.mm_per_px, self.params
+        scale = mm_from_m(1.0) / params.floor_mm
+        height, by_height = drawn.points_m[:-1, 1], drawn.by_points[:-1, 1]
+        values = [scale * (height - height.mean())]
+        slopes = [scale * (by_height - by_height.mean(axis=0))]
+        above = (drawn.pixels[-1, 1] - self.evidence.top_px) * mm - params.hair_mm
+        values.append(np.array([above / params.hair_spread_mm]))
+        slopes.append(drawn.by_pixels[-1:, 1] * mm / params.hair_spread_mm)
+        for side, row_px in self.evidence.soles_px.items():
+            own = np.arange(len(height) // 2) + (len(height) // 2 if side == "right" else 0)
+            lowest = int(own[np.argmax(drawn.pixels[own, 1])])
+            values.append(np.array([(drawn.pixels[lowest, 1] - row_px) * mm / params.corrected_mm]))
+            slopes.append(drawn.by_pixels[lowest : lowest + 1, 1] * mm / params.corrected_mm)
+        return np.concatenate(values), np.vstack(slopes)
+
+
+def outline_trust(generic: GenericHuman) -> Array:
+    """Return (V,) trust in each vertex's outline: none under hair, little at the fingers and on shoes."""
+    trust = np.ones(len(generic.vertices_m))
+    for name, value in (("hand", 0.3), ("foot", 0.5)):
+        for side in ("left", "right"):
+            trust[generic.vertex_segment == generic.segment_names.index(f"{side}_{name}")] = value
+    trust[generic.region("scalp")] = 0.0
+    return trust
+
+
+class OutlineTerm:
+    """The outline of one photo against the rim of the model; samples are matched anew at every linearisation."""
+
+    def __init__(
+        self,
+        body: Family,
+        evidence: Evidence,
+        params: Params,
+        *,
+        shape: Array,
+        stand: Array,
+        pose: Array,
+        reach_mm: float,
+    ) -> None:
+        triangles, field = body_triangles(), evidence.field
+        skin = body.points(np.arange(int(triangles.max()) + 1), modes=len(shape))
+        camera = placed_camera(stand, evidence.view.camera)
+        posed = skin.posed(shape, pose)
+        pixels = camera.project(posed)
+        small = (pixels + 0.5) / field.reduction - 0.5
+        height, width = field.distance.shape
+        rim, _ = rim_vertices(small, posed, triangles, camera.position_m, (height, width), 2.5)
+        normals = vertex_normals(posed, triangles)[rim] @ camera.camera_from_model[:3, :3].T
+        self.normals = normals[:, :2] / np.maximum(np.linalg.norm(normals[:, :2], axis=1, keepdims=True), 1e-9)
+        self.model, self.field = skin.part(rim), field
+        self.trust = outline_trust(body.generic)[rim]
+        mm, sigma = evidence.mm_per_px, params.outline_mm
+        self.reach_px = reach_mm / mm
+        pieces = field.step_px * mm / params.outline_piece_mm
+        self.weight = mm / sigma * np.sqrt(min(pieces, 1.0))
+        spacing = np.sqrt(len(field.samples_px) * pieces / max(len(rim), 1))
+        self.rim_weight = 0.5 * mm / sigma * min(spacing, 1.0)
+        self.soft = reach_mm / 2.0 / sigma
+
+    def gap_mm(self, rim_px: Array, mm_per_px: float) -> float:
+        """Return the rim's mean distance from the outline where nothing veils it, mm."""
+        shown = ~self._one_sided(rim_px)
+        return float(np.abs(self.field.signed_distance(rim_px)[shown]).mean()) * mm_per_px
+
+    def rows(self, drawn: Drawn) -> Rows:
+        """Return residuals, photo to model, then model to photo, and derivatives."""
+        pick, keep = self._matched(drawn.pixels)
+        normal = self.field.normals[keep] * (self.weight * self.trust[pick])[:, None]
+        towards = np.einsum("ka,ka->k", drawn.pixels[pick] - self.field.samples_px[keep], normal)
+        by_towards = normal[:, :1] * drawn.by_pixels[pick, 0] + normal[:, 1:] * drawn.by_pixels[pick, 1]
+        beyond = self.field.signed_distance(drawn.pixels) * self.rim_weight
+        slope = self._slope(drawn.pixels) * self.rim_weight
+        by_beyond = slope[:, :1] * drawn.by_pixels[:, 0] + slope[:, 1:] * drawn.by_pixels[:, 1]
+        inside = self._one_sided(drawn.pixels) & (beyond < 0.0)
+        beyond[inside], by_beyond[inside] = 0.0, 0.0
+        value = np.concatenate([towards, beyond])
+        weight = (1.0 + (value / self.soft) ** 2) ** -2.0
+        return faded(value, np.vstack([by_towards, by_beyond]), weight)
+
+    def _matched(self, pixels: Array) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+        """Return the rim's points that samples of the outline are matched with, and which samples count."""
+        nearest, distance = self.field.nearest_rim(pixels, self.normals, self.reach_px)
+        keep = (distance < self.reach_px) & (self.trust[nearest] > 0) & ~self.field.veiled
+        return nearest[keep], keep
+
+    def _one_sided(self, pixels: Array) -> NDArray[np.bool_]:
+        """Return which points of the rim may lie inside the outline: hair or cloth makes it there."""
+        return np.asarray((self.trust == 0) | self.field.is_veiled(pixels))
+
+    def _slope(self, pixels: Array) -> Array:
+        """Return (N, 2) gradients of the signed distance."""
+        step = self.field.reduction
+        shifts = step * np.eye(2)
+        return np.stack(
+            [self.field.signed_distance(pixels + d) - self.field.signed_distance(pixels - d) for d in shifts], axis=1
+        ) / (2.0 * step)

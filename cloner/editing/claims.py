@@ -1,0 +1,170 @@
+"""What corrected outline points ask of the skin: which part of the outline, from which side, how far.
+
+A point claims the outline nearest to it that its named part makes: levels along the body are a matter of opinion, the
+outline is not.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.editing.places import LEAST_FREE, distance_from, free_skin, generic_metric, territory
+from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.generic.load import load_generic
+from cloner.geometry.rim_search import Found, nearest_rim_point, rim_of
+from cloner.geometry.skin_bends import Place
+from cloner.geometry.skinning import blend_transforms, joint_transforms
+from cloner.records.bodies import PosedView
+from cloner.records.points import ANCHOR
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """How far a point bends the skin.
+
+    Attributes
+    ----------
+    territory_mm : float
+        Skin this near to a feature's vertex may make the outline that its point was placed on. Levels are a matter of
+        opinion: proposed and own level differ by up to 66 mm on the sample visitors.
+    least_reach_mm, most_reach_mm, reach_per_mm : float
+        Where a bend ends: so many mm per mm of the move, within the first two (taste: pictures).
+    gentle : float
+        A bend always reaches this many times its move, or it would fold.
+    across : float
+        Share of a limb's thickness that a bend takes up: the other side stays.
+    depth : float
+        How much farther a bend reaches along the line of sight than across it (taste).
+    dimple : float
+        Pressed in, skin must give way so far along the line of sight that no rim of a dimple shows: this many times
+        the root of the move times the part's radius. 2.45 would do on a cylinder.
+    usual_radius_mm : float
+        Radius of parts without a feature opposite.
+    most_mm : float
+        A point farther from the body than this is a mistake (taste: a hand and a half).
+    inner_mm : float
+        How much nearer an outline in front of or behind other parts must be than one before the background.
+    least_area, least_area_mm2 : float
+        Triangles squeezed below this share of the generic's own area, and tiny ones, may turn: toes in shoes.
+    gap_mm : float
+        Skin farther out than this beyond the outline belongs to another part.
+    damping : tuple of float
+        Resistance to moving, as a share of the greatest slope, tried in turn until nothing folds.
+    turns, rounds : int
+        Steps of the solution, and how often other skin that has become the outline is taken in.
+    near_px : float
+        Points obeyed to this are obeyed.
+    """
+
+    territory_mm: float = 160.0
+    least_reach_mm: float = 80.0
+    most_reach_mm: float = 120.0
+    reach_per_mm: float = 4.0
+    gentle: float = 2.5
+    across: float = 0.9
+    depth: float = 1.25
+    dimple: float = 2.9
+    usual_radius_mm: float = 110.0
+    most_mm: float = 130.0
+    inner_mm: float = 40.0
+    gap_mm: float = 5.0
+    least_area: float = 0.2
+    least_area_mm2: float = 4.0
+    damping: tuple[float, ...] = (0.0, 0.15, 0.4, 1.0, 3.0)
+    turns: int = 10
+    rounds: int = 6
+    near_px: float = 0.1
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Wish:
+    """One corrected outline point: ``target_px`` is (2,) photo pixels of ``view``."""
+
+    view: ViewId
+    name: str
+    target_px: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scene:
+    """One photo: camera, eye, skin transforms (V, 3, 4), and the unbent body posed and projected."""
+
+    camera: Camera
+    eye_m: Array
+    blended: Array
+    posed_m: Array
+    pixels: Array
+    mm_per_px: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Claim:
+    """A wish, the place of the unbent outline nearest to it, the outline's normal (2,), its gap, and edges (N, 2)."""
+
+    wish: Wish
+    place: Place
+    outward: Array
+    inward: bool
+    gap_px: float
+    gap_mm: float
+    edges: NDArray[np.int64]
+
+
+def scene_of(vertices_m: Array, joints_m: Array, posed: PosedView) -> Scene:
+    """Return the body as one photo shows it."""
+    generic = load_generic()
+    transforms = joint_transforms(joints_m, generic.joint_parents, posed.rotations)
+    blended = blend_transforms(transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    posed_m = np.einsum("vab,vb->va", blended[:, :, :3], vertices_m) + blended[:, :, 3]
+    camera = posed.camera
+    eye = camera.position_m
+    if camera.pixels_per_m is not None:  # it sees along parallel rays
+        eye = eye - 1e4 * camera.camera_from_model[2, :3]
+    mm_per_px = mm_from_m(camera.metres_per_pixel(posed_m.mean(axis=0)))
+    return Scene(camera, eye, blended, posed_m, camera.project(posed_m), mm_per_px)
+
+
+def skin_of(wish: Wish, params: Params) -> Bools:
+    """Return (V,) the skin that may make the outline at a wished point."""
+    if wish.name.startswith(ANCHOR):  # it has no place on the generic skin: all that may move
+        return np.asarray(free_skin() > LEAST_FREE)
+    return territory(wish.name, m_from_mm(params.territory_mm), wish.view is ViewId.BODY_SIDE)
+
+
+def nearest_rims(wishes: list[Wish], scenes: Mapping[ViewId, Scene], params: Params) -> list[Found | None]:
+    """Return for every wish the nearest point of the unbent body's outline."""
+    metric = generic_metric()
+    found: dict[int, Found | None] = {}
+    for view, seen in scenes.items():
+        rim = rim_of(metric, seen.posed_m, seen.pixels, seen.eye_m)
+        for k, wish in enumerate(wishes):
+            if wish.view is view:
+                skin, penalty = skin_of(wish, params), params.inner_mm / seen.mm_per_px
+                found[k] = nearest_rim_point(rim, metric, wish.target_px, skin, penalty)
+    return [found[k] for k in range(len(wishes))]
+
+
+def claim_of(wish: Wish, found: Found, seen: Scene, params: Params) -> Claim:
+    """Return a wish with the outline's side and normal there, and the skin that may make the outline."""
+    away = wish.target_px - found.pixel
+    gap_px = float(np.linalg.norm(away))
+    inward = float(away @ found.outward) < 0.0
+    outward = found.outward
+    if gap_px > 2.0:  # the way to the nearest point is square to the outline; an edge's own normal is coarser
+        outward = (-away if inward else away) / gap_px
+    metric, skin = generic_metric(), skin_of(wish, params)
+    if wish.name.startswith(ANCHOR):
+        skin = skin & (distance_from(found.place) < m_from_mm(params.territory_mm))
+    edges = metric.edges[skin[metric.edges].all(axis=1)]
+    # What lies farther out already is another part, beyond a gap: the other thigh, seen from the crotch.
+    beyond = ((seen.pixels[edges] - found.pixel) @ outward).max(axis=1)
+    edges = edges[beyond < params.gap_mm / seen.mm_per_px]
+    return Claim(wish, found.place, outward, inward, gap_px, gap_px * seen.mm_per_px, edges)

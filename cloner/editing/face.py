@@ -1,0 +1,114 @@
+"""A face point moved a moment ago, shown at once: the head bent by DFFD to it, until the head is fitted anew.
+
+The next whole run fits shape, cameras and relief of the head to all face points together; this preview lays the moved
+points' vertices where they were dragged, through the cameras of the last run, and lets the face around follow.
+"""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId, mm_from_m
+from cloner.generic.features import named_features
+from cloner.generic.head_controls import load_head_controls
+from cloner.generic.load import load_generic
+from cloner.geometry.dffd import deform
+from cloner.records.clones import Joined
+from cloner.records.points import FacePoints, ObeyedPoint
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+#: How far a moved point takes the face with it, one standard deviation, metres (taste: an eye's width).
+REACH_M = 0.015
+TURNS = 3
+
+
+@functools.cache
+def _kinship() -> Array:
+    """Return (K, K) how alike two control points move; none that does not move."""
+    controls = load_head_controls()
+    apart = np.linalg.norm(controls.controls_m[:, None] - controls.controls_m[None], axis=2)
+    free = controls.movable.astype(np.float64)
+    return np.asarray(np.exp(-0.5 * (apart / REACH_M) ** 2) * free[:, None] * free[None])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Moved:
+    """One moved point: photo, name, vertex, and where it was put, (2,) px."""
+
+    view: ViewId
+    name: str
+    vertex: int
+    camera: Camera
+    target_px: Array
+
+    def gap_px(self, vertices_m: Array) -> Array:
+        """Return (2,) how far the vertex still has to go in the photo."""
+        return np.asarray(self.target_px - self.camera.project(vertices_m[self.vertex][None])[0])
+
+    def slope(self, vertices_m: Array) -> Array:
+        """Return (2, 3) pixels per metre that the vertex moves."""
+        point = vertices_m[self.vertex]
+        ahead = self.camera.project(point + 1e-4 * np.eye(3)) - self.camera.project(point[None])
+        return np.asarray(ahead.T / 1e-4)
+
+
+def show_face(joined: Joined, before: FacePoints, after: FacePoints) -> tuple[Joined, tuple[ObeyedPoint, ...]]:
+    """Return the person with the face bent to the points that were moved since the last run.
+
+    Parameters
+    ----------
+    joined : Joined
+        Of the last run.
+    before, after : FacePoints
+        The face photos' points of the last run, and now; points not moved since do nothing.
+    """
+    generic, controls = load_generic(), load_head_controls()
+    moved = _moved(joined, before, after)
+    if not moved:
+        return joined, ()
+    weights = controls.weights[:, : len(controls.names)]
+    rows = np.searchsorted(generic.head_vertices, [one.vertex for one in moved])
+    own = np.asarray(weights[rows].todense(), dtype=np.float64)
+    mixed = own @ _kinship() @ own.T
+    shape = joined.vertices_m.copy()
+    for _ in range(TURNS):
+        gaps = np.stack([one.gap_px(shape) for one in moved])
+        slopes = np.stack([one.slope(shape) for one in moved])
+        system = np.einsum("iax,ij,jbx->iajb", slopes, mixed, slopes).reshape(gaps.size, gaps.size)
+        pull = np.linalg.lstsq(system, gaps.ravel(), rcond=1e-4)[0].reshape(-1, 2)
+        shift = _kinship() @ own.T @ np.einsum("ia,iax->ix", pull, slopes)
+        shape[generic.head_vertices] += deform(weights, shift)
+    told = tuple(_tell(one, joined.vertices_m, shape) for one in moved)
+    return replace(joined, vertices_m=shape, features_m=named_features(generic, shape)), told
+
+
+def _moved(joined: Joined, before: FacePoints, after: FacePoints) -> list[_Moved]:
+    """Return the corrected points of the face photos that lie elsewhere than in the last run."""
+    generic = load_generic()
+    out = []
+    for view, points in after.views.items():
+        if not view.is_face or view not in joined.views:
+            continue
+        old = before.views.get(view)
+        for name, place, fixed in zip(points.names, points.points_px, points.corrected, strict=True):
+            was = None if old is None or not fixed else old.get(name)
+            if not fixed or (was is not None and np.array_equal(was, place)) or name not in generic.feature_names:
+                continue
+            vertex = generic.feature(name)
+            if generic.head_blend[vertex] > 0.5:
+                out.append(_Moved(view, name, vertex, joined.views[view].camera, place))
+    return out
+
+
+def _tell(one: _Moved, before_m: Array, after_m: Array) -> ObeyedPoint:
+    """Return what became of a moved point."""
+    away = float(np.linalg.norm(one.gap_px(after_m)))
+    moved_mm = mm_from_m(float(np.linalg.norm(after_m[one.vertex] - before_m[one.vertex])))
+    note = "" if away <= 1.0 else f"the face does not follow it, so the clone stays {away:.0f} px off it"
+    return ObeyedPoint(one.view, one.name, "face", float(np.linalg.norm(one.gap_px(before_m))), away, moved_mm, note)

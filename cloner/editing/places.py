@@ -1,0 +1,109 @@
+"""Which skin may make the outline at a named point; all of it depends on the generic human alone."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.body.outlined import body_triangles
+from cloner.generic.load import load_generic
+from cloner.geometry.skin_bends import Place, SkinMetric, skin_metric
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+#: Farthest distance along the skin that is measured, metres.
+FARTHEST_M = 0.4
+#: Vertices that belong to the head by this share or more never move.
+HEAD_SHARE = 0.9
+#: Skin less free than this makes no handle.
+LEAST_FREE = 0.3
+_OPPOSITE = (("_outer", "_inner"), ("_front", "_back"), ("_left", "_right"))
+_NAMED_OPPOSITE = {
+    "chest_front": "back",
+    "back": "chest_front",
+    "belly_front": "waist_back",
+    "waist_back": "belly_front",
+}
+
+
+@functools.cache
+def generic_metric() -> SkinMetric:
+    """Return the metric of the generic human's skin, made once a process."""
+    return skin_metric(load_generic().vertices_m.astype(np.float64), body_triangles())
+
+
+@functools.cache
+def free_skin() -> Array:
+    """Return (V,) how far a point on the body's outline may move each vertex: the head is left to the face photos."""
+    generic = load_generic()
+    free = (generic.vertex_part == generic.part_names.index("body")).astype(np.float64)
+    if len(generic.head_blend):
+        share = np.clip((HEAD_SHARE - generic.head_blend) / HEAD_SHARE, 0.0, 1.0)
+        free *= share * share * (3.0 - 2.0 * share)
+    return np.asarray(free)
+
+
+def distance_from(place: Place) -> Array:
+    """Return (V,) distances along the generic skin from a place, metres, at most ``FARTHEST_M``."""
+    start = np.zeros(len(load_generic().vertices_m), dtype=bool)
+    start[[place.first, place.second]] = True
+    return generic_metric().graph.distance_from(start, FARTHEST_M)
+
+
+@functools.cache
+def distance_from_feature(name: str) -> Array:
+    """Return (V,) distances along the generic skin from a feature's vertex, metres, at most ``FARTHEST_M``."""
+    vertex = load_generic().feature(name)
+    return distance_from(Place(vertex, vertex, 0.0))
+
+
+def opposite(name: str) -> str:
+    """Return the feature on the other side of the same limb or of the trunk, "" if there is none."""
+    if name in _NAMED_OPPOSITE:
+        return _NAMED_OPPOSITE[name]
+    for pair in _OPPOSITE:
+        for here, there in (pair, pair[::-1]):
+            if here in name:
+                other = name.replace(here, there)
+                return other if other in load_generic().feature_names else ""
+    return ""
+
+
+def twin(name: str) -> str:
+    """Return the same feature on the person's other side, "" if there is none."""
+    for here, there in (("_left", "_right"), ("_right", "_left")):
+        if name.endswith(here):
+            return name.removesuffix(here) + there
+    return ""
+
+
+def half_girth_m(name: str) -> float:
+    """Return the way along the generic skin from a feature to the one opposite, metres; infinite without one."""
+    other = opposite(name)
+    return float(distance_from_feature(other)[load_generic().feature(name)]) if other else float("inf")
+
+
+@functools.lru_cache(maxsize=256)
+def territory(name: str, reach_m: float, both_sides: bool) -> Bools:
+    """Return (V,) the skin that may make the outline at a named point.
+
+    Parameters
+    ----------
+    name : str
+        Feature of the generic human.
+    reach_m : float
+        Along the skin from the feature's own vertex; nothing nearer to the feature opposite belongs to it.
+    both_sides : bool
+        Whether the twin on the person's other side counts too: in the side photo either leg makes the outline.
+    """
+    own = distance_from_feature(name)
+    allowed = (free_skin() > LEAST_FREE) & (own < reach_m)
+    if opposite(name):
+        allowed = allowed & (own < distance_from_feature(opposite(name)))
+    other = twin(name) if both_sides else ""
+    if other and other != opposite(name):
+        allowed = allowed | territory(other, reach_m, False)
+    return np.asarray(allowed)

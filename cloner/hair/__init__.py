@@ -1,0 +1,1 @@
+"""Shells around the person: hair, beards, hoods and loose clothes."""

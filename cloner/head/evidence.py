@@ -1,0 +1,298 @@
+"""What the head fit knows: the phenotype's generic head, and the evidence of the face photos."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.detectors.face_net import FaceNet, load_face_net
+from cloner.detectors.profile import front_contour, outline
+from cloner.detectors.taught import taught_net
+from cloner.frames import ViewId, focal_px_from_35mm
+from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
+from cloner.geometry.contour_match import contour_normals
+from cloner.geometry.surface import SurfacePoints
+from cloner.head.ears import Spots, read_ears, read_inside
+from cloner.head.flank import Flank
+from cloner.head.inside import Together, read_inside_front
+from cloner.head.modes import HeadModes, load_head_modes
+from cloner.head.outline import Outline, read_outline
+from cloner.records.bodies import Phenotype
+from cloner.records.labels import Label, labels_at
+from cloner.records.photos import Photo, PhotoSet
+from cloner.records.points import FacePoints, Proposals, ViewPoints
+from cloner.records.results import Residual
+from cloner.records.silhouettes import SilhouetteSet
+
+Array = NDArray[np.float64]
+
+#: Depth inside the outline at which hair and skin are told apart, share of the face's height.
+SKIN_DEPTH = 0.015
+#: Whose outline is the face's own; no beard's, no cap's, no lock's.
+OWN_OUTLINE = (Label.FACE_SKIN, Label.BODY_SKIN, Label.EYES, Label.MOUTH)
+#: What hides the skin below a net point, which the net then draws on what hides it.
+HIDING = (Label.BEARD, Label.HAIR)
+
+
+@dataclass(frozen=True, slots=True)
+class Params:
+    """Expected errors and sizes.
+
+    Attributes
+    ----------
+    focal_35mm : float
+        Stated default for face photos without EXIF, mm.
+    distance_m, distance_sigma : float
+        How far people stand from the camera of a face photo when nothing tells, and its relative spread. Perspective
+        hardly tells it (six random heads fitted at .75 to 1.26 m stood at .93 to 1.81, in no order), so the spread is
+        less than people's: at .2 a sample visitor at a booth erred by 1.13 instead of .91 mm.
+    presence : float
+        Least presence of a face that is used.
+    net_floor_m : float
+        Error of a net point on a photo beyond its spread on painted heads (measured on the sample visitors).
+    drift, together : float
+        The joint errors of net points on photos against those on painted heads, and how much their own errors grow in
+        the shape fit, where hundreds add up.
+    hidden_net : float
+        How much larger the errors of net points on a beard or on hair are.
+    loose_net : float
+        The same where DFFD follows single net points.
+    named_m, corrected_m : float
+        Expected errors of proposed profile points and of an operator's points.
+    loose_named : float
+        How much the proposed profile points' errors grow once the curve itself is matched.
+    contour_m : float
+        Expected error of the profile contour.
+    flank_m : float
+        Expected error of a place found in the side photo by its look in the front photo (measured: 0.6-2 mm).
+    looks : int
+        How often the side photo is searched, from an ever better fit.
+    taught : float
+        Share of what corrections tell of the net's errors that is taken out before the fit, which finds the rest
+        itself. None leaves 12 corrections at odds with the rest (boris plain 1.4 -> 3.1 mm), all takes it out twice.
+    yaw, tip : float
+        Expected deviation of the side photo from an exact profile, radians: about the vertical, and sideways, with
+        heavy tails. Cheeks that lie farther back look like a head that is turned, so most of the turn is believed of
+        the person: at .07 without tails a scan-model head photographed at 90 degrees came out turned by 3 to 7.
+    relief_m, bend_m, limit_m : float
+        Prior of the DFFD displacements (see ``solve_relief``).
+    body_scale, own_scale : float
+        Relative errors of the head's size from the body photo, and of the phenotype's own head (nine painted people).
+    scale_limit : float
+        The head's size never departs further from the phenotype's.
+    """
+
+    focal_35mm: float = 70.0
+    distance_m: float = 1.1
+    distance_sigma: float = 0.1
+    presence: float = 0.5
+    net_floor_m: float = 0.0013
+    drift: float = 1.0
+    together: float = 1.5
+    hidden_net: float = 4.0
+    loose_net: float = 2.0
+    named_m: float = 0.009
+    corrected_m: float = 0.0008
+    loose_named: float = 3.0
+    contour_m: float = 0.0015
+    flank_m: float = 0.0012
+    looks: int = 3
+    taught: float = 0.5
+    yaw: float = 0.035
+    tip: float = 0.035
+    relief_m: float = 0.004
+    bend_m: float = 0.0012
+    limit_m: float = 0.010
+    body_scale: float = 0.018
+    own_scale: float = 0.045
+    scale_limit: float = 0.12
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Model:
+    """The generic head of the phenotype: rest vertices (V, 3), basis (F, H, 3) and where head rows are.
+
+    ``modes`` tells how the net sees the basis.
+    """
+
+    generic: GenericHuman
+    net: FaceNet
+    modes: HeadModes
+    vertices_m: Array
+    joints_m: Array
+    basis_m: Array
+    row: NDArray[np.int64]
+
+    def head(self, coefficients: Array) -> Array:
+        """Return the (H, 3) head vertices of some coefficients."""
+        return self.vertices_m[self.generic.head_vertices] + np.tensordot(coefficients, self.basis_m, axes=1)
+
+    def whole(self, head: Array) -> Array:
+        """Return (V, 3) vertices with the head's replaced."""
+        out = self.vertices_m.copy()
+        out[self.generic.head_vertices] = head
+        return out
+
+    def places(self, surface: SurfacePoints) -> tuple[Array, Array]:
+        """Return base (N, 3) and basis (F, N, 3) of surface points."""
+        return self.head_places(SurfacePoints(self.row[surface.corners].astype(np.int32), surface.weights))
+
+    def head_places(self, places: SurfacePoints) -> tuple[Array, Array]:
+        """Return base (N, 3) and basis (F, N, 3) of surface points told in rows of the head."""
+        basis = np.einsum("nk,fnka->fna", places.weights, self.basis_m[:, places.corners])
+        return places.at(self.vertices_m[self.generic.head_vertices]), basis
+
+    def vertex_places(self, vertices: NDArray[np.integer]) -> tuple[Array, Array]:
+        """Return base (N, 3) and basis (F, N, 3) of vertices."""
+        return self.vertices_m[vertices], self.basis_m[:, self.row[vertices]]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Front:
+    """The front photo's evidence: net points taught by corrections, corrected named points, ears, the outline, and
+    what is found inside it. ``hidden`` (468,) tells which net points lie on a beard or on hair.
+    """
+
+    view: ViewId
+    net_px: Array
+    hidden: NDArray[np.bool_]
+    vertices: NDArray[np.int64]
+    points_px: Array
+    ears: Spots
+    outline: Outline | None = None
+    inside: tuple[Together, ...] = ()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Side:
+    """The side photo's evidence: named points, their sigmas (m), contour and its normals; +1 looks to image right.
+
+    ``flank`` holds vertices and places inside the outline that were found by what the front photo shows of them,
+    ``outline`` the whole person's. Of the named points those inside the outline find the first camera; in the fit
+    ``ears`` and ``inside`` stand for them.
+    """
+
+    facing: int
+    names: tuple[str, ...]
+    vertices: NDArray[np.int64]
+    points_px: Array
+    sigma_m: Array
+    contour_px: Array
+    normals_px: Array
+    ears: Spots
+    inside: Spots
+    flank: Flank | None = None
+    outline: Outline | None = None
+
+
+@dataclass(slots=True)
+class Log:
+    """Residuals and warnings gathered on the way."""
+
+    residuals: list[Residual] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
+
+
+def make_model(phenotype: Phenotype) -> Model:
+    """Return the phenotype's generic head."""
+    generic = load_generic()
+    vertices, joints = generic.shape(phenotype.coefficients, phenotype.stature_m)
+    row = np.full(len(vertices), -1, dtype=np.int64)
+    row[generic.head_vertices] = np.arange(len(generic.head_vertices))
+    modes, scale = load_head_modes(), phenotype.stature_m / GENERIC_STATURE_M
+    vertices[generic.head_vertices] += scale * modes.mean_m
+    basis = scale * modes.basis_m
+    return Model(generic, load_face_net(), modes, vertices, joints, basis, row)
+
+
+def read_front(
+    model: Model, photos: PhotoSet, proposals: Proposals, points: FacePoints, params: Params
+) -> Front | None:
+    """Return the evidence of the best front photo: the face photo, else the face in the body photo."""
+    for view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
+        proposal = proposals.views.get(view)
+        if proposal is None or proposal.face_presence < params.presence:
+            continue
+        named = points.views.get(view)
+        net_px, vertices, fixed = np.array(proposal.face_px), np.zeros(0, dtype=np.int64), np.zeros((0, 2))
+        if named is not None and named.corrected.any():
+            vertices, fixed = _corrected(model, named)
+            net_px = net_px + params.taught * (taught_net(net_px, named) - net_px)
+        edge = read_outline(proposal) if view is ViewId.FACE_FRONT else None
+        inside: tuple[Together, ...] = ()
+        if view is ViewId.FACE_FRONT and named is not None:
+            inside = read_inside_front(photos.photos[view], proposal, named)
+        hidden = np.isin(_labels_at(proposal.labels, net_px), HIDING)
+        ears = read_ears(model.generic, named, params.corrected_m)
+        return Front(view, net_px, hidden, vertices, fixed, ears, edge, inside)
+    return None
+
+
+def _labels_at(labels: NDArray[np.uint8], places_px: Array) -> NDArray[np.uint8]:
+    """Return the (N,) labels of pixels, of the nearest one where a place lies off the picture."""
+    return labels_at(labels, np.clip(places_px, 0.0, np.array(labels.shape[::-1]) - 1.0))
+
+
+def _corrected(model: Model, named: ViewPoints) -> tuple[NDArray[np.int64], Array]:
+    """Return vertices and pixels of the operator's points that the generic head knows."""
+    known = [k for k, n in enumerate(named.names) if named.corrected[k] and n in model.generic.feature_names]
+    vertices = np.array([model.generic.feature(named.names[k]) for k in known], dtype=np.int64)
+    return vertices, np.array(named.points_px[known]).reshape(-1, 2)
+
+
+def read_side(
+    model: Model, proposals: Proposals, silhouettes: SilhouetteSet, points: FacePoints, params: Params
+) -> Side | None:
+    """Return the side photo's evidence, or None without a usable profile."""
+    named = points.views.get(ViewId.FACE_SIDE)
+    if named is None or "nose_tip" not in named.names:
+        return None
+    known = [k for k, n in enumerate(named.names) if n in model.generic.feature_names and named.confidence[k] > 0.05]
+    if len(known) < 4:
+        return None
+    silhouette = silhouettes.views.get(ViewId.FACE_SIDE)
+    mask = proposals.views[ViewId.FACE_SIDE].mask
+    if silhouette is not None:
+        mask = np.where(silhouette.mask, np.uint8(255), np.uint8(0))
+    contour = outline(mask)
+    if len(contour) < 50:
+        return None
+    tip = named.points_px[named.names.index("nose_tip")]
+    near = contour[np.abs(contour[:, 1] - tip[1]) < 0.1 * np.ptp(contour[:, 1])]
+    facing = 1 if tip[0] > near[:, 0].mean() else -1
+    spread = params.named_m / np.sqrt(np.maximum(named.confidence[known], 0.05))
+    sigma = np.where(named.corrected[known], params.corrected_m, spread)
+    vertices = np.array([model.generic.feature(named.names[k]) for k in known], dtype=np.int64)
+    # Nose tip to chin is two thirds of glabella to chin; the rest allows for a chin proposed too high.
+    low = tip[1] + 0.95 * np.ptp(named.points_px[known, 1])
+    normals = contour_normals(contour)
+    front = front_contour(np.hstack([contour, normals]), facing, low)
+    front = _of_the_face(front, proposals.views[ViewId.FACE_SIDE].labels, float(tip[1]))
+    return Side(
+        facing, tuple(named.names[k] for k in known), vertices, np.array(named.points_px[known]), sigma,
+        front[:, :2], front[:, 2:], read_ears(model.generic, named, params.corrected_m),
+        read_inside(model.generic, named, params.corrected_m),
+        outline=read_outline(proposals.views[ViewId.FACE_SIDE]),
+    )  # fmt: skip
+
+
+def _of_the_face(front: Array, labels: NDArray[np.uint8], tip_row: float) -> Array:
+    """Return the outline (N, 4) of the face's own skin: no beard's, no cap's, nor what hair over it hides."""
+    if not labels.any():
+        return front
+    inward = SKIN_DEPTH * np.ptp(front[:, 1])
+    inside, row = _labels_at(labels, front[:, :2] - inward * front[:, 2:]), front[:, 1]
+    hair = (inside == Label.HAIR) & (row < tip_row)
+    lowest = float(row[hair].max()) if hair.any() else -np.inf
+    return np.asarray(front[np.isin(inside, OWN_OUTLINE) & (row > lowest + inward)])
+
+
+def focal_px(photo: Photo, params: Params, log: Log) -> float:
+    """Return the photo's focal length in px, from EXIF or the stated default."""
+    known = photo.focal_35mm is not None and photo.focal_35mm > 0
+    if not known:
+        log.warnings.append(f"{photo.view}: no focal length in the photo; {params.focal_35mm:.0f} mm is assumed")
+    focal = photo.focal_35mm if known and photo.focal_35mm is not None else params.focal_35mm
+    return focal_px_from_35mm(focal, photo.width_px, photo.height_px)

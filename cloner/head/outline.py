@@ -1,0 +1,47 @@
+"""The outline of a face photo's mask, prepared for the head's fit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from cloner.body.outlined import masked_field
+from cloner.records.points import Proposal
+
+Array = NDArray[np.float64]
+
+#: What lies this near to the picture's border is cut by it, share of the width.
+BORDER: Final = 0.01
+#: Fewer samples are no outline.
+FEWEST: Final = 20
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Outline:
+    """A photo's outline: places (N, 2) px, unit outward normals (N, 2), and where hair makes it (N,)."""
+
+    places_px: Array
+    normals: Array
+    veiled: NDArray[np.bool_]
+    tree: cKDTree
+
+    def nearest(self, points_px: Array) -> tuple[Array, NDArray[np.int64]]:
+        """Return how far (N,) px the outline is from points, and where on it (N,)."""
+        gap, which = self.tree.query(points_px)
+        return np.asarray(gap), np.asarray(which, dtype=np.int64)
+
+
+def read_outline(proposal: Proposal) -> Outline | None:
+    """Return the outline of a face photo's mask without what the picture's border cuts; None where there is none."""
+    field = masked_field(proposal)
+    height, width = proposal.mask.shape
+    near, far = BORDER * width, np.array([width, height]) - BORDER * width
+    kept = ((field.samples_px > near) & (field.samples_px < far)).all(axis=1)
+    if kept.sum() < FEWEST:
+        return None
+    places = field.samples_px[kept]
+    return Outline(places, field.normals[kept], field.veiled[kept], cKDTree(places))

@@ -1,0 +1,175 @@
+"""What moves in a fitted head: eyeballs of real size behind their lids, lips that meet, teeth and tongue in place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.eyeballs import BALL_M, Ball, ball_points
+from cloner.geometry.sockets import similarity
+from cloner.head import lids, lips, tongue
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+#: The pupil's middle lies so much above the middle between the lids' edges, metres (anatomy: 4 mm below the upper edge,
+#: 5.5 mm above the lower one).
+PUPIL_UP_M = 0.0008
+#: A photo's iris moves the ball by no more than this from the middle of the lids, metres: people look aside.
+IRIS_REACH_M = 0.002
+#: Angle of the generic ball's iris rim from its gaze, radians (cage.py's ring).
+RIM_ANGLE = float(np.radians(23.0))
+#: Inner borders of the upper and the lower lip in the face net, from the person's right corner to the left; and how far
+#: apart they are when a mouth is open, metres (closed mouths: up to 1.5 mm).
+INNER_LIPS = ((78, 191, 80, 81, 82, 13, 312, 311, 310, 415, 308), (78, 95, 88, 178, 87, 14, 317, 402, 318, 324, 308))
+OPEN_M = 0.003
+#: Lips that smile lie closer to the teeth than lips at rest, metres (taste).
+SMILE_M = 0.0025
+#: Lashes are hm08's, shortened: upper and lower, share of their length (taste; hm08's are those of a doll).
+LASH_LENGTH = (0.65, 0.4)
+#: The upper teeth end so far below the line where the lips meet, the lower ones above their edge, metres (anatomy: a
+#: relaxed open mouth shows 2 to 3 mm of the upper teeth, and the upper overlap the lower by 2 mm).
+TEETH_SHOW_M, OVERBITE_M = 0.0028, 0.0015
+#: Teeth stand so far behind the lips' inner side, and the lower ones behind the upper, metres.
+BEHIND_LIPS_M, BEHIND_UPPER_M = 0.003, 0.003
+#: hm08's teeth are wider than people's: 67 mm across the molars instead of 55 to 60 mm; the lower ones stand inside.
+NARROWER = {"teeth_upper": 0.88, "teeth_lower": 0.80}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Sight:
+    """What the front photo shows of eyes and mouth.
+
+    Attributes
+    ----------
+    camera : Camera
+    irises_px : (2, 2)
+        Centres of the left and the right iris; zeros where nobody looked.
+    face_px : (468, 2)
+        Points of the face net.
+    """
+
+    camera: Camera
+    irises_px: Array
+    face_px: Array
+
+
+def seat_parts(before_m: Array, fitted_m: Array, sight: Sight | None) -> Array:
+    """Return the vertices (V, 3) with lids laid on eyeballs of real size, lips met, teeth and tongue in the mouth.
+
+    Lips meet, unless the photo shows a mouth so far open that its teeth would be painted on them.
+
+    Parameters
+    ----------
+    before_m, fitted_m : (V, 3) metres
+        Any person of the generic family, and the fitted skin, whose eyeballs, teeth and lashes may lie anywhere.
+    sight : Sight, optional
+    """
+    generic, out = load_generic(), fitted_m.copy()
+    for number, side in enumerate(("left", "right")):
+        iris = None if sight is None or not sight.irises_px.any() else (sight.camera, sight.irises_px[number])
+        _seat_eye(generic, out, side, iris)
+    grid = mouth_grid()
+    out[grid.rings] = lips.sealed(grid, lips.uncrossed(grid, lips.closed(grid, out[grid.rings])))
+    _seat_mouth(generic, before_m, out)
+    if sight is not None and _is_open(grid, out[grid.rings], sight):
+        out[grid.rings] = _parted(grid, out[grid.rings], sight)
+        for part in ("teeth_upper", "teeth_lower", "tongue"):
+            out[generic.part(part), 2] += SMILE_M
+    return out
+
+
+def _is_open(grid: Grid, points: Array, sight: Sight) -> bool:
+    """Return whether a photo shows a mouth so far open that its teeth are seen."""
+    upper, lower = sight.face_px[np.array(INNER_LIPS)]
+    metres = sight.camera.metres_per_pixel(points[grid.margin].mean(axis=0))
+    return metres * float((lower - upper)[:, 1].max()) >= OPEN_M
+
+
+def _parted(grid: Grid, points: Array, sight: Sight) -> Array:
+    """Return the lips' points (K, N, 3) with their inner borders where a photo of an open mouth shows them."""
+    metres = sight.camera.metres_per_pixel(points[grid.margin].mean(axis=0))
+    borders = sight.face_px[np.array(INNER_LIPS)]
+    touching = points[grid.margin - 1 : grid.margin + 2]
+    foremost = np.where(grid.upper, touching[..., 1].argmin(axis=0), touching[..., 1].argmax(axis=0))
+    seen = sight.camera.project(touching[foremost, np.arange(len(foremost))])
+    way = np.zeros(len(seen))
+    for lip, border in zip((grid.upper, grid.lower), borders, strict=True):
+        way[lip] = seen[lip, 1] - np.interp(seen[lip, 0], border[:, 0], border[:, 1])
+    out = points.copy()
+    out[:, :, 1] += lips.SHARE[:, None] * metres * way
+    return out
+
+
+def _seat_eye(generic: GenericHuman, out: Array, side: str, iris: tuple[Camera, Array] | None) -> None:
+    """Lay one eye's lids on a ball of real size, and move its lashes with them, in place."""
+    grid = eye_grid(side)
+    before = out[grid.rings]
+    middle = _between_lids(grid, before[grid.margin])
+    ball = Ball(np.append(middle, lids.depth_of_ball(grid, before, middle)))
+    if iris is not None:
+        middle = middle + np.clip(_way_to(ball, *iris), -IRIS_REACH_M, IRIS_REACH_M)
+        ball = Ball(np.append(middle, lids.depth_of_ball(grid, before, middle)))
+    rows = generic.part(f"eye_{side}")
+    rest = generic.vertices_m.astype(np.float64)
+    out[rows] = ball.centre + ball_points(rest[rows] - eyeball(rest, side).centre, RIM_ANGLE)
+    out[grid.rings] = lids.laid_on(grid, before, ball)
+    _seat_lashes(generic, out, side)
+
+
+def _between_lids(grid: Grid, margin: Array) -> Array:
+    """Return where (2,) the pupil is from the front, by the lids alone."""
+    aside = margin[grid.corners, 0].mean()
+    edges = [margin[lid][np.abs(margin[lid, 0] - aside).argsort()[:3], 1].mean() for lid in (grid.upper, grid.lower)]
+    return np.array([aside, np.mean(edges) + PUPIL_UP_M])
+
+
+def _way_to(ball: Ball, camera: Camera, iris_px: Array) -> Array:
+    """Return how far (2,) to the left and up, metres, a ball has to move until its pupil is seen at a pixel."""
+    pupil = ball.centre + np.array([0.0, 0.0, BALL_M])
+    seen = camera.project(pupil + np.vstack([np.zeros(3), 1e-4 * np.eye(3)[:2]]))
+    slope = (seen[1:] - seen[0]).T / 1e-4
+    return np.asarray(np.linalg.solve(slope, iris_px - seen[0]))
+
+
+def _seat_lashes(generic: GenericHuman, out: Array, side: str) -> None:
+    """Put one eye's lashes on the lids' margins, shortened, in place."""
+    grid, own = eye_grid(side), lashes(side)
+    rest = generic.vertices_m.astype(np.float64)
+    for upper, length in zip((True, False), LASH_LENGTH, strict=True):
+        rows = own.vertices[own.upper == upper]
+        root = grid.ring(1)[own.column[own.upper == upper]]
+        out[rows] = out[root] + length * (rest[rows] - rest[root])
+
+
+def _seat_mouth(generic: GenericHuman, before: Array, out: Array) -> None:
+    """Put teeth and tongue behind the lips, in place: sized as the mouth became, the edges where teeth show."""
+    grid = mouth_grid()
+    mouth = np.flatnonzero(generic.region("mouth_interior"))
+    stomion = before[generic.feature("stomion"), 1]
+    meeting = float(out[grid.ring(-1)[grid.upper], 1].mean())
+    inside = out[grid.ring(-3)]
+    front = float(inside[np.abs(inside[:, 0]).argsort()[:6], 2].min()) - BEHIND_LIPS_M
+    upper_edge = meeting - TEETH_SHOW_M
+    for parts, near, edge, depth in (
+        (("teeth_upper",), before[mouth, 1] > stomion - 0.004, upper_edge, front),
+        (
+            ("teeth_lower", "tongue"),
+            before[mouth, 1] < stomion + 0.004,
+            upper_edge + OVERBITE_M,
+            front - BEHIND_UPPER_M,
+        ),
+    ):
+        factor, rotation, _ = similarity(before[mouth[near]], out[mouth[near]])
+        size = factor * np.array([NARROWER[parts[0]], 1.0, 1.0])
+        own = size * before[generic.part(parts[0])] @ rotation.T
+        biting = own[:, 1].min() if parts[0] == "teeth_upper" else own[:, 1].max()
+        middle = out[mouth[near], 0].mean()
+        shift = np.array([middle - own[:, 0].mean(), edge - biting, depth - own[:, 2].max()])
+        for part in parts:
+            out[generic.part(part)] = size * before[generic.part(part)] @ rotation.T + shift
+    out[generic.part("tongue")] = tongue.rounded_tip(out[generic.part("tongue")])

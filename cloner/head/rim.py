@@ -1,0 +1,170 @@
+"""The head's outline in the face photos as evidence: bare jaw and cheeks, and the vault under its hair.
+
+Net and profile say little of jaw and vault, and the two photos' sizes and nods hang together by points that sit loosely
+along the profile. Both show one head, though: its bare jaw is the outline itself, and the vault lies below the outline
+by hair whose thickness is an unknown of the fit, the same in both photos.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.load import load_generic
+from cloner.geometry.contour_match import farthest, turning_points
+from cloner.geometry.rims import vertex_normals
+from cloner.geometry.shape_fit import Evidence
+from cloner.geometry.surface import SurfacePoints
+from cloner.geometry.triangles import edges_of
+from cloner.head.evidence import Model
+from cloner.head.outline import Outline
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+#: Numbers of the hair's thickness: everywhere, more on top, more behind, more at the sides; usual and spread, metres.
+HAIR_M: Final = ((0.014, 0.012), (0.0, 0.005), (0.0, 0.005), (0.0, 0.005))
+#: Expected errors of the outline over bare skin, and over the vault by such hair, metres. Points err together: twice as
+#: sure, jaws of random heads come .02 mm nearer, but people in real hair .01 mm farther.
+BARE_M: Final = 0.004
+VAULT_M: Final = 0.012
+#: An outline farther from the model than this is another thing's, metres.
+BARE_GATE_M: Final = 0.0125
+VAULT_GATE_M: Final = 0.025
+#: Width of the sectors around the head of which each gives its farthest point, radians.
+SECTOR: Final = float(np.radians(3.0))
+#: Bare skin is looked for up to this over the glabella, metres.
+FOREHEAD_M: Final = 0.03
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Skin:
+    """What may make a head's outline, in rows of ``generic.head_vertices``.
+
+    Attributes
+    ----------
+    triangles : (T, 3), edges : (E, 2)
+        The head's outer skin.
+    bare, vault : (H,) bool
+        Jaw, cheeks and temples, and the scalp above the ears.
+    middle : (2,)
+        Both ears' tops, around whose middle the outline lies.
+    """
+
+    triangles: NDArray[np.int64]
+    edges: NDArray[np.int64]
+    bare: NDArray[np.bool_]
+    vault: NDArray[np.bool_]
+    middle: NDArray[np.int64]
+
+
+@functools.cache
+def head_skin() -> Skin:
+    """Return the generic head's skin, prepared once per process."""
+    generic = load_generic()
+    head, mean = generic.head_vertices, generic.vertices_m
+    row = np.full(len(mean), -1, dtype=np.int64)
+    outer = (generic.vertex_part == generic.part_names.index("body")) & ~generic.region("mouth_interior")
+    row[head] = np.where(outer[head], np.arange(len(head)), -1)
+    triangles = row[generic.triangles()[0]]
+    triangles = triangles[(triangles >= 0).all(axis=1)]
+    scalp, ears = generic.region("scalp"), generic.region("ear_left") | generic.region("ear_right")
+    low = mean[:, 1] < mean[generic.feature("glabella"), 1] + FOREHEAD_M
+    bare = (generic.head_blend > 0.95) & ~scalp & ~ears & low
+    vault = scalp & ~ears & (mean[:, 1] > mean[ears, 1].mean())
+    middle = row[[generic.feature("ear_top_L"), generic.feature("ear_top_R")]]
+    return Skin(triangles, edges_of(triangles)[0], bare[head], vault[head], middle)
+
+
+def rim_evidence(
+    model: Model, coefficients: Array, cameras: Sequence[Camera], outlines: Sequence[Outline | None], before: int
+) -> list[Evidence]:
+    """Return what outlines say of the present head.
+
+    Parameters
+    ----------
+    coefficients : (F + before + 4,)
+        Of the shape, of other joint errors, and of the hair's thickness.
+    cameras : K cameras
+    outlines : K outlines or None
+        The first is the front photo's: where it shows no hair, jaw and cheeks are followed too.
+    before : int
+    """
+    skin, head = head_skin(), model.head(coefficients[: len(model.basis_m)])
+    normals = vertex_normals(head, skin.triangles)
+    hair = coefficients[len(model.basis_m) + before :]
+    out: list[Evidence] = []
+    for index, (camera, outline) in enumerate(zip(cameras, outlines, strict=True)):
+        if outline is None:
+            continue
+        places = turning_points(head, normals, skin.edges, camera.position_m)
+        middle = camera.project(head[skin.middle]).mean(axis=0)
+        places = places.take(farthest(camera.project(places.at(head)), middle, SECTOR))
+        sight = _Sight(model, head, normals, camera, index, outline, camera.metres_per_pixel(head[skin.middle[0]]))
+        out += _vault(sight, _among(places, skin.vault), hair, before)
+        out += _bare(sight, _among(places, skin.bare)) if index == 0 else []
+    return out
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Sight:
+    """One head (H, 3) before one camera."""
+
+    model: Model
+    head: Array
+    normals: Array
+    camera: Camera
+    index: int
+    outline: Outline
+    metres: float
+
+    def nearest(self, places: SurfacePoints, away_m: Array) -> tuple[Array, NDArray[np.int64]]:
+        """Return how far (N,) metres the outline lies from places pushed outwards (N,) metres, and where on it (N,)."""
+        outwards = places.at(self.normals) @ self.camera.camera_from_model[:2, :3].T
+        outwards /= np.maximum(np.linalg.norm(outwards, axis=1, keepdims=True), 1e-9)
+        seen = self.camera.project(places.at(self.head)) + away_m[:, None] / self.metres * outwards
+        gap, which = self.outline.nearest(seen)
+        return gap * self.metres, which
+
+    def evidence(self, places: SurfacePoints, which: NDArray[np.int64], sigma_m: float, over_m: Array,
+                 drift_m: Array | None = None) -> list[Evidence]:  # fmt: skip
+        """Return that places lie ``over_m`` inside the outline, within errors (M, N) they make together."""
+        if not len(which):
+            return []
+        base, basis = self.model.head_places(places)
+        normal = self.outline.normals[which]
+        target = self.outline.places_px[which] - (over_m / self.metres)[:, None] * normal
+        drift = None if drift_m is None else (drift_m / self.metres)[:, :, None] * normal
+        sigma = np.full(len(which), sigma_m / self.metres)
+        return [Evidence(self.index, base, basis, target, sigma, normal_px=normal, outlier=2.0, drift_px=drift)]
+
+
+def _among(places: SurfacePoints, wanted: NDArray[np.bool_]) -> SurfacePoints:
+    """Return the places on edges whose both ends are wanted (H,)."""
+    return places.take(np.flatnonzero(wanted[places.corners].all(axis=1)))
+
+
+def _vault(sight: _Sight, places: SurfacePoints, hair: Array, before: int) -> list[Evidence]:
+    usual, spread = np.array(HAIR_M).T
+    share = thickening(places.at(sight.normals))
+    gap, which = sight.nearest(places, share @ (usual + spread * hair))
+    kept = gap < VAULT_GATE_M
+    drift = np.vstack([np.zeros((before, int(kept.sum()))), (share[kept] * spread).T])
+    return sight.evidence(places.take(kept), which[kept], VAULT_M, share[kept] @ usual, drift)
+
+
+def _bare(sight: _Sight, places: SurfacePoints) -> list[Evidence]:
+    nothing = np.zeros(len(places.corners))
+    gap, which = sight.nearest(places, nothing)
+    kept = (gap < BARE_GATE_M) & ~sight.outline.veiled[which]
+    return sight.evidence(places.take(kept), which[kept], BARE_M, nothing[kept])
+
+
+def thickening(normals: Array) -> Array:
+    """Return (N, 4) how much each number of the hair's thickness counts on skin with normals (N, 3)."""
+    return np.stack([np.ones(len(normals)), normals[:, 1], -normals[:, 2], np.abs(normals[:, 0])], axis=1)

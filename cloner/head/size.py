@@ -1,0 +1,106 @@
+"""How large a head is: from the face in the body photo, and without one from the usual size at this stature."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.generic.load import GENERIC_STATURE_M, load_generic
+from cloner.geometry.resection import resect
+from cloner.geometry.skinning import joint_transforms
+from cloner.head.evidence import Front, Model, Params
+from cloner.head.fit import Fitted
+from cloner.records.bodies import Phenotype, PosedView
+from cloner.records.points import Proposals
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+#: Mean of women and men of 1.70 m, metres (ANSUR II 2012: interpupillary breadth, sellion to menton, head length).
+USUAL_M: Final = (0.0627, 0.1175, 0.192)
+#: Head size grows with this power of the stature (their correlation is 0.3 to 0.4, ANSUR II).
+BY_STATURE: Final = 0.35
+#: Error of a net point beyond its spread on painted heads where a body photo shows the face small, metres.
+NET_M: Final = 0.0013
+
+
+def body_camera(model: Model, phenotype: Phenotype) -> Camera | None:
+    """Return body_front's camera relative to the rest head, which the body's pose carries along."""
+    posed = phenotype.views.get(ViewId.BODY_FRONT)
+    return None if posed is None else head_camera(model.joints_m, posed)
+
+
+def head_camera(joints_m: Array, posed: PosedView) -> Camera:
+    """Return a photo's camera relative to the head at rest, of a person with joints (94, 3)."""
+    transforms = joint_transforms(joints_m, load_generic().joint_parents, posed.rotations)
+    skull = transforms[load_generic().joint("skullbase")]
+    return replace(posed.camera, camera_from_model=posed.camera.camera_from_model @ skull)
+
+
+def usual_scale(model: Model, fitted: Fitted, phenotype: Phenotype) -> float:
+    """Return the factor that gives a head the usual size at its stature.
+
+    Eye distance, height of the face and length of the skull vote alike; each alone differs by 4 to 6 % among people.
+    """
+    whole = model.whole(fitted.head_m)
+
+    def at(name: str) -> Array:
+        return np.asarray(whole[model.generic.feature(name)])
+
+    skull = whole[model.generic.region("scalp"), 2].min()
+    own = (
+        np.linalg.norm(at("pupil_L") - at("pupil_R")),
+        np.linalg.norm(at("nasion") - at("chin_bottom")),
+        at("glabella")[2] - skull,
+    )
+    by_stature = BY_STATURE * np.log(phenotype.stature_m / GENERIC_STATURE_M)
+    return float(np.exp(by_stature + np.mean(np.log(USUAL_M) - np.log(np.maximum(own, 1e-3)))))
+
+
+def head_scale(
+    model: Model, fitted: Fitted, front: Front | None, proposals: Proposals, phenotype: Phenotype, params: Params
+) -> float:
+    """Return the head's size as a factor: the face in the body photo against the phenotype's own head.
+
+    The face photos alone tell no size. The body photo does, through its camera, but its face is small; both guesses
+    are weighted by their errors. Without any body photo the usual size at the stature is taken.
+    """
+    limit = np.log1p(params.scale_limit)
+    if front is not None and not phenotype.views:
+        return float(np.exp(np.clip(np.log(usual_scale(model, fitted, phenotype)), -limit, limit)))
+    camera, proposal = body_camera(model, phenotype), proposals.views.get(ViewId.BODY_FRONT)
+    if front is None or fitted.front is None or camera is None:
+        return 1.0
+    if proposal is None or proposal.face_presence < params.presence:
+        return 1.0
+    places = model.net.places.at(model.whole(fitted.head_m))
+    made = model.modes.own_errors_m(front.net_px, places, fitted.front)
+    factor = seen_scale(model, places, made, camera, proposal.face_px)
+    certain = params.own_scale**2 / (params.own_scale**2 + params.body_scale**2)
+    return float(np.exp(np.clip(certain * np.log(max(factor, 1e-3)), -limit, limit)))
+
+
+def seen_scale(model: Model, places: Array, made: Array, camera: Camera, face_px: Array) -> float:
+    """Return how much larger a photo shows a face (468, 2) px than the camera would.
+
+    The face may nod and turn otherwise than the camera believes, and is drawn with the net's errors (468, 2), metres,
+    that were found in another photo of the same face: a bent or a turned face looks smaller than it is.
+    """
+    metres, middle = camera.metres_per_pixel(places.mean(axis=0)), camera.to_camera(places.mean(axis=0)[None])[0]
+    weight = 1.0 / (model.net.sigma_m**2 + NET_M**2)
+    turned = camera
+    for _ in range(2):
+        errors = (made + model.modes.turn_errors_m(turned.camera_from_model[:3, :3])) / metres
+        found = resect(places, face_px - errors, camera, sigma_px=1.0 / (np.sqrt(weight) * metres)).camera
+        pose = np.array(found.camera_from_model)
+        pose[:3, 3] += middle - found.to_camera(places.mean(axis=0)[None])[0]
+        turned = replace(camera, camera_from_model=pose)
+    weight = weight / weight.sum()
+    wanted, have = face_px - errors, turned.project(places)
+    wanted, have = wanted - weight @ wanted, have - weight @ have
+    alike = (weight * (np.conj(have @ [1, 1j]) * (wanted @ [1, 1j]))).sum()
+    return float(abs(alike) / max(float(weight @ (have**2).sum(axis=1)), 1e-12))

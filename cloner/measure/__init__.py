@@ -1,0 +1,1 @@
+"""What stands between a clone's measures and those of the body below its clothes."""

@@ -1,0 +1,139 @@
+"""Which parts of the body cloth covers, by the labels of the photos.
+
+Sleeves and trousers end somewhere between their garment and the hand or foot.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.body.outlined import body_triangles
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.seeing import facing, look
+from cloner.geometry.skinning import joint_transforms, skin
+from cloner.records.bodies import PosedView
+from cloner.records.clones import Joined
+from cloner.records.labels import CLOTHES, SKINS, labels_at
+from cloner.records.measures import Cover
+from cloner.records.points import Proposals
+
+Array = NDArray[np.float64]
+
+#: Slices a segment.
+SLICES: Final = 8
+#: Steeper surfaces mix with what is behind them.
+LEAST_COSINE: Final = 0.35
+#: Fewer seen vertices tell nothing of a slice.
+LEAST_VERTICES: Final = 4
+#: Limbs with the segment of their own garment, which is taken as covered.
+LIMBS: Final = {("upper_arm", "forearm"): "torso", ("thigh", "calf"): "pelvis"}
+#: Hands, feet and neck are small: skin elsewhere within these shares is the fit's error or a collar's edge.
+CLOTH_SHARE: Final = 0.2
+SKIN_SHARE: Final = 0.4
+
+
+def covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
+    """Return by segment whether cloth covers it; segments that no photo shows are missing.
+
+    Parameters
+    ----------
+    proposals : Proposals
+        With the labels.
+    joined : Joined
+        The person's skin with every photo's camera and pose.
+    """
+    generic = load_generic()
+    bare = _bare(generic, proposals, joined)
+    if not np.isfinite(bare).any():
+        return {}
+    shares = {name: _slices(generic, name, bare) for name in generic.segment_names if name != "head"}
+    told: dict[str, Cover] = {}
+    for (near, distal), garment in LIMBS.items():
+        known = shares[garment][~np.isnan(shares[garment])]
+        cloth = 1.0 - float(known.mean()) if len(known) else 0.0
+        told[garment] = Cover((True,) * SLICES, cloth)
+        for side in ("left", "right"):
+            names = (f"{side}_{near}", f"{side}_{distal}")
+            row = np.concatenate([shares[name] for name in names])
+            covered = ending(row)
+            clear = float(np.nanmean(np.abs(2.0 * row - 1.0))) if np.isfinite(row).any() else 0.0
+            for place, name in enumerate(names):
+                told[name] = Cover(tuple(covered[place * SLICES : (place + 1) * SLICES]), min(clear, cloth))
+    told["neck"] = _whole(bare[generic.region("neck")])
+    for side in ("left", "right"):
+        for part in ("hand", "foot"):
+            segment = generic.vertex_segment == generic.segment_names.index(f"{side}_{part}")
+            told[f"{side}_{part}"] = _whole(bare[segment])
+    return {name: cover for name, cover in told.items() if any(slice_ is not None for slice_ in cover.covered)}
+
+
+def ending(share: Array) -> list[bool | None]:
+    """Return which slices of a limb are covered: cloth from its upper end to a hem, then skin, then perhaps a sock.
+
+    Parameters
+    ----------
+    share : (K,) share of skin in each slice from the upper end on, NaN where not seen
+
+    Notes
+    -----
+    The two ends are those that contradict the colours least; unseen slices follow their neighbours.
+    """
+    seen = ~np.isnan(share)
+    if not seen.any():
+        return [None] * len(share)
+    value = np.where(seen, share, 0.5) - 0.5  # positive: skin
+    total = np.concatenate([[0.0], np.cumsum(value)])
+    count = len(share)
+    ends = [(total[last] - total[first], first, last) for first in range(count + 1) for last in range(first, count + 1)]
+    gain, first, last = max(ends, key=lambda end: (end[0], end[2] - end[1]))
+    return [not (first <= place < last and gain > 0.0) for place in range(count)]
+
+
+def _bare(generic: GenericHuman, proposals: Proposals, joined: Joined) -> Array:
+    """Return (V,) 1 where the body photo that sees a vertex best shows skin, 0 where it shows cloth; NaN unseen."""
+    best, seen = np.zeros(len(joined.vertices_m)), np.full(len(joined.vertices_m), np.nan)
+    for view, posed in joined.views.items():
+        if view.is_face or view not in proposals.views:
+            continue
+        rows, cosine, labels = _seen_labels(generic, proposals.views[view].labels, joined, posed)
+        told = np.isin(labels, (*SKINS, *CLOTHES)) & (cosine > best[rows])
+        seen[rows[told]] = np.isin(labels[told], SKINS)
+        best[rows[told]] = cosine[told]
+    return seen
+
+
+def _seen_labels(
+    generic: GenericHuman, labels: NDArray[np.uint8], joined: Joined, posed: PosedView
+) -> tuple[NDArray[np.int64], Array, NDArray[np.uint8]]:
+    """Return the vertices that a photo sees well, the cosine of their slope and their labels, (N,) each."""
+    transforms = joint_transforms(joined.joints_m, generic.joint_parents.astype(np.int32), posed.rotations)
+    posed_m = skin(joined.vertices_m, transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
+    triangles = body_triangles()
+    sight = look(posed_m, triangles, posed.camera, facing(posed_m, triangles, posed.camera))
+    good = (sight.cosine > LEAST_COSINE) & sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
+    rows = np.flatnonzero(good & (generic.vertex_part == generic.part_names.index("body")))
+    return rows, sight.cosine[rows], labels_at(labels, sight.pixel_px[rows])
+
+
+def _slices(generic: GenericHuman, name: str, bare: Array) -> Array:
+    """Return (SLICES,) shares of skin along a segment, NaN where too little was seen."""
+    members = (generic.vertex_segment == generic.segment_names.index(name)) & ~np.isnan(bare)
+    place = np.clip((generic.slice_s * SLICES).astype(int), 0, SLICES - 1)
+    shares = np.full(SLICES, np.nan)
+    for k in range(SLICES):
+        own = bare[members & (place == k)]
+        if len(own) >= LEAST_VERTICES:
+            shares[k] = float(own.mean())
+    return shares
+
+
+def _whole(bare: Array) -> Cover:
+    seen = bare[~np.isnan(bare)]
+    if len(seen) < LEAST_VERTICES:
+        return Cover((None,), 0.0)
+    share = float(seen.mean())
+    covered = None if CLOTH_SHARE < share < SKIN_SHARE else share <= CLOTH_SHARE
+    return Cover((covered,), abs(2.0 * share - 1.0))

@@ -1,0 +1,319 @@
+"""Every photo as a source of colour: where it shows each vertex, and how well."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.abreast import abreast
+from cloner.frames import ViewId
+from cloner.generic.load import GenericHuman
+from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
+from cloner.geometry.seeing import Sight, depth_at
+from cloner.labels.glasses import frame_of, wears_glasses
+from cloner.paint.ear_match import shift_ear
+from cloner.paint.posed import Stood, body_triangles, stand
+from cloner.paint.zones import hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
+from cloner.records.clones import Joined
+from cloner.records.heads import Shell
+from cloner.records.labels import Label
+from cloner.records.photos import PhotoSet
+from cloner.records.points import Proposal, Proposals
+from cloner.records.results import Residual
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.vision.aligning import outline_shift, sample, shift_points
+from cloner.vision.bare_skin import label_colour
+from cloner.vision.evening import unclipped, unsaturated
+from cloner.vision.plates import Plate, prepare_plate
+from cloner.vision.repair import without_room
+from cloner.vision.skin_colour import SkinColour
+from cloner.vision.strangers import own_colours
+
+Array = NDArray[np.float64]
+
+PERSON_LEVEL = 127  # a net's probability above one half
+_FACED = (ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
+HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
+CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stretched
+UNSAFE_CLAIM = 0.3  # of the usual, beside an inner outline
+BURNT_CLAIM = 0.15  # of the usual, where a channel is at its end
+SQUARE_COSINE = (0.6, 0.8)  # surfaces that face a photo stay its own: features must not come from two photos
+SHELL_SHARE = 0.012  # of the figure, 2 cm: labels this far from any shell are doubted
+BESIDE_M = 0.01  # what stands out of the fitted body by more is room: its colours are the person's, its place is not
+HAIR_RIM_SHARE = 0.0044  # a fringe's rim may lie this much farther out in the photo than in the shell
+FRAME_RIM_SHARE = 0.012  # of a pair of glasses, 1.6 mm: the label ends inside the frame and its shade
+HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """When a photo may paint a surface.
+
+    Attributes
+    ----------
+    steepest_cosine : float
+        Surfaces turned farther away take no colour (0.14 = 82 degrees).
+    shift_share : float
+        Largest outline shift, share of the figure's height.
+    face_presence : float
+        Trust in the face net from which its eye contours are believed.
+    """
+
+    steepest_cosine: float = 0.14
+    shift_share: float = 0.02
+    face_presence: float = 0.5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Source:
+    """One photo (or its mirror image) as a source of colour for every vertex.
+
+    Attributes
+    ----------
+    view : ViewId
+    mirrored : bool
+    plate : Plate
+    sight : Sight
+    lookup_px : (V, 2) float64
+        Where the photo shows each vertex after the outlines were aligned.
+    hair_m : (h, w) float32
+        Depth of the nearest hair shell, inf where there is none.
+    hair : (H, W) uint8
+        255 where hair may hide what is below it.
+    score : (V,) float64
+        Claim on each vertex: share x cosine, 0 where not seen.
+    """
+
+    view: ViewId
+    mirrored: bool
+    plate: Plate
+    sight: Sight
+    lookup_px: Array
+    hair_m: NDArray[np.float32]
+    hair: NDArray[np.uint8]
+    score: Array
+
+
+def person_mask(view: ViewId, proposal: Proposal, silhouettes: SilhouetteSet) -> NDArray[np.bool_]:
+    """Return the (H, W) person: the extracted outline, or the net's mask where there is none."""
+    silhouette = silhouettes.views.get(view)
+    if silhouette is not None and silhouette.mask.shape == proposal.mask.shape:
+        return silhouette.mask
+    return proposal.mask > PERSON_LEVEL
+
+
+def gather_sources(
+    generic: GenericHuman,
+    photos: PhotoSet,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    joined: Joined,
+    shells: tuple[Shell, ...],
+    limits: Limits,
+) -> tuple[list[Source], list[Residual]]:
+    """Return all photos as sources, side photos also mirrored, and the outline shifts made."""
+    sources: list[Source] = []
+    residuals: list[Residual] = []
+    faces = frozenset(view for view in joined.views if view.is_face and view in photos.photos)
+    skins = person_skin(photos, proposals, silhouettes)
+    glasses = wears_glasses(proposals)
+
+    def prepared(view: ViewId) -> tuple[Source, float] | None:
+        stood = stand(generic, joined, shells, joined.views[view])
+        mask = person_mask(view, proposals.views[view], silhouettes)
+        if not view.is_face:  # a face photo's shoulders hang in no known pose
+            mask = without_room(mask, stood.shown, BESIDE_M / stood.sight.metres_per_pixel)
+            mask = own.without_room(photos.photos[view].rgb, mask)
+        photo, proposal = photos.photos[view].rgb, proposals.views[view]
+        if glasses:
+            photo, proposal = without_glasses(photo, proposal)
+        plate = make_plate(view, photo, proposal, mask, limits, skins.get(view))
+        if not (plate.inside_px > 0.0).any():
+            return None
+        return make_source(generic, stood, view, plate, limits, faces)
+
+    views = [view for view in joined.views if view in photos.photos and view in proposals.views]
+    bodies = [view for view in views if not view.is_face]
+    own = own_colours((photos.photos[v].rgb, person_mask(v, proposals.views[v], silhouettes)) for v in bodies)
+    for view, found in zip(views, abreast(prepared, views), strict=True):
+        if found is None:
+            continue
+        source, gap = found
+        sources.append(source)
+        residuals.append(Residual("outline_shift", gap, "px", str(view)))
+        if view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+            sources.append(mirror_source(generic, source))
+    return sources, residuals
+
+
+def person_skin(photos: PhotoSet, proposals: Proposals, silhouettes: SilhouetteSet) -> dict[ViewId, SkinColour]:
+    """Return the colour of the skin in every photo; photos without a face take that of the first with one."""
+    found: dict[ViewId, SkinColour] = {}
+    for view in _FACED:
+        if view in photos.photos and view in proposals.views:
+            mask = person_mask(view, proposals.views[view], silhouettes)
+            colour = label_colour(photos.photos[view].rgb, mask, proposals.views[view].labels)
+            if colour is not None:
+                found[view] = colour
+    if not found:
+        return {}
+    first = next(iter(found.values()))
+    return {view: found.get(view, first) for view in photos.photos}
+
+
+def make_plate(
+    view: ViewId,
+    rgb: NDArray[np.uint8],
+    proposal: Proposal,
+    mask: NDArray[np.bool_],
+    limits: Limits,
+    skin: SkinColour | None,
+) -> Plate:
+    """Return the photo without background; see :func:`prepare_plate`."""
+    frontal = proposal.face_presence >= limits.face_presence and view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT)
+    return prepare_plate(
+        rgb,
+        mask,
+        proposal.labels,
+        proposal.face_px if frontal else None,
+        (proposal.pose_px, proposal.pose_visibility) if view is ViewId.BODY_SIDE else None,
+        skin,
+    )
+
+
+def without_glasses(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[NDArray[np.uint8], Proposal]:
+    """Return a photo (H, W, 3) and its proposal with the frame of glasses replaced by the skin around it.
+
+    Small holes are filled from their rims (A. Telea, An image inpainting technique based on the fast marching method,
+    2004); the frame is drawn on a shell of its own.
+    """
+    frame = frame_of(proposal)
+    rows, columns = np.flatnonzero(frame.any(axis=1)), np.flatnonzero(frame.any(axis=0))
+    if not rows.size:
+        return rgb, proposal
+    around = max(2, int(FRAME_RIM_SHARE * np.ptp(columns)))
+    wide = cv2.dilate(frame.astype(np.uint8), np.ones((2 * around + 1,) * 2, np.uint8))
+    reach = 4 * around
+    box = np.s_[max(rows[0] - reach, 0) : rows[-1] + reach, max(columns[0] - reach, 0) : columns[-1] + reach]
+    filled = rgb.copy()
+    filled[box] = cv2.inpaint(np.ascontiguousarray(rgb[box]), wide[box], 2.0 * around, cv2.INPAINT_TELEA)
+    return filled, replace(proposal, labels=np.where(frame, np.uint8(Label.FACE_SKIN), proposal.labels))
+
+
+def make_source(
+    generic: GenericHuman,
+    stood: Stood,
+    view: ViewId,
+    plate: Plate,
+    limits: Limits,
+    faces: frozenset[ViewId],
+) -> tuple[Source, float]:
+    """Return one photo as a source and the mean gap between outlines before the shift, px."""
+    sight = stood.sight
+    lookup, gap = align(sight, plate, limits)
+    lookup = shift_ear(generic, stood.posed_m, body_triangles(generic), sight, plate.hair, view, lookup)
+    rim = 2 * int(np.ceil(HAIR_RIM_SHARE * plate.figure_px * stood.hair_m.shape[0] / plate.inside_px.shape[0])) + 1
+    hair_m = cv2.erode(stood.hair_m, np.ones((rim, rim), np.uint8), borderValue=np.inf)
+    growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1
+    hair = cv2.dilate(plate.hair.astype(np.uint8) * 255, np.ones((growth, growth), np.uint8))
+    if np.isfinite(hair_m).any():
+        hair[~near_shell(hair_m, hair.shape, SHELL_SHARE * plate.figure_px)] = 0
+    source = Source(view, False, plate, sight, lookup, hair_m, hair, np.zeros(len(lookup)))
+    seen = visible_points(source, limits, sight.pixel_px, lookup, sight.depth_m, sight.cosine)
+    seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
+    if view is ViewId.BODY_SIDE:
+        seen &= ~(arms_beside_head(generic) & near_bare_head(generic, plate, lookup))
+        seen &= in_arm_zone(generic, plate, lookup)
+    share = photo_shares(generic, view, faces=faces)
+    share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
+    # Where a photo is burnt out another one shows more, if it faces the surface better.
+    square = np.clip((sight.cosine - SQUARE_COSINE[0]) / (SQUARE_COSINE[1] - SQUARE_COSINE[0]), 0.0, 1.0)
+    share = share * np.maximum(np.maximum(unsaturated(sample(plate.blurred, lookup)), square), BURNT_CLAIM)
+    return replace(source, score=share * np.where(seen, np.clip(sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
+
+
+def align(sight: Sight, plate: Plate, limits: Limits) -> tuple[Array, float]:
+    """Return lookups (V, 2) after the mesh's outline was carried to the photo's, and the gap, px."""
+    height, width = plate.inside_px.shape
+    small = np.isfinite(sight.nearest_m).astype(np.float32)
+    mesh_mask = cv2.resize(small, (width, height), interpolation=cv2.INTER_LINEAR) > 0.5
+    limit = limits.shift_share * plate.figure_px
+    growth = 2 * int(np.ceil(limit)) + 1
+    usable = cv2.dilate(plate.hair.astype(np.uint8), np.ones((growth, growth), np.uint8)) == 0
+    field, gap = outline_shift(mesh_mask, plate.inside_px, usable, limit)
+    return shift_points(sight.pixel_px, field), gap
+
+
+def shown_colours(
+    source: Source,
+    lookup_px: NDArray[np.floating],
+    skin: NDArray[np.floating] | None = None,
+    *,
+    blurred: bool = False,
+) -> NDArray[np.float32]:
+    """Return (N, 3) what a photo shows at (N, 2) lookups, levels, burnt-out skin mended.
+
+    ``skin`` (N,) in 0..1 is what the plate's ``skin`` shows there, where that is known already.
+    """
+    plate = source.plate
+    colour = sample(plate.blurred if blurred else plate.rgb, lookup_px)
+    if plate.shares is None:
+        return colour
+    shown = sample(plate.skin, lookup_px)[:, 0] / 255.0 if skin is None else skin
+    return np.asarray(unclipped(colour, plate.shares, shown), np.float32)
+
+
+def mirror_source(generic: GenericHuman, source: Source) -> Source:
+    """Return a side photo as the source of the half of the person that it does not show."""
+    twin = generic.mirror
+    return replace(
+        source,
+        mirrored=True,
+        sight=source.sight.mirrored(twin),
+        lookup_px=source.lookup_px[twin],
+        score=mirrored_share() * source.score[twin],
+    )
+
+
+def visible_points(
+    source: Source,
+    limits: Limits,
+    pixel_px: NDArray[np.floating],
+    lookup_px: NDArray[np.floating],
+    depth_m: NDArray[np.floating],
+    cosine: NDArray[np.floating],
+) -> NDArray[np.bool_]:
+    """Return which of (N,) surface points the photo shows, hair left aside."""
+    seen = source.sight.visible(pixel_px, depth_m, cosine) & (cosine > limits.steepest_cosine)
+    near = sample(source.plate.inside_px, lookup_px)[:, 0] > -limits.shift_share * source.plate.figure_px
+    open_eye = sample(source.plate.eyes.view(np.uint8), lookup_px)[:, 0] > 0.5
+    return seen & near & ~open_eye
+
+
+def covered_by_hair(
+    source: Source,
+    pixel_px: NDArray[np.floating],
+    lookup_px: NDArray[np.floating],
+    depth_m: NDArray[np.floating],
+    allowed: NDArray[np.bool_],
+    kept: NDArray[np.bool_],
+) -> NDArray[np.bool_]:
+    """Return which of (N,) points lie below hair that is not theirs.
+
+    Parameters
+    ----------
+    source : Source
+    pixel_px, lookup_px : (N, 2); depth_m : (N,)
+    allowed : (N,) scalp, which keeps the hair's colour
+    kept : (N,) face, where only a shell in front counts
+    """
+    labelled = sample(source.hair, lookup_px)[:, 0] > PERSON_LEVEL
+    shell = depth_at(source.hair_m, pixel_px)
+    below = depth_m > shell + HAIR_CLEARANCE_M
+    # A scalp shows hair or bare skin: where the photo shows neither, the lookup left the head.
+    bare = sample(source.plate.bare.view(np.uint8), lookup_px)[:, 0] > 0.5
+    stray = allowed & ~labelled & ~bare & bool(source.hair.any())
+    return ((below | (labelled & ~kept)) & ~allowed) | stray

@@ -1,0 +1,141 @@
+"""Limbs turned by known angles, and hands and feet of known size, are found again from outlines."""
+
+import numpy as np
+import pytest
+
+from cloner.body import stances
+from cloner.body.hands import sized_hands
+from cloner.body.outlined import outlined_photos, see
+from cloner.frames import BODY_VIEWS
+from cloner.generic.load import load_generic
+from cloner.records.bodies import BodyMesh, Phenotype, PosedView
+from cloner.records.points import Proposals
+from cloner.records.silhouettes import SilhouetteSet
+from kit import people, studio
+
+#: Front and back photos see every limb.
+TURNED = {"l_shoulder": (2, 2.0), "r_elbow": (2, -2.0), "l_wrist": (2, 8.0), "r_ankle": (1, 8.0), "l_hip": (2, 1.5)}
+
+
+@pytest.fixture(scope="module")
+def body():
+    person = people.known_person(31)
+    return BodyMesh(person.vertices_m, person.joints_m)
+
+
+def photographed(body, true_rotations, believed_rotations):
+    """Return three exact outlines of a body in one pose that is believed to be another."""
+    person = people.KnownPerson("known", 1.70, np.zeros(1), body.vertices_m, body.joints_m)
+    posed, _ = person.posed(true_rotations)
+    outlines, proposals, views = {}, {}, {}
+    for view in BODY_VIEWS:
+        camera = studio.camera(studio.AZIMUTH_DEG[view])
+        mask = studio.silhouette(posed, people.skin_triangles(), camera)
+        outlines[view], proposals[view] = studio.silhouette_record(view, mask), studio.empty_proposal(view, mask)
+        views[view] = PosedView(view, camera, believed_rotations)
+    return outlined_photos(Phenotype(np.zeros(1), 1.70, 0.0, views, {}), SilhouetteSet(outlines), Proposals(proposals))
+
+
+def unsized(body):
+    """Return a sizer that knows one hand size, and its prior."""
+    return lambda size: sized_hands(body, size), (np.ones(2), np.array([0.05, 0.06]))
+
+
+def away_px(body, photo, true_rotations):
+    """Return the mean distance of the body's vertices from their true pixels."""
+    person = people.KnownPerson("known", 1.70, np.zeros(1), body.vertices_m, body.joints_m)
+    true = photo.posed.camera.project(person.posed(true_rotations)[0])
+    skin = load_generic().part("body")
+    return float(np.linalg.norm(see(body, photo).body.pixels[skin] - true[skin], axis=1).mean())
+
+
+def test_turned_limbs_are_found_and_the_rest_stays(body):
+    generic = load_generic()
+    believed = people.known_pose(1, spread=0.0)
+    true = believed.copy()
+    for name, (axis, degrees) in TURNED.items():
+        true[generic.joint(name), axis] += np.deg2rad(degrees)
+    photos = photographed(body, true, believed)
+    sizer, size = unsized(body)
+    _, found = stances.fit_stances(sizer, size, photos, stances.Params())
+    for view in ("body_front", "body_back"):
+        before, after = (away_px(body, p[view], true) for p in (photos, found))
+        assert before > 3.0, "the turns are seen"
+        assert after < 0.5 * before, f"{view}: {before:.1f} -> {after:.1f} px"
+    free = {f"{side}_{name}" for name, _ in (*stances.LIMBS, *stances.TIPS) for side in "lr"}
+    kept = [row for row, name in enumerate(generic.joint_names) if name not in free]
+    for view, photo in found.items():
+        assert np.array_equal(photo.posed.rotations[kept], believed[kept]), view
+        moved = photo.posed.camera.position_m - photos[view].posed.camera.position_m
+        assert np.linalg.norm(moved) < 0.03, f"{view}: the camera was right"
+
+
+def test_a_body_that_is_right_stays(body):
+    pose = people.known_pose(1, spread=0.0)
+    photos = photographed(body, pose, pose)
+    sizer, size = unsized(body)
+    mesh, found = stances.fit_stances(sizer, size, photos, stances.Params())
+    # outlines are half a pixel large on every side
+    assert np.abs(mesh.vertices_m - body.vertices_m).max() < 0.006
+    for view, photo in found.items():
+        assert away_px(mesh, photo, pose) < 1.5, view
+
+
+def test_a_longer_hand_is_found(body):
+    pose = people.known_pose(1, spread=0.0)
+    true = sized_hands(body, np.array([1.1, 1.0]))
+    photos = photographed(true, pose, pose)
+    sizer, size = unsized(body)
+    mesh, _ = stances.fit_stances(sizer, size, photos, stances.Params())
+    generic = load_generic()
+    tip, wrist = generic.feature("fingertip_left"), generic.joint("l_wrist")
+
+    def length_mm(one):
+        return 1000 * float(np.linalg.norm(one.vertices_m[tip] - one.joints_m[wrist]))
+
+    assert length_mm(true) - length_mm(body) > 12.0
+    assert length_mm(mesh) == pytest.approx(length_mm(true), abs=5.0)
+
+
+def test_a_hand_scales_about_its_wrist_with_its_joints(body):
+    generic = load_generic()
+    moved = sized_hands(body, np.array([1.1, 1.1]))
+    wrist = body.joints_m[generic.joint("l_wrist")]
+    own = generic.segment_weights[:, generic.segment_names.index("left_hand")] > 0.999
+    np.testing.assert_allclose(moved.vertices_m[own] - wrist, 1.1 * (body.vertices_m[own] - wrist), atol=1e-6)
+    finger = generic.joint("l_index2")
+    np.testing.assert_allclose(moved.joints_m[finger] - wrist, 1.1 * (body.joints_m[finger] - wrist), atol=1e-12)
+    legs = body.vertices_m[:, 1] < 0.6
+    assert np.array_equal(moved.vertices_m[legs], body.vertices_m[legs])
+
+
+def test_turns_follow_the_parents_axes(body):
+    """The first-order motion of an ankle's turn is the difference that a small turn makes."""
+    generic = load_generic()
+    pose = people.known_pose(2, spread=0.3)
+    photos = photographed(body, pose, pose)
+    photo = photos["body_front"]
+    foot = np.flatnonzero(generic.segment_weights[:, generic.segment_names.index("left_foot")] > 0.999)[:20]
+    motion = stances._motion(body, photo, see(body, photo), foot)
+    angles = np.zeros(motion.shape[2])
+    angles[-12:-9] = [1e-4, -2e-4, 3e-4]  # the left ankle's; the right one's and the camera's come after
+    turned = stances.turned_pose(photo.posed, angles, np.zeros(3))
+    person = people.KnownPerson("known", 1.70, np.zeros(1), body.vertices_m, body.joints_m)
+    difference = person.posed(turned.rotations)[0][foot] - person.posed(pose)[0][foot]
+    np.testing.assert_allclose(motion @ angles, difference, atol=2e-8)
+
+
+def test_the_camera_moves_against_the_body(body):
+    """Turning the camera by a small motion shows what moving the body the other way would."""
+    pose = people.known_pose(2, spread=0.3)
+    photo = photographed(body, pose, pose)["body_side"]
+    seen = see(body, photo)
+    rows = load_generic().part("body")[::500]
+    angles = np.zeros(stances.angle_spread(stances.Params()).size)
+    angles[-6:] = [1e-4, -2e-4, 3e-4, 1e-4, 2e-4, -5e-4]
+    motion = stances._motion(body, photo, seen, rows) @ angles
+    middle = body.joints_m[load_generic().joint("HumanoidRoot")]
+    camera = stances.turned_pose(photo.posed, angles, middle).camera
+    np.testing.assert_allclose(
+        camera.project(seen.posed_m[rows]), photo.posed.camera.project(seen.posed_m[rows] + motion), atol=1e-3
+    )

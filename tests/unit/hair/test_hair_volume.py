@@ -1,0 +1,96 @@
+"""Hair's field is no thicker than the hair, also over ears that were pressed flat and folded."""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from cloner.frames import ViewId
+from cloner.hair.cap import FACE_PHOTO, Scalp
+from cloner.hair.volume import ROUND_MM, TAIL_DOUBT_MM, _held_by, agreed_mm, near_skin, tail_mm
+
+SIDE_MM, THICK_MM, FOLD_M = 4.0, 20.0, 0.01
+
+
+def _folded_sheet():
+    """Return a level scalp whose middle triangles lie upside down, as those of an ear pressed flat do."""
+    row, column = np.mgrid[-10:11, -10:11]
+    points = SIDE_MM / 1000 * np.stack([column, row, np.zeros_like(row)], axis=-1).reshape(-1, 3)
+    first = (np.arange(20)[:, None] * 21 + np.arange(20)).ravel()
+    halves = [np.stack([first, first + 1, first + 22], 1), np.stack([first, first + 22, first + 21], 1)]
+    triangles = np.concatenate(halves).astype(np.int32)
+    folded = np.linalg.norm(points[triangles].mean(axis=1), axis=1) < FOLD_M
+    triangles[folded] = triangles[folded][:, ::-1]
+    up, one = np.tile([0.0, 0.0, 1.0], (len(points), 1)), np.ones(len(points))
+    return Scalp(points, up, triangles, one[None], one, one, THICK_MM * one)
+
+
+def test_no_hair_stands_off_a_folded_ear_farther_than_it_is_thick():
+    points = np.random.default_rng(4).uniform([-0.03, -0.03, 0.002], [0.03, 0.03, 0.06], (20_000, 3))
+    hair, height_mm = near_skin(_folded_sheet(), points).cap_mm < 0.0, 1000.0 * points[:, 2]
+    assert not hair[height_mm > THICK_MM + SIDE_MM * np.sqrt(2.0)].any()
+    beside = np.linalg.norm(points[:, :2], axis=1) > 2.0 * FOLD_M
+    assert np.array_equal(hair[beside], (height_mm < THICK_MM)[beside])
+
+
+def test_what_the_front_photo_shows_as_room_is_no_tail_and_what_it_cannot_see_may_be():
+    """A strand in the head's middle: 30 mm over the crown the front photo shows the room, behind the head nothing."""
+    points = np.array([[0.0, 1.73, 0.0], [0.0, 1.55, -0.12]])
+    judged = np.array([True, False])
+    front = SimpleNamespace(
+        posed=SimpleNamespace(view=ViewId.FACE_FRONT),
+        evidence=lambda at: (np.where(at[:, 1] > 1.7, -30.0, 5.0), judged[: len(at)]),
+    )
+    strand = SimpleNamespace(inside_mm=lambda at: np.full(len(at), 8.0, np.float32))
+    over, behind = tail_mm([front], strand, points)
+    assert over == -30.0 + TAIL_DOUBT_MM
+    assert behind == 8.0
+
+
+def _slab(view, axis, half_mm, judged=True):
+    """Return a photo that shows hair as a band of some half width along an axis."""
+    return SimpleNamespace(
+        posed=SimpleNamespace(view=view),
+        flip_m=None,
+        evidence=lambda at: (
+            (half_mm - 1000.0 * np.abs(at[:, axis])).astype(np.float32),
+            np.full(len(at), judged),
+        ),
+    )
+
+
+def test_hair_between_front_and_side_is_round_and_no_box():
+    views = [_slab(ViewId.FACE_FRONT, 0, 100.0), _slab(ViewId.BODY_SIDE, 2, 100.0)]
+    points = np.array([[0.0, 0.0, 0.0], [0.095, 0.0, 0.095], [0.095, 0.0, 0.0], [0.11, 0.0, 0.0]])
+    inside, sides = agreed_mm(views, points)
+    # Corner: 5 mm inside either band, 65 mm within the round edge's centre: 70 - sqrt(2) 65.
+    assert np.allclose(inside, [ROUND_MM, ROUND_MM - np.sqrt(2.0) * (ROUND_MM - 5.0), 5.0, -10.0], atol=1e-3)
+    assert np.array_equal(sides, [2, 2, 2, 2])
+
+
+def test_two_photos_of_one_side_are_heard_together():
+    """The body photo ends its hair 20 mm before this place, the face photo 20 mm behind it."""
+    views = [_slab(ViewId.BODY_SIDE, 2, 80.0), _slab(ViewId.FACE_SIDE, 2, 120.0)]
+    inside, sides = agreed_mm(views, np.array([[0.0, 0.0, 0.1]]))
+    assert np.allclose(inside, (-20.0 + FACE_PHOTO * 20.0) / (1.0 + FACE_PHOTO), atol=1e-3)
+    assert sides[0] == 1
+
+
+def test_a_photo_that_cannot_judge_is_not_heard():
+    views = [_slab(ViewId.BODY_SIDE, 2, 80.0, judged=False), _slab(ViewId.BODY_BACK, 0, 30.0)]
+    inside, sides = agreed_mm(views, np.array([[0.01, 0.0, 0.5]]))
+    assert np.allclose(inside, 20.0, atol=1e-3)
+    assert sides[0] == 1
+
+
+def test_hair_hangs_from_hair():
+    """Of three locks one hangs from the head's hair, one from nothing, one is a speck that hangs."""
+    shape = (30, 12, 12)
+    grown, hanging = np.full(shape, -9.0, np.float32), np.full(shape, -9.0, np.float32)
+    grown[:8] = 5.0
+    hanging[8:18, :9, :9] = 5.0  # 810 voxels of 4 mm: 52 ml
+    hanging[20:, :9, :9] = 5.0
+    hanging[8:10, 11, 11] = 5.0
+    rows = np.arange(grown.size)
+    held = _held_by(grown.ravel(), hanging.ravel(), rows, shape).reshape(shape)
+    assert held[8:18, :9, :9].all()
+    assert held.sum() == 10 * 9 * 9

@@ -1,0 +1,57 @@
+"""Clothes on a scalp: a hood stays, a patch in one photo becomes the hair that the others show."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from cloner.frames import ViewId
+from cloner.hair import hoods
+from cloner.hair.views import HairView, distances_px
+
+SIZE = 60
+SCALP = np.zeros((SIZE, SIZE), bool)
+SCALP[10:30, 15:45] = True
+
+
+def _photo(view: ViewId, clothed: np.ndarray) -> HairView:
+    person = np.zeros((SIZE, SIZE), bool)
+    person[8:58, 10:50] = True
+    hair = SCALP & ~clothed
+    below = np.zeros_like(person)
+    below[40:58, 10:50] = True
+    far = np.zeros((SIZE, SIZE), np.float32)
+    posed = SimpleNamespace(view=view)
+    return HairView(posed, np.eye(4)[None], None, far, *distances_px(hair, person), (clothed & SCALP) | below)
+
+
+@pytest.fixture(autouse=True)
+def scalp(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hoods, "seen_scalp", lambda *_: SCALP)
+
+
+def _cleaned(*clothed: np.ndarray) -> list[HairView]:
+    views = [_photo(view, own) for view, own in zip((ViewId.BODY_FRONT, ViewId.BODY_BACK), clothed, strict=True)]
+    nothing = np.zeros((0, 3))
+    return hoods.without_hoods(views, nothing, nothing, np.zeros((0, 3), np.int32))
+
+
+def test_a_patch_of_clothes_on_a_crown_becomes_hair():
+    patch = np.zeros((SIZE, SIZE), bool)
+    patch[12:24, 22:38] = True
+    front, back = _cleaned(np.zeros_like(patch), patch)
+    assert np.array_equal(back.hair, SCALP)
+    assert np.array_equal(back.hair_px, front.hair_px)
+
+
+def test_a_hood_in_both_photos_stays():
+    front, back = _cleaned(SCALP, SCALP)
+    assert not front.hair.any()
+    assert not back.hair.any()
+
+
+def test_clothes_beside_the_scalp_stay_clothes():
+    patch = np.zeros((SIZE, SIZE), bool)
+    patch[12:24, 22:38] = True
+    _, back = _cleaned(np.zeros_like(patch), patch)
+    assert not back.hair[40:58].any()

@@ -1,0 +1,74 @@
+"""A headscarf whose labels change within the cloth is one thing again; hair and clothes of other colours stay."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from cloner.frames import ViewId
+from cloner.hair import coverings
+from cloner.hair.coverings import covering, with_whole_coverings
+from cloner.hair.views import HairView, distances_px
+from cloner.records.labels import Label
+from cloner.records.points import Proposals
+
+SIZE = 200
+SCALP = np.zeros((SIZE, SIZE), bool)
+SCALP[30:80, 70:130] = True
+SCARF = np.zeros((SIZE, SIZE), bool)
+SCARF[25:130, 60:140] = True
+FACE = np.zeros((SIZE, SIZE), bool)
+FACE[60:110, 80:120] = True
+TOP = np.zeros((SIZE, SIZE), bool)
+TOP[130:, 40:160] = True
+GREEN, SKIN, GREY, WALL = (70, 160, 110), (210, 170, 150), (80, 75, 85), (140, 100, 90)
+
+
+def picture():
+    """Return a photo (H, W, 3) of a face in a green scarf over a grey top, its folds half as light."""
+    rgb = np.full((SIZE, SIZE, 3), WALL, np.uint8)
+    rgb[TOP], rgb[SCARF] = GREY, GREEN
+    rgb[SCARF & (np.arange(SIZE) % 40 < 12)[None, :]] = (52, 120, 82)
+    rgb[FACE] = SKIN
+    return rgb
+
+
+def labelled(*, scarf=Label.ACCESSORY):
+    """Return labels that call the scarf hair on its left, clothes below the chin and skin at its top."""
+    labels = np.zeros((SIZE, SIZE), np.uint8)
+    labels[TOP], labels[SCARF] = Label.UPPER_CLOTHES, scarf
+    if scarf == Label.ACCESSORY:
+        labels[25:130, 60:75] = Label.HAIR
+        labels[100:130, 60:140] = Label.UPPER_CLOTHES
+        labels[25:35, 90:110] = Label.FACE_SKIN
+    labels[FACE] = Label.FACE_SKIN
+    return labels
+
+
+def test_the_cloth_is_found_whole_and_ends_at_face_and_top():
+    found = covering(picture(), labelled(), SCALP) | (labelled() == Label.HAIR)
+    wanted = SCARF & ~FACE
+    assert (found & wanted).sum() > 0.97 * wanted.sum()
+    assert (found & ~wanted).sum() < 0.02 * wanted.sum()
+
+
+@pytest.mark.parametrize("scarf", [Label.ACCESSORY, Label.HAIR, Label.UPPER_CLOTHES])
+def test_only_what_is_worn_becomes_whole(scarf, monkeypatch):
+    """Hair stays what its labels say, and a hood belongs to the clothes."""
+    monkeypatch.setattr(coverings, "seen_scalp", lambda *_: SCALP)
+    labels = labelled(scarf=scarf)
+    hair = (labels == Label.HAIR) | (labels == Label.ACCESSORY)
+    far = np.zeros((SIZE, SIZE), np.float32)
+    posed = SimpleNamespace(view=ViewId.FACE_FRONT)
+    view = HairView(posed, np.eye(4)[None], None, far, *distances_px(hair, labels > 0), labels == Label.UPPER_CLOTHES)
+    proposals = Proposals({ViewId.FACE_FRONT: SimpleNamespace(view=ViewId.FACE_FRONT, labels=labels)})
+    photos = {ViewId.FACE_FRONT: SimpleNamespace(rgb=picture())}
+    nothing = np.zeros((0, 3))
+    (seen,) = with_whole_coverings([view], photos, proposals, nothing, nothing, np.zeros((0, 3), np.int32))
+    if scarf == Label.ACCESSORY:
+        assert (seen.hair & SCARF & ~FACE).sum() > 0.97 * (SCARF & ~FACE).sum()
+        assert not (seen.clothed & seen.hair).any()
+    else:
+        assert seen is view

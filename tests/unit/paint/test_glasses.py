@@ -1,0 +1,117 @@
+"""Glasses: the frame is told from caps, the sheet lies where the photo shows it, temples reach over the ears."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import cv2
+import numpy as np
+import pytest
+
+from cloner.frames import ViewId
+from cloner.generic.load import load_generic
+from cloner.labels.glasses import frame_of, wears_glasses
+from cloner.paint.glasses import BEFORE_M, GRID, glasses_shell
+from cloner.paint.sources import without_glasses
+from cloner.records.bodies import PosedView
+from cloner.records.labels import Label
+from cloner.records.points import Proposals
+from cloner.records.views import Camera
+from kit import studio
+
+HEIGHT, WIDTH, FOCAL = 800, 600, 1700.0
+SKIN, FRAME = (190, 140, 115), (30, 30, 60)
+
+
+def joined():
+    """Return the generic human before a camera 1.2 m before the face."""
+    generic = load_generic()
+    eyes = generic.vertices_m[[generic.feature("pupil_L"), generic.feature("pupil_R")]].mean(axis=0)
+    flipped = np.diag([1.0, -1.0, -1.0, 1.0])  # camera axes: x right, y down, z forward
+    flipped[:3, 3] = -flipped[:3, :3] @ (eyes + (0.0, 0.0, 1.2))
+    camera = Camera(WIDTH, HEIGHT, FOCAL, flipped)
+    view = PosedView(ViewId.FACE_FRONT, camera, np.zeros((len(generic.joint_names), 3)))
+    features = {name: generic.vertices_m[generic.feature(name)] for name in ("nasion",)}
+    return generic, SimpleNamespace(
+        joints_m=generic.joints_m.astype(float),
+        vertices_m=generic.vertices_m.astype(float),
+        views={ViewId.FACE_FRONT: view},
+        features_m=features,
+    )
+
+
+def portrait(*, cap: bool = False):
+    """Return a photo of two rings around the generic's eyes, its proposal, and the camera."""
+    generic, person = joined()
+    camera = person.views[ViewId.FACE_FRONT].camera
+    place = {
+        name: camera.project(person.vertices_m[[generic.feature(name)]])[0]
+        for name in ("pupil_L", "pupil_R", "eye_outer_L", "eye_outer_R")
+    }
+    rgb = np.full((HEIGHT, WIDTH, 3), SKIN, np.uint8)
+    labels = np.full((HEIGHT, WIDTH), Label.FACE_SKIN, np.uint8)
+    mesh = np.tile([[WIDTH / 2, HEIGHT / 2]], (468, 1))
+    mesh[33], mesh[263] = place["eye_outer_R"], place["eye_outer_L"]
+    mesh[105], mesh[334] = (mesh[k] - (0.0, 25.0) for k in (33, 263))
+    for name in ("pupil_L", "pupil_R"):
+        middle = tuple(int(v) for v in np.round(place[name]))
+        for picture, value in ((rgb, FRAME), (labels, int(Label.ACCESSORY))):
+            cv2.ellipse(picture, middle, (36, 28), 0, 0, 360, value, 8)
+    if cap:
+        labels[:250] = Label.ACCESSORY
+    mask = np.full((HEIGHT, WIDTH), 255, np.uint8)
+    blank = studio.empty_proposal(ViewId.FACE_FRONT, mask > 0)
+    proposal = SimpleNamespace(view=ViewId.FACE_FRONT, labels=labels, face_px=mesh, face_presence=1.0, mask=blank.mask)
+    return SimpleNamespace(rgb=rgb), proposal, generic, person
+
+
+@pytest.mark.parametrize("cap", [False, True])
+def test_the_frame_is_found_and_a_cap_is_none_of_it(cap):
+    photo, proposal, _, _ = portrait(cap=cap)
+    drawn = (photo.rgb == FRAME).all(axis=2)
+    assert (frame_of(proposal) == drawn).all()
+
+
+def test_who_wears_a_cap_alone_wears_no_glasses():
+    _, proposal, _, _ = portrait(cap=True)
+    proposal.labels[250:] = Label.FACE_SKIN
+    assert not wears_glasses(Proposals({ViewId.FACE_FRONT: proposal}))
+
+
+def test_the_sheet_lies_where_the_photo_shows_the_frame():
+    photo, proposal, generic, person = portrait()
+    shell = glasses_shell(generic, person, photo, proposal)
+    assert shell is not None
+    sheet = shell.vertices_m[: GRID[0] * GRID[1]]
+    pixel = person.views[ViewId.FACE_FRONT].camera.project(sheet)
+    rows, columns = np.nonzero((photo.rgb == FRAME).all(axis=2))
+    # the box around the frame with 2 % and 2 px of air
+    air = 0.02 * np.ptp(columns) + 2
+    assert pixel.min(axis=0) == pytest.approx([columns.min() - air, rows.min() - air], abs=1.5)
+    assert pixel.max(axis=0) == pytest.approx([columns.max() + air, rows.max() + air], abs=1.5)
+    nasion = person.features_m["nasion"]
+    assert sheet[:, 2].max() == pytest.approx(nasion[2] + BEFORE_M, abs=0.0005)
+    assert shell.kind == "glasses"
+
+
+def test_temples_end_behind_the_ears():
+    photo, proposal, generic, person = portrait()
+    shell = glasses_shell(generic, person, photo, proposal)
+    assert shell is not None
+    for side, sign in (("L", 1.0), ("R", -1.0)):
+        ear = person.vertices_m[generic.feature(f"ear_top_{side}")]
+        own = shell.vertices_m[sign * shell.vertices_m[:, 0] > 0.02]
+        last = own[own[:, 2].argmin()]
+        assert last[2] < ear[2]
+        assert last[1] < ear[1]
+        assert sign * (last[0] - ear[0]) > 0.0
+
+
+def test_skin_goes_on_below_the_frame():
+    photo, proposal, _, _ = portrait()
+    blank = studio.empty_proposal(ViewId.FACE_FRONT, proposal.mask > 0)
+    proposal = replace(blank, face_px=proposal.face_px, face_presence=1.0, labels=proposal.labels)
+    rgb, cleaned = without_glasses(photo.rgb, proposal)
+    assert np.abs(rgb.astype(int) - SKIN).max() <= 4  # one grey of skin all over, to rounding
+    assert (cleaned.labels == Label.FACE_SKIN).all()
