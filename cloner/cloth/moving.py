@@ -14,7 +14,7 @@ from cloner.cloth.fabrics import Fabric
 from cloner.cloth.pattern import Pattern
 from cloner.cloth.placing import Band, Ring, band, outside, placed
 from cloner.cloth.sections import sections
-from cloner.cloth.solver import THICK_M, Sheet, State, pull, sheet_of, step
+from cloner.cloth.solver import THICK_M, Sheet, State, leash, pull, sheet_of, step
 from cloner.cloth.wearer import FRAMES_PER_S, Wearer, frames, planes_under, skin_between, wearer
 from cloner.cloth.wrapping import DEEP_M, wrapped
 from cloner.records.clones import Clone
@@ -85,7 +85,8 @@ def _eased(sheet: Sheet, body: Wearer, places_m: Array) -> Array:
     skin_m = body.clone.vertices_m[body.rows]
     now = skin_between(body, skin_m, skin_m)
     for number in range(EASING):
-        pull(sheet.stretch, out, free, 1.0)
+        leash(sheet, out)  # drawn back later in one step, it would fly
+        pull(sheet.stretch, out, free, 1.0, slack=True)  # what is short folds when it hangs
         if number % 3 == 2:
             planes = planes_under(now, now.tree, out, DEEP_M)
             deep = THICK_M - np.einsum("ij,ij->i", out[planes.rows] - planes.late_m, planes.normals)

@@ -242,13 +242,14 @@ def step(
     return State(places, speeds)
 
 
-def pull(threads: Threads, places: Array, free: Array, h: float) -> None:
-    """Move the ends of threads to their lengths, group after group."""
+def pull(threads: Threads, places: Array, free: Array, h: float, *, slack: bool = False) -> None:
+    """Move the ends of threads to their lengths, group after group; with ``slack`` short ones stay short."""
     for one, other, rest, compliance in threads.groups:
         away = places[other] - places[one]
         length = np.sqrt(np.einsum("ij,ij->i", away, away))
         first, second = free[one], free[other]
-        weight = (length - rest) / (np.maximum(length, 1e-9) * (first + second + compliance / h**2 + 1e-12))
+        longer = np.maximum(length - rest, 0.0) if slack else length - rest
+        weight = longer / (np.maximum(length, 1e-9) * (first + second + compliance / h**2 + 1e-12))
         places[one] += (weight * first)[:, None] * away
         places[other] -= (weight * second)[:, None] * away
 

@@ -23,7 +23,7 @@ Point = tuple[float, float]
 #: An armhole ends so far below the armpit, a shoulder lies so far over the skin, metres.
 DROP_M, OVER_M = 0.025, 0.012
 #: Crotch below the body's, and how far the rise of front and back reaches between the legs, shares of the hips' girth.
-SEAT_M, SEAT_EASE = 0.035, 1.04
+SEAT_M, SEAT_EASE = 0.035, 1.0
 RISES: Final = (0.055, 0.085)
 HALVINGS: Final = 40
 
@@ -198,9 +198,8 @@ def _trousers(body: Sections, length: float | None) -> Pattern:
     crotch = float(body.place("crotch")[1]) - body.waist_m - SEAT_M
     ankle = -body.waist_m + 0.06 * body.stature_m
     hem = ankle if length is None else -length
-    shares = (0.5, 0.6, 0.7, 0.8)
-    girths = [body.girth("trunk", body.waist_m + share * crotch) for share in shares]
-    hips, seat = SEAT_EASE * max(girths), shares[int(np.argmax(girths))] * crotch
+    buttock = float(body.place("buttock_left")[1])
+    hips, seat = SEAT_EASE * body.girth("trunk", buttock), buttock - body.waist_m
     waist = body.girth("trunk", body.waist_m) / 4.0
     leg = body.girth("left_leg", body.waist_m + hem + 0.02)
     segments = []

@@ -23,6 +23,8 @@ Ints = NDArray[np.int64]
 
 #: Cloth round a part closes where it has at least this share of the part's girth.
 CLOSES: Final = 0.9
+#: Steps of height in which an armhole may begin.
+ARMHOLE: Final = 5
 #: Times that cloth is pushed out of the skin after seams were closed, and how far it may lie in it.
 PUSHES, DEEP_M = 12, 0.12
 
@@ -81,6 +83,8 @@ def _width(pattern: Pattern, part: str, body: Sections) -> Callable[[Array], Arr
     closed = np.array([w >= CLOSES * body.girth(part, base + y) for y, w in zip(heights, total, strict=True)])
     if closed.any():
         last = int(np.flatnonzero(closed)[-1])
+        first = max(0, last - ARMHOLE)
+        last = first + int(np.argmax(total[first : last + 1]))  # an armhole cuts in before the cloth is too narrow
         total[last:] = total[last]
     return lambda y: np.interp(y, heights, np.maximum(total, 1e-3))
 
