@@ -55,17 +55,17 @@ def meet_lines(generic: GenericHuman, sources: list[Source]) -> list[Source]:
     atlas = generic_atlas(generic, SIZE)
     own = [source for source in sources if not source.mirrored]
     lines = dict(zip([source.view for source in own], abreast(_lines_of, own), strict=True))
-    found = {source.view: source for source in own}
+    found = list(sources)
     for view, others in MEETING:
-        if view in found:
-            stay = [found[other] for other in others if other in found]
-            found[view] = _met(generic, atlas, stay, lines, found[view])
-    return [
-        replace(source, lookup_px=found[source.view].lookup_px[generic.mirror])
-        if source.mirrored
-        else found[source.view]
-        for source in sources
-    ]
+        stay = [source for source in found if source.view in others]
+        for met in [_met(generic, atlas, stay, lines, source) for source in own if source.view is view]:
+            found = [_moved(generic, source, met) if source.view is view else source for source in found]
+    return found
+
+
+def _moved(generic: GenericHuman, source: Source, met: Source) -> Source:
+    """Return a photo's source, which may be its mirrored one, with the lookups of the displaced one."""
+    return replace(source, lookup_px=met.lookup_px[generic.mirror]) if source.mirrored else met
 
 
 def _reach(view: ViewId) -> Reach:
