@@ -16,7 +16,6 @@ from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.geometry.partition import border_shares, partition_surface
 from cloner.paint.baked import Baked, blank
-from cloner.paint.doubted import STRANGER
 from cloner.paint.grain import coarse_tiles
 from cloner.paint.materials import Materials, always_bare
 from cloner.paint.sources import (
@@ -28,7 +27,6 @@ from cloner.paint.sources import (
 )
 from cloner.paint.tiles import Tile, cut_tiles
 from cloner.paint.zones import hair_allowed, hair_kept
-from cloner.records.labels import SURFACE_OF, labels_at
 from cloner.vision.aligning import sample
 from cloner.vision.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.evening import apply_light
@@ -160,7 +158,7 @@ def bake_tile(
 def paint_table(
     generic: GenericHuman, source: Source, share: Array, light: Array, kinds: Materials
 ) -> NDArray[np.float32]:
-    """Return (V, 20) what :func:`paint` must know of every vertex: places and depth, shares, kinds, light, surfaces."""
+    """Return (V, 14) what :func:`paint` must know of every vertex: places and depth, shares, kinds, light."""
     return np.column_stack(
         [
             source.sight.pixel_px,
@@ -173,7 +171,6 @@ def paint_table(
             kinds.bare,
             always_bare(generic),
             light,
-            kinds.surfaces,
         ]
     ).astype(np.float32)
 
@@ -229,21 +226,10 @@ def _paint_rows(
     clash = np.abs(np.maximum(skin, own) - bare)
     unsure = (weight > OWNER_SHARE) & (np.abs(bare - 0.5) < BORDER_KIND)
     good &= (clash < CLASH) | unsure
-    good &= ~_strange(source, lookup, kinds[7:].T) | (own > 0.5)
     unsafe = source.sight.before_edge(pixel, depth, cosine)
     weight = np.where(unsafe, LAST_CHOICE * weight, weight)
     colour = apply_light(shown_colours(source, lookup[good], skin[good]), kinds[4:7, good].T)
     return atlas.texel[rows[good]], colour.astype(np.float32), weight[good]
-
-
-def _strange(source: Source, lookup_px: NDArray[np.float32], surfaces: NDArray[np.float32]) -> NDArray[np.bool_]:
-    """Return which of (N,) texels a photo shows to be of another kind than they are by all photos, (N, 6) shares.
-
-    As for vertices, but these lie centimetres apart: between two of a shoe a trouser's hem may hang before it.
-    """
-    shown = SURFACE_OF[labels_at(source.plate.labels, lookup_px)]
-    share = surfaces[np.arange(len(shown)), np.maximum(shown, 0)]
-    return np.asarray((shown >= 0) & (share < STRANGER), np.bool_)
 
 
 def lay_ground(atlas: AtlasMap, base: NDArray[np.float32], kinds: Materials) -> NDArray[np.float32]:

@@ -66,7 +66,7 @@ def test_a_gradient_comes_back_within_levels(gradient):
     wrong = np.abs(atlas.rgb.reshape(-1, 3)[texel].astype(float) - expected).mean(axis=1)
     assert 0.5 < seen.mean() <= 1.0
     assert np.median(wrong[seen]) < 4.0  # the painter's flat triangles are themselves 2-4 levels off the gradient
-    assert np.percentile(wrong[seen], 95) < 12.0
+    assert np.percentile(wrong[seen], 95) < 12.5  # 11.95 laid down perfectly: lines of flat triangles are followed
     assert np.median(wrong[~seen]) < 40.0  # filled from neighbours, not from nowhere
 
 
