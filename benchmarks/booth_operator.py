@@ -18,6 +18,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import textwrap
 import time
 from pathlib import Path
 from typing import Any, Final
@@ -45,14 +46,15 @@ def main() -> int:
     parser.add_argument("--pictures", type=Path)
     parser.add_argument("--rows", type=Path, help="a file of walks done before, to which these are added")
     parser.add_argument("--no-real", action="store_true")
+    parser.add_argument("--ways", default="files,camera", help="files, camera, or both")
     parser.add_argument("--keep", type=Path, help="where the event of the real walks is kept")
     chosen = parser.parse_args()
     told = [] if chosen.rows is None or not chosen.rows.is_file() else json.loads(chosen.rows.read_text())
     for screen in filter(None, chosen.screens.split(",")):
-        for walked in walks(screen, chosen.languages, chosen.pictures, real=False):
+        for walked in walks(screen, chosen.languages, chosen.ways, chosen.pictures, real=False):
             print(screen, json.dumps(walked), flush=True)
             told.append({"screen": screen, "real": False, **walked})
-    for walked in [] if chosen.no_real else walks("1280x800", "en", None, real=True, keep=chosen.keep):
+    for walked in [] if chosen.no_real else walks("1280x800", "en", chosen.ways, None, real=True, keep=chosen.keep):
         print("real", json.dumps(walked), flush=True)
         told.append({"screen": "1280x800, real", "real": True, **walked})
     if chosen.rows is not None:
@@ -62,7 +64,7 @@ def main() -> int:
 
 
 def walks(
-    screen: str, languages: str, pictures: Path | None, *, real: bool, keep: Path | None = None
+    screen: str, languages: str, ways: str, pictures: Path | None, *, real: bool, keep: Path | None = None
 ) -> list[dict[str, Any]]:
     """Walk on one screen in all languages, in an X server of its own."""
     size, scale = SCREENS[screen]
@@ -86,7 +88,7 @@ def walks(
                 "PATH": os.pathsep.join([str(room / "bin"), os.environ.get("PATH", "")]),
                 "PYTHONPATH": os.pathsep.join([str(ROOT), str(ROOT / "gui"), str(ROOT / "tests"), *sys.path]),
             }  # fmt: skip
-            command = [sys.executable, "-m", "kit.x_operator", str(room), languages]
+            command = [sys.executable, "-m", "kit.x_operator", str(room), languages, ways]
             command += ["-" if pictures is None else str(pictures.resolve()), *(["real"] if real else [])]
             done = subprocess.run(
                 command, env=environment, cwd=room / "photos", stdout=subprocess.PIPE, text=True, check=True
@@ -120,13 +122,15 @@ def prepare(room: Path, *, small: bool) -> None:
 
 def page(told: list[dict[str, Any]]) -> str:
     """Return the page of the documentation, with a row for each walk."""
-    lines = [
-        "# What a visitor costs the operator", "",
+    told_how = (
         "`python benchmarks/booth_operator.py` (X server, its own mouse and keyboard): *New visitor*, name and height "
         "typed, consent, photos, *Clone*, *Next*, and the click that copies to a stick. Clicks are told to the "
         "take-away page, then in all; keys are the typed name and height and, with files, Ctrl+A and Return in the "
         "dialog. Seconds of hands: keystroke-level model (Card, Moran, Newell 1980), without the machine's time. The "
-        "clone of these walks is a finished result, but where the row says that it is real.", "",
+        "clone of these walks is a finished result, but where the row says that it is real."
+    )  # fmt: skip
+    lines = [
+        "# What a visitor costs the operator", "", *textwrap.wrap(told_how, 120), "",
         "| screen | language | photos | clicks to the take-away | and copied | keys | wheel | hands, s |",
         "| --- | --- | --- | --- | --- | --- | --- | --- |",
     ]  # fmt: skip

@@ -7,8 +7,9 @@ import tomllib
 from pathlib import Path
 
 from cloner.errors import ClonerError
+from cloner.outside import read_outside
 from cloner.project.folder import PERSON_FILE
-from cloner.project.texts import read_text
+from cloner.project.texts import LARGEST_BYTES
 
 
 def number_of(folder: Path) -> str:
@@ -56,8 +57,9 @@ class KnownNames:
         known = self._known.get(folder)
         if known is None or known[0] != stamp:
             try:
-                told = tomllib.loads(read_text(folder / PERSON_FILE)).get("name", "")
-            except (ClonerError, tomllib.TOMLDecodeError, RecursionError):
+                text = read_outside(folder / PERSON_FILE, LARGEST_BYTES).decode("utf-8-sig")
+                told = tomllib.loads(text).get("name", "")
+            except (ClonerError, OSError, ValueError, RecursionError):
                 told = ""
             name = told.strip() if isinstance(told, str) else ""
             known = self._known[folder] = (stamp, name)

@@ -158,7 +158,7 @@ def test_the_gallery_finds_throws_away_and_brings_back(event, qtbot):  # noqa: F
     gallery.list.item(0).setSelected(True)
     qtbot.mouseClick(gallery.trash_button, LEFT)
     assert not anna.exists()
-    assert gallery.list.count() == 1
+    qtbot.waitUntil(lambda: gallery.list.count() == 1)
     assert "2 days" in event.notice.text.text()
     gallery.which.setCurrentIndex(TRASHED)
     assert "deleted for good on" in gallery.list.item(0).text()

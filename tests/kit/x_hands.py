@@ -24,7 +24,7 @@ KEY_S: Final = 0.28
 HOME_S: Final = 0.4
 #: A turn of the wheel by one notch is taken for a key.
 WHEEL_S: Final = KEY_S
-_PATIENCE_S: Final = 240.0
+_PATIENCE_S: Final = 900.0
 
 
 @dataclass

@@ -1,8 +1,8 @@
 """An operator takes visitors from *New visitor* to the take-away, by an X server's mouse and keyboard alone.
 
-``python -m kit.x_operator ROOM LANGUAGES PICTURES [real]`` inside an X server prints a line of JSON for each walk: with
-files and with a camera's folder, in each language. ROOM holds ``photos`` and ``camera``; PICTURES is where the pages'
-pictures go, "-" for none. With "real" the nets, the clone and the copies are real.
+``python -m kit.x_operator ROOM LANGUAGES WAYS PICTURES [real]`` inside an X server prints a line of JSON for each walk:
+with files, with a camera's folder, or both ("files,camera"), in each language. ROOM holds ``photos`` and ``camera``;
+PICTURES is where the pages' pictures go, "-" for none. With "real" the nets, the clone and the copies are real.
 """
 
 from __future__ import annotations
@@ -159,13 +159,13 @@ class Walk:
 
 
 def main() -> None:
-    room, languages, pictures, *rest = sys.argv[1:]
+    room, languages, ways, pictures, *rest = sys.argv[1:]
     import cloner_gui.stick_row
 
     cloner_gui.stick_row.MOUNTS = Path(room) / "mountinfo"
     walk = Walk(Path(room), None if pictures == "-" else Path(pictures), real="real" in rest)
     for language in languages.split(","):
-        for how in ("files", "camera"):
+        for how in ways.split(","):
             sys.stdout.write(json.dumps(walk.take(how, language)) + "\n")
             sys.stdout.flush()
     walk.window.close()

@@ -55,6 +55,7 @@ def page(language: str, until: str) -> bytes:
     return (
         f'<!doctype html><html lang="{escape(language)}"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width,initial-scale=1"><meta name="robots" content="noindex">'
+        '<link rel="icon" href="side_00.jpg">'  # else a browser asks for one that is not there: a wrong try
         f"<title>{title}</title><style>{_STYLE}</style></head><body><h1>{title}</h1>"
         f'<img id="turn" tabindex="0" src="side_00.jpg" alt="{title}" draggable="false"><p>{drag}</p>{links}'
         f"<p>{lasts.replace('{time}', escape(until))}</p><script>{_script()}</script></body></html>"

@@ -55,6 +55,8 @@ class GalleryWindow(QDialog):
         self._icons: deque[QListWidgetItem] = deque()
         self._loader = QTimer(self, interval=0)
         self._loader.timeout.connect(self._load_one)
+        self._soon = QTimer(self, singleShot=True, interval=0)  # one deed is told of several times
+        self._soon.timeout.connect(self.show_all)
         self._known: dict[tuple[Path, int], QIcon] = {}
         self._lay_out()
         self._connect()
@@ -118,7 +120,7 @@ class GalleryWindow(QDialog):
         self.forget_button.clicked.connect(lambda: self.marked() and ask_to_forget(self._booth, self.marked(), self))
         self.numbers_button.clicked.connect(lambda: self.numbers.save(self))
         self.numbers.changed.connect(lambda: self.numbers_label.setText(self.numbers.told()))
-        self._booth.visits_changed.connect(self.show_all)
+        self._booth.visits_changed.connect(self._soon.start)
 
     def marked(self) -> tuple[Path, ...]:
         """Return the folders of the marked visitors."""
