@@ -7,7 +7,7 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QMimeData, QPoint, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QMimeData, QPoint, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QDrag, QDragEnterEvent, QDropEvent, QKeyEvent, QMouseEvent, QPixmap, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QApplication, QHBoxLayout, QLabel, QMenu, QSizePolicy, QToolButton, QVBoxLayout, QWidget
 
@@ -147,6 +147,13 @@ class PhotoCard(Card):
         keys = translate("photos", "Return shows or chooses the photo, Space tells what else can be done.")
         self.setAccessibleDescription(keys)
         self._fill_menu()
+
+    def event(self, event: QEvent) -> bool:
+        """Place the menu's button anew where letters have grown."""
+        done = super().event(event)
+        if event.type() == QEvent.Type.LayoutRequest:
+            self._place_menu()
+        return done
 
     def _place_menu(self) -> None:
         size = self.menu_button.sizeHint()

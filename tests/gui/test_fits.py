@@ -1,9 +1,5 @@
 """No text is cut in any language, size of text and size of screen; and no letter stands for two controls."""
 
-import json
-import os
-import subprocess
-import sys
 import threading
 import time
 
@@ -39,7 +35,6 @@ pytestmark = pytest.mark.gui
 SCREENS = ((1024, 740), (1280, 800), (1920, 1080))
 #: Text percent, big buttons.
 TEXTS = ((100, False), (150, True), (200, False))
-DENSE = "CLONER_DENSE_SCREEN"
 
 
 @pytest.fixture
@@ -154,7 +149,7 @@ def cut_everywhere(window, code, screens, *, beside=True):
 
 @pytest.mark.parametrize("code", LANGUAGES)
 def test_no_text_is_cut(busy_event, code):
-    cut = cut_everywhere(busy_event, code, SCREENS[-1:] if os.environ.get(DENSE) else SCREENS)
+    cut = cut_everywhere(busy_event, code, SCREENS)
     assert not cut, "\n".join(cut)
 
 
@@ -170,17 +165,6 @@ def test_no_text_is_cut_while_everything_is_under_way(busy_event, code, jobs, qt
     cut = cut_everywhere(busy_event, code, SCREENS[:1], beside=False)
     busy_event.session.cancel()
     assert not cut, "\n".join(cut)
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("scale", ["2"])
-def test_no_text_is_cut_on_a_dense_screen(scale):
-    """3840 x 2160 at 200 %: letters have other widths there."""
-    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", __file__, "-k", "test_no_text_is_cut["]
-    environment = {**os.environ, "QT_SCALE_FACTOR": scale, DENSE: "1", "PYTHONPATH": os.pathsep.join(sys.path)}
-    done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=600)
-    assert done.returncode == 0, done.stdout[-4000:]
-    assert f"{len(LANGUAGES)} passed" in done.stdout, json.dumps(done.stdout[-400:])
 
 
 def test_a_cut_text_is_found(busy_event, qtbot):

@@ -9,6 +9,7 @@ from dataclasses import replace
 import cv2
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from cloner.editing.face import show_face
 from cloner.frames import ViewId
@@ -109,8 +110,8 @@ def test_the_outline_passes_through_a_dragged_point_and_nothing_else_moves(view,
     assert outline_distance_px(after, view, place) <= 1.0, name
     assert [(one.name, one.kind, one.note) for one in told] == [(name, "outline", "")]
     moved_mm = 1000.0 * np.linalg.norm(after.vertices_m - before.vertices_m, axis=1)
-    centre = before.vertices_m[np.argmax(moved_mm)]
-    away_mm = 1000.0 * np.linalg.norm(before.vertices_m - centre, axis=1)
+    most = before.vertices_m[moved_mm > 0.95 * moved_mm.max()]  # a ridge, as where an outline runs along a chest
+    away_mm = 1000.0 * cKDTree(most).query(before.vertices_m)[0]
     assert moved_mm[away_mm > SUPPORT_MM].max() <= 2.0
     assert np.array_equal(after.joints_m, before.joints_m)
     assert no_triangle_turns_over(before, after)
