@@ -20,6 +20,7 @@ from cloner.cloth.placing import body_ring
 from cloner.cloth.wearer import FRAMES_PER_S
 from cloner.errors import ClonerError
 from cloner.exporters.files import write_bytes
+from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf import build
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.generic.layers import Layer, clone_layers
@@ -213,7 +214,7 @@ def glb(found: Dressed) -> bytes:
     data = buffer.data()
     gltf.buffers[0].byteLength = len(data)
     gltf.set_binary_blob(data)
-    return b"".join(gltf.save_to_bytes())
+    return glb_bytes(gltf)
 
 
 def _show_in_turn(gltf: Any, buffer: GltfBuffer, count: int, seconds: float, node: int) -> None:
