@@ -20,6 +20,7 @@ from cloner.crowd.levels import BodyLevels
 from cloner.exporters.bones import hanim_bones
 from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes, png_bytes
+from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf import add_skeleton
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
@@ -85,7 +86,7 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
     data = buffer.data()
     gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
     gltf.set_binary_blob(data)
-    return b"".join(gltf.save_to_bytes())
+    return glb_bytes(gltf)
 
 
 def _used(levels: tuple[NDArray[np.int32], ...]) -> tuple[NDArray[np.int64], list[int]]:

@@ -23,6 +23,7 @@ from cloner.crowd.cast import Cast, posed
 from cloner.crowd.levels import BodyLevels
 from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes
+from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf_buffer import GltfBuffer
 
 Array = NDArray[np.float64]
@@ -132,4 +133,4 @@ def _mesh(
     data = buffer.data()
     gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
     gltf.set_binary_blob(data)
-    return b"".join(gltf.save_to_bytes())
+    return glb_bytes(gltf)

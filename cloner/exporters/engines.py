@@ -14,6 +14,7 @@ from typing import Final
 
 from cloner.exporters.bones import Bones, kept_bones
 from cloner.exporters.files import write_bytes
+from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf import build
 from cloner.motion.own import Moves, own_motions
 from cloner.motion.rest import in_t_pose
@@ -83,5 +84,5 @@ def export_unreal(clone: Clone, folder: Path, *, name: str = "clone", moves: Mov
 
 
 def _written(clone: Clone, path: Path, bones: Bones, moves: Moves) -> tuple[Path, ...]:
-    write_bytes(path, b"".join(build(clone, moves=moves, bones=bones, corrects=True).save_to_bytes()))
+    write_bytes(path, glb_bytes(build(clone, moves=moves, bones=bones, corrects=True)))
     return (path,)

@@ -25,6 +25,7 @@ from cloner import __version__
 from cloner.exporters.bones import Bones, hanim_bones
 from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
+from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
 from cloner.exporters.roughness import roughness_map
@@ -64,7 +65,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
         If the folder cannot be written to.
     """
     path = folder / f"{name}.glb"
-    write_bytes(path, b"".join(build(centred(clone), moves=moves, corrects=True).save_to_bytes()))
+    write_bytes(path, glb_bytes(build(centred(clone), moves=moves, corrects=True)))
     return (path,)
 
 

@@ -8,7 +8,6 @@ length and no bytes ("fallback").
 
 from __future__ import annotations
 
-import struct
 from collections.abc import Callable
 from typing import Any, Final
 
@@ -22,7 +21,6 @@ EXTENSION: Final = "EXT_meshopt_compression"
 SHORTEST: Final = 256
 #: Widest element that can be packed, bytes.
 WIDEST: Final = 256
-_JSON, _BIN = 0x4E4F534A, 0x004E4942
 _BYTES: Final = {pygltflib.UNSIGNED_BYTE: 1, pygltflib.BYTE: 1, pygltflib.SHORT: 2, pygltflib.UNSIGNED_SHORT: 2,
                  pygltflib.UNSIGNED_INT: 4, pygltflib.FLOAT: 4}  # fmt: skip
 _WIDTH: Final = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
@@ -62,17 +60,6 @@ def pack(gltf: Any) -> None:
     gltf.extensionsUsed = [*gltf.extensionsUsed, EXTENSION]
     gltf.extensionsRequired = [*gltf.extensionsRequired, EXTENSION]
     gltf.set_binary_blob(b"".join(chunks))
-
-
-def glb_bytes(gltf: Any) -> bytes:
-    """Return the file (pygltflib would make one buffer of the two)."""
-    text = gltf.gltf_to_json(separators=(",", ":"), indent=None).encode()
-    text += b" " * (-len(text) % 4)
-    blob = gltf.binary_blob()
-    return b"".join([
-        struct.pack("<4sIIII", b"glTF", 2, 28 + len(text) + len(blob), len(text), _JSON), text,
-        struct.pack("<II", len(blob), _BIN), blob,
-    ])  # fmt: skip
 
 
 def _ways(gltf: Any) -> dict[int, Callable[[bytes], Packed]]:

@@ -21,9 +21,10 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from cloner.exporters.files import write_bytes
+from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf import build
 from cloner.exporters.gltf_buffer import GltfBuffer
-from cloner.exporters.gltf_packed import glb_bytes, pack
+from cloner.exporters.gltf_packed import pack
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.heads import Shell

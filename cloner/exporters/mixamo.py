@@ -16,6 +16,7 @@ from typing import Final
 
 from cloner.exporters.bones import Bones, kept_bones
 from cloner.exporters.files import write_bytes
+from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf import build
 from cloner.motion.own import Moves, own_motions
 from cloner.motion.rest import in_t_pose
@@ -56,5 +57,5 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
     """
     path = folder / f"{name}_mixamo.glb"
     made = build(in_t_pose(centred(clone)), moves=moves, bones=mixamo_bones(), corrects=True)
-    write_bytes(path, b"".join(made.save_to_bytes()))
+    write_bytes(path, glb_bytes(made))
     return (path,)

@@ -15,6 +15,7 @@ from typing import Any, Final
 import pygltflib
 
 from cloner.exporters.files import jpeg_bytes, write_bytes
+from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf import build
 from cloner.exporters.vrm_springs import EXTENSION as SPRINGS
 from cloner.exporters.vrm_springs import hang_tails
@@ -85,7 +86,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
         gltf.extensionsUsed = [*gltf.extensionsUsed, SPRINGS]
         gltf.extensions[SPRINGS] = springs
     path = folder / f"{name}.vrm"
-    write_bytes(path, b"".join(gltf.save_to_bytes()))
+    write_bytes(path, glb_bytes(gltf))
     return (path,)
 
 

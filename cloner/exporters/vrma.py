@@ -20,6 +20,7 @@ from cloner import __version__
 from cloner.exporters.bones import hanim_bones
 from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import write_bytes
+from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf import add_skeleton
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
@@ -48,7 +49,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
     """
     posed = in_t_pose(centred(clone))
     path = folder / f"{name}.vrma"
-    write_bytes(path, b"".join(_file(posed, moves(posed)[0]).save_to_bytes()))
+    write_bytes(path, glb_bytes(_file(posed, moves(posed)[0])))
     return (path,)
 
 

@@ -28,6 +28,7 @@ from cloner.motion.body import SIDES, Body, body_of
 from cloner.motion.kept_flesh import kept_flesh
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
+from cloner.remembered import once_each
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -87,6 +88,7 @@ class Driver:
         }
 
 
+@once_each
 def corrected(clone: Clone) -> tuple[Clone, tuple[Driver, ...]]:
     """Return the clone, in its own rest pose, with corrective targets behind its others, and what drives them."""
     body, normals = body_of(clone), surface_normals(clone.vertices_m)

@@ -8,11 +8,13 @@ from cloner.motion.body import body_of
 from cloner.motion.gait import idle, walk
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
+from cloner.remembered import once_each
 
 #: Makes the motions of a clone as it is given: with its joints, in its rest pose.
 Moves = Callable[[Clone], Sequence[Motion]]
 
 
+@once_each
 def own_motions(clone: Clone) -> tuple[Motion, ...]:
     """Return walk and idle in the clone's own proportions."""
     body = body_of(clone)

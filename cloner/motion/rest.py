@@ -19,6 +19,7 @@ from cloner.motion.kept_flesh import kept_flesh
 from cloner.motion.twist import shared_twist
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
+from cloner.remembered import once_each
 
 Array = NDArray[np.float64]
 
@@ -26,11 +27,13 @@ Array = NDArray[np.float64]
 LEAST_RAD = np.radians(3.0)
 
 
+@once_each
 def in_t_pose(clone: Clone) -> Clone:
     """Return the clone whose rest pose is the T-pose: arms level to the sides, palms down, legs straight down."""
     return in_pose(clone, t_pose(body_of(clone)))
 
 
+@once_each
 def in_hanging_pose(clone: Clone) -> Clone:
     """Return the clone whose rest pose is H-Anim's own: arms hanging at the sides, palms inwards."""
     return in_pose(clone, hanging_pose(body_of(clone)))

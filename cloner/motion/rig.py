@@ -23,6 +23,7 @@ from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.triangles import edges_of
 from cloner.motion.body import SIDES
 from cloner.records.clones import Clone
+from cloner.remembered import once_each
 
 Array = NDArray[np.float64]
 
@@ -114,6 +115,7 @@ def _unit(vector: Array) -> Array:
     return np.asarray(vector / np.linalg.norm(vector))
 
 
+@once_each
 def centred(clone: Clone) -> Clone:
     """Return the clone with shoulders, elbows, wrists, knees and ankles in the middle of its own limbs.
 

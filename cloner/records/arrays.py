@@ -29,7 +29,7 @@ def frozen_array(value: Any, name: str, dtype: DTypeLike, shape: tuple[int | Non
     ValueError
         If the shape differs or a float value is not finite.
     """
-    array = value if _is_frozen(value, np.dtype(dtype)) else np.array(value, dtype=dtype, order="C", copy=True)
+    array = value if is_frozen(value) and value.dtype == dtype else np.array(value, dtype=dtype, order="C", copy=True)
     if len(shape) != array.ndim or any(
         want is not None and want != have for want, have in zip(shape, array.shape, strict=True)
     ):
@@ -40,15 +40,9 @@ def frozen_array(value: Any, name: str, dtype: DTypeLike, shape: tuple[int | Non
     return array
 
 
-def _is_frozen(value: Any, dtype: np.dtype[Any]) -> TypeGuard[NDArray[Any]]:
+def is_frozen(value: Any) -> TypeGuard[NDArray[Any]]:
     """Return whether a value is an array of its own that nobody may write to, as :func:`frozen_array` leaves it."""
-    return (
-        type(value) is np.ndarray
-        and value.dtype == dtype
-        and value.flags.owndata
-        and value.flags.c_contiguous
-        and not value.flags.writeable
-    )
+    return type(value) is np.ndarray and value.flags.owndata and value.flags.c_contiguous and not value.flags.writeable
 
 
 def freeze(record: object, **shapes: tuple[DTypeLike, tuple[int | None, ...]]) -> None:

@@ -81,7 +81,7 @@ class Joined:
         _freeze_person(self)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)  # what is made of it is remembered with it
 class Clone:
     """One animatable textured person in rest pose, soles on y = 0.
 
