@@ -72,5 +72,5 @@ def test_triangles_come_back_in_their_order_and_facing_as_before(kind: str) -> N
 
 
 def test_index_sequences_keep_their_largest_steps() -> None:
-    """By hand: a step is doubled, its sign in the lowest bit, doubled again for the baseline, then written by sevens."""
+    """By hand: steps doubled with the sign in the lowest bit, doubled again for the baseline, written by sevens."""
     assert meshopt.sequence(np.array([3, 1, 20_000])) == bytes([0xD1, 12, 6, 0xFC, 0xF0, 0x04]) + bytes(4)
