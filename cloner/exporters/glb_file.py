@@ -21,7 +21,7 @@ _HEADS: Final = 28  # the file's head and those of its two chunks, bytes
 
 
 def glb_bytes(gltf: Any) -> bytes:
-    """Return a ``pygltflib.GLTF2`` with its binary blob as a file; bytes that no view names are left out."""
+    """Return a ``pygltflib.GLTF2`` with its binary blob as a file, without bytes that no view of one buffer names."""
     blob = gltf.binary_blob()
     if len(gltf.buffers) == 1:
         blob = _packed(gltf, blob)

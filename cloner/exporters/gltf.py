@@ -30,7 +30,7 @@ from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
 from cloner.exporters.roughness import roughness_map
 from cloner.generic.load import load_generic
-from cloner.generic.morphs import target_offsets
+from cloner.generic.morphs import moved_wedges
 from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
 from cloner.motion.correctives import Driver, corrected, driven
@@ -211,13 +211,11 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> Any:
 def _targets(buffer: GltfBuffer, clone: Clone, vertex: NDArray[np.int32]) -> list[dict[str, int]]:
     """Return a sparse accessor for every morph target; what belongs to one vertex of the skin moves alike."""
     accessors, still = [], -1
-    for _, offsets in target_offsets(clone):
-        own = offsets[vertex]
-        moved = np.flatnonzero(np.abs(own).max(axis=1) > SMALLEST_OFFSET_M)
+    for _, moved, own in moved_wedges(clone, vertex, SMALLEST_OFFSET_M):
         if len(moved) == 0 and still >= 0:
             accessors.append(still)  # all targets that leave this surface alone share one accessor of zeros
             continue
-        accessors.append(buffer.offsets(len(vertex), moved, own[moved]))
+        accessors.append(buffer.offsets(len(vertex), moved, own))
         still = accessors[-1] if len(moved) == 0 else still
     return [{"POSITION": accessor} for accessor in accessors]
 

@@ -3,16 +3,37 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
-import trimesh
 from numpy.typing import NDArray
 
 from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
 from cloner.records.clones import Clone
+
+_PLY_VERTEX: Final = np.dtype([("place", "<f4", 3), ("normal", "<f4", 3), ("colour", "u1", 4)])
+_PLY_FACE: Final = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
+_PLY_HEAD: Final = """\
+ply
+format binary_little_endian 1.0
+comment {stamp}
+element vertex {vertices}
+property float x
+property float y
+property float z
+property float nx
+property float ny
+property float nz
+property uchar red
+property uchar green
+property uchar blue
+property uchar alpha
+element face {faces}
+property list uchar int vertex_indices
+end_header
+"""
 
 
 def export_obj(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
@@ -55,14 +76,19 @@ def export_ply(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path
     ClonerError
         If the folder cannot be written to.
     """
-    parts = []
+    vertices, faces, start = [], [], 0
     for _, points, normals, uv, triangles, rgba in _meshes(clone):
-        texture = clone.atlas.rgb if rgba is None else rgba
-        colours = _sample(texture, uv)
-        parts.append(trimesh.Trimesh(points, triangles, vertex_normals=normals, vertex_colors=colours, process=False))
+        own = np.zeros(len(points), _PLY_VERTEX)
+        own["place"], own["normal"] = points, normals
+        own["colour"] = _sample(clone.atlas.rgb if rgba is None else rgba, uv)
+        vertices.append(own)
+        corners = np.full(len(triangles), 3, _PLY_FACE)
+        corners["corners"] = triangles + start
+        faces.append(corners)
+        start += len(points)
     path = folder / f"{name}.ply"
-    told, _, rest = trimesh.util.concatenate(parts).export(file_type="ply").partition(b"\nelement")
-    write_bytes(path, b"%b\ncomment %b\nelement%b" % (told, clone.stamp.encode(), rest))
+    head = _PLY_HEAD.format(stamp=clone.stamp, vertices=start, faces=sum(map(len, faces)))
+    write_bytes(path, b"".join([head.encode(), *(part.tobytes() for part in (*vertices, *faces))]))
     return (path,)
 
 

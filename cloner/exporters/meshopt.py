@@ -78,11 +78,14 @@ def _header(modes: NDArray[np.int64]) -> bytes:
 
 def sequence(values: NDArray[np.integer]) -> bytes:
     """Return the packed form of indices (N,) in their order."""
-    out, last = bytearray([_SEQUENCE]), 0
-    for value in values.tolist():
-        _put(out, _zigzag(value - last) << 1)
-        last = value
-    return bytes(out) + bytes(4)
+    step = np.diff(values.astype(np.int64), prepend=0)
+    left = np.where(step >= 0, 2 * step, -2 * step - 1) << 1
+    sevens = left[:, None] >> (7 * np.arange(5))  # low ones first; 32 bits with a sign and a flag fit five
+    more = sevens[:, 1:] > 0
+    bits = (sevens & 127).astype(np.uint8)
+    bits[:, :-1] |= more.astype(np.uint8) << 7
+    kept = np.concatenate([np.ones((len(bits), 1), np.bool_), more], axis=1)
+    return b"".join([bytes([_SEQUENCE]), bits[kept].tobytes(), bytes(4)])
 
 
 def triangles(values: NDArray[np.integer]) -> bytes:
@@ -96,31 +99,33 @@ def triangles(values: NDArray[np.integer]) -> bytes:
 def side_by_side(values: NDArray[np.integer]) -> NDArray[np.integer]:
     """Return triangles (T, 3) in an order in which most share an edge with one just before: a third less bytes."""
     corners = values.tolist()
-    across = {}
+    across = {}  # every edge, as its triangle goes along it: that triangle, the edge, the third corner
     for row, (a, b, c) in enumerate(corners):
-        across[a, b] = across[b, c] = across[c, a] = row
-    left = dict.fromkeys(range(len(corners)))
+        across[a, b], across[b, c], across[c, a] = (row, a, b, c), (row, b, c, a), (row, c, a, b)
+    nobody = (len(corners), 0, 0, 0)
+    done = bytearray(len(corners)) + b"\1"
     order: list[int] = []
-    edges: list[tuple[int, int]] = []
+    edges: list[tuple[int, int, int, int]] = []
     seen: list[int] = []
-    while left:
-        found = -1
-        for a, b in edges:
-            row = across.get((a, b), -1)
-            if row in left:
-                other = sum(corners[row]) - a - b
-                if found < 0 or other in seen:
-                    found, first, second, third = row, a, b, other
-                if other in seen:
-                    break
-        if found < 0:
-            found = next(iter(left))
-            first, second, third = corners[found]
-            edges = [(second, first), *edges]
-        edges = [(first, third), (third, second), *edges][:RECENT]
-        seen = [third, *(one for one in seen if one != third)][: _NEAR - 1]
-        del left[found]
-        order.append(found)
+    for start, (a, b, c) in enumerate(corners):
+        if done[start]:
+            continue
+        found, fresh = (start, a, b, c), True
+        while fresh or found is not nobody:
+            row, first, second, third = found
+            done[row] = 1
+            order.append(row)
+            edges = [across.get((first, third), nobody), across.get((third, second), nobody),
+                     *((across.get((second, first), nobody),) if fresh else ()), *edges][:RECENT]  # fmt: skip
+            seen = [third, *(one for one in seen if one != third)][: _NEAR - 1]
+            found, fresh = nobody, False
+            for edge in edges:
+                if not done[edge[0]]:
+                    known = edge[3] in seen
+                    if known or found is nobody:
+                        found = edge
+                    if known:
+                        break
     return values[order]
 
 

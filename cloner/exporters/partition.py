@@ -54,11 +54,9 @@ def partition(
     """
     if len(triangles) == 0:
         return ()
-    total = np.zeros((len(triangles), len(parents)))
-    row = np.arange(len(triangles))[:, None]
-    for corner in range(3):
-        np.add.at(total, (row, skin_joints[triangles[:, corner]]), skin_weights[triangles[:, corner]])
-    owner = total.argmax(axis=1)
+    place = len(parents) * np.arange(len(triangles))[:, None, None] + skin_joints[triangles]
+    total = np.bincount(place.ravel(), skin_weights[triangles].ravel(), minlength=len(triangles) * len(parents))
+    owner = total.reshape(len(triangles), len(parents)).argmax(axis=1)
     rings = np.broadcast_to(overlap, len(parents))
     pieces = []
     for joint in np.unique(owner):

@@ -32,7 +32,7 @@ from cloner.exporters.pictures import picture_bytes
 from cloner.exporters.roughness import roughness_map
 from cloner.exporters.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.generic.morphs import target_offsets
+from cloner.generic.morphs import moved_wedges
 from cloner.motion.own import Moves, own_motions
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
@@ -205,14 +205,12 @@ def _mesh(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh, name: str) -> None
 
 def _targets(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh, name: str, binding: Any) -> None:
     names, paths = [], []
-    for target, offsets in target_offsets(clone):
-        own = offsets[mesh.vertex]
-        moved = np.flatnonzero(np.abs(own).max(axis=1) > SMALLEST_OFFSET_M).astype(np.int32)
+    for target, moved, own in moved_wedges(clone, mesh.vertex, SMALLEST_OFFSET_M):
         if len(moved):
             path = f"{_ROOT}/{name}/{identifier(target)}"
             shape = pxr.UsdSkel.BlendShape.Define(stage, path)
-            shape.CreateOffsetsAttr(pxr.Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(own[moved], dtype=np.float32)))
-            shape.CreatePointIndicesAttr(pxr.Vt.IntArray.FromNumpy(moved))
+            shape.CreateOffsetsAttr(pxr.Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(own, dtype=np.float32)))
+            shape.CreatePointIndicesAttr(pxr.Vt.IntArray.FromNumpy(moved.astype(np.int32)))
             names.append(target)
             paths.append(pxr.Sdf.Path(path))
     if names:

@@ -29,8 +29,7 @@ from cloner.exporters.vrml_motion import motion_text
 from cloner.exporters.vrml_segments import quoted, row_text, segment_texts
 from cloner.exporters.vrml_views import viewpoints
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.motion.body import body_of
-from cloner.motion.gait import walk
+from cloner.motion.own import own_motions
 from cloner.motion.rest import in_hanging_pose
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
@@ -69,7 +68,7 @@ def _scene(clone: Clone, name: str) -> Iterator[str]:
     yield _uses("segments", [segment_name(joint) for joint in generic.joint_names])
     yield _uses("sites", [site_name(feature) for feature in clone.features_m])
     yield "}\n"
-    yield from motion_text(walk(body_of(clone)), generic.joint_names, generic.joint_names[root])  # routes come last
+    yield from motion_text(own_motions(clone)[0], generic.joint_names, generic.joint_names[root])  # routes come last
 
 
 def _uses(field: str, names: Sequence[str]) -> str:

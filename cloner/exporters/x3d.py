@@ -25,7 +25,7 @@ from cloner.exporters.pictures import write_pictures
 from cloner.exporters.vrml_motion import joint_turns
 from cloner.exporters.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, row_text, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.generic.morphs import target_offsets
+from cloner.generic.morphs import moved_wedges
 from cloner.motion.own import Moves, own_motions
 from cloner.motion.rig import centred
 from cloner.records.clones import Clone
@@ -123,13 +123,11 @@ def _skin_of(joint: int, meshes: tuple[SkinMesh, ...]) -> tuple[NDArray[np.int64
 
 def _displacers(clone: Clone, meshes: tuple[SkinMesh, ...]) -> Iterator[str]:
     vertex = np.concatenate([mesh.vertex for mesh in meshes])
-    for target, offsets in target_offsets(clone):
-        own = offsets[vertex]
-        moved = np.flatnonzero(np.abs(own).max(axis=1) > SMALLEST_OFFSET_M)
+    for target, moved, own in moved_wedges(clone, vertex, SMALLEST_OFFSET_M):
         if len(moved):
             yield (
                 f'<HAnimDisplacer DEF="face_{identifier(target)}" name="{target}" containerField="displacers" '
-                f'coordIndex="{_integers(moved)}" displacements="{_rows([own[moved]])}"/>\n'
+                f'coordIndex="{_integers(moved)}" displacements="{_rows([own.astype(np.float64)])}"/>\n'
             )
 
 

@@ -1,4 +1,4 @@
-"""Morph targets of a clone laid out over all vertices, one after the other."""
+"""Morph targets of a clone laid out over all vertices, one after the other, or over the wedges of a surface."""
 
 from __future__ import annotations
 
@@ -21,3 +21,30 @@ def target_offsets(clone: Clone) -> Iterator[tuple[str, NDArray[np.float32]]]:
         offsets[:] = 0.0
         offsets[clone.morph_index[rows]] = clone.morph_delta_m[rows]
         yield name, offsets
+
+
+def moved_wedges(
+    clone: Clone, vertex: NDArray[np.integer], smallest_m: float
+) -> Iterator[tuple[str, NDArray[np.int64], NDArray[np.float32]]]:
+    """Yield every morph target's name, the wedges (M,) that it moves by more than ``smallest_m``, and offsets (M, 3).
+
+    Parameters
+    ----------
+    clone : Clone
+    vertex : (N,) int
+        The vertex of every wedge, -1 for one that never moves; wedges of one vertex move alike.
+    smallest_m : float
+        Along the axis on which they move most, metres.
+    """
+    order = np.argsort(vertex, kind="stable")
+    start = np.searchsorted(vertex[order], np.arange(len(clone.vertices_m) + 1))
+    far = np.abs(clone.morph_delta_m).max(axis=1, initial=0.0) > smallest_m
+    for k, name in enumerate(clone.morph_names):
+        first = int(clone.morph_start[k])
+        rows = first + np.flatnonzero(far[first : clone.morph_start[k + 1]])
+        own = clone.morph_index[rows]
+        count = start[own + 1] - start[own]
+        ahead = np.cumsum(count) - count
+        wedges = order[np.arange(int(count.sum())) + np.repeat(start[own] - ahead, count)]
+        rising = np.argsort(wedges)
+        yield name, wedges[rising], clone.morph_delta_m[np.repeat(rows, count)[rising]]

@@ -69,3 +69,8 @@ def test_triangles_come_back_in_their_order_and_facing_as_before(kind: str) -> N
         turned = [np.roll(ordered, -k, axis=1) for k in range(3)]
         assert np.any([(found == one).all(axis=1) for one in turned], axis=0).all()
     assert sorted(map(tuple, meshopt.side_by_side(values).tolist())) == sorted(map(tuple, values.tolist()))
+
+
+def test_index_sequences_keep_their_largest_steps() -> None:
+    """By hand: steps doubled with the sign in the lowest bit, doubled again for the baseline, written by sevens."""
+    assert meshopt.sequence(np.array([3, 1, 20_000])) == bytes([0xD1, 12, 6, 0xFC, 0xF0, 0x04]) + bytes(4)
