@@ -41,9 +41,7 @@ class KitHead:
 
     def vertices_m(self, view: ViewId) -> Array:
         """Return the generic's vertices, those of the naked body where they truly are in a photo's pose."""
-        whole, own = np.array(load_generic().vertices_m, np.float64), self.kit.bodies_m[view.value]
-        whole[: len(own)] = own
-        return whole
+        return self.kit.whole_m(view.value)
 
 
 def with_true_masks(values: Values, head: KitHead) -> Values:

@@ -79,8 +79,7 @@ def vertex_rgb(generic: GenericHuman, rgb: NDArray[np.uint8]) -> Array:
 
 def usual_skin(generic: GenericHuman, colours: Array, bare: Flags) -> Array:
     """Return (3,) the person's usual tone, levels: that of limbs and trunk where seen, else of neck, hands, face."""
-    hands = [generic.segment_names.index(f"{side}_hand") for side in ("left", "right")]
-    hand = np.isin(generic.vertex_segment, hands)
+    hand = _hands(generic)
     places = (~hand & (generic.head_blend < NAPE), generic.region("neck"), hand, generic.region("face"))
     seen = [bare & place for place in places]
     rows = next((each for each in seen if int(each.sum()) >= ENOUGH), bare)
@@ -91,11 +90,15 @@ def _body(generic: GenericHuman) -> Flags:
     return np.asarray(generic.vertex_part == generic.part_names.index("body"))
 
 
+def _hands(generic: GenericHuman) -> Flags:
+    names = [generic.segment_names.index(f"{side}_hand") for side in ("left", "right")]
+    return np.isin(generic.vertex_segment, names)
+
+
 def _skin_coloured(generic: GenericHuman, clone: Clone, bare: Flags) -> Flags:
     """Return (V,) what has about the colour of the person's face, neck and hands; labels take tan cloth for skin."""
     colours = np.maximum(vertex_rgb(generic, clone.atlas.rgb), 1.0)
-    hands = [generic.segment_names.index(f"{side}_hand") for side in ("left", "right")]
-    known = bare & (generic.region("face") | generic.region("neck") | np.isin(generic.vertex_segment, hands))
+    known = bare & (generic.region("face") | generic.region("neck") | _hands(generic))
     if not known.any():
         return bare
     tinge = np.log(colours[:, [0, 2]] / colours[:, 1:2])

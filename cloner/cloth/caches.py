@@ -13,15 +13,21 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cloner.cloth.dressing import Dressed
 from cloner.cloth.wearer import FRAMES_PER_S
-from cloner.errors import ClonerError
+from cloner.exporters.usd import usd_library
+
+
+def _closed_m(found: Dressed) -> NDArray[np.float64]:
+    """Return (F + 1, N, 3) the loop's frames and the first again, metres."""
+    return np.concatenate([found.loop.frames_m, found.loop.frames_m[:1]])
 
 
 def pc2(found: Dressed) -> bytes:
     """Return the garment's vertices in every frame of the loop; the last repeats the first."""
-    frames = np.concatenate([found.loop.frames_m, found.loop.frames_m[:1]]).astype("<f4")
+    frames = _closed_m(found).astype("<f4")
     return struct.pack("<12siiffi", b"POINTCACHE2\0", 1, frames.shape[1], 0.0, 1.0, len(frames)) + frames.tobytes()
 
 
@@ -47,36 +53,31 @@ def usd(found: Dressed) -> bytes:
     ClonerError
         If the USD library is not installed.
     """
-    try:
-        from pxr import Gf, Sdf, Usd, UsdGeom, Vt
-    except ImportError as error:
-        hint = "Install it with: pip install 'photo-cloner[usd]'"
-        raise ClonerError("USD needs a library that is not here", hint, "usd-core") from error
-    cloth, frames = found.worn.cloth, np.concatenate([found.loop.frames_m, found.loop.frames_m[:1]])
+    pxr = usd_library("USD")
+    cloth, frames = found.worn.cloth, _closed_m(found)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "garment.usdc"
-        stage = Usd.Stage.CreateNew(str(path))
-        UsdGeom.SetStageUpAxis(stage, UsdGeom.Tokens.y)
-        UsdGeom.SetStageMetersPerUnit(stage, 1.0)
+        stage = pxr.Usd.Stage.CreateNew(str(path))
+        pxr.UsdGeom.SetStageUpAxis(stage, pxr.UsdGeom.Tokens.y)
+        pxr.UsdGeom.SetStageMetersPerUnit(stage, 1.0)
         stage.SetStartTimeCode(0.0)
         stage.SetEndTimeCode(float(len(frames) - 1))
         stage.SetTimeCodesPerSecond(float(FRAMES_PER_S))
-        mesh = UsdGeom.Mesh.Define(stage, "/Garment")
+        mesh = pxr.UsdGeom.Mesh.Define(stage, "/Garment")
         stage.SetDefaultPrim(mesh.GetPrim())
-        mesh.CreateSubdivisionSchemeAttr(UsdGeom.Tokens.none)
+        mesh.CreateSubdivisionSchemeAttr(pxr.UsdGeom.Tokens.none)
         mesh.CreateDoubleSidedAttr(True)
-        mesh.CreateFaceVertexCountsAttr(Vt.IntArray.FromNumpy(np.full(len(cloth.faces), 3, np.int32)))
-        mesh.CreateFaceVertexIndicesAttr(Vt.IntArray.FromNumpy(cloth.faces.ravel().astype(np.int32)))
-        places = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
-            "st", Sdf.ValueTypeNames.TexCoord2fArray, UsdGeom.Tokens.faceVarying
+        mesh.CreateFaceVertexCountsAttr(pxr.Vt.IntArray.FromNumpy(np.full(len(cloth.faces), 3, np.int32)))
+        mesh.CreateFaceVertexIndicesAttr(pxr.Vt.IntArray.FromNumpy(cloth.faces.ravel().astype(np.int32)))
+        places = pxr.UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
+            "st", pxr.Sdf.ValueTypeNames.TexCoord2fArray, pxr.UsdGeom.Tokens.faceVarying
         )
-        places.Set(Vt.Vec2fArray.FromNumpy(cloth.flat_m[cloth.triangles.ravel()].astype(np.float32)))
-        linear = [(value / 255.0) ** 2.2 for value in found.fabric.rgb]
-        mesh.CreateDisplayColorAttr([Gf.Vec3f(*linear)])
+        places.Set(pxr.Vt.Vec2fArray.FromNumpy(cloth.flat_m[cloth.triangles.ravel()].astype(np.float32)))
+        mesh.CreateDisplayColorAttr([pxr.Gf.Vec3f(*found.fabric.linear_rgb())])
         points, box = mesh.CreatePointsAttr(), mesh.CreateExtentAttr()
         for number, frame in enumerate(frames.astype(np.float32)):
-            points.Set(Vt.Vec3fArray.FromNumpy(frame), float(number))
-            box.Set([Gf.Vec3f(*map(float, end)) for end in (frame.min(axis=0), frame.max(axis=0))], float(number))
+            points.Set(pxr.Vt.Vec3fArray.FromNumpy(frame), float(number))
+            box.Set([pxr.Gf.Vec3f(*map(float, end)) for end in (frame.min(axis=0), frame.max(axis=0))], float(number))
         stage.GetRootLayer().Save()
         del stage
         return path.read_bytes()

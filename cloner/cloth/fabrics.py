@@ -51,6 +51,11 @@ class Fabric:
     air: float
     rgb: tuple[int, int, int]
 
+    def linear_rgb(self) -> tuple[float, float, float]:
+        """Return the colour in linear light, 0..1."""
+        red, green, blue = ((value / 255.0) ** 2.2 for value in self.rgb)
+        return red, green, blue
+
     def stretch_n_m(self) -> tuple[float, float, float]:
         """Return stiffness along warp and weft, and against shearing, N/m."""
         warp, weft = (FULL_N_M / share for share in self.extension)

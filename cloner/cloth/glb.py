@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.cloth.covered import covered
 from cloner.cloth.dressing import Dressed
+from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf import build
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.generic.surfaces import load_surfaces
@@ -50,8 +51,8 @@ def glb(found: Dressed) -> bytes:
         }
         for k in range(1, len(points))
     ]
-    linear = [float((value / 255.0) ** 2.2) for value in found.fabric.rgb]
-    look = pygltflib.PbrMetallicRoughness(baseColorFactor=[*linear, 1.0], metallicFactor=0.0, roughnessFactor=ROUGHNESS)
+    colour = [*found.fabric.linear_rgb(), 1.0]
+    look = pygltflib.PbrMetallicRoughness(baseColorFactor=colour, metallicFactor=0.0, roughnessFactor=ROUGHNESS)
     gltf.materials.append(pygltflib.Material(name=found.fabric.name, pbrMetallicRoughness=look, doubleSided=True))
     primitive = pygltflib.Primitive(
         attributes=attributes, indices=buffer.indices(cloth.triangles.astype(np.int32)),
@@ -64,7 +65,7 @@ def glb(found: Dressed) -> bytes:
     data = buffer.data()
     gltf.buffers[0].byteLength = len(data)
     gltf.set_binary_blob(data)
-    return b"".join(gltf.save_to_bytes())
+    return glb_bytes(gltf)
 
 
 def _show_in_turn(gltf: Any, buffer: GltfBuffer, count: int, seconds: float, node: int) -> None:

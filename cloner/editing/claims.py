@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.editing.places import LEAST_FREE, distance_from, free_skin, generic_metric, territory
+from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.rim_search import Found, nearest_rim_point, rim_of
@@ -82,15 +83,6 @@ class Params:
     turns: int = 10
     rounds: int = 6
     near_px: float = 0.1
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Wish:
-    """One corrected outline point: ``target_px`` is (2,) photo pixels of ``view``."""
-
-    view: ViewId
-    name: str
-    target_px: Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.poses import FREEDOMS, SIGMAS, pose_matrix
@@ -66,20 +67,11 @@ class Params:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class PoseWish:
-    """One corrected joint, or feature that the pose carries: ``target_px`` is (2,) photo pixels of ``view``."""
-
-    view: ViewId
-    name: str
-    target_px: Array
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class _Held:
     """One photo's part: its wishes, the angles that may turn (282, F) and their spreads (F,), and where joints stay."""
 
     posed: PosedView
-    wishes: tuple[PoseWish, ...]
+    wishes: tuple[Wish, ...]
     angles: Array
     spread: Array
     kept_px: Array
@@ -90,7 +82,7 @@ class _Held:
 
 
 def obey_pose(
-    vertices_m: Array, joints_m: Array, views: Mapping[ViewId, PosedView], wishes: list[PoseWish]
+    vertices_m: Array, joints_m: Array, views: Mapping[ViewId, PosedView], wishes: list[Wish]
 ) -> tuple[Array, dict[ViewId, PosedView], list[ObeyedPoint]]:
     """Return the joints in rest pose (94, 3), the poses, and how well each corrected joint is obeyed.
 
@@ -100,7 +92,7 @@ def obey_pose(
     joints_m : (94, 3) rest pose
     views : mapping
         Camera and pose of every body photo.
-    wishes : list of PoseWish
+    wishes : list of Wish
     """
     if not wishes:
         return joints_m, dict(views), []
@@ -125,7 +117,7 @@ def obey_pose(
     return joints, poses, [told[id(wish)] for wish in wishes]
 
 
-def _hold(vertices_m: Array, joints_m: Array, posed: PosedView, wishes: tuple[PoseWish, ...], params: Params) -> _Held:
+def _hold(vertices_m: Array, joints_m: Array, posed: PosedView, wishes: tuple[Wish, ...], params: Params) -> _Held:
     """Return one photo's part of the solution."""
     starts: set[str] = set()
     for wish in wishes:
@@ -141,7 +133,7 @@ def _hold(vertices_m: Array, joints_m: Array, posed: PosedView, wishes: tuple[Po
 
 def _seen(
     posed: PosedView,
-    wishes: tuple[PoseWish, ...],
+    wishes: tuple[Wish, ...],
     vertices_m: Array,
     joints_m: Array,
     rotations: Array,
@@ -209,7 +201,7 @@ def _solved(
     return x[:places].reshape(-1, 3), [x[ends[k] : ends[k + 1]] for k in range(len(held))]
 
 
-def _tell(wish: PoseWish, was_px: Array, now_px: Array, shift_m: float) -> ObeyedPoint:
+def _tell(wish: Wish, was_px: Array, now_px: Array, shift_m: float) -> ObeyedPoint:
     """Return what became of a wish."""
     before, after = (float(np.linalg.norm(seen - wish.target_px)) for seen in (was_px, now_px))
     note = "" if after <= 1.0 else f"the limb does not reach it, so the clone stays {after:.0f} px off it"

@@ -12,8 +12,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.editing.claims import Claim, Params, Scene, Wish, claim_of, nearest_rims, scene_of
+from cloner.editing.claims import Claim, Params, Scene, claim_of, nearest_rims, scene_of
 from cloner.editing.places import distance_from, free_skin, generic_metric, half_girth_m, opposite
+from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.rim_search import outermost

@@ -54,6 +54,12 @@ class KitTruth:
     labels: Mapping[str, Labels]
     bodies_m: Mapping[str, Array]
 
+    def whole_m(self, view: str) -> Array:
+        """Return the generic's vertices (V, 3), those of the naked body where they truly are in a photo's pose."""
+        whole, own = np.array(load_generic().vertices_m, np.float64), self.bodies_m[view]
+        whole[: len(own)] = own
+        return whole
+
 
 def is_kit_person(folder: Path) -> bool:
     """Return whether a folder holds one person of the generator."""

@@ -81,8 +81,8 @@ def with_whole_coverings(
             hair, to_hair, to_line, to_person = distances_px(
                 view.hair | own, labels[view.posed.view] != Label.BACKGROUND
             )
-            view = replace(view, hair=hair, hair_px=to_hair, line_px=to_line, outline_px=to_person)
-            view = replace(view, clothed=view.clothed & ~hair)
+            apart = view.clothed & ~hair
+            view = replace(view, hair=hair, hair_px=to_hair, line_px=to_line, outline_px=to_person, clothed=apart)
         found.append(view)
     return found
 

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.detectors.body_points import ENDS
-from cloner.editing.claims import Wish, scene_of
-from cloner.editing.pose import PoseWish, obey_pose
+from cloner.editing.claims import scene_of
+from cloner.editing.pose import obey_pose
 from cloner.editing.skin import obey_skin
+from cloner.editing.wishes import Wish
 from cloner.frames import ViewId
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
@@ -64,7 +65,7 @@ def obey(joined: Joined, body_points: BodyPoints, silhouettes: SilhouetteSet) ->
     outlines = [Wish(*one) for one in placed if one[1] not in ENDS and _on_outline(one[1])]
     on_skin = [wish for wish in outlines if not _on_cloth(silhouettes.views.get(wish.view), wish.target_px)]
     cloths = [ObeyedPoint(w.view, w.name, "cloth", 0.0, 0.0) for w in outlines if w not in on_skin]
-    on_pose = [PoseWish(*one) for one in placed if one[1] not in ENDS and _posed(one[1])]
+    on_pose = [Wish(*one) for one in placed if one[1] not in ENDS and _posed(one[1])]
     joints, views, poses = obey_pose(joined.vertices_m, joined.joints_m, views, on_pose)
     vertices, skins = obey_skin(joined.vertices_m, joints, views, on_skin, joined.stature_m)
     vertices = vertices.copy()

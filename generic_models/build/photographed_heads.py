@@ -51,9 +51,7 @@ def photographed(people: Path, view: str, names: tuple[str, ...]) -> Iterator[He
         except ClonerError as error:
             print(f"{folder.name}: {error}")
             continue
-        whole = np.array(generic.vertices_m, np.float64)
-        whole[: len(known.bodies_m[view])] = known.bodies_m[view]
-        places = known.truth.views[view].camera.project(whole)
+        places = known.truth.views[view].camera.project(known.whole_m(view))
         labels, seed = known.labels[view], int("".join(filter(str.isdigit, folder.name)))
         inside = {name: places[generic.feature(name)] for name in names}
         inside = {
