@@ -262,15 +262,22 @@ def with_earlier(fresh: Sequence[StageReport], earlier: object) -> tuple[StageRe
 def check_formats(formats: Sequence[str]) -> None:
     """Refuse formats nobody can write, before any work.
 
+    USD's library is loaded here, before other threads compute: its loading waits for Python's lock inside the dynamic
+    loader's, and NumPy asks the loader under Python's lock (its stack walk for temporaries): both would wait for ever.
+
     Raises
     ------
     ClonerError
-        If a name is not in the exporters' table.
+        If a name is not in the exporters' table, or USD is asked for and its library is not installed.
     """
     for name in formats:
         if name not in EXPORTERS:
             hint = f"The formats are {', '.join(EXPORTERS)}"
             raise ClonerError(f"the format {name!r} is not known", hint, "--format")
+    if "usdz" in formats:
+        from cloner.exporters.usd import usd_library
+
+        usd_library("USDZ")
 
 
 def point_names() -> dict[ViewId, frozenset[str]]:

@@ -1,8 +1,14 @@
-"""What the report tells of stages that did not run again."""
+"""What is asked before any work, and what the report tells of stages that did not run again."""
 
 from __future__ import annotations
 
-from cloner.cloning import with_earlier
+import subprocess
+import sys
+
+import pytest
+
+from cloner.cloning import check_formats, with_earlier
+from cloner.errors import ClonerError
 from cloner.pipeline import STAGES, StageReport
 
 
@@ -19,3 +25,15 @@ def test_stages_that_did_not_run_again_are_told_again_at_no_time() -> None:
     assert (seconds["points"], seconds["textures"], seconds["fine"]) == (0.5, 1.5, 0.0)
     assert all(one.warnings == (f"a word of {one.name}",) for one in told), "warnings are not forgotten"
     assert with_earlier(fresh, ()) == tuple(fresh)
+
+
+def test_the_library_of_usd_is_loaded_before_threads_begin() -> None:
+    code = "import sys, cloner.cloning as c; c.check_formats(['usdz']); print('pxr.UsdSkel' in sys.modules)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "True"
+
+
+def test_usd_without_its_library_is_refused_before_any_work(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(sys.modules, "pxr", None)
+    with pytest.raises(ClonerError, match="USDZ needs a library"):
+        check_formats(("glb", "usdz"))
