@@ -277,7 +277,7 @@ def check_formats(formats: Sequence[str]) -> None:
     if "usdz" in formats:
         from cloner.exporters.usd import usd_library
 
-        usd_library("USDZ")
+        usd_library()
 
 
 def point_names() -> dict[ViewId, frozenset[str]]:

@@ -53,7 +53,7 @@ def usd(found: Dressed) -> bytes:
     ClonerError
         If the USD library is not installed.
     """
-    pxr = usd_library("USD")
+    pxr = usd_library()
     cloth, frames = found.worn.cloth, _closed_m(found)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "garment.usdc"

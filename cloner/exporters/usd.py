@@ -60,7 +60,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = id
     ClonerError
         If the library is not installed or the folder cannot be written to.
     """
-    pxr = usd_library("USDZ")
+    pxr = usd_library()
     pictures = picture_bytes(clone, name)
     atlas = f"textures/{name}{_ATLAS}"
     pictures[atlas] = commented(pictures[atlas], clone.stamp)  # layers are compressed: here anybody can read it
@@ -81,7 +81,7 @@ def commented(jpeg: bytes, text: str) -> bytes:
     return jpeg[:2] + b"\xff\xfe" + (len(told) + 2).to_bytes(2, "big") + told + jpeg[2:]
 
 
-def usd_library(kind: str) -> Any:
+def usd_library() -> Any:
     """Return the USD library.
 
     Raises
@@ -94,7 +94,7 @@ def usd_library(kind: str) -> Any:
         return type("Pxr", (), {part: importlib.import_module(f"pxr.{part}") for part in parts})
     except ImportError as error:
         hint = "Install it with: pip install 'photo-cloner[usd]'"
-        raise ClonerError(f"{kind} needs a library that is not here", hint, "usd-core") from error
+        raise ClonerError("USD needs a library that is not here", hint, "usd-core") from error
 
 
 def packed(files: Mapping[str, bytes]) -> bytes:

@@ -177,12 +177,14 @@ class Booth(Desk):
         self.opening = folder
         self._opening = Task(lambda progress: services.open(folder), self)
         self._opening.succeeded.connect(self._take)
+        self._opening.failed.connect(self._opened)
         self._opening.failed.connect(self.failed)
-        self._opening.finished.connect(self._opened)
+        self._opening.finished.connect(self._opening.deleteLater)
         self._opening.start()
         self.opening_changed.emit()
 
     def _take(self, opened: Opened) -> None:
+        self._opened()  # what is told below may be answered by opening somebody else
         self.session.take(opened)
         self.begin_effort()
         if self.root is not None:
@@ -194,8 +196,6 @@ class Booth(Desk):
         self.intake.look_again()
 
     def _opened(self) -> None:
-        if self._opening is not None:
-            self._opening.deleteLater()
         self._opening, self.opening = None, None
         self.opening_changed.emit()
 

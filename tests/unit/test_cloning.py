@@ -34,6 +34,6 @@ def test_the_library_of_usd_is_loaded_before_threads_begin() -> None:
 
 
 def test_usd_without_its_library_is_refused_before_any_work(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(sys.modules, "pxr", None)
-    with pytest.raises(ClonerError, match="USDZ needs a library"):
+    monkeypatch.setitem(sys.modules, "pxr.Gf", None)
+    with pytest.raises(ClonerError, match="USD needs a library"):
         check_formats(("glb", "usdz"))

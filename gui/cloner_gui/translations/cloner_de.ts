@@ -2060,8 +2060,8 @@
         <translation>Wählen Sie einen anderen Ordner oder schaffen Sie Platz</translation>
     </message>
     <message>
-        <source>USDZ needs a library that is not here</source>
-        <translation>USDZ braucht eine Bibliothek, die hier fehlt</translation>
+        <source>USD needs a library that is not here</source>
+        <translation>USD braucht eine Bibliothek, die hier fehlt</translation>
     </message>
     <message>
         <source>Install it with: %1</source>

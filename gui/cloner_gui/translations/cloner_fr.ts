@@ -2060,8 +2060,8 @@
         <translation>Choisissez un autre dossier ou libérez de la place</translation>
     </message>
     <message>
-        <source>USDZ needs a library that is not here</source>
-        <translation>USDZ a besoin d’une bibliothèque absente ici</translation>
+        <source>USD needs a library that is not here</source>
+        <translation>USD a besoin d’une bibliothèque absente ici</translation>
     </message>
     <message>
         <source>Install it with: %1</source>

@@ -2059,8 +2059,8 @@
         <translation>Başka bir klasör seçin veya yer açın</translation>
     </message>
     <message>
-        <source>USDZ needs a library that is not here</source>
-        <translation>USDZ burada olmayan bir kitaplık gerektirir</translation>
+        <source>USD needs a library that is not here</source>
+        <translation>USD burada olmayan bir kitaplık gerektirir</translation>
     </message>
     <message>
         <source>Install it with: %1</source>
