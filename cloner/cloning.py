@@ -16,7 +16,7 @@ from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.memory import peak_mib
+from cloner.memory import check_room, peak_mib
 from cloner.pipeline import Progress, Stage, StageReport, quiet
 from cloner.previews import write_previews
 from cloner.project.atomic import result_folder
@@ -190,11 +190,12 @@ def clone_folder(
     Raises
     ------
     ClonerError
-        If the input or the output folder is unusable.
+        If the input or the output folder is unusable, or a limit leaves too little memory.
     Cancelled
         If ``progress`` raised it; nothing is left behind.
     """
     begun = time.perf_counter(), time.process_time()
+    check_room()
     check_formats(formats)
     check_texture_size(texture_size)
     progress("photos", 0.0)

@@ -1,4 +1,4 @@
-"""The process's memory: how much it was at most, and giving back what is free."""
+"""The process's memory: how much it was at most, whether it may be enough, and giving back what is free."""
 
 from __future__ import annotations
 
@@ -6,12 +6,37 @@ import ctypes
 import functools
 import sys
 from collections.abc import Callable
-from typing import cast
+from typing import Final, cast
+
+from cloner.errors import ClonerError
 
 if sys.platform == "win32":
     import psutil
 else:
     import resource
+
+#: What a clone takes of a process's addresses: 2.41 GB at most on two cores (VmPeak, samples), and room for a few more
+#: threads. With less some library ends the process itself, without a word that anybody could catch.
+CLONE_ADDRESSES_BYTES: Final = 2_500_000_000
+
+
+def check_room() -> None:
+    """Check that a limit on this process's addresses (``ulimit -v``) leaves enough for a clone.
+
+    Raises
+    ------
+    ClonerError
+        If it does not.
+    """
+    if sys.platform == "win32":
+        return
+    limit, _ = resource.getrlimit(resource.RLIMIT_AS)
+    if limit != resource.RLIM_INFINITY and limit < CLONE_ADDRESSES_BYTES:
+        may, needs = limit / 1e9, CLONE_ADDRESSES_BYTES / 1e9
+        hint = f"Raise it: ulimit -v {-(-CLONE_ADDRESSES_BYTES // 1024)}"
+        raise ClonerError(
+            f"there is not enough memory: a limit allows {may:.1f} GB, a clone needs {needs:.1f}", hint, "Memory"
+        )
 
 
 def peak_mib() -> float:

@@ -113,7 +113,6 @@ class StickRow(QWidget):
         self._show()
 
     def _give_up(self, error: ClonerError) -> None:
-        self._timer.stop()  # it is said once
         self._say(translate("stick", "This system does not tell which sticks are plugged in: choose the folder."))
 
     def _say(self, text: str) -> None:

@@ -15,6 +15,7 @@ from PySide6.QtGui import QImage
 from cloner.booth.visits import Visit, write_visit
 from cloner_gui.letters import letter_of, lettered_in
 from cloner_gui.main_window import TAKEAWAY
+from cloner_gui.newest import newest
 from cloner_gui.printed_card import card_image
 from kit.odd_programs import install
 
@@ -133,7 +134,12 @@ def test_a_stick_is_found_by_itself_written_read_back_and_let_go(taken, qtbot, t
     install(tmp_path, monkeypatch, lsblk="echo '{}'", udisksctl=f'echo "$*" >> {log}')
     row = taken.takeaway.sticks
     row.look()
-    qtbot.waitUntil(lambda: row.copy_button.isHidden() and "No stick" in row.note.text())
+    qtbot.waitUntil(lambda: newest().idle)
+    assert row.copy_button.isHidden()
+    assert "No stick" in row.note.text()
+    install(tmp_path, monkeypatch, lsblk="exit 1")
+    mounts.write_text("something odd")
+    qtbot.waitUntil(lambda: "does not tell" in row.note.text(), timeout=10000)
     install(tmp_path, monkeypatch, lsblk=lsblk(stick))
     mounts.write_text("one more")
     qtbot.waitUntil(lambda: row.copy_button.isVisible(), timeout=10000)

@@ -8,8 +8,9 @@ def install(folder, monkeypatch, **programs):
     place = folder / "bin"
     place.mkdir(exist_ok=True)
     for name, script in programs.items():
-        path = place / name
-        path.write_text(f"#!/bin/sh\n{script}\n")
-        path.chmod(0o755)
+        fresh = place / f"{name}.new"  # exchanged whole: it may be running, or be begun, just now
+        fresh.write_text(f"#!/bin/sh\n{script}\n")
+        fresh.chmod(0o755)
+        fresh.replace(place / name)
     monkeypatch.setenv("PATH", os.pathsep.join([str(place), os.environ.get("PATH", "")]))
     return place
