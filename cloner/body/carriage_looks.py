@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.head.flank import PLACES, Flank, find_places, vertex_of
+from cloner.head.jaw import jaw_in, opened
 from cloner.head.size import head_camera
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.photos import PhotoSet
@@ -55,7 +56,8 @@ def look_up(mesh: BodyMesh, photos: PhotoSet, poses: Mapping[ViewId, PosedView])
         if ways[0] @ ways[1] > SAME_WAY:
             pictures = photos.photos[twin].rgb, photos.photos[view].rgb
             places = np.array([vertex_of(generic, name) for name in shown_places(ways[0])])
-            found[view] = find_places(places, mesh.vertices_m, cameras, pictures)
+            wholes = _as_shown(mesh, poses[twin]), _as_shown(mesh, poses[view])
+            found[view] = find_places(places, wholes, cameras, pictures)
     return found
 
 
@@ -63,6 +65,12 @@ def shown_places(way: Array) -> list[str]:
     """Return the names of the places that a camera in a direction (3,) from the head sees."""
     sides = [0] if way[0] > ASIDE else [1] if way[0] < -ASIDE else [0, 1]
     return [pair[side] for pair in (*PLACES, *EAR) for side in sides]
+
+
+def _as_shown(mesh: BodyMesh, posed: PosedView) -> Array:
+    """Return the person at rest (V, 3) but for the jaw, which is as far open as a photo shows it."""
+    generic = load_generic()
+    return opened(generic, mesh.vertices_m, mesh.joints_m, jaw_in(generic, posed.rotations))
 
 
 def _way(camera: Camera, middle: Array) -> Array:

@@ -128,6 +128,7 @@ def fit_shape(
     gather: Callable[[ShapeFit, int], Sequence[Evidence]],
     *,
     prior_sigma: Array | float = 1.0,
+    at_least: Array | float = -np.inf,
     turn_sigma: Array | None = None,
     zoom_sigma: float = 0.0,
     iterations: int = 10,
@@ -141,6 +142,8 @@ def fit_shape(
         ``gather(fit, iteration)`` returns the evidence for the present fit: curves are matched afresh each time.
     prior_sigma : float or (F,)
         Expected size of the coefficients around zero.
+    at_least : float or (F,)
+        No coefficient becomes smaller.
     turn_sigma : (K, 3), optional
         Expected turn of each camera from its start, radians, with heavy tails (Cauchy beyond ``TURN_OUTLIER``);
         infinite where the evidence alone decides.
@@ -172,7 +175,8 @@ def fit_shape(
             normal[np.ix_(columns, columns)] += rows.T @ (weight[:, None] * rows)
             right[columns] += rows.T @ (weight * error)
         normal += 1e-9 * np.diag(np.diag(normal)) + 1e-12 * np.eye(size)
-        step = np.linalg.solve(normal, right)
+        room = np.broadcast_to(at_least, (count,)) - fit.coefficients
+        step = _step(normal, right, np.append(room, np.full(size - count, -np.inf)))
         step[:count] = np.clip(step[:count], -1.0, 1.0)
         poses = np.asarray(step[count:-1].reshape(-1, 6), dtype=np.float64)
         poses[:, :3] = np.clip(poses[:, :3], -0.1, 0.1)
@@ -187,6 +191,18 @@ def fit_shape(
             fit.zoomed + zoom,
         )
     return fit
+
+
+def _step(normal: Array, right: Array, at_least: Array) -> Array:
+    """Return the unknowns of normal equations of which none is smaller than its bound; those at it stay there."""
+    bound = np.zeros(len(right), dtype=bool)
+    step = np.asarray(np.linalg.solve(normal, right), dtype=np.float64)
+    while (step < at_least - 1e-12).any():
+        bound |= step < at_least
+        held, free = np.where(bound, at_least, 0.0), ~bound
+        step = held.copy()
+        step[free] = np.linalg.solve(normal[np.ix_(free, free)], (right - normal @ held)[free])
+    return step
 
 
 def _depth(item: Evidence, fit: ShapeFit) -> float:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,7 @@ from cloner.geometry.surface import SurfacePoints
 from cloner.head.ears import Spots, read_ears, read_inside
 from cloner.head.flank import Flank
 from cloner.head.inside import Together, read_inside_front
+from cloner.head.jaw import PHOTOS, USUAL_RAD, jaw_way
 from cloner.head.modes import HeadModes, load_head_modes
 from cloner.head.outline import Outline, read_outline
 from cloner.records.bodies import Phenotype
@@ -112,9 +113,10 @@ class Params:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Model:
-    """The generic head of the phenotype: rest vertices (V, 3), basis (F, H, 3) and where head rows are.
+    """The generic head of the phenotype: rest vertices (V, 3), basis (F + 2, H, 3) and where head rows are.
 
-    ``modes`` tells how the net sees the basis.
+    ``modes`` tells how the net sees the basis. Its last two directions are the jaws of front and side photo, which move
+    nothing in a head at rest; :meth:`in_photo` gives the head in which one of them does.
     """
 
     generic: GenericHuman
@@ -124,6 +126,17 @@ class Model:
     joints_m: Array
     basis_m: Array
     row: NDArray[np.int64]
+
+    def in_photo(self, number: int) -> Model:
+        """Return the head as the front (0) or the side photo (1) shows it, its jaw moved by a direction of its own."""
+        basis = self.basis_m.copy()
+        way = jaw_way(self.generic, self.vertices_m, self.joints_m)
+        basis[len(self.modes.basis_m) + number] = way[self.generic.head_vertices]
+        return replace(self, basis_m=basis)
+
+    def jaws_rad(self, coefficients: Array) -> Array:
+        """Return (2,) how far front and side photo show the jaw open."""
+        return np.asarray(USUAL_RAD * coefficients[len(self.modes.basis_m) : len(self.basis_m)])
 
     def head(self, coefficients: Array) -> Array:
         """Return the (H, 3) head vertices of some coefficients."""
@@ -203,7 +216,8 @@ def make_model(phenotype: Phenotype) -> Model:
     row[generic.head_vertices] = np.arange(len(generic.head_vertices))
     modes, scale = load_head_modes(), phenotype.stature_m / GENERIC_STATURE_M
     vertices[generic.head_vertices] += scale * modes.mean_m
-    basis = scale * modes.basis_m
+    shapes = scale * modes.basis_m
+    basis = np.concatenate([shapes, np.zeros((len(PHOTOS), *shapes.shape[1:]))])
     return Model(generic, load_face_net(), modes, vertices, joints, basis, row)
 
 

@@ -19,6 +19,7 @@ from cloner.geometry.surface import SurfacePoints
 from cloner.head.ears import INSIDE, Spots
 from cloner.head.evidence import Front, Model, Params, Side
 from cloner.head.inside import Together
+from cloner.head.jaw import FRONT, PHOTOS, SIDE
 from cloner.head.rim import HAIR_M, rim_evidence
 from cloner.records.views import Camera
 
@@ -119,7 +120,8 @@ def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) 
     base, basis = model.places(model.net.places)
     sigma = params.together * _net_errors_m(model, front, params) / metres
     drift = np.concatenate([params.drift * model.modes.drift_m / metres, np.zeros((len(HAIR_M), len(base), 2))])
-    skew = model.modes.skew_m / metres
+    skew = np.zeros((len(basis), len(base), 2))
+    skew[: len(model.modes.skew_m)] = model.modes.skew_m / metres
     target = front.net_px - model.modes.seen_errors_m(camera) / metres
     out = [Evidence(0, base, basis, target, sigma, drift_px=drift, skew_px=skew)]
     if len(front.vertices):
@@ -169,7 +171,7 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
 def net_errors(model: Model, coefficients: Array, camera: Camera, params: Params) -> Array:
     """Return the errors (468, 2), metres, that the net's points make: by a face's shape and turn, and in this photo."""
     modes, shapes = model.modes, len(model.basis_m)
-    by_shape = modes.errors_m(coefficients[:shapes], camera)
+    by_shape = modes.errors_m(coefficients[: len(modes.basis_m)], camera)
     return np.asarray(
         by_shape
         + params.drift * np.tensordot(coefficients[shapes : shapes + len(modes.drift_m)], modes.drift_m, axes=1)
@@ -181,8 +183,9 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
               iterations: int = ITERATIONS) -> tuple[Array, Fitted, float]:  # fmt: skip
     """Return the coefficients (F + M,), the fitted head, and its misfit, from all evidence together.
 
-    The last M coefficients are the net's joint errors in this photo. ``start`` holds first coefficients;
-    ``zoom_sigma`` is the expected relative error of the cameras' focal length.
+    The last M coefficients are the net's joint errors in this photo, the two before them how far front and side photo
+    show the jaw open. ``start`` holds first coefficients; ``zoom_sigma`` is the expected relative error of the cameras'
+    focal length.
     """
     present = tuple(c for c in cameras if c is not None)
     shapes, drifts = len(model.basis_m), len(model.modes.drift_m) + len(HAIR_M)
@@ -194,22 +197,28 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
         turn_sigma[side_index] = [params.tip, params.yaw, np.inf]
     candidates = profile_candidates(model)
     outlines = [one.outline for one in (front, side) if one is not None]
+    before_front, before_side = model.in_photo(FRONT), model.in_photo(SIDE)
+    seen = [who for who, one in ((before_front, front), (before_side, side)) if one is not None]
+    at_least = np.full(shapes + drifts, -np.inf)
+    at_least[shapes - len(PHOTOS) : shapes] = 0.0  # a jaw does not close beyond shut
 
     def gather(fit: ShapeFit, iteration: int) -> list[Evidence]:
         found: list[Evidence] = []
         if front is not None:
-            found += _front_evidence(model, front, fit.cameras[0], params)
+            found += _front_evidence(before_front, front, fit.cameras[0], params)
         if side is not None:
             # After a fit to the front the profile lies well already; alone, the named points must find the pose first.
-            found += _side_evidence(model, side, fit, iteration, side_index, params, candidates,
+            found += _side_evidence(before_side, side, fit, iteration, side_index, params, candidates,
                                     curve=front is not None or iteration >= CURVE_FROM)  # fmt: skip
         # Alone, a side photo's named points must find the pose first.
         if front is not None:
-            found += rim_evidence(model, fit.coefficients, fit.cameras, outlines, len(model.modes.drift_m))
+            found += rim_evidence(seen, fit.coefficients, fit.cameras, outlines, len(model.modes.drift_m))
         return found
 
     begin = ShapeFit(np.zeros(shapes + drifts) if start is None else start, present, np.zeros((len(present), 3)))
-    fit = fit_shape(begin, gather, turn_sigma=turn_sigma, zoom_sigma=zoom_sigma, iterations=iterations)
+    fit = fit_shape(
+        begin, gather, at_least=at_least, turn_sigma=turn_sigma, zoom_sigma=zoom_sigma, iterations=iterations
+    )
     front_camera = fit.cameras[0] if front is not None else None
     side_camera = fit.cameras[side_index] if side is not None else None
     cost = misfit(fit, gather(fit, CURVE_FROM), turn_sigma)
@@ -230,12 +239,14 @@ def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | N
 
     What the fit (its ``coefficients``) took for errors of the net is no shape: it is not followed.
     """
-    whole = model.whole(fitted.head_m)
+    shape = coefficients[: len(model.basis_m)]
     left: list[Leftover] = []
     if front is not None and fitted.front is not None:
+        whole = model.whole(model.in_photo(FRONT).head(shape))
         net_error_m = net_errors(model, coefficients, fitted.front, params)
         left += _front_leftovers(model, whole, fitted.front, front, net_error_m, controls, params)
     if side is not None and fitted.side is not None:
+        whole = model.whole(model.in_photo(SIDE).head(shape))
         left += _side_leftovers(model, whole, fitted.side, side, controls, params)
     moved = np.zeros((len(controls.names), 3))
     if left:

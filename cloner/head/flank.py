@@ -100,7 +100,7 @@ def _skin() -> NDArray[np.integer]:
 
 def find_flank(
     generic: GenericHuman,
-    whole: Array,
+    wholes: tuple[Array, Array],
     cameras: tuple[Camera, Camera],
     pictures: tuple[NDArray[np.uint8], NDArray[np.uint8]],
     *,
@@ -108,12 +108,12 @@ def find_flank(
 ) -> Flank:
     """Return what the side photo shows of ``PLACES`` (``find_places``); side 0 is the person's left."""
     places = np.array([vertex_of(generic, pair[side]) for pair in PLACES])
-    return find_places(places, whole, cameras, pictures)
+    return find_places(places, wholes, cameras, pictures)
 
 
 def find_places(
     places: NDArray[np.int64],
-    whole: Array,
+    wholes: tuple[Array, Array],
     cameras: tuple[Camera, Camera],
     pictures: tuple[NDArray[np.uint8], NDArray[np.uint8]],
 ) -> Flank:
@@ -122,32 +122,38 @@ def find_places(
     Parameters
     ----------
     places : (N,)
-    whole : (V, 3) vertices of the fitted person
+    wholes : vertices (V, 3) of the fitted person, as the first and as the second photo shows them
     cameras, pictures : first and second photo
     """
     skin = _skin()
-    normals = vertex_normals(whole, skin)
+    normals = [vertex_normals(whole, skin) for whole in wholes]
     patches = [_patch(load_generic(), skin, row) for row in places]
-    everything = np.vstack([patch.at(whole) for patch in patches])
-    front, beside = (_detail(p, c, everything) for p, c in zip(pictures, cameras, strict=True))
-    metres = cameras[1].metres_per_pixel(everything.mean(axis=0))
+    everything = [np.vstack([patch.at(whole) for patch in patches]) for whole in wholes]
+    front, beside = (_detail(*one) for one in zip(pictures, cameras, everything, strict=True))
+    metres = cameras[1].metres_per_pixel(everything[1].mean(axis=0))
     steps = np.stack(np.meshgrid(np.arange(-ALONG_M, ALONG_M + 1e-9, STEP_M),
                                  np.arange(-ACROSS_M, ACROSS_M + 1e-9, STEP_M)), axis=-1).reshape(-1, 2)  # fmt: skip
     maps: dict[int, Array] = {}
     for row, patch in zip(places, patches, strict=True):
-        points, turned = patch.at(whole), patch.at(normals)
-        towards = [((c.position_m - points) * turned).sum(axis=1) / np.linalg.norm(c.position_m - points, axis=1)
-                   for c in cameras]  # fmt: skip
-        points = points[(towards[0] > TURNED) & (towards[1] > TURNED)]
-        if len(points) >= FEWEST:
-            spots = cameras[1].project(points)[None] + (steps / metres)[:, None]
-            maps[int(row)] = _correlation(_sample(*front, cameras[0].project(points)), _sample(*beside, spots))
+        points = [patch.at(whole) for whole in wholes]
+        towards = [_towards(*one) for one in zip(cameras, points, map(patch.at, normals), strict=True)]
+        seen = (towards[0] > TURNED) & (towards[1] > TURNED)
+        if seen.sum() >= FEWEST:
+            first, second = (camera.project(own[seen]) for camera, own in zip(cameras, points, strict=True))
+            spots = second[None] + (steps / metres)[:, None]
+            maps[int(row)] = _correlation(_sample(*front, first), _sample(*beside, spots))
     found = _best_steps(maps, steps)
     return Flank(
         np.array([row for row, _, _ in found], dtype=np.int64),
-        np.array([cameras[1].project(whole[[row]])[0] + step / metres for row, step, _ in found]).reshape(-1, 2),
+        np.array([cameras[1].project(wholes[1][[row]])[0] + step / metres for row, step, _ in found]).reshape(-1, 2),
         np.array([share for _, _, share in found]),
     )
+
+
+def _towards(camera: Camera, points: Array, normals: Array) -> Array:
+    """Return the cosines (N,) between normals and the way to the camera."""
+    way = camera.position_m - points
+    return np.asarray((way * normals).sum(axis=1) / np.linalg.norm(way, axis=1))
 
 
 def _best_steps(maps: dict[int, Array], steps: Array) -> list[tuple[int, Array, float]]:

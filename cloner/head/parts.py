@@ -12,6 +12,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.eyeballs import BALL_M, Ball, ball_points
 from cloner.geometry.sockets import similarity
 from cloner.head import lids, lips, tongue
+from cloner.head.jaw import PARTED_RAD
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
@@ -51,17 +52,20 @@ class Sight:
         Centres of the left and the right iris; zeros where nobody looked.
     face_px : (468, 2)
         Points of the face net.
+    jaw_rad : float
+        How far it shows the jaw open.
     """
 
     camera: Camera
     irises_px: Array
     face_px: Array
+    jaw_rad: float
 
 
 def seat_parts(before_m: Array, fitted_m: Array, sight: Sight | None) -> Array:
     """Return the vertices (V, 3) with lids laid on eyeballs of real size, lips met, teeth and tongue in the mouth.
 
-    Lips meet, unless the photo shows a mouth so far open that its teeth would be painted on them.
+    Lips meet, unless the photo shows a smile so wide that its teeth would be painted on them.
 
     Parameters
     ----------
@@ -76,7 +80,7 @@ def seat_parts(before_m: Array, fitted_m: Array, sight: Sight | None) -> Array:
     grid = mouth_grid()
     out[grid.rings] = lips.sealed(grid, lips.uncrossed(grid, lips.closed(grid, out[grid.rings])))
     _seat_mouth(generic, before_m, out)
-    if sight is not None and _is_open(grid, out[grid.rings], sight):
+    if sight is not None and sight.jaw_rad < PARTED_RAD and _is_open(grid, out[grid.rings], sight):
         out[grid.rings] = _parted(grid, out[grid.rings], sight)
         for part in ("teeth_upper", "teeth_lower", "tongue"):
             out[generic.part(part), 2] += SMILE_M

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.geometry.contour_match import match
 from cloner.head.evidence import Front, Log, Model, Side
 from cloner.head.fit import Fitted, outline_vertices, profile_candidates
+from cloner.head.jaw import FRONT, SIDE, opened
 from cloner.records.points import FacePoints, Proposals
 from cloner.records.results import Residual
+
+Array = NDArray[np.float64]
 
 #: Names that front and side photos both propose.
 SHARED = ("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom")
@@ -27,11 +31,13 @@ def warn_missing(front: Front | None, side: Side | None, proposals: Proposals, l
         log.warnings.append(f"{why}: depths of the face are those of a usual face of this shape")
 
 
-def report_front(model: Model, fitted: Fitted, front: Front | None, points: FacePoints, log: Log) -> None:
+def report_front(
+    model: Model, fitted: Fitted, front: Front | None, points: FacePoints, jaws_rad: Array, log: Log
+) -> None:
     """Log how far the finished head lies from the front photo's points."""
     if front is None or fitted.front is None:
         return
-    whole = model.whole(fitted.head_m)
+    whole = opened(model.generic, model.whole(fitted.head_m), model.joints_m, jaws_rad[FRONT])
     eyes = fitted.front.project(whole[[model.generic.feature(f"pupil_{side}") for side in "LR"]])
     distance = max(float(np.linalg.norm(eyes[0] - eyes[1])), 1e-6)
     error = np.linalg.norm(fitted.front.project(model.net.places.at(whole)) - front.net_px, axis=1)
@@ -50,11 +56,11 @@ def report_front(model: Model, fitted: Fitted, front: Front | None, points: Face
         log.residuals.append(Residual("front named points, worst", float(error.max()), "percent", view))
 
 
-def report_side(model: Model, fitted: Fitted, side: Side | None, points: FacePoints, log: Log) -> None:
+def report_side(model: Model, fitted: Fitted, side: Side | None, points: FacePoints, jaws_rad: Array, log: Log) -> None:
     """Log how far the finished head lies from the side photo's profile, and how the photos disagree."""
     if side is None or fitted.side is None:
         return
-    whole = model.whole(fitted.head_m)
+    whole = opened(model.generic, model.whole(fitted.head_m), model.joints_m, jaws_rad[SIDE])
     vertices = outline_vertices(whole, profile_candidates(model), fitted.side, side.facing)
     metres = fitted.side.metres_per_pixel(whole[model.generic.feature("nasion")])
     seen = fitted.side.project(whole[vertices])

@@ -82,12 +82,18 @@ def head_skin() -> Skin:
 
 
 def rim_evidence(
-    model: Model, coefficients: Array, cameras: Sequence[Camera], outlines: Sequence[Outline | None], before: int
+    seen: Sequence[Model],
+    coefficients: Array,
+    cameras: Sequence[Camera],
+    outlines: Sequence[Outline | None],
+    before: int,
 ) -> list[Evidence]:
     """Return what outlines say of the present head.
 
     Parameters
     ----------
+    seen : K models
+        The head as each photo shows it.
     coefficients : (F + before + 4,)
         Of the shape, of other joint errors, and of the hair's thickness.
     cameras : K cameras
@@ -95,13 +101,13 @@ def rim_evidence(
         The first is the front photo's: where it shows no hair, jaw and cheeks are followed too.
     before : int
     """
-    skin, head = head_skin(), model.head(coefficients[: len(model.basis_m)])
-    normals = vertex_normals(head, skin.triangles)
-    hair = coefficients[len(model.basis_m) + before :]
+    skin, hair = head_skin(), coefficients[-len(HAIR_M) :]
     out: list[Evidence] = []
-    for index, (camera, outline) in enumerate(zip(cameras, outlines, strict=True)):
+    for index, (model, camera, outline) in enumerate(zip(seen, cameras, outlines, strict=True)):
         if outline is None:
             continue
+        head = model.head(coefficients[: len(model.basis_m)])
+        normals = vertex_normals(head, skin.triangles)
         places = turning_points(head, normals, skin.edges, camera.position_m)
         middle = camera.project(head[skin.middle]).mean(axis=0)
         places = places.take(farthest(camera.project(places.at(head)), middle, SECTOR))

@@ -14,6 +14,7 @@ from cloner.geometry.resection import resect
 from cloner.geometry.skinning import joint_transforms
 from cloner.head.evidence import Front, Model, Params
 from cloner.head.fit import Fitted
+from cloner.head.jaw import opened
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.views import Camera
@@ -62,12 +63,19 @@ def usual_scale(model: Model, fitted: Fitted, phenotype: Phenotype) -> float:
 
 
 def head_scale(
-    model: Model, fitted: Fitted, front: Front | None, proposals: Proposals, phenotype: Phenotype, params: Params
+    model: Model,
+    fitted: Fitted,
+    jaw_rad: float,
+    front: Front | None,
+    proposals: Proposals,
+    phenotype: Phenotype,
+    params: Params,
 ) -> float:
     """Return the head's size as a factor: the face in the body photo against the phenotype's own head.
 
     The face photos alone tell no size. The body photo does, through its camera, but its face is small; both guesses
-    are weighted by their errors. Without any body photo the usual size at the stature is taken.
+    are weighted by their errors. A jaw that is open in the face photo by ``jaw_rad`` is no error of the net's. Without
+    any body photo the usual size at the stature is taken.
     """
     limit = np.log1p(params.scale_limit)
     if front is not None and not phenotype.views:
@@ -77,8 +85,10 @@ def head_scale(
         return 1.0
     if proposal is None or proposal.face_presence < params.presence:
         return 1.0
-    places = model.net.places.at(model.whole(fitted.head_m))
-    made = model.modes.own_errors_m(front.net_px, places, fitted.front)
+    whole = model.whole(fitted.head_m)
+    places = model.net.places.at(whole)
+    shown = model.net.places.at(opened(model.generic, whole, model.joints_m, jaw_rad))
+    made = model.modes.own_errors_m(front.net_px, shown, fitted.front)
     factor = seen_scale(model, places, made, camera, proposal.face_px)
     certain = params.own_scale**2 / (params.own_scale**2 + params.body_scale**2)
     return float(np.exp(np.clip(certain * np.log(max(factor, 1e-3)), -limit, limit)))

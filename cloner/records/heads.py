@@ -32,6 +32,8 @@ class HeadFit:
     iris_radius_m : float
     side_shown : str
         "left", "right" or "" when there is no side photo.
+    jaws_rad : mapping of ViewId to float
+        How far each face photo shows the jaw open; the head itself rests with it shut.
     """
 
     vertices_m: NDArray[np.float64]
@@ -41,6 +43,7 @@ class HeadFit:
     iris_rgb: NDArray[np.float64]
     iris_radius_m: float
     side_shown: str
+    jaws_rad: Mapping[ViewId, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         freeze(
@@ -49,7 +52,8 @@ class HeadFit:
             control_m=(np.float64, (len(self.control_names), 3)),
             iris_rgb=(np.float64, (3,)),
         )
-        object.__setattr__(self, "cameras", MappingProxyType(dict(self.cameras)))
+        for name in ("cameras", "jaws_rad"):
+            object.__setattr__(self, name, MappingProxyType(dict(getattr(self, name))))
 
 
 #: What a shell can be.

@@ -8,6 +8,7 @@ from typing import Any, Final
 import numpy as np
 
 from cloner.frames import ViewId
+from cloner.head.jaw import PARTED_RAD
 from cloner.labels.states import State, read_states
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
@@ -29,7 +30,9 @@ LEAST_OVERLAP: Final = 0.90
 LEAST_HEAD_OVERLAP: Final = 0.80
 
 
-def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agreement]) -> tuple[str, ...]:
+def weaknesses(
+    photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agreement], jaw_rad: float = 0.0
+) -> tuple[str, ...]:
     """Return sentences about what the photos could not give.
 
     Parameters
@@ -38,6 +41,8 @@ def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agr
     proposals : Proposals
     seen : mapping
         How well the finished clone covers the outline in each photo.
+    jaw_rad : float
+        How far the front photo of the face shows the jaw open.
     """
     told: list[str] = []
     for view, photo in photos.photos.items():
@@ -49,7 +54,7 @@ def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agr
         told.append("No photo shows the head from the side or behind: the hair there is a guess")
     face = proposals.views.get(ViewId.FACE_FRONT)
     if face is not None and face.face_presence > 0.0:
-        told += _face(face)
+        told += _face(face, jaw_rad)
         told += _worn(read_states({face.view: face.labels}, face.face_px))
     for view, found in seen.items():
         if view.is_body and found.iou < LEAST_OVERLAP:
@@ -92,15 +97,15 @@ def is_grey(photo: Photo) -> bool:
     return bool(np.ptp(few, axis=2).max() <= GREY_LEVELS)
 
 
-def _face(proposal: Proposal) -> list[str]:
+def _face(proposal: Proposal, jaw_rad: float) -> list[str]:
     """Return what is weak in the face photo."""
     points = proposal.face_px
     eyes = _apart(points, _EYES)
     told = []
     if eyes < LEAST_EYES_PX:
         told.append(f"The face is small in its photo ({eyes:.0f} pixels between the eyes' corners): it stays soft")
-    if _apart(points, _LIPS) > OPEN_MOUTH * eyes:
-        told.append("The mouth is open or smiles in the face photo: the clone keeps that face at rest")
+    if jaw_rad < PARTED_RAD and _apart(points, _LIPS) > OPEN_MOUTH * eyes:
+        told.append("The mouth smiles in the face photo: the clone keeps that smile at rest")
     return told
 
 

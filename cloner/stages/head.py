@@ -22,6 +22,7 @@ from cloner.head.fit import (
     start_side,
 )
 from cloner.head.flank import find_flank
+from cloner.head.jaw import FRONT, PHOTOS, SIDE
 from cloner.head.parts import Sight, seat_parts
 from cloner.head.report import report_front, report_side, warn_missing
 from cloner.head.size import body_camera, head_scale
@@ -44,12 +45,15 @@ LOOK_TURNS = 6
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shaped:
-    """The head after the basis, after DFFD, the controls' displacements (K, 3), and the side evidence used."""
+    """The head after the basis, after DFFD, the controls' displacements (K, 3), the side evidence used, and the jaws'
+    openings (2,) in front and side photo, radians.
+    """
 
     basis: Fitted
     relief: Fitted
     moved: Array
     side: Side | None
+    jaws_rad: Array
 
 
 def run(
@@ -83,16 +87,17 @@ def run(
     fitted = Fitted(skull, fitted.front, fitted.side)
     if masks:
         log.residuals.append(Residual("skull height under the hair", 100.0 * (factors[0] - 1.0), "percent"))
-    scale = head_scale(model, fitted, front, proposals, phenotype, params)
+    scale = head_scale(model, fitted, shaped.jaws_rad[FRONT], front, proposals, phenotype, params)
     pivot = model.joints_m[model.generic.joint("skullbase")]
     fitted = scaled(fitted, scale, pivot)
-    whole = seat_parts(model.vertices_m, model.whole(fitted.head_m), _sight(fitted, front, proposals))
+    jaws = shaped.jaws_rad
+    whole = seat_parts(model.vertices_m, model.whole(fitted.head_m), _sight(fitted, front, proposals, jaws[FRONT]))
     head = whole[model.generic.head_vertices]
     fitted = Fitted(head, fitted.front, fitted.side)
     log.residuals.append(Residual("head size against the phenotype", 100.0 * (scale - 1.0), "percent"))
     log.residuals.append(Residual("relief", mm_from_m(float(np.linalg.norm(moved, axis=1).mean())), "mm"))
-    report_front(model, fitted, front, face_points, log)
-    report_side(model, fitted, side, face_points, log)
+    report_front(model, fitted, front, face_points, jaws, log)
+    report_side(model, fitted, side, face_points, jaws, log)
     value = HeadFit(
         head,
         _cameras(model, fitted, front, side, phenotype),
@@ -101,6 +106,7 @@ def run(
         _iris(photos, model, fitted, front),
         IRIS_M,
         "" if side is None else ("right" if side.facing > 0 else "left"),
+        {view: float(jaw) for view, jaw in zip(PHOTOS, jaws, strict=True)},
     )
     return StageResult({"head": value}, tuple(log.residuals), tuple(log.warnings))
 
@@ -116,7 +122,7 @@ def shape_head(model: Model, photos: PhotoSet, phenotype: Phenotype, evidence: t
         coefficients, fitted, side = _look_aside(model, photos, front, side, coefficients, fitted, zoom_sigma, params)
     tick(0.6)
     relief, moved = add_relief(model, fitted, front, side, coefficients, load_head_controls(), params)
-    return Shaped(fitted, relief, moved, side)
+    return Shaped(fitted, relief, moved, side, model.jaws_rad(coefficients))
 
 
 def _unknown(photos: PhotoSet, front: Front) -> bool:
@@ -155,7 +161,9 @@ def _look_aside(model: Model, photos: PhotoSet, front: Front, side: Side, coeffi
         if fitted.front is None or fitted.side is None:
             break
         cameras, shown = (fitted.front, fitted.side), 1 if side.facing > 0 else 0
-        flank = find_flank(model.generic, model.whole(fitted.head_m), cameras, pictures, side=shown)
+        shape = coefficients[: len(model.basis_m)]
+        wholes = [model.whole(model.in_photo(photo).head(shape)) for photo in (FRONT, SIDE)]
+        flank = find_flank(model.generic, (wholes[FRONT], wholes[SIDE]), cameras, pictures, side=shown)
         side = replace(side, flank=flank)
         coefficients, fitted, _ = fit_basis(
             model, front, side, cameras, params, coefficients, zoom_sigma=zoom_sigma, iterations=LOOK_TURNS
@@ -206,12 +214,12 @@ def _cameras(model: Model, fitted: Fitted, front: Front | None, side: Side | Non
     return out
 
 
-def _sight(fitted: Fitted, front: Front | None, proposals: Proposals) -> Sight | None:
+def _sight(fitted: Fitted, front: Front | None, proposals: Proposals, jaw_rad: float) -> Sight | None:
     """Return what the front photo of the face shows of eyes and mouth."""
     if front is None or fitted.front is None or front.view is not ViewId.FACE_FRONT:
         return None
     proposal = proposals.views[front.view]
-    return Sight(fitted.front, proposal.irises_px, proposal.face_px)
+    return Sight(fitted.front, proposal.irises_px, proposal.face_px, jaw_rad)
 
 
 def _iris(photos: PhotoSet, model: Model, fitted: Fitted, front: Front | None) -> Array:

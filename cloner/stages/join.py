@@ -24,6 +24,7 @@ from cloner.generic.face_grids import eyeball
 from cloner.generic.features import named_features
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.hair.agreement import hair_fields
+from cloner.head.jaw import jaw_in, jaw_rotations, opened
 from cloner.head.modes import load_head_modes
 from cloner.head.targets import face_targets
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, PosedView
@@ -118,7 +119,8 @@ def near_photos(head: HeadFit, proposals: Proposals, risen_m: float) -> dict[Vie
     photos = {}
     for view, camera in head.cameras.items():
         if view.is_face and view in proposals.views:
-            posed = PosedView(view, lifted(camera, risen_m), np.zeros((94, 3)))
+            rotations = jaw_rotations(load_generic(), head.jaws_rad.get(view, 0.0))
+            posed = PosedView(view, lifted(camera, risen_m), rotations)
             photos[view] = Outlined(posed, masked_field(proposals.views[view]))
     return photos
 
@@ -128,8 +130,10 @@ def face_errors_m(mesh: BodyMesh, near: Mapping[ViewId, Outlined], proposals: Pr
     modes, view = load_head_modes(), ViewId.FACE_FRONT
     if view not in near or proposals.views[view].face_presence <= 0.0:
         return modes.bias_m
-    places = load_face_net().places.at(mesh.vertices_m)
-    return modes.own_errors_m(proposals.views[view].face_px, places, near[view].posed.camera)
+    generic, posed = load_generic(), near[view].posed
+    shown = opened(generic, mesh.vertices_m, mesh.joints_m, jaw_in(generic, posed.rotations))
+    places = load_face_net().places.at(shown)
+    return modes.own_errors_m(proposals.views[view].face_px, places, posed.camera)
 
 
 def eye_joints(generic: GenericHuman, joints_m: Array, vertices_m: Array) -> Array:

@@ -23,9 +23,11 @@ from profile_shapes import joint_model, profile_shapes
 
 from cloner.detectors import litert
 from cloner.frames import ViewId
+from cloner.generic.face_grids import mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.surface import SurfacePoints, first_hits, nearest_points
+from cloner.head.parts import INNER_LIPS
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
@@ -163,7 +165,22 @@ def mean_places(generic: GenericHuman, faces: list[Shown]) -> tuple[SurfacePoint
     middle = np.median(np.stack(stacked), axis=0)
     twin = np.linalg.norm((middle * [-1.0, 1.0, 1.0])[:, None] - middle[None], axis=2).argmin(axis=1)
     middle = (middle + middle[twin] * [-1.0, 1.0, 1.0]) / 2.0
-    return nearest_points(middle, mean, triangles[exposed], candidates=40), twin
+    surface = nearest_points(middle, mean, triangles[exposed], candidates=40)
+    return on_lower_lip(generic, surface, triangles), twin
+
+
+def on_lower_lip(generic: GenericHuman, surface: SurfacePoints, triangles: NDArray[np.integer]) -> SurfacePoints:
+    """Return the net's places with the lower lip's inner border on the lower lip.
+
+    Painted mouths are shut: there the border's places fall on either lip, but it opens with the lower one.
+    """
+    grid, mean = mouth_grid(), generic.vertices_m.astype(np.float64)
+    border, lip = np.array(INNER_LIPS[1][1:-1]), np.zeros(len(mean), dtype=bool)
+    lip[grid.rings[grid.margin - 1 :, grid.lower]] = True
+    moved = nearest_points(surface.at(mean)[border], mean, triangles[lip[triangles].all(axis=1)], candidates=40)
+    corners, weights = surface.corners.copy(), surface.weights.copy()
+    corners[border], weights[border] = moved.corners, moved.weights
+    return SurfacePoints(corners, weights)
 
 
 def spreads(

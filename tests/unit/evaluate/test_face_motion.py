@@ -200,8 +200,11 @@ def test_the_rulers_see_what_is_wrong() -> None:
     assert face_motion.face_figures(rest, shifted).ears == pytest.approx(3**0.5, rel=0.01)
 
 
-@pytest.mark.parametrize(("opened_mm", "expected_mm", "tolerance_mm"), [(1.0, 0.0, 0.3), (8.0, 8.0, 2.0)])
-def test_lips_stay_open_only_where_the_photo_shows_an_open_mouth(opened_mm, expected_mm, tolerance_mm) -> None:
+@pytest.mark.parametrize(
+    ("opened_mm", "jaw_deg", "expected_mm", "tolerance_mm"),
+    [(1.0, 0.0, 0.0, 0.3), (8.0, 0.0, 8.0, 2.0), (8.0, 6.0, 0.0, 0.3)],
+)
+def test_lips_stay_open_only_where_the_photo_shows_a_smile(opened_mm, jaw_deg, expected_mm, tolerance_mm) -> None:
     rest, grid = random_person(2), mouth_grid()
     margin = rest[grid.ring(0)]
     camera = Camera(900, 900, 1600.0, look_at(margin.mean(axis=0) + [0.0, 0.0, 0.8], margin.mean(axis=0)))
@@ -211,5 +214,5 @@ def test_lips_stay_open_only_where_the_photo_shows_an_open_mouth(opened_mm, expe
         bow = side * 0.001 * opened_mm / metres * np.sin(np.linspace(0.0, np.pi, len(border)))
         aside = np.linspace(seen[:, 0].min(), seen[:, 0].max(), len(border))
         face_px[list(border)] = np.column_stack([aside, seen[:, 1].mean() + bow])
-    moved = seat_parts(rest, rest, Sight(camera, np.zeros((2, 2)), face_px))
+    moved = seat_parts(rest, rest, Sight(camera, np.zeros((2, 2)), face_px, np.radians(jaw_deg)))
     assert face_motion.face_figures(moved, moved).lip_gap == pytest.approx(expected_mm, abs=tolerance_mm)

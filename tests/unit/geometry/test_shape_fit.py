@@ -38,3 +38,23 @@ def test_a_photo_that_is_clearly_turned_is_believed_to_be():
 def test_a_small_turn_is_held_as_expected_when_points_say_little():
     """Points so vague that they tell the turn worse than what is expected of it."""
     assert abs(found_yaw_deg(1.0, 900.0, 1.0)) < 0.35
+
+
+@pytest.mark.parametrize(("true", "found"), [(-0.5, 0.0), (0.6, 0.6)])
+def test_a_bounded_coefficient_stays_within_and_lets_the_others_explain(true, found):
+    """Two shifts along x, of half the places each; the first may not become negative."""
+    basis = np.zeros((2, 40, 3))
+    basis[0, :20, 0], basis[1, 20:, 0] = 0.01, 0.01
+    target = camera(0.0).project(PLACES + true * basis[0] + 0.4 * basis[1])
+
+    def gather(fit, iteration):
+        return [Evidence(0, PLACES, basis, target, np.full(40, 0.1), outlier=1e6)]
+
+    held = np.full((1, 3), 1e-9)
+    start = ShapeFit(np.zeros(2), (camera(0.0),), np.zeros((1, 3)))
+    fit = fit_shape(start, gather, at_least=np.array([0.0, -np.inf]), turn_sigma=held)
+    assert fit.coefficients[0] >= 0.0
+    if found:
+        assert fit.coefficients[0] - fit.coefficients[1] == pytest.approx(0.2, abs=0.02)
+    else:
+        assert fit.coefficients[0] == 0.0

@@ -198,6 +198,8 @@ def test_weak_face_photos_are_said(values: dict, eyes_px: float, lips_px: float,
     told = weaknesses(photos, Proposals({ViewId.FACE_FRONT: portrait(eyes_px, lips_px)}), {})
     assert len(told) == len(words)
     assert all(word in sentence for word, sentence in zip(words, told, strict=True))
+    opened = weaknesses(photos, Proposals({ViewId.FACE_FRONT: portrait(eyes_px, lips_px)}), {}, jaw_rad=0.1)
+    assert not any("smiles" in sentence for sentence in opened), "an open jaw is closed again"
 
 
 def test_a_badly_covered_outline_is_said() -> None:
