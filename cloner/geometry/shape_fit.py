@@ -129,6 +129,7 @@ def fit_shape(
     *,
     prior_sigma: Array | float = 1.0,
     at_least: Array | float = -np.inf,
+    rarity: Array | float = 0.0,
     turn_sigma: Array | None = None,
     zoom_sigma: float = 0.0,
     iterations: int = 10,
@@ -144,6 +145,8 @@ def fit_shape(
         Expected size of the coefficients around zero.
     at_least : float or (F,)
         No coefficient becomes smaller.
+    rarity : float or (F,)
+        Decline of the expected coefficients' logarithm beside the normal prior: for what is mostly absent.
     turn_sigma : (K, 3), optional
         Expected turn of each camera from its start, radians, with heavy tails (Cauchy beyond ``TURN_OUTLIER``);
         infinite where the evidence alone decides.
@@ -158,7 +161,7 @@ def fit_shape(
         size = count + 6 * len(fit.cameras) + 1
         normal, right = np.zeros((size, size)), np.zeros(size)
         normal[:count, :count] += np.diag(prior)
-        right[:count] -= prior * fit.coefficients
+        right[:count] -= prior * fit.coefficients + rarity
         for index in range(len(fit.cameras)):
             turn = slice(count + 6 * index, count + 6 * index + 3)
             held = pull[index] / (1.0 + pull[index] * fit.turned[index] ** 2 / TURN_OUTLIER**2)

@@ -19,7 +19,7 @@ from cloner.geometry.surface import SurfacePoints
 from cloner.head.ears import INSIDE, Spots
 from cloner.head.evidence import Front, Model, Params, Side
 from cloner.head.inside import Together
-from cloner.head.jaw import FRONT, PHOTOS, SIDE
+from cloner.head.jaw import FRONT, PHOTOS, RARITY, SIDE
 from cloner.head.rim import HAIR_M, rim_evidence
 from cloner.records.views import Camera
 
@@ -199,8 +199,9 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
     outlines = [one.outline for one in (front, side) if one is not None]
     before_front, before_side = model.in_photo(FRONT), model.in_photo(SIDE)
     seen = [who for who, one in ((before_front, front), (before_side, side)) if one is not None]
-    at_least = np.full(shapes + drifts, -np.inf)
+    at_least, rarity = np.full(shapes + drifts, -np.inf), np.zeros(shapes + drifts)
     at_least[shapes - len(PHOTOS) : shapes] = 0.0  # a jaw does not close beyond shut
+    rarity[shapes - len(PHOTOS) : shapes] = RARITY
 
     def gather(fit: ShapeFit, iteration: int) -> list[Evidence]:
         found: list[Evidence] = []
@@ -217,7 +218,13 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
 
     begin = ShapeFit(np.zeros(shapes + drifts) if start is None else start, present, np.zeros((len(present), 3)))
     fit = fit_shape(
-        begin, gather, at_least=at_least, turn_sigma=turn_sigma, zoom_sigma=zoom_sigma, iterations=iterations
+        begin,
+        gather,
+        at_least=at_least,
+        rarity=rarity,
+        turn_sigma=turn_sigma,
+        zoom_sigma=zoom_sigma,
+        iterations=iterations,
     )
     front_camera = fit.cameras[0] if front is not None else None
     side_camera = fit.cameras[side_index] if side is not None else None

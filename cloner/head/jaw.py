@@ -21,9 +21,11 @@ JOINT: Final = "temporomandibular"
 #: The photos that have an opening each, in the order of the fit's unknowns.
 PHOTOS: Final = (ViewId.FACE_FRONT, ViewId.FACE_SIDE)
 FRONT, SIDE = range(len(PHOTOS))
-#: Expected opening, radians: a quarter of the people who are asked to look straight ahead part their lips by 4 to 9
-#: degrees (the people kit's photos), the others not at all.
+#: What the fit counts the opening in, and its spread where lips are parted, radians (people kit: 4 to 9 degrees).
 USUAL_RAD: Final = float(np.radians(5.0))
+#: A fifth of people part their lips at all, so that few degrees are rather errors (exponential with the mean of all
+#: people, 1.25 degrees; without it shut mouths of the samples come out open by up to 2.5 degrees).
+RARITY: Final = USUAL_RAD / float(np.radians(1.25))
 #: A smile shows teeth too; a jaw that is open by less did not part the lips, radians.
 PARTED_RAD: Final = float(np.radians(2.5))
 
