@@ -10,11 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.face_grids import Grid, lips_apart
+from cloner.generic.lip_steps import SHARE
 
 Array = NDArray[np.float64]
 
-#: Share of the closing step that every ring takes, from the one farthest inside; the lips' outer border hardly moves.
-SHARE = np.array([0.6, 0.85, 1.0, 1.0, 0.95, 0.75, 0.5, 0.3, 0.15, 0.05, 0.0])
 #: Share of the step that makes one line of the inner edges which the rings behind the margin take.
 SEAL_SHARE = np.array([0.0, 0.5, 1.0])
 #: Closed lips press on each other by this much, metres: not a slit in sight.

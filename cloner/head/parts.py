@@ -8,12 +8,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
+from cloner.generic.lip_steps import SHARE, to_borders
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.eyeballs import BALL_M, Ball, ball_points
 from cloner.geometry.sockets import similarity
 from cloner.head import lids, lips, tongue
 from cloner.head.jaw import PARTED_RAD
 from cloner.records.views import Camera
+from cloner.vision.open_mouth import INNER_LIPS
 
 Array = NDArray[np.float64]
 
@@ -24,9 +26,7 @@ PUPIL_UP_M = 0.0008
 IRIS_REACH_M = 0.002
 #: Angle of the generic ball's iris rim from its gaze, radians (cage.py's ring).
 RIM_ANGLE = float(np.radians(23.0))
-#: Inner borders of the upper and the lower lip in the face net, from the person's right corner to the left; and how far
-#: apart they are when a mouth is open, metres (closed mouths: up to 1.5 mm).
-INNER_LIPS = ((78, 191, 80, 81, 82, 13, 312, 311, 310, 415, 308), (78, 95, 88, 178, 87, 14, 317, 402, 318, 324, 308))
+#: How far apart the lips' inner borders are when a mouth is open, metres (closed mouths: up to 1.5 mm).
 OPEN_M = 0.003
 #: Lips that smile lie closer to the teeth than lips at rest, metres (taste).
 SMILE_M = 0.0025
@@ -97,15 +97,9 @@ def _is_open(grid: Grid, points: Array, sight: Sight) -> bool:
 def _parted(grid: Grid, points: Array, sight: Sight) -> Array:
     """Return the lips' points (K, N, 3) with their inner borders where a photo of an open mouth shows them."""
     metres = sight.camera.metres_per_pixel(points[grid.margin].mean(axis=0))
-    borders = sight.face_px[np.array(INNER_LIPS)]
-    touching = points[grid.margin - 1 : grid.margin + 2]
-    foremost = np.where(grid.upper, touching[..., 1].argmin(axis=0), touching[..., 1].argmax(axis=0))
-    seen = sight.camera.project(touching[foremost, np.arange(len(foremost))])
-    way = np.zeros(len(seen))
-    for lip, border in zip((grid.upper, grid.lower), borders, strict=True):
-        way[lip] = seen[lip, 1] - np.interp(seen[lip, 0], border[:, 0], border[:, 1])
+    seen = sight.camera.project(points.reshape(-1, 3)).reshape(*points.shape[:2], 2)
     out = points.copy()
-    out[:, :, 1] += lips.SHARE[:, None] * metres * way
+    out[:, :, 1] -= SHARE[:, None] * metres * to_borders(grid, seen, sight.face_px[np.array(INNER_LIPS)])
     return out
 
 

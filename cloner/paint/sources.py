@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from cloner.abreast import abreast
 from cloner.frames import ViewId
+from cloner.generic.face_grids import mouth_grid
+from cloner.generic.lip_steps import SHARE, to_borders
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
 from cloner.geometry.seeing import Sight, depth_at
@@ -27,6 +29,7 @@ from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.aligning import outline_shift, sample, shift_points
 from cloner.vision.bare_skin import label_colour
 from cloner.vision.evening import unclipped, unsaturated
+from cloner.vision.open_mouth import own_edges
 from cloner.vision.plates import Plate, prepare_plate
 from cloner.vision.repair import without_room
 from cloner.vision.skin_colour import SkinColour
@@ -215,6 +218,9 @@ def make_source(
     sight = stood.sight
     lookup, gap = align(sight, plate, limits)
     lookup = shift_ear(generic, stood.posed_m, body_triangles(generic), sight, plate.hair, view, lookup)
+    if plate.lips_px is not None:
+        grid = mouth_grid()
+        lookup[grid.rings, 1] += SHARE[:, None] * to_borders(grid, lookup[grid.rings], own_edges(plate.lips_px))
     rim = 2 * int(np.ceil(HAIR_RIM_SHARE * plate.figure_px * stood.hair_m.shape[0] / plate.inside_px.shape[0])) + 1
     hair_m = cv2.erode(stood.hair_m, np.ones((rim, rim), np.uint8), borderValue=np.inf)
     growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1
@@ -289,8 +295,8 @@ def visible_points(
     """Return which of (N,) surface points the photo shows, hair left aside."""
     seen = source.sight.visible(pixel_px, depth_m, cosine) & (cosine > limits.steepest_cosine)
     near = sample(source.plate.inside_px, lookup_px)[:, 0] > -limits.shift_share * source.plate.figure_px
-    open_eye = sample(source.plate.eyes.view(np.uint8), lookup_px)[:, 0] > 0.5
-    return seen & near & ~open_eye
+    opening = sample(source.plate.openings.view(np.uint8), lookup_px)[:, 0] > 0.5
+    return seen & near & ~opening
 
 
 def covered_by_hair(

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.records.labels import OWN, SKINS, Label, shows
+from cloner.vision.open_mouth import open_borders
 from cloner.vision.repair import repair_bleeding
 from cloner.vision.skin_colour import SkinColour
 from cloner.vision.soles import contact_shadow, shaded_floor
@@ -57,8 +58,10 @@ class Plate:
         255 where a pixel shows the person's own: skin, hair, eyes, mouth.
     shares : (float, float) or None
         Red and blue against green of this skin, levels.
-    eyes : (H, W) bool
-        Open eyes: sclera and iris belong to the eyeballs, not to the lids.
+    openings : (H, W) bool
+        Open eyes and mouths: what shows there belongs to eyeballs and teeth, not to lids and lips.
+    lips_px : (2, 11, 2) or None
+        Inner borders of upper and lower lip where they are open, from the person's right to the left.
     brows : (H, W) uint8
         Brows of a frontal face 255, what lies close by 127: two photos never agree about them to the millimetre.
     arms : (H, W) bool
@@ -75,7 +78,8 @@ class Plate:
     bare: NDArray[np.bool_]
     skin: NDArray[np.uint8]
     shares: tuple[float, float] | None
-    eyes: NDArray[np.bool_]
+    openings: NDArray[np.bool_]
+    lips_px: NDArray[np.float64] | None
     brows: NDArray[np.uint8]
     arms: NDArray[np.bool_]
     figure_px: float
@@ -114,10 +118,23 @@ def prepare_plate(
     arms = _arm_zone(*pose, figure, mask.shape) if pose is not None else np.zeros(mask.shape, bool)
     own = shows(labels, *OWN).astype(np.uint8) * 255
     shares = None if skin is None else skin.shares()
-    eyes, brows = _eye_openings(face_px, mask.shape), _brows(face_px, mask.shape)
+    lips = None if face_px is None else open_borders(face_px)
+    openings, brows = _openings(face_px, lips, labels), _brows(face_px, mask.shape)
     # labels end in steps of a pixel: a soft edge keeps them from showing
     return Plate(
-        repaired, blurred, inside, labels, hair, bare, cv2.blur(own, (3, 3)), shares, eyes, brows, arms, figure
+        repaired,
+        blurred,
+        inside,
+        labels,
+        hair,
+        bare,
+        cv2.blur(own, (3, 3)),
+        shares,
+        openings,
+        lips,
+        brows,
+        arms,
+        figure,
     )
 
 
@@ -139,13 +156,21 @@ def _arm_zone(
     return picture > 0
 
 
-def _eye_openings(face_px: NDArray[np.float64] | None, shape: tuple[int, ...]) -> NDArray[np.bool_]:
-    picture = np.zeros(shape, np.uint8)
-    if face_px is not None:
-        for ring in EYE_OPENINGS:
-            polygon = np.rint(face_px[list(ring)]).astype(np.int32)
-            cv2.fillPoly(picture, [polygon], 255)
-            cv2.polylines(picture, [polygon], True, 255, max(1, int(0.03 * np.ptp(polygon[:, 0]))))
+def _openings(
+    face_px: NDArray[np.float64] | None, lips_px: NDArray[np.float64] | None, labels: NDArray[np.uint8]
+) -> NDArray[np.bool_]:
+    """Return (H, W) open eyes with their rims, and what shows between open lips by net and labels."""
+    picture = np.zeros(labels.shape, np.uint8)
+    if face_px is None:
+        return picture > 0
+    if lips_px is not None:  # without a rim: lookups are laid on these borders
+        picture[labels == Label.MOUTH] = 255
+        around = np.concatenate([lips_px[0, 1:-1], lips_px[1, -2:0:-1]])
+        cv2.fillPoly(picture, [np.rint(around).astype(np.int32)], 255)
+    for ring in EYE_OPENINGS:
+        polygon = np.rint(face_px[list(ring)]).astype(np.int32)
+        cv2.fillPoly(picture, [polygon], 255)
+        cv2.polylines(picture, [polygon], True, 255, max(1, int(0.03 * np.ptp(polygon[:, 0]))))
     return picture > 0
 
 

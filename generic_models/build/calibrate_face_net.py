@@ -27,8 +27,8 @@ from cloner.generic.face_grids import mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.surface import SurfacePoints, first_hits, nearest_points
-from cloner.head.parts import INNER_LIPS
 from cloner.records.views import Camera
+from cloner.vision.open_mouth import INNER_LIPS
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "face_net.npz"

@@ -93,6 +93,8 @@ SENTENCES: Final[tuple[str, ...]] = tuple(
         QT_TRANSLATE_NOOP("told", "The formats are %1"),
         QT_TRANSLATE_NOOP("told", "The file cannot be written: %1"),
         QT_TRANSLATE_NOOP("told", "Choose another folder or free some space"),
+        QT_TRANSLATE_NOOP("told", "there is not enough memory: a limit allows %1 GB, a clone needs %2"),
+        QT_TRANSLATE_NOOP("told", "Raise it: ulimit -v %1"),
         QT_TRANSLATE_NOOP("told", "USD needs a library that is not here"),
         QT_TRANSLATE_NOOP("told", "Install it with: %1"),
         QT_TRANSLATE_NOOP("told", "This machine cannot draw: EGL gives no context"),

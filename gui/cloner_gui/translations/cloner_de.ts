@@ -2060,6 +2060,14 @@
         <translation>Wählen Sie einen anderen Ordner oder schaffen Sie Platz</translation>
     </message>
     <message>
+        <source>there is not enough memory: a limit allows %1 GB, a clone needs %2</source>
+        <translation>Es gibt nicht genug Speicher: Eine Grenze erlaubt %1 GB, ein Klon braucht %2</translation>
+    </message>
+    <message>
+        <source>Raise it: ulimit -v %1</source>
+        <translation>Heben Sie sie an: ulimit -v %1</translation>
+    </message>
+    <message>
         <source>USD needs a library that is not here</source>
         <translation>USD braucht eine Bibliothek, die hier fehlt</translation>
     </message>

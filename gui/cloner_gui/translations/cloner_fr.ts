@@ -2060,6 +2060,14 @@
         <translation>Choisissez un autre dossier ou libérez de la place</translation>
     </message>
     <message>
+        <source>there is not enough memory: a limit allows %1 GB, a clone needs %2</source>
+        <translation>La mémoire ne suffit pas : une limite permet %1 Go, un clone en demande %2</translation>
+    </message>
+    <message>
+        <source>Raise it: ulimit -v %1</source>
+        <translation>Relevez-la : ulimit -v %1</translation>
+    </message>
+    <message>
         <source>USD needs a library that is not here</source>
         <translation>USD a besoin d’une bibliothèque absente ici</translation>
     </message>

@@ -2059,6 +2059,14 @@
         <translation>Başka bir klasör seçin veya yer açın</translation>
     </message>
     <message>
+        <source>there is not enough memory: a limit allows %1 GB, a clone needs %2</source>
+        <translation>Bellek yetmiyor: bir sınır %1 GB’a izin veriyor, bir klon için %2 gerekiyor</translation>
+    </message>
+    <message>
+        <source>Raise it: ulimit -v %1</source>
+        <translation>Sınırı yükseltin: ulimit -v %1</translation>
+    </message>
+    <message>
         <source>USD needs a library that is not here</source>
         <translation>USD burada olmayan bir kitaplık gerektirir</translation>
     </message>

@@ -12,10 +12,11 @@ from cloner.evaluate.baselines import generic_clone
 from cloner.generic.face_grids import eye_grid, eyeball, mouth_grid
 from cloner.generic.load import load_generic
 from cloner.geometry.viewpoints import look_at
-from cloner.head.parts import INNER_LIPS, Sight, seat_parts
+from cloner.head.parts import Sight, seat_parts
 from cloner.head.targets import face_targets
 from cloner.motion.limits import limited
 from cloner.records.views import Camera
+from cloner.vision.open_mouth import INNER_LIPS
 from kit.scripts import script
 
 SEEDS = (2, 7)

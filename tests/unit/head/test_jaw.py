@@ -15,9 +15,9 @@ from cloner.head.ears import Spots
 from cloner.head.evidence import Front, Model, Params, make_model
 from cloner.head.fit import fit_basis
 from cloner.head.jaw import JOINT, jaw_in, jaw_rotations, opened
-from cloner.head.parts import INNER_LIPS
 from cloner.records.bodies import Phenotype
 from cloner.records.views import Camera
+from cloner.vision.open_mouth import INNER_LIPS
 
 Array = NDArray[np.float64]
 

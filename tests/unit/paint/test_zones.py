@@ -21,7 +21,7 @@ def side_plate(bare: np.ndarray) -> Plate:
     far = np.full((SIZE, SIZE), 100.0, np.float32)
     labels = bare.astype(np.uint8)
     grey = levels[..., 0]
-    return Plate(levels, levels, far, labels, nothing, bare, grey, None, nothing, grey, nothing, 900.0)
+    return Plate(levels, levels, far, labels, nothing, bare, grey, None, nothing, None, grey, nothing, 900.0)
 
 
 @pytest.fixture(scope="module")
