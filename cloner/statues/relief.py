@@ -64,7 +64,7 @@ def detail(rgb: NDArray[np.uint8], covered: NDArray[np.bool_]) -> Values:
     inside = covered.astype(np.float32)
     tone = cv2.GaussianBlur(light * inside, (0, 0), max(WIDE * scale, 1.0))
     tone /= np.maximum(cv2.GaussianBlur(inside, (0, 0), max(WIDE * scale, 1.0)), 1e-3)
-    return np.asarray(np.tanh((fine - tone) / MOST) * inside, np.float32)
+    return np.asarray(np.tanh((fine - tone) / MOST), np.float32)  # a padded texture has no rims at its charts' ends
 
 
 def raked(height: Values, atlas: AtlasMap, uv: Array, uv_triangles: NDArray[np.int32], vertices_m: Array) -> Values:
