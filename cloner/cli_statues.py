@@ -73,6 +73,40 @@ def _photo(
         typer.echo(line)
 
 
+@statues.command("blobs")
+def _blobs(
+    clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
+    out: Annotated[Path, typer.Option("--out", help="The .json file to write, to be edited.")],
+) -> None:
+    """Write the metaballs that make a clone's body."""
+    from cloner.statues.blob_bodies import blobs_file
+
+    typer.echo(blobs_file(clone_path, out))
+    typer.echo(str(out))
+
+
+@statues.command("body")
+def _body(
+    blobs: Annotated[Path, typer.Argument(metavar="BLOBS", help="Metaballs on the skeleton (.json).")],
+    out: OutOption,
+    identifier: Annotated[str, typer.Option("--id", help="Name of the result's folder.")],
+    onto: Annotated[Path | None, typer.Option("--onto", help="Whose head, hands and feet; else the usual man.")] = None,
+    material: Annotated[str, typer.Option("--material", help="Then cut in stone, clay, bronze or marble.")] = "",
+    formats: FormatOption = "glb,wrl",
+    size: Annotated[int, typer.Option("--size", help="Side of the texture of the usual man, texels.")] = 2048,
+) -> None:
+    """Make a body of metaballs; head, hands and feet stay attached, and it is rigged."""
+    from cloner.statues.blob_bodies import blob_folder
+
+    with ProgressLine() as progress:
+        folder, lines = blob_folder(
+            blobs, out, identifier, onto=onto, material=material, formats=_names(formats), texture_size=size,
+            progress=progress,
+        )  # fmt: skip
+    for line in (*lines, str(folder)):
+        typer.echo(line)
+
+
 def _names(formats: str) -> tuple[str, ...]:
     """Return the names in a list with commas, each once."""
     return tuple(dict.fromkeys(name.strip().lower() for name in formats.split(",") if name.strip()))
