@@ -151,7 +151,8 @@ def _blob(one: Any, number: int, where: str) -> Blob:
     known = load_generic().joint_names
     for joint in ends:
         if joint not in known:
-            raise ClonerError(f"the blob {name!r} hangs on {joint!r}, which is no joint", "Joints are H-Anim's", where)
+            message = f"the blob {name!r} hangs on {str(joint)[:40]!r}, which is no joint"
+            raise ClonerError(message, "Joints have H-Anim's names", where)
     radius = _numbers(one["radius_m"], len(ends), 0.001, THICKEST_M, f"radius of {name!r}", where)
     offs = one.get("off_m", [[0.0, 0.0, 0.0]] * len(ends))
     if not isinstance(offs, list) or len(offs) != len(ends):

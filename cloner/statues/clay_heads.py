@@ -27,7 +27,7 @@ Index = NDArray[np.int32]
 MIDDLE: Final = 1e-6
 #: Rings and sectors of a sphere: a vertex every 5 mm on a head.
 RINGS, SECTORS = 72, 96
-#: Width, height and depth of an egg against its sphere's; of 10 cm they make a head 14 cm wide, 22 high and 19 deep: the
+#: Width, height and depth of an egg against its sphere's; 10 cm make a head 14 cm wide, 22 high and 19 deep, as is the
 #: generic human's without its nose.
 EGG: Final = (0.75, 1.1, 0.98)
 #: An egg is narrower below: by this share of its width at the chin.

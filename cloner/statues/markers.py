@@ -54,7 +54,7 @@ class Markers:
         for one in self.at:
             if isinstance(one, str) and one not in points:
                 hint = "Names are the feature points of a clone's report" if named else "Give vertices by number"
-                raise ClonerError(f"the marker {one!r} is not known", hint, "--markers")
+                raise ClonerError(f"the marker {one[:40]!r} is not known", hint, "--markers")
         return np.array([one if isinstance(one, int) else points[one] for one in self.at], np.int32)
 
 

@@ -70,6 +70,8 @@ def _corner(text: str, places: int, uv: int) -> tuple[int, int]:
     """Return the rows of a corner's vertex and texture coordinate, -1 for none; negative numbers count from the end."""
     parts = text.split("/")
     vertex, flat = int(parts[0]), int(parts[1]) if len(parts) > 1 and parts[1] else 0
+    if max(abs(vertex), abs(flat)) > LARGEST_BYTES:
+        raise ValueError("no file has so many lines")
     return (vertex - 1 if vertex > 0 else places + vertex), (flat - 1 if flat >= 0 else uv + flat)
 
 

@@ -74,6 +74,7 @@ def test_a_texture_is_wrapped_without_a_tear() -> None:
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "flat"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 9\n", "not there"),
         ("v 0 0 zero\n", "none of OBJ's"),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 99999999999999999999\n", "none of OBJ's"),
         ("v 0 0 nan\nv 1 0 0\nv 0 1 1\nf 1 2 3\n", "no numbers"),
         ("v 0 0\nv 1 0 0\nv 0 1 1\nf 1 2 3\n", "no surface"),
     ],
