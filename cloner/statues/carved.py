@@ -54,7 +54,7 @@ class Charts:
 
 
 def statue_of(clone: Clone, material: str) -> Clone:
-    """Return the clone made of one material: skin, clothes, hair and eyes.
+    """Return the clone, or statue, made of one material: skin, clothes, hair and eyes.
 
     Parameters
     ----------
@@ -79,7 +79,7 @@ def statue_of(clone: Clone, material: str) -> Clone:
     hollow = np.where(body, hollows(clone.vertices_m, triangles.astype(np.int32)), 0.0)
     hollow[generic.region("mouth_interior")] = 1.0
     rgb, shine = _cut(block, material, charts, hollow, body.astype(np.float64), _light(generic, clone, charts.atlas))
-    carved = carved_eyes(generic, clone)
+    carved = clone if clone.atlas.shine.size else carved_eyes(generic, clone)  # a statue's eyes are drilled already
     covered = charts.atlas.covered()
     small = cv2.resize(pad_charts(shine, covered), (min(size, SHINE_PX),) * 2, interpolation=cv2.INTER_AREA)
     return replace(

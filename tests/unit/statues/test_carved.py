@@ -9,6 +9,7 @@ import numpy as np
 import pygltflib
 import pytest
 
+from cloner.bodies.undressed import undressed_clone
 from cloner.crowd.cast import cast_of
 from cloner.crowd.groups import WORN
 from cloner.crowd.levels import body_levels
@@ -156,6 +157,15 @@ def test_a_crowd_dyes_no_statue(person: Clone) -> None:
     clone = statue_of(person, "clay")
     cast = cast_of("clay", centred(clone), body_levels(), poses=8)
     assert not set(cast.looks) & set(WORN)
+
+
+def test_a_statue_may_be_cut_anew_but_not_undressed(person: Clone) -> None:
+    stone = statue_of(person, "stone")
+    bronze = statue_of(stone, "bronze")
+    assert np.array_equal(bronze.vertices_m, stone.vertices_m)  # pupils are not drilled twice
+    assert bronze.atlas.shine[..., 2].max() == 255
+    with pytest.raises(ClonerError, match="statue"):
+        undressed_clone(stone, "f")
 
 
 def test_an_unknown_material_is_refused(person: Clone) -> None:
