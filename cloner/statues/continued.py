@@ -39,6 +39,8 @@ TRUSTED: Final = (0.5, 0.9)
 #: The tone of the nearest seen place pulls so much beside a seen vertex itself, and edges' stiffness: borders of what
 #: meets behind are soft.
 NEAREST, STIFF = 0.2, 3.0
+#: So many rings at the rim of a kind say nothing of what goes on in it.
+RIM: Final = 2
 #: A vertex counts as seen from this weight on.
 SEEN: Final = 0.5
 #: Rounds of the cut between thing and background.
@@ -198,10 +200,13 @@ def _vertex_tones(sight: _Sight, mesh: Mesh, vertices_m: Array, normals: Array, 
 
 
 def _carried(mesh: Mesh, vertices_m: Array, colours: Array, seen: Array) -> Array:
-    """Return (V, 3) levels: seen ones carried on over the surface, from the nearest; other pieces get the usual one."""
+    """Return (V, 3) levels: seen ones carried on from the nearest of their kind; other pieces get the usual one."""
     sure = seen >= SEEN
     usual = np.median(colours[sure], axis=0) if sure.any() else np.full(3, 128.0)
-    graph = surface_graph(vertices_m, mesh.triangles)
-    nearest = graph.nearest(sure)
-    values = np.where(sure[nearest, None], colours[nearest], usual)
+    graph, kind = surface_graph(vertices_m, mesh.triangles), np.resize(mesh.kind, len(vertices_m))
+    values = np.tile(usual, (len(vertices_m), 1))
+    for one in np.unique(kind):
+        known = sure & (graph.smooth((kind == one).astype(np.float64), RIM) > 0.999)  # its rim is mixed with others
+        nearest = graph.nearest(known if known.any() else sure)[kind == one]
+        values[kind == one] = np.where(sure[nearest, None], colours[nearest], usual)
     return np.asarray(np.exp(graph.fill(np.log(values + 1.0), np.where(sure, seen, NEAREST), STIFF)) - 1.0)

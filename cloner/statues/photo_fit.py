@@ -56,6 +56,8 @@ class Mesh:
     uv_triangles : (T, 3) int32
     mirror : (V,) int32
         Each vertex's twin on the other side; empty where nobody knows.
+    kind : (V,) int32
+        Parts whose colours go on in themselves, such as a scalp; empty for one.
     """
 
     vertices_m: Array
@@ -63,6 +65,7 @@ class Mesh:
     uv: Array
     uv_triangles: Index
     mirror: Index = field(default_factory=lambda: np.zeros(0, np.int32))
+    kind: Index = field(default_factory=lambda: np.zeros(0, np.int32))
 
     def __post_init__(self) -> None:
         freeze(
@@ -72,6 +75,7 @@ class Mesh:
             uv=(np.float64, (None, 2)),
             uv_triangles=(np.int32, (len(self.triangles), 3)),
             mirror=(np.int32, (None,)),
+            kind=(np.int32, (None,)),
         )
 
 

@@ -55,6 +55,7 @@ def mesh_of(clone: Clone) -> Mesh:
         generic.uv.astype(np.float64),
         uv_triangles.astype(np.int32),
         generic.mirror.astype(np.int32),
+        generic.region("scalp").astype(np.int32),
     )
 
 

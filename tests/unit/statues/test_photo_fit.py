@@ -135,6 +135,27 @@ def test_the_texture_is_the_photo_where_it_is_seen_and_goes_on_behind(sitter, fi
     assert (laid.rgb.reshape(-1, 3)[atlas.texel].max(axis=1) > 0).all()
 
 
+def test_hair_goes_on_as_hair_and_skin_as_skin(vertex) -> None:
+    generic, clone = load_generic(), toy_clone(hair=False)
+    size = len(clone.atlas.rgb)
+    atlas = generic_atlas(generic, size)
+    scalp = generic.region("scalp")[atlas.triangles].all(axis=1)
+    rgb = clone.atlas.rgb.copy()
+    rgb.reshape(-1, 3)[atlas.texel[atlas.rows_of(scalp)]] = (40, 30, 25)
+    person = replace(clone, atlas=replace(clone.atlas, rgb=rgb))
+    head = person.vertices_m[generic.vertex_segment == generic.segment_names.index("head")]
+    camera = framing_camera(head, 0.0, WIDE, HIGH)
+    photo = draw(clone_layers(person), camera, background=MAGENTA)
+    markers = camera.project(person.vertices_m[vertex])
+    laid = fit_photo(mesh_of(clone), vertex, markers, photo, focal_px=camera.focal_px, size=size).laid
+    behind = scalp & (generic.vertices_m[atlas.triangles][..., 2] < -0.05).all(axis=1)
+    texels = atlas.texel[atlas.rows_of(behind)]
+    assert (laid.seen.reshape(-1)[texels] == 0).all()
+    assert (
+        np.abs(np.median(laid.rgb.reshape(-1, 3)[texels], axis=0) - (40, 30, 25)).max() < 25.0
+    )  # skin is 174 levels away
+
+
 def test_the_same_photo_gives_the_same_texture(sitter, fitted, vertex) -> None:
     person, camera, photo = sitter
     markers = camera.project(person.vertices_m[vertex])
