@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 import cloner
+from cloner.cli_statues import statues
 from cloner.errors import ClonerError, plain
 from cloner.terminal import EXIT_CANCELLED, EXIT_INPUT, EXIT_SOME_FAILED, ProgressLine, ended
 
@@ -252,6 +253,9 @@ def _dress(
         )
     for line in lines:
         typer.echo(line)
+
+
+app.add_typer(statues, name="statue")
 
 
 @app.command("crowd")

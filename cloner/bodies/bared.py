@@ -53,7 +53,10 @@ def bared(clone: Clone, bare: Flags, sex: str, rng: np.random.Generator) -> Text
     rows = np.flatnonzero(share[:, 0] < 1.0)
     texels = rgb.reshape(-1, 3)[atlas.texel].astype(np.float32)
     places = atlas.interpolate(generic.vertices_m.astype(np.float64), rows)
-    gain = _grain(rgb, atlas, rows, bare & (generic.head_blend < NAPE), rng) + UNEVEN * grain(places, rng)[:, None]
+    gain = (
+        grain_by_example(rgb, atlas, rows, bare & (generic.head_blend < NAPE), rng)
+        + UNEVEN * grain(places, rng)[:, None]
+    )
     painted = atlas.interpolate(_tone(generic, clone, graph, bare), rows) * np.exp(gain)
     texels[rows] = share[rows] * texels[rows] + (1.0 - share[rows]) * painted
     draw_underwear(texels, generic, sex, atlas)
@@ -74,10 +77,10 @@ def _tone(generic: GenericHuman, clone: Clone, graph: SurfaceGraph, bare: Flags)
     return np.asarray(np.exp(carried) - 1.0)
 
 
-def _grain(
+def grain_by_example(
     rgb: NDArray[np.uint8], atlas: AtlasMap, rows: NDArray[np.int64], bare: Flags, rng: np.random.Generator
 ) -> NDArray[np.float32]:
-    """Return (N, 3) logarithmic gains of N rows of the atlas, made by example of a patch of the person's own skin.
+    """Return (N, 3) logarithmic gains of N rows of the atlas, made by example of a patch of what is bare, (V,).
 
     Three random cuts of the patch overlap at every texel, weighted so that their spread stays the patch's.
 

@@ -100,6 +100,10 @@ def undressed_clone(clone: Clone, sex: str, seed: int = 0) -> Clone:
     if not clone.consent:
         hint = 'Write consent = "..." into person.toml and clone again'
         raise ClonerError("no consent to being shown is recorded", hint, "clone.npz")
+    if clone.atlas.shine.size:
+        raise ClonerError(
+            "a statue has no clothes to take off", "Undress the clone, then make a statue of it", "clone.npz"
+        )
     if clone.stature_m < SHORTEST_M:
         hint = f"Clones from {100 * SHORTEST_M:.0f} cm on can be"
         raise ClonerError(f"a clone of {100 * clone.stature_m:.0f} cm may be a child's and is not undressed", hint, "")

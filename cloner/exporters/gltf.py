@@ -28,7 +28,7 @@ from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
-from cloner.exporters.roughness import roughness_map
+from cloner.exporters.roughness import roughness_map, shell_shine
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import moved_wedges
 from cloner.generic.surfaces import load_surfaces, surface_normals
@@ -44,6 +44,7 @@ Array = NDArray[np.float64]
 #: Smaller offsets of a morph target cannot be seen, metres; taste.
 SMALLEST_OFFSET_M: Final = 2e-5
 _ROUGHNESS: Final = {"body": 0.85, "eyes": 0.25, "mouth": 0.45, "lashes": 0.9}  # taste; wet things shine
+_LOOSE: Final = 0.9  # roughness of hair and loose cloth; taste
 _HAIR_CUTOFF: Final = 0.4  # taste: strands stay closed when seen from afar
 _REPEAT, _LINEAR, _TRILINEAR = 10497, 9729, 9987  # the numbers GL gives them
 
@@ -194,13 +195,17 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> Any:
             )
         )
     for number, shell in enumerate(shell for shell in clone.shells if len(shell.rides)):
-        primitives.append(_shell(gltf, buffer, bones, shell, number))
+        primitives.append(_shell(gltf, buffer, bones, shell, number, shell_shine(clone, _LOOSE)))
         primitives[-1].targets = _targets(buffer, clone, shell.rides)
     if len(clone.triangle_regions):
-        # The skin's own material, the first: skin, cloth and shoes shine each in their way.
+        # The skin's own material, the first: skin, cloth and shoes shine each in their way. A statue is all of a piece.
         rough = _texture(gltf, buffer, png_bytes(roughness_map(clone)), "image/png", "roughness")
-        look = gltf.materials[primitives[0].material].pbrMetallicRoughness
-        look.metallicRoughnessTexture, look.roughnessFactor = pygltflib.TextureInfo(index=rough), 1.0
+        whole = bool(clone.atlas.shine.size)
+        for surface, primitive in zip(load_surfaces(), primitives, strict=False):
+            if surface.name == "body" or (whole and surface.rgba is None):
+                look = gltf.materials[primitive.material].pbrMetallicRoughness
+                look.metallicRoughnessTexture, look.roughnessFactor = pygltflib.TextureInfo(index=rough), 1.0
+                look.metallicFactor = 1.0 if whole else 0.0
     mesh = pygltflib.Mesh(name="Body", primitives=primitives)
     if clone.morph_names:
         mesh.extras = {"targetNames": list(clone.morph_names)}
@@ -226,11 +231,14 @@ def _loose(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, kind: str)
     if not shells:
         return None
     return pygltflib.Mesh(
-        name=kind.capitalize(), primitives=[_shell(gltf, buffer, bones, shell, k) for k, shell in enumerate(shells)]
+        name=kind.capitalize(),
+        primitives=[
+            _shell(gltf, buffer, bones, shell, k, shell_shine(clone, _LOOSE)) for k, shell in enumerate(shells)
+        ],
     )
 
 
-def _shell(gltf: Any, buffer: GltfBuffer, bones: Bones, shell: Shell, number: int) -> Any:
+def _shell(gltf: Any, buffer: GltfBuffer, bones: Bones, shell: Shell, number: int, shine: tuple[float, float]) -> Any:
     name = shell.kind if number == 0 else f"{shell.kind}_{number}"
     texture = _texture(gltf, buffer, png_bytes(shell.rgba), "image/png", name)
     normals = welded_normals(shell.vertices_m, shell.triangles)
@@ -239,7 +247,7 @@ def _shell(gltf: Any, buffer: GltfBuffer, bones: Bones, shell: Shell, number: in
     return pygltflib.Primitive(
         attributes=attributes,
         indices=buffer.indices(shell.triangles),
-        material=_material(gltf, name, texture, "MASK", 0.9),
+        material=_material(gltf, name, texture, "MASK", *shine),
     )
 
 
@@ -267,11 +275,11 @@ def _texture(gltf: Any, buffer: GltfBuffer, data: bytes, kind: str, name: str) -
     return len(gltf.textures) - 1
 
 
-def _material(gltf: Any, name: str, texture: int, mode: str, roughness: float) -> int:
+def _material(gltf: Any, name: str, texture: int, mode: str, roughness: float, metal: float = 0.0) -> int:
     material = pygltflib.Material(
         name=name,
         pbrMetallicRoughness=pygltflib.PbrMetallicRoughness(
-            baseColorTexture=pygltflib.TextureInfo(index=texture), metallicFactor=0.0, roughnessFactor=roughness
+            baseColorTexture=pygltflib.TextureInfo(index=texture), metallicFactor=metal, roughnessFactor=roughness
         ),
         alphaMode=mode,
         doubleSided=mode != "OPAQUE",

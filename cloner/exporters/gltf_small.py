@@ -26,7 +26,7 @@ from cloner.exporters.gltf import build
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_packed import pack
 from cloner.motion.rig import centred
-from cloner.records.clones import Clone, TextureAtlas
+from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 
 Array = NDArray[np.float64]
@@ -168,7 +168,7 @@ def _webp(data: bytes) -> bytes:
 
 
 def _with_half_pictures(clone: Clone) -> Clone:
-    atlas = TextureAtlas(halved(clone.atlas.rgb), halved(clone.atlas.coverage))
+    atlas = replace(clone.atlas, rgb=halved(clone.atlas.rgb), coverage=halved(clone.atlas.coverage))
     return replace(clone, atlas=atlas, shells=tuple(_half_shell(shell) for shell in clone.shells))
 
 

@@ -24,12 +24,16 @@ SIZE: Final = 512  # regions are as coarse as the triangles
 
 
 def roughness_map(clone: Clone) -> NDArray[np.uint8]:
-    """Return (SIZE, SIZE, 3) glTF metallic-roughness texels of a clone's atlas: green is roughness, nothing is metal.
+    """Return (SIZE, SIZE, 3) glTF metallic-roughness texels of a clone's atlas: green is roughness, blue is metal.
+
+    People are nowhere metal; an atlas that has a shine of its own gives that, in its size.
 
     References
     ----------
     Khronos Group 2021, glTF 2.0 specification, section 3.9.2.
     """
+    if clone.atlas.shine.size:
+        return clone.atlas.shine
     generic = load_generic()
     table = np.full(256, ELSEWHERE)
     table[: len(REGIONS)] = [ROUGHNESS[name] for name in REGIONS]
@@ -40,3 +44,11 @@ def roughness_map(clone: Clone) -> NDArray[np.uint8]:
     texels = np.zeros((SIZE, SIZE, 3), np.uint8)
     texels[..., 1] = np.rint(255.0 * rough)
     return texels
+
+
+def shell_shine(clone: Clone, usual: float) -> tuple[float, float]:
+    """Return roughness (the usual one of hair and cloth) and metal, 0..1, of shells; a statue's as most of it is."""
+    if not clone.atlas.shine.size:
+        return usual, 0.0
+    rough, metal = (float(np.median(clone.atlas.shine[..., k])) / 255.0 for k in (1, 2))
+    return rough, metal

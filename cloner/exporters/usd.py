@@ -29,7 +29,7 @@ from cloner.exporters.files import png_bytes, write_bytes
 from cloner.exporters.gltf_motion import quaternions
 from cloner.exporters.hanim_names import identifier, node_name
 from cloner.exporters.pictures import picture_bytes
-from cloner.exporters.roughness import roughness_map
+from cloner.exporters.roughness import roughness_map, shell_shine
 from cloner.exporters.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import moved_wedges
@@ -231,14 +231,18 @@ def _material(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh) -> Any:
     st = reader.CreateOutput("result", kinds.Float2)
     _picture(pxr, picture, mesh.picture, "sRGB", st)
     surface.CreateIdAttr("UsdPreviewSurface")
-    rough = surface.CreateInput("roughness", kinds.Float)
+    rough, metal = surface.CreateInput("roughness", kinds.Float), surface.CreateInput("metallic", kinds.Float)
     if mesh.picture.endswith(_ATLAS) and len(clone.triangle_regions):
         map_ = pxr.UsdShade.Shader.Define(stage, f"{place}/roughness")
         _picture(pxr, map_, mesh.picture.removesuffix(_ATLAS) + _ROUGH, "raw", st)
         rough.ConnectToSource(map_.CreateOutput("g", kinds.Float))
+        if clone.atlas.shine.size:
+            metal.ConnectToSource(map_.CreateOutput("b", kinds.Float))
+        else:
+            metal.Set(0.0)
     else:
-        rough.Set(0.85)
-    surface.CreateInput("metallic", kinds.Float).Set(0.0)
+        for value, told in zip((rough, metal), shell_shine(clone, 0.85), strict=True):
+            value.Set(told)
     surface.CreateInput("diffuseColor", kinds.Color3f).ConnectToSource(picture.CreateOutput("rgb", kinds.Float3))
     if mesh.two_sided:
         surface.CreateInput("opacity", kinds.Float).ConnectToSource(picture.CreateOutput("a", kinds.Float))

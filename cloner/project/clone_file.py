@@ -18,7 +18,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.project.archives import BROKEN, opened
 from cloner.records.bodies import PosedView
-from cloner.records.clones import Clone, TextureAtlas
+from cloner.records.clones import NO_SHINE, Clone, TextureAtlas
 from cloner.records.heads import NO_RIDES, Shell
 from cloner.records.terms import LICENCES, LONGEST_TERM, Terms
 from cloner.records.views import Camera
@@ -47,6 +47,8 @@ def save_clone(clone: Clone, path: Path) -> None:
     arrays: dict[str, NDArray[Any]] = {name: getattr(clone, name) for name in _PLAIN}
     arrays["atlas_rgb_png"] = _packed(clone.atlas.rgb)
     arrays["atlas_coverage_png"] = _packed(clone.atlas.coverage)
+    if clone.atlas.shine.size:
+        arrays["atlas_shine_png"] = _packed(clone.atlas.shine)
     for number, shell in enumerate(clone.shells):
         arrays |= {f"shell_{number}_{name}": getattr(shell, name) for name in _SHELL}
         arrays[f"shell_{number}_rgba_png"] = _packed(shell.rgba)
@@ -115,7 +117,7 @@ def _clone(arrays: dict[str, NDArray[Any]], facts: dict[str, Any]) -> Clone:
     return Clone(
         **{name: arrays[name] for name in _PLAIN},
         morph_names=tuple(facts["morph_names"]),
-        atlas=TextureAtlas(_unpacked(arrays["atlas_rgb_png"]), _unpacked(arrays["atlas_coverage_png"])),
+        atlas=_atlas(arrays),
         shells=shells,
         features_m=dict(zip(facts["feature_names"], arrays["features_m"], strict=True)),
         views=views,
@@ -159,6 +161,12 @@ def _check_fits(clone: Clone) -> None:
 
 def _within(index: NDArray[np.integer], count: int) -> bool:
     return not index.size or (int(index.min()) >= 0 and int(index.max()) < count)
+
+
+def _atlas(arrays: dict[str, NDArray[Any]]) -> TextureAtlas:
+    """Return the atlas of the file's arrays; only statues have a shine of their own."""
+    shine = _unpacked(arrays["atlas_shine_png"]) if "atlas_shine_png" in arrays else NO_SHINE
+    return TextureAtlas(_unpacked(arrays["atlas_rgb_png"]), _unpacked(arrays["atlas_coverage_png"]), shine)
 
 
 def _shell(arrays: dict[str, NDArray[Any]], number: int, kind: str) -> Shell:

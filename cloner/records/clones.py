@@ -15,6 +15,9 @@ from cloner.records.bodies import PosedView
 from cloner.records.heads import Shell
 from cloner.records.terms import Terms
 
+#: The shine of a person's atlas: their regions say it.
+NO_SHINE = np.zeros((0, 0, 3), np.uint8)
+
 
 def _freeze_person(person: Joined | Clone) -> None:
     """Check and freeze the arrays and mappings that a joined and a finished person share."""
@@ -39,13 +42,19 @@ class TextureAtlas:
     rgb : (S, S, 3) uint8, sRGB
     coverage : (S, S) uint8
         255 where a photo saw the texel well, 0 where the colour was filled in.
+    shine : (M, M, 3) uint8
+        How the surface takes light as glTF has it, on the same charts: green is roughness, blue how much is metal.
+        Empty where the regions say it: people.
     """
 
     rgb: NDArray[np.uint8]
     coverage: NDArray[np.uint8]
+    shine: NDArray[np.uint8] = field(default_factory=lambda: NO_SHINE)
 
     def __post_init__(self) -> None:
-        freeze(self, rgb=(np.uint8, (None, None, 3)), coverage=(np.uint8, (None, None)))
+        freeze(
+            self, rgb=(np.uint8, (None, None, 3)), coverage=(np.uint8, (None, None)), shine=(np.uint8, (None, None, 3))
+        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -13,6 +13,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from PIL import features
 
 from cloner.booth.event import Event, read_event, write_event
@@ -35,6 +36,9 @@ from cloner.project.results import foreign_files
 from cloner.project.stamps import why_not_current
 from cloner.project.values_file import load_values, save_values
 from cloner.records.points import Correction, Corrections
+from cloner.statues.blobs import field_of, read_blobs
+from cloner.statues.markers import read_markers
+from cloner.statues.obj_files import read_obj
 from cloner.vision.pictures import read_picture
 from hostile import cases_motion, cases_photos
 from kit.clones import toy_clone
@@ -83,9 +87,26 @@ AMC = b":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 1 0 0 0 0\nlowerback 1 2 3\n2\nroo
 SCORE = b'[[emotion]]\nexpression = "joy"\nstart = 0.5\nattack = 0.2\nstrength = 0.7\n[[head]]\nexpression = "nod"\n'
 VISIT = b'{"name": "Anna", "state": "cloned"}'
 LOOKS = b'{"ab": {"view": "body_front", "troubles": []}}'
+MARKERS = b'{"format": 1, "markers": [{"at": "nose_tip", "px": [612, 800.5]}, {"at": 5130, "px": [5e2, 7]}]}'
+BLOBS = b"""{"format": 1, "made_by": "Cloner", "blobs": [{"name": "l", "from": "l_hip", "to": "l_knee",
+"radius_m": [0.09, 0.06], "off_m": [[0, 0, 0], [0, 0, 0.01]], "wide": [1, 1, 1.1]},
+{"from": "vl3", "radius_m": [0.14]}]}"""
+OBJ = b"""# a lump
+v 0 0 0
+v 1 0 0
+v 1 1 0
+v 0 1 1
+vt 0 0
+vt 1 0
+vt 1 1
+f 1/1 2/2 3/3 -1/1
+f 1 3 2
+f 1//1 4//1 3//1
+"""
 REPORT = b'{"stamp": {"cloner": "0.1.0", "photos": {"body_front": "ab"}}, "outputs": {"clone.npz": "cd"}}'
 NEWER = b"""{"format": 3, "stamp": {"photos": {"body_front": "ab"}, "beside": {"person.toml": "ef"}}, "source": "01",
 "outputs": {"clone.npz": "cd", "previews/face.jpg": "cd"}}"""
+_JOINTS = np.zeros((94, 3))
 TRACES = Traces({"ab": 3, "cd": None}, ("zacharias",), ("0123456789abcdef",))
 
 
@@ -220,6 +241,9 @@ TARGETS: Mapping[str, Target] = {
     "pack": Target("pack.zip", lambda: (pack_bytes(),), lambda path: tells(path, TRACES)),
     "manifest": Target("report.json", lambda: (REPORT, NEWER), lambda path: foreign_files(path.parent)),
     "photo": Target("body_front.jpg", pictures, read_picture),
+    "markers": Target("markers.json", lambda: (MARKERS,), lambda path: read_markers(path).vertices(named=True)),
+    "blobs": Target("blobs.json", lambda: (BLOBS,), lambda path: field_of(read_blobs(path), _JOINTS).at(_JOINTS)),
+    "obj": Target("mesh.obj", lambda: (OBJ,), read_obj),
     "clone": Target("clone.npz", lambda: (clone_bytes(),), load_clone),
 }  # fmt: skip
 
