@@ -266,12 +266,13 @@ def _crowd(
     scene: Annotated[str, typer.Option("--scene", help="walk, plaza or stadium.")] = "plaza",
     vat: Annotated[bool, typer.Option("--vat", help="Vertex animation textures for engines too.")] = False,
     walks: Annotated[list[Path] | None, typer.Option("--walk", help="A captured walk (.bvh, .amc) more.")] = None,
+    feelings: Annotated[bool, typer.Option("--feelings", help="Walks of feelings and acts, for behave bake.")] = False,
     classic: Annotated[bool, typer.Option("--classic", help="Impostors of the plain kind, to compare with.")] = False,
 ) -> None:
     """Make a crowd of finished clones: a page for browsers, levels and impostors for engines."""
     from cloner.crowd.pack import Wanted, make_pack, rings_of
 
-    wanted = Wanted(people, views, poses, rings_of(rings), looks, scene, vat, tuple(walks or ()), classic)
+    wanted = Wanted(people, views, poses, rings_of(rings), looks, scene, vat, tuple(walks or ()), feelings, classic)
     make_pack(results, out, wanted, lambda name, k, n: typer.echo(f"{k}/{n} {name}", err=True))
     typer.echo(str(out / "player.html"))
 

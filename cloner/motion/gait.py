@@ -83,8 +83,12 @@ def walk(body: Body, style: Style = REGULAR) -> Motion:
     name = "walk" if style is REGULAR else f"walk_{style.name}"
     motion = Motion(name, times, root, rotations, cyclic=True)
     motion = _evenly_high(grounded(body, motion))
-    stands = tuple(np.mod(own + 1e-9, 1.0) < STANCE for own in (phase, phase + 0.5))
-    return planted(body, replace(motion, speed_m_s=_ground_speed(body, motion)), (stands[0], stands[1]))
+    return planted(body, replace(motion, speed_m_s=_ground_speed(body, motion)), stands_at(phase))
+
+
+def stands_at(phase: Array) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Return (F,) whether the left and the right foot of a walk stand at shares (F,) of its cycle."""
+    return np.mod(phase + 1e-9, 1.0) < STANCE, np.mod(phase + 0.5 + 1e-9, 1.0) < STANCE
 
 
 def _evenly_high(motion: Motion) -> Motion:

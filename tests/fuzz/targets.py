@@ -171,7 +171,7 @@ def crowd_bytes() -> bytes:
     """Return what a pack of two clones says of itself, short of its other files."""
     shapes = {
         "vertices": ("uint16", [2, 4]), "loose": ("uint16", [2, 4]), "corners": ("uint16", [3]),
-        "bones": ("int16", [1, 2, 3, 4]), "table": ("float32", [32, 4]), "tiles": ("float32", [2, 4]),
+        "bones": ("int16", [1, 2, 3, 4]), "table": ("float32", [64, 4]), "tiles": ("float32", [2, 4]),
     }  # fmt: skip
     arrays = {name: {"at": 0, "type": kind, "shape": shape} for name, (kind, shape) in shapes.items()}
     facts = {

@@ -6,6 +6,7 @@ uniform float now;           // seconds
 uniform float laneLength;    // metres
 
 const int PERSON = 5, ROW = 256;
+const int CLIPS = 1, SETS = 25, LOOKS = 49, COLOURS = 53, SKIN = 58;  // columns of the clones' table
 const float PI = 3.14159265;
 
 struct Person {
@@ -29,11 +30,11 @@ Person personOf(int who, bool coarse) {
   p.donors = ivec3(worn.xyz + 0.5);
   p.clip = int(worn.w + 0.5);
   p.shown = 1.0;
-  vec4 clip = cloneTexel(p.clone, 1 + p.clip);  // first row of bones, frames, seconds, metres a cycle
+  vec4 clip = cloneTexel(p.clone, CLIPS + p.clip);  // first row of bones, frames, seconds, metres a cycle
   float cycles = clip.w > 0.0 ? pace.x / (clip.w * p.scale) : 1.0 / clip.z;
   p.frames = int(clip.y + 0.5);
   float turns = pace.y + cycles * now;
-  float poses = coarse ? cloneTexel(p.clone, 9 + p.clip).y : clip.y;
+  float poses = coarse ? cloneTexel(p.clone, SETS + p.clip).w : clip.y;
   float posed = floor(turns * poses) / poses;
   p.frame = min(int(fract(posed + 0.25 / clip.y) * clip.y), p.frames - 1);
   float when = cycles > 0.0 && pace.x > 0.0 ? now - (turns - posed) / cycles : now;

@@ -57,7 +57,7 @@ void main() {
   uvec4 q = texelFetch(vertices, ivec3(v % 128, v / 128, p.clone), 0);
   vec4 rest = vec4(boxMin + vec3(q.xyz) * boxStep, 1.0);
   vec3 n = fromOctahedron(q.w);
-  int row = int(cloneTexel(p.clone, 1 + p.clip).x + 0.5) + p.frame;
+  int row = int(cloneTexel(p.clone, CLIPS + p.clip).x + 0.5) + p.frame;
   vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0);
   for (int k = 0; k < 4; k++) {
     if (w[k] <= 0.0) continue;
