@@ -318,6 +318,23 @@ def _behave_run(
         typer.echo(line)
 
 
+@behaves.command("bake")
+def _behave_bake(
+    source: Annotated[Path, typer.Argument(metavar="WALK", help="What behave run wrote, or a scenario's text.")],
+    pack: Annotated[Path, typer.Option("--pack", help="What cloner crowd --feelings wrote.")],
+    out: Annotated[Path, typer.Option("--out", help="Folder of the new pack, whose page plays it.")],
+    seconds: Annotated[float, typer.Option("--seconds", help="How long, for a scenario.")] = 60.0,
+    seed: Annotated[int, typer.Option("--seed", help="As for run, for a scenario.")] = 0,
+) -> None:
+    """Let a pack's clones act a scenario in a page for browsers."""
+    from cloner.baking.written import bake_file
+
+    with ProgressLine() as progress:
+        lines = bake_file(source, pack, out, seconds=seconds, seed=seed, progress=progress)
+    for line in lines:
+        typer.echo(line)
+
+
 @app.command("evaluate")
 def _evaluate(
     visitors: Annotated[

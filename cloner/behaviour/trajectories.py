@@ -37,7 +37,8 @@ class Trajectories:
     """What people did: (f, n) a frame and person; ``place`` (f, n, 2) m, ``facing`` (f, n, 2) unit vectors.
 
     ``posture``, ``emotion`` are places in the lists ``acts`` and ``emotions``; ``gaze`` in ``things``, -1 for none; who
-    is not ``present`` stands where he left. ``groups`` (n,) names the scenario's group of each. Frame k is at k / 10 s.
+    is not ``present`` stands where he left; ``walks`` are the emotions' styles.
+    ``groups`` (n,) names the scenario's group of each. Frame k is at k / 10 s.
     """
 
     place: Array
@@ -52,6 +53,7 @@ class Trajectories:
     things: tuple[str, ...]
     told: tuple[tuple[float, str], ...]
     seed: int
+    walks: tuple[str, ...] = ()
 
 
 class Recorder:
@@ -87,6 +89,7 @@ class Recorder:
             things=tuple(str(one.name) for one in scenario.things),
             told=tuple(world.told),
             seed=world.seed,
+            walks=tuple(str(one.walk) for one in scenario.emotions),
         )  # fmt: skip
 
 
@@ -98,6 +101,7 @@ def pack(walk: Trajectories) -> bytes:
     head = {
         "frames": len(walk.place), "rate_hz": RATE_HZ, "unit_m": UNIT_M, "seed": walk.seed, "groups": list(walk.groups),
         "acts": list(walk.acts), "emotions": list(walk.emotions), "things": list(walk.things), "told": list(walk.told),
+        "walks": list(walk.walks),
     }  # fmt: skip
     second = _differences(place)
     zigzag = ((second << 1) ^ (second >> 31)).astype(np.uint32)
@@ -145,6 +149,7 @@ def unpack(data: bytes) -> Trajectories:
         groups, acts, emotions, things = (
             tuple(map(str, head[one])) for one in ("groups", "acts", "emotions", "things")
         )
+        walks = tuple(map(str, head.get("walks", emotions)))  # files of before had none
         told = tuple((float(when), str(what)) for when, what in head["told"])
         seed = int(head["seed"])
     except (KeyError, TypeError, ValueError, RecursionError) as error:
@@ -170,8 +175,22 @@ def unpack(data: bytes) -> Trajectories:
     angle = rows[0].astype(np.int8) * (np.pi / 128.0)
     facing = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     gaze = rows[3].astype(np.int8)
+    if rows[1].max() >= len(acts) or rows[2].max() >= min(len(emotions), len(walks)):
+        raise ValueError("it tells of acts or emotions that it does not name")
     return Trajectories(
-        np.asarray(place), facing, rows[4] != 0, rows[1], rows[2], gaze, groups, acts, emotions, things, told, seed
+        np.asarray(place),
+        facing,
+        rows[4] != 0,
+        rows[1],
+        rows[2],
+        gaze,
+        groups,
+        acts,
+        emotions,
+        things,
+        told,
+        seed,
+        walks,
     )
 
 
