@@ -14,8 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from cloner.baking.walkers import Track, Walker
-from cloner.baking.written import acted_by
+from cloner.acting.walkers import Track, Walker
+from cloner.acting.written import acted_by
 from cloner.behaviour.trajectories import RATE_HZ, Trajectories, read_trajectories
 from cloner.crowd.footing import BY_FOOTINGS, Acted, rows_at, touches_of
 from cloner.crowd.reading import read_facts, read_stock

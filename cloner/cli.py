@@ -327,7 +327,7 @@ def _behave_bake(
     seed: Annotated[int, typer.Option("--seed", help="As for run, for a scenario.")] = 0,
 ) -> None:
     """Let a pack's clones act a scenario in a page for browsers."""
-    from cloner.baking.written import bake_file
+    from cloner.acting.written import bake_file
 
     with ProgressLine() as progress:
         lines = bake_file(source, pack, out, seconds=seconds, seed=seed, progress=progress)

@@ -10,7 +10,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.baking.walkers import Track, Walker
+from cloner.acting.walkers import Track, Walker
 from cloner.behaviour.language import read_scenario
 from cloner.behaviour.trajectories import MAGIC, RATE_HZ, Trajectories, read_trajectories
 from cloner.behaviour.world import world_of
@@ -24,7 +24,7 @@ from cloner.errors import ClonerError
 from cloner.outside import UnfitFile, read_outside
 from cloner.pipeline import Progress, quiet
 
-#: More people than a page moves at 4 ms a frame (`docs/behaviour.md`).
+#: A thousand take .4 ms of a page's frame and 17 s to bake (`docs/behaviour.md`); taste.
 MOST_PEOPLE: Final = 5_000
 LARGEST_SCENARIO_BYTES: Final = 2_000_000_000
 #: Words of scenarios that are no acts of their own: how one stands or goes.

@@ -12,7 +12,7 @@ import pytest
 from PIL import Image
 from typer.testing import CliRunner
 
-from cloner.baking.written import bake_file
+from cloner.acting.written import bake_file
 from cloner.behaviour.trajectories import RATE_HZ, Trajectories, pack, read_trajectories, unpack
 from cloner.behaviour.written import run_file
 from cloner.cli import app

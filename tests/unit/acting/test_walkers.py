@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import cloner.crowd
-from cloner.baking.walkers import OFF_RAD, Track, Walker
+from cloner.acting.walkers import OFF_RAD, Track, Walker
 from cloner.crowd.footing import COLUMNS, FIRST, LAST, Acted, fits, rows_at, touches_of
 from cloner.crowd.reading import read_facts, read_stock
 from cloner.crowd.scene import IDLE
