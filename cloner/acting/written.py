@@ -10,6 +10,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.acting.blocks import blocks_of
 from cloner.acting.walkers import Track, Walker
 from cloner.behaviour.language import read_scenario
 from cloner.behaviour.trajectories import MAGIC, RATE_HZ, Trajectories, read_trajectories
@@ -61,7 +62,7 @@ def bake_file(
     acted, lines = acted_by(walk, pack, facts, progress)
     arrays: dict[str, NDArray[Any]] = {
         "footings": acted.footings, "starts": acted.starts, "people": acted.people, "touches": acted.touches,
-        "clips": acted.clips,
+        "clips": acted.clips, "blocks": acted.blocks,
     }  # fmt: skip
     data, told = packed(arrays)
     low, high = walk.place.min(axis=(0, 1)), walk.place.max(axis=(0, 1))
@@ -94,7 +95,7 @@ def views_of(low: NDArray[Any], high: NDArray[Any]) -> dict[str, list[list[float
     x, z, wide = (low[0] + high[0]) / 2.0, -(low[1] + high[1]) / 2.0, max(float((high - low).max()), 4.0)
     front = -float(low[1])
     views = {
-        "overview": ((x, 0.4 * wide, front + 0.25 * wide), (x, 0.0, z + 0.1 * wide)),
+        "overview": ((x, 0.3 * wide, front + 0.12 * wide), (x, 0.0, z + 0.1 * wide)),
         "near": ((x + 1.0, 1.7, z + 6.0), (x, 1.1, z)),
         "street": ((x, 1.7, front + 4.0), (x, 1.3, z)),
     }
@@ -139,7 +140,8 @@ def acted_by(
         progress("baking", (who + 1) / len(rows))
     missing = sorted({one for one in walk.walks if one != "regular" and f"walk_{one}" not in names})
     lines = [f"the pack has no walk of who is {', '.join(missing)}: make it with --feelings"] if missing else []
-    return Acted(np.concatenate(found).reshape(-1, COLUMNS), np.array(starts, np.uint32), rows, touches, clips), lines
+    footings, blocks = np.concatenate(found).reshape(-1, COLUMNS), blocks_of(walk.obstacles, walk.things_at)
+    return Acted(footings, np.array(starts, np.uint32), rows, touches, clips, blocks), lines
 
 
 def track_of(walk: Trajectories, who: int, acts: NDArray[Any], walks: NDArray[Any]) -> Track:

@@ -13,7 +13,7 @@ M. Gleicher, Motion path editing, 2001 (what slides when captured walks are bent
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Final
 
 import numpy as np
@@ -62,6 +62,7 @@ class Acted:
         one, in the next, in the idle; model frame, metres. Of other clips the first two numbers say where the feet are
         less where they are in the idle.
     clips : (C, K, 2) float32, frames and seconds of each clone's clips
+    blocks : (3 T, 6) float32, corners and normals of what stands in the way, metres
     """
 
     footings: NDArray[np.float32]
@@ -69,6 +70,7 @@ class Acted:
     people: NDArray[np.float32]
     touches: NDArray[np.float32]
     clips: NDArray[np.float32]
+    blocks: NDArray[np.float32] = field(default_factory=lambda: np.zeros((0, 6), np.float32))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,7 +86,7 @@ class Parts:
 def fits(acted: Acted, clips: Sequence[int]) -> bool:
     """Return whether all numbers lie where they are read, for clones with so many clips each."""
     own, rows, starts = acted.footings, acted.people, acted.starts.astype(np.int64)
-    lists = (acted.footings, acted.people, acted.touches, acted.clips)
+    lists = (acted.footings, acted.people, acted.touches, acted.clips, acted.blocks)
     if not all(np.isfinite(one).all() for one in lists) or len(set(clips)) != 1:
         return False
     kinds = clips[0]
@@ -92,7 +94,8 @@ def fits(acted: Acted, clips: Sequence[int]) -> bool:
     clones = rows[:, 1, 2]
     frames = acted.clips[..., 0]
     return bool(
-        acted.clips.shape == (len(clips), kinds, 2)
+        len(acted.blocks) % 3 == 0
+        and acted.clips.shape == (len(clips), kinds, 2)
         and acted.touches.shape == (len(clips), kinds, WALK_FRAMES, 6)
         and len(starts) == len(rows) + 1
         and starts[0] == 0

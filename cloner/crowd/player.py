@@ -15,7 +15,7 @@ HELD: Final = ("numbers.bin", "colours.webp", "shapes.webp", "covers.webp", "atl
 #: Footings of a pack that acts a scenario, numbers in line.
 ACTED_FILE: Final = "acted.bin"
 SHADERS: Final = ("common.glsl", "shading.glsl", "worn.glsl", "person.vert", "person.frag", "impostor.vert",
-                  "impostor.frag", "ground.vert", "ground.frag")  # fmt: skip
+                  "impostor.frag", "ground.vert", "ground.frag", "block.vert", "block.frag")  # fmt: skip
 _SCRIPTS: Final = ("scene.js", "stage.js", "footing.js", "player.js")
 _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src 'none'"

@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from cloner.crowd.eye import Eye
 from cloner.crowd.files import MARK
 from cloner.crowd.footing import GONE, Acted, rows_at
 from cloner.crowd.reading import casting_from, read_acted, read_facts, read_stock
 from cloner.crowd.scene import ACTED, SCENES, Scene, places, scene_of
-from cloner.crowd.theatre import Eye, Theatre
+from cloner.crowd.theatre import Theatre
 from cloner.errors import ClonerError
 from cloner.vision.films import FORMATS, write_film
 
@@ -130,6 +131,8 @@ class Painter:
         }  # fmt: skip
         theatre.begin(target, SKY)
         chosen = self._tiers(eye, now, mode)
+        if isinstance(self._scene, Acted):
+            theatre.draw_blocks(self._scene.blocks, values)
         theatre.draw_ground(_instances(np.concatenate(chosen)), values)
         for level, who in enumerate(chosen[:-1]):
             theatre.draw_people(level, _instances(who), {**values, "coarse": int(level >= 2)})

@@ -151,6 +151,7 @@ _ACTED: Final = {
         "arrays": {
             "footings": _array("float32", 0, 12), "starts": _array("uint32", 0), "people": _array("float32", 0, 5, 4),
             "touches": _array("float32", 0, 0, 48, 6), "clips": _array("float32", 0, 0, 2),
+            "blocks": _array("float32", 0, 6),
         },
         "views": {name: _Rows(_PLACE, 2, 2) for name in ("overview", "near", "street")},
     }

@@ -12,7 +12,7 @@ const state = {
   stats: {}, still: 0,
 };
 const canvas = document.querySelector("canvas");
-let acted = null;
+let acted = null, blocks = null;
 let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
 
 function open() {
@@ -42,8 +42,10 @@ async function start(context) {
     dearFromPx: { value: 24 },
   };
   for (const [name, texture] of Object.entries(stage.textures)) uniforms[name] = { value: texture };
-  if (facts.acted) acted = actedOf(await arraysOf(bytesOf("acted.bin"), facts.acted.arrays), facts.people.length);
+  const arrays = facts.acted ? await arraysOf(bytesOf("acted.bin"), facts.acted.arrays) : null;
+  if (arrays) acted = actedOf(arrays, facts.people.length);
   buildTiers();
+  if (arrays && arrays.blocks.length) buildBlocks(arrays.blocks);
   setScene(state.scene, state.people);
   buildKnobs();
   resize();
@@ -91,6 +93,18 @@ function buildTiers() {
   floor.userData.triangles = 2;
 }
 
+// What stands in the way of those who act: corners and normals of triangles.
+function buildBlocks(corners) {
+  const geometry = new THREE.InstancedBufferGeometry(), part = (first) =>
+    new THREE.BufferAttribute(corners.filter((_, k) => Math.floor((k % 6) / 3) === first), 3);
+  geometry.setAttribute("position", part(0));
+  geometry.setAttribute("normal", part(1));
+  geometry.instanceCount = 1;
+  blocks = new THREE.Mesh(geometry, materialOf(shaders, ["block.vert"], ["shading.glsl", "block.frag"], uniforms));
+  blocks.frustumCulled = false;
+  world.add(blocks);
+}
+
 // ---- people ----------------------------------------------------------------------------------------------------------
 
 function setScene(name, count) {
@@ -109,6 +123,7 @@ function setScene(name, count) {
     z: new Float32Array(made.count), tier: new Uint8Array(made.count).fill(HIDDEN), before: new Uint8Array(made.count),
     data, since: new Float32Array(made.count).fill(-9), pairs: new Float32Array(2 * made.count), cells: [], rebin: 0, next: 0,
   };
+  if (blocks) blocks.visible = name === ACTED;
   if (name === ACTED) act();
   place(0, made.count);
   bin();

@@ -11,6 +11,8 @@ from cloner.crowd.pack import make_pack
 from kit.crowds import WANTED, dressed_toy, saved
 
 SCENARIO = """floor 0, 0 to 16, 10
+obstacle plinth at 14, 5 size 1 x 1
+obstacle pillar at 6, 8.5 size 0.6 x 0.6
 statue lion at 14, 5
 point door at 1, 5 region 1 x 4
 point lion_front at 11, 5 region 3 x 4 act photograph for 5 s look at lion
