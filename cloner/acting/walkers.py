@@ -20,6 +20,8 @@ Array = NDArray[np.float64]
 
 #: Who stands begins to walk when the trajectory is so far away, metres: the shortest two half steps make .3 m.
 START_M: Final = 0.25
+#: Where the trajectory rests one stays if it is no farther than this, metres: nobody turns about for half a step.
+STAY_M: Final = 0.45
 #: How far ahead the trajectory is looked at for pace, and beyond a step's end for its direction, seconds; taste.
 AHEAD_S: Final = 0.9
 BEYOND_S: Final = 0.35
@@ -27,6 +29,8 @@ BEYOND_S: Final = 0.35
 #: half in length and half in pace (facts of the crowds: both by the square root).
 SHORTEST: Final = 0.5
 SLOWEST, FASTEST = 0.6, 1.7
+#: So much faster than their walk people begin to run, and walk again; taste.
+RUNS, WALKS = 1.4, 1.2
 #: Walkers turn by this at most, radians a second, so that they keep up with ways that turn by 1.5; who is
 #: more than the second off stops and turns first.
 TURNS_RAD_S: Final = 2.0
@@ -67,7 +71,7 @@ class Walker:
     """One clone on the way.
 
     ``touches`` (K, WALK_FRAMES, 6) and ``clips`` (K, 2) are the clone's (`crowd.footing.Acted`), ``scale`` the
-    person's, ``phase`` that of the idle at first, 0..1.
+    person's, ``phase`` that of the idle at first, 0..1, ``run`` the clip of running (-1: none).
     """
 
     track: Track
@@ -81,8 +85,10 @@ class Walker:
     clip: int = IDLE
     share: float = 0.0
     rows: list[list[float]] = field(default_factory=list)
+    run: int = -1
     _still: float = 0.0
     _left: bool = True
+    _idle: float = 0.0
 
     def __post_init__(self) -> None:
         self.now = float(self.track.times_s[0])
@@ -106,14 +112,15 @@ class Walker:
         gone = self.track.place(self.now + AHEAD_S / 2.0) - self.at
         far = self.track.place(self.now + AHEAD_S) - self.at
         row = self.track.row(self.now)
-        if min(np.hypot(*gone), np.hypot(*far)) > START_M:
+        moves = np.hypot(*(self.track.place(self.now + AHEAD_S) - self.track.place(self.now))) > REST_M
+        if min(np.hypot(*gone), np.hypot(*far)) > (START_M if moves else STAY_M):
             turn = wrapped(np.arctan2(far[0], far[1]) - self.heading)
             if self.clip != IDLE:
                 self._stand(IDLE, BLEND_S)
             elif abs(turn) > BEGIN_RAD:
                 self._turn(turn)
             else:
-                self._begin(int(self.track.walks[row]))
+                self._begin(self._gait(int(self.track.walks[row])))
             return
         turn = wrapped(self.track.headings[self.track.row(self.now + TURN_S)] - self.heading)
         if abs(turn) > OFF_RAD:
@@ -174,9 +181,10 @@ class Walker:
         row = self.track.row(self.now)
         later = [self.track.place(self.now + AHEAD_S + more) for more in (0.0, 1.0)]
         turn = wrapped(self._way(self.now + AHEAD_S) - self.heading)
-        walk = int(self.track.walks[row])
-        stop = walk != self.clip or abs(turn) > ABOUT_RAD
-        share, rate = self._pace(self.clip)
+        walk = self._gait(int(self.track.walks[row]))
+        stop = abs(turn) > ABOUT_RAD
+        share, rate = self._pace(walk)
+        share = 1.0 if walk != self.clip else share
         seconds = self._seconds(self.clip, RIGHT - LEFT, rate)
         turn = self._towards(RIGHT - LEFT, self.clip, rate)
         if not stop and np.hypot(*(later[1] - later[0])) < REST_M:
@@ -195,15 +203,36 @@ class Walker:
                 0.0,
             )
         else:
-            self._go(self.clip, base, base + RIGHT - LEFT, seconds, (self.share, share), turn)
+            over = walk != self.clip and self.share == 1.0  # one goes over to another walk in whole steps alone
+            self._go(walk if over else self.clip, base, base + RIGHT - LEFT, seconds, (self.share, share), turn,
+                     before=self.clip if over else -1)  # fmt: skip
 
     def _end_of(self, first: int, last: int, shares: tuple[float, float], turn: float) -> Array:
         row = np.array([0.0, 1.0, self.clip, 0.0, first, last, *shares, *self.at, self.heading, self.heading + turn])
-        return np.asarray(parts_of(row, self.touches[self.clip], self.scale).places[-1])
+        return np.asarray(parts_of(row, self.touches, self.scale).places[-1])
 
-    def _go(self, clip: int, first: int, last: int, seconds: float, shares: tuple[float, float], turn: float) -> None:
-        """Add a footing of walking or turning, and be at its end."""
-        idle = self._frame(IDLE) if self.rows[-1][5] < 0.0 else self.rows[-1][3]
+    def _gait(self, walk: int) -> int:
+        """Return the walk, or the run for whom it is too slow; who runs goes on until the walk is fast enough."""
+        if self.run < 0:
+            return walk
+        own = float(np.hypot(*(self.track.place(self.now + AHEAD_S) - self.track.place(self.now)))) / AHEAD_S
+        faster = own / (self._speed(walk) * self.scale)
+        return self.run if faster > (WALKS if self.clip == self.run else RUNS) else walk
+
+    def _go(
+        self,
+        clip: int,
+        first: int,
+        last: int,
+        seconds: float,
+        shares: tuple[float, float],
+        turn: float,
+        before: int = -1,
+    ) -> None:
+        """Add a footing of walking or turning, going over from the walk ``before`` if any, and be at its end."""
+        if self.rows[-1][5] < 0.0:
+            self._idle = self._frame(IDLE)
+        idle = self._idle if before < 0 else -1.0 - before
         row = [
             self.now,
             self.now + seconds,
@@ -218,7 +247,7 @@ class Walker:
         ]
         whole = np.array(row, np.float32)
         self.rows.append(row)
-        self.at = parts_of(whole, self.touches[clip], self.scale).places[-1]
+        self.at = parts_of(whole, self.touches, self.scale).places[-1]
         self.now, self.heading = self.now + seconds, wrapped(self.heading + turn)
         self.share, self.clip = shares[1], clip if shares[1] else IDLE
         if last > first:

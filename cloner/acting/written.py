@@ -130,12 +130,14 @@ def acted_by(
     rows = _people(len(walk.groups), casting_from(facts))
     acts = np.array([IDLE if one in _STANDING or one not in names else names.index(one) for one in walk.acts])
     styles = [f"walk_{one}" for one in walk.walks]
+    run = names.index("run") if "run" in names else -1
     walks = np.array([names.index(one) if one in names else WALK for one in styles])
     found, starts = [], [0]
     for who, row in enumerate(rows):
         clone, scale, phase = int(row[1, 2]), float(row[1, 3]), float(row[1, 1])
         track = track_of(walk, who, acts, walks)
-        found.append(Walker(track, touches[clone], clips[clone], scale, phase).footings().astype(np.float32))
+        own = Walker(track, touches[clone], clips[clone], scale, phase, run=run)
+        found.append(own.footings().astype(np.float32))
         starts.append(starts[-1] + len(found[-1]))
         progress("baking", (who + 1) / len(rows))
     missing = sorted({one for one in walk.walks if one != "regular" and f"walk_{one}" not in names})

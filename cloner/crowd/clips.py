@@ -29,7 +29,7 @@ from cloner.motion.gait import aim_limb, follow, idle, stands_at, upright, walk
 from cloner.motion.planting import planted
 from cloner.motion.retarget import retarget
 from cloner.motion.slide import posed_at
-from cloner.motion.styles import REGULAR, STYLES, Style
+from cloner.motion.styles import REGULAR, RUN, STYLES, Style
 from cloner.motion.twist import shared_twist
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -96,7 +96,7 @@ def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = (), *, feelings: 
         _clip(clone, shown(sitting(body), SIT_FRAMES), SIT_FRAMES, around=False),
     ]
     if feelings:
-        others = [style for style in STYLES.values() if style is not REGULAR]
+        others = [*(style for style in STYLES.values() if style is not REGULAR), RUN]
         found += [_clip(clone, walked(body, style), poses, far=found[0].name) for style in others]
         found += [_clip(clone, shown(act(body), ACT_FRAMES), ACT_POSES, far=found[1].name) for act in ACTS.values()]
     return (*found, *(_clip(clone, shown(captured(body, path), WALK_FRAMES), poses) for path in walks))
@@ -108,7 +108,7 @@ def walked(body: Body, style: Style) -> Motion:
     Planted between others, 60 a second, feet slid by up to 17 mm a step from one shown frame to the next.
     """
     motion = shown(walk(body, style), WALK_FRAMES)
-    return planted(body, motion, stands_at(motion.times_s / motion.times_s[-1]))
+    return planted(body, motion, stands_at(motion.times_s / motion.times_s[-1], style))
 
 
 def shown(motion: Motion, count: int) -> Motion:

@@ -28,10 +28,10 @@ from cloner.generic.load import load_generic
 
 Array = NDArray[np.float64]
 
-#: Columns of a footing: seconds from, until; clip; frame of the idle that it is blended with; first and last frame;
-#: shares of the clip (the rest is the idle) there; where the body is at first, metres; headings at first and last,
-#: radians. Who stands has instead, from the fourth on: clip blended from (-1: none); phase of the own at first; -1 less
-#: the frame blended from; x and z where the body was in that one.
+#: Columns of a footing: seconds from, until; clip; frame of the idle that it is blended with, or -1 less the walk that
+#: it goes over from; first and last frame; shares of the clip there (the rest is the idle); where the body is at first,
+#: metres; headings at first and last, radians. Who stands has instead, from the fourth on: clip blended from (-1:
+#: none); phase of the own at first; -1 less the frame blended from; x and z where the body was in that one.
 FROM, UNTIL, CLIP, OTHER, FIRST, LAST, SHARE, SHARE_LAST, X, Z, HEADING, HEADING_LAST = range(12)
 COLUMNS: Final = 12
 #: Frames of a walk: the left foot carries from `LEFT` on, the right one from `RIGHT` on; each shares the ground
@@ -108,7 +108,7 @@ def fits(acted: Acted, clips: Sequence[int]) -> bool:
         and ((frames >= 1) & (frames < CLIP_STEP)).all()
         and (acted.clips[..., 1] > 0.0).all()
         and (-1.0 - own[stands, LAST] < CLIP_STEP).all()
-        and ((own[~stands, OTHER] >= 0) & (own[~stands, OTHER] < CLIP_STEP)).all()
+        and ((own[~stands, OTHER] >= -kinds) & (own[~stands, OTHER] < CLIP_STEP)).all()
         and ((own[~stands, FIRST] >= 0) & (own[~stands, LAST] >= own[~stands, FIRST])).all()
         and (own[~stands, LAST] <= 2 * WALK_FRAMES).all()
     )
@@ -126,7 +126,7 @@ def parts_of(row: NDArray[Any], touches: NDArray[Any], scale: float) -> Parts:
     Parameters
     ----------
     row : (COLUMNS,)
-    touches : (WALK_FRAMES, 6) of its clip
+    touches : (K, WALK_FRAMES, 6) of the clone
     scale : of the person
     """
     first, last = round(float(row[FIRST])), round(float(row[LAST]))
@@ -148,13 +148,20 @@ def parts_of(row: NDArray[Any], touches: NDArray[Any], scale: float) -> Parts:
         elif row[SHARE_LAST] == 0.0:  # and put down beside the other
             frames, turned = (np.concatenate([one, np.full(LIFT_PARTS, one[-1])]) for one in (frames, turned))
             shares = row[SHARE] * np.concatenate([np.ones(last - first), up[::-1]])
+    before_it = -1 - round(float(row[OTHER]))
+    if before_it >= 0:
+        shares = turned
     headings = row[HEADING] + (row[HEADING_LAST] - float(row[HEADING])) * turned
     count = len(frames) - 1
-    own = touches[np.mod(frames[:-1].astype(int), WALK_FRAMES)].astype(np.float64) * scale
+    at = np.mod(frames[:-1].astype(int), WALK_FRAMES)
+    own = touches[int(row[CLIP]), at].astype(np.float64) * scale
     goes_on = (np.diff(frames) > 0.0)[:, None]
-    one, other, idle = own[:, 0:2], np.where(goes_on, own[:, 2:4], own[:, 0:2]), own[:, 4:6]
-    before = turned_by(headings[:-1], idle + (one - idle) * shares[:-1, None])
-    after = turned_by(headings[1:], idle + (other - idle) * shares[1:, None])
+    one, two, rest, rest_two = own[:, 0:2], np.where(goes_on, own[:, 2:4], own[:, 0:2]), own[:, 4:6], own[:, 4:6]
+    if before_it >= 0:
+        walk = touches[before_it, at].astype(np.float64) * scale
+        rest, rest_two = walk[:, 0:2], walk[:, 2:4]
+    before = turned_by(headings[:-1], rest + (one - rest) * shares[:-1, None])
+    after = turned_by(headings[1:], rest_two + (two - rest_two) * shares[1:, None])
     places = np.zeros((count + 1, 2))
     places[0] = row[X], row[Z]
     places[1:] = places[0] + np.cumsum(before - after, axis=0)
@@ -195,7 +202,7 @@ def _fill(row: NDArray[np.float32], footing: Array, acted: Acted, now: float) ->
             x, z = x + (footing[SHARE] - x) * share, z + (footing[SHARE_LAST] - z) * share
         _put(row, (x, z, footing[HEADING]), *shown)
         return
-    own = parts_of(footing, acted.touches[clone, clip], scale)
+    own = parts_of(footing, acted.touches[clone], scale)
     count = len(own.frames) - 1
     at = since / (since + rest) * count
     k = min(int(at), count - 1)
@@ -207,7 +214,8 @@ def _fill(row: NDArray[np.float32], footing: Array, acted: Acted, now: float) ->
         share = share if own.frames[k + 1] > own.frames[k] else 0.0
         _put(row, (*place, heading), clip, frame, clip, (frame + 1) % length, share)
     else:
-        _put(row, (*own.places[k], own.headings[k]), clip, frame, IDLE, footing[OTHER], 1.0 - own.shares[k])
+        rest = (IDLE, footing[OTHER]) if footing[OTHER] >= 0.0 else (-1.0 - footing[OTHER], frame)
+        _put(row, (*own.places[k], own.headings[k]), clip, frame, rest[0], rest[1], 1.0 - own.shares[k])
 
 
 def _put(

@@ -50,7 +50,7 @@ LARGEST_PX: Final = (0, 256, 128, 64)
 ATLAS_QUALITY: Final = 85
 MASK_PX: Final = 128
 #: Captured walks that a clone's table has room for beside those of feelings and the acts.
-MOST_WALKS: Final = stock.MOST_CLIPS - 3 - (len(STYLES) - 1) - len(ACTS)
+MOST_WALKS: Final = stock.MOST_CLIPS - 3 - len(STYLES) - len(ACTS)
 
 
 @dataclass(frozen=True, slots=True)

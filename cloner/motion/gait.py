@@ -33,7 +33,6 @@ X, Y, Z = 0, 1, 2
 FRAMES_PER_S: Final = 30
 #: Feet roll over the ground between two frames of a walk; at half as many they slide by millimetres in between.
 WALK_FRAMES_PER_S: Final = 60
-STANCE: Final = 0.60  # of a foot's own cycle, from heel strike to toe off (Winter)
 #: Steps are this share of what the free swing of the legs would make: the pelvis then goes up and down by 44 mm, as
 #: people's does at this speed, instead of 52.
 STEP_SHARE: Final = 0.95
@@ -80,15 +79,15 @@ def walk(body: Body, style: Style = REGULAR) -> Motion:
     root = np.zeros((len(times), 3))
     root[:, 0] = style.sway_m * np.sin(turn)
     rotations = shared_twist(body, turns.local_from_world(world, body.parents))
-    name = "walk" if style is REGULAR else f"walk_{style.name}"
+    name = {"regular": "walk", "run": "run"}.get(style.name, f"walk_{style.name}")
     motion = Motion(name, times, root, rotations, cyclic=True)
     motion = _evenly_high(grounded(body, motion))
-    return planted(body, replace(motion, speed_m_s=_ground_speed(body, motion)), stands_at(phase))
+    return planted(body, replace(motion, speed_m_s=_ground_speed(body, motion)), stands_at(phase, style))
 
 
-def stands_at(phase: Array) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-    """Return (F,) whether the left and the right foot of a walk stand at shares (F,) of its cycle."""
-    return np.mod(phase + 1e-9, 1.0) < STANCE, np.mod(phase + 0.5 + 1e-9, 1.0) < STANCE
+def stands_at(phase: Array, style: Style) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Return (F,) whether the left and the right foot of a style's walk stand at shares (F,) of its cycle."""
+    return np.mod(phase + 1e-9, 1.0) < style.stance, np.mod(phase + 0.5 + 1e-9, 1.0) < style.stance
 
 
 def _evenly_high(motion: Motion) -> Motion:

@@ -11,12 +11,14 @@ function smooth(share) {
 }
 
 // A footing (its place in the list) that is no standing, in equal parts: 5 numbers each: frame, share, heading, x, z.
-function partsOf(list, at, touches, first_touch, scale) {
+function partsOf(list, at, touches, clone_touch, scale) {
   const first = Math.round(list[at + FIRST]), last = Math.round(list[at + LAST]), base = first < RIGHT ? LEFT : RIGHT;
   const from = list[at + SHARE], to = list[at + SHARE_LAST], turns = first === last;
   const begins = !turns && from === 0, ends = !turns && !begins && to === 0;
   const steps = last - first, count = turns ? TURN_PARTS : steps + (begins || ends ? LIFT_PARTS : 0);
   const held = TURN_PARTS - 2 * LIFT_PARTS, low = Math.max(first, base + ALONE), high = Math.min(last, base + SHARED);
+  const before_it = -1 - Math.round(list[at + OTHER]), kind = WALK_FRAMES * TOUCH;
+  const own_touch = clone_touch + list[at + CLIP] * kind, rest_touch = clone_touch + before_it * kind;
   const found = new Float64Array(5 * (count + 1)), up = (k) => smooth(k / LIFT_PARTS);
   for (let k = 0; k <= count; k++) {
     let frame = first, share, turned;
@@ -27,7 +29,7 @@ function partsOf(list, at, touches, first_touch, scale) {
       frame = first + Math.min(begins ? Math.max(k - LIFT_PARTS, 0) : k, steps);
       turned = smooth((frame - low) / (high - low));
       share = begins ? to * up(Math.min(k, LIFT_PARTS)) : ends ? from * up(Math.min(count - k, LIFT_PARTS))
-        : from + (to - from) * turned;
+        : before_it >= 0 ? turned : from + (to - from) * turned;
     }
     found[5 * k] = frame;
     found[5 * k + 1] = share;
@@ -37,10 +39,10 @@ function partsOf(list, at, touches, first_touch, scale) {
   found[3] = list[at + AT_X];
   found[4] = list[at + AT_Z];
   for (let k = 0; k < count; k++) {
-    const p = first_touch + (found[5 * k] % WALK_FRAMES) * TOUCH, on = found[5 * k + 5] > found[5 * k] ? 2 : 0;
+    const frame = (found[5 * k] % WALK_FRAMES) * TOUCH, p = own_touch + frame, on = found[5 * k + 5] > found[5 * k] ? 2 : 0;
     const point = (shift, share, axis) => {
-      const idle = touches[p + 4 + axis] * scale;
-      return idle + (touches[p + shift + axis] * scale - idle) * share;
+      const rest = (before_it >= 0 ? touches[rest_touch + frame + shift + axis] : touches[p + 4 + axis]) * scale;
+      return rest + (touches[p + shift + axis] * scale - rest) * share;
     };
     const turned = (heading, px, pz) => [Math.cos(heading) * px + Math.sin(heading) * pz,
                                          Math.cos(heading) * pz - Math.sin(heading) * px];
@@ -96,7 +98,7 @@ function actedOf(arrays, clones) {
       return;
     }
     if (known[who] !== k) {
-      parts[who] = partsOf(footings, at, touches, (clone * kinds + clip) * WALK_FRAMES * TOUCH, scale);
+      parts[who] = partsOf(footings, at, touches, clone * kinds * WALK_FRAMES * TOUCH, scale);
       known[who] = k;
     }
     const own = parts[who], last = own.length / 5 - 1;
@@ -106,7 +108,10 @@ function actedOf(arrays, clones) {
       const share = place - n, between = (k) => own[p + k] + (own[p + 5 + k] - own[p + k]) * share;
       putPose(rows, i, between(3), between(4), between(2), clip, frame, clip, (frame + 1) % length,
               own[p + 5] > own[p] ? share : 0);
-    } else putPose(rows, i, own[p + 3], own[p + 4], own[p + 2], clip, frame, IDLE, footings[at + OTHER], 1 - own[p + 1]);
+    } else {
+      const other = footings[at + OTHER], [rest, second] = other >= 0 ? [IDLE, other] : [-1 - other, frame];
+      putPose(rows, i, own[p + 3], own[p + 4], own[p + 2], clip, frame, rest, second, 1 - own[p + 1]);
+    }
   }
 
   return { count, people, at(now, rows) { for (let who = 0; who < count; who++) fill(who, now, rows); } };

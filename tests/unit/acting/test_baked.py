@@ -83,7 +83,7 @@ def test_feelings_show_in_the_walk_and_acts_while_standing(baked: Path, walk: Pa
 
     sorry = [who for who, group in enumerate(told.groups) if group == "sorry"]
     assert all(walks(who, 0.0, 8.5) == {"walk_sad"} for who in sorry)
-    assert all(walks(who, 10.5, SECONDS) <= {"walk_afraid"} for who in sorry)
+    assert all(walks(who, 10.5, SECONDS) <= {"walk_afraid", "run"} for who in sorry)
     guests = [who for who, group in enumerate(told.groups) if group == "guests"]
     assert all(walks(who, 0.0, SECONDS) == {"walk_happy"} for who in guests)
     stands = acted.footings[acted.footings[:, LAST] < 0.0]

@@ -12,7 +12,7 @@ import pytest
 
 import cloner.crowd
 from cloner.acting.walkers import OFF_RAD, Track, Walker
-from cloner.crowd.footing import COLUMNS, FIRST, LAST, Acted, fits, rows_at, touches_of
+from cloner.crowd.footing import CLIP, COLUMNS, FIRST, LAST, OTHER, Acted, fits, rows_at, touches_of
 from cloner.crowd.reading import read_facts, read_stock
 from cloner.crowd.scene import IDLE
 from kit.feet import Soles
@@ -39,7 +39,11 @@ class Stage:
         """What one clone makes of a track."""
         row = np.zeros((1, 5, 4), np.float32)
         row[0, 1], row[0, 3] = (0.0, 0.0, clone, scale), -1.0
-        own = Walker(track, self.touches[clone], self.clips[clone], scale, 0.3).footings().astype(np.float32)
+        own = (
+            Walker(track, self.touches[clone], self.clips[clone], scale, 0.3, run=self.names.index("run"))
+            .footings()
+            .astype(np.float32)
+        )
         return Acted(own, np.array([0, len(own)], np.uint32), row, self.touches, self.clips)
 
 
@@ -97,6 +101,38 @@ def test_slow_ways_take_shorter_and_slower_steps(stage: Stage) -> None:
     assert slow[1] == pytest.approx(usual[1] / np.sqrt(2.0), rel=0.1)
 
 
+def test_who_has_to_hurry_goes_over_to_running_and_back_without_a_stop(stage: Stage) -> None:
+    times = np.arange(0.0, 14.0, 0.1)
+    speed = np.where((times > 5.0) & (times < 9.0), 2.3, 1.3)
+    place = np.outer(np.cumsum(0.1 * speed), (0.0, 1.0))
+    still = np.zeros(len(times), np.int64)
+    track = Track(times, place, 0.0 * times, still + IDLE, still)
+    acted = stage.acted(track, clone=1)
+    own = acted.footings
+    run = stage.names.index("run")
+    over = own[own[:, OTHER] < 0.0][:, CLIP]
+    assert over[own[own[:, OTHER] < 0.0][:, LAST] >= 0.0].tolist() == [run, 0]
+    assert (own[2:-2, LAST] >= 0.0).all(), "on the way all the time"
+    running = own[own[:, CLIP] == run]
+    assert 4.0 < running[0, 0] < 6.0
+    assert 8.0 < running[-1, 1] < 10.5
+    assert off_m(acted, track, np.arange(3.0, 13.0, 0.25)).max() < 0.6
+    assert np.median(stage.soles.slides_mm(acted, 0, 3.0, 13.0)) < 15.0
+
+
+def test_a_feeling_that_changes_changes_the_walk_in_one_step(stage: Stage) -> None:
+    sad, happy = stage.names.index("walk_sad"), stage.names.index("walk_happy")
+    track = curve(1.1, 0.3, sad, 12.0)
+    track.walks[60:] = happy
+    acted = stage.acted(track)
+    own = acted.footings[2:-2]
+    assert set(own[own[:, 0] < 5.5][:, CLIP]) == {sad}
+    assert set(own[own[:, 0] > 7.5][:, CLIP]) == {happy}
+    assert (own[:, LAST] >= 0.0).all(), "nobody stops for it"
+    body = np.array([rows_at(acted, now)[0, 0, 1:3] for now in np.arange(4.0, 9.0, 1.0 / 60.0)])
+    assert np.linalg.norm(np.diff(body, axis=0), axis=1).max() < 0.06
+
+
 def test_who_creeps_stands_and_who_arrives_stands_at_the_end(stage: Stage) -> None:
     times = np.arange(0.0, 8.0, 0.1)
     still = np.zeros(len(times), np.int64)
@@ -136,6 +172,7 @@ def test_acts_begin_and_end_from_standing(stage: Stage) -> None:
 @pytest.mark.skipif(shutil.which("node") is None, reason="no node on this machine")
 def test_the_page_moves_everybody_as_the_painter_does(stage: Stage, tmp_path: Path) -> None:
     track = curve(1.2, 0.8, 3, 8.0, act=stage.names.index("wave"))
+    track.walks[20:] = 4
     track.places_m[45:] = track.places_m[45]
     acted = stage.acted(track, clone=1, scale=0.97)
     web = Path(cloner.crowd.__file__).parent / "web"

@@ -127,7 +127,7 @@ def test_a_pack_with_feelings_has_their_walks_and_the_acts_but_not_one_impostor_
     (row, _), (plain, _) = read_facts(lively)["people"], read_facts(pack)["people"]
     names = [clip["name"] for clip in row["clips"]]
     assert [clip["name"] for clip in plain["clips"]] == names[:3] == ["walk", "idle", "sit"]
-    assert set(names[3:]) == {f"walk_{name}" for name in STYLES if name != "regular"} | set(ACTS)
+    assert set(names[3:]) == {f"walk_{name}" for name in STYLES if name != "regular"} | {"run"} | set(ACTS)
     for name in ("colours.webp", "shapes.webp", "covers.webp"):
         assert (pack / "people/ada" / name).read_bytes() == (lively / "people/ada" / name).read_bytes()
     speeds = {clip["name"]: clip["speed_m_s"] for clip in row["clips"]}

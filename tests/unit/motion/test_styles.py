@@ -14,7 +14,7 @@ from cloner.motion.body import SIDES, Body, body_of
 from cloner.motion.gait import walk
 from cloner.motion.rig import centred
 from cloner.motion.slide import step_slides_m
-from cloner.motion.styles import STYLES
+from cloner.motion.styles import RUN, STYLES
 from cloner.records.motions import Motion
 from kit.clones import toy_clone
 
@@ -43,7 +43,7 @@ def walks(bodies: dict[str, Body]) -> dict[str, dict[str, Motion]]:
 def test_every_feeling_of_the_scenarios_has_a_walk_of_about_its_speed(walks: dict[str, dict[str, Motion]]) -> None:
     assert {one.walk for one in EMOTIONS} == set(STYLES)
     for one in EMOTIONS:
-        share = 0.2 if one.name == "afraid" else 0.07  # the afraid run, and nobody here can: they walk faster
+        share = 0.2 if one.name == "afraid" else 0.07  # the afraid walk faster still, or run
         assert walks["mean"][one.walk].speed_m_s == pytest.approx(one.speed, rel=share), one.name
 
 
@@ -62,6 +62,18 @@ def test_feet_stay_where_they_stand_and_the_walk_closes(
     for side in SIDES:
         hip, knee, ankle = (places[:, body.joint(f"{side}_{part}")] for part in ("hip", "knee", "ankle"))
         assert (np.cross(ankle - hip, knee - hip)[:, 0] < 0.01).all(), "knees bend backwards"
+
+
+@pytest.mark.parametrize("who", SHAPES)
+def test_running_is_faster_than_any_walk_and_no_foot_slides(
+    bodies: dict[str, Body], walks: dict[str, dict[str, Motion]], who: str
+) -> None:
+    motion = walk(bodies[who], RUN)
+    assert motion.name == "run"
+    assert motion.speed_m_s > 1.15 * max(one.speed_m_s for one in walks[who].values())
+    slid = step_slides_m(bodies[who], motion)
+    assert len(slid) == 2
+    assert slid.max() < 0.005
 
 
 def swing_m(body: Body, motion: Motion) -> float:
