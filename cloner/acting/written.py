@@ -28,8 +28,6 @@ from cloner.pipeline import Progress, quiet
 #: A thousand take .4 ms of a page's frame and 17 s to bake (`docs/behaviour.md`); taste.
 MOST_PEOPLE: Final = 5_000
 LARGEST_SCENARIO_BYTES: Final = 2_000_000_000
-#: Words of scenarios that are no acts of their own: how one stands or goes.
-_STANDING: Final = ("stand", "walk", "run")
 
 
 def bake_file(
@@ -69,8 +67,7 @@ def bake_file(
     made = facts | {
         "scene": ACTED, "people_count": len(walk.groups), "files": facts["files"] | {ACTED_FILE: digest(data)},
         "acted": {"seconds": (len(walk.place) - 1) / RATE_HZ, "people": len(walk.groups), "arrays": told,
-                  "views": views_of(low, high),
-                  "told": [[when, text] for when, text in walk.told]},
+                  "views": views_of(low, high)},
     }  # fmt: skip
     with pack_folder(out) as folder:
         for name in facts["files"]:
@@ -123,12 +120,19 @@ def acted_by(
     held = read_stock(pack, facts)
     people = facts["people"]
     names = [clip["name"] for clip in people[0]["clips"]]
-    touches = np.stack(
-        [touches_of(own, held.body, row["clips"]) for own, row in zip(held.numbers, people, strict=True)]
-    )
+    if any([clip["name"] for clip in row["clips"]] != names for row in people) or names[:2] != ["walk", "idle"]:
+        raise ClonerError("the pack's clones do not have the same walks", "Make it again with cloner crowd", pack.name)
+    try:
+        touches = np.stack(
+            [touches_of(own, held.body, row["clips"]) for own, row in zip(held.numbers, people, strict=True)]
+        )
+    except (ValueError, LookupError) as error:
+        hint = "Make it again with cloner crowd"
+        raise ClonerError("the pack's frames do not fit what it says of them", hint, pack.name) from error
     clips = np.array([[[c["frames"], c["seconds"]] for c in row["clips"]] for row in people], np.float32)
     rows = _people(len(walk.groups), casting_from(facts))
-    acts = np.array([IDLE if one in _STANDING or one not in names else names.index(one) for one in walk.acts])
+    still = {clip["name"]: k for k, clip in enumerate(people[0]["clips"]) if not clip["speed_m_s"]}
+    acts = np.array([still.get(one, IDLE) for one in walk.acts])
     styles = [f"walk_{one}" for one in walk.walks]
     run = names.index("run") if "run" in names else -1
     walks = np.array([names.index(one) if one in names else WALK for one in styles])

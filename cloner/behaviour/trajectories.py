@@ -164,7 +164,7 @@ def unpack(data: bytes) -> Trajectories:
             raise ValueError("no obstacles")
         told = tuple((float(when), str(what)) for when, what in head["told"])
         seed = int(head["seed"])
-    except (KeyError, TypeError, ValueError, RecursionError) as error:
+    except (KeyError, TypeError, ValueError, OverflowError, RecursionError) as error:
         raise ValueError("its head cannot be read") from error
     size = frames * people
     if not (0 < frames and 0 < people and size <= MOST_VALUES):

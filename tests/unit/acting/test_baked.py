@@ -48,7 +48,9 @@ def baked(walk: Path, lively: Path, tmp_path_factory: pytest.TempPathFactory) ->
 
 
 def test_a_baked_pack_is_whole_and_says_what_it_acts(baked: Path) -> None:
-    assert check_pack(baked)[0] == "2 clones: ada, ben"
+    lines = check_pack(baked)
+    assert lines[0] == "2 clones: ada, ben"
+    assert lines[-1].startswith("scenario: 7 people act 20 s in ")
     facts = read_facts(baked)
     assert (facts["scene"], facts["people_count"]) == ("scenario", 7)
     assert facts["acted"]["seconds"] == SECONDS
@@ -157,6 +159,19 @@ def test_bad_words_end_in_one_sentence(walk: Path, lively: Path, scenario: Path,
         bake_file(tmp_path / "hostile.walk", lively, tmp_path / "out")
     done = CliRunner().invoke(app, ["behave", "bake", str(scenario), "--pack", str(tmp_path), "--out", "x"])
     assert isinstance(done.exception, ClonerError)
+    copy = tmp_path / "copy"
+    shutil.copytree(lively, copy)
+    facts = json.loads((copy / "crowd.json").read_text())
+    for change, message in (("walk_sad", "do not have the same walks"), (400, "do not fit what it says")):
+        other = json.loads(json.dumps(facts))
+        if isinstance(change, str):
+            other["people"][1]["clips"][3]["name"] = "hop"
+        else:
+            for row in other["people"]:
+                row["clips"][-1]["frames"], row["clips"][2]["frames"] = 48, 1023
+        (copy / "crowd.json").write_text(json.dumps(other))
+        with pytest.raises(ClonerError, match=message):
+            bake_file(walk, copy, tmp_path / "out")
     assert not (tmp_path / "out").exists()
 
 
