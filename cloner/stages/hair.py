@@ -39,6 +39,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.vision.noise import quieted
 
 Array = NDArray[np.float64]
 
@@ -87,7 +88,7 @@ def run(
 
     Residuals: median and largest thickness of the cap, mm.
     """
-    generic = load_generic()
+    generic, photos = load_generic(), quieted(photos)
     views = hair_views(generic, joined, proposals, silhouettes)
     body, on_scalp = body_triangles(generic), generic.region("scalp")
     scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]

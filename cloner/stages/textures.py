@@ -50,6 +50,7 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.vision.noise import quieted
 from cloner.vision.repair import spread_nearest
 
 Array = NDArray[np.float64]
@@ -94,7 +95,7 @@ def run(
     was shifted away, px; share of the charts' texels that a photo saw.
     """
     params = params or Params()
-    generic = load_generic()
+    generic, photos = load_generic(), quieted(photos)
     hiding = tuple(shell for shell in shells if shell.kind in ("hair", "cloth"))  # lenses are clear, beards thin out
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, hiding))
     baked, surfaces, residuals = lay_photos(generic, photos, proposals, silhouettes, joined, hiding, params, tick)
