@@ -322,6 +322,27 @@ def _behave_run(
         typer.echo(line)
 
 
+@behaves.command("guide")
+def _behave_guide(
+    scenario: ScenarioArgument,
+    out: Annotated[Path, typer.Option("--out", help="The file of trajectories to write at the end.")],
+    seconds: Annotated[float, typer.Option("--seconds", help="How long at most.")] = 3600.0,
+    seed: Annotated[int, typer.Option("--seed", help="As for run.")] = 0,
+    port: Annotated[int, typer.Option("--port", help="Of this machine only; any free one by default.")] = 0,
+) -> None:
+    """Let a scenario's people walk by the clock, guided by other programs of this machine."""
+    from cloner.behaviour.written import guide_file
+
+    for line in guide_file(scenario, out, seconds=seconds, seed=seed, port=port, told=_at_once):
+        typer.echo(line)
+
+
+def _at_once(line: str) -> None:
+    """Print a line that another program may be waiting for."""
+    typer.echo(line)
+    sys.stdout.flush()
+
+
 @behaves.command("bake")
 def _behave_bake(
     source: Annotated[Path, typer.Argument(metavar="WALK", help="What behave run wrote, or a scenario's text.")],

@@ -1,14 +1,16 @@
-"""The commands ``cloner behave check`` and ``cloner behave run``: a scenario's file in, lines and files out."""
+"""The commands ``cloner behave check``, ``run`` and ``guide``: a scenario's file in, lines and files out."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
 import numpy as np
 
 from cloner.behaviour import fields
+from cloner.behaviour.guiding import HOST, Desk, guided, listening
 from cloner.behaviour.language import read_scenario
 from cloner.behaviour.loop import digest, run
 from cloner.behaviour.model import Scenario
@@ -77,22 +79,18 @@ def run_file(
     ClonerError
         If the scenario, a number or a file is unfit.
     """
-    if not (math.isfinite(seconds) and 0.0 < seconds <= LONGEST_S):
-        raise ClonerError(f"{seconds:g} seconds cannot be run", "Give more than 0 and at most a day", "--seconds")
     if film is not None and film.suffix.lower() not in FORMATS:
         raise ClonerError(f"no film is written as {film.suffix or 'this'}", f"Give {', '.join(FORMATS)}", film.name)
     if picture is not None and picture.suffix.lower() != ".png":
         raise ClonerError("the picture is a PNG", "Give --picture a name that ends with .png", picture.name)
-    for one in (out, picture, film):
+    for one in (picture, film):
         if one is not None:
             safe_output(one)
-    scenario = read_scenario(path)
-    world = world_of(scenario, seed)
-    _check_ways(world, path.name)
+    world = _ready(path, out, seconds, seed)
     walk = recorded(world, seconds, progress)
     data = pack(walk)
     write_bytes(out, data)
-    draw_files(scenario, walk, picture, film)
+    draw_files(world.scenario, walk, picture, film)
     spent = len(walk.place) / RATE_HZ * len(walk.groups)
     lines = [f"{when:.1f} s: {text}" for when, text in walk.told]
     lines.append(
@@ -101,6 +99,42 @@ def run_file(
     )
     lines.append(f"digest {digest(world)} after {world.steps} steps with seed {seed}")
     return [*lines, *(str(one) for one in (out, picture, film) if one is not None)]
+
+
+def guide_file(
+    path: Path, out: Path, *, seconds: float, seed: int = 0, port: int = 0, told: Callable[[str], None],
+) -> list[str]:  # fmt: skip
+    """Run a scenario by the clock while other programs guide it, and write trajectories; return what to say of it.
+
+    ``told`` gets the address and the token before the first step.
+
+    Raises
+    ------
+    ClonerError
+        As :func:`run_file`, and if no guide can be let in.
+    """
+    world = _ready(path, out, seconds, seed)
+    desk, recorder = Desk(), Recorder()
+    recorder.look(world)
+    with listening(desk, port) as found:
+        told(f"ws://{HOST}:{found}")
+        told(f"token {desk.token}")
+        for now in guided(world, desk, seconds):
+            recorder.look(now)
+    walk = recorder.done(world)
+    write_bytes(out, pack(walk))
+    lines = [f"{when:.1f} s: {text}" for when, text in walk.told]
+    return [*lines, f"{len(walk.groups)} people, {world.time_s:g} s", str(out)]
+
+
+def _ready(path: Path, out: Path, seconds: float, seed: int) -> World:
+    """Return the world of a file at its beginning, its ways and the output checked."""
+    if not (math.isfinite(seconds) and 0.0 < seconds <= LONGEST_S):
+        raise ClonerError(f"{seconds:g} seconds cannot be run", "Give more than 0 and at most a day", "--seconds")
+    safe_output(out)
+    world = world_of(read_scenario(path), seed)
+    _check_ways(world, path.name)
+    return world
 
 
 def recorded(world: World, seconds: float, progress: Progress = quiet) -> Trajectories:
