@@ -148,7 +148,7 @@ def _answer(world: World, message: dict[str, Any]) -> dict[str, Any]:
 
 
 def _seen(world: World) -> dict[str, Any]:
-    """Return who is there: number, group, place (x, y) in metres, facing, posture, emotion; and what was told so far."""
+    """Return who is there: number, group, place (x, y) in metres, facing, posture, emotion; and what was told."""
     people, scenario = world.people, world.scenario
     shown = []
     for k in world.bodies.present.nonzero()[0]:

@@ -26,8 +26,6 @@ USUAL_RAD: Final = float(np.radians(5.0))
 #: A fifth of people part their lips at all, so that few degrees are rather errors (exponential with the mean of all
 #: people, 1.25 degrees; without it shut mouths of the samples come out open by up to 2.5 degrees).
 RARITY: Final = USUAL_RAD / float(np.radians(1.25))
-#: A smile shows teeth too; a jaw that is open by less did not part the lips, radians.
-PARTED_RAD: Final = float(np.radians(2.5))
 
 
 def jaw_way(generic: GenericHuman, vertices_m: Array, joints_m: Array) -> Array:

@@ -8,14 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
-from cloner.generic.lip_steps import SHARE, to_borders
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.eyeballs import BALL_M, Ball, ball_points
 from cloner.geometry.sockets import similarity
 from cloner.head import lids, lips, tongue
-from cloner.head.jaw import PARTED_RAD
 from cloner.records.views import Camera
-from cloner.vision.open_mouth import INNER_LIPS
 
 Array = NDArray[np.float64]
 
@@ -26,10 +23,6 @@ PUPIL_UP_M = 0.0008
 IRIS_REACH_M = 0.002
 #: Angle of the generic ball's iris rim from its gaze, radians (cage.py's ring).
 RIM_ANGLE = float(np.radians(23.0))
-#: How far apart the lips' inner borders are when a mouth is open, metres (closed mouths: up to 1.5 mm).
-OPEN_M = 0.003
-#: Lips that smile lie closer to the teeth than lips at rest, metres (taste).
-SMILE_M = 0.0025
 #: Lashes are hm08's, shortened: upper and lower, share of their length (taste; hm08's are those of a doll).
 LASH_LENGTH = (0.65, 0.4)
 #: The upper teeth end so far below the line where the lips meet, the lower ones above their edge, metres (anatomy: a
@@ -43,29 +36,23 @@ NARROWER = {"teeth_upper": 0.88, "teeth_lower": 0.80}
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Sight:
-    """What the front photo shows of eyes and mouth.
+    """What the front photo shows of the eyes.
 
     Attributes
     ----------
     camera : Camera
     irises_px : (2, 2)
         Centres of the left and the right iris; zeros where nobody looked.
-    face_px : (468, 2)
-        Points of the face net.
-    jaw_rad : float
-        How far it shows the jaw open.
     """
 
     camera: Camera
     irises_px: Array
-    face_px: Array
-    jaw_rad: float
 
 
 def seat_parts(before_m: Array, fitted_m: Array, sight: Sight | None) -> Array:
     """Return the vertices (V, 3) with lids laid on eyeballs of real size, lips met, teeth and tongue in the mouth.
 
-    Lips meet, unless the photo shows a smile so wide that its teeth would be painted on them.
+    Lips meet, whatever the photo shows: what it paints on them is looked up where it has them (``paint/sources.py``).
 
     Parameters
     ----------
@@ -80,26 +67,6 @@ def seat_parts(before_m: Array, fitted_m: Array, sight: Sight | None) -> Array:
     grid = mouth_grid()
     out[grid.rings] = lips.sealed(grid, lips.uncrossed(grid, lips.closed(grid, out[grid.rings])))
     _seat_mouth(generic, before_m, out)
-    if sight is not None and sight.jaw_rad < PARTED_RAD and _is_open(grid, out[grid.rings], sight):
-        out[grid.rings] = _parted(grid, out[grid.rings], sight)
-        for part in ("teeth_upper", "teeth_lower", "tongue"):
-            out[generic.part(part), 2] += SMILE_M
-    return out
-
-
-def _is_open(grid: Grid, points: Array, sight: Sight) -> bool:
-    """Return whether a photo shows a mouth so far open that its teeth are seen."""
-    upper, lower = sight.face_px[np.array(INNER_LIPS)]
-    metres = sight.camera.metres_per_pixel(points[grid.margin].mean(axis=0))
-    return metres * float((lower - upper)[:, 1].max()) >= OPEN_M
-
-
-def _parted(grid: Grid, points: Array, sight: Sight) -> Array:
-    """Return the lips' points (K, N, 3) with their inner borders where a photo of an open mouth shows them."""
-    metres = sight.camera.metres_per_pixel(points[grid.margin].mean(axis=0))
-    seen = sight.camera.project(points.reshape(-1, 3)).reshape(*points.shape[:2], 2)
-    out = points.copy()
-    out[:, :, 1] -= SHARE[:, None] * metres * to_borders(grid, seen, sight.face_px[np.array(INNER_LIPS)])
     return out
 
 

@@ -112,8 +112,7 @@ def build_report(
 
 def _weak(values: Mapping[str, Any], seen: Mapping[ViewId, Agreement]) -> tuple[str, ...]:
     """Return what is weak in the clone because of its photos."""
-    jaw_rad = values["head"].jaws_rad.get(ViewId.FACE_FRONT, 0.0)
-    told = weaknesses(values["photos"], values["proposals"], seen, jaw_rad)
+    told = weaknesses(values["photos"], values["proposals"], seen)
     return *told, *standing(values["clone"], values["proposals"])
 
 

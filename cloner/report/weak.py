@@ -8,19 +8,16 @@ from typing import Any, Final
 import numpy as np
 
 from cloner.frames import ViewId
-from cloner.head.jaw import PARTED_RAD
 from cloner.labels.states import State, read_states
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.report.agreement import Agreement
+from cloner.vision.open_mouth import open_borders
 
 #: Face-mesh points: outer eye corners, inner edges of the lips, mouth corners (numbering of Google's face mesh).
 _EYES: Final = (33, 263)
-_LIPS: Final = (13, 14)
 #: Fewer pixels between the outer eye corners give a visibly soft face (taste; the sample visitors have 330).
 LEAST_EYES_PX: Final = 120.0
-#: Lips farther apart than this share of the eyes' distance show teeth or the mouth's inside (samples: under 0.01).
-OPEN_MOUTH: Final = 0.04
 #: Channels of a pixel that differ by no more are one grey; JPEG's own colour noise is smaller on grey pictures.
 GREY_LEVELS: Final = 6
 #: A body view below this overlap looks wrong to the eye (the bar for the hard sample set is 0.90).
@@ -30,9 +27,7 @@ LEAST_OVERLAP: Final = 0.90
 LEAST_HEAD_OVERLAP: Final = 0.80
 
 
-def weaknesses(
-    photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agreement], jaw_rad: float = 0.0
-) -> tuple[str, ...]:
+def weaknesses(photos: PhotoSet, proposals: Proposals, seen: Mapping[ViewId, Agreement]) -> tuple[str, ...]:
     """Return sentences about what the photos could not give.
 
     Parameters
@@ -41,8 +36,6 @@ def weaknesses(
     proposals : Proposals
     seen : mapping
         How well the finished clone covers the outline in each photo.
-    jaw_rad : float
-        How far the front photo of the face shows the jaw open.
     """
     told: list[str] = []
     for view, photo in photos.photos.items():
@@ -54,7 +47,7 @@ def weaknesses(
         told.append("No photo shows the head from the side or behind: the hair there is a guess")
     face = proposals.views.get(ViewId.FACE_FRONT)
     if face is not None and face.face_presence > 0.0:
-        told += _face(face, jaw_rad)
+        told += _face(face)
         told += _worn(read_states({face.view: face.labels}, face.face_px))
     for view, found in seen.items():
         if view.is_body and found.iou < LEAST_OVERLAP:
@@ -97,15 +90,15 @@ def is_grey(photo: Photo) -> bool:
     return bool(np.ptp(few, axis=2).max() <= GREY_LEVELS)
 
 
-def _face(proposal: Proposal, jaw_rad: float) -> list[str]:
+def _face(proposal: Proposal) -> list[str]:
     """Return what is weak in the face photo."""
     points = proposal.face_px
     eyes = _apart(points, _EYES)
     told = []
     if eyes < LEAST_EYES_PX:
         told.append(f"The face is small in its photo ({eyes:.0f} pixels between the eyes' corners): it stays soft")
-    if jaw_rad < PARTED_RAD and _apart(points, _LIPS) > OPEN_MOUTH * eyes:
-        told.append("The mouth smiles in the face photo: the clone keeps that smile at rest")
+    if open_borders(points) is not None:
+        told.append("The mouth is open in the face photo: the clone's lips are closed, their inner borders a guess")
     return told
 
 

@@ -91,7 +91,7 @@ def run(
     pivot = model.joints_m[model.generic.joint("skullbase")]
     fitted = scaled(fitted, scale, pivot)
     jaws = shaped.jaws_rad
-    whole = seat_parts(model.vertices_m, model.whole(fitted.head_m), _sight(fitted, front, proposals, jaws[FRONT]))
+    whole = seat_parts(model.vertices_m, model.whole(fitted.head_m), _sight(fitted, front, proposals))
     head = whole[model.generic.head_vertices]
     fitted = Fitted(head, fitted.front, fitted.side)
     log.residuals.append(Residual("head size against the phenotype", 100.0 * (scale - 1.0), "percent"))
@@ -214,12 +214,12 @@ def _cameras(model: Model, fitted: Fitted, front: Front | None, side: Side | Non
     return out
 
 
-def _sight(fitted: Fitted, front: Front | None, proposals: Proposals, jaw_rad: float) -> Sight | None:
-    """Return what the front photo of the face shows of eyes and mouth."""
+def _sight(fitted: Fitted, front: Front | None, proposals: Proposals) -> Sight | None:
+    """Return what the front photo of the face shows of the eyes."""
     if front is None or fitted.front is None or front.view is not ViewId.FACE_FRONT:
         return None
     proposal = proposals.views[front.view]
-    return Sight(fitted.front, proposal.irises_px, proposal.face_px, jaw_rad)
+    return Sight(fitted.front, proposal.irises_px)
 
 
 def _iris(photos: PhotoSet, model: Model, fitted: Fitted, front: Front | None) -> Array:

@@ -16,7 +16,7 @@ pytestmark = pytest.mark.gui
 ELSEWHERE = (
     "cloner/animating.py", "cloner/api.py", "cloner/batch.py", "cloner/cli.py", "cloner/evaluate/", "cloner/farm.py",
     "cloner/behaviour/", "cloner/bodies/", "cloner/cloth/", "cloner/cluster", "cloner/crowd/", "cloner/outside.py",
-    "cloner/statues/", "cloner/terminal.py",
+    "cloner/acting/", "cloner/scenes/", "cloner/statues/", "cloner/terminal.py",
     "cloner/motion/", "cloner/picture.py", "cloner/project/manifest.py", "cloner/project/tape.py",
 )  # fmt: skip
 

@@ -11,12 +11,9 @@ from cloner.evaluate import face_motion
 from cloner.evaluate.baselines import generic_clone
 from cloner.generic.face_grids import eye_grid, eyeball, mouth_grid
 from cloner.generic.load import load_generic
-from cloner.geometry.viewpoints import look_at
-from cloner.head.parts import Sight, seat_parts
+from cloner.head.parts import seat_parts
 from cloner.head.targets import face_targets
 from cloner.motion.limits import limited
-from cloner.records.views import Camera
-from cloner.vision.open_mouth import INNER_LIPS
 from kit.scripts import script
 
 SEEDS = (2, 7)
@@ -199,21 +196,3 @@ def test_the_rulers_see_what_is_wrong() -> None:
     assert face_motion.face_figures(rest, licking).tongue_through > 2.0
     shifted = rest + 0.001
     assert face_motion.face_figures(rest, shifted).ears == pytest.approx(3**0.5, rel=0.01)
-
-
-@pytest.mark.parametrize(
-    ("opened_mm", "jaw_deg", "expected_mm", "tolerance_mm"),
-    [(1.0, 0.0, 0.0, 0.3), (8.0, 0.0, 8.0, 2.0), (8.0, 6.0, 0.0, 0.3)],
-)
-def test_lips_stay_open_only_where_the_photo_shows_a_smile(opened_mm, jaw_deg, expected_mm, tolerance_mm) -> None:
-    rest, grid = random_person(2), mouth_grid()
-    margin = rest[grid.ring(0)]
-    camera = Camera(900, 900, 1600.0, look_at(margin.mean(axis=0) + [0.0, 0.0, 0.8], margin.mean(axis=0)))
-    seen, metres = camera.project(margin), camera.metres_per_pixel(margin.mean(axis=0))
-    face_px = np.zeros((468, 2))
-    for border, side in zip(INNER_LIPS, (-0.5, 0.5), strict=True):
-        bow = side * 0.001 * opened_mm / metres * np.sin(np.linspace(0.0, np.pi, len(border)))
-        aside = np.linspace(seen[:, 0].min(), seen[:, 0].max(), len(border))
-        face_px[list(border)] = np.column_stack([aside, seen[:, 1].mean() + bow])
-    moved = seat_parts(rest, rest, Sight(camera, np.zeros((2, 2)), face_px, np.radians(jaw_deg)))
-    assert face_motion.face_figures(moved, moved).lip_gap == pytest.approx(expected_mm, abs=tolerance_mm)
