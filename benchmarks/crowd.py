@@ -21,11 +21,12 @@ from skimage.metrics import structural_similarity
 from cloner.crowd import stock
 from cloner.crowd.cast import Cast, cast_of
 from cloner.crowd.check import check_pack, gpu_bytes
+from cloner.crowd.eye import Eye
 from cloner.crowd.impostors import TEXELS_PER_M, TEXELS_PER_PX, Bake, bake, with_tiles
 from cloner.crowd.levels import LOOSE, body_levels
 from cloner.crowd.pack import LARGEST_PX, stock_of
 from cloner.crowd.reading import read_facts, read_stock
-from cloner.crowd.theatre import Eye, Stock, Theatre
+from cloner.crowd.theatre import Stock, Theatre
 from cloner.motion.rig import centred
 from cloner.project.clone_file import CLONE_FILE, load_clone
 

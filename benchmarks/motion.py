@@ -30,6 +30,7 @@ from cloner.motion.gait import walk
 from cloner.motion.retarget import captured_directions, retarget
 from cloner.motion.rig import centred
 from cloner.motion.slide import step_slides_m
+from cloner.motion.styles import REGULAR, STYLES, Style
 from cloner.picture import clone_of
 from cloner.records.motions import Motion
 
@@ -65,9 +66,9 @@ def knee_bends(body: Body, motion: Motion) -> Array:
     return np.array(found)
 
 
-def walk_row(name: str, body: Body) -> str:
+def walk_row(name: str, body: Body, style: Style = REGULAR) -> str:
     """Return one row of the walk's table."""
-    motion = walk(body)
+    motion = walk(body, style)
     places = body.places(motion)
     gap = 1000.0 * np.abs(places[0] - places[-1]).max()
     slid = 1000.0 * step_slides_m(body, motion)
@@ -110,6 +111,12 @@ def tables(results: list[Path], captures: list[Path], people: int) -> str:
         _head("walk of", "closes, mm", "sliding, mm a step", "worst, mm", "knee least, °", "most, °", "m/s"),
     ]
     lines += [walk_row(name, body) for name, body in bodies]
+    lines += [
+        walk_row(f"{name}, {style.name}", body, style)
+        for name, body in (known or bodies)[:2]
+        for style in STYLES.values()
+        if style is not REGULAR
+    ]
     lines += [
         "",
         _head("capture", "on", "s", "sliding, mm", "worst, mm", "bones off, °", "p95, °", "knee most, °"),

@@ -270,12 +270,13 @@ def _crowd(
     scene: Annotated[str, typer.Option("--scene", help="walk, plaza or stadium.")] = "plaza",
     vat: Annotated[bool, typer.Option("--vat", help="Vertex animation textures for engines too.")] = False,
     walks: Annotated[list[Path] | None, typer.Option("--walk", help="A captured walk (.bvh, .amc) more.")] = None,
+    feelings: Annotated[bool, typer.Option("--feelings", help="Walks of feelings and acts, for behave bake.")] = False,
     classic: Annotated[bool, typer.Option("--classic", help="Impostors of the plain kind, to compare with.")] = False,
 ) -> None:
     """Make a crowd of finished clones: a page for browsers, levels and impostors for engines."""
     from cloner.crowd.pack import Wanted, make_pack, rings_of
 
-    wanted = Wanted(people, views, poses, rings_of(rings), looks, scene, vat, tuple(walks or ()), classic)
+    wanted = Wanted(people, views, poses, rings_of(rings), looks, scene, vat, tuple(walks or ()), feelings, classic)
     make_pack(results, out, wanted, lambda name, k, n: typer.echo(f"{k}/{n} {name}", err=True))
     typer.echo(str(out / "player.html"))
 
@@ -317,6 +318,23 @@ def _behave_run(
 
     with ProgressLine() as progress:
         lines = run_file(scenario, out, seconds=seconds, seed=seed, picture=picture, film=film, progress=progress)
+    for line in lines:
+        typer.echo(line)
+
+
+@behaves.command("bake")
+def _behave_bake(
+    source: Annotated[Path, typer.Argument(metavar="WALK", help="What behave run wrote, or a scenario's text.")],
+    pack: Annotated[Path, typer.Option("--pack", help="What cloner crowd --feelings wrote.")],
+    out: Annotated[Path, typer.Option("--out", help="Folder of the new pack, whose page plays it.")],
+    seconds: Annotated[float, typer.Option("--seconds", help="How long, for a scenario.")] = 60.0,
+    seed: Annotated[int, typer.Option("--seed", help="As for run, for a scenario.")] = 0,
+) -> None:
+    """Let a pack's clones act a scenario in a page for browsers."""
+    from cloner.acting.written import bake_file
+
+    with ProgressLine() as progress:
+        lines = bake_file(source, pack, out, seconds=seconds, seed=seed, progress=progress)
     for line in lines:
         typer.echo(line)
 

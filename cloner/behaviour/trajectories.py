@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.behaviour.ground import Array
+from cloner.behaviour.model import XY
 from cloner.behaviour.walking import STEP_S
 from cloner.behaviour.world import World
 from cloner.errors import ClonerError
@@ -29,6 +30,9 @@ STEPS: Final = round(1.0 / RATE_HZ / STEP_S)
 #: An hour of 20,000 people is less.
 LARGEST_BYTES: Final = 2_000_000_000
 MOST_VALUES: Final = 400_000_000
+#: More corners of obstacles than a plan has, and places farther away, metres; they bound what a hostile file can ask.
+MOST_CORNERS: Final = 5_000
+FARTHEST_M: Final = 1e6
 _AGAIN: Final = "Write it again with cloner behave run"
 
 
@@ -37,7 +41,8 @@ class Trajectories:
     """What people did: (f, n) a frame and person; ``place`` (f, n, 2) m, ``facing`` (f, n, 2) unit vectors.
 
     ``posture``, ``emotion`` are places in the lists ``acts`` and ``emotions``; ``gaze`` in ``things``, -1 for none; who
-    is not ``present`` stands where he left. ``groups`` (n,) names the scenario's group of each. Frame k is at k / 10 s.
+    is not ``present`` stands where he left; ``walks`` are the emotions' styles; ``obstacles`` corners, m.
+    ``groups`` (n,) names the scenario's group of each. Frame k is at k / 10 s.
     """
 
     place: Array
@@ -52,6 +57,9 @@ class Trajectories:
     things: tuple[str, ...]
     told: tuple[tuple[float, str], ...]
     seed: int
+    walks: tuple[str, ...] = ()
+    obstacles: tuple[tuple[XY, ...], ...] = ()
+    things_at: tuple[XY, ...] = ()
 
 
 class Recorder:
@@ -87,6 +95,9 @@ class Recorder:
             things=tuple(str(one.name) for one in scenario.things),
             told=tuple(world.told),
             seed=world.seed,
+            walks=tuple(str(one.walk) for one in scenario.emotions),
+            obstacles=tuple(one.corners for one in scenario.obstacles),
+            things_at=tuple(one.at for one in scenario.things),
         )  # fmt: skip
 
 
@@ -98,6 +109,7 @@ def pack(walk: Trajectories) -> bytes:
     head = {
         "frames": len(walk.place), "rate_hz": RATE_HZ, "unit_m": UNIT_M, "seed": walk.seed, "groups": list(walk.groups),
         "acts": list(walk.acts), "emotions": list(walk.emotions), "things": list(walk.things), "told": list(walk.told),
+        "walks": list(walk.walks), "obstacles": walk.obstacles, "things_at": walk.things_at,
     }  # fmt: skip
     second = _differences(place)
     zigzag = ((second << 1) ^ (second >> 31)).astype(np.uint32)
@@ -145,9 +157,14 @@ def unpack(data: bytes) -> Trajectories:
         groups, acts, emotions, things = (
             tuple(map(str, head[one])) for one in ("groups", "acts", "emotions", "things")
         )
+        walks = tuple(map(str, head.get("walks", emotions)))  # files of before had none, nor what follows
+        obstacles = tuple(tuple(map(_place, one)) for one in head.get("obstacles", ()))
+        things_at = tuple(map(_place, head.get("things_at", ())))
+        if any(len(one) < 3 for one in obstacles) or sum(map(len, obstacles)) + len(things_at) > MOST_CORNERS:
+            raise ValueError("no obstacles")
         told = tuple((float(when), str(what)) for when, what in head["told"])
         seed = int(head["seed"])
-    except (KeyError, TypeError, ValueError, RecursionError) as error:
+    except (KeyError, TypeError, ValueError, OverflowError, RecursionError) as error:
         raise ValueError("its head cannot be read") from error
     size = frames * people
     if not (0 < frames and 0 < people and size <= MOST_VALUES):
@@ -170,9 +187,26 @@ def unpack(data: bytes) -> Trajectories:
     angle = rows[0].astype(np.int8) * (np.pi / 128.0)
     facing = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     gaze = rows[3].astype(np.int8)
+    if rows[1].max() >= len(acts) or rows[2].max() >= min(len(emotions), len(walks)):
+        raise ValueError("it tells of acts or emotions that it does not name")
     return Trajectories(
-        np.asarray(place), facing, rows[4] != 0, rows[1], rows[2], gaze, groups, acts, emotions, things, told, seed
-    )
+        np.asarray(place), facing, rows[4] != 0, rows[1], rows[2], gaze, groups, acts, emotions, things, told, seed,
+        walks, obstacles, things_at,
+    )  # fmt: skip
+
+
+def _place(told: Any) -> XY:
+    """Return a place of the plan.
+
+    Raises
+    ------
+    ValueError
+        If it is none.
+    """
+    x, y = (float(one) for one in told)
+    if not (abs(x) < FARTHEST_M and abs(y) < FARTHEST_M):
+        raise ValueError("no place")
+    return x, y
 
 
 def read_trajectories(path: Path) -> Trajectories:

@@ -67,7 +67,14 @@ class Cast:
 
 
 def cast_of(
-    identifier: str, clone: Clone, body: BodyLevels, *, poses: int, walks: Sequence[Path] = (), atlas_px: int = ATLAS_PX
+    identifier: str,
+    clone: Clone,
+    body: BodyLevels,
+    *,
+    poses: int,
+    walks: Sequence[Path] = (),
+    feelings: bool = False,
+    atlas_px: int = ATLAS_PX,
 ) -> Cast:
     """Return a clone ready for the crowd.
 
@@ -78,7 +85,7 @@ def cast_of(
     """
     groups, shells = triangle_groups(clone), [shell for shell in clone.shells if shell.kind in DRAWN]
     atlas, codes = smaller(clone.atlas.rgb, atlas_px), texel_groups(groups, atlas_px)
-    clips = clips_of(clone, poses, walks)
+    clips = clips_of(clone, poses, walks, feelings=feelings)
     normals = surface_normals(clone.vertices_m)[body.vertex]
     return Cast(
         identifier,

@@ -9,8 +9,8 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from cloner.crowd.files import digest
-from cloner.crowd.reading import LARGEST_FILE_BYTES, casting_from, checked, read_facts, read_stock
-from cloner.crowd.scene import SCENES, Scene, looks_shown, places, scene_of
+from cloner.crowd.reading import LARGEST_FILE_BYTES, casting_from, checked, read_acted, read_facts, read_stock
+from cloner.crowd.scene import ACTED, SCENES, Scene, looks_shown, places, scene_of
 from cloner.errors import ClonerError
 from cloner.outside import read_outside
 
@@ -50,6 +50,10 @@ def check_pack(pack: Path) -> list[str]:
         lines.append(
             f"{name}: {looks_shown(made)} looks among {len(made.rows)} people, nearest same clone {near:.2f} m"
         )
+    if "acted" in facts:
+        acted = read_acted(pack, facts)
+        seconds = float(facts["acted"]["seconds"])
+        lines.append(f"{ACTED}: {len(acted.people)} people act {seconds:g} s in {len(acted.footings)} footings")
     return lines
 
 

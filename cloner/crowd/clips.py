@@ -20,13 +20,16 @@ from cloner.generic.load import load_generic
 from cloner.geometry.skinning import joint_transforms
 from cloner.motion import turns
 from cloner.motion.acclaim import read_acclaim
+from cloner.motion.acts import ACTS
 from cloner.motion.body import SIDES, Body, body_of
 from cloner.motion.bvh import read_bvh
 from cloner.motion.contact import grounded
 from cloner.motion.cycle import walk_cycle
-from cloner.motion.gait import aim_limb, follow, idle, upright, walk
+from cloner.motion.gait import aim_limb, follow, idle, stands_at, upright, walk
+from cloner.motion.planting import planted
 from cloner.motion.retarget import retarget
 from cloner.motion.slide import posed_at
+from cloner.motion.styles import REGULAR, RUN, STYLES, Style
 from cloner.motion.twist import shared_twist
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -38,6 +41,9 @@ WALK_FRAMES: Final = 48
 IDLE_FRAMES: Final = 16
 IDLE_POSES: Final = 2  # breath and sway of a standing person are under a texel where impostors are shown
 SIT_FRAMES: Final = 1
+#: Two frames a clap of `acts.applaud`, between which whoever is near is blended; taste.
+ACT_FRAMES: Final = 24
+ACT_POSES: Final = 8
 CAPTURES: Final = {".bvh": read_bvh, ".amc": read_acclaim}
 
 
@@ -57,7 +63,9 @@ class Clip:
     rotations : (F, J, 3) float64, root_m : (F, 3) float64
         The same as turns of the joints against their parents, and the root's place.
     poses : int
-        Impostors' share of the frames: every ``F // poses``-th.
+        That coarse levels and impostors show: every ``F // poses``-th frame.
+    far : str
+        Name of the clip whose impostors stand for it, "" for its own: people of 38 px tell walks by their steps alone.
     around : bool
         Seen from all around; else from the front half alone, as in a stand.
     """
@@ -70,10 +78,11 @@ class Clip:
     root_m: Array
     poses: int
     around: bool = True
+    far: str = ""
 
 
-def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = ()) -> tuple[Clip, ...]:
-    """Return walk, idle, sitting and the captured walks of a clone, in this order.
+def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = (), *, feelings: bool = False) -> tuple[Clip, ...]:
+    """Return walk, idle, sitting, the walks of feelings and the acts where asked, and the captured walks of a clone.
 
     Raises
     ------
@@ -82,11 +91,31 @@ def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = ()) -> tuple[Clip
     """
     body = body_of(clone)
     found = [
-        _clip(clone, walk(body), WALK_FRAMES, poses),
-        _clip(clone, idle(body), IDLE_FRAMES, IDLE_POSES),
-        _clip(clone, sitting(body), SIT_FRAMES, SIT_FRAMES, around=False),
+        _clip(clone, walked(body, REGULAR), poses),
+        _clip(clone, shown(idle(body), IDLE_FRAMES), IDLE_POSES),
+        _clip(clone, shown(sitting(body), SIT_FRAMES), SIT_FRAMES, around=False),
     ]
-    return (*found, *(_clip(clone, captured(body, path), WALK_FRAMES, poses) for path in walks))
+    if feelings:
+        others = [*(style for style in STYLES.values() if style is not REGULAR), RUN]
+        found += [_clip(clone, walked(body, style), poses, far=found[0].name) for style in others]
+        found += [_clip(clone, shown(act(body), ACT_FRAMES), ACT_POSES, far=found[1].name) for act in ACTS.values()]
+    return (*found, *(_clip(clone, shown(captured(body, path), WALK_FRAMES), poses) for path in walks))
+
+
+def walked(body: Body, style: Style) -> Motion:
+    """Return a walk in as many frames as are shown, its feet planted between these.
+
+    Planted between others, 60 a second, feet slid by up to 17 mm a step from one shown frame to the next.
+    """
+    motion = shown(walk(body, style), WALK_FRAMES)
+    return planted(body, motion, stands_at(motion.times_s / motion.times_s[-1], style))
+
+
+def shown(motion: Motion, count: int) -> Motion:
+    """Return a motion in so many frames, and once more the first."""
+    at = np.arange(count + 1) * float(motion.times_s[-1]) / count
+    rotations, root = posed_at(motion, at)
+    return Motion(motion.name, at, root, rotations, cyclic=True, speed_m_s=motion.speed_m_s)
 
 
 def captured(body: Body, path: Path) -> Motion:
@@ -120,11 +149,11 @@ def sitting(body: Body) -> Motion:
     return grounded(body, Motion("sit", np.array([0.0, 1.0]), np.zeros((2, 3)), rotations, cyclic=True))
 
 
-def _clip(clone: Clone, motion: Motion, count: int, poses: int, *, around: bool = True) -> Clip:
-    seconds = float(motion.times_s[-1])
-    at = np.arange(count) * seconds / count
-    rotations, root = posed_at(motion, at)
+def _clip(clone: Clone, motion: Motion, poses: int, *, around: bool = True, far: str = "") -> Clip:
+    """Return a motion whose last frame is its first one as a clip."""
+    rotations, root = motion.rotations[:-1], motion.root_m[:-1]
     parents = load_generic().joint_parents.astype(np.int32)
     frames = joint_transforms(clone.joints_m, parents, rotations)[:, :, :3]
     frames[..., 3] += root[:, None]
-    return Clip(motion.name, seconds, motion.speed_m_s, frames, rotations, root, min(poses, count), around)
+    seconds, count = float(motion.times_s[-1]), len(frames)
+    return Clip(motion.name, seconds, motion.speed_m_s, frames, rotations, root, min(poses, count), around, far)

@@ -26,7 +26,7 @@ from cloner.errors import ClonerError
 Pixels = NDArray[np.uint8]
 
 FORMAT: Final = "cloner-crowd"
-VERSION: Final = 1
+VERSION: Final = 2
 COLOUR_QUALITY: Final = 80  # taste: no blocks at a texel a pixel
 SHAPE_QUALITY: Final = 88
 #: A clone's numbers have 3 MB, its largest page 4096 x 4096 texels and the normals' planes below one another.

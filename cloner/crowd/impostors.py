@@ -141,12 +141,15 @@ def bake(cast: Cast, body: BodyLevels, held: Stock, wanted: Bake) -> Tiles:
 def _plan(cast: Cast, body: BodyLevels, wanted: Bake) -> tuple[list[_Tile], list[int]]:
     """Return the tiles in their order (clip, ring, view, pose) and the first one of each clip."""
     found: list[_Tile] = []
-    starts = []
+    starts: list[int] = []
     coarse = slice(0, body.counts[-2])
     loose = cast.loose
     some = np.unique(np.concatenate([triangles.reshape(-1) for triangles in loose.triangles[-2:]]))
+    names = [clip.name for clip in cast.clips]
     for number, clip in enumerate(cast.clips):
-        starts.append(len(found))
+        starts.append(starts[names.index(clip.far)] if clip.far else len(found))
+        if clip.far:
+            continue
         every = len(clip.frames) // clip.poses
         clouds = []
         for pose in range(clip.poses):

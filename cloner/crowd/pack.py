@@ -37,6 +37,8 @@ from cloner.crowd.player import player_page
 from cloner.crowd.theatre import DEPTH_RANGE_M, SUN, Stock
 from cloner.crowd.vat import vat_files
 from cloner.errors import ClonerError
+from cloner.motion.acts import ACTS
+from cloner.motion.styles import STYLES
 from cloner.records.clones import Clone
 
 #: People from which wide views of arms and coats need 40 views: width of the walking chest with arms against its depth.
@@ -47,6 +49,8 @@ FEW_VIEWS, MANY_VIEWS = 22, 40
 LARGEST_PX: Final = (0, 256, 128, 64)
 ATLAS_QUALITY: Final = 85
 MASK_PX: Final = 128
+#: Captured walks that a clone's table has room for beside those of feelings and the acts.
+MOST_WALKS: Final = stock.MOST_CLIPS - 3 - len(STYLES) - len(ACTS)
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +67,8 @@ class Wanted:
     scene : str
     vat : bool
     walks : tuple of Path, captured walks besides the own one
+    feelings : bool
+        Walks of all feelings and what people do who stand, as scenarios want them.
     classic : bool
         Impostors as in the source: a texel a pixel, nearest view, no depth.
     """
@@ -75,6 +81,7 @@ class Wanted:
     scene: str = "plaza"
     vat: bool = False
     walks: tuple[Path, ...] = ()
+    feelings: bool = False
     classic: bool = False
 
 
@@ -110,7 +117,9 @@ def make_pack(
         for number, one in enumerate(found, start=1):
             told(one.identifier, number, len(found))
             clone, _ = load_person(one, generic)
-            cast = cast_of(one.identifier, clone, body, poses=wanted.poses, walks=wanted.walks)
+            cast = cast_of(
+                one.identifier, clone, body, poses=wanted.poses, walks=wanted.walks, feelings=wanted.feelings
+            )
             row, first_bone = _person(folder, cast, clone, body, wanted, first_bone, files)
             rows.append(row)
             masks.append(garment_masks(cast.codes[:: len(cast.codes) // MASK_PX, :: len(cast.codes) // MASK_PX]))
@@ -154,8 +163,8 @@ def _check(wanted: Wanted) -> None:
         raise ClonerError(f"{wanted.views} views are not possible", hint, "--views")
     if not 1 <= len(wanted.rings_deg) <= 4 or not all(-30.0 <= ring <= 80.0 for ring in wanted.rings_deg):
         raise ClonerError("the rings are not possible", "Give one to four elevations from -30 to 80 degrees", "--rings")
-    if len(wanted.walks) > stock.MOST_CLIPS - 3:
-        raise ClonerError("these are too many walks", f"Give at most {stock.MOST_CLIPS - 3}", "--walk")
+    if len(wanted.walks) > MOST_WALKS:
+        raise ClonerError("these are too many walks", f"Give at most {MOST_WALKS}", "--walk")
 
 
 def _person(

@@ -9,8 +9,10 @@ from typing import Any, Final
 import numpy as np
 
 from cloner.crowd.files import FORMAT, MARK, VERSION, digest, picture, shell_from, tiles_from, unpacked
+from cloner.crowd.footing import Acted, fits
 from cloner.crowd.impostors import Bake, with_tiles
 from cloner.crowd.levels import LOOSE, body_levels
+from cloner.crowd.player import ACTED_FILE
 from cloner.crowd.scene import Casting
 from cloner.crowd.stock import Numbers
 from cloner.crowd.theatre import Stock
@@ -74,6 +76,25 @@ def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
         return with_tiles(held, tiles, Bake(int(facts["impostors"]["views"]), elevations))
     except (ValueError, LookupError, TypeError, OSError) as error:
         raise ClonerError("the crowd's files do not fit together", _AGAIN, pack.name) from error
+
+
+def read_acted(pack: Path, facts: dict[str, Any]) -> Acted:
+    """Return what the clones of a pack act, if it was baked.
+
+    Raises
+    ------
+    ClonerError
+        If it acts nothing, or the file is missing, damaged or does not fit the clones.
+    """
+    if "acted" not in facts:
+        raise ClonerError("the crowd acts no scenario", "Make one with cloner behave bake", pack.name)
+    try:
+        acted = Acted(**unpacked(checked(pack, ACTED_FILE, facts), facts["acted"]["arrays"]))
+        if not fits(acted, [len(row["clips"]) for row in facts["people"]]):
+            raise ValueError("other clones")
+    except (ValueError, LookupError, TypeError) as error:
+        raise ClonerError("what the crowd acts does not fit it", "Bake it again", pack.name) from error
+    return acted
 
 
 def checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:

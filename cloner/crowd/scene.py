@@ -15,6 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 SCENES: Final = ("walk", "plaza", "stadium")
+#: The scene of a pack that acts a scenario: see `footing`.
+ACTED: Final = "scenario"
 LANE_M: Final = 0.85
 ALONG_M: Final = 1.8
 RING_FROM_M: Final = 6.0  # smaller rings would turn a standing foot by more than a centimetre
@@ -180,13 +182,18 @@ def _add(
     casting: Casting,
     dice: Dice,
 ) -> None:
-    scale = 0.96 + 0.08 * dice.roll()
+    scale = scale_of(dice)
     phase = dice.roll()
-    donors, dyes = _look(clone, casting, dice)
+    donors, dyes = look_of(clone, casting, dice)
     rows += [path, [speed, phase, clone, scale], [*donors, clip], dyes, [up, 0.0, 0.0, 0.0]]
 
 
-def _look(clone: int, casting: Casting, dice: Dice) -> tuple[list[float], list[float]]:
+def scale_of(dice: Dice) -> float:
+    """Return how large somebody is against the clone."""
+    return 0.96 + 0.08 * dice.roll()
+
+
+def look_of(clone: int, casting: Casting, dice: Dice) -> tuple[list[float], list[float]]:
     """Return whose top, bottom and shoes somebody wears, and the dyes of top, bottom, shoes and hair or -1."""
     donors, dyes = [float(clone)] * 3, [-1.0] * 4
     kind = dice.roll()

@@ -12,10 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from cloner.crowd.eye import Eye
 from cloner.crowd.files import MARK
-from cloner.crowd.reading import casting_from, read_facts, read_stock
-from cloner.crowd.scene import SCENES, Scene, places, scene_of
-from cloner.crowd.theatre import Eye, Theatre
+from cloner.crowd.footing import GONE, Acted, rows_at
+from cloner.crowd.reading import casting_from, read_acted, read_facts, read_stock
+from cloner.crowd.scene import ACTED, SCENES, Scene, places, scene_of
+from cloner.crowd.theatre import Theatre
 from cloner.errors import ClonerError
 from cloner.vision.films import FORMATS, write_film
 
@@ -65,8 +67,9 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
     """
     facts = read_facts(pack)
     view = str(facts["scene"]) if view == "front" else view  # what cloner render asks for unless told
-    if view not in VIEWS:
-        raise ClonerError(f"{view!r} is no view of a crowd", f"Choose one of {', '.join(VIEWS)}", "--view")
+    views = VIEWS | ({ACTED: facts["acted"]["views"]["overview"]} if "acted" in facts else {})
+    if view not in views:
+        raise ClonerError(f"{view!r} is no view of a crowd", f"Choose one of {', '.join(views)}", "--view")
     match = re.fullmatch(r"(\d+)[x×](\d+)", size.strip().lower())
     width, height = (int(part) for part in match.groups()) if match else (0, 0)
     if not (16 <= width <= LARGEST_PX and 16 <= height <= LARGEST_PX):
@@ -74,17 +77,18 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
             f"{size!r} is no size from 16x16 to {LARGEST_PX}x{LARGEST_PX}", "Write it like 1280x720", "--size"
         )
     name = _SCENE_OF.get(view, view)
-    if name not in SCENES:
+    if name not in (*SCENES, ACTED):
         raise ClonerError(f"{name!r} is no scene", f"Choose one of {', '.join(SCENES)}", "--view")
-    made = scene_of(name, int(facts["people_count"]), casting_from(facts))
+    casting = casting_from(facts)
+    made = read_acted(pack, facts) if name == ACTED else scene_of(name, int(facts["people_count"]), casting)
     theatre = Theatre(read_stock(pack, facts))
     temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
     try:
         painter = Painter(theatre, facts, made, (width, height))
         if out.suffix.lower() in FORMATS:
-            write_film(_film(painter, view), FRAMES_PER_S, temporary)
+            write_film(_film(painter, views[view]), FRAMES_PER_S, temporary)
         else:
-            Image.fromarray(painter.picture(VIEWS[view], STARTED_S)).save(temporary, format="PNG")
+            Image.fromarray(painter.picture(views[view], STARTED_S)).save(temporary, format="PNG")
         temporary.replace(out)
     except OSError as error:
         raise ClonerError("the picture cannot be written", "Choose another --out file", out.name) from error
@@ -93,8 +97,8 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
         theatre.close()
 
 
-def _film(painter: Painter, view: str) -> Iterator[Pixels]:
-    place, target = (np.array(one) for one in VIEWS[view])
+def _film(painter: Painter, view: tuple[Any, Any]) -> Iterator[Pixels]:
+    place, target = (np.array(one) for one in view)
     ahead = (target - place) * (1.0, 0.0, 1.0)
     ahead = ahead / np.linalg.norm(ahead)
     count = round(FILM_S * FRAMES_PER_S)
@@ -106,10 +110,11 @@ def _film(painter: Painter, view: str) -> Iterator[Pixels]:
 class Painter:
     """Pictures of one scene of a pack at any time from anywhere."""
 
-    def __init__(self, theatre: Theatre, facts: dict[str, Any], made: Scene, size_px: tuple[int, int]) -> None:
+    def __init__(self, theatre: Theatre, facts: dict[str, Any], made: Scene | Acted, size_px: tuple[int, int]) -> None:
         self._theatre, self._facts, self._scene, self._size = theatre, facts, made, size_px
         self._focal = size_px[1] / 2.0 / np.tan(np.radians(FIELD_DEG) / 2.0)
-        theatre.send_people(made.rows)
+        if isinstance(made, Scene):
+            theatre.send_people(made.rows)
 
     def picture(self, view: tuple[Any, Any], now: float, mode: str = "hybrid") -> Pixels:
         """Return the (H, W, 3) picture from a place towards a target at a time, seconds.
@@ -121,11 +126,13 @@ class Painter:
         target = theatre.target(self._size, 1, SAMPLES)
         values = {
             "clipFromWorld": eye.clip_from_world(), "eye": eye.place_m, "focalPx": eye.focal_px, "now": now,
-            "laneLength": self._scene.lane_m, "cutoff": 0.0,
+            "laneLength": self._scene.lane_m if isinstance(self._scene, Scene) else 1.0, "cutoff": 0.0,
             "classic": int(bool(self._facts["impostors"]["classic"])),
         }  # fmt: skip
         theatre.begin(target, SKY)
         chosen = self._tiers(eye, now, mode)
+        if isinstance(self._scene, Acted):
+            theatre.draw_blocks(self._scene.blocks, values)
         theatre.draw_ground(_instances(np.concatenate(chosen)), values)
         for level, who in enumerate(chosen[:-1]):
             theatre.draw_people(level, _instances(who), {**values, "coarse": int(level >= 2)})
@@ -136,7 +143,13 @@ class Painter:
 
     def _tiers(self, eye: Eye, now: float, mode: str) -> list[NDArray[np.int64]]:
         """Return who is drawn at each level, and last as an impostor."""
-        away = np.linalg.norm(places(self._scene, now) + (0.0, 0.9, 0.0) - eye.place_m, axis=1)
+        if isinstance(self._scene, Scene):
+            where, here = places(self._scene, now), None
+        else:
+            rows = rows_at(self._scene, now)
+            self._theatre.send_people(rows)
+            where, here = np.column_stack([rows[:, 0, 1], np.zeros(len(rows)), rows[:, 0, 2]]), rows[:, 0, 0] < GONE
+        away = np.linalg.norm(where + (0.0, 0.9, 0.0) - eye.place_m, axis=1)
         tiers = self._facts["tiers"]
         far = eye.focal_px * self._facts["switch"]["metres_per_focal_px"]
         limits = [min(eye.focal_px * STATURE_M / tier["largest_px"], far) for tier in tiers[1:]] + [far]
@@ -145,7 +158,8 @@ class Painter:
         if mode == "geometry":
             limits[0] = np.inf
         level = np.searchsorted(np.array(limits), away, side="right")
-        return [np.flatnonzero(level == k) for k in range(len(tiers) + 1)]
+        shown = np.ones(len(level), bool) if here is None else here
+        return [np.flatnonzero((level == k) & shown) for k in range(len(tiers) + 1)]
 
 
 def _instances(who: NDArray[np.int64]) -> NDArray[np.float32]:

@@ -27,8 +27,8 @@ BONE_FULL: Final = 32767
 WIDE: Final = 128
 CORNERS_WIDE: Final = 256
 #: Columns of the clones' table: facts, clips, sets of tiles, looks, colours of garments, skin.
-COLUMNS: Final = 32
-CLIPS_AT, SETS_AT, LOOKS_AT, COLOURS_AT, SKIN_AT = 1, 9, 17, 21, 26
+COLUMNS: Final = 64
+CLIPS_AT, SETS_AT, LOOKS_AT, COLOURS_AT, SKIN_AT = 1, 25, 49, 53, 58
 MOST_CLIPS: Final = SETS_AT - CLIPS_AT
 _DYED: Final = (*WORN, "hair")
 
@@ -131,7 +131,8 @@ def table_row(
     frame = first_bone
     for k, clip in enumerate(cast.clips):
         row[CLIPS_AT + k] = frame, len(clip.frames), clip.seconds, clip.seconds * clip.speed_m_s
-        row[SETS_AT + k] = tile_starts[k], clip.poses, float(clip.around), 0.0
+        far = next(one for one in cast.clips if one.name == (clip.far or clip.name))
+        row[SETS_AT + k] = tile_starts[k], far.poses, float(far.around), clip.poses
         frame += len(clip.frames)
     for k, name in enumerate(_DYED):
         look = cast.looks.get(name)

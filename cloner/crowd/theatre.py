@@ -22,8 +22,6 @@ HEADER: Final = "#version 330\n"
 #: Depth that 8 bits of an impostor stand for, metres: a stride with swinging arms.
 DEPTH_RANGE_M: Final = 1.4
 SUN: Final = (0.45, 0.75, 0.48)
-NEAR_M: Final = 0.1
-FAR_M: Final = 1200.0
 _A2C: Final = 0x809E  # GL_SAMPLE_ALPHA_TO_COVERAGE
 _UNITS: Final = ("people", "clones", "vertices", "loose", "corners", "bones", "atlases", "shells", "tiles", "colours",
                  "shapes")  # fmt: skip
@@ -32,6 +30,7 @@ _PARTS: Final = {
     "bake": (("common", "person.vert"), ("common", "shading", "worn", "bake.frag")),
     "impostor": (("common", "impostor.vert"), ("common", "shading", "impostor.frag")),
     "ground": (("common", "ground.vert"), ("ground.frag",)),
+    "block": (("block.vert",), ("shading", "block.frag")),
 }
 
 
@@ -60,43 +59,6 @@ class Stock:
     colours: Pixels | None = None
     shapes: Pixels | None = None
     elevations: tuple[float, ...] = (0.0,)
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Eye:
-    """A camera of the crowd.
-
-    Attributes
-    ----------
-    place_m : (3,), target_m : (3,)
-    size_px : (width, height)
-    focal_px : float
-    """
-
-    place_m: Array
-    target_m: Array
-    size_px: tuple[int, int]
-    focal_px: float
-
-    def clip_from_world(self, near_m: float = NEAR_M, far_m: float = FAR_M) -> Array:
-        """Return the (4, 4) matrix to clip space, Y up."""
-        back = np.asarray(self.place_m, float) - self.target_m
-        back /= np.linalg.norm(back)
-        right = np.cross([0.0, 1.0, 0.0], back)
-        right /= np.linalg.norm(right)
-        rows = np.vstack([right, np.cross(back, right), back])
-        view = np.eye(4)
-        view[:3, :3], view[:3, 3] = rows, -rows @ self.place_m
-        width, height = self.size_px
-        lens = np.array(
-            [
-                [2 * self.focal_px / width, 0, 0, 0],
-                [0, 2 * self.focal_px / height, 0, 0],
-                [0, 0, -(far_m + near_m) / (far_m - near_m), -2 * far_m * near_m / (far_m - near_m)],
-                [0, 0, -1, 0],
-            ]
-        )
-        return np.asarray(lens @ view)
 
 
 class Theatre:
@@ -267,6 +229,17 @@ class Theatre:
         self._quads("ground", instances, values)
         self._gl.fbo.depth_mask = True
         self._gl.disable(self._gl.BLEND)
+
+    def draw_blocks(self, corners: NDArray[np.float32], values: Mapping[str, Any]) -> None:
+        """Draw triangles given as (3 T, 6) corners and normals."""
+        if not len(corners):
+            return
+        self.uniforms("block", values)
+        buffer = self._gl.buffer(np.ascontiguousarray(corners, np.float32).tobytes())
+        blocks = self._gl.vertex_array(self._programs["block"], [(buffer, "3f 3f", "position", "normal")])
+        blocks.render()
+        blocks.release()
+        buffer.release()
 
     def _quads(self, program: str, instances: NDArray[np.float32], values: Mapping[str, Any]) -> None:
         self._place(instances)

@@ -6,8 +6,8 @@ from collections.abc import Callable, Mapping
 from pathlib import PurePosixPath
 from typing import Any, Final
 
-from cloner.crowd.scene import SCENES
-from cloner.crowd.stock import COLUMNS
+from cloner.crowd.scene import ACTED, SCENES
+from cloner.crowd.stock import COLUMNS, MOST_CLIPS
 
 Check = Callable[[Any], bool]
 
@@ -27,6 +27,8 @@ def why_unfit(facts: Any) -> str:
     Only what Cloner reads back is looked at; other programs may add what they like.
     """
     wrong = _unfit(facts, _FACTS, "")
+    if not wrong and ("acted" in facts or facts["scene"] == ACTED):
+        wrong = _unfit(facts, _ACTED, "")
     if wrong:
         return wrong
     clones = len(facts["people"])
@@ -124,10 +126,13 @@ _ARRAYS: Final = {
     "vertices": _array("uint16", 0, 4), "loose": _array("uint16", 0, 4), "corners": _array("uint16", 0),
     "bones": _array("int16", 0, 0, 3, 4), "table": _array("float32", COLUMNS, 4), "tiles": _array("float32", 0, 4),
 }  # fmt: skip
+_CLIP: Final = {
+    "name": _text, "seconds": _number(0.05, 1e4), "speed_m_s": _number(0.0, 100.0), "frames": _whole(1, 1023),
+}  # fmt: skip
 _FACTS: Final = {
-    "scene": lambda value: _text(value) and value in SCENES,
+    "scene": lambda value: _text(value) and value in (*SCENES, ACTED),
     "people_count": _whole(1, MOST_PEOPLE),
-    "people": _Rows({"id": _identifier, "arrays": _ARRAYS}, 1, MOST_CLONES),
+    "people": _Rows({"id": _identifier, "arrays": _ARRAYS, "clips": _Rows(_CLIP, 1, MOST_CLIPS)}, 1, MOST_CLONES),
     "tiers": _Rows({"largest_px": _number(0.0, 1e6)}, TIERS, TIERS),  # the finest has no largest: 0
     "switch": {"metres_per_focal_px": _METRES, "texels_per_px": _METRES, "texels_per_m": _METRES},
     "impostors": {"views": _whole(2, 64), "rings_deg": _Rows(_number(-90.0, 90.0), 1, 4), "classic": _truth},
@@ -141,3 +146,16 @@ _FACTS: Final = {
     "player": {"sha256": _text},
     "files": _Table(_inside, _text),
 }
+_PLACE: Final = _Rows(_number(-1e6, 1e6), 3, 3)
+#: As :class:`cloner.crowd.footing.Acted` has them, for packs that act a scenario.
+_ACTED: Final = {
+    "acted": {
+        "seconds": _number(0.05, 1e6),
+        "arrays": {
+            "footings": _array("float32", 0, 12), "starts": _array("uint32", 0), "people": _array("float32", 0, 5, 4),
+            "touches": _array("float32", 0, 0, 48, 6), "clips": _array("float32", 0, 0, 2),
+            "blocks": _array("float32", 0, 6),
+        },
+        "views": {name: _Rows(_PLACE, 2, 2) for name in ("overview", "near", "street")},
+    }
+}  # fmt: skip

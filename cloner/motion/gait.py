@@ -23,6 +23,7 @@ from cloner.motion import turns
 from cloner.motion.body import FOOT, NECK, SIDES, SPINE, Body, below
 from cloner.motion.contact import grounded
 from cloner.motion.planting import planted
+from cloner.motion.styles import REGULAR, Style
 from cloner.motion.twist import shared_twist
 from cloner.records.motions import Motion
 
@@ -32,8 +33,6 @@ X, Y, Z = 0, 1, 2
 FRAMES_PER_S: Final = 30
 #: Feet roll over the ground between two frames of a walk; at half as many they slide by millimetres in between.
 WALK_FRAMES_PER_S: Final = 60
-WALK_S: Final = 1.0  # one left and one right step
-STANCE: Final = 0.60  # of a foot's own cycle, from heel strike to toe off (Winter)
 #: Steps are this share of what the free swing of the legs would make: the pelvis then goes up and down by 44 mm, as
 #: people's does at this speed, instead of 52.
 STEP_SHARE: Final = 0.95
@@ -50,12 +49,6 @@ _LEG: Final[Mapping[str, tuple[tuple[float, float], ...]]] = MappingProxyType({
              (0.88, 8.0), (0.95, 17.0)),
     "toes": ((0.0, 8.0), (0.12, 0.0), (0.38, 0.0), (0.5, 16.0), (0.6, 32.0), (0.7, 4.0), (0.85, 4.0)),
 })  # fmt: skip
-ARM_SWING_DEG: Final = 21.0
-ELBOW_DEG: Final = (14.0, 34.0)  # at the back and at the front of the swing
-PELVIS_TURN_DEG: Final = 5.0
-PELVIS_DROP_DEG: Final = 3.0
-CHEST_TURN_DEG: Final = 5.0
-SWAY_M: Final = 0.018  # of the hips over the standing foot
 FINGERS: Final = ("index", "middle", "ring", "pinky")
 CURL: Final = 0.30  # of each knuckle of a relaxed hand, radians
 PALM_BACK: Final = 0.5  # how much a hanging palm faces backwards, against inwards
@@ -64,29 +57,37 @@ TOE_OUT_DEG: Final = 7.0
 _STATURE_M: Final = 1.70
 
 
-def walk(body: Body) -> Motion:
-    """Return one second of walking on the spot, two steps, closed into a circle.
+def walk(body: Body, style: Style = REGULAR) -> Motion:
+    """Return walking on the spot in a style, two steps, closed into a circle; the regular one takes a second.
 
     The ground's speed is in ``speed_m_s``; standing feet follow it without sliding.
     """
-    times = np.linspace(0.0, WALK_S, round(WALK_S * WALK_FRAMES_PER_S) + 1)
-    phase = times / WALK_S
+    times = np.arange(style.cycle_frames + 1) / WALK_FRAMES_PER_S
+    phase = times / times[-1]
     turn = 2.0 * np.pi * phase
-    pelvis = turns.about(Y, np.radians(-PELVIS_TURN_DEG) * np.cos(turn)) @ turns.about(
-        Z, np.radians(PELVIS_DROP_DEG) * np.sin(turn)
+    pelvis = turns.about(Y, np.radians(-style.pelvis_turn_deg) * np.cos(turn)) @ turns.about(
+        Z, np.radians(style.pelvis_drop_deg) * np.sin(turn)
     )
-    chest = turns.about(Y, np.radians(CHEST_TURN_DEG) * np.cos(turn)) @ turns.about(X, np.full(len(turn), 0.03))
-    world = upright(body, pelvis, chest)
+    still = np.ones(len(turn))
+    chest = turns.about(Y, np.radians(style.chest_turn_deg) * np.cos(turn)) @ turns.about(
+        X, np.radians(style.lean_deg) * still
+    )
+    world = upright(body, pelvis, chest, turns.about(X, np.radians(style.bow_deg) * still))
     for side, own in zip(SIDES, (phase, phase + 0.5), strict=True):
-        _swing_leg(body, world, side, own)
-        _swing_arm(body, world, side, np.cos(2.0 * np.pi * own))
+        _swing_leg(body, world, side, own, style)
+        _swing_arm(body, world, side, np.cos(2.0 * np.pi * own), style)
     root = np.zeros((len(times), 3))
-    root[:, 0] = SWAY_M * np.sin(turn)
+    root[:, 0] = style.sway_m * np.sin(turn)
     rotations = shared_twist(body, turns.local_from_world(world, body.parents))
-    motion = Motion("walk", times, root, rotations, cyclic=True)
+    name = {"regular": "walk", "run": "run"}.get(style.name, f"walk_{style.name}")
+    motion = Motion(name, times, root, rotations, cyclic=True)
     motion = _evenly_high(grounded(body, motion))
-    stands = tuple(np.mod(own + 1e-9, 1.0) < STANCE for own in (phase, phase + 0.5))
-    return planted(body, replace(motion, speed_m_s=_ground_speed(body, motion)), (stands[0], stands[1]))
+    return planted(body, replace(motion, speed_m_s=_ground_speed(body, motion)), stands_at(phase, style))
+
+
+def stands_at(phase: Array, style: Style) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
+    """Return (F,) whether the left and the right foot of a style's walk stand at shares (F,) of its cycle."""
+    return np.mod(phase + 1e-9, 1.0) < style.stance, np.mod(phase + 0.5 + 1e-9, 1.0) < style.stance
 
 
 def _evenly_high(motion: Motion) -> Motion:
@@ -126,17 +127,19 @@ def idle(body: Body) -> Motion:
     return grounded(body, Motion("idle", times, np.zeros((len(times), 3)), rotations, weights, cyclic=True))
 
 
-def upright(body: Body, pelvis: Array, chest: Array) -> Array:
-    """Return (F, 94, 3, 3) orientations of a trunk turning from ``pelvis`` to ``chest`` (F, 3, 3), the head ahead."""
+def upright(body: Body, pelvis: Array, chest: Array, head: Array | None = None) -> Array:
+    """Return (F, 94, 3, 3) orientations of a trunk turning from ``pelvis`` to ``chest`` (F, 3, 3).
+
+    The neck turns on from there to ``head``; None is straight ahead.
+    """
+    head = np.broadcast_to(np.eye(3), chest.shape) if head is None else head
     world = np.tile(np.eye(3), (len(pelvis), len(body.names), 1, 1))
     world[:, body.joint("HumanoidRoot")] = world[:, body.joint("sacroiliac")] = pelvis
     for row, name in enumerate(SPINE):
         world[:, below(body, body.joint(name))] = turns.shared(pelvis, chest, (row + 1) / len(SPINE))[:, None]
     for row, name in enumerate(NECK):
         part = 1.0 - (row + 1) / len(NECK)
-        world[:, below(body, body.joint(name))] = turns.shared(np.broadcast_to(np.eye(3), chest.shape), chest, part)[
-            :, None
-        ]
+        world[:, below(body, body.joint(name))] = turns.shared(head, chest, part)[:, None]
     for side in SIDES:
         world[:, below(body, body.joint(f"{side}_sternoclavicular"))] = chest[:, None]
     return world
@@ -178,8 +181,11 @@ def palm_normal(body: Body, side: str) -> Array:
     return np.asarray(normal / np.linalg.norm(normal))
 
 
-def _swing_leg(body: Body, world: Array, side: str, phase: Array) -> None:
-    angle = {name: np.radians(_curve(knots, phase)) for name, knots in _LEG.items()}
+def _swing_leg(body: Body, world: Array, side: str, phase: Array, style: Style) -> None:
+    shares = {"thigh": style.thigh, "knee": style.knee, "foot": style.foot, "toes": style.foot}
+    angle = {name: shares[name] * np.radians(_curve(knots, phase)) for name, knots in _LEG.items()}
+    angle["thigh"] += np.radians(style.crouch_deg)
+    angle["knee"] += 2.0 * np.radians(style.crouch_deg)
     hip, knee, ankle = (body.joints_m[body.joint(f"{side}_{name}")] for name in ("hip", "knee", "ankle"))
     length = np.linalg.norm(hip - knee) + np.linalg.norm(knee - ankle)
     sign = 1.0 if side == "l" else -1.0
@@ -204,11 +210,15 @@ def _swing_leg(body: Body, world: Array, side: str, phase: Array) -> None:
     world[:, body.joint(f"{side}_metatarsal")] = foot @ turns.about(X, -angle["toes"])
 
 
-def _swing_arm(body: Body, world: Array, side: str, back: Array) -> None:
+def _swing_arm(body: Body, world: Array, side: str, back: Array, style: Style) -> None:
     """Swing an arm against its own leg: ``back`` (F,) is 1 at its heel strike."""
+    if style.shrug_deg:
+        raised = turns.about(Z, np.full(len(back), np.radians(style.shrug_deg) * (1.0 if side == "l" else -1.0)))
+        collar = body.joint(f"{side}_sternoclavicular")
+        world[:, below(body, collar)] = (raised @ world[:, collar])[:, None]
     out = turns.about(Z, np.full(len(back), body.arm_aside(side)))
-    forward = np.radians(ARM_SWING_DEG) * (-back - 0.1)
-    bent = np.radians(np.interp(-back, (-1.0, 1.0), ELBOW_DEG))
+    forward = np.radians(style.arm_deg) * (-back - 0.1)
+    bent = np.radians(np.interp(-back, (-1.0, 1.0), style.elbow_deg))
     aim_limb(body, world, side, "shoulder", out @ turns.about(X, -forward))
     aim_limb(body, world, side, "elbow", out @ turns.about(X, -forward - bent))
     follow(body, world, side)

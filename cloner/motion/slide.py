@@ -34,7 +34,7 @@ def step_slides_m(body: Body, motion: Motion) -> Array:
     """
     shown = resampled(motion, RULER_HZ)
     soles = body.sole_points(body.world(shown), shown.root_m)
-    return np.concatenate([_of_foot(points, shown) for points in soles])
+    return np.concatenate([foot_slides_m(points, shown) for points in soles])
 
 
 def resampled(motion: Motion, frames_per_s: float) -> Motion:
@@ -55,7 +55,7 @@ def posed_at(motion: Motion, times_s: Array) -> tuple[Array, Array]:
     return rotations, root
 
 
-def _of_foot(points: Array, motion: Motion) -> Array:
+def foot_slides_m(points: Array, motion: Motion) -> Array:
     """Return (S,) the slides of one foot's steps from its sole's (F, N, 3) places, metres."""
     ground = points[..., [0, 2]] + np.outer(motion.times_s, (0.0, motion.speed_m_s))[:, None]
     lowest, height = points[..., 1].argmin(axis=1), points[..., 1].min(axis=1)

@@ -16,6 +16,10 @@ from typing import Any
 import numpy as np
 from PIL import features
 
+from cloner.behaviour.language import read_text
+from cloner.behaviour.trajectories import pack, read_trajectories
+from cloner.behaviour.world import world_of
+from cloner.behaviour.written import recorded
 from cloner.booth.event import Event, read_event, write_event
 from cloner.booth.looks import read_looks
 from cloner.booth.visits import read_visit
@@ -192,12 +196,13 @@ def crowd_bytes() -> bytes:
     """Return what a pack of two clones says of itself, short of its other files."""
     shapes = {
         "vertices": ("uint16", [2, 4]), "loose": ("uint16", [2, 4]), "corners": ("uint16", [3]),
-        "bones": ("int16", [1, 2, 3, 4]), "table": ("float32", [32, 4]), "tiles": ("float32", [2, 4]),
+        "bones": ("int16", [1, 2, 3, 4]), "table": ("float32", [64, 4]), "tiles": ("float32", [2, 4]),
     }  # fmt: skip
     arrays = {name: {"at": 0, "type": kind, "shape": shape} for name, (kind, shape) in shapes.items()}
+    clip = {"name": "walk", "seconds": 1.0, "speed_m_s": 1.3, "frames": 48}
     facts = {
         "format": "cloner-crowd", "version": 1, "scene": "walk", "people_count": 40,
-        "people": [{"id": name, "arrays": arrays} for name in ("ada", "ben")],
+        "people": [{"id": name, "arrays": arrays, "clips": [clip]} for name in ("ada", "ben")],
         "tiers": [{"largest_px": size} for size in (900, 400, 200, 90)],
         "switch": {"texels_per_px": 1.5, "texels_per_m": 33.0, "metres_per_focal_px": 0.045},
         "impostors": {"views": 22, "rings_deg": [5.0], "classic": False},
@@ -206,6 +211,14 @@ def crowd_bytes() -> bytes:
         "player": {"sha256": "ab"}, "files": {"people/ada/numbers.bin": "cd"},
     }  # fmt: skip
     return json.dumps(facts).encode()
+
+
+def walk_bytes() -> bytes:
+    """Return what two people did in a second."""
+    scenario = read_text(
+        "floor 0, 0 to 9, 9\nobstacle box at 4, 4 size 1 x 1\nthing vase at 4, 4\ncrowd 2 guests: wanders\n"
+    )
+    return pack(recorded(world_of(scenario), 1.0))
 
 
 def _crowd(path: Path) -> Any:
@@ -237,6 +250,7 @@ TARGETS: Mapping[str, Target] = {
     "looks": Target("looks.json", lambda: (LOOKS,), _looks),
     "values": Target("values.npz", lambda: (kept_bytes()[0],), load_values),
     "avif": Target("body_front.avif", lambda: modern() or (cases_photos.heic(),), read_picture),
+    "walk": Target("museum.walk", lambda: (walk_bytes(),), read_trajectories),
     "crowd": Target("crowd.json", lambda: (crowd_bytes(),), _crowd),
     "pack": Target("pack.zip", lambda: (pack_bytes(),), lambda path: tells(path, TRACES)),
     "manifest": Target("report.json", lambda: (REPORT, NEWER), lambda path: foreign_files(path.parent)),

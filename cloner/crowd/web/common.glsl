@@ -6,12 +6,14 @@ uniform float now;           // seconds
 uniform float laneLength;    // metres
 
 const int PERSON = 5, ROW = 256;
+const int CLIPS = 1, SETS = 25, LOOKS = 49, COLOURS = 53, SKIN = 58;  // columns of the clones' table
 const float PI = 3.14159265;
 
 struct Person {
   vec3 place; float heading;
   int clone; float scale; float shown;
   int clip; int frame; int frames;
+  int other; int second; float share;  // the clip and frame that are blended in, and by how much
   ivec3 donors;   // whose top, bottom and shoes are worn
   vec4 dyes;      // top, bottom, shoes, hair: 0xRRGGBB or -1
 };
@@ -28,12 +30,23 @@ Person personOf(int who, bool coarse) {
   p.scale = pace.w;
   p.donors = ivec3(worn.xyz + 0.5);
   p.clip = int(worn.w + 0.5);
-  p.shown = 1.0;
-  vec4 clip = cloneTexel(p.clone, 1 + p.clip);  // first row of bones, frames, seconds, metres a cycle
+  p.shown = path.x > 3.5 ? 0.0 : 1.0;
+  p.other = p.clip;
+  p.share = 0.0;
+  vec4 clip = cloneTexel(p.clone, CLIPS + p.clip);  // first row of bones, frames, seconds, metres a cycle
   float cycles = clip.w > 0.0 ? pace.x / (clip.w * p.scale) : 1.0 / clip.z;
   p.frames = int(clip.y + 0.5);
+  if (path.x > 2.5) {         // by footings: see footing.js
+    p.frame = int(pace.x + 0.5);
+    p.place = vec3(path.y, 0.0, path.z);
+    p.heading = path.w;
+    p.other = int(where.x + 0.5) / 1024;
+    p.second = int(where.x + 0.5) % 1024;
+    p.share = pace.y;
+    return p;
+  }
   float turns = pace.y + cycles * now;
-  float poses = coarse ? cloneTexel(p.clone, 9 + p.clip).y : clip.y;
+  float poses = coarse ? cloneTexel(p.clone, SETS + p.clip).w : clip.y;
   float posed = floor(turns * poses) / poses;
   p.frame = min(int(fract(posed + 0.25 / clip.y) * clip.y), p.frames - 1);
   float when = cycles > 0.0 && pace.x > 0.0 ? now - (turns - posed) / cycles : now;

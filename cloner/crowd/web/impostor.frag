@@ -53,11 +53,11 @@ vec4 viewAt(vec4 tile, vec2 middle, vec4 turn, vec3 axes, vec2 size, int times) 
   vec3 rgb = found.rgb;
   if (group > 0) {
     float dye = dyes[group - 1];
-    vec4 look = cloneTexel(whose.x, 16 + group);
+    vec4 look = cloneTexel(whose.x, LOOKS - 1 + group);
     if (dye >= 0.0) rgb = dyed(rgb, look, unpacked(dye));
     else if (group < 4) {  // an exchanged garment shows its owner's colour in the wearer's folds
       int donor = group == 1 ? whose.y : group == 2 ? whose.z : whose.w;
-      if (donor != whose.x) rgb = dyed(rgb, look, cloneTexel(donor, 20 + group).rgb);
+      if (donor != whose.x) rgb = dyed(rgb, look, cloneTexel(donor, COLOURS - 1 + group).rgb);
     }
   }
   return vec4(lit(rgb, normalize(towards(shape.rg * 2.0 - 1.0, axes))) * found.a, found.a);

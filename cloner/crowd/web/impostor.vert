@@ -33,7 +33,7 @@ int slotOf(int view, int views, float around) {
 void main() {
   Person p = personOf(int(instance.x + 0.5), true);
   vec4 facts = cloneTexel(p.clone, 0);                 // middle's height, texels a metre, views, -
-  vec4 set = cloneTexel(p.clone, 9 + p.clip);          // first tile, poses, all around, -
+  vec4 set = cloneTexel(p.clone, SETS + p.clip);       // first tile, poses, all around, coarse poses
   vec3 middle = p.place + vec3(0.0, facts.x * p.scale, 0.0);
   vec3 to = eye - middle;
   float c = cos(p.heading), s = sin(p.heading);

@@ -57,14 +57,20 @@ void main() {
   uvec4 q = texelFetch(vertices, ivec3(v % 128, v / 128, p.clone), 0);
   vec4 rest = vec4(boxMin + vec3(q.xyz) * boxStep, 1.0);
   vec3 n = fromOctahedron(q.w);
-  int row = int(cloneTexel(p.clone, 1 + p.clip).x + 0.5) + p.frame;
+  int row = int(cloneTexel(p.clone, CLIPS + p.clip).x + 0.5) + p.frame;
+  int second = int(cloneTexel(p.clone, CLIPS + p.other).x + 0.5) + p.second;
   vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0);
   for (int k = 0; k < 4; k++) {
     if (w[k] <= 0.0) continue;
     int joint = int(j[k] + 0.5);
-    r0 += w[k] * boneRow(joint, row, 0);
-    r1 += w[k] * boneRow(joint, row, 1);
-    r2 += w[k] * boneRow(joint, row, 2);
+    float kept = w[k] * (1.0 - p.share), more = w[k] * p.share;
+    r0 += kept * boneRow(joint, row, 0);
+    r1 += kept * boneRow(joint, row, 1);
+    r2 += kept * boneRow(joint, row, 2);
+    if (p.share <= 0.0) continue;
+    r0 += more * boneRow(joint, second, 0);
+    r1 += more * boneRow(joint, second, 1);
+    r2 += more * boneRow(joint, second, 2);
   }
   vec3 own = vec3(dot(r0, rest), dot(r1, rest), dot(r2, rest)) * p.scale;
   n = vec3(dot(r0.xyz, n), dot(r1.xyz, n), dot(r2.xyz, n));

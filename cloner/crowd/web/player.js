@@ -12,6 +12,7 @@ const state = {
   stats: {}, still: 0,
 };
 const canvas = document.querySelector("canvas");
+let acted = null, blocks = null;
 let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
 
 function open() {
@@ -41,7 +42,10 @@ async function start(context) {
     dearFromPx: { value: 24 },
   };
   for (const [name, texture] of Object.entries(stage.textures)) uniforms[name] = { value: texture };
+  const arrays = facts.acted ? await arraysOf(bytesOf("acted.bin"), facts.acted.arrays) : null;
+  if (arrays) acted = actedOf(arrays, facts.people.length);
   buildTiers();
+  if (arrays && arrays.blocks.length) buildBlocks(arrays.blocks);
   setScene(state.scene, state.people);
   buildKnobs();
   resize();
@@ -89,12 +93,26 @@ function buildTiers() {
   floor.userData.triangles = 2;
 }
 
+// What stands in the way of those who act: corners and normals of triangles.
+function buildBlocks(corners) {
+  const geometry = new THREE.InstancedBufferGeometry(), part = (first) =>
+    new THREE.BufferAttribute(corners.filter((_, k) => Math.floor((k % 6) / 3) === first), 3);
+  geometry.setAttribute("position", part(0));
+  geometry.setAttribute("normal", part(1));
+  geometry.instanceCount = 1;
+  blocks = new THREE.Mesh(geometry, materialOf(shaders, ["block.vert"], ["shading.glsl", "block.frag"], uniforms));
+  blocks.frustumCulled = false;
+  world.add(blocks);
+}
+
 // ---- people ----------------------------------------------------------------------------------------------------------
 
 function setScene(name, count) {
   state.scene = name;
-  state.people = Math.max(1, Math.min(MOST, Math.round(count)));
-  const made = sceneOf(name, state.people, facts.looks), rows = Math.ceil(made.count / ROW);
+  const asked = Math.max(1, Math.min(MOST, Math.round(count)));
+  if (name !== ACTED) state.people = asked;
+  const made = name === ACTED ? { rows: acted.people.slice(), lane: 1, count: acted.count }
+    : sceneOf(name, state.people, facts.looks), rows = Math.ceil(made.count / ROW);
   const data = new Float32Array(rows * ROW * PERSON_TEXELS * 4);
   data.set(made.rows);
   if (uniforms.people.value) uniforms.people.value.dispose();
@@ -103,10 +121,20 @@ function setScene(name, count) {
   walkers = {
     count: made.count, rows: made.rows, lane: made.lane, x: new Float32Array(made.count), y: new Float32Array(made.count),
     z: new Float32Array(made.count), tier: new Uint8Array(made.count).fill(HIDDEN), before: new Uint8Array(made.count),
-    since: new Float32Array(made.count).fill(-9), pairs: new Float32Array(2 * made.count), cells: [], rebin: 0, next: 0,
+    data, since: new Float32Array(made.count).fill(-9), pairs: new Float32Array(2 * made.count), cells: [], rebin: 0, next: 0,
   };
+  if (blocks) blocks.visible = name === ACTED;
+  if (name === ACTED) act();
   place(0, made.count);
   bin();
+}
+
+// Everybody where the scenario has them now; when it is over it begins again.
+function act() {
+  const long = facts.acted.seconds;
+  acted.at(state.now - Math.floor(state.now / long) * long, walkers.rows);
+  walkers.data.set(walkers.rows);
+  uniforms.people.value.needsUpdate = true;
 }
 
 function place(first, last) {
@@ -114,8 +142,8 @@ function place(first, last) {
   for (let i = first; i < last; i++) {
     const at = i * 4 * PERSON_TEXELS, kind = rows[at], a = rows[at + 1], b = rows[at + 2], way = rows[at + 3];
     const speed = rows[at + 4];
-    y[i] = rows[at + 16];
-    if (kind === 0) { x[i] = a; z[i] = b; }
+    y[i] = kind >= BY_FOOTINGS ? 0 : rows[at + 16];
+    if (kind === 0 || kind >= BY_FOOTINGS) { x[i] = a; z[i] = b; }
     else if (kind === 1) {
       const along = b + speed * now;
       x[i] = a;
@@ -158,6 +186,11 @@ function bin() {
 
 // Positions are brought up to date a slice a frame; cells are made anew when all slices are through.
 function keepCells() {
+  if (state.scene === ACTED) {
+    act();
+    place(0, walkers.count);
+    return bin();
+  }
   const slice = Math.ceil(walkers.count / REBIN_FRAMES);
   place(walkers.next, Math.min(walkers.next + slice, walkers.count));
   walkers.next += slice;
@@ -302,7 +335,7 @@ const VIEWS = {
 };
 
 function view(name) {
-  const [place, target] = VIEWS[name][state.scene];
+  const [place, target] = state.scene === ACTED ? facts.acted.views[name] : VIEWS[name][state.scene];
   look(place, target);
 }
 
@@ -371,7 +404,7 @@ function select(label, names, chosen, act) {
 }
 
 function buildKnobs() {
-  select("scene", Object.keys(SCENES), state.scene, (name) => { setScene(name, state.people); view("overview"); });
+  select("scene", [...(acted ? [ACTED] : []), ...Object.keys(SCENES)], state.scene, (name) => { setScene(name, state.people); view("overview"); });
   select("camera", ["orbit", "fly", "walk along"], "orbit", (kind) => setCamera(kind));
   for (const name of Object.keys(VIEWS)) knob(name, () => { view(name); });
   const slider = document.createElement("input");

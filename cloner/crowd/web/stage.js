@@ -93,8 +93,8 @@ async function loadStage(facts, told) {
   const allBones = new Int16Array(bones.reduce((sum, one) => sum + one.length, 0));
   let at = 0;
   for (const one of bones) { allBones.set(one, at); at += one.length; }
-  const table = new Float32Array(people.length * 32 * 4);
-  of("table").forEach((one, k) => table.set(one, k * 32 * 4));
+  const tables = of("table"), columns = tables[0].length / 4, table = new Float32Array(people.length * columns * 4);
+  tables.forEach((one, k) => table.set(one, k * columns * 4));
   const tiles = of("tiles"), tileWide = Math.max(...tiles.map((one) => one.length / 4));
   const allTiles = new Float32Array(people.length * tileWide * 4);
   tiles.forEach((one, k) => allTiles.set(one, k * tileWide * 4));
@@ -105,7 +105,7 @@ async function loadStage(facts, told) {
       { format: THREE.RedIntegerFormat, type: THREE.UnsignedShortType, internalFormat: "R16UI" }),
     bones: flatTexture(allBones, 94 * 3, frames.reduce((a, b) => a + b, 0),
       { format: THREE.RGBAIntegerFormat, type: THREE.ShortType, internalFormat: "RGBA16I" }),
-    clones: flatTexture(table, 32, people.length, FLOATS),
+    clones: flatTexture(table, columns, people.length, FLOATS),
     tiles: flatTexture(allTiles, tileWide, people.length, FLOATS),
     atlases: arrayTexture(...filled(people.map((one) => one.atlas), () => 0), MIPPED),
     shells: arrayTexture(...filled(people.map((one) => ({ width: one.shell.width, height: one.shell.height / 2 })),

@@ -37,7 +37,7 @@ vec4 wornAt(out int group, out int owner) {
       break;
     }
     if (own.x == 6 + k && own.y > 0) {  // bare now: the wearer's own skin, of arms above and legs below
-      rgb = cloneTexel(whose.x, k == 0 ? 27 : 28).rgb;
+      rgb = cloneTexel(whose.x, SKIN + (k == 0 ? 1 : 2)).rgb;
       group = k == 0 ? 3 : 5;
     }
   }
@@ -46,5 +46,5 @@ vec4 wornAt(out int group, out int owner) {
 
 vec3 finished(vec3 rgb, int group, int owner) {
   float dye = group == 6 ? dyes.x : group == 7 ? dyes.y : group == 8 ? dyes.z : group == 9 ? dyes.w : -1.0;
-  return dye < 0.0 ? rgb : dyed(rgb, cloneTexel(owner, 17 + group - 6), unpacked(dye));
+  return dye < 0.0 ? rgb : dyed(rgb, cloneTexel(owner, LOOKS + group - 6), unpacked(dye));
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -23,4 +24,12 @@ def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def pack(results: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     out = tmp_path_factory.mktemp("packs") / "pack"
     make_pack([results], out, WANTED)
+    return out
+
+
+@pytest.fixture(scope="session")
+def lively(results: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A pack with the walks of feelings and the acts."""
+    out = tmp_path_factory.mktemp("lively") / "pack"
+    make_pack([results], out, replace(WANTED, vat=False, feelings=True))
     return out

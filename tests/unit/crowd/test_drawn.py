@@ -9,11 +9,12 @@ import pytest
 from PIL import Image
 from skimage.metrics import structural_similarity
 
+from cloner.crowd.eye import Eye
 from cloner.crowd.impostors import TEXELS_PER_M, TEXELS_PER_PX
 from cloner.crowd.reading import casting_from, read_facts, read_stock
 from cloner.crowd.scene import scene_of
 from cloner.crowd.still import draw_pack
-from cloner.crowd.theatre import Eye, Theatre
+from cloner.crowd.theatre import Theatre
 from cloner.errors import ClonerError
 from kit.browser import CHROMIUM, browser
 

@@ -1,0 +1,179 @@
+"""The command ``cloner behave bake``: trajectories or a scenario, and a pack, become a pack whose page plays them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.acting.blocks import blocks_of
+from cloner.acting.walkers import Track, Walker
+from cloner.behaviour.language import read_scenario
+from cloner.behaviour.trajectories import MAGIC, RATE_HZ, Trajectories, read_trajectories
+from cloner.behaviour.world import world_of
+from cloner.behaviour.written import recorded
+from cloner.crowd.files import MARK, digest, pack_folder, packed
+from cloner.crowd.footing import COLUMNS, Acted, touches_of
+from cloner.crowd.player import ACTED_FILE, player_page
+from cloner.crowd.reading import casting_from, checked, read_facts, read_stock
+from cloner.crowd.scene import ACTED, IDLE, WALK, Casting, Dice, look_of, scale_of
+from cloner.errors import ClonerError
+from cloner.outside import UnfitFile, read_outside
+from cloner.pipeline import Progress, quiet
+
+#: A thousand take .4 ms of a page's frame and 17 s to bake (`docs/behaviour.md`); taste.
+MOST_PEOPLE: Final = 5_000
+LARGEST_SCENARIO_BYTES: Final = 2_000_000_000
+
+
+def bake_file(
+    source: Path, pack: Path, out: Path, *, seconds: float = 60.0, seed: int = 0, progress: Progress = quiet
+) -> list[str]:
+    """Write a pack whose clones act what a file of trajectories, or a scenario, tells; return what to say of it.
+
+    Parameters
+    ----------
+    source : Path
+        What ``cloner behave run`` wrote, or a scenario's text, which is run first.
+    pack : Path
+        What ``cloner crowd --feelings`` wrote.
+    out : Path
+        The new pack's folder.
+    seconds, seed
+        Of the run, for a scenario.
+
+    Raises
+    ------
+    ClonerError
+        If a file is unfit, there are too many people, or the disk refuses.
+    """
+    if out.resolve() == pack.resolve():
+        raise ClonerError("the pack would be replaced by what is made of it", "Choose another --out folder", out.name)
+    facts = read_facts(pack)
+    walk = _trajectories(source, seconds, seed, progress)
+    if len(walk.groups) > MOST_PEOPLE:
+        raise ClonerError(f"{len(walk.groups)} people are too many", f"Give at most {MOST_PEOPLE}", source.name)
+    acted, lines = acted_by(walk, pack, facts, progress)
+    arrays: dict[str, NDArray[Any]] = {
+        "footings": acted.footings, "starts": acted.starts, "people": acted.people, "touches": acted.touches,
+        "clips": acted.clips, "blocks": acted.blocks,
+    }  # fmt: skip
+    data, told = packed(arrays)
+    low, high = walk.place.min(axis=(0, 1)), walk.place.max(axis=(0, 1))
+    made = facts | {
+        "scene": ACTED, "people_count": len(walk.groups), "files": facts["files"] | {ACTED_FILE: digest(data)},
+        "acted": {"seconds": (len(walk.place) - 1) / RATE_HZ, "people": len(walk.groups), "arrays": told,
+                  "views": views_of(low, high)},
+    }  # fmt: skip
+    with pack_folder(out) as folder:
+        for name in facts["files"]:
+            if name != ACTED_FILE:
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
+                (folder / name).write_bytes(checked(pack, name, facts))
+        (folder / ACTED_FILE).write_bytes(data)
+        page = player_page(folder, made)
+        made["player"] = {"sha256": digest(page), "bytes": len(page)}
+        (folder / "player.html").write_bytes(page)
+        (folder / MARK).write_text(json.dumps(made, indent=1, sort_keys=True) + "\n", encoding="utf-8")
+    spent = len(walk.groups) * max(made["acted"]["seconds"], 1.0 / RATE_HZ)
+    lines.append(
+        f"{len(walk.groups)} people, {made['acted']['seconds']:g} s, {len(acted.footings)} footings, "
+        f"{len(data) / 1e3:.0f} kB: {len(data) / spent:.0f} bytes a person and second"
+    )
+    return [*lines, str(out / "player.html")]
+
+
+def views_of(low: NDArray[Any], high: NDArray[Any]) -> dict[str, list[list[float]]]:
+    """Return where the eye stands and looks in the page's three views of people between two corners of the plan."""
+    x, z, wide = (low[0] + high[0]) / 2.0, -(low[1] + high[1]) / 2.0, max(float((high - low).max()), 4.0)
+    front = -float(low[1])
+    views = {
+        "overview": ((x, 0.3 * wide, front + 0.12 * wide), (x, 0.0, z + 0.1 * wide)),
+        "near": ((x + 1.0, 1.7, z + 6.0), (x, 1.1, z)),
+        "street": ((x, 1.7, front + 4.0), (x, 1.3, z)),
+    }
+    return {name: [[round(float(one), 3) for one in place] for place in pair] for name, pair in views.items()}
+
+
+def _trajectories(source: Path, seconds: float, seed: int, progress: Progress) -> Trajectories:
+    """Return the trajectories of a file, or those of a scenario that is run."""
+    try:
+        begins = read_outside(source, LARGEST_SCENARIO_BYTES)[: len(MAGIC)]
+    except (OSError, UnfitFile) as error:
+        hint = "Give what cloner behave run wrote, or a scenario"
+        raise ClonerError("there is nothing to bake", hint, source.name) from error
+    if begins == MAGIC:
+        return read_trajectories(source)
+    if not 0.0 < seconds <= 3600.0:
+        raise ClonerError(f"{seconds:g} seconds cannot be baked", "Give more than 0 and at most an hour", "--seconds")
+    return recorded(world_of(read_scenario(source), seed), seconds, progress)
+
+
+def acted_by(
+    walk: Trajectories, pack: Path, facts: dict[str, Any], progress: Progress = quiet
+) -> tuple[Acted, list[str]]:
+    """Return trajectories as footings of a pack's clones, and what to say of them."""
+    held = read_stock(pack, facts)
+    people = facts["people"]
+    names = [clip["name"] for clip in people[0]["clips"]]
+    if any([clip["name"] for clip in row["clips"]] != names for row in people) or names[:2] != ["walk", "idle"]:
+        raise ClonerError("the pack's clones do not have the same walks", "Make it again with cloner crowd", pack.name)
+    try:
+        touches = np.stack(
+            [touches_of(own, held.body, row["clips"]) for own, row in zip(held.numbers, people, strict=True)]
+        )
+    except (ValueError, LookupError) as error:
+        hint = "Make it again with cloner crowd"
+        raise ClonerError("the pack's frames do not fit what it says of them", hint, pack.name) from error
+    clips = np.array([[[c["frames"], c["seconds"]] for c in row["clips"]] for row in people], np.float32)
+    rows = _people(len(walk.groups), casting_from(facts))
+    still = {clip["name"]: k for k, clip in enumerate(people[0]["clips"]) if not clip["speed_m_s"]}
+    acts = np.array([still.get(one, IDLE) for one in walk.acts])
+    styles = [f"walk_{one}" for one in walk.walks]
+    run = names.index("run") if "run" in names else -1
+    walks = np.array([names.index(one) if one in names else WALK for one in styles])
+    found, starts = [], [0]
+    for who, row in enumerate(rows):
+        clone, scale, phase = int(row[1, 2]), float(row[1, 3]), float(row[1, 1])
+        track = track_of(walk, who, acts, walks)
+        own = Walker(track, touches[clone], clips[clone], scale, phase, run=run)
+        found.append(own.footings().astype(np.float32))
+        starts.append(starts[-1] + len(found[-1]))
+        progress("baking", (who + 1) / len(rows))
+    missing = sorted({one for one in walk.walks if one != "regular" and f"walk_{one}" not in names})
+    lines = [f"the pack has no walk of who is {', '.join(missing)}: make it with --feelings"] if missing else []
+    footings, blocks = np.concatenate(found).reshape(-1, COLUMNS), blocks_of(walk.obstacles, walk.things_at)
+    return Acted(footings, np.array(starts, np.uint32), rows, touches, clips, blocks), lines
+
+
+def track_of(walk: Trajectories, who: int, acts: NDArray[Any], walks: NDArray[Any]) -> Track:
+    """Return what one person is to do, in the page's frame: x to the right, y of the plan is -z."""
+    there = np.flatnonzero(walk.present[:, who])
+    frames = slice(0, int(there[-1]) + 1) if len(there) else slice(0, 1)
+    place, facing = walk.place[frames, who], walk.facing[frames, who]
+    return Track(
+        np.arange(len(place)) / RATE_HZ,
+        np.column_stack([place[:, 0], -place[:, 1]]),
+        np.arctan2(facing[:, 0], -facing[:, 1]),
+        acts[walk.posture[frames, who]],
+        walks[walk.emotion[frames, who]],
+    )
+
+
+def _people(count: int, casting: Casting) -> NDArray[np.float32]:
+    """Return the rows of people by clone, size, phase and look; neighbours in number are different clones."""
+    dice = Dice(1)
+    rows = np.zeros((count, 5, 4), np.float32)
+    order: Sequence[int] = []
+    for who in range(count):
+        if who % casting.clones == 0:
+            order = [k for _, k in sorted((dice.roll(), k) for k in range(casting.clones))]
+        clone = order[who % casting.clones]
+        scale, phase = scale_of(dice), dice.roll()
+        donors, dyes = look_of(clone, casting, dice)
+        rows[who, 1], rows[who, 2, :3], rows[who, 3] = (0.0, phase, clone, scale), donors, dyes
+    return rows
