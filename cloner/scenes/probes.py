@@ -7,12 +7,12 @@ by them, so each probe tells instead how much of the sun is seen from it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.crowd.rooms import Probes
 from cloner.pipeline import Progress, quiet
 from cloner.scenes.charts import filled
 from cloner.scenes.direct import lamp_at, square_to, sun_way
@@ -29,25 +29,6 @@ HEIGHTS_M: Final = (0.45, 1.1, 1.75)
 RAYS: Final = 512
 #: The sun is looked for from so far around a probe, metres: a body's half width.
 AROUND_M: Final = 0.2
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Probes:
-    """Probes on a grid.
-
-    Attributes
-    ----------
-    low : (3,) the first probe's place, metres; heights, (H,) of the levels
-    step : metres along X and Z
-    light : (H, nz, nx, 3, 4) c0, c of each colour
-    sun : (H, nz, nx) share of the sun that is seen
-    """
-
-    low: Array
-    heights: Array
-    step: float
-    light: NDArray[np.float32]
-    sun: NDArray[np.float32]
 
 
 def probes_of(room: Room, lit: Lit, progress: Progress = quiet) -> Probes:
@@ -90,25 +71,6 @@ def probe_at(room: Room, lit: Lit, place: Array, ways: Array) -> tuple[Array, fl
         around = place + AROUND_M * np.concatenate([np.zeros((1, 3)), square_to(way), -square_to(way)])
         seen = float(lit.stops.see_the_sun(around, way, square_to(way)).mean())
     return found, seen
-
-
-def light_at(probes: Probes, places: Array) -> tuple[Array, Array]:
-    """Return the (N, 3, 4) light and (N,) sun at (N, 3) places, straight between the eight probes around."""
-    levels = np.interp(places[:, 1], probes.heights, np.arange(len(probes.heights)))
-    at = np.column_stack(
-        [levels, (places[:, 2] - probes.low[2]) / probes.step, (places[:, 0] - probes.low[0]) / probes.step]
-    )
-    shape = np.array(probes.sun.shape)
-    at = np.clip(at, 0.0, shape - 1.0)
-    first = np.minimum(at.astype(int), np.maximum(shape - 2, 0))
-    share = at - first
-    light, sun = np.zeros((len(places), 3, 4)), np.zeros(len(places))
-    for corner in np.ndindex(2, 2, 2):
-        index = tuple(np.minimum(first + corner, shape - 1).T)
-        weight = np.where(corner, share, 1.0 - share).prod(axis=1)
-        light += weight[:, None, None] * probes.light[index]
-        sun += weight * probes.sun[index]
-    return light, sun
 
 
 def _free(room: Room, place: Array) -> bool:

@@ -9,6 +9,7 @@ from typing import Final
 
 import numpy as np
 
+from cloner.crowd.rooms import Probes
 from cloner.errors import ClonerError
 from cloner.exporters.files import png_bytes, write_bytes
 from cloner.outside import UnfitFile, read_outside
@@ -18,7 +19,7 @@ from cloner.scenes.charts import charts_of
 from cloner.scenes.gltf import meshes_of, room_glb, to_bytes
 from cloner.scenes.light import lit_room
 from cloner.scenes.plan import read_plan
-from cloner.scenes.probes import Probes, probes_of
+from cloner.scenes.probes import probes_of
 from cloner.scenes.solids import Room, room_of
 
 PLAN_FILE, ROOM_FILE, LIGHT_FILE, PROBES_FILE = "plan.toml", "room.glb", "light.png", "probes.npz"

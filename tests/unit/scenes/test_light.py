@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from cloner.crowd.rooms import light_at
 from cloner.scenes.charts import grid_of
 from cloner.scenes.direct import lamp_at, sun_way
 from cloner.scenes.light import Lit, cell_of, lit_room
 from cloner.scenes.plan import plan_of
-from cloner.scenes.probes import light_at, probes_of
+from cloner.scenes.probes import probes_of
 from cloner.scenes.rays import Stops, hemisphere, sphere
 from cloner.scenes.solids import Room, room_of
 
