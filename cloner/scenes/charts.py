@@ -24,6 +24,8 @@ SMALL_PANEL_M: Final = 1.2
 PAD: Final = 2
 #: Light is not asked for nearer to a border than this, metres: in the very corner a ray starts inside two walls.
 INSET_M: Final = 0.004
+#: Nearer to a solid a place is in it: exactly on a wall's face it would see through.
+TOUCHING_M: Final = 0.003
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -91,10 +93,10 @@ def grid_of(room: Room, panel: Panel, size: tuple[int, int]) -> Grid:
     there = np.zeros(u.shape, bool)
     for (u0, v0, u1, v1), _ in panel.parts:
         there |= (u >= u0 - 1e-6) & (u <= u1 + 1e-6) & (v >= v0 - 1e-6) & (v <= v1 + 1e-6)
-    flat = (places + panel.normal * 2e-3).reshape(-1, 3)
+    flat = (places + panel.normal * 2.0 * TOUCHING_M).reshape(-1, 3)
     low, high = flat.min(axis=0), flat.max(axis=0)
-    near = (room.boxes[:, 0] < high + 1e-3).all(axis=1) & (room.boxes[:, 1] > low - 1e-3).all(axis=1)
-    there &= ~inside(flat, room.boxes[near]).reshape(there.shape)
+    near = (room.boxes[:, 0] < high + INSET_M).all(axis=1) & (room.boxes[:, 1] > low - INSET_M).all(axis=1)
+    there &= ~inside(flat, room.boxes[near], -TOUCHING_M).reshape(there.shape)
     return Grid(axes[0], axes[1], there, places)
 
 
@@ -114,3 +116,13 @@ def laid(charts: tuple[Chart, ...], values: list[Array], size: tuple[int, int]) 
         y, x = chart.y - PAD, chart.x - PAD
         out[y : y + padded.shape[0], x : x + padded.shape[1]] = padded
     return out
+
+
+def between(nodes: Array, wanted: Array) -> Array:
+    """Return the (wanted, nodes) weights of linear interpolation."""
+    right = np.clip(np.searchsorted(nodes, wanted, side="right"), 1, len(nodes) - 1)
+    share = np.clip((wanted - nodes[right - 1]) / (nodes[right] - nodes[right - 1]), 0.0, 1.0)
+    weights = np.zeros((len(wanted), len(nodes)))
+    weights[np.arange(len(wanted)), right - 1] = 1.0 - share
+    weights[np.arange(len(wanted)), right] += share
+    return weights

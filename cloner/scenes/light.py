@@ -20,7 +20,7 @@ from scipy.sparse import csr_matrix
 
 from cloner.pipeline import Progress, quiet
 from cloner.scenes import looks
-from cloner.scenes.charts import Chart, Grid, charts_of, filled, grid_of, laid
+from cloner.scenes.charts import Chart, Grid, between, charts_of, filled, grid_of, laid
 from cloner.scenes.direct import lamp_on, sun_on
 from cloner.scenes.pieces import Quad
 from cloner.scenes.rays import Stops, hemisphere
@@ -37,6 +37,7 @@ PORTAL_STEP_M, NEAR_PORTAL_M = 0.4, 1.2
 SETTLED: Final = 1e-4
 MOST_BOUNCES: Final = 200
 SMOOTH_NODES: Final = 0.7
+ONE_NODE: Final = 1.5  # gaussians end there: over a wall there are two
 #: Places at which a cell's mean is taken, along each side.
 IN_CELL: Final = 12
 
@@ -257,10 +258,13 @@ def _back(met: csr_matrix, sky: Array, grid: Grid, given: Array) -> Array:
     own = np.zeros((*grid.there.shape, 3))
     if met.shape[0]:
         own[grid.there] = sky + met @ given
-    own = filled(own, grid.there)
     if min(own.shape[:2]) >= 4:
-        own = np.stack([gaussian_filter(own[..., c], SMOOTH_NODES, mode="nearest") for c in range(3)], axis=-1)
-    return own
+        there = grid.there[..., None].astype(float)
+        own = gaussian_filter(own * there, (SMOOTH_NODES, SMOOTH_NODES, 0.0), mode="nearest", truncate=ONE_NODE)
+        own /= np.maximum(
+            gaussian_filter(there, (SMOOTH_NODES, SMOOTH_NODES, 0.0), mode="nearest", truncate=ONE_NODE), 1e-9
+        )
+    return filled(own, grid.there)
 
 
 def _averages(grid: Grid, cells: NDArray[np.int64]) -> tuple[Array, Array]:
@@ -268,7 +272,7 @@ def _averages(grid: Grid, cells: NDArray[np.int64]) -> tuple[Array, Array]:
     found = []
     for nodes, count in ((grid.v, cells[1]), (grid.u, cells[0])):
         samples = (np.arange(count * IN_CELL) + 0.5) / (count * IN_CELL) * nodes[-1]
-        found.append(_between(nodes, samples).reshape(count, IN_CELL, -1).mean(axis=1))
+        found.append(between(nodes, samples).reshape(count, IN_CELL, -1).mean(axis=1))
     return found[0], found[1]
 
 
@@ -282,16 +286,12 @@ def _cell_means(values: Array, there: NDArray[np.bool_] | None, means: tuple[Arr
 
 
 def _finer(values: Array, coarse: Grid, fine: Grid) -> Array:
-    """Return a lattice's values between its nodes, for a fine grid of the same panel."""
-    return np.asarray(np.einsum("ai,bj,ijc->abc", _between(coarse.v, fine.v), _between(coarse.u, fine.u), values,
-                                optimize=True))  # fmt: skip
+    """Return a lattice's values between its nodes, for a fine grid of the same panel.
 
-
-def _between(nodes: Array, wanted: Array) -> Array:
-    """Return the (wanted, nodes) weights of linear interpolation."""
-    right = np.clip(np.searchsorted(nodes, wanted, side="right"), 1, len(nodes) - 1)
-    share = np.clip((wanted - nodes[right - 1]) / (nodes[right] - nodes[right - 1]), 0.0, 1.0)
-    weights = np.zeros((len(wanted), len(nodes)))
-    weights[np.arange(len(wanted)), right - 1] = 1.0 - share
-    weights[np.arange(len(wanted)), right] += share
-    return weights
+    Nodes in solids have no say where others have: light would come through walls.
+    """
+    up, along = between(coarse.v, fine.v), between(coarse.u, fine.u)
+    there = coarse.there[..., None]
+    weight = np.einsum("ai,bj,ijc->abc", up, along, there.astype(float), optimize=True)
+    own = np.einsum("ai,bj,ijc->abc", up, along, values * there, optimize=True) / np.maximum(weight, 1e-9)
+    return np.asarray(np.where(weight > 1e-6, own, np.einsum("ai,bj,ijc->abc", up, along, values, optimize=True)))

@@ -40,7 +40,7 @@ def texture(look: str) -> NDArray[np.uint8]:
     elif look == "cobbles":
         shade += 0.08 * fine + _tiles(rng, x, y, 8, 8, 0.12) - 0.5 * _joints(x, y, 8, 8, 0.012)
     elif look == "plaster":
-        shade += 0.015 * fine + 0.03 * broad
+        shade += 0.015 * fine + 0.012 * broad
     elif look == "stone":
         shade += 0.04 * fine + 0.04 * broad + _tiles(rng, x, y, 2, 4, 0.05) - 0.22 * _joints(x, y, 2, 4, 0.004)
     elif look == "timber":

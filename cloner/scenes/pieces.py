@@ -152,7 +152,8 @@ def pillar_of(block: Block) -> tuple[list[Quad], list[Array]]:
     base = box_over(low, high, block.low, block.low + BASE_M)
     capital = box_over(low, high, block.high - CAPITAL_M, block.high)
     bottom, top = block.low + BASE_M, block.high - CAPITAL_M
-    shaft = box_over(tuple(np.array(block.at) - half * SHAFT), tuple(np.array(block.at) + half * SHAFT), bottom, top)
+    core = half * SHAFT * np.sqrt(0.5)  # a square inside the eight sides
+    shaft = box_over(tuple(np.array(block.at) - core), tuple(np.array(block.at) + core), bottom, top)
     angles = 2.0 * np.pi * (np.arange(SIDES) + 0.5) / SIDES
     out = half * SHAFT / np.cos(np.pi / SIDES)
     ring = [plan_place(block.at[0] + out[0] * np.cos(a), block.at[1] + out[1] * np.sin(a), bottom) for a in angles]

@@ -168,3 +168,16 @@ def test_rays_agree_with_a_slow_look_at_every_quad() -> None:
             if t > 0 and 0 <= a <= 1 and 0 <= b <= 1:
                 best = min(best, t)
         assert far == pytest.approx(best, rel=1e-4), quad
+
+
+def test_a_floor_is_not_lighter_where_it_goes_on_below_a_wall() -> None:
+    """The museum's fault once: places exactly on a wall's face saw the sky through it."""
+    yard = '[[floor]]\nfrom = [5.3, -1]\nto = [8, 5]\nlook = "white"\n'
+    yard += '[[floor]]\nfrom = [5, 1.5]\nto = [5.3, 2.5]\nlook = "white"\n'
+    door = "openings = [{ at = 2, wide = 1, low = 0, high = 2.2 }]"
+    room, light = lit(box(yard + SKY, door), texel_m=0.1, rays=200)
+    k = next(k for k, one in enumerate(light.charts) if one.panel.normal[1] > 0.9 and one.panel.size[0] > 7.9)
+    values, _, grid = own(room, light, k)
+    row = np.abs(grid.places[:, 0, 2] + 3.5).argmin()
+    inner = (grid.u > 0.3) & (grid.u <= 4.96)
+    assert values[row][inner].max() < 2.0 * np.median(values[row][inner])

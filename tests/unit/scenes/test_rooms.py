@@ -55,6 +55,13 @@ def test_walls_stand_beside_floors_and_doors_stay_open(name: str) -> None:
 
 
 @pytest.mark.parametrize("name", SHIPPED)
+def test_every_pillar_has_all_its_sides(name: str) -> None:
+    room = room_of(read_plan(name)[0])
+    shafts = [one for one in room.panels if abs(one.normal[1]) < 1e-9 and one.size[0] < 0.3 and one.size[1] > 4.0]
+    assert len(shafts) == 8 * sum(one.pillar for one in room.plan.blocks)
+
+
+@pytest.mark.parametrize("name", SHIPPED)
 def test_charts_do_not_overlap_and_floors_have_texels_of_4_cm(name: str) -> None:
     room = room_of(read_plan(name)[0])
     charts, (wide, tall) = charts_of(room)
