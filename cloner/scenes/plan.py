@@ -6,13 +6,12 @@ The plan's frame is that of scenarios (`docs/behaviour.md`): x to the right, y u
 from __future__ import annotations
 
 import importlib.resources
-import math
 import tomllib
 from dataclasses import MISSING, dataclass, field, fields
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.errors import ClonerError
+from cloner.errors import ClonerError, plain
 from cloner.outside import UnfitFile, read_outside
 
 #: Plans that come with Cloner.
@@ -157,12 +156,12 @@ def read_plan(source: str | Path) -> tuple[Plan, str]:
 def plan_of(text: str, where: str) -> Plan:
     """Return the plan that a text tells; see :func:`read_plan`."""
     try:
-        told = tomllib.loads(text)
-        return _plan(told)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
-        raise ClonerError(f"the plan cannot be read: {error}", "Write it as docs/scenes.md shows", where) from error
+        return _plan(tomllib.loads(text))
     except _Wrong as error:
-        raise ClonerError(f"the plan says {error}", "Write it as docs/scenes.md shows", where) from error
+        raise ClonerError(f"the plan says {plain(str(error))}", "Write it as docs/scenes.md shows", where) from error
+    except (ValueError, RecursionError) as error:  # numbers of thousands of digits are no TOML errors
+        hint = "Write it as docs/scenes.md shows"
+        raise ClonerError(f"the plan cannot be read: {plain(str(error))}", hint, where) from error
 
 
 class _Wrong(ValueError):
@@ -242,7 +241,7 @@ def _value(kind: str, value: Any, name: str) -> Any:
 
 def _number(value: Any) -> bool:
     whole = isinstance(value, int | float) and not isinstance(value, bool)
-    return whole and math.isfinite(value) and abs(value) <= LARGEST
+    return whole and abs(value) <= LARGEST  # neither inf nor nan
 
 
 def _checked(plan: Plan) -> Plan:
