@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 import cloner
+from cloner.cli_scenes import scenes
 from cloner.cli_statues import statues
 from cloner.errors import ClonerError, plain
 from cloner.terminal import EXIT_CANCELLED, EXIT_INPUT, EXIT_SOME_FAILED, ProgressLine, ended
@@ -290,6 +291,7 @@ def _crowd_check(pack: Annotated[Path, typer.Argument(metavar="PACK", help="Fold
         typer.echo(line)
 
 
+app.add_typer(scenes, name="scene")
 behaves = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Crowds with a mind: scenarios.")
 app.add_typer(behaves, name="behave")
 ScenarioArgument = Annotated[Path, typer.Argument(metavar="SCENARIO", help="Its text, such as samples/museum.crowd.")]

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -20,6 +21,7 @@ from cloner.crowd.files import MARK, digest, pack_folder, packed
 from cloner.crowd.footing import COLUMNS, Acted, touches_of
 from cloner.crowd.player import ACTED_FILE, player_page
 from cloner.crowd.reading import casting_from, checked, read_facts, read_stock
+from cloner.crowd.rooms import ROOM_FILES
 from cloner.crowd.scene import ACTED, IDLE, WALK, Casting, Dice, look_of, scale_of
 from cloner.errors import ClonerError
 from cloner.outside import UnfitFile, read_outside
@@ -30,9 +32,19 @@ MOST_PEOPLE: Final = 5_000
 LARGEST_SCENARIO_BYTES: Final = 2_000_000_000
 
 
+@dataclass(frozen=True, slots=True)
+class RoomParts:
+    """A lit room for a pack: files by name, what ``crowd.json`` says of it, and where the page's eye stands in it."""
+
+    files: Mapping[str, bytes]
+    facts: Mapping[str, Any]
+    views: Mapping[str, Any]
+
+
 def bake_file(
-    source: Path, pack: Path, out: Path, *, seconds: float = 60.0, seed: int = 0, progress: Progress = quiet
-) -> list[str]:
+    source: Path, pack: Path, out: Path, *, seconds: float = 60.0, seed: int = 0, room: RoomParts | None = None,
+    progress: Progress = quiet,
+) -> list[str]:  # fmt: skip
     """Write a pack whose clones act what a file of trajectories, or a scenario, tells; return what to say of it.
 
     Parameters
@@ -45,6 +57,8 @@ def bake_file(
         The new pack's folder.
     seconds, seed
         Of the run, for a scenario.
+    room : RoomParts or None
+        What stands around them, instead of plain blocks.
 
     Raises
     ------
@@ -58,23 +72,30 @@ def bake_file(
     if len(walk.groups) > MOST_PEOPLE:
         raise ClonerError(f"{len(walk.groups)} people are too many", f"Give at most {MOST_PEOPLE}", source.name)
     acted, lines = acted_by(walk, pack, facts, progress)
+    if room:
+        acted = replace(acted, blocks=acted.blocks[:0])
     arrays: dict[str, NDArray[Any]] = {
         "footings": acted.footings, "starts": acted.starts, "people": acted.people, "touches": acted.touches,
         "clips": acted.clips, "blocks": acted.blocks,
     }  # fmt: skip
     data, told = packed(arrays)
     low, high = walk.place.min(axis=(0, 1)), walk.place.max(axis=(0, 1))
-    made = facts | {
-        "scene": ACTED, "people_count": len(walk.groups), "files": facts["files"] | {ACTED_FILE: digest(data)},
+    kept = {name: told for name, told in facts["files"].items() if name not in (ACTED_FILE, *ROOM_FILES)}
+    files = {ACTED_FILE: data, **(room.files if room else {})}
+    made = {key: value for key, value in facts.items() if key != "room"} | {
+        "scene": ACTED, "people_count": len(walk.groups),
+        "files": kept | {name: digest(own) for name, own in files.items()},
         "acted": {"seconds": (len(walk.place) - 1) / RATE_HZ, "people": len(walk.groups), "arrays": told,
-                  "views": views_of(low, high)},
+                  "views": room.views if room else views_of(low, high)},
     }  # fmt: skip
+    if room:
+        made["room"] = room.facts
     with pack_folder(out) as folder:
-        for name in facts["files"]:
-            if name != ACTED_FILE:
-                (folder / name).parent.mkdir(parents=True, exist_ok=True)
-                (folder / name).write_bytes(checked(pack, name, facts))
-        (folder / ACTED_FILE).write_bytes(data)
+        for name in kept:
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            (folder / name).write_bytes(checked(pack, name, facts))
+        for name, own in files.items():
+            (folder / name).write_bytes(own)
         page = player_page(folder, made)
         made["player"] = {"sha256": digest(page), "bytes": len(page)}
         (folder / "player.html").write_bytes(page)

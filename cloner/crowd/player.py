@@ -10,13 +10,16 @@ from html import escape
 from pathlib import Path
 from typing import Any, Final
 
+from cloner.crowd.rooms import ROOM_FILES
+
 #: The files of the pack that the page holds.
 HELD: Final = ("numbers.bin", "colours.webp", "shapes.webp", "covers.webp", "atlas.webp", "codes.webp", "shell.webp")
 #: Footings of a pack that acts a scenario, numbers in line.
 ACTED_FILE: Final = "acted.bin"
 SHADERS: Final = ("common.glsl", "shading.glsl", "worn.glsl", "person.vert", "person.frag", "impostor.vert",
-                  "impostor.frag", "ground.vert", "ground.frag", "block.vert", "block.frag")  # fmt: skip
-_SCRIPTS: Final = ("scene.js", "stage.js", "footing.js", "player.js")
+                  "impostor.frag", "ground.vert", "ground.frag", "block.vert", "block.frag",
+                  "room.vert", "room.frag")  # fmt: skip
+_SCRIPTS: Final = ("scene.js", "stage.js", "footing.js", "room.js", "player.js")
 _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src 'none'"
 )
@@ -35,6 +38,8 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
     names = ["body.bin", *(f"people/{row['id']}/{name}" for row in facts["people"] for name in HELD)]
     if "acted" in facts:
         names.append(ACTED_FILE)
+    if "room" in facts:
+        names += ROOM_FILES
     held = "".join(
         f'<script type="application/octet-stream" data-file="{escape(name)}">'
         f"{base64.b64encode((folder / name).read_bytes()).decode('ascii')}</script>\n"

@@ -13,6 +13,7 @@ from cloner.crowd.footing import Acted, fits
 from cloner.crowd.impostors import Bake, with_tiles
 from cloner.crowd.levels import LOOSE, body_levels
 from cloner.crowd.player import ACTED_FILE
+from cloner.crowd.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, LitRoom, Probes
 from cloner.crowd.scene import Casting
 from cloner.crowd.stock import Numbers
 from cloner.crowd.theatre import Stock
@@ -95,6 +96,32 @@ def read_acted(pack: Path, facts: dict[str, Any]) -> Acted:
     except (ValueError, LookupError, TypeError) as error:
         raise ClonerError("what the crowd acts does not fit it", "Bake it again", pack.name) from error
     return acted
+
+
+def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
+    """Return the lit room in which a pack's clones act, None where there is none.
+
+    Raises
+    ------
+    ClonerError
+        If a file is missing, damaged or does not fit the others.
+    """
+    if "room" not in facts:
+        return None
+    told = facts["room"]
+    try:
+        held = unpacked(checked(pack, ROOM_FILE, facts), told["arrays"])
+        looks, light = (picture(checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE))
+        shape = tuple(told["shape"])
+        fits_in = held["probes"].shape == (*shape, 3, 4) and held["sun"].shape == shape
+        finite = all(np.isfinite(one).all() for one in held.values())
+        if not (fits_in and finite and len(told["heights"]) == shape[0] and not looks.shape[0] % looks.shape[1]):
+            raise ValueError("a room of odd shapes")
+    except (ValueError, LookupError, TypeError, OSError) as error:
+        raise ClonerError("the room's files do not fit together", "Build it again", pack.name) from error
+    low, heights = np.array(told["low"], float), np.array(told["heights"], float)
+    probes = Probes(low, heights, float(told["step"]), held["probes"], held["sun"])
+    return LitRoom(held["corners"], looks, light, probes, told)
 
 
 def checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:

@@ -15,7 +15,8 @@ from PIL import Image
 from cloner.crowd.eye import Eye
 from cloner.crowd.files import MARK
 from cloner.crowd.footing import GONE, Acted, rows_at
-from cloner.crowd.reading import casting_from, read_acted, read_facts, read_stock
+from cloner.crowd.reading import casting_from, read_acted, read_facts, read_room, read_stock
+from cloner.crowd.rooms import LitRoom, glow_of
 from cloner.crowd.scene import ACTED, SCENES, Scene, places, scene_of
 from cloner.crowd.theatre import Theatre
 from cloner.errors import ClonerError
@@ -84,7 +85,7 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
     theatre = Theatre(read_stock(pack, facts))
     temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
     try:
-        painter = Painter(theatre, facts, made, (width, height))
+        painter = Painter(theatre, facts, made, (width, height), read_room(pack, facts) if name == ACTED else None)
         if out.suffix.lower() in FORMATS:
             write_film(_film(painter, views[view]), FRAMES_PER_S, temporary)
         else:
@@ -110,7 +111,13 @@ def _film(painter: Painter, view: tuple[Any, Any]) -> Iterator[Pixels]:
 class Painter:
     """Pictures of one scene of a pack at any time from anywhere."""
 
-    def __init__(self, theatre: Theatre, facts: dict[str, Any], made: Scene | Acted, size_px: tuple[int, int]) -> None:
+    def __init__(
+        self, theatre: Theatre, facts: dict[str, Any], made: Scene | Acted, size_px: tuple[int, int],
+        room: LitRoom | None = None,
+    ) -> None:  # fmt: skip
+        self._room = room
+        if room:
+            theatre.send_room(room.looks, room.light)
         self._theatre, self._facts, self._scene, self._size = theatre, facts, made, size_px
         self._focal = size_px[1] / 2.0 / np.tan(np.radians(FIELD_DEG) / 2.0)
         if isinstance(made, Scene):
@@ -129,8 +136,14 @@ class Painter:
             "laneLength": self._scene.lane_m if isinstance(self._scene, Scene) else 1.0, "cutoff": 0.0,
             "classic": int(bool(self._facts["impostors"]["classic"])),
         }  # fmt: skip
+        if self._room:
+            told = self._room.facts
+            values |= {"roomed": 1, "sunWay": tuple(told["sun_way"]), "sunLight": tuple(told["sun_light"]),
+                       "brightest": float(told["brightest"])}  # fmt: skip
         theatre.begin(target, SKY)
         chosen = self._tiers(eye, now, mode)
+        if self._room:
+            theatre.draw_room(self._room.corners, values)
         if isinstance(self._scene, Acted):
             theatre.draw_blocks(self._scene.blocks, values)
         theatre.draw_ground(_instances(np.concatenate(chosen)), values)
@@ -148,6 +161,8 @@ class Painter:
         else:
             rows = rows_at(self._scene, now)
             self._theatre.send_people(rows)
+            if self._room:
+                self._theatre.send_glow(glow_of(self._room.probes, rows))
             where, here = np.column_stack([rows[:, 0, 1], np.zeros(len(rows)), rows[:, 0, 2]]), rows[:, 0, 0] < GONE
         away = np.linalg.norm(where + (0.0, 0.9, 0.0) - eye.place_m, axis=1)
         tiers = self._facts["tiers"]

@@ -24,13 +24,14 @@ DEPTH_RANGE_M: Final = 1.4
 SUN: Final = (0.45, 0.75, 0.48)
 _A2C: Final = 0x809E  # GL_SAMPLE_ALPHA_TO_COVERAGE
 _UNITS: Final = ("people", "clones", "vertices", "loose", "corners", "bones", "atlases", "shells", "tiles", "colours",
-                 "shapes")  # fmt: skip
+                 "shapes", "glow", "roomLooks", "roomLight")  # fmt: skip
 _PARTS: Final = {
     "person": (("common", "person.vert"), ("common", "shading", "worn", "person.frag")),
     "bake": (("common", "person.vert"), ("common", "shading", "worn", "bake.frag")),
     "impostor": (("common", "impostor.vert"), ("common", "shading", "impostor.frag")),
     "ground": (("common", "ground.vert"), ("ground.frag",)),
     "block": (("block.vert",), ("shading", "block.frag")),
+    "room": (("room.vert",), ("room.frag",)),
 }
 
 
@@ -112,6 +113,31 @@ class Theatre:
         rows = stock.padded_rows(people, 256)
         self._flat("people", rows.reshape(len(rows), -1, 4), "f4")
 
+    def send_glow(self, glow: NDArray[np.float32]) -> None:
+        """Send (N, 4, 4) light of people; see ``shading.glsl``."""
+        rows = stock.padded_rows(glow, 256)
+        self._flat("glow", rows.reshape(len(rows), -1, 4), "f4")
+
+    def send_room(self, looks: Pixels, light: Pixels) -> None:
+        """Send a room's textures, one below another, and its light map, (H, W, 3) each."""
+        side = looks.shape[1]
+        self._array("roomLooks", looks.reshape(-1, side, side, 3), "f1", mips=6)
+        self._textures["roomLooks"].repeat_x = self._textures["roomLooks"].repeat_y = True
+        self._flat("roomLight", light, "f1")
+        self._textures["roomLight"].filter = (self._gl.LINEAR, self._gl.LINEAR)
+
+    def draw_room(self, corners: NDArray[np.float32], values: Mapping[str, Any]) -> None:
+        """Draw triangles given as (3 T, 8) corners: place, uv, light-map uv, look; only their fronts."""
+        self.uniforms("room", values)
+        buffer = self._gl.buffer(np.ascontiguousarray(corners, np.float32).tobytes())
+        names = ("position", "uv", "lightUv", "look")
+        room = self._gl.vertex_array(self._programs["room"], [(buffer, "3f 2f 2f 1f", *names)])
+        self._gl.enable(self._gl.CULL_FACE)
+        room.render()
+        self._gl.disable(self._gl.CULL_FACE)
+        room.release()
+        buffer.release()
+
     def _flat(self, name: str, values: NDArray[Any], dtype: str) -> None:
         self._drop(name)
         values = np.ascontiguousarray(values)
@@ -166,6 +192,7 @@ class Theatre:
             "rings": len(self.stock.elevations), "sunWay": _unit(SUN), "debugView": 0,
             "ringElevations": (*self.stock.elevations, 0.0, 0.0, 0.0)[:4], "classic": 0, "dearFromPx": 24.0,
             "now": 0.0, "coarse": 0, "laneLength": 100.0, "cutoff": 0.5,
+            "roomed": 0, "sunLight": (0.0, 0.0, 0.0),
         }  # fmt: skip
         for name, value in {**fixed, **values}.items():
             if name in own:

@@ -29,6 +29,8 @@ def why_unfit(facts: Any) -> str:
     wrong = _unfit(facts, _FACTS, "")
     if not wrong and ("acted" in facts or facts["scene"] == ACTED):
         wrong = _unfit(facts, _ACTED, "")
+    if not wrong and "room" in facts:
+        wrong = _unfit(facts, _ROOM, "")
     if wrong:
         return wrong
     clones = len(facts["people"])
@@ -157,5 +159,16 @@ _ACTED: Final = {
             "blocks": _array("float32", 0, 6),
         },
         "views": {name: _Rows(_PLACE, 2, 2) for name in ("overview", "near", "street")},
+    }
+}  # fmt: skip
+#: As :class:`cloner.crowd.rooms.LitRoom` has them, for packs whose clones stand in a lit room.
+_ROOM: Final = {
+    "room": {
+        "arrays": {
+            "corners": _array("float32", 0, 8), "probes": _array("float32", 0, 0, 0, 3, 4),
+            "sun": _array("float32", 0, 0, 0),
+        },
+        "low": _PLACE, "heights": _Rows(_number(0.0, 1000.0), 1, 16), "shape": _Rows(_whole(1, 10_000), 3, 3),
+        "step": _METRES, "brightest": _METRES, "sun_way": _PLACE, "sun_light": _PLACE,
     }
 }  # fmt: skip

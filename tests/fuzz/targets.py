@@ -40,6 +40,8 @@ from cloner.project.results import foreign_files
 from cloner.project.stamps import why_not_current
 from cloner.project.values_file import load_values, save_values
 from cloner.records.points import Correction, Corrections
+from cloner.scenes.plan import read_plan
+from cloner.scenes.solids import room_of
 from cloner.statues.blobs import field_of, read_blobs
 from cloner.statues.markers import read_markers
 from cloner.statues.obj_files import read_obj
@@ -221,6 +223,40 @@ def walk_bytes() -> bytes:
     return pack(recorded(world_of(scenario), 1.0))
 
 
+PLAN = b"""name = "hall"
+[sun]
+towards_deg = 90
+elevation_deg = 40
+light = [4, 3.6, 3]
+[[floor]]
+from = [0, 0]
+to = [8, 6]
+look = "flags"
+[[wall]]
+from = [8, 0]
+to = [8.3, 6]
+high = 3
+look = "plaster"
+openings = [{ at = 3, wide = 2, low = 0, high = 2.5 }]
+[[pillar]]
+names = ["a", "b"]
+at = [[2, 2], [4, 4]]
+size = [0.7, 0.7]
+high = 3
+look = "stone"
+[[vault]]
+from = [0, 0]
+to = [8, 6]
+spring = 3
+rise = 2
+look = "white"
+[[lamp]]
+at = [1, 1, 2]
+light = [1, 1, 1]
+radius = 0.1
+"""
+
+
 def _crowd(path: Path) -> Any:
     facts = read_facts(path.parent)
     return scene_of(facts["scene"], min(facts["people_count"], 300), casting_from(facts))
@@ -251,6 +287,7 @@ TARGETS: Mapping[str, Target] = {
     "values": Target("values.npz", lambda: (kept_bytes()[0],), load_values),
     "avif": Target("body_front.avif", lambda: modern() or (cases_photos.heic(),), read_picture),
     "walk": Target("museum.walk", lambda: (walk_bytes(),), read_trajectories),
+    "plan": Target("plan.toml", lambda: (PLAN,), lambda path: room_of(read_plan(path)[0])),
     "crowd": Target("crowd.json", lambda: (crowd_bytes(),), _crowd),
     "pack": Target("pack.zip", lambda: (pack_bytes(),), lambda path: tells(path, TRACES)),
     "manifest": Target("report.json", lambda: (REPORT, NEWER), lambda path: foreign_files(path.parent)),

@@ -5,6 +5,7 @@ flat in vec4 turnA, turnB;
 flat in vec3 axesA, axesB;
 flat in vec2 blend;
 flat in vec2 fades;
+flat in int wearer;
 flat in int page;
 flat in int dear;
 flat in float texelsPerM;
@@ -60,7 +61,7 @@ vec4 viewAt(vec4 tile, vec2 middle, vec4 turn, vec3 axes, vec2 size, int times) 
       if (donor != whose.x) rgb = dyed(rgb, look, cloneTexel(donor, COLOURS - 1 + group).rgb);
     }
   }
-  return vec4(lit(rgb, normalize(towards(shape.rg * 2.0 - 1.0, axes))) * found.a, found.a);
+  return vec4(lit(rgb, normalize(towards(shape.rg * 2.0 - 1.0, axes)), wearer) * found.a, found.a);
 }
 
 void main() {

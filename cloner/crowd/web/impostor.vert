@@ -17,6 +17,7 @@ flat out vec4 turnA, turnB;       // sine and cosine of azimuth and of elevation
 flat out vec3 axesA, axesB;       // heading of the baked camera and its elevation, for lighting
 flat out vec2 blend;              // share of B; level of the page
 flat out vec2 fades;
+flat out int wearer;
 flat out int page;
 flat out int dear;
 flat out float texelsPerM;
@@ -76,6 +77,7 @@ void main() {
   blend = vec2(dear > 0 ? share : 0.0, clamp(log2(texelsPerM / pxPerM) - 0.7, 0.0, 2.0));  // bias measured: .7
   page = p.clone;
   fades = vec2(instance.y, p.shown);
+  wearer = int(instance.x + 0.5);
   whose = ivec4(p.clone, p.donors);
   dyes = p.dyes;
 }

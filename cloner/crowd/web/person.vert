@@ -24,6 +24,7 @@ flat out float isLoose;
 flat out ivec4 whose;  // wearer, and whose top, bottom, shoes
 flat out vec4 dyes;
 flat out vec2 fades;
+flat out int wearer;  // who it is
 
 vec3 fromOctahedron(uint code) {
   vec2 f = vec2(float(code & 255u), float(code >> 8)) / 127.5 - 1.0;
@@ -80,5 +81,6 @@ void main() {
   whose = ivec4(p.clone, p.donors);
   dyes = p.dyes;
   fades = vec2(instance.y, p.shown);
+  wearer = int(instance.x + 0.5);
   gl_Position = clipFromWorld * vec4(world, 1.0);
 }

@@ -12,7 +12,7 @@ const state = {
   stats: {}, still: 0,
 };
 const canvas = document.querySelector("canvas");
-let acted = null, blocks = null;
+let acted = null, blocks = null, room = null;
 let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
 
 function open() {
@@ -39,13 +39,18 @@ async function start(context) {
     bodyVertices: { value: stage.body.uv.length / 2 }, depthRange: { value: facts.impostors.depth_range_m },
     rings: { value: facts.impostors.rings_deg.length }, classic: { value: facts.impostors.classic ? 1 : 0 },
     ringElevations: { value: [0, 1, 2, 3].map((k) => ((facts.impostors.rings_deg[k] || 0) * Math.PI) / 180) },
-    dearFromPx: { value: 24 },
+    dearFromPx: { value: 24 }, roomed: { value: 0 }, sunLight: { value: new THREE.Vector3() },
+    glow: { value: flatTexture(new Float32Array(4), 1, 1, FLOATS) },
   };
   for (const [name, texture] of Object.entries(stage.textures)) uniforms[name] = { value: texture };
   const arrays = facts.acted ? await arraysOf(bytesOf("acted.bin"), facts.acted.arrays) : null;
   if (arrays) acted = actedOf(arrays, facts.people.length);
   buildTiers();
   if (arrays && arrays.blocks.length) buildBlocks(arrays.blocks);
+  if (facts.room) {
+    room = await loadRoom(facts.room, shaders, uniforms);
+    world.add(room.mesh);
+  }
   setScene(state.scene, state.people);
   buildKnobs();
   resize();
@@ -124,6 +129,7 @@ function setScene(name, count) {
     data, since: new Float32Array(made.count).fill(-9), pairs: new Float32Array(2 * made.count), cells: [], rebin: 0, next: 0,
   };
   if (blocks) blocks.visible = name === ACTED;
+  if (room) room.enter(name === ACTED, made.count);
   if (name === ACTED) act();
   place(0, made.count);
   bin();
@@ -135,6 +141,7 @@ function act() {
   acted.at(state.now - Math.floor(state.now / long) * long, walkers.rows);
   walkers.data.set(walkers.rows);
   uniforms.people.value.needsUpdate = true;
+  if (room) room.light(walkers.rows, walkers.count);
 }
 
 function place(first, last) {

@@ -1,5 +1,8 @@
 // Colour of cloth, light, and the pattern that fades tiers into one another.
 uniform vec3 sunWay;       // unit, towards the sun
+uniform int roomed;        // 1: in a lit room
+uniform sampler2D glow;    // four texels a person
+uniform vec3 sunLight;     // of the room
 uniform int debugView;     // 1: tiers in plain colours, impostors green
 uniform float cutoff;      // above 0: nothing below this coverage, the rest solid; else coverage goes out as alpha
 
@@ -12,8 +15,15 @@ vec3 dyed(vec3 rgb, vec4 look, vec3 dye) {
   return min(dye * pow(max(lumaOf(rgb) * 255.0, 1.0) / look.x, look.y), vec3(1.0));
 }
 
-vec3 lit(vec3 rgb, vec3 normal) {
+// Who stands in a lit room gets the light of its probes: four numbers a colour, and how much of the sun is seen.
+vec3 lit(vec3 rgb, vec3 normal, int who) {
   vec3 light = mix(EARTH, SKY, normal.y * 0.5 + 0.5) + SUN * 0.55 * max(dot(normal, sunWay), 0.0);
+  if (roomed > 0 && who >= 0) {
+    ivec2 first = ivec2((who % 256) * 4, who / 256);
+    vec4 n = vec4(1.0, normal);
+    for (int k = 0; k < 3; k++) light[k] = max(dot(texelFetch(glow, first + ivec2(k, 0), 0), n), 0.0);
+    light += sunLight * texelFetch(glow, first + ivec2(3, 0), 0).x * max(dot(normal, sunWay), 0.0);
+  }
   return pow(min(pow(rgb, vec3(2.2)) * light, vec3(1.0)), vec3(1.0 / 2.2));
 }
 

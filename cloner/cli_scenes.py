@@ -1,0 +1,54 @@
+"""The command line's ``cloner scene``: rooms from plans, their light, and clones in them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from cloner.terminal import ProgressLine
+
+scenes = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Rooms to walk in: from plans, lit, inhabited.")
+FolderArgument = Annotated[Path, typer.Argument(metavar="FOLDER", help="What scene make wrote.")]
+
+
+@scenes.command("make")
+def _make(
+    plan: Annotated[str, typer.Argument(metavar="PLAN", help="museum, nave, or a plan's file (docs/scenes.md).")],
+    out: Annotated[Path, typer.Option("--out", help="Folder that receives the room.")],
+) -> None:
+    """Build a room from a plan: plan.toml and room.glb."""
+    from cloner.scenes.written import make_folder
+
+    for line in make_folder(plan, out):
+        typer.echo(line)
+
+
+@scenes.command("light")
+def _light(folder: FolderArgument) -> None:
+    """Work out a room's light: light maps in room.glb, and probes for figures."""
+    from cloner.scenes.written import light_folder
+
+    with ProgressLine() as progress:
+        lines = light_folder(folder, progress)
+    for line in lines:
+        typer.echo(line)
+
+
+@scenes.command("build")
+def _build(
+    folder: FolderArgument,
+    walk: Annotated[Path, typer.Option("--walk", help="What behave run wrote, or a scenario's text.")],
+    pack: Annotated[Path, typer.Option("--pack", help="What cloner crowd --feelings wrote.")],
+    out: Annotated[Path, typer.Option("--out", help="Folder of the new pack, whose page shows it.")],
+    seconds: Annotated[float, typer.Option("--seconds", help="How long, for a scenario.")] = 60.0,
+    seed: Annotated[int, typer.Option("--seed", help="As for behave run, for a scenario.")] = 0,
+) -> None:
+    """Let a pack's clones act in a lit room, in a page for browsers."""
+    from cloner.scenes.inhabited import build_folder
+
+    with ProgressLine() as progress:
+        lines = build_folder(folder, walk, pack, out, seconds=seconds, seed=seed, progress=progress)
+    for line in lines:
+        typer.echo(line)

@@ -1,0 +1,78 @@
+"""Procedural textures: what floors, walls and blocks are made of. Colours and patterns are taste."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter
+
+Array = NDArray[np.float64]
+
+SIDE_PX: Final = 256
+#: Metres that a texture's side spans, and its mean colour (sRGB 0..1).
+_BASE: Final[dict[str, tuple[float, tuple[float, float, float]]]] = {
+    "flags": (2.0, (0.62, 0.58, 0.52)),
+    "cobbles": (1.0, (0.50, 0.49, 0.47)),
+    "plaster": (2.0, (0.80, 0.77, 0.71)),
+    "stone": (2.0, (0.69, 0.65, 0.58)),
+    "timber": (1.0, (0.47, 0.35, 0.24)),
+    "marble": (1.0, (0.86, 0.84, 0.81)),
+    "white": (1.0, (1.0, 1.0, 1.0)),
+}
+
+
+def span_m(look: str) -> float:
+    """Return how many metres a texture's side spans."""
+    return _BASE[look][0]
+
+
+def texture(look: str) -> NDArray[np.uint8]:
+    """Return a look's (SIDE_PX, SIDE_PX, 3) texture, sRGB, which may be repeated without a border."""
+    base = np.array(_BASE[look][1])
+    rng = np.random.default_rng(sum(look.encode()))
+    shade = np.ones((SIDE_PX, SIDE_PX))
+    y, x = np.mgrid[0:SIDE_PX, 0:SIDE_PX] / SIDE_PX
+    fine, broad = _noise(rng, 1.2), _noise(rng, 14.0)
+    if look == "flags":
+        shade += 0.05 * fine + 0.05 * broad + _tiles(rng, x, y, 2, 2, 0.07) - 0.35 * _joints(x, y, 2, 2, 0.006)
+    elif look == "cobbles":
+        shade += 0.08 * fine + _tiles(rng, x, y, 8, 8, 0.12) - 0.5 * _joints(x, y, 8, 8, 0.012)
+    elif look == "plaster":
+        shade += 0.015 * fine + 0.012 * broad
+    elif look == "stone":
+        shade += 0.04 * fine + 0.04 * broad + _tiles(rng, x, y, 2, 4, 0.05) - 0.22 * _joints(x, y, 2, 4, 0.004)
+    elif look == "timber":
+        grain = gaussian_filter(rng.normal(size=(SIDE_PX, SIDE_PX)), (20.0, 0.8), mode="wrap")
+        shade += 0.1 * grain / grain.std() + _tiles(rng, x, y, 5, 1, 0.1) - 0.5 * _joints(x, y, 5, 1, 0.008)
+    elif look == "marble":
+        vein = np.abs(np.sin(np.pi * (2 * x + 2 * y) + 1.5 * broad))
+        shade -= 0.12 * np.exp(-8.0 * vein) - 0.02 * fine
+    return np.asarray(np.clip(base * shade[..., None] * 255.0 + 0.5, 0, 255).astype(np.uint8))
+
+
+def albedo(look: str) -> Array:
+    """Return the (3,) mean share of light that a look gives back, linear."""
+    return np.asarray(((texture(look) / 255.0) ** 2.2).mean(axis=(0, 1))) if look != "white" else np.full(3, 0.8)
+
+
+def _noise(rng: np.random.Generator, sigma: float) -> Array:
+    made = gaussian_filter(rng.normal(size=(SIDE_PX, SIDE_PX)), sigma, mode="wrap")
+    return np.asarray(made / made.std())
+
+
+def _tiles(rng: np.random.Generator, x: Array, y: Array, across: int, down: int, spread: float) -> Array:
+    """Return each tile's own shade; every second row is moved by half a tile."""
+    row = np.minimum((y * down).astype(int), down - 1)
+    column = ((x * across + 0.5 * (row % 2)) % across).astype(int) % across
+    return np.asarray(rng.normal(0.0, spread, (down, across))[row, column])
+
+
+def _joints(x: Array, y: Array, across: int, down: int, wide: float) -> Array:
+    row = np.minimum((y * down).astype(int), down - 1)
+    u, v = (x * across + 0.5 * (row % 2)) % 1.0, (y * down) % 1.0
+    near = np.minimum(np.minimum(u, 1.0 - u) / across, np.minimum(v, 1.0 - v) / down)
+    if down == 1:
+        near = np.minimum(u, 1.0 - u) / across
+    return np.asarray(np.clip(1.5 - near / wide, 0.0, 1.0))

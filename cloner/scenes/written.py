@@ -1,0 +1,106 @@
+"""The commands ``cloner scene make`` and ``light``: a plan in, a folder with a room, its light and its probes out."""
+
+from __future__ import annotations
+
+import io
+import zipfile
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from cloner.crowd.rooms import Probes
+from cloner.errors import ClonerError
+from cloner.exporters.files import png_bytes, write_bytes
+from cloner.outside import UnfitFile, read_outside
+from cloner.pipeline import Progress, quiet
+from cloner.project.atomic import safe_output
+from cloner.scenes.charts import charts_of
+from cloner.scenes.gltf import meshes_of, room_glb, to_bytes
+from cloner.scenes.light import lit_room
+from cloner.scenes.plan import read_plan
+from cloner.scenes.probes import probes_of
+from cloner.scenes.solids import Room, room_of
+
+PLAN_FILE, ROOM_FILE, LIGHT_FILE, PROBES_FILE = "plan.toml", "room.glb", "light.png", "probes.npz"
+#: A map of the largest floor at 4 cm, and its probes, are smaller.
+LARGEST_LIGHT_BYTES: Final = 200_000_000
+_ARRAYS: Final = {"low": 1, "heights": 1, "step": 0, "light": 5, "sun": 3}
+
+
+def make_folder(source: str, out: Path) -> list[str]:
+    """Write a plan's room into a folder; return what to say of it.
+
+    Raises
+    ------
+    ClonerError
+        If the plan or the folder is no good.
+    """
+    plan, text = read_plan(source)
+    room = room_of(plan)
+    safe_output(out)
+    data = room_glb(room)
+    write_bytes(out / PLAN_FILE, text.encode("utf-8"))
+    write_bytes(out / ROOM_FILE, data)
+    for name in (LIGHT_FILE, PROBES_FILE):  # those of a room that stood here before
+        (out / name).unlink(missing_ok=True)
+    triangles = sum(len(one.triangles) for one in meshes_of(*charts_of(room)))
+    floor = sum((one.high[0] - one.low[0]) * (one.high[1] - one.low[1]) for one in plan.floors)
+    return [
+        f"{plan.name}: {floor:.0f} m2 of floor, {triangles} triangles, {len(data) / 1e3:.0f} kB",
+        str(out / ROOM_FILE),
+    ]
+
+
+def light_folder(folder: Path, progress: Progress = quiet) -> list[str]:
+    """Light a folder's room: its file gets light maps, and probes lie beside it; return what to say of it."""
+    room = room_in(folder)
+    lit = lit_room(room, progress=progress)
+    probes = probes_of(room, lit, progress)
+    stream = io.BytesIO()
+    np.savez_compressed(
+        stream, low=probes.low, heights=probes.heights, step=np.array(probes.step), light=probes.light, sun=probes.sun
+    )
+    write_bytes(folder / LIGHT_FILE, png_bytes(to_bytes(lit.map)))
+    write_bytes(folder / PROBES_FILE, stream.getvalue())
+    write_bytes(folder / ROOM_FILE, room_glb(room, lit.map))
+    return [
+        f"light map {lit.size[0]} x {lit.size[1]} texels, {probes.sun.size} probes",
+        str(folder / ROOM_FILE), str(folder / PROBES_FILE),
+    ]  # fmt: skip
+
+
+def room_in(folder: Path) -> Room:
+    """Return the room of a folder that ``cloner scene make`` wrote.
+
+    Raises
+    ------
+    ClonerError
+        If there is none.
+    """
+    if not (folder / PLAN_FILE).is_file():
+        raise ClonerError("there is no room", "Make it with cloner scene make", folder.name)
+    return room_of(read_plan(folder / PLAN_FILE)[0])
+
+
+def light_in(folder: Path) -> tuple[bytes, Probes]:
+    """Return the light map's file and the probes of a folder that ``cloner scene light`` wrote.
+
+    Raises
+    ------
+    ClonerError
+        If there are none, or they are damaged.
+    """
+    try:
+        picture = read_outside(folder / LIGHT_FILE, LARGEST_LIGHT_BYTES)
+        data = read_outside(folder / PROBES_FILE, LARGEST_LIGHT_BYTES)
+        with np.load(io.BytesIO(data), allow_pickle=False) as held:
+            found = {name: np.asarray(held[name], np.float64) for name in _ARRAYS}
+        light, sun = found["light"], found["sun"]
+        fits = all(found[name].ndim == axes and np.isfinite(found[name]).all() for name, axes in _ARRAYS.items())
+        if not (fits and light.shape == (*sun.shape, 3, 4) and len(found["heights"]) == sun.shape[0] and sun.size):
+            raise ValueError("probes of odd shapes")
+    except (OSError, UnfitFile, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
+        raise ClonerError("the room has no light", "Make it with cloner scene light", folder.name) from error
+    step = float(found["step"])
+    return picture, Probes(found["low"], found["heights"], step, light.astype(np.float32), sun.astype(np.float32))

@@ -1,0 +1,133 @@
+"""Clones in a lit room: the pack is whole, its page asks nobody, and who stands in the light is lighter."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from cloner.acting.written import bake_file
+from cloner.crowd.check import check_pack
+from cloner.crowd.footing import rows_at
+from cloner.crowd.reading import read_acted, read_facts, read_room, read_stock
+from cloner.crowd.rooms import glow_of
+from cloner.crowd.still import Painter
+from cloner.crowd.theatre import Theatre
+from cloner.crowd.told import why_unfit
+from cloner.errors import ClonerError
+from cloner.scenes.inhabited import build_folder
+from kit.browser import CHROMIUM, browser
+
+pytestmark = [pytest.mark.gl, pytest.mark.slow]
+SIZE = (480, 360)
+EYE = ((4.0, 1.6, -0.6), (3.4, 1.1, -4.0))
+
+
+@pytest.fixture(scope="module")
+def built(lit_folder: Path, scenario: Path, lively: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    out = tmp_path_factory.mktemp("built") / "cell"
+    build_folder(lit_folder, scenario, lively, out, seconds=3.0, seed=1)
+    return out
+
+
+def drawn(pack: Path, view=EYE, lit: bool = True) -> np.ndarray:
+    facts = read_facts(pack)
+    theatre = Theatre(read_stock(pack, facts))
+    try:
+        room = read_room(pack, facts) if lit else None
+        return Painter(theatre, facts, read_acted(pack, facts), SIZE, room).picture(view, 1.0).astype(float)
+    finally:
+        theatre.close()
+
+
+def test_the_pack_is_whole_and_no_block_stands_in_the_room(built: Path) -> None:
+    assert check_pack(built)[-1].startswith("scenario: 4 people act 3 s in ")
+    facts = read_facts(built)
+    assert len(read_acted(built, facts).blocks) == 0
+    room = read_room(built, facts)
+    assert room is not None
+    assert np.abs(room.corners[:, 0]).max() == pytest.approx(8.3, abs=1e-5)
+
+
+def test_who_stands_by_the_window_is_lighter_than_who_stands_in_the_corner(built: Path) -> None:
+    facts = read_facts(built)
+    room, rows = read_room(built, facts), rows_at(read_acted(built, facts), 1.0)
+    assert room is not None
+    level = glow_of(room.probes, rows)[:, :3, 0].mean(axis=1)
+    bright = rows[:, 0, 1] > 4.0
+    assert bright.sum() == 2
+    assert level[bright].min() > 1.3 * level[~bright].max()
+
+
+def test_clones_are_drawn_by_the_rooms_light_and_stand_on_a_shadow(built: Path) -> None:
+    facts = read_facts(built)
+    theatre = Theatre(read_stock(built, facts))
+    room, acted = read_room(built, facts), read_acted(built, facts)
+    rows = rows_at(acted, 1.0)
+    who = int(np.flatnonzero(rows[:, 0, 1] < 3.0)[0])
+    x, z = rows[who, 0, 1], rows[who, 0, 2]
+    try:
+        painter = Painter(theatre, facts, acted, SIZE, room)
+        own = painter.picture(((x + 2.5, 1.2, z + 0.6), (x, 0.9, z)), 1.0).astype(float)
+        empty = Painter(theatre, facts, acted, SIZE, room)
+        empty._tiers = lambda *_: [np.zeros(0, np.int64)] * 5  # nobody
+        bare = empty.picture(((x + 2.5, 1.2, z + 0.6), (x, 0.9, z)), 1.0).astype(float)
+        plain = Painter(theatre, facts, acted, SIZE).picture(((x + 2.5, 1.2, z + 0.6), (x, 0.9, z)), 1.0).astype(float)
+    finally:
+        theatre.close()
+    body = (slice(120, 200), slice(225, 255))
+    assert own[body].mean() < 0.8 * plain[body].mean(), "in a dark corner, not in the open"
+    changed = np.abs(own - bare).max(axis=2) > 3.0
+    feet = np.flatnonzero(changed[:, 200:280].any(axis=1)).max()
+    below = own[feet - 12 : feet, 215:265].mean() / bare[feet - 12 : feet, 215:265].mean()
+    assert below < 0.97, "the floor is darker where somebody stands"
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
+def test_the_page_opens_from_the_disk_asks_nobody_and_shows_the_painters_picture(built: Path, tmp_path: Path) -> None:
+    path = built / "player.html"
+    with browser(tmp_path / "profile") as page:
+        page.open(path, *SIZE)
+        page.wait_for("document.body?.dataset.ready === 'yes'", 120)
+        page.value(f"crowd.set({json.dumps({'place': EYE[0], 'target': EYE[1], 'now': 1.0})})")
+        page.value("document.querySelectorAll('#knobs, #stats, #status').forEach((one) => one.style.display = 'none')")
+        page.value("crowd.draw() && 1")
+        shown = page.picture().astype(float)
+        assert page.complaints() == []
+        assert page.requests() == [path.resolve().as_uri()]
+    assert np.abs(shown - drawn(built)).mean() < 6.0
+    assert np.abs(shown - drawn(built, lit=False)).mean() > 25.0
+
+
+def test_what_is_built_may_be_built_again_or_baked_without_the_room(
+    built: Path, lit_folder: Path, scenario: Path, tmp_path: Path
+) -> None:
+    build_folder(lit_folder, scenario, built, tmp_path / "again", seconds=3.0, seed=1)
+    first, again = read_facts(built), read_facts(tmp_path / "again")
+    assert (again["files"], again["room"], again["acted"]) == (first["files"], first["room"], first["acted"])
+    bake_file(scenario, built, tmp_path / "plain", seconds=3.0, seed=1)
+    assert "room" not in read_facts(tmp_path / "plain")
+    assert not (tmp_path / "plain" / "room.bin").exists()
+
+
+def test_damage_is_told_in_one_sentence(
+    built: Path, lit_folder: Path, scenario: Path, lively: Path, tmp_path: Path
+) -> None:
+    folder = tmp_path / "room"
+    shutil.copytree(lit_folder, folder)
+    (folder / "probes.npz").write_bytes(b"no")
+    with pytest.raises(ClonerError, match="no light"):
+        build_folder(folder, scenario, lively, tmp_path / "out", seconds=2.0, seed=0)
+    with pytest.raises(ClonerError, match="no room"):
+        build_folder(tmp_path, scenario, lively, tmp_path / "out", seconds=2.0, seed=0)
+    pack = tmp_path / "pack"
+    shutil.copytree(built, pack)
+    (pack / "room.bin").write_bytes(b"no")
+    with pytest.raises(ClonerError):
+        check_pack(pack)
+    facts = read_facts(built)
+    facts["room"]["shape"] = [1, 2]
+    assert why_unfit(facts) == "room.shape"
