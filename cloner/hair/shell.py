@@ -90,10 +90,10 @@ def dress_shell(
     sights = shell_views(views)
     rgba = paint_shell(generic, joined, photos.photos, sights, atlas, vertices_m, joints, weights, strands=strands)
     if worn is not None:
-        used, own = np.unique(triangles[worn[0]], return_inverse=True)
-        apart = map_atlas(charts.uv, charts.triangles[worn[0]], own.reshape(-1, 3).astype(np.int32), size)
-        carry = vertices_m[used], joints[used], weights[used]
-        painted = paint_shell(generic, joined, photos.photos, shell_views(worn[1]), apart, *carry)
+        used, places = np.unique(triangles[worn[0]], return_inverse=True)
+        apart = map_atlas(charts.uv, charts.triangles[worn[0]], places.reshape(-1, 3).astype(np.int32), size)
+        own_views, own_m = shell_views(worn[1]), vertices_m[used]
+        painted = paint_shell(generic, joined, photos.photos, own_views, apart, own_m, joints[used], weights[used])
         place = binary_dilation(apart.covered(), iterations=EDGE_TEXELS)
         rgba = np.where(place[..., None], painted, rgba)
     rgba = soften_edge(rgba, atlas, inside_mm)
