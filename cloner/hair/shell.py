@@ -6,6 +6,7 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import binary_dilation
 
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
@@ -29,6 +30,8 @@ CLAIM: Final = {  # taste: face photos have three times the pixels
     ViewId.BODY_SIDE: 0.6,
 }
 
+EDGE_TEXELS: Final = 2  # colours go on so far beyond a part's charts, for what is sampled between texels
+
 
 def shown_part(
     views: list[HairView], vertices_m: Array, triangles: NDArray[np.int32]
@@ -38,6 +41,11 @@ def shown_part(
     shown = (inside_mm[triangles] > FADE_MM[0] - STRAND_MM).any(axis=1)
     used, places = np.unique(triangles[shown], return_inverse=True)
     return used.astype(np.int32), places.reshape(-1, 3).astype(np.int32), inside_mm[used]
+
+
+def shell_views(views: list[HairView]) -> list[ShellView]:
+    """Return what photos show of hair as evidence of a shell."""
+    return [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
 
 
 def dress_shell(
@@ -53,6 +61,7 @@ def dress_shell(
     carried: Skinned | None = None,
     kind: str = "hair",
     rides: NDArray[np.int32] | None = None,
+    worn: tuple[NDArray[np.bool_], list[HairView]] | None = None,
 ) -> Shell:
     """Return the shell with weights, charts and texture.
 
@@ -71,13 +80,22 @@ def dress_shell(
         One of ``SHELL_KINDS``.
     rides : (N,) int32 or None
         Vertices of the skin that carry the shell's in morph targets.
+    worn : (T,) bool and a list of HairView, or None
+        Triangles with evidence of their own: a cap's peak shows no hair.
     """
     vertices_m, triangles, inside_mm = surface
     joints, weights = skinned
     charts = unwrap(vertices_m, triangles, size)
     atlas = map_atlas(charts.uv, charts.triangles, triangles, size)
-    sights = [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
+    sights = shell_views(views)
     rgba = paint_shell(generic, joined, photos.photos, sights, atlas, vertices_m, joints, weights, strands=strands)
+    if worn is not None:
+        used, places = np.unique(triangles[worn[0]], return_inverse=True)
+        apart = map_atlas(charts.uv, charts.triangles[worn[0]], places.reshape(-1, 3).astype(np.int32), size)
+        own_views, own_m = shell_views(worn[1]), vertices_m[used]
+        painted = paint_shell(generic, joined, photos.photos, own_views, apart, own_m, joints[used], weights[used])
+        place = binary_dilation(apart.covered(), iterations=EDGE_TEXELS)
+        rgba = np.where(place[..., None], painted, rgba)
     rgba = soften_edge(rgba, atlas, inside_mm)
     chart = charts.vertex
     joints, weights = skinned if carried is None else carried

@@ -12,6 +12,7 @@ from scipy.spatial import cKDTree
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.geometry.wedges import vertex_normals
 from cloner.hair.cap import FACE_PHOTO, FULL_SHARE, SOFT_MM, Scalp, hairline_mm, surface_mm
+from cloner.hair.rows import across_mm, across_px
 from cloner.hair.tail import Tail, find_tail
 from cloner.hair.views import FAR_MM, HairView, hull_mm
 
@@ -161,25 +162,30 @@ def agreed_mm(views: list[HairView], points_m: Array) -> tuple[NDArray[np.float3
     """Return (N,) how deep points lie in the hair that photos of all sides agree on, mm, and how many sides judge.
 
     As `hull_mm`, but two photos of one side are heard together, the body's more, as its camera is known better: one may
-    show the head displaced, one may have lost dark hair before a dark wall. The sides' cones meet in a round edge: a
-    box is no hair.
+    show the head displaced, one may have lost dark hair before a dark wall. Level by level the sides' cones meet in a
+    round edge: a box is no hair. Upwards and downwards all photos see the same end: there nothing is rounded.
     """
     away, sides = np.zeros(len(points_m), np.float32), np.zeros(len(points_m), np.int64)
+    least = np.full(len(points_m), np.float32(FAR_MM))
+    rows_px = {view.posed.view: across_px(view.hair) for view in views if view.flip_m is None}
     for names in SIDES:
-        inside = np.full(len(points_m), np.float32(FAR_MM))
+        inside, across = np.full((2, len(points_m)), np.float32(FAR_MM))
         for mirrored in (False, True):
-            total, weight = np.zeros((2, len(points_m)), np.float32)
+            total, wide, weight = np.zeros((3, len(points_m)), np.float32)
             for view in views:
                 if view.posed.view in names and (view.flip_m is not None) == mirrored:
                     depth, before = view.evidence(points_m)
                     heard = before * np.float32(FACE_PHOTO if view.posed.view.is_face else 1.0)
                     total += heard * np.clip(depth, -ROUND_MM, ROUND_MM)
+                    wide += heard * np.minimum(across_mm(view, rows_px[view.posed.view], points_m), ROUND_MM)
                     weight += heard
-            inside = np.where(weight > 0.0, np.minimum(inside, total / np.maximum(weight, 1e-6)), inside)
+            known, mean = weight > 0.0, np.maximum(weight, 1e-6)
+            inside = np.where(known, np.minimum(inside, total / mean), inside)
+            across = np.where(known, np.minimum(across, wide / mean), across)
         judged = inside < FAR_MM
-        sides += judged
-        away += np.where(judged, np.maximum(ROUND_MM - inside, 0.0) ** 2, 0.0)
-    return np.where(sides > 0, ROUND_MM - np.sqrt(away), np.float32(-FAR_MM)), sides
+        sides, least = sides + judged, np.minimum(least, inside)
+        away += np.where(judged, np.maximum(ROUND_MM - across, 0.0) ** 2, 0.0)
+    return np.where(sides > 0, np.minimum(least, ROUND_MM - np.sqrt(away)), np.float32(-FAR_MM)), sides
 
 
 def hanging_mm(views: list[HairView], near: Near, skin_mm: NDArray[np.float32], below_m: float) -> NDArray[np.float32]:

@@ -14,16 +14,17 @@ from typing import cast
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.frames import ViewId
+from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.graphs import surface_graph
 from cloner.geometry.wedges import vertex_normals
 from cloner.hair.beard import beard_shell
-from cloner.hair.cap import Scalp, covered_share, measure_scalp, settle_shell
+from cloner.hair.cap import VOTE_MM, Scalp, covered_share, measure_scalp, settle_shell
 from cloner.hair.coverings import with_whole_coverings
 from cloner.hair.hoods import without_hoods
 from cloner.hair.loose_clothes import SAID, loose_shells
 from cloner.hair.mesh import lowest_m, mesh_of
+from cloner.hair.peaks import find_peak, peak_mesh, worn_views
 from cloner.hair.shell import dress_shell, shown_part
 from cloner.hair.tail import find_tail
 from cloner.hair.views import HairView, Hanger, hair_views, views_of
@@ -93,7 +94,7 @@ def run(
     body, on_scalp = body_triangles(generic), generic.region("scalp")
     scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]
     views = with_whole_coverings(views, photos.photos, proposals, *scalp)
-    hair = grow_hair(photos, views, joined, tick, params or Params())
+    hair = grow_hair(photos, proposals, views, joined, tick, params or Params())
     beard = beard_shell(generic, joined, photos, proposals, views)
     loose = loose_shells(generic, joined, photos, proposals, silhouettes)
     worn = (*(() if beard is None else (beard,)), *loose, *worn_glasses(photos, proposals, joined))
@@ -111,7 +112,12 @@ def worn_glasses(photos: PhotoSet, proposals: Proposals, joined: Joined) -> tupl
 
 
 def grow_hair(
-    photos: PhotoSet, views: list[HairView], joined: Joined, tick: Callable[[float], None], params: Params
+    photos: PhotoSet,
+    proposals: Proposals,
+    views: list[HairView],
+    joined: Joined,
+    tick: Callable[[float], None],
+    params: Params,
 ) -> StageResult:
     """Return one hair shell, or none with the reason as a warning, and the thickness of its cap."""
     generic = load_generic()
@@ -137,16 +143,44 @@ def grow_hair(
     used, triangles, inside_mm = shown_part(views, settled, mesh[1])
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
-    surface, hung = (settled[used], triangles, inside_mm), Hanger.of(generic, joined).weights(settled[used])
+    surface = with_peak(generic, joined, views, proposals, scalp, (settled[used], triangles, inside_mm))
+    peaked = np.arange(len(surface[1])) >= len(triangles)
+    worn = (peaked, worn_views(views, proposals)) if peaked.any() else None
+    hung = Hanger.of(generic, joined).weights(surface[0])
     strands = 1.0 if all(view.posed.view in FRONTS for view in views) else 0.0
-    carried = hair_weights(generic, joined, settled[used], triangles)
-    shell = dress_shell(generic, joined, photos, views, surface, hung, params.size, strands=strands, carried=carried)
+    carried = hair_weights(generic, joined, *surface[:2])
+    shell = dress_shell(
+        generic, joined, photos, views, surface, hung, params.size, strands=strands, carried=carried, worn=worn
+    )
     residuals = (
         Residual("hair_thickness_median", float(np.median(thick)), "mm"),
         Residual("hair_thickness_largest", float(thick.max()), "mm"),
     )
     tick(1.0)
     return StageResult({"shells": (shell,)}, residuals)
+
+
+def with_peak(
+    generic: GenericHuman,
+    joined: Joined,
+    views: list[HairView],
+    proposals: Proposals,
+    scalp: Scalp,
+    surface: tuple[Array, NDArray[np.int32], Array],
+) -> tuple[Array, NDArray[np.int32], Array]:
+    """Return a hair's vertices, triangles and distances inside its edge, mm, with the peak photos show."""
+    ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
+    cap = scalp.points_m + scalp.normals * m_from_mm(1.0) * scalp.thickness_mm[:, None]
+    peak = find_peak(views, proposals, cap, float(ears[:, 1].mean()))
+    if peak is None:
+        return surface
+    vertices, triangles, inside_mm = surface
+    points, faces = peak_mesh(peak)
+    return (
+        np.concatenate([vertices, points]),
+        np.concatenate([triangles, faces + np.int32(len(vertices))]),
+        np.concatenate([inside_mm, np.full(len(points), VOTE_MM)]),
+    )
 
 
 def with_ears_laid(generic: GenericHuman, joined: Joined, views: list[HairView]) -> tuple[Joined, list[HairView]]:

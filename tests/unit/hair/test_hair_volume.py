@@ -47,10 +47,14 @@ def test_what_the_front_photo_shows_as_room_is_no_tail_and_what_it_cannot_see_ma
 
 
 def _slab(view, axis, half_mm, judged=True):
-    """Return a photo that shows hair as a band of some half width along an axis."""
+    """Return a photo that shows hair as a band of some half width along an axis, 1 mm a pixel."""
+    camera = SimpleNamespace(project=lambda at: np.stack([200.0 + 1000.0 * at[:, axis], np.full(len(at), 2.0)], axis=1))
     return SimpleNamespace(
-        posed=SimpleNamespace(view=view),
+        posed=SimpleNamespace(view=view, camera=camera),
         flip_m=None,
+        hair=np.tile(np.abs(np.arange(401) - 200.0) <= half_mm, (5, 1)),
+        to_view=lambda at: at,
+        pixel_mm=lambda at: 1.0,
         evidence=lambda at: (
             (half_mm - 1000.0 * np.abs(at[:, axis])).astype(np.float32),
             np.full(len(at), judged),
@@ -62,8 +66,8 @@ def test_hair_between_front_and_side_is_round_and_no_box():
     views = [_slab(ViewId.FACE_FRONT, 0, 100.0), _slab(ViewId.BODY_SIDE, 2, 100.0)]
     points = np.array([[0.0, 0.0, 0.0], [0.095, 0.0, 0.095], [0.095, 0.0, 0.0], [0.11, 0.0, 0.0]])
     inside, sides = agreed_mm(views, points)
-    # Corner: 5 mm inside either band, 65 mm within the round edge's centre: 70 - sqrt(2) 65.
-    assert np.allclose(inside, [ROUND_MM, ROUND_MM - np.sqrt(2.0) * (ROUND_MM - 5.0), 5.0, -10.0], atol=1e-3)
+    # Corner: 5.5 mm inside either band's last pixel, 64.5 mm within the round edge's centre: 70 - sqrt(2) 64.5.
+    assert np.allclose(inside, [ROUND_MM, ROUND_MM - np.sqrt(2.0) * (ROUND_MM - 5.5), 5.0, -10.0], atol=1e-3)
     assert np.array_equal(sides, [2, 2, 2, 2])
 
 
