@@ -138,16 +138,20 @@ class CloneQueue(QObject):
             self.grown.emit(self._at_work)
 
     def _take(self, made: tuple[Cloned, float]) -> None:
-        folder = self._at_work
+        folder = self._let_go()
         if folder is not None:
             cloned, seconds = made
             log.info("%s: cloned in %.0f s", folder.name, seconds)
             update_visit(folder, lambda visit: line.cloned(visit, seconds, now_text()))
-            self.shape = None
             self.finished.emit(folder, cloned)
 
+    def _let_go(self) -> Path | None:
+        """Return who was cloned, whose clone waits no longer: who is told of it must not find it under way still."""
+        folder, self._at_work, self.shape = self._at_work, None, None
+        return folder
+
     def _complain(self, error: ClonerError) -> None:
-        folder = self._at_work
+        folder = self._let_go()
         if folder is not None:
             log.warning("%s: not cloned", folder.name)
             update_visit(folder, lambda visit: line.failed(visit, str(error)))
@@ -156,5 +160,6 @@ class CloneQueue(QObject):
     def _done(self) -> None:
         if self._task is not None:
             self._task.deleteLater()
-        self._task, self._at_work, self.shape = None, None, None
+        self._task = None
+        self._let_go()
         self._next()

@@ -239,3 +239,10 @@ def test_after_five_wrong_numbers_the_right_one_has_to_wait():
     assert not door.opens("2468", kept)
     clock[0] = 31.0
     assert door.opens("2468", kept)
+
+
+def test_who_hears_that_the_clone_is_ready_can_take_it_away_at_once(event, qtbot, samples):  # noqa: F811
+    heard = []
+    event.session.cloned.connect(lambda: heard.append((event.session.cloning, event.next.text().replace("&", ""))))
+    cloned(event, qtbot, samples)
+    assert heard == [(False, "Next")], "no next visitor is begun by who presses it quickly"
