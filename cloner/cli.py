@@ -18,13 +18,13 @@ import cloner
 from cloner.cli_scenes import scenes
 from cloner.cli_statues import statues
 from cloner.errors import ClonerError, plain
-from cloner.terminal import EXIT_CANCELLED, EXIT_INPUT, EXIT_SOME_FAILED, ProgressLine, ended
+from cloner.terminal import EXIT_CANCELLED, EXIT_INPUT, EXIT_SOME_FAILED, ProgressLine, ended, split_formats
 
 # The commands import their part when they run: `doctor` must work where a library is missing.
 if TYPE_CHECKING:
     from cloner.records.batches import BatchRow
 
-__all__ = ["EXIT_CANCELLED", "EXIT_INPUT", "app", "main"]
+__all__ = ["EXIT_CANCELLED", "EXIT_INPUT", "app", "main", "split_formats"]
 DEFAULT_FORMATS: Final = "glb,wrl"
 DEFAULT_TEXTURE_SIZE: Final = 2048
 UNPROTECTED: Final = "--unprotected-cluster-lets-anybody-on-the-network-run-code"
@@ -503,12 +503,6 @@ def named_number(text: str) -> tuple[str, float]:
     except ValueError as error:
         hint = "Write a name and centimetres, such as --measure inside_leg=78"
         raise ClonerError(f"{text!r} is no measure", hint, "--measure") from error
-
-
-def split_formats(text: str) -> tuple[str, ...]:
-    """Return the formats in a list with commas, each once, lower case."""
-    names = [name.strip().lower() for name in text.split(",")]
-    return tuple(dict.fromkeys(name for name in names if name))
 
 
 def main() -> None:

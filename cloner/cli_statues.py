@@ -8,7 +8,7 @@ from typing import Annotated, Any, Final
 import typer
 from typer.core import TyperGroup
 
-from cloner.terminal import ProgressLine
+from cloner.terminal import ProgressLine, split_formats
 
 #: What ``cloner statue CLONE`` means.
 MAKE: Final = "make"
@@ -45,7 +45,7 @@ def _statue(
 
     with ProgressLine() as progress:
         folder = statue_folder(
-            clone_path, out, identifier, material=material, pose=pose, formats=_names(formats), progress=progress
+            clone_path, out, identifier, material=material, pose=pose, formats=split_formats(formats), progress=progress
         )
     typer.echo(str(folder))
 
@@ -66,7 +66,7 @@ def _photo(
 
     with ProgressLine() as progress:
         folder, lines = photo_folder(
-            photo, markers, out, identifier, onto=onto, material=material, formats=_names(formats),
+            photo, markers, out, identifier, onto=onto, material=material, formats=split_formats(formats),
             texture_size=size, progress=progress,
         )  # fmt: skip
     for line in (*lines, str(folder)):
@@ -100,13 +100,8 @@ def _body(
 
     with ProgressLine() as progress:
         folder, lines = blob_folder(
-            blobs, out, identifier, onto=onto, material=material, formats=_names(formats), texture_size=size,
+            blobs, out, identifier, onto=onto, material=material, formats=split_formats(formats), texture_size=size,
             progress=progress,
         )  # fmt: skip
     for line in (*lines, str(folder)):
         typer.echo(line)
-
-
-def _names(formats: str) -> tuple[str, ...]:
-    """Return the names in a list with commas, each once."""
-    return tuple(dict.fromkeys(name.strip().lower() for name in formats.split(",") if name.strip()))

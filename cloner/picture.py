@@ -83,6 +83,11 @@ def clone_of(path: Path) -> Clone:
     return load_clone(file)
 
 
+def folder_name(path: Path) -> str:
+    """Return the name of the folder of a clone, given as that folder or as its ``clone.npz``."""
+    return (path if path.is_dir() else path.parent).resolve().name
+
+
 def _still(clone: Clone, view: str, width_px: int, height_px: int) -> Pixels:
     try:
         camera = standard_camera(clone, view, width_px, height_px)

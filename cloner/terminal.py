@@ -154,6 +154,12 @@ def _to_nowhere() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
+def split_formats(text: str) -> tuple[str, ...]:
+    """Return the formats in a list with commas, each once, lower case."""
+    names = [name.strip().lower() for name in text.split(",")]
+    return tuple(dict.fromkeys(name for name in names if name))
+
+
 def sentence_of(error: BaseException) -> str:
     """Return what to say of an error that nobody expected."""
     if out_of_memory(error):

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +12,7 @@ from scipy.sparse import csr_array
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
+from cloner.records.heads import Shell
 
 Array = NDArray[np.float64]
 
@@ -47,3 +50,8 @@ def carried(points_m: Array, skin_m: Array, shift_m: Array) -> Array:
     weight = 1.0 / np.maximum(away, 1e-4)
     weight /= weight.sum(axis=1, keepdims=True)
     return np.asarray(points_m + np.einsum("nk,nka->na", weight, shift_m[rows]))
+
+
+def carried_shells(shells: Iterable[Shell], skin_m: Array, shift_m: Array) -> tuple[Shell, ...]:
+    """Return hair and loose cloth that go with the skin (N, 3) below them when it goes (N, 3) metres."""
+    return tuple(replace(shell, vertices_m=carried(shell.vertices_m, skin_m, shift_m)) for shell in shells)

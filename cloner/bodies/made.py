@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.bodies.carried import carried
+from cloner.bodies.carried import carried_shells
 from cloner.bodies.measured import measured_body, remeasured_body
 from cloner.bodies.ruler import read
 from cloner.bodies.skin import painted, regions
@@ -90,10 +90,7 @@ def remeasured_clone(clone: Clone, told: Told) -> Clone:
         clone,
         vertices_m=vertices,
         joints_m=after.joints_m + lift,
-        shells=tuple(
-            replace(shell, vertices_m=carried(shell.vertices_m, clone.vertices_m[skin], shift[skin]))
-            for shell in clone.shells
-        ),
+        shells=carried_shells(clone.shells, clone.vertices_m[skin], shift[skin]),
         features_m=named_features(generic, vertices),
         measures_mm={
             key: round(told.mm.get(key, value + now[key] - old[key]), 1) for key, value in clone.measures_mm.items()

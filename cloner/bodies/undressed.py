@@ -20,7 +20,7 @@ from cloner.cloning import check_formats
 from cloner.errors import ClonerError
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
-from cloner.picture import clone_of
+from cloner.picture import clone_of, folder_name
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder
 from cloner.project.folder import safe_identifier
@@ -72,8 +72,7 @@ def undress_folder(
     progress("body", 0.0)
     clone = clone_of(clone_path)
     sex = sex or sex_of(clone)
-    folder_name = (clone_path if clone_path.is_dir() else clone_path.parent).resolve().name
-    name = safe_identifier(identifier or f"{folder_name}-undressed")
+    name = safe_identifier(identifier or f"{folder_name(clone_path)}-undressed")
     with result_folder(out, name) as folder:
         bare = undressed_clone(clone, sex)
         progress("export", 0.6)

@@ -115,6 +115,8 @@ class Params:
 class Model:
     """The generic head of the phenotype: rest vertices (V, 3), basis (F + 2, H, 3) and where head rows are.
 
+    ``jaw_m`` (H, 3) is what the usual opening of the jaw does to it.
+
     ``modes`` tells how the net sees the basis. Its last two directions are the jaws of front and side photo, which move
     nothing in a head at rest; :meth:`in_photo` gives the head in which one of them does.
     """
@@ -125,14 +127,19 @@ class Model:
     vertices_m: Array
     joints_m: Array
     basis_m: Array
+    jaw_m: Array
     row: NDArray[np.int64]
 
     def in_photo(self, number: int) -> Model:
         """Return the head as the front (0) or the side photo (1) shows it, its jaw moved by a direction of its own."""
         basis = self.basis_m.copy()
-        way = jaw_way(self.generic, self.vertices_m, self.joints_m)
-        basis[len(self.modes.basis_m) + number] = way[self.generic.head_vertices]
+        basis[len(self.modes.basis_m) + number] = self.jaw_m
         return replace(self, basis_m=basis)
+
+    def whole_in_photo(self, number: int, coefficients: Array) -> Array:
+        """Return the vertices (V, 3) as the front (0) or the side photo (1) shows them."""
+        own = coefficients[: len(self.basis_m)]
+        return self.whole(self.head(own) + own[len(self.modes.basis_m) + number] * self.jaw_m)
 
     def jaws_rad(self, coefficients: Array) -> Array:
         """Return (2,) how far front and side photo show the jaw open."""
@@ -218,7 +225,8 @@ def make_model(phenotype: Phenotype) -> Model:
     vertices[generic.head_vertices] += scale * modes.mean_m
     shapes = scale * modes.basis_m
     basis = np.concatenate([shapes, np.zeros((len(PHOTOS), *shapes.shape[1:]))])
-    return Model(generic, load_face_net(), modes, vertices, joints, basis, row)
+    jaw = jaw_way(generic, vertices, joints)[generic.head_vertices]
+    return Model(generic, load_face_net(), modes, vertices, joints, basis, jaw, row)
 
 
 def read_front(

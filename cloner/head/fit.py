@@ -246,14 +246,13 @@ def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | N
 
     What the fit (its ``coefficients``) took for errors of the net is no shape: it is not followed.
     """
-    shape = coefficients[: len(model.basis_m)]
     left: list[Leftover] = []
     if front is not None and fitted.front is not None:
-        whole = model.whole(model.in_photo(FRONT).head(shape))
+        whole = model.whole_in_photo(FRONT, coefficients)
         net_error_m = net_errors(model, coefficients, fitted.front, params)
         left += _front_leftovers(model, whole, fitted.front, front, net_error_m, controls, params)
     if side is not None and fitted.side is not None:
-        whole = model.whole(model.in_photo(SIDE).head(shape))
+        whole = model.whole_in_photo(SIDE, coefficients)
         left += _side_leftovers(model, whole, fitted.side, side, controls, params)
     moved = np.zeros((len(controls.names), 3))
     if left:

@@ -161,9 +161,8 @@ def _look_aside(model: Model, photos: PhotoSet, front: Front, side: Side, coeffi
         if fitted.front is None or fitted.side is None:
             break
         cameras, shown = (fitted.front, fitted.side), 1 if side.facing > 0 else 0
-        shape = coefficients[: len(model.basis_m)]
-        wholes = [model.whole(model.in_photo(photo).head(shape)) for photo in (FRONT, SIDE)]
-        flank = find_flank(model.generic, (wholes[FRONT], wholes[SIDE]), cameras, pictures, side=shown)
+        wholes = model.whole_in_photo(FRONT, coefficients), model.whole_in_photo(SIDE, coefficients)
+        flank = find_flank(model.generic, wholes, cameras, pictures, side=shown)
         side = replace(side, flank=flank)
         coefficients, fitted, _ = fit_basis(
             model, front, side, cameras, params, coefficients, zoom_sigma=zoom_sigma, iterations=LOOK_TURNS

@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.bodies.carried import carried
+from cloner.bodies.carried import carried_shells
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.written import manifest_of, write_result
 from cloner.cloning import check_formats, check_texture_size
@@ -56,10 +56,7 @@ def clone_of_blobs(clone: Clone, blobs: Sequence[Blob]) -> tuple[Clone, Envelope
     made = replace(
         clone,
         vertices_m=found.vertices_m,
-        shells=tuple(
-            replace(shell, vertices_m=carried(shell.vertices_m, clone.vertices_m[skin], shift))
-            for shell in clone.shells
-        ),
+        shells=carried_shells(clone.shells, clone.vertices_m[skin], shift),
         features_m=named_features(generic, found.vertices_m),
         views={},
         measures_mm={key: round(value + now[key] - old[key], 1) for key, value in clone.measures_mm.items()},

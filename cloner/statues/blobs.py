@@ -29,7 +29,7 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner.project.texts import check_format, read_text
+from cloner.statues.listed import read_listed
 
 Array = NDArray[np.float64]
 
@@ -111,20 +111,10 @@ def read_blobs(path: Path) -> tuple[Blob, ...]:
     ClonerError
         If it cannot be read or makes no sense.
     """
-    try:
-        told = json.loads(read_text(path))
-    except (ValueError, RecursionError) as error:
-        raise ClonerError("the blobs are no JSON", _HINT, path.name) from error
-    if (
-        not isinstance(told, dict)
-        or set(told) - {"made_by"} != {"format", "blobs"}
-        or not isinstance(told["blobs"], list)
-    ):
-        raise ClonerError("the file holds no list of blobs", _HINT, path.name)
-    check_format(told["format"], FORMAT, path.name)
-    if not 1 <= len(told["blobs"]) <= MOST:
-        raise ClonerError(f"a body has 1 to {MOST} blobs, not {len(told['blobs'])}", _HINT, path.name)
-    return tuple(_blob(one, number, path.name) for number, one in enumerate(told["blobs"], start=1))
+    told = read_listed(path, "blobs", FORMAT, _HINT, also=("made_by",))
+    if not 1 <= len(told) <= MOST:
+        raise ClonerError(f"a body has 1 to {MOST} blobs, not {len(told)}", _HINT, path.name)
+    return tuple(_blob(one, number, path.name) for number, one in enumerate(told, start=1))
 
 
 def written_blobs(blobs: Sequence[Blob], made_by: str) -> str:

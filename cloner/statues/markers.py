@@ -10,7 +10,6 @@ counts from the middle of the photo's top left pixel.
 
 from __future__ import annotations
 
-import json
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -20,7 +19,7 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner.project.texts import check_format, read_text
+from cloner.statues.listed import read_listed
 
 FORMAT: Final = 1
 #: More are a mesh of their own.
@@ -74,16 +73,10 @@ def read_markers(path: Path) -> Markers:
     ClonerError
         If it cannot be read or makes no sense.
     """
-    try:
-        told = json.loads(read_text(path))
-    except (ValueError, RecursionError) as error:
-        raise ClonerError("the markers are no JSON", _HINT, path.name) from error
-    if not isinstance(told, dict) or set(told) != {"format", "markers"} or not isinstance(told["markers"], list):
-        raise ClonerError("the file holds no list of markers", _HINT, path.name)
-    check_format(told["format"], FORMAT, path.name)
-    if len(told["markers"]) > MOST:
-        raise ClonerError(f"{len(told['markers'])} markers are too many", f"Give at most {MOST}", path.name)
-    at, px = zip(*(_marker(one, path.name) for one in told["markers"]), strict=True) if told["markers"] else ((), ())
+    told = read_listed(path, "markers", FORMAT, _HINT)
+    if len(told) > MOST:
+        raise ClonerError(f"{len(told)} markers are too many", f"Give at most {MOST}", path.name)
+    at, px = zip(*(_marker(one, path.name) for one in told), strict=True) if told else ((), ())
     return Markers(at, np.array(px, np.float64).reshape(-1, 2))
 
 

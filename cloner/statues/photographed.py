@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import cloner
-from cloner.bodies.carried import carried
+from cloner.bodies.carried import carried_shells
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
 from cloner.bodies.written import FORMAT, manifest_of, write_result
@@ -78,10 +78,7 @@ def photographed(clone: Clone, fitted: PhotoFit) -> Clone:
         morph_delta_m=delta,
         morph_start=start,
         atlas=TextureAtlas(fitted.laid.rgb, fitted.laid.seen),
-        shells=tuple(
-            replace(shell, vertices_m=carried(shell.vertices_m, clone.vertices_m[skin], shift))
-            for shell in clone.shells
-        ),
+        shells=carried_shells(clone.shells, clone.vertices_m[skin], shift),
         features_m=named_features(generic, vertices),
         views={},
     )

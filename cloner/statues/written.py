@@ -7,7 +7,7 @@ from pathlib import Path
 
 from cloner.bodies.written import manifest_of, write_result
 from cloner.cloning import check_formats
-from cloner.picture import clone_of
+from cloner.picture import clone_of, folder_name
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder
 from cloner.project.folder import safe_identifier
@@ -54,8 +54,7 @@ def statue_folder(
     check_pose(pose)
     progress("textures", 0.0)
     clone = clone_of(clone_path)
-    folder_name = (clone_path if clone_path.is_dir() else clone_path.parent).resolve().name
-    name = safe_identifier(identifier or f"{folder_name}-{material}")
+    name = safe_identifier(identifier or f"{folder_name(clone_path)}-{material}")
     with result_folder(out, name) as folder:
         statue = standing(statue_of(clone, material), pose)
         progress("export", 0.6)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cloner.crowd.pack import Wanted
+from cloner.crowd.pack import Wanted, make_pack
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import CLONE_FILE, save_clone
 from cloner.records.clones import Clone, TextureAtlas
@@ -46,6 +46,19 @@ def dressed_toy(stature_m: float = 1.70, *, sleeves: bool = False, shift: int = 
         consent=consent,
         stamp="Cloner 0.1.0, models a, generic 00ff, seed 0",
     )
+
+
+def lively_pack(results: Path, out: Path) -> Path:
+    """Make a pack with the walks of feelings and the acts."""
+    make_pack([results], out, replace(WANTED, vat=False, feelings=True))
+    return out
+
+
+def two_results(out: Path) -> Path:
+    """Leave two painted people as a batch would."""
+    saved(out / "ada", dressed_toy())
+    saved(out / "ben", dressed_toy(1.82, sleeves=True, shift=60))
+    return out
 
 
 def saved(folder: Path, clone: Clone) -> Path:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from cloner.crowd.pack import make_pack
-from kit.crowds import WANTED, dressed_toy, saved
+from kit.crowds import lively_pack, two_results
 
 SCENARIO = """floor 0, 0 to 16, 10
 obstacle plinth at 14, 5 size 1 x 1
@@ -26,11 +24,7 @@ at 12 s: guests leave by door
 @pytest.fixture(scope="session")
 def lively(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A pack with the walks of feelings and the acts."""
-    results, out = tmp_path_factory.mktemp("results"), tmp_path_factory.mktemp("lively") / "pack"
-    saved(results / "ada", dressed_toy())
-    saved(results / "ben", dressed_toy(1.82, sleeves=True, shift=60))
-    make_pack([results], out, replace(WANTED, vat=False, feelings=True))
-    return out
+    return lively_pack(two_results(tmp_path_factory.mktemp("results")), tmp_path_factory.mktemp("lively") / "pack")
 
 
 @pytest.fixture(scope="session")

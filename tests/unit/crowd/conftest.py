@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 from cloner.crowd.pack import make_pack
-from kit.crowds import WANTED, dressed_toy, saved
+from kit.crowds import WANTED, lively_pack, two_results
 
 
 @pytest.fixture(scope="session")
 def results(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A batch's output with two results."""
-    out = tmp_path_factory.mktemp("results")
-    saved(out / "ada", dressed_toy())
-    saved(out / "ben", dressed_toy(1.82, sleeves=True, shift=60))
-    return out
+    return two_results(tmp_path_factory.mktemp("results"))
 
 
 @pytest.fixture(scope="session")
@@ -30,6 +26,4 @@ def pack(results: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="session")
 def lively(results: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A pack with the walks of feelings and the acts."""
-    out = tmp_path_factory.mktemp("lively") / "pack"
-    make_pack([results], out, replace(WANTED, vat=False, feelings=True))
-    return out
+    return lively_pack(results, tmp_path_factory.mktemp("lively") / "pack")

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from cloner.crowd.pack import make_pack
 from cloner.scenes.written import light_folder, make_folder
-from kit.crowds import WANTED, dressed_toy, saved
+from kit.crowds import lively_pack, two_results
 
 PLAN = """name = "cell"
 [sun]
@@ -59,11 +57,7 @@ group two: 2 people, visits bright, starts at bright
 
 @pytest.fixture(scope="session")
 def lively(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    results, out = tmp_path_factory.mktemp("results"), tmp_path_factory.mktemp("lively") / "pack"
-    saved(results / "ada", dressed_toy())
-    saved(results / "ben", dressed_toy(1.82, sleeves=True, shift=60))
-    make_pack([results], out, replace(WANTED, vat=False, feelings=True))
-    return out
+    return lively_pack(two_results(tmp_path_factory.mktemp("results")), tmp_path_factory.mktemp("lively") / "pack")
 
 
 @pytest.fixture(scope="session")
