@@ -1,13 +1,14 @@
 """One clone at five levels of detail in one glTF, for worlds that draw many people or weak machines.
 
-The file is the clone's own glTF, seen whole by every viewer; each coarser level is another scene, "LOD1" to "LOD4", of
-meshes "Body_LOD1" and so on: lists of triangles over the very vertices, weights, texture coordinates and targets of the
-finest one, so they cost a few bytes a triangle and bend and speak alike. No extension: no reader in the field knows
-MSFT_lod, and meshes beside the first one in the same scene would be drawn on top of each other.
+The file is the clone's own glTF, seen whole by every viewer. Coarser levels are nodes beside its scene, "Body_LOD1",
+"Hair_LOD1" to "Body_LOD4": lists of triangles over the very vertices, weights, texture coordinates and targets of the
+whole clone, so they cost a few bytes a triangle, and bend and speak alike. In the scene viewers would draw all levels
+on top of each other; scenes of their own would share the armature, which three.js leaves to just one of them; and few
+readers know MSFT_lod.
 
 References
 ----------
-Khronos Group 2021, glTF 2.0 specification, section 3.5.1 (scenes; a node may be a root of several).
+Khronos Group 2021, glTF 2.0 specification, section 3.5.1 (a node need not be in a scene).
 """
 
 from __future__ import annotations
@@ -30,7 +31,7 @@ from cloner.records.heads import SHELL_KINDS, Shell
 
 Index = NDArray[np.int32]
 
-SKIN: Final = 0  # the only skin of the clone's glTF, and its armature the first node
+SKIN: Final = 0  # the only skin of the clone's glTF
 
 
 def export(clone: Clone, folder: Path, *, name: str = "clone") -> tuple[Path, ...]:
@@ -53,7 +54,6 @@ def with_levels(gltf: Any, clone: Clone) -> Any:
     blob = bytearray(gltf.binary_blob())
     meshes = list(gltf.meshes)
     for level in range(LEVELS):
-        roots = [SKIN]
         for mesh, own in zip(meshes, lists, strict=True):
             primitives = [
                 pygltflib.Primitive(
@@ -68,8 +68,6 @@ def with_levels(gltf: Any, clone: Clone) -> Any:
             coarse.extras, coarse.weights = mesh.extras, mesh.weights
             gltf.meshes.append(coarse)
             gltf.nodes.append(pygltflib.Node(name=coarse.name, mesh=len(gltf.meshes) - 1, skin=SKIN))
-            roots.append(len(gltf.nodes) - 1)
-        gltf.scenes.append(pygltflib.Scene(name=f"LOD{level + 1}", nodes=roots))
     gltf.buffers[0].byteLength = len(blob)
     gltf.set_binary_blob(bytes(blob))
     return gltf

@@ -200,12 +200,15 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> Any:
     if len(clone.triangle_regions):
         # The skin's own material, the first: skin, cloth and shoes shine each in their way. A statue is all of a piece.
         rough = _texture(gltf, buffer, png_bytes(roughness_map(clone)), "image/png", "roughness")
+        # What no photo shows, the mouth, stands in its own dark; without it every reader's sky shines in there.
         whole = bool(clone.atlas.shine.size)
         for surface, primitive in zip(load_surfaces(), primitives, strict=False):
             if surface.name == "body" or (whole and surface.rgba is None):
                 look = gltf.materials[primitive.material].pbrMetallicRoughness
                 look.metallicRoughnessTexture, look.roughnessFactor = pygltflib.TextureInfo(index=rough), 1.0
                 look.metallicFactor = 1.0 if whole else 0.0
+            if surface.name in ("body", "mouth") and not whole:
+                gltf.materials[primitive.material].occlusionTexture = pygltflib.OcclusionTextureInfo(index=rough)
     mesh = pygltflib.Mesh(name="Body", primitives=primitives)
     if clone.morph_names:
         mesh.extras = {"targetNames": list(clone.morph_names)}
