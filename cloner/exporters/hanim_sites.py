@@ -74,12 +74,9 @@ class Site:
 
     Attributes
     ----------
-    name : str
-        Of H-Anim 1.1, with the ending "_pt" of a feature point or "_tip" of a limb's end.
-    joint : int
-        The joint that carries its segment.
-    vertex : int
-        Of the generic human.
+    name : str, of H-Anim 1.1, with the ending "_pt" of a feature point or "_tip" of a limb's end
+    joint : int, the one that carries its segment
+    vertex : int, of the generic human
     """
 
     name: str
