@@ -83,6 +83,12 @@ def body_levels(*, full: bool = False) -> BodyLevels:
     )
 
 
+def surface_levels() -> dict[str, tuple[Index, ...]]:
+    """Return (T, 3) triangles of each level of body and eyes, in the wedges of their surfaces."""
+    lists = _shipped()
+    return {name: tuple(lists[f"{name}_{level}"].reshape(-1, 3) for level in range(LEVELS)) for name in SURFACES}
+
+
 def _shipped() -> dict[str, Index]:
     place = importlib.resources.files("cloner.crowd") / "data" / "levels.npz"
     with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:

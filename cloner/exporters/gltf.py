@@ -28,9 +28,9 @@ from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.exporters.glb_file import glb_bytes
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
+from cloner.exporters.gltf_targets import targets_of
 from cloner.exporters.roughness import roughness_map, shell_shine
 from cloner.generic.load import load_generic
-from cloner.generic.morphs import moved_wedges
 from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
 from cloner.motion.correctives import Driver, corrected, driven
@@ -41,8 +41,6 @@ from cloner.records.heads import SHELL_KINDS, Shell
 
 Array = NDArray[np.float64]
 
-#: Smaller offsets of a morph target cannot be seen, metres; taste.
-SMALLEST_OFFSET_M: Final = 2e-5
 _ROUGHNESS: Final = {"body": 0.85, "eyes": 0.25, "mouth": 0.45, "lashes": 0.9}  # taste; wet things shine
 _LOOSE: Final = 0.9  # roughness of hair and loose cloth; taste
 _HAIR_CUTOFF: Final = 0.4  # taste: strands stay closed when seen from afar
@@ -66,7 +64,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
         If the folder cannot be written to.
     """
     path = folder / f"{name}.glb"
-    write_bytes(path, glb_bytes(build(centred(clone), moves=moves, corrects=True)))
+    write_bytes(path, glb_bytes(build(centred(clone), moves=moves, corrects=True, shades=True)))
     return (path,)
 
 
@@ -76,6 +74,7 @@ def build(
     moves: Moves = own_motions,
     bones: Bones | None = None,
     corrects: bool = False,
+    shades: bool = False,
     buffer_type: Callable[[Any, Array], GltfBuffer] = GltfBuffer,
 ) -> Any:
     """Return the clone as a ``pygltflib.GLTF2`` with its binary blob set.
@@ -90,6 +89,8 @@ def build(
         The file's skeleton; None takes all H-Anim joints.
     corrects : bool
         Add corrective targets, which keep the flesh around bent joints, and let the motions drive them.
+    shades : bool
+        Let normals turn with the face's targets, so that the light follows.
     buffer_type : callable
         Makes the buffer of a file and its box (2, 3): how numbers are stored.
     """
@@ -107,7 +108,7 @@ def build(
     roots = [0]
     gltf.samplers.append(pygltflib.Sampler(magFilter=_LINEAR, minFilter=_TRILINEAR, wrapS=_REPEAT, wrapT=_REPEAT))
     for mesh in (
-        _body(gltf, buffer, clone, bones),
+        _body(gltf, buffer, clone, bones, shades=shades),
         *(_loose(gltf, buffer, clone, bones, kind) for kind in SHELL_KINDS),
     ):
         if mesh is not None:
@@ -169,8 +170,8 @@ def add_skeleton(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> i
     return len(gltf.skins) - 1
 
 
-def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> Any:
-    """Return the body's mesh: one primitive a surface, the same morph targets on all."""
+def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, *, shades: bool) -> Any:
+    """Return the body's mesh: one primitive a surface, the same morph targets on all; ``shades`` turns normals."""
     generic = load_generic()
     atlas = _texture(gltf, buffer, jpeg_bytes(clone.atlas.rgb), "image/jpeg", "atlas")
     normals = surface_normals(clone.vertices_m)
@@ -191,38 +192,29 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> Any:
                 attributes=attributes,
                 indices=buffer.indices(surface.triangles),
                 material=_material(gltf, surface.name, texture, mode, _ROUGHNESS[surface.name]),
-                targets=_targets(buffer, clone, surface.vertex),
+                targets=targets_of(buffer, clone, surface.vertex, normals=shades),
             )
         )
     for number, shell in enumerate(shell for shell in clone.shells if len(shell.rides)):
         primitives.append(_shell(gltf, buffer, bones, shell, number, shell_shine(clone, _LOOSE)))
-        primitives[-1].targets = _targets(buffer, clone, shell.rides)
+        primitives[-1].targets = targets_of(buffer, clone, shell.rides)
     if len(clone.triangle_regions):
         # The skin's own material, the first: skin, cloth and shoes shine each in their way. A statue is all of a piece.
         rough = _texture(gltf, buffer, png_bytes(roughness_map(clone)), "image/png", "roughness")
+        # What no photo shows, the mouth, stands in its own dark; without it every reader's sky shines in there.
         whole = bool(clone.atlas.shine.size)
         for surface, primitive in zip(load_surfaces(), primitives, strict=False):
             if surface.name == "body" or (whole and surface.rgba is None):
                 look = gltf.materials[primitive.material].pbrMetallicRoughness
                 look.metallicRoughnessTexture, look.roughnessFactor = pygltflib.TextureInfo(index=rough), 1.0
                 look.metallicFactor = 1.0 if whole else 0.0
+            if surface.name in ("body", "mouth") and not whole:
+                gltf.materials[primitive.material].occlusionTexture = pygltflib.OcclusionTextureInfo(index=rough)
     mesh = pygltflib.Mesh(name="Body", primitives=primitives)
     if clone.morph_names:
         mesh.extras = {"targetNames": list(clone.morph_names)}
         mesh.weights = [0.0] * len(clone.morph_names)
     return mesh
-
-
-def _targets(buffer: GltfBuffer, clone: Clone, vertex: NDArray[np.int32]) -> list[dict[str, int]]:
-    """Return a sparse accessor for every morph target; what belongs to one vertex of the skin moves alike."""
-    accessors, still = [], -1
-    for _, moved, own in moved_wedges(clone, vertex, SMALLEST_OFFSET_M):
-        if len(moved) == 0 and still >= 0:
-            accessors.append(still)  # all targets that leave this surface alone share one accessor of zeros
-            continue
-        accessors.append(buffer.offsets(len(vertex), moved, own))
-        still = accessors[-1] if len(moved) == 0 else still
-    return [{"POSITION": accessor} for accessor in accessors]
 
 
 def _loose(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, kind: str) -> Any:

@@ -9,6 +9,7 @@ length and no bytes ("fallback").
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import lru_cache
 from typing import Any, Final
 
 import numpy as np
@@ -82,10 +83,15 @@ def _indices(kind: Any, mode: str) -> Callable[[bytes], Packed]:
         if mode == "INDICES":
             stored = meshopt.sequence(values)
         else:
-            stored = meshopt.triangles(meshopt.side_by_side(values.reshape(-1, 3)))
+            stored = _packed_triangles(data, np.dtype(kind).str)
         return stored, {"byteStride": values.itemsize, "count": len(values), "mode": mode}
 
     return packed
+
+
+@lru_cache(maxsize=8)  # those of the generic human are everybody's
+def _packed_triangles(data: bytes, kind: str) -> bytes:
+    return meshopt.triangles(meshopt.side_by_side(np.frombuffer(data, kind).reshape(-1, 3)))
 
 
 def _strides(gltf: Any) -> dict[int, int]:

@@ -1,4 +1,4 @@
-"""H-Anim 1.1 names of segments and sites.
+"""H-Anim 1.1 names of segments, and version 2's of joints.
 
 References
 ----------
@@ -34,17 +34,6 @@ _SIDED: Final = {
 }
 _PHALANGES: Final = {"0": "metacarpal", "1": "proximal", "2": "middle", "3": "distal"}
 _THUMB: Final = {"1": "metacarpal", "2": "proximal", "3": "distal"}
-#: Features of ours that are sites of the standard; all others get their own name and "_pt".
-_SITES: Final = {
-    "head_top": "skull_tip",
-    "nasion": "sellion_pt",
-    "fingertip_left": "l_middle_distal_tip",
-    "fingertip_right": "r_middle_distal_tip",
-    "toe_left": "l_forefoot_tip",
-    "toe_right": "r_forefoot_tip",
-    "acromion_L": "l_acromion_pt",
-    "acromion_R": "r_acromion_pt",
-}
 
 
 def segment_name(joint: str) -> str:
@@ -68,11 +57,6 @@ def segment_name(joint: str) -> str:
         if finger in ("thumb", "index", "middle", "ring", "pinky") and number in names:
             return f"{side}_{finger}_{names[number]}"
     raise ValueError(f"unknown H-Anim joint {joint!r}")
-
-
-def site_name(feature: str) -> str:
-    """Return the site that marks a feature point, spelt as a VRML identifier."""
-    return _SITES.get(feature, f"{identifier(feature)}_pt")
 
 
 _JOINTS_2: Final = {

@@ -1,7 +1,7 @@
 """The formats a clone can leave in; each row's ``export`` loads on first use.
 
 ``export(clone, folder, *, name="clone") -> tuple[Path, ...]`` writes the
-files and returns their paths. ``small`` is a packed glTF, ``mixamo`` one with
+files and returns their paths. ``small`` is a packed glTF, ``lods`` one with coarser levels, ``mixamo`` one with
 Mixamo's bones, ``unity`` and ``unreal`` with those engines', ``vrma`` a motion
 alone, ``wrl`` a seamless VRML, ``hanim`` one of rigid pieces on H-Anim 1.1's
 prototypes, ``flat`` one that stands still.
@@ -14,6 +14,7 @@ from cloner.registry import Registry
 EXPORTERS = Registry("format")
 EXPORTERS.add("glb", "cloner.exporters.gltf:export")
 EXPORTERS.add("small", "cloner.exporters.gltf_small:export")
+EXPORTERS.add("lods", "cloner.crowd.lods:export")
 EXPORTERS.add("mixamo", "cloner.exporters.mixamo:export")
 EXPORTERS.add("unity", "cloner.exporters.engines:export_unity")
 EXPORTERS.add("unreal", "cloner.exporters.engines:export_unreal")

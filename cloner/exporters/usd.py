@@ -240,6 +240,8 @@ def _material(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh) -> Any:
             metal.ConnectToSource(map_.CreateOutput("b", kinds.Float))
         else:
             metal.Set(0.0)
+            dark = surface.CreateInput("occlusion", kinds.Float)
+            dark.ConnectToSource(map_.CreateOutput("r", kinds.Float))
     else:
         for value, told in zip((rough, metal), shell_shine(clone, 0.85), strict=True):
             value.Set(told)

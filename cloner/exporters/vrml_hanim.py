@@ -22,8 +22,10 @@ import numpy as np
 from cloner import __version__
 from cloner.exporters.credits import GENERIC_CREDITS
 from cloner.exporters.files import write_bytes
-from cloner.exporters.hanim_names import segment_name, site_name
+from cloner.exporters.hanim_limits import hanging_limits
+from cloner.exporters.hanim_names import segment_name
 from cloner.exporters.hanim_protos import PROTOS
+from cloner.exporters.hanim_sites import placed_sites
 from cloner.exporters.pictures import write_pictures
 from cloner.exporters.vrml_motion import motion_text
 from cloner.exporters.vrml_segments import quoted, row_text, segment_texts
@@ -66,7 +68,7 @@ def _scene(clone: Clone, name: str) -> Iterator[str]:
     yield "]\n"
     yield _uses("joints", generic.joint_names)
     yield _uses("segments", [segment_name(joint) for joint in generic.joint_names])
-    yield _uses("sites", [site_name(feature) for feature in clone.features_m])
+    yield _uses("sites", [site for site, _, _ in placed_sites(clone)])
     yield "}\n"
     yield from motion_text(own_motions(clone)[0], generic.joint_names, generic.joint_names[root])  # routes come last
 
@@ -78,7 +80,11 @@ def _uses(field: str, names: Sequence[str]) -> str:
 def _joint(clone: Clone, generic: GenericHuman, joint: int, segments: list[str]) -> Iterator[str]:
     """Yield a joint, its segment and every joint below it."""
     name = generic.joint_names[joint]
-    yield f'DEF hanim_{name} Joint {{ name "{name}" center {row_text(clone.joints_m[joint])} children [\n'
+    yield f'DEF hanim_{name} Joint {{ name "{name}" center {row_text(clone.joints_m[joint])}\n'
+    limits = hanging_limits(name)
+    if limits is not None:
+        yield f"llimit [ {row_text(limits.low)} ] ulimit [ {row_text(limits.high)} ]\n"
+    yield "children [\n"
     yield segments[joint]
     for child in np.flatnonzero(generic.joint_parents == joint):
         yield from _joint(clone, generic, int(child), segments)

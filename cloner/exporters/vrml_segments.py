@@ -8,10 +8,10 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
-from cloner.exporters.hanim_names import identifier, segment_name, site_name
-from cloner.exporters.partition import Piece, dominant_joint, partition
+from cloner.exporters.hanim_names import identifier, segment_name
+from cloner.exporters.hanim_sites import placed_sites
+from cloner.exporters.partition import Piece, partition
 from cloner.generic.load import GenericHuman
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import load_surfaces, surface_normals
@@ -199,16 +199,11 @@ def _displacers(targets: Targets, name: str, vertex: NDArray[np.int32]) -> Itera
 
 
 def site_texts(clone: Clone, generic: GenericHuman, node: str) -> list[list[str]]:
-    """Return the sites of every joint, "Site" or "Transform" nodes: each feature on the segment of the nearest skin."""
+    """Return the sites of every joint, "Site" or "Transform" nodes."""
     texts: list[list[str]] = [[] for _ in generic.joint_names]
-    if not clone.features_m:
-        return texts
-    dominant = dominant_joint(generic.skin_joints, generic.skin_weights)
-    _, nearest = cKDTree(clone.vertices_m).query(np.array(list(clone.features_m.values())))
-    for (feature, point), vertex in zip(clone.features_m.items(), nearest, strict=True):
-        site = site_name(feature)
+    for site, joint, point in placed_sites(clone):
         own = f'name "{site}" ' if node == "Site" else ""
-        texts[dominant[vertex]].append(f"DEF hanim_{site} {node} {{ {own}translation {row_text(point)} }}\n")
+        texts[joint].append(f"DEF hanim_{site} {node} {{ {own}translation {row_text(point)} }}\n")
     return texts
 
 

@@ -10,7 +10,7 @@ ISO/IEC 19775-1:2023 (X3D 4), clause 26; ISO/IEC 19774-1:2019 (H-Anim 2).
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from pathlib import Path
 
@@ -20,9 +20,11 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.exporters.credits import GENERIC_CREDITS
 from cloner.exporters.files import write_bytes
+from cloner.exporters.hanim_limits import Limits, limits_of
 from cloner.exporters.hanim_names import identifier, joint_name_2, node_name, segment_name
+from cloner.exporters.hanim_sites import name_2, standard_sites
 from cloner.exporters.pictures import write_pictures
-from cloner.exporters.vrml_motion import joint_turns
+from cloner.exporters.vrml_motion import STILL, joint_turns
 from cloner.exporters.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, row_text, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import moved_wedges
@@ -67,7 +69,8 @@ def _document(clone: Clone, name: str, motion: Motion) -> Iterator[str]:
     )
     yield f'<Coordinate DEF="skin_coord" containerField="skinCoord" point="{_rows([m.vertices_m for m in meshes])}"/>\n'
     yield f'<Normal DEF="skin_normal" containerField="skinNormal" vector="{_rows([m.normals for m in meshes])}"/>\n'
-    yield from _joint(clone, generic, int(np.flatnonzero(generic.joint_parents < 0)[0]), meshes, joints)
+    root = int(np.flatnonzero(generic.joint_parents < 0)[0])
+    yield from _joint(clone, generic, root, meshes, joints, limits_of(clone))
     start = 0
     for number, mesh in enumerate(meshes):
         yield from _shape(mesh, start, meshes if number == 0 else ())
@@ -75,6 +78,7 @@ def _document(clone: Clone, name: str, motion: Motion) -> Iterator[str]:
     yield from (f'<HAnimJoint USE="hanim_{joint}" containerField="joints"/>\n' for joint in joints)
     yield from (f'<HAnimSegment USE="hanim_{segment_name(joint)}" containerField="segments"/>\n'
                 for joint in generic.joint_names)  # fmt: skip
+    yield from (f'<HAnimSite USE="hanim_{name_2(site.name)}" containerField="sites"/>\n' for site in standard_sites())
     yield "</HAnimHumanoid>\n"
     yield from _motion(replace(motion, name=node_name(motion.name)), joints)
     yield "</Scene>\n</X3D>\n"
@@ -91,21 +95,40 @@ def _viewpoint(clone: Clone) -> str:
 
 
 def _joint(
-    clone: Clone, generic: GenericHuman, joint: int, meshes: tuple[SkinMesh, ...], names: tuple[str, ...]
+    clone: Clone,
+    generic: GenericHuman,
+    joint: int,
+    meshes: tuple[SkinMesh, ...],
+    names: tuple[str, ...],
+    limits: Mapping[str, Limits],
 ) -> Iterator[str]:
-    """Yield a joint with its share of the skin, its segment, its displacers and every joint below it."""
+    """Yield a joint with its share of the skin, its segment and sites, its displacers and every joint below it."""
     index, weight = _skin_of(joint, meshes)
     field = ' containerField="skeleton"' if generic.joint_parents[joint] < 0 else ""
     yield f'<HAnimJoint DEF="hanim_{names[joint]}" name="{names[joint]}"{field}'
     yield f' center="{row_text(clone.joints_m[joint])}"'
+    if own := limits.get(generic.joint_names[joint]):
+        yield f' llimit="{row_text(own.low)}" ulimit="{row_text(own.high)}"{_axes(own)}'
     yield f' skinCoordIndex="{_integers(index)}" skinCoordWeight="{_numbers(weight)}">\n' if len(index) else ">\n"
     segment = segment_name(generic.joint_names[joint])
-    yield f'<HAnimSegment DEF="hanim_{segment}" name="{segment}"/>\n'
+    yield f'<HAnimSegment DEF="hanim_{segment}" name="{segment}">\n'
+    for site in standard_sites():
+        if site.joint == joint:
+            name = name_2(site.name)
+            place = row_text(clone.vertices_m[site.vertex])
+            yield f'<HAnimSite DEF="hanim_{name}" name="{name}" translation="{place}"/>\n'
+    yield "</HAnimSegment>\n"
     if generic.joint_names[joint] == "skullbase":
         yield from _displacers(clone, meshes)
     for child in np.flatnonzero(generic.joint_parents == joint):
-        yield from _joint(clone, generic, int(child), meshes, names)
+        yield from _joint(clone, generic, int(child), meshes, names, limits)
     yield "</HAnimJoint>\n"
+
+
+def _axes(limits: Limits) -> str:
+    """Return the attribute that turns the limits' axes, nothing where they are the model's."""
+    angle = float(np.linalg.norm(limits.axes))
+    return f' limitOrientation="{row_text(limits.axes / angle)} {angle:.5f}"' if angle > STILL else ""
 
 
 def _skin_of(joint: int, meshes: tuple[SkinMesh, ...]) -> tuple[NDArray[np.int64], Array]:

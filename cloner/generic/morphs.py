@@ -38,7 +38,8 @@ def moved_wedges(
     """
     order = np.argsort(vertex, kind="stable")
     start = np.searchsorted(vertex[order], np.arange(len(clone.vertices_m) + 1))
-    far = np.abs(clone.morph_delta_m).max(axis=1, initial=0.0) > smallest_m
+    x, y, z = np.abs(clone.morph_delta_m).T
+    far = np.maximum(np.maximum(x, y), z) > smallest_m  # rows of three are slow to reduce
     for k, name in enumerate(clone.morph_names):
         first = int(clone.morph_start[k])
         rows = first + np.flatnonzero(far[first : clone.morph_start[k + 1]])

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.toes import closed_toe_normals
 from cloner.geometry.wedges import split_seams, triangulate, vertex_normals
 from cloner.records.arrays import freeze
 
@@ -77,9 +78,9 @@ def surface_normals(vertices_m: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return (V, 3) unit normals of the generic human's vertices moved to ``vertices_m``.
 
     Teeth are lit as their fronts are: the smooth normal of a biting edge points along the tooth, and all that shows of
-    the upper ones between two lips would be as grey as their undersides.
+    the upper ones between two lips would be as grey as their undersides. Toes in shoes are lit as the shoe's tip is.
     """
-    normals, generic = vertex_normals(vertices_m, load_triangles()), load_generic()
+    normals, generic = closed_toe_normals(vertices_m, vertex_normals(vertices_m, load_triangles())), load_generic()
     for part in ("teeth_upper", "teeth_lower"):
         rows = generic.part(part)
         along = np.linalg.svd(vertices_m[rows] - vertices_m[rows].mean(axis=0), full_matrices=False)[2][2]

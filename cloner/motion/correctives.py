@@ -33,6 +33,8 @@ from cloner.remembered import once_each
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+#: How the names of corrective targets begin.
+CORRECTIVE: Final = "corrective_"
 #: The table: ways a joint bends, the angles with a target of their own, and those in which it is told to have none.
 TABLE: Final = {
     "shoulder": ((Bend("shoulder", "raised", (0, 20, 50, 80, 105, 130, 150)), ()),
@@ -136,7 +138,7 @@ def _driver(
             if _angles(direction[None], np.array(directions)).min() < SAME_RAD:
                 continue
             shaped = degrees in bend.degrees
-            names.append(f"corrective_{side}_{joint}_{bend.way}_{degrees:.0f}" if shaped else "")
+            names.append(f"{CORRECTIVE}{side}_{joint}_{bend.way}_{degrees:.0f}" if shaped else "")
             directions.append(direction)
             if shaped:
                 found.append(kept_flesh(clone, body.parents, normals, side, joint, rotations))

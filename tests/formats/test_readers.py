@@ -21,7 +21,7 @@ THREE = pytest.mark.skipif(
 )
 BLENDER = pytest.mark.skipif(
     not readers.HAS_BLENDER,
-    reason="Blender is not here (CI leaves out its 500 MB); run: apt-get install blender",
+    reason="Blender is not here (CI leaves out its 500 MB); run: apt-get install blender, or set CLONER_BLENDER_PYTHON",
 )
 VIEW3DSCENE = pytest.mark.skipif(
     not readers.HAS_VIEW3DSCENE, reason="view3dscene is not here; run: sudo apt-get install -y view3dscene xvfb"
@@ -59,7 +59,7 @@ def test_the_person_stands_in_metres_and_walks(
     assert told["height_m"] == pytest.approx(STATURE_M + 0.01, abs=0.05)
     assert (told["moved_m"] > 0.05) == moves
     assert told.get("bones", 94) == 94
-    assert told.get("shapes", 68) == 68, "67 targets and the rest"
+    assert told.get("shapes", 68) >= 68, "67 targets and the rest; correctives behind them"
     upright(picture)
 
 

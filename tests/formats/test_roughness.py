@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 from cloner.exporters.gltf import build
-from cloner.exporters.roughness import ROUGHNESS, SIZE
+from cloner.exporters.roughness import ROUGHNESS, SIZE, mouth_light
 from cloner.generic.load import load_generic
 from cloner.records.regions import REGIONS
 from kit.clones import toy_clone
@@ -52,3 +52,35 @@ def test_without_regions_one_roughness_must_do():
     look = next(material for material in gltf.materials if material.name == "body").pbrMetallicRoughness
     assert look.metallicRoughnessTexture is None
     assert 0.5 < look.roughnessFactor < 1.0
+
+
+def test_only_the_mouth_is_dark_and_deeper_is_darker():
+    generic = load_generic()
+    triangles, uv_triangles = generic.triangles()
+    column, row = np.floor(generic.uv[uv_triangles].mean(axis=1) * SIZE).astype(int).clip(0, SIZE - 1).T
+    light = mouth_light()[row, column] / 255.0
+    parts = generic.vertex_part[triangles[:, 0]]
+    body = parts == generic.part_names.index("body")
+    inside = body & generic.region("mouth_interior")[triangles].all(axis=1)
+    outside = body & ~generic.region("mouth_interior")[triangles].any(axis=1)
+    assert (light[outside] > 0.99).mean() > 0.999, "photographs show their own shade"
+    behind = generic.vertices_m[generic.feature("stomion"), 2] - generic.vertices_m[triangles, 2].mean(axis=1)
+    shares = [np.median(light[inside & (behind > low) & (behind < low + 0.01)]) for low in (0.0, 0.015, 0.03, 0.05)]
+    assert shares == sorted(shares, reverse=True)
+    assert shares[0] > 0.7
+    assert shares[-1] < 0.2
+    tongue = np.flatnonzero(parts == generic.part_names.index("tongue"))
+    tongue = tongue[np.argsort(behind[tongue])]
+    assert light[tongue[:100]].mean() > light[tongue[-100:]].mean() + 0.2, "its tip stands in more light than its root"
+
+
+def test_skin_and_teeth_read_that_light_and_statues_have_none(dressed):
+    clone, _ = dressed
+    gltf = build(clone)
+    body, mouth, eyes = (next(one for one in gltf.materials if one.name == name) for name in ("body", "mouth", "eyes"))
+    rough = body.pbrMetallicRoughness.metallicRoughnessTexture.index
+    assert body.occlusionTexture.index == mouth.occlusionTexture.index == rough
+    assert eyes.occlusionTexture is None
+    shine = np.full((8, 8, 3), 128, np.uint8)
+    stone = build(replace(clone, atlas=replace(clone.atlas, shine=shine)))
+    assert all(one.occlusionTexture is None for one in stone.materials)

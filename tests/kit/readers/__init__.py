@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import base64
+import json
 import os
 import re
 import shutil
@@ -28,7 +29,10 @@ AT_S = 0.1
 
 HAS_THREE = CHROMIUM is not None and all((NODE / name).is_dir() for name in ("three", "@pixiv/three-vrm", "esbuild"))
 HAS_X_ITE = CHROMIUM is not None and X_ITE.is_dir()
-HAS_BLENDER = shutil.which("blender") is not None
+#: A Python that has Blender as a module (bpy from the package index), in stead of the program.
+BLENDER_PYTHON = os.environ.get("CLONER_BLENDER_PYTHON", "")
+HAS_BLENDER = bool(BLENDER_PYTHON) or shutil.which("blender") is not None
+GODOT = shutil.which("godot3-server")
 HAS_ASSIMP = shutil.which("assimp") is not None
 #: A Python that has readers which the product does not need: assimp-py and open3d from the package index.
 FOREIGN_PYTHON = os.environ.get("CLONER_READERS_PYTHON", sys.executable)
@@ -99,11 +103,12 @@ def x_ite(path: Path) -> Picture:
 
 
 def blender(path: Path) -> Picture:
-    """Import a file into Blender and draw it with Cycles."""
+    """Import a file into Blender, the program or the module, and draw it with Cycles."""
+    program = ["blender", "-b", "--factory-startup", "-noaudio", "-P"] if not BLENDER_PYTHON else [BLENDER_PYTHON]
     with tempfile.TemporaryDirectory() as scratch:
         out = Path(scratch) / "out.png"
         done = subprocess.run(
-            ["blender", "-b", "--factory-startup", "-noaudio", "-P", HERE / "show_blender.py", "--", path, out,
+            [*program, HERE / "show_blender.py", "--", path, out,
              *map(str, SIZE), str(AT_S)], capture_output=True, text=True, timeout=300, check=False,
         )  # fmt: skip
         seen = re.search(r"SEEN (.*)", done.stdout)
@@ -154,14 +159,37 @@ def assimp(path: Path) -> dict[str, float]:
     return told
 
 
-def foreign(program: str, path: Path) -> dict[str, float]:
-    """Return the meshes, vertices and height that a Python reader, "assimp_py" or "open3d", sees in a file."""
+def foreign(program: str, path: Path) -> dict[str, Any]:
+    """Return what a Python reader finds in a file (see count_foreign.py), or its complaint."""
     done = subprocess.run([FOREIGN_PYTHON, HERE / "count_foreign.py", program, path],
                           capture_output=True, text=True, timeout=120, check=False)  # fmt: skip
-    counts = re.search(r"^SEEN (\d+) (\d+) (\S+)$", done.stdout, flags=re.M)
-    if counts is None:
-        return {"meshes": 0.0, "vertices": 0.0, "height_m": 0.0}
-    return {"meshes": float(counts[1]), "vertices": float(counts[2]), "height_m": float(counts[3])}
+    seen = re.search(r"^SEEN (.*)$", done.stdout, flags=re.M)
+    if seen is None:
+        return {"error": (done.stderr.strip() or "no answer").splitlines()[-1]}
+    return dict(json.loads(seen[1]))
+
+
+def godot(path: Path) -> dict[str, Any]:
+    """Return what Godot's importer makes of a .glb; its editor does not end by itself, so it is ended once it did."""
+    with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as scratch:
+        folder = Path(scratch)
+        (folder / "project.godot").write_text('config_version=4\n[application]\nconfig/name="read"\n')
+        shutil.copy(HERE / "count_godot.gd", folder)
+        shutil.copy(path, folder)
+        editor = subprocess.Popen([str(GODOT), "--path", scratch, "--editor", "--quit"],
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)  # fmt: skip
+        end = time.monotonic() + 120
+        while time.monotonic() < end and not list(folder.glob(".import/*.md5")) and editor.poll() is None:
+            time.sleep(0.5)
+        editor.terminate()
+        try:
+            editor.wait(10)
+        except subprocess.TimeoutExpired:
+            editor.kill()
+        done = subprocess.run([str(GODOT), "--path", scratch, "-s", "count_godot.gd"], capture_output=True, text=True,
+                              timeout=120, check=False, env={**os.environ, "ASKED": path.name})  # fmt: skip
+    seen = re.search(r"^SEEN (.*)$", done.stdout, flags=re.M)
+    return dict(json.loads(seen[1])) if seen else {"error": (done.stderr.strip() or "no answer").splitlines()[-1]}
 
 
 def has_foreign(program: str) -> bool:

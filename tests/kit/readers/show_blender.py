@@ -22,7 +22,7 @@ elif path.endswith((".wrl", ".x3d")):
 elif path.endswith(".obj"):
     bpy.ops.wm.obj_import(filepath=path)
 elif path.endswith(".ply"):
-    bpy.ops.import_mesh.ply(filepath=path)
+    (bpy.ops.wm.ply_import if hasattr(bpy.ops.wm, "ply_import") else bpy.ops.import_mesh.ply)(filepath=path)
 else:
     bpy.ops.wm.usd_import(filepath=path)
 scene = bpy.context.scene
@@ -33,6 +33,10 @@ for armature in [one for one in bpy.data.objects if one.type == "ARMATURE"]:
         for track in armature.animation_data.nla_tracks:
             track.mute = True
         armature.animation_data.action = walk
+        if hasattr(walk, "slots"):  # since 4.4 an action has a slot for every object that it moves
+            armature.animation_data.action_slot = next(
+                (slot for slot in walk.slots if slot in list(armature.animation_data.action_suitable_slots)), None
+            )
 
 
 def corners(frame):
@@ -80,4 +84,8 @@ shapes = max(
     default=0,
 )
 bones = max((len(one.data.bones) for one in bpy.data.objects if one.type == "ARMATURE"), default=0)
-sys.stdout.write(f"SEEN height_m={size.z:.3f} moved_m={moved:.3f} bones={bones} shapes={shapes}\n")
+meshes = sum(max(len(one.material_slots), 1) for one in bpy.data.objects if one.type == "MESH" and one.visible_get())
+clips = len({one.name.split("_")[0].split(".")[0] for one in bpy.data.actions})
+sys.stdout.write(
+    f"SEEN height_m={size.z:.3f} moved_m={moved:.3f} bones={bones} shapes={shapes} meshes={meshes} clips={clips}\n"
+)

@@ -70,7 +70,13 @@ try {
     await wait(120);
   }
   const moved = Math.max(...after.map((point, k) => point.distanceTo(before[k])));
-  window.result = { height_m: size.y, moved_m: moved, meshes: renderer.info.render.calls };
+  let joints = 0, targets = 0;
+  model.traverse((one) => {
+    if (one.isSkinnedMesh) joints = Math.max(joints, one.skeleton.bones.length);
+    if (one.isMesh && one.morphTargetInfluences) targets = Math.max(targets, one.morphTargetInfluences.length);
+  });
+  const meshes = renderer.info.render.calls, clips = animations.length;
+  window.result = { height_m: size.y, moved_m: moved, meshes, joints, clips, targets };
 } catch (error) {
   window.result = { error: String(error && error.stack ? error.stack : error) };
 }

@@ -1,0 +1,20 @@
+# Run by Godot 3 without a window: tells what its importer made of the file that the variable ASKED names.
+extends SceneTree
+func walk(node, told):
+	if node is MeshInstance:
+		told["meshes"] += node.mesh.get_surface_count()
+		told["targets"] = max(told["targets"], node.mesh.get_blend_shape_count())
+		var box = node.get_aabb()
+		told["low"] = min(told["low"], box.position.y)
+		told["high"] = max(told["high"], box.position.y + box.size.y)
+	if node is Skeleton:
+		told["joints"] = max(told["joints"], node.get_bone_count())
+	if node is AnimationPlayer:
+		told["clips"] += node.get_animation_list().size()
+	for child in node.get_children():
+		walk(child, told)
+func _init():
+	var told = {"meshes": 0, "targets": 0, "joints": 0, "clips": 0, "low": 1e9, "high": -1e9}
+	walk(load("res://" + OS.get_environment("ASKED")).instance(), told)
+	print("SEEN ", to_json(told))
+	quit()
