@@ -17,7 +17,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.carriage_sight import HAIR, Head, Params, angles_of, sight_of, turned
+from cloner.body.carriage_sight import HAIR, Head, Params, Sight, angles_of, sight_of, turned
 from cloner.body.outlined import Outlined
 from cloner.frames import ViewId
 from cloner.hair.agreement import HairField, agreement
@@ -86,6 +86,8 @@ def carry_heads(
             )
             for view, photo in photos.items()
         }
+        if step == 0:  # from usual hair an afro's outline would count as another thing's
+            state[hair.start] = usual_thickness_mm(sights, rest[hair.start])
         values, slopes = [(state - rest) / spread], [np.diag(1.0 / spread)]
         for view, sight in sights.items():
             value, slope = sight.linear(state[own[view]], state[hair])
@@ -100,6 +102,12 @@ def carry_heads(
         move[: hair.start] = np.clip(move[: hair.start], -_STEP_RAD, _STEP_RAD)
         state = state + move
     return {view: turned(photo.posed, state[own[view]], head.pivot_m) for view, photo in photos.items()}
+
+
+def usual_thickness_mm(sights: Mapping[ViewId, Sight], otherwise_mm: float) -> float:
+    """Return how thick hair is above the skull on the median over all photos; `otherwise_mm` where none shows hair."""
+    told = np.concatenate([sight.thickness_mm() for sight in sights.values()])
+    return float(np.median(told)) if len(told) else otherwise_mm
 
 
 def _placed(slopes: Mapping[ViewId, Array], own: Mapping[ViewId, slice], width: int) -> Array:

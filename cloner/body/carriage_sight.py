@@ -197,6 +197,12 @@ class Sight:
         away = np.where(self.cap, over / self.params.hair_mm, away)
         return np.asarray(_WRONG * np.tanh(away / _WRONG) / np.sqrt(max(len(gap) / _INDEPENDENT, 1.0)))
 
+    def thickness_mm(self) -> Array:
+        """Return (N,) how far the photo's outline lies outside the bare skull where hair makes it, as it stands."""
+        rim = self.chosen[: len(self.bare)][self.cap]
+        pixels = self.photo.posed.camera.project(placed(self.head.mesh, rim, self.photo.posed)[0])
+        return -self.photo.field.signed_distance(pixels) * self.mm_per_px
+
     def linear(self, angles: Array, hair_mm: Array) -> tuple[Array, Array]:
         """Return the residual (R,) and its derivatives (R, angles + 4)."""
         value = self.residual(angles, hair_mm)

@@ -43,7 +43,7 @@ SURE_RIM = 0.3  # weight of outline points that tell how thick the cap usually i
 THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this against its median; more is a tail
 DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
 THINNEST_MM = 2.0  # where hair grows it covers the skin
-SHELL_ROUNDS, SHELL_REACH_MM = 2, 8.0  # of the finished shell
+SHELL_ROUNDS, SHELL_REACH_MM = 5, 8.0  # of the finished shell
 SHELL_STIFFNESS = 2.0  # its mesh is three times finer than the head's; softer, photos that disagree left ridges
 PLANE_REACH_M = 0.03  # tangent planes tell distances up to here
 

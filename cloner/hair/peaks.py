@@ -254,6 +254,16 @@ def worn_views(views: list[HairView], proposals: Proposals) -> list[HairView]:
     return found
 
 
+def under_headwear(worn: list[HairView], points_m: Array) -> NDArray[np.bool_]:
+    """Return which rest points (N, 3) some photo shows as headwear; `worn` as :func:`worn_views` gives it."""
+    found = np.zeros(len(points_m), np.bool_)
+    for view in worn:
+        if view.hair.any():
+            inside_mm, judged = view.evidence(points_m)
+            found |= judged & (inside_mm > 0.0)
+    return found
+
+
 def outward(points_m: Array, triangles: NDArray[np.int32]) -> bool:
     """Return whether a closed surface's triangles turn their outsides outwards: its volume is positive."""
     a, b, c = (points_m[triangles[:, k]] - points_m.mean(axis=0) for k in range(3))

@@ -165,8 +165,8 @@ def agreed_mm(views: list[HairView], points_m: Array) -> tuple[NDArray[np.float3
     show the head displaced, one may have lost dark hair before a dark wall. Level by level the sides' cones meet in a
     round edge: a box is no hair. Upwards and downwards all photos see the same end: there nothing is rounded.
     """
-    away, sides = np.zeros(len(points_m), np.float32), np.zeros(len(points_m), np.int64)
-    least = np.full(len(points_m), np.float32(FAR_MM))
+    sides, least = np.zeros(len(points_m), np.int64), np.full(len(points_m), np.float32(FAR_MM))
+    plan = {across: np.full(len(points_m), np.float32(FAR_MM)) for across in (False, True)}
     rows_px = {view.posed.view: across_px(view.hair) for view in views if view.flip_m is None}
     for names in SIDES:
         inside, across = np.full((2, len(points_m)), np.float32(FAR_MM))
@@ -184,7 +184,9 @@ def agreed_mm(views: list[HairView], points_m: Array) -> tuple[NDArray[np.float3
             across = np.where(known, np.minimum(across, wide / mean), across)
         judged = inside < FAR_MM
         sides, least = sides + judged, np.minimum(least, inside)
-        away += np.where(judged, np.maximum(ROUND_MM - across, 0.0) ** 2, 0.0)
+        aside = ViewId.BODY_SIDE in names  # front and back tell the same ends: heard as two, they would round twice
+        plan[aside] = np.where(judged, np.minimum(plan[aside], across), plan[aside])
+    away = sum(np.maximum(ROUND_MM - across, 0.0) ** 2 for across in plan.values())
     return np.where(sides > 0, np.minimum(least, ROUND_MM - np.sqrt(away)), np.float32(-FAR_MM)), sides
 
 

@@ -57,14 +57,14 @@ class HeadFit:
 
 
 #: What a shell can be.
-SHELL_KINDS = ("hair", "cloth", "glasses", "beard")
+SHELL_KINDS = ("hair", "cloth", "glasses", "beard", "frizz")
 #: What a shell rides on that no morph target moves.
 NO_RIDES = np.zeros(0, np.int32)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shell:
-    """A surface of its own beside the body: hair, a beard, a skirt, the lower part of a coat, glasses.
+    """A surface of its own beside the body: hair, its frizz, a beard, a skirt, the lower part of a coat, glasses.
 
     Attributes
     ----------

@@ -21,10 +21,12 @@ from cloner.geometry.wedges import vertex_normals
 from cloner.hair.beard import beard_shell
 from cloner.hair.cap import VOTE_MM, Scalp, covered_share, measure_scalp, settle_shell
 from cloner.hair.coverings import with_whole_coverings
+from cloner.hair.frizz import measure_frizz
+from cloner.hair.frizz_cards import frizz_shell, make_room
 from cloner.hair.hoods import without_hoods
 from cloner.hair.loose_clothes import SAID, loose_shells
 from cloner.hair.mesh import lowest_m, mesh_of
-from cloner.hair.peaks import find_peak, peak_mesh, worn_views
+from cloner.hair.peaks import find_peak, peak_mesh, under_headwear, worn_views
 from cloner.hair.shell import dress_shell, shown_part
 from cloner.hair.tail import find_tail
 from cloner.hair.views import HairView, Hanger, hair_views, views_of
@@ -143,21 +145,27 @@ def grow_hair(
     used, triangles, inside_mm = shown_part(views, settled, mesh[1])
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
-    surface = with_peak(generic, joined, views, proposals, scalp, (settled[used], triangles, inside_mm))
+    vertices, skin, headwear = settled[used], skin_of(generic, joined, scalp), worn_views(views, proposals)
+    free_mm = np.where(under_headwear(headwear, vertices), 0.0, inside_mm)
+    frizz = measure_frizz(views, photos.photos, scalp.points_m)
+    if frizz is not None:
+        vertices, frizz = make_room(frizz, vertices, triangles, free_mm, skin)
+    surface = with_peak(generic, joined, views, proposals, scalp, (vertices, triangles, inside_mm))
     peaked = np.arange(len(surface[1])) >= len(triangles)
-    worn = (peaked, worn_views(views, proposals)) if peaked.any() else None
+    worn = (peaked, headwear) if peaked.any() else None
     hung = Hanger.of(generic, joined).weights(surface[0])
     strands = 1.0 if all(view.posed.view in FRONTS for view in views) else 0.0
     carried = hair_weights(generic, joined, *surface[:2])
     shell = dress_shell(
         generic, joined, photos, views, surface, hung, params.size, strands=strands, carried=carried, worn=worn
     )
+    cards = None if frizz is None else frizz_shell(frizz, shell, (vertices, triangles, free_mm), skin)
     residuals = (
         Residual("hair_thickness_median", float(np.median(thick)), "mm"),
         Residual("hair_thickness_largest", float(thick.max()), "mm"),
     )
     tick(1.0)
-    return StageResult({"shells": (shell,)}, residuals)
+    return StageResult({"shells": (shell,) if cards is None else (shell, cards)}, residuals)
 
 
 def with_peak(
@@ -225,6 +233,13 @@ def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> 
     return measure_scalp(views, points, normals[rows], own, type(graph)(lengths), scalp, ears, tail)
 
 
+def skin_of(generic: GenericHuman, joined: Joined, scalp: Scalp) -> tuple[Array, Array]:
+    """Return vertices (M, 3) of the whole body's skin, the scalp's tucked in, and their normals."""
+    skin, tucked = generic.vertex_part == generic.part_names.index("body"), joined.vertices_m.copy()
+    tucked[head_rows(generic)] = scalp.points_m
+    return tucked[skin], vertex_normals(tucked, body_triangles(generic))[skin]
+
+
 def hair_mesh(
     generic: GenericHuman, joined: Joined, views: list[HairView], scalp: Scalp, params: Params
 ) -> tuple[Array, NDArray[np.int32]] | None:
@@ -233,8 +248,6 @@ def hair_mesh(
     low, high = scalp.points_m.min(axis=0) - reach, scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
     low[1] = min(low[1], lowest_m(views) - params.margin_m)
     ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
-    skin, tucked = generic.vertex_part == generic.part_names.index("body"), joined.vertices_m.copy()
-    tucked[head_rows(generic)] = scalp.points_m
-    body = tucked[skin], vertex_normals(tucked, body_triangles(generic))[skin]
+    body = skin_of(generic, joined, scalp)
     field, skin_mm = hair_field(views, scalp, body, low, high, middle_of(generic, joined), float(ears[:, 1].mean()))
     return mesh_of(field, skin_mm, low, params.triangles, params.smallest_piece)

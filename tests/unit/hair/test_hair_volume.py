@@ -98,3 +98,12 @@ def test_hair_hangs_from_hair():
     held = _held_by(grown.ravel(), hanging.ravel(), rows, shape).reshape(shape)
     assert held[8:18, :9, :9].all()
     assert held.sum() == 10 * 9 * 9
+
+
+def test_a_photo_of_the_back_takes_nothing_from_the_width_that_the_front_photo_shows():
+    """Both tell the same two ends of hair's plan: heard as two they rounded it twice, and 20 mm of an afro went."""
+    seen = [_slab(ViewId.BODY_FRONT, 0, 100.0), _slab(ViewId.BODY_SIDE, 2, 100.0)]
+    points = np.array([[x / 1000.0, 0.0, 0.0] for x in (60.0, 85.0, 95.0)])
+    twice = [*seen, _slab(ViewId.BODY_BACK, 0, 100.0)]
+    np.testing.assert_allclose(agreed_mm(twice, points)[0], agreed_mm(seen, points)[0], atol=1.0)
+    assert agreed_mm(twice, points)[0][1] > 10.0
