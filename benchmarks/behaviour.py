@@ -20,8 +20,7 @@ from cloner.behaviour import dice, fields
 from cloner.behaviour.ground import BODY_M, Ground, box, ground_of
 from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import digest, run
-from cloner.behaviour.nearby import wrapped
-from cloner.behaviour.walking import STEP_S, Bodies, walk
+from cloner.behaviour.walking import GIVEN, STEP_S, Bodies, bodies_on, walk
 from cloner.behaviour.world import world_of
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "behaviour_benchmark.md"
@@ -40,11 +39,16 @@ def own_speeds(seed: int, count: int) -> np.ndarray:
     return np.clip(FREE + SPREAD * dice.normal(seed, 2, np.arange(count)), 0.6, 2.1)
 
 
-def bodies_at(place: np.ndarray, speed: np.ndarray) -> Bodies:
-    count = len(place)
-    yes = np.ones(count, bool)
-    zero = np.zeros((count, 2))
-    return Bodies(place.copy(), zero, np.full(count, BODY_M), zero.copy(), speed, yes, yes.copy())
+def bodies_at(ground: Ground, place: np.ndarray, speed: np.ndarray, **others: float) -> Bodies:
+    """Return people who walk as they are told, or, with a place to go to, into its region."""
+    bodies = bodies_on(ground, place, **others)
+    bodies.wants[:], bodies.goal[:] = speed, 0 if others.get("places") else GIVEN
+    return bodies
+
+
+def wrapped(dx: np.ndarray, period_m: float) -> np.ndarray:
+    """Return differences along x in a world that repeats, the shorter way round."""
+    return dx - period_m * np.floor(dx / period_m + 0.5)
 
 
 def lattice(seed: int, count: int, low: tuple[float, float], high: tuple[float, float]) -> np.ndarray:
@@ -96,14 +100,14 @@ def ring(density: float, seed: int, middles: Middles, seconds: float = 30.0) -> 
     ground = ground_of([box((length / 2, wide / 2), (length + 16.0, wide))])
     count = round(density * length * wide)
     speed = own_speeds(seed, count)
-    bodies = bodies_at(lattice(seed, count, (0.0, 0.3), (length, wide - 0.3)), speed)
+    bodies = bodies_at(ground, lattice(seed, count, (0.0, 0.3), (length, wide - 0.3)), speed, period_m=length)
     bodies.way[:, 0] = 1.0
     bodies.velocity[:, 0] = speed / 2
     went = np.zeros(count)
     begun, steps = time.process_time(), int(seconds / STEP_S)
     for k in range(steps):
         before = bodies.place[:, 0].copy()
-        walk(bodies, ground, period_m=length)
+        walk(bodies)
         if k * STEP_S >= WARM_S:
             went += wrapped(bodies.place[:, 0] - before, length)
         if k % 40 == 0:
@@ -113,17 +117,20 @@ def ring(density: float, seed: int, middles: Middles, seconds: float = 30.0) -> 
     return float(mean.mean()), float((mean > 0.9 * speed).mean()), spent
 
 
+def lead(bodies: Bodies, ground: Ground, place: int, goal: np.ndarray) -> None:
+    ways = fields.directions(ground, fields.distances(ground, goal))
+    bodies.lead(place, ways, fields.region_cells(ground, goal))
+
+
 def through(
     ground: Ground, goal: np.ndarray, bodies: Bodies, done: Callable[[np.ndarray], np.ndarray], middles: Middles,
     longest_s: float,
 ) -> list[float]:  # fmt: skip
     """Return when each person was done; who is, leaves the world."""
-    way = fields.directions(ground, fields.distances(ground, goal))
+    lead(bodies, ground, 0, goal)
     times: list[float] = []
     for k in range(int(longest_s / STEP_S)):
-        row, column = ground.cells(bodies.place)
-        bodies.way[:] = way[row, column]
-        walk(bodies, ground)
+        walk(bodies)
         gone = bodies.present & done(bodies.place)
         times += [(k + 1) * STEP_S] * int(gone.sum())
         bodies.present &= ~gone
@@ -137,7 +144,7 @@ def through(
 def door(wide: float, seed: int, middles: Middles) -> float:
     """Return the flow through a door, persons a metre and second, from the 30th to the 130th of 160 people."""
     ground = ground_of([box((5.0, 5.0), (10.0, 10.0)), box((10.1, 5.0), (0.4, wide)), box((13.2, 5.0), (6.0, 10.0))])
-    bodies = bodies_at(lattice(seed, 160, (2.0, 0.5), (9.0, 9.5)), own_speeds(seed, 160))
+    bodies = bodies_at(ground, lattice(seed, 160, (2.0, 0.5), (9.0, 9.5)), own_speeds(seed, 160), places=1)
     times = through(ground, box((15.2, 5.0), (1.8, 9.0)), bodies, lambda p: p[:, 0] > 10.2, middles, 300.0)
     return 100.0 / (times[129] - times[29]) / wide if len(times) >= 130 else 0.0
 
@@ -145,7 +152,7 @@ def door(wide: float, seed: int, middles: Middles) -> float:
 def corner(seed: int) -> tuple[int, float]:
     """Return how many of twenty people came round a corner of a 2 m corridor, and the least distance to a wall."""
     ground = ground_of([box((6.0, 1.0), (12.0, 2.0)), box((11.0, 6.0), (2.0, 12.0))])
-    bodies = bodies_at(lattice(seed, 20, (0.3, 0.3), (6.0, 1.7)), own_speeds(seed, 20))
+    bodies = bodies_at(ground, lattice(seed, 20, (0.3, 0.3), (6.0, 1.7)), own_speeds(seed, 20), places=1)
     least = [np.inf]
 
     def done(place: np.ndarray) -> np.ndarray:
@@ -165,13 +172,13 @@ def streams(seed: int, middles: Middles, density: float = 1.0) -> tuple[float, f
     ground = ground_of([box((length / 2, wide / 2), (length + 16.0, wide))])
     count = round(density * length * wide)
     speed = own_speeds(seed, count)
-    bodies = bodies_at(lattice(seed, count, (0.0, 0.3), (length, wide - 0.3)), speed)
+    bodies = bodies_at(ground, lattice(seed, count, (0.0, 0.3), (length, wide - 0.3)), speed, period_m=length)
     sign = np.where(dice.uniform(seed, 9, np.arange(count)) < 0.5, 1.0, -1.0)
     bodies.way[:, 0] = sign
     went = 0.0
     for k in range(int(60.0 / STEP_S)):
         before = bodies.place[:, 0].copy()
-        walk(bodies, ground, period_m=length)
+        walk(bodies)
         if k * STEP_S >= 50.0:
             went += float((wrapped(bodies.place[:, 0] - before, length) * sign).mean())
         if k % 40 == 0:
@@ -192,18 +199,17 @@ def hall(count: int, steps: int) -> tuple[float, str]:
     mid, far = length / 2, length - 1.5
     goals = [box((mid, 1.5), (length - 4, 2)), box((mid, far), (length - 4, 2)),
              box((1.5, mid), (2, length - 4)), box((far, mid), (2, length - 4))]  # fmt: skip
-    ways = np.stack([fields.directions(ground, fields.distances(ground, one)) for one in goals])
     who = np.arange(count * 2)
     place = np.stack([1 + dice.uniform(1, 1, who) * (length - 2), 1 + dice.uniform(1, 2, who) * (length - 2)], axis=1)
-    bodies = bodies_at(place[ground.stands(place)][:count], own_speeds(1, count))
-    goal = np.arange(count) % 4
+    bodies = bodies_at(ground, place[ground.stands(place)][:count], own_speeds(1, count), places=4)
+    for number, one in enumerate(goals):
+        lead(bodies, ground, number, one)
+    bodies.goal[:] = np.arange(count) % 4
     begun = time.process_time()
     for _ in range(steps):
-        row, column = ground.cells(bodies.place)
-        bodies.way[:] = ways[goal, row, column]
+        walk(bodies)
         there = (bodies.way == 0.0).all(axis=1)
-        goal = np.where(there, goal ^ 1, goal)
-        walk(bodies, ground)
+        bodies.goal[there] ^= 1
     return count * steps / (time.process_time() - begun), hashlib.sha256(bodies.place.tobytes()).hexdigest()[:16]
 
 
@@ -278,17 +284,19 @@ def corners(told: Told, seeds: int) -> Iterator[Middles]:
         f"came, least distance of a middle to a wall {min(one for _, one in found):.3f} m (a body has {BODY_M} m).",
     )
     ground = ground_of([box((25.0, 1.0), (50.0, 2.0))])
-    one = bodies_at(np.array([[1.0, 1.0]]), np.array([1.33]))
+    one = bodies_at(ground, np.array([[1.0, 1.0]]), np.array([1.33]))
     one.way[:, 0] = 1.0
+    steps = 0
     while one.place[0, 0] < 41.0:
-        walk(one, ground)
-    told.say(f"One at 1.33 m/s needs {one.steps * STEP_S:.1f} s for 40 m (bar 26-34).")
+        walk(one)
+        steps += 1
+    told.say(f"One at 1.33 m/s needs {steps * STEP_S:.1f} s for 40 m (bar 26-34).")
     yield Middles()
 
 
 def engine(told: Told, seeds: int) -> Iterator[Middles]:
     """Say how fast it is, and the digests."""
-    told.say("", "## Speed of the engine", "", "One core, NumPy, machine shared with other work.", "")
+    told.say("", "## Speed of the engine", "", "One core, wasmtime, machine shared with other work.", "")
     for count, steps in ((1000, 200), (5000, 60)):
         rate, digest = hall(count, steps)
         told.say(f"- {count} people, .25 a square metre, pillars: {rate / 1e3:.0f}k agent-steps a CPU second, "

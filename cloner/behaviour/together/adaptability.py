@@ -64,10 +64,10 @@ def _spots(world: World, point: Place) -> Array:
 
 def _free_spots(world: World, point: Place, place: int, who: Indices) -> Array:
     """Return the spots of a region at which nobody else stands or goes."""
-    spots, people = _spots(world, point), world.people
-    others = world.bodies.present & (people.goal == place)
+    spots, bodies = _spots(world, point), world.bodies
+    others = bodies.present & (bodies.goal == place)
     others[who] = False
-    taken = people.target[others]
+    taken = bodies.target[others]
     if not len(taken):
         return spots
     dx, dy = spots[:, None, 0] - taken[None, :, 0], spots[:, None, 1] - taken[None, :, 1]
