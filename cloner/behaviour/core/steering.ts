@@ -24,6 +24,10 @@ const SHOULDERS: f64 = 0.8;
 /** Nobody stands quite still before one who comes the other way, nearer than so: one edges past. m/s, m. */
 const EDGING_M_S: f64 = 0.3;
 const EDGING_M: f64 = 1.0;
+/** Who stands steps aside for who comes nearer than so, m, with this speed, m/s; taste. */
+const ROOM_M: f64 = 0.7;
+const STEPS_ASIDE_M_S: f64 = 0.5;
+const HALF_ROOT: f64 = 0.7071067811865476;
 /** Square of the cosine of 45 degrees: others further aside are beside one. At 60 degrees a .75 m door jams. */
 const BESIDE: f64 = 0.5;
 
@@ -71,9 +75,7 @@ export function spreadFan(): void {
 export function choose(one: i32): void {
   const wx = f(way, 2 * one), wy = f(way, 2 * one + 1);
   if (wx == 0.0 && wy == 0.0) {
-    setF(heading, 2 * one, 0.0);
-    setF(heading, 2 * one + 1, 0.0);
-    setF(pace, one, 0.0);
+    makeWay(one);
     return;
   }
   const px = f(place, 2 * one), py = f(place, 2 * one + 1), wanted = f(own, one), speed = max(wanted, 0.05);
@@ -129,6 +131,28 @@ export function choose(one: i32): void {
   setF(heading, 2 * one, hx);
   setF(heading, 2 * one + 1, hy);
   setF(pace, one, min(wanted, max(gap / STOP_S, edges ? EDGING_M_S : 0.0)));
+}
+
+/** Let one who stands step out of the way of the nearest who comes straight at him: aside and along. */
+function makeWay(one: i32): void {
+  setF(pace, one, 0.0);
+  const row = others + (<usize>one * <usize>NEAREST << 2);
+  for (let k = 0; k < NEAREST && is(avoids, one); k++) {
+    const other = i(row, k);
+    if (other < 0) return;
+    const wx = f(way, 2 * other), wy = f(way, 2 * other + 1);
+    let dx = f(place, 2 * one) - f(place, 2 * other);
+    const dy = f(place, 2 * one + 1) - f(place, 2 * other + 1);
+    if (period > 0.0) dx = wrapped(dx);
+    if (dx * dx + dy * dy > ROOM_M * ROOM_M) return;
+    const aside = wx * dy - wy * dx;
+    if (dx * wx + dy * wy <= 0.0 || abs(aside) >= least(one, other, false)) continue;
+    const side = aside >= 0.0 ? 1.0 : -1.0;
+    setF(heading, 2 * one, (wx - side * wy) * HALF_ROOT);
+    setF(heading, 2 * one + 1, (wy + side * wx) * HALF_ROOT);
+    setF(pace, one, STEPS_ASIDE_M_S);
+    return;
+  }
 }
 
 /** How far one gets at one's own speed, at most `far`, before meeting anybody who walks on, metres. */

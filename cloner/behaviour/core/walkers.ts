@@ -22,6 +22,10 @@ const RELAX_S: f64 = 0.5;
 const NEIGHBOURS_KEPT: i32 = 4;
 /** Share of an overlap that both bodies make good in a step; less than half each keeps a jam from trembling. */
 const APART: f64 = 0.4;
+/** Two who touch also slide past each other, both to their right: by so much of the push, times one less the cosine
+ *  between their ways. Pushed straight apart alone, crowds that cross before a door or meet in a corridor lock for ever
+ *  (two of 40 seeds of two streams, none so). */
+const ASIDE: f64 = 0.5;
 const TOUCHING: i32 = 8; // neighbours that can touch a body of .2 m at once
 
 let known: i32 = -1; // how many people the table of neighbours is of
@@ -82,9 +86,10 @@ function settle(one: i32): void {
     const away = sqrt(dx * dx + dy * dy);
     const over = least(one, other, passes(wishX, wishY, other)) - away;
     if (over <= 0.0) continue;
-    const share = APART * over / max(away, 1e-6);
-    pushX += share * dx;
-    pushY += share * dy;
+    const alike = f(way, 2 * one) * f(way, 2 * other) + f(way, 2 * one + 1) * f(way, 2 * other + 1);
+    const share = APART * over / max(away, 1e-6), aside = ASIDE * (1.0 - alike) * share;
+    pushX += share * dx - aside * dy;
+    pushY += share * dy + aside * dx;
   }
   setF(place, 2 * one, x + pushX);
   setF(place, 2 * one + 1, y + pushY);

@@ -6,7 +6,6 @@ import hashlib
 import json
 import os
 import shutil
-import sys
 from pathlib import Path
 
 import numpy as np
@@ -22,11 +21,9 @@ from cloner.behaviour.world import world_of
 from cloner.errors import ClonerError
 from kit.browser import CHROMIUM, browser
 from kit.core_log import CoreLog, in_node, kept_places, page
+from kit.scripts import script
 
-ROOT = Path(__file__).resolve().parents[3]
-sys.path.insert(0, str(ROOT / "generic_models" / "build"))
-from build_walkers import built, source_digests  # noqa: E402
-
+BUILD = script("build_walkers")
 PACKAGES = Path(os.environ.get("CLONER_NODE_MODULES", "/nowhere"))
 STEPS, EVERY = 10_000, 1_000
 #: Everything that moves people: curves, fields, flocking, wanderers, a counter, other orders on the way, who leaves.
@@ -69,12 +66,12 @@ def played() -> tuple[str, list[bytes], str]:
 def test_the_module_is_what_its_provenance_says() -> None:
     told = json.loads(MODULE.with_name("PROVENANCE.json").read_text(encoding="utf-8"))[0]
     assert told["sha256"] == hashlib.sha256(MODULE.read_bytes()).hexdigest()
-    assert told["source"] == source_digests(), "generic_models/build/build_walkers.py was not run"
+    assert told["source"] == BUILD.source_digests(), "generic_models/build/build_walkers.py was not run"
 
 
 @pytest.mark.skipif(not (PACKAGES / "node_modules" / "assemblyscript").is_dir(), reason="no AssemblyScript here")
 def test_the_module_is_built_again_to_the_byte() -> None:
-    assert built(PACKAGES) == MODULE.read_bytes()
+    assert BUILD.built(PACKAGES) == MODULE.read_bytes()
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="no node on this machine")

@@ -8,6 +8,9 @@ import pytest
 from cloner.behaviour import dice, fields
 from cloner.behaviour.ground import BODY_M, Ground, box, ground_of, inside
 from cloner.behaviour.walking import GIVEN, STEP_S, Bodies, bodies_on, walk
+from kit.scripts import script
+
+WORLDS = script("behaviour_worlds")
 
 SIGHT_M = 6.0
 
@@ -119,6 +122,24 @@ def test_speed_falls_with_density_as_weidmann_says() -> None:
             went += moved - 30.0 * np.floor(moved / 30.0 + 0.5) if step >= 100 else 0.0
         found.append(float(went.mean() / 10.0) / speed)
     assert np.allclose(found, 1.0, atol=0.15)
+
+
+@pytest.mark.parametrize("seed", [5, 10])
+def test_streams_against_each_other_do_not_lock(seed: int) -> None:
+    pace, lanes = WORLDS.streams(seed, WORLDS.Middles())  # these two locked while bodies were pushed straight apart
+    assert pace > 0.6
+    assert lanes > 0.5
+
+
+@pytest.mark.parametrize("polite", [True, False])
+def test_who_stands_makes_way_for_who_comes(polite: bool) -> None:
+    ground = ground_of([box((5, 0.5), (10, 1))])
+    people = bodies_at(ground, [[1.0, 0.5], [5.0, 0.5]], (1.0, 0.0))
+    people.way[1] = 0.0
+    people.avoids[1] = polite
+    for _ in range(round(10.0 / STEP_S)):
+        walk(people)
+    assert (people.place[0, 0] > people.place[1, 0] + 1.0) == polite
 
 
 def test_dice_are_even_normal_and_repeat() -> None:
