@@ -93,8 +93,7 @@ def ring(density: float, seed: int, middles: Middles, seconds: float = 30.0) -> 
 
 
 def lead(bodies: Bodies, ground: Ground, place: int, goal: np.ndarray) -> None:
-    ways = fields.directions(ground, fields.distances(ground, goal))
-    bodies.lead(place, ways, fields.region_cells(ground, goal))
+    bodies.lead(place, fields.distances(ground, goal), fields.region_cells(ground, goal))
 
 
 def through(

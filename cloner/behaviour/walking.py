@@ -48,11 +48,12 @@ class Bodies:
     wanders: Mask
     looks: Mask
 
-    def lead(self, place: int, ways: Array, region: Mask) -> None:
-        """Tell the core the directions to a place, (rows, cols, 2), and the cells of its region, before anyone goes."""
+    def lead(self, place: int, distance: Array, region: Mask) -> None:
+        """Tell the core the way to a place before anyone goes: each cell's distance, (rows, cols), and its region."""
         cells = region.size
-        self.core.arrays["fields"][place * cells : (place + 1) * cells] = ways.reshape(-1, 2)
+        self.core.arrays["distance"][:] = distance.ravel()
         self.core.arrays["regions"][place * cells : (place + 1) * cells] = region.ravel()
+        self.core.lead(place)
 
 
 def bodies_on(ground: Ground, place: Array, *, places: int = 0, seed: int = 0, period_m: float = 0.0) -> Bodies:

@@ -121,8 +121,8 @@ class World:
         """Tell the core the ways to a place, found when somebody first goes there."""
         one = self.places[place]
         if not one.led:
-            ways = fields.directions(self.ground, fields.distances(self.ground, one.corners))
-            self.bodies.lead(place, ways, fields.region_cells(self.ground, one.corners))
+            distance = fields.distances(self.ground, one.corners)
+            self.bodies.lead(place, distance, fields.region_cells(self.ground, one.corners))
             one.led = True
 
     def say(self, text: str) -> None:

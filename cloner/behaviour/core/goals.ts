@@ -2,13 +2,12 @@
 // and bodies that turn to where they walk or look.
 
 import {
-  AHEAD_M, GIVEN, NOWHERE, STEP_S, ahead, cols, curve, direct, f, facing, fields, goal, i, is, look, looks, own, people,
+  AHEAD_M, GIVEN, NOWHERE, STEP_S, ahead, clear, cols, curve, direct, f, facing, fields, goal, i, is, look, looks, own, people,
   place, present, regions, rows, setF, setI, setIs, settled, slow, spotted, steps, target, turn, velocity, wanders,
   wants, way,
 } from "./memory";
 import { CURVE, TURN, uniform } from "./dice";
 import { RAY_BODY_M, cellOf, freeWay, sees } from "./ground";
-import { clear } from "./memory";
 
 /** Who is so near to the own spot has arrived; who was pushed further goes back, metres. */
 const THERE_M: f64 = 0.12;
@@ -99,7 +98,8 @@ function toSpot(one: i32, to: i32): void {
   setF(own, one, min(f(wants, one), max(far / SLOWING_S, 0.2)));
   if ((one + steps) % LOOKS_EVERY == 0) {
     const before = is(direct, one);
-    const now = far < STRAIGHT_M && sees(f(place, 2 * one), f(place, 2 * one + 1), f(target, 2 * one), f(target, 2 * one + 1));
+    const now = far < STRAIGHT_M
+      && sees(f(place, 2 * one), f(place, 2 * one + 1), f(target, 2 * one), f(target, 2 * one + 1), RAY_BODY_M);
     setIs(direct, one, now);
     if (now && !before) beginCurve(one, x, y);
   }
@@ -126,7 +126,8 @@ function beginCurve(one: i32, x: f64, y: f64): void {
   const ax = f(place, 2 * one), ay = f(place, 2 * one + 1), bx = f(target, 2 * one), by = f(target, 2 * one + 1);
   const share = (2.0 * uniform(CURVE, steps, one) - 1.0) * ASIDE;
   const mx = (ax + bx) / 2.0, my = (ay + by) / 2.0, cx = mx + share * -y, cy = my + share * x;
-  const room = f(clear, cellOf(cx, cy)) >= RAY_BODY_M && sees(ax, ay, cx, cy) && sees(cx, cy, bx, by);
+  const room = f(clear, cellOf(cx, cy)) >= RAY_BODY_M && sees(ax, ay, cx, cy, RAY_BODY_M)
+    && sees(cx, cy, bx, by, RAY_BODY_M);
   setF(curve, 4 * one, ax);
   setF(curve, 4 * one + 1, ay);
   setF(curve, 4 * one + 2, room ? cx : mx);

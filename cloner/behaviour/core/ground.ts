@@ -57,12 +57,12 @@ export function castRays(): void {
   }
 }
 
-/** Whether a slim body gets straight from one place to another. */
-export function sees(ax: f64, ay: f64, bx: f64, by: f64): bool {
+/** Whether a body gets straight from one place to another. */
+export function sees(ax: f64, ay: f64, bx: f64, by: f64, body: f64): bool {
   const x = bx - ax, y = by - ay, length = max(sqrt(x * x + y * y), CELL_M);
   let share = CELL_M / length;
   for (let k = 2; share < 1.0; k++) {
-    if (f(clear, cellOf(ax + share * x, ay + share * y)) < RAY_BODY_M) return false;
+    if (f(clear, cellOf(ax + share * x, ay + share * y)) < body) return false;
     share = <f64>k * CELL_M / length;
   }
   return true;

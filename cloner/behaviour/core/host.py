@@ -23,9 +23,9 @@ ARRAYS: Final = (
     ("radius", "<f8", 1), ("target", "<f8", 2), ("facing", "<f8", 2), ("look", "<f8", 2), ("goal", "<i4", 1),
     ("present", "|b1", 1), ("avoids", "|b1", 1), ("spotted", "|b1", 1), ("settled", "|b1", 1), ("wanders", "|b1", 1),
     ("looks", "|b1", 1), ("clear", "<f8", 1), ("walls", "<f8", 4), ("near", "<i4", 1), ("fields", "<f8", 2),
-    ("regions", "|b1", 1), ("others", "<i4", 16), ("direct", "|b1", 1), ("slow", "<i4", 1),
+    ("regions", "|b1", 1), ("others", "<i4", 16), ("direct", "|b1", 1), ("slow", "<i4", 1), ("distance", "<f8", 1),
 )  # fmt: skip
-#: A module's memory ends at 4 GiB; a person takes 450 bytes, a cell 280 and 17 a place, walls 32.
+#: A module's memory ends at 4 GiB; a person takes 450 bytes, a cell 310 and 17 a place, walls 32.
 _LARGEST_BYTES: Final = 4_000_000_000
 
 
@@ -63,7 +63,7 @@ class Core:
         period_m: float, seed: int,
     ) -> None:  # fmt: skip
         area = cells[0] * cells[1]
-        if people * 450 + area * (280 + 4 * reach + 17 * places) + walls * 32 > _LARGEST_BYTES:
+        if people * 450 + area * (310 + 4 * reach + 17 * places) + walls * 32 > _LARGEST_BYTES:
             raise ClonerError(
                 "the floor is too large for so many points", "Make it smaller, or take points away", "floor"
             )
@@ -76,7 +76,7 @@ class Core:
             begin(self._store, people, *cells, walls, reach, places, *low, period_m, seed)
         except WasmtimeError as error:
             raise ClonerError("there is not memory enough for the crowd", "Close other programs", "crowd") from error
-        counts = {"clear": area, "near": area * reach, "walls": walls, "fields": places * area,
+        counts = {"clear": area, "distance": area, "near": area * reach, "walls": walls, "fields": places * area,
                   "regions": places * area}  # fmt: skip
         memory: Memory = self._exports["memory"]
         base = _address(memory, self._store)
@@ -90,6 +90,10 @@ class Core:
     def ready(self) -> None:
         """Cast the rays over the raster, when `clear`, `walls` and `near` are filled."""
         self._exports["ready"](self._store)
+
+    def lead(self, place: int) -> None:
+        """Find the directions to a place, when `distance` is filled."""
+        self._exports["lead"](self._store, place)
 
     def step(self) -> None:
         """Let a step pass."""
@@ -105,6 +109,6 @@ def _address(memory: Memory, store: Store) -> int:
 @lru_cache(maxsize=1)
 def _module() -> tuple[Engine, Module]:
     config = Config()
-    config.parallel_compilation = False  # 12 kB: no threads for it
+    config.parallel_compilation = False  # 15 kB: no threads for so little
     engine = Engine(config)
     return engine, Module(engine, MODULE.read_bytes())

@@ -52,6 +52,9 @@ export let fields: usize = 0; // p x c x 2, direction to walk to a place
 export let regions: usize = 0; // p x c, u8: cells of a place's region
 export let free: usize = 0; // c x 64, f32: how far a body gets
 export let moved: usize = 0; // n x 2, places before this step's bodies moved apart
+export let distance: usize = 0; // c, to the place whose ways are looked for; written by the host
+export let after: usize = 0; // c, i32: the next cell on the way there
+export let spare: usize = 0; // c x 2
 export let others: usize = 0; // n x 16, i32: the nearest, then -1
 export let here: usize = 0; // n, i32: who is there
 
@@ -84,6 +87,7 @@ export function arrange(
   clear = take(c * 8); walls = take(<usize>wallCount * 32); near = take(c * <usize>reach * 4);
   fields = take(<usize>placeCount * c * 16); regions = take(<usize>placeCount * c);
   free = take(c * 256);
+  distance = take(c * 8); after = take(c * 4); spare = take(c * 16);
   moved = take(n * 16); others = take(n * <usize>NEAREST * 4); here = take(n * 4);
 }
 
@@ -117,6 +121,7 @@ export function at(kind: i32): usize {
     case 21: return others;
     case 22: return direct;
     case 23: return slow;
+    case 24: return distance;
     default: return 0;
   }
 }

@@ -2,8 +2,8 @@
 //
 // Fixed steps of .05 s; half of the people choose anew in each: nobody mirrors the one who comes towards them. f64 with
 // + - * / and square roots only, which every engine of WebAssembly rounds alike: the same input gives the same bits.
-// A host calls `begin`, fills `clear`, `walls`, `near` (and, before somebody goes there, a place's `fields` and
-// `regions`), calls `ready`, sets people's rows, and calls `step`.
+// A host calls `begin`, fills `clear`, `walls`, `near`, calls `ready`; before somebody goes to a place it fills `distance`
+// and the place's `regions` and calls `lead`; it sets people's rows, and calls `step`.
 
 import {
   NEAREST, STEP_S, arrange, at, f, heading, here, i, is, moved, others, own, pace, people, period, place, present, setF,
@@ -11,6 +11,7 @@ import {
 } from "./memory";
 import { castRays, offWalls } from "./ground";
 import { arrangeGrid, findNearest } from "./nearby";
+import { findWays } from "./fields";
 import { choose, least, passes, spreadFan } from "./steering";
 import { takeWays, turnBodies } from "./goals";
 
@@ -40,6 +41,8 @@ export function begin(
 }
 
 export function ready(): void { castRays(); }
+
+export function lead(place: i32): void { findWays(place); }
 
 /** Let .05 s pass. */
 export function step(): void {

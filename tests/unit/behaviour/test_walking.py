@@ -16,9 +16,9 @@ SIGHT_M = 6.0
 
 
 def bodies_at(
-    ground: Ground, place: list[list[float]], way: tuple[float, float], speed: float = 1.34, period_m: float = 0.0
+    ground: Ground, place: list[list[float]], way: tuple[float, float], speed: float = 1.34, **world: float
 ) -> Bodies:
-    bodies = bodies_on(ground, np.array(place, float), period_m=period_m)
+    bodies = bodies_on(ground, np.array(place, float), **world)
     bodies.goal[:], bodies.way[:], bodies.wants[:] = GIVEN, way, speed
     return bodies
 
@@ -57,7 +57,9 @@ def test_a_field_leads_round_an_obstacle_on_nearly_the_shortest_way() -> None:
     row, column = ground.cells(np.array([[2.0, 2.0]]))
     straight = np.hypot(10 - 0.5 - 2, 5) + 1 + np.hypot(18 - 0.5 - 10.5, 4.5)  # by the corners at y = 7
     assert straight < distance[row[0], column[0]] < 1.25 * straight  # walls cost more, sixteen directions 2.7 %
-    way = fields.directions(ground, distance)[row[0], column[0]]
+    lost = bodies_at(ground, [[2.0, 2.0]], (0.0, 0.0), places=1)
+    lost.lead(0, distance, fields.region_cells(ground, goal))
+    way = lost.core.arrays["fields"].reshape(*distance.shape, 2)[row[0], column[0]]
     assert way @ np.array([7.5, 5.2]) / np.hypot(7.5, 5.2) > np.cos(np.radians(12))
     shut = ground_of([box((2, 2), (4, 4)), box((9, 2), (4, 4))])
     assert np.isinf(fields.distances(shut, box((9, 2), (1, 1)))[shut.cells(np.array([[2.0, 2.0]]))]).all()
@@ -85,12 +87,12 @@ def test_one_alone_walks_forty_metres_at_his_own_speed() -> None:
 
 def test_nobody_crosses_a_wall_or_stands_in_another() -> None:
     ground = ground_of([box((4, 2), (8, 4)), box((8.2, 2), (0.6, 1.0)), box((11, 2), (5, 4))])
-    way = fields.directions(ground, fields.distances(ground, box((12.5, 2), (1, 3))))
-    people = bodies_at(ground, [[1 + 0.6 * (k % 5), 0.7 + 0.6 * (k // 5)] for k in range(25)], (1.0, 0.0))
+    goal = box((12.5, 2), (1, 3))
+    people = bodies_at(ground, [[1 + 0.6 * (k % 5), 0.7 + 0.6 * (k // 5)] for k in range(25)], (1.0, 0.0), places=1)
+    people.lead(0, fields.distances(ground, goal), fields.region_cells(ground, goal))
+    people.goal[:] = 0
     least, passed = np.inf, 0
     for k in range(round(40.0 / STEP_S)):
-        row, column = ground.cells(people.place)
-        people.way[:] = way[row, column]
         walk(people)
         inner = (people.place[:, 0] < 8.0) | (people.place[:, 0] > 8.5)
         assert (people.place[:, 1] > BODY_M - 1e-9).all()
