@@ -24,6 +24,7 @@ from behaviour_worlds import (
     ring,
     streams,
     to_and_fro,
+    whole,
 )
 
 from cloner.behaviour.ground import BODY_M, box, ground_of
@@ -141,6 +142,10 @@ def engine(told: Told, seeds: int) -> Iterator[Middles]:
         rate, places = to_and_fro(hall(count)[0], steps)
         told.say(f"- {count} people, .25 a square metre, pillars: {rate / 1e3:.0f}k agent-steps a CPU second, "
                  f"{rate * STEP_S / count:.1f} x real time; places after {steps} steps `{places}`")  # fmt: skip
+        rate = whole(count, steps)
+        told.say(
+            f"- {count} people of a scenario there, minds too: {rate / 1e3:.0f}k, {rate * STEP_S / count:.1f} x real time"
+        )
     here, found = elsewhere(2000)
     for host, (mean_ms, places) in found.items():
         same = "the same places" if places == here else "OTHER PLACES"

@@ -15,7 +15,10 @@ import numpy as np
 
 from cloner.behaviour import dice, fields
 from cloner.behaviour.ground import Ground, box, ground_of
+from cloner.behaviour.language import read_text
+from cloner.behaviour.loop import step
 from cloner.behaviour.walking import GIVEN, STEP_S, Bodies, bodies_on, walk
+from cloner.behaviour.world import world_of
 
 FREE, SPREAD = 1.34, 0.26  # m/s, Weidmann 1993
 WARM_S = 10.0
@@ -191,6 +194,28 @@ def to_and_fro(bodies: Bodies, steps: int) -> tuple[float, str]:
         bodies.goal[there] ^= 1
     rate = len(bodies.place) * steps / (time.process_time() - begun)
     return rate, hashlib.sha256(bodies.place.tobytes()).hexdigest()[:16]
+
+
+def whole(count: int, steps: int) -> float:
+    """Return agent-steps a CPU second of a scenario in the same hall, minds too: all to a side and back again."""
+    side = int(np.sqrt(count / 0.25))
+    far, mid, wide = side - 2, side / 2, side - 6
+    posts = "".join(
+        f"obstacle post{x}_{y} at {x}, {y} size 1 x 1\n" for x in range(5, side, 10) for y in range(5, side, 10)
+    )
+    text = (
+        f"floor 0, 0 to {side}, {side}\n{posts}"
+        f"point south at {mid}, 2 region {wide} x 2\npoint north at {mid}, {far} region {wide} x 2\n"
+        f"point west at 2, {mid} region 2 x {wide}\npoint east at {far}, {mid} region 2 x {wide}\n"
+    )
+    for number, ways in enumerate(("south > north", "north > south", "west > east", "east > west")):
+        text += f"crowd {count // 4} crowd{number}: visits {ways} again, adapts to space\n"
+    world = world_of(read_text(text), 1)
+    step(world)  # ways and spots are found
+    begun = time.process_time()
+    for _ in range(steps):
+        step(world)
+    return count * steps / (time.process_time() - begun)
 
 
 def elsewhere(steps: int) -> tuple[str, dict[str, tuple[float, str]]]:

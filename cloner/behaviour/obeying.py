@@ -25,7 +25,8 @@ def obey(world: World) -> None:
     bodies.avoids[:] = orders.chosen("avoidance") != 0
     ordered = orders.chosen("speed")
     bodies.wants[:] = np.where(ordered >= 0.0, ordered, natural_speed(world, np.arange(len(ordered))))
-    bodies.wanders[:] = np.array([band.group.wanders for band in world.bands])[people.band]
+    if any(group.wanders for group in world.scenario.groups):
+        bodies.wanders[:] = np.array([band.group.wanders for band in world.bands])[people.band]
     people.gaze = orders.chosen("gaze")
     bodies.looks[:] = people.gaze >= 0
     bodies.look[bodies.looks] = world.things[people.gaze[bodies.looks]]

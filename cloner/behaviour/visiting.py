@@ -18,7 +18,7 @@ from cloner.behaviour.world import ACTING, CALLED, DONE, WAITING, WALKING, Band,
 
 def visit(world: World) -> None:
     """Carry on the visits of everybody whose group follows nobody."""
-    own = np.array([not is_following(world, k) for k in range(len(world.bands))])
+    own = np.array([band.follows < 0 or not is_following(world, k) for k, band in enumerate(world.bands)])
     people = world.people
     here = world.bodies.present & own[people.band]
     ordered = world.orders.rows["goal"][SCRIPT]

@@ -7,6 +7,7 @@ import pytest
 
 from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import guide, step
+from cloner.behaviour.together.adaptability import APART_M, blocked
 from cloner.behaviour.together.attraction import gathered
 from cloner.behaviour.world import ACTING, WAITING, world_of
 from kit.scenes import goals, of, pass_time, scene
@@ -175,6 +176,17 @@ def test_safe_wandering_turns_away_before_and_back_after() -> None:
     assert aside > 0.2
     assert back > np.cos(np.radians(5.0))
     assert met("at 0 s: everybody ignores others\n")[0] < 0.05
+
+
+def test_a_spot_is_free_if_nobody_goes_within_half_a_step_of_it() -> None:
+    chance = np.random.default_rng(1)
+    for _ in range(100):
+        spots = np.stack(np.meshgrid(*(np.arange(n) for n in chance.integers(1, 9, 2))), -1).reshape(-1, 2) * APART_M
+        spots = spots[chance.random(len(spots)) < 0.7] + chance.uniform(-5, 5, 2)
+        if len(spots):
+            taken = spots.min(axis=0) + chance.uniform(-2, 7, (chance.integers(1, 40), 2))
+            away = np.linalg.norm(spots[:, None] - taken, axis=2).min(axis=1)
+            assert np.array_equal(blocked(spots, taken), away <= APART_M / 2)
 
 
 def test_wanderers_keep_off_the_walls_and_each_other() -> None:
