@@ -144,7 +144,7 @@ def engine(told: Told, seeds: int) -> Iterator[Middles]:
                  f"{rate * STEP_S / count:.1f} x real time; places after {steps} steps `{places}`")  # fmt: skip
         rate = whole(count, steps)
         told.say(
-            f"- {count} people of a scenario there, minds too: {rate / 1e3:.0f}k, {rate * STEP_S / count:.1f} x real time"
+            f"- {count} people of a scenario, minds too: {rate / 1e3:.0f}k, {rate * STEP_S / count:.1f} x real time"
         )
     here, found = elsewhere(2000)
     for host, (mean_ms, places) in found.items():

@@ -57,7 +57,8 @@ def _pose(world: World) -> None:
     people, bodies = world.people, world.bodies
     ordered = world.orders.chosen("posture")
     square = bodies.velocity[:, 0] * bodies.velocity[:, 0] + bodies.velocity[:, 1] * bodies.velocity[:, 1]
-    moves, runs = square > 0.04, square > 4.0
+    moves = (square > 0.04) & (bodies.way != 0.0).any(axis=1)  # who steps aside goes on with what he does
+    runs = square > 4.0
     if world.steps % round(IDLE_S / STEP_S) == 1:
         _idle(world, np.arange(len(moves)))
     idle = np.where(people.idle >= 0, people.idle, 0)

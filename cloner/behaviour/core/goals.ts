@@ -182,7 +182,8 @@ function wander(one: i32, dealt: bool): void {
 export function turnBodies(): void {
   for (let one = 0; one < people; one++) {
     let x = f(velocity, 2 * one), y = f(velocity, 2 * one + 1);
-    if (sqrt(x * x + y * y) <= WALKS_M_S) {
+    const stands = f(way, 2 * one) == 0.0 && f(way, 2 * one + 1) == 0.0; // even if pushed, or stepping aside
+    if (stands || sqrt(x * x + y * y) <= WALKS_M_S) {
       if (!is(looks, one)) continue;
       x = f(look, 2 * one) - f(place, 2 * one);
       y = f(look, 2 * one + 1) - f(place, 2 * one + 1);

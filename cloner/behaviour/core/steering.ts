@@ -6,8 +6,8 @@
 // Measures in docs/behaviour_benchmark.md.
 
 import {
-  AHEAD_M, NEAREST, ahead, avoids, f, heading, i, is, others, own, pace, period, place, radius, setF, velocity, way,
-  wrapped,
+  AHEAD_M, NEAREST, ahead, avoids, f, heading, i, is, looks, others, own, pace, period, place, radius, setF, velocity,
+  way, wrapped,
 } from "./memory";
 import { cellOf, freeWay } from "./ground";
 
@@ -24,8 +24,10 @@ const SHOULDERS: f64 = 0.8;
 /** Nobody stands quite still before one who comes the other way, nearer than so: one edges past. m/s, m. */
 const EDGING_M_S: f64 = 0.3;
 const EDGING_M: f64 = 1.0;
-/** Who stands steps aside for who comes nearer than so, m, with this speed, m/s; taste. */
+/** Who stands steps aside, with this speed, m/s, for who comes nearer than so, m, and is in more of a hurry than one who
+ *  arrives at a spot beside; taste. */
 const ROOM_M: f64 = 0.7;
+const HURRY_M_S: f64 = 0.5;
 const STEPS_ASIDE_M_S: f64 = 0.5;
 const HALF_ROOT: f64 = 0.7071067811865476;
 /** Square of the cosine of 45 degrees: others further aside are beside one. At 60 degrees a .75 m door jams. */
@@ -133,9 +135,11 @@ export function choose(one: i32): void {
   setF(pace, one, min(wanted, max(gap / STOP_S, edges ? EDGING_M_S : 0.0)));
 }
 
-/** Let one who stands step out of the way of the nearest who comes straight at him: aside and along. */
+/** Let one who stands step out of the way of the nearest who wants to pass where he is: aside and along. Who
+ *  looks at something stays. */
 function makeWay(one: i32): void {
   setF(pace, one, 0.0);
+  if (is(looks, one)) return;
   const row = others + (<usize>one * <usize>NEAREST << 2);
   for (let k = 0; k < NEAREST && is(avoids, one); k++) {
     const other = i(row, k);
@@ -146,7 +150,7 @@ function makeWay(one: i32): void {
     if (period > 0.0) dx = wrapped(dx);
     if (dx * dx + dy * dy > ROOM_M * ROOM_M) return;
     const aside = wx * dy - wy * dx;
-    if (dx * wx + dy * wy <= 0.0 || abs(aside) >= least(one, other, false)) continue;
+    if (f(own, other) < HURRY_M_S || dx * wx + dy * wy <= 0.0 || abs(aside) >= least(one, other, false)) continue;
     const side = aside >= 0.0 ? 1.0 : -1.0;
     setF(heading, 2 * one, (wx - side * wy) * HALF_ROOT);
     setF(heading, 2 * one + 1, (wy + side * wx) * HALF_ROOT);
