@@ -1,4 +1,4 @@
-"""The way to a region round all obstacles: distances over the raster, and in each cell the direction to walk.
+"""The way to a region round all obstacles: distances over the raster; the core has the direction in each cell.
 
 A field is seeded by the whole region: seeded by a point it funnels everybody into a line (facts, section 1).
 """
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
-from cloner.behaviour.ground import BODY_M, CELL_M, RAY_BODY_M, Array, Ground, Mask
+from cloner.behaviour.ground import CELL_M, RAY_BODY_M, Array, Ground, Mask
 
 #: A way closer to a wall than this costs up to twice as much: people keep half a metre off; taste.
 SHY_M: Final = 0.5
@@ -20,8 +20,6 @@ SHY_M: Final = 0.5
 _MOVES: Final = tuple(
     (r, c) for r in range(-2, 3) for c in range(-2, 3) if (abs(r), abs(c)) in {(0, 1), (1, 0), (1, 1), (1, 2), (2, 1)}
 )
-#: So many steps of the shortest way are looked along while it stays in sight.
-_LOOK: Final = (1, 2, 3, 4, 6, 8, 12, 16, 24)
 
 
 def distances(ground: Ground, region: Array) -> Array:
@@ -68,58 +66,3 @@ def _graph(ground: Ground) -> tuple[NDArray[np.int64], NDArray[np.int64], Array]
         ends.append(number[there][both])
         costs.append(length * (price[here][both] + price[there][both]) / 2.0)
     return np.concatenate(starts), np.concatenate(ends), np.concatenate(costs)
-
-
-def directions(ground: Ground, distance: Array) -> Array:
-    """Return the unit direction to walk from each cell, (rows, cols, 2): as far along the shortest way as is seen."""
-    rows, cols = distance.shape
-    reached = np.flatnonzero(np.isfinite(distance).ravel() & (distance.ravel() > 0.0))
-    after = _next_cells(ground, distance)
-    place = ground.middles(*np.divmod(np.arange(rows * cols), cols))
-    aim, seen, at = reached.copy(), np.ones(len(reached), bool), reached.copy()
-    for k in range(1, _LOOK[-1] + 1):
-        at = after[at]
-        if k in _LOOK:
-            if k > 1:
-                seen &= _clear_between(ground, place[reached], place[at])
-            aim[seen] = at[seen]
-    way = np.zeros((rows * cols, 2))
-    away = place[aim] - place[reached]
-    length = np.sqrt(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1])
-    way[reached] = away / np.maximum(length, 1e-9)[:, None]
-    way = way.reshape(rows, cols, 2)
-    return _carried_out(way, distance)
-
-
-def _next_cells(ground: Ground, distance: Array) -> NDArray[np.int64]:
-    """Return the cell after each one on its shortest way, (rows * cols,); itself where there is none."""
-    start, end, cost = _graph(ground)
-    flat = distance.ravel()
-    total = flat[end] + cost
-    order = np.lexsort((end, total, start))
-    first = order[np.unique(start[order], return_index=True)[1]]
-    after = np.arange(len(flat))
-    better = total[first] < np.inf
-    after[start[first][better]] = end[first][better]
-    after[flat == 0.0] = np.flatnonzero(flat == 0.0)
-    return after
-
-
-def _clear_between(ground: Ground, start: Array, end: Array) -> Mask:
-    """Return whether a body gets straight from start to end, looked at in steps of half a cell's diagonal."""
-    return ground.sees(start, end, BODY_M)
-
-
-def _carried_out(way: Array, distance: Array) -> Array:
-    """Give cells at walls, where nobody can stand but a body may be pushed, the direction of a neighbour."""
-    rows, cols = distance.shape
-    for _ in range(2):
-        empty = (way[..., 0] == 0.0) & (way[..., 1] == 0.0) & ~(distance == 0.0)
-        filled = way.copy()
-        for r, c in ((0, 1), (1, 0), (0, -1), (-1, 0)):
-            here = np.s_[max(0, -r) : rows - max(0, r), max(0, -c) : cols - max(0, c)]
-            there = np.s_[max(0, r) : rows - max(0, -r), max(0, c) : cols - max(0, -c)]
-            take = empty[here] & (filled[here][..., 0] == 0.0) & (filled[here][..., 1] == 0.0)
-            filled[here] = np.where(take[..., None], way[there], filled[here])
-        way = filled
-    return way

@@ -1,7 +1,7 @@
-"""The walkable world: floors less obstacles as walls and as a raster, with free distances in every direction.
+"""The walkable world: floors less obstacles as walls and as a raster.
 
 Frame: metres on the floor, x to the right and y up on the plan; a scene's (x, z) are the plan's (x, y).
-Plain float64 with + - * / and square roots, so that another core can make the same tables.
+Plain float64 with + - * / and square roots, so that another machine makes the same tables.
 """
 
 from __future__ import annotations
@@ -26,9 +26,6 @@ CELL_M: Final = 0.2
 BODY_M: Final = 0.2
 #: Rays are cast by a slimmer disc: shoulders turn in a door.
 RAY_BODY_M: Final = 0.15
-#: How far anybody looks ahead; facts, section 8: 6 m walks faster than 4 m at low density.
-AHEAD_M: Final = 6.0
-DIRECTIONS: Final = 64
 #: Cells that fit a machine: 2,000 m x 2,000 m would need 100 million.
 LARGEST_CELLS: Final = 4_000_000
 _CONTACT_M: Final = 0.55  # walls nearer to a cell's middle than this can be touched from within the cell
@@ -42,14 +39,13 @@ class Ground:
     """Where one can walk.
 
     ``walls`` (S, 4) start and end of each wall; ``clear`` (rows, cols) distance of a cell's middle to the nearest wall,
-    at most 8, negative where nobody can stand; ``free`` (rows, cols, 64) how far a body gets from there, at most
-    `AHEAD_M`; ``near`` (rows, cols, k) places in ``walls`` of those within reach, -1 for none. Metres.
+    at most 8, negative where nobody can stand; ``near`` (rows, cols, k) places in ``walls`` of those within reach, -1
+    for none. Metres.
     """
 
     low: Array
     walls: Array
     clear: Array
-    free: NDArray[np.float32]
     near: Indices
 
     def cells(self, place: Array) -> tuple[Indices, Indices]:
@@ -123,7 +119,7 @@ def ground_of(floors: Sequence[Array], obstacles: Sequence[Array] = ()) -> Groun
     clear = np.where(_open(middle, floors, obstacles).reshape(rows, cols), away, -away)
     if clear.max() < BODY_M:
         raise ClonerError("nobody fits between the walls", "Make the floor wider or the obstacles smaller", "floor")
-    return Ground(low, walls, clear, _free(clear), near)
+    return Ground(low, walls, clear, near)
 
 
 def _open(place: Array, floors: Sequence[Array], obstacles: Sequence[Array]) -> Mask:
@@ -203,42 +199,3 @@ def _square_to(place: Array, wall: Array) -> Array:
     share = np.clip((dx * ux + dy * uy) / (ux * ux + uy * uy), 0.0, 1.0)
     dx, dy = dx - share * ux, dy - share * uy
     return np.asarray(dx * dx + dy * dy)
-
-
-def direction_bins(x: Array, y: Array) -> Indices:
-    """Return which of the `DIRECTIONS` each direction is: the turn by |x| + |y| = 1 instead of by the circle."""
-    share = y / np.maximum(np.abs(x) + np.abs(y), 1e-12)
-    turn = np.where(x >= 0.0, np.where(y >= 0.0, share, 4.0 + share), 2.0 - share)
-    return np.asarray((turn * (DIRECTIONS / 4.0) + 0.5).astype(np.int64) % DIRECTIONS)
-
-
-def bin_directions() -> Array:
-    """Return the unit vectors of the `DIRECTIONS`, (64, 2)."""
-    turn = np.arange(DIRECTIONS) * (4.0 / DIRECTIONS)
-    share = np.where(turn <= 1.0, turn, np.where(turn <= 3.0, 2.0 - turn, turn - 4.0))
-    x = (1.0 - np.abs(share)) * np.where((turn > 1.0) & (turn < 3.0), -1.0, 1.0)
-    length = np.sqrt(x * x + share * share)
-    return np.stack([x / length, share / length], axis=1)
-
-
-def _free(clear: Array) -> NDArray[np.float32]:
-    """Return how far a slim body gets from each cell in each direction; from beside a wall, away from it."""
-    rows, cols = clear.shape
-    free = np.zeros((rows, cols, DIRECTIONS), np.float32)
-    row, column = np.nonzero(clear > 0.0)
-    start = np.minimum(clear[row, column], RAY_BODY_M)
-    for k, (x, y) in enumerate(bin_directions()):
-        far, going = np.zeros(len(row)), np.arange(len(row))
-        at = start
-        while len(going):
-            step = np.maximum(at - RAY_BODY_M, CELL_M / 2.0)
-            trial = far[going] + step
-            r = np.floor(row[going] + 0.5 + trial * (y / CELL_M)).astype(np.int64)
-            c = np.floor(column[going] + 0.5 + trial * (x / CELL_M)).astype(np.int64)
-            at = clear[np.clip(r, 0, rows - 1), np.clip(c, 0, cols - 1)]
-            on = at >= start[going]
-            far[going[on]] = np.minimum(trial[on], AHEAD_M)
-            on &= trial < AHEAD_M
-            going, at = going[on], at[on]
-        free[row, column, k] = far
-    return free

@@ -153,7 +153,7 @@ def _seen(world: World) -> dict[str, Any]:
     shown = []
     for k in world.bodies.present.nonzero()[0]:
         x, y = (round(float(one), 3) for one in world.bodies.place[k])
-        dx, dy = (round(float(one), 3) for one in people.facing[k])
+        dx, dy = (round(float(one), 3) for one in world.bodies.facing[k])
         shown.append(
             {
                 "number": int(k),

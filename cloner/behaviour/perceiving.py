@@ -45,7 +45,7 @@ def perceive(world: World) -> Seen:
     present = world.bodies.present[leaders]
     for k, thing in enumerate(world.things):
         things[:, k] = present & sees_place(world, leaders, np.repeat(thing[None], len(leaders), axis=0))
-    seen = Seen(leaders, things, place.copy(), world.people.goal.copy(), world.people.emotion.copy())
+    seen = Seen(leaders, things, place.copy(), world.bodies.goal.astype(np.int64), world.people.emotion.copy())
     _remember(world, seen)
     if world.steps % _LEARNS_EVERY == 0:
         _learn(world, leaders)
@@ -54,7 +54,7 @@ def perceive(world: World) -> Seen:
 
 def sees_place(world: World, who: Indices, place: Array) -> Mask:
     """Return whether each of some people sees a place of its own, (m,): before them, near enough, no wall between."""
-    start, facing = world.bodies.place[who], world.people.facing[who]
+    start, facing = world.bodies.place[who], world.bodies.facing[who]
     away = place - start
     far = np.sqrt(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1])
     before = (away[:, 0] * facing[:, 0] + away[:, 1] * facing[:, 1] > 0.0) | (far < FEELS_M)

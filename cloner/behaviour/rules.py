@@ -75,7 +75,7 @@ def _met(world: World, when: When, number: int, seen: Seen) -> bool:
             return bool(seen.things[number, k] and (world.awake[k] or not when.awake))
         return sees_anybody(world, leader, world.of_home([g.name for g in world.scenario.groups].index(when.what)))
     if when.kind == "reaches":
-        return bool(world.people.settled[leader]) and world.places[int(seen.goal[leader])].name == when.what \
+        return bool(world.bodies.settled[leader]) and world.places[int(seen.goal[leader])].name == when.what \
             if seen.goal[leader] >= 0 else False  # fmt: skip
     feeling = [one.name for one in world.scenario.emotions].index(when.what)
     if when.kind == "is":

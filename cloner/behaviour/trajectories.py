@@ -75,7 +75,7 @@ class Recorder:
             self._frames.append(
                 (
                     bodies.place.copy(),
-                    people.facing.copy(),
+                    world.bodies.facing.copy(),
                     bodies.present.copy(),
                     people.posture.astype(np.uint8),
                     people.emotion.astype(np.uint8),

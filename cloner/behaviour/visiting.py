@@ -18,13 +18,13 @@ from cloner.behaviour.world import ACTING, CALLED, DONE, WAITING, WALKING, Band,
 
 def visit(world: World) -> None:
     """Carry on the visits of everybody whose group follows nobody."""
-    own = np.array([not is_following(world, k) for k in range(len(world.bands))])
+    own = np.array([band.follows < 0 or not is_following(world, k) for k, band in enumerate(world.bands)])
     people = world.people
     here = world.bodies.present & own[people.band]
     ordered = world.orders.rows["goal"][SCRIPT]
-    away = here & (people.phase != WALKING) & (people.phase != DONE) & (people.goal != ordered)
+    away = here & (people.phase != WALKING) & (people.phase != DONE) & (world.bodies.goal != ordered)
     _let_go(world, np.flatnonzero(away))
-    there = here & people.settled & (people.goal == ordered) & (ordered >= 0)
+    there = here & world.bodies.settled & (world.bodies.goal == ordered) & (ordered >= 0)
     for one in np.flatnonzero(there & (people.phase != DONE)):
         _carry_on(world, int(one))
     _go_on(world, np.flatnonzero(here & (people.phase == DONE)), own)
@@ -39,7 +39,7 @@ def users(world: World, place: int) -> Indices:
 
 def _carry_on(world: World, one: int) -> None:
     """Take the next step of somebody who stands where the script sent him."""
-    people, number = world.people, int(world.people.goal[one])
+    people, number = world.people, int(world.bodies.goal[one])
     place = world.places[number]
     if people.phase[one] == WALKING:
         if place.holds and place.act:
@@ -52,7 +52,7 @@ def _carry_on(world: World, one: int) -> None:
         if len(users(world, number)) < place.holds and _is_next(world, one, number):
             people.phase[one] = CALLED
             if place.holds == 1:  # served at the point itself
-                people.target[one], people.settled[one] = _counter(world, number), False
+                world.bodies.target[one], world.bodies.settled[one] = _counter(world, number), False
     elif people.phase[one] == CALLED:
         _begin(world, one)
     elif people.phase[one] == ACTING and world.time_s >= people.until[one]:
@@ -63,7 +63,7 @@ def _carry_on(world: World, one: int) -> None:
 def _is_next(world: World, one: int, place: int) -> bool:
     """Return whether nobody has waited longer."""
     people = world.people
-    waiting = world.bodies.present & (people.phase == WAITING) & (people.goal == place)
+    waiting = world.bodies.present & (people.phase == WAITING) & (world.bodies.goal == place)
     others = np.flatnonzero(waiting)
     return one == int(others[np.lexsort((others, people.until[others]))[0]])
 
@@ -78,7 +78,7 @@ def _counter(world: World, place: int) -> np.ndarray:
 
 
 def _begin(world: World, one: int) -> None:
-    people, place = world.people, world.places[int(world.people.goal[one])]
+    people, place = world.people, world.places[int(world.bodies.goal[one])]
     people.phase[one], people.until[one] = ACTING, world.time_s + place.seconds
     world.orders.give(SCRIPT, "posture", one, world.acts.index(place.act))
     if place.look_at >= 0:
@@ -128,7 +128,7 @@ def next_goal(world: World, band: Band, one: int) -> int:
 
 def _by_chance(world: World, band: Band, one: int, index: int) -> int:
     """Return a known place that is not where one is; members of a flocking group have the same chance."""
-    now = int(world.people.goal[one])
+    now = int(world.bodies.goal[one])
     known = [place for place in sorted(band.knows) if place != now]
     if not known or band.group.wanders:
         return -1

@@ -14,7 +14,7 @@ from cloner.behaviour.channels import Orders
 from cloner.behaviour.dice import purpose
 from cloner.behaviour.ground import BODY_M, CELL_M, Array, Ground, Indices, Mask, box, ground_of
 from cloner.behaviour.model import Action, Emotion, Group, Scenario
-from cloner.behaviour.walking import STEP_S, Bodies
+from cloner.behaviour.walking import STEP_S, Bodies, bodies_on
 from cloner.errors import ClonerError
 
 #: Weidmann's spread of walking speeds over their mean, .26 / 1.34; nobody further than two of it.
@@ -27,7 +27,7 @@ WALKING, WAITING, CALLED, ACTING, DONE = range(5)
 
 @dataclass(slots=True, eq=False)
 class Place:
-    """Where one can go: its middle, corners (k, 2), act, and how many it holds (0: any number)."""
+    """Where one can go: its middle, corners (k, 2), act, how many it holds (0: any number), whether ways are known."""
 
     name: str
     middle: Array
@@ -36,8 +36,7 @@ class Place:
     seconds: float = 0.0
     holds: int = 0
     look_at: int = -1
-    ways: Array | None = None
-    cells: Mask | None = None
+    led: bool = False
     spots: dict[int, Array] = field(default_factory=dict)
 
 
@@ -72,21 +71,13 @@ class People:
     value: Array
     pace: Array
     domination: Array
-    goal: Indices
-    target: Array
-    settled: Mask
-    direct: Mask
-    curve: Array
-    slow_steps: Indices
     visit: Indices
     phase: Indices
     until: Array
     leaving: Mask
-    facing: Array
     posture: Indices
     gaze: Indices
     idle: Indices
-    turn: Array
 
 
 @dataclass(slots=True, eq=False)
@@ -126,12 +117,13 @@ class World:
         bands = [k for k, band in enumerate(self.bands) if band.home == home]
         return np.flatnonzero(np.isin(self.people.band, bands) & self.bodies.present)
 
-    def way_to(self, place: int) -> Array:
-        """Return the directions to a place, (rows, cols, 2), found when first asked for."""
+    def lead_to(self, place: int) -> None:
+        """Tell the core the ways to a place, found when somebody first goes there."""
         one = self.places[place]
-        if one.ways is None:
-            one.ways = fields.directions(self.ground, fields.distances(self.ground, one.corners))
-        return one.ways
+        if not one.led:
+            distance = fields.distances(self.ground, one.corners)
+            self.bodies.lead(place, distance, fields.region_cells(self.ground, one.corners))
+            one.led = True
 
     def say(self, text: str) -> None:
         """Keep what happened."""
@@ -168,9 +160,11 @@ def world_of(scenario: Scenario, seed: int = 0) -> World:
     people = _people(scenario, seed, count)
     bands = _bands(scenario, people, [place.name for place in places], seed)
     begin = _begin_at(scenario, ground, places, people, seed)
-    yes, zero = np.ones(count, bool), np.zeros((count, 2))
-    bodies = Bodies(begin, zero, np.full(count, BODY_M), zero.copy(), np.zeros(count), yes, yes.copy())
-    people.target = begin.copy()
+    bodies = bodies_on(ground, begin, places=len(places), seed=seed)
+    bodies.spotted[:] = True
+    angle = dice.uniform(seed, purpose("facing"), np.arange(count))
+    bodies.facing[:, 0] = 2.0 * angle - 1.0
+    bodies.facing[:, 1] = np.where(angle < 0.5, 1.0, -1.0) * np.sqrt(1.0 - (2.0 * angle - 1.0) ** 2)
     things = np.array([one.at for one in scenario.things], np.float64).reshape(-1, 2)
     acts = list(dict.fromkeys([*ACTS, *(p.act for p in scenario.points if p.act),
                                *(act for e in scenario.emotions for act in e.acts)]))  # fmt: skip
@@ -187,33 +181,20 @@ def _people(scenario: Scenario, seed: int, count: int) -> People:
     band = np.repeat(np.arange(len(members)), [size for _, size in members])
     home = np.repeat([h for h, _ in members], [size for _, size in members])
     pace = np.clip(1.0 + SPREAD * dice.normal(seed, purpose("pace"), who), 1.0 - 2 * SPREAD, 1.0 + 2 * SPREAD)
-    angle = dice.uniform(seed, purpose("facing"), who)
-    facing = np.stack(
-        [2.0 * angle - 1.0, np.where(angle < 0.5, 1.0, -1.0) * np.sqrt(1.0 - (2.0 * angle - 1.0) ** 2)], axis=1
-    )
-    none = np.full(count, -1)
     return People(
         band=band,
         home=home,
         emotion=_emotions(scenario, home, seed),
         pace=pace,
-        facing=facing,
         value=0.6 + 0.4 * dice.uniform(seed, purpose("value"), who),
         domination=dice.uniform(seed, purpose("domination"), who),
-        goal=none.copy(),
-        target=np.zeros((count, 2)),
-        settled=np.ones(count, bool),
-        direct=np.zeros(count, bool),
-        curve=np.zeros((count, 2, 2)),
-        slow_steps=np.zeros(count, np.int64),
         visit=np.full(count, -1),
         phase=np.full(count, DONE),
         until=np.zeros(count),
         leaving=np.zeros(count, bool),
         posture=np.zeros(count, np.int64),
-        gaze=none.copy(),
+        gaze=np.full(count, -1),
         idle=np.zeros(count, np.int64),
-        turn=np.zeros(count),
     )
 
 

@@ -34,4 +34,4 @@ def of(world: World, name: str) -> np.ndarray:
 
 def goals(world: World, who: np.ndarray) -> list[str]:
     """Return the name of the place each goes to, "" for none."""
-    return [world.places[int(k)].name if k >= 0 else "" for k in world.people.goal[who]]
+    return [world.places[int(k)].name if k >= 0 else "" for k in world.bodies.goal[who]]

@@ -12,7 +12,7 @@ import numpy as np
 from cloner.behaviour import dice
 from cloner.behaviour.dice import purpose
 from cloner.behaviour.fields import region_cells
-from cloner.behaviour.ground import BODY_M, CELL_M, Array, Indices
+from cloner.behaviour.ground import BODY_M, CELL_M, Array, Indices, Mask
 from cloner.behaviour.world import Place, World
 
 #: Two spots are no nearer than this.
@@ -64,11 +64,27 @@ def _spots(world: World, point: Place) -> Array:
 
 def _free_spots(world: World, point: Place, place: int, who: Indices) -> Array:
     """Return the spots of a region at which nobody else stands or goes."""
-    spots, people = _spots(world, point), world.people
-    others = world.bodies.present & (people.goal == place)
+    spots, bodies = _spots(world, point), world.bodies
+    others = bodies.present & (bodies.goal == place)
     others[who] = False
-    taken = people.target[others]
+    taken = bodies.target[others]
     if not len(taken):
         return spots
-    dx, dy = spots[:, None, 0] - taken[None, :, 0], spots[:, None, 1] - taken[None, :, 1]
-    return np.asarray(spots[(dx * dx + dy * dy).min(axis=1) > 0.25 * APART_M * APART_M])
+    return spots[~blocked(spots, taken)]
+
+
+def blocked(spots: Array, taken: Array) -> Mask:
+    """Return of spots on a lattice of `APART_M`, (k, 2), which have a taken place (m, 2) within half of it, (k,)."""
+    low = spots.min(axis=0)
+    table = np.full(((spots.max(axis=0) - low) / APART_M + 1.5).astype(np.int64), -1)
+    column, row = np.round((spots - low) / APART_M).astype(np.int64).T
+    table[column, row] = np.arange(len(spots))
+    corner = np.floor((taken - low) / APART_M).astype(np.int64)
+    blocked = np.zeros(len(spots), bool)
+    for step in ((0, 0), (0, 1), (1, 0), (1, 1)):
+        at = corner + step
+        on = ((at >= 0) & (at < table.shape)).all(axis=1)
+        number = table[at[on, 0], at[on, 1]]
+        dx, dy = (spots[number] - taken[on]).T
+        blocked[number[(number >= 0) & (dx * dx + dy * dy <= 0.25 * APART_M * APART_M)]] = True
+    return blocked

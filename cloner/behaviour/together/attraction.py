@@ -16,8 +16,8 @@ def attract(world: World, level: int, who: Indices, place: int, seconds: float) 
     if point.look_at >= 0:
         orders.give(level, "gaze", who, point.look_at)
         channels = ("goal", "gaze")
-    world.people.settled[who] = False
-    world.people.goal[who] = -1  # the spot is chosen anew: all over the region
+    world.bodies.settled[who] = False
+    world.bodies.goal[who] = -1  # the spot is chosen anew: all over the region
     if seconds:
         world.expiring.append((world.time_s + seconds, level, who.copy(), channels))
 

@@ -23,6 +23,8 @@ NEAR_M: Final = 5.0
 def change(world: World, seen: Seen) -> None:
     """Let people change group by liking, then groups change leader by domination."""
     for number, band in enumerate(world.bands):
+        if not band.likes:
+            continue
         for home in sorted(band.likes, key=lambda one: (-band.likes[one], one)):
             if band.likes[home] > OWN_LIKING and home != band.home:
                 _join_near(world, number, home, seen.place)

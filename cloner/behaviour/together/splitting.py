@@ -34,7 +34,7 @@ def _new_band(world: World, number: int, members: Indices) -> int:
     old = world.bands[number]
     leader = leader_of(old.group, members, world.people, world.seed)
     known = np.array(sorted(set(old.visits) or old.knows), np.int64)
-    now = int(world.people.goal[old.leader])
+    now = int(world.bodies.goal[old.leader])
     order = known[np.argsort(dice.uniform(world.seed, purpose("intention", leader), known), kind="stable")]
     visits = [int(one) for one in order if one != now] + [int(one) for one in order if one == now]
     fresh = replace(old, leader=leader, visits=visits, knows=set(old.knows), memory=deque(old.memory, old.group.memory),

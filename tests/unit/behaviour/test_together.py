@@ -7,8 +7,8 @@ import pytest
 
 from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import guide, step
+from cloner.behaviour.together.adaptability import APART_M, blocked
 from cloner.behaviour.together.attraction import gathered
-from cloner.behaviour.together.wandering import turned
 from cloner.behaviour.world import ACTING, WAITING, world_of
 from kit.scenes import goals, of, pass_time, scene
 
@@ -20,7 +20,7 @@ def left_behind(words: str) -> int:
     for _ in range(600):
         step(world)
         if "east" in goals(world, who):
-            return int((~world.people.settled[who] & (world.people.goal[who] == 1)).sum())
+            return int((~world.bodies.settled[who] & (world.bodies.goal[who] == 1)).sum())
     raise AssertionError("nobody went on")
 
 
@@ -36,7 +36,7 @@ def test_flocking_walks_at_one_speed_to_one_goal_on_different_ways(words: str, s
     who = of(world, "some")
     assert (float(np.ptp(world.bodies.own_speed[who])) < 1e-12) == same
     assert goals(world, who) == ["east"] * 6
-    assert len(np.unique(world.people.target[who], axis=0)) == 6
+    assert len(np.unique(world.bodies.target[who], axis=0)) == 6
 
 
 def test_following_for_ever_takes_the_other_groups_goals() -> None:
@@ -103,13 +103,13 @@ def test_attraction_spreads_people_over_the_region_looking_at_the_thing_until_th
     pass_time(world, 15.0)
     stage = len(world.places) - 1
     place = world.bodies.place
-    assert np.abs(world.people.target - world.places[stage].middle).max() <= 2.5
-    assert np.linalg.norm(place - world.people.target, axis=1).max() < 0.5
+    assert np.abs(world.bodies.target - world.places[stage].middle).max() <= 2.5
+    assert np.linalg.norm(place - world.bodies.target, axis=1).max() < 0.5
     assert np.ptp(place, axis=0).min() > 3.0, "all over the region"
     apart = np.linalg.norm(place[:, None] - place[None], axis=2)[np.triu_indices(9, 1)]
     assert apart.min() > 0.4
     to_lion = np.array([12.0, 7.6]) - place
-    cosine = (to_lion * world.people.facing).sum(axis=1) / np.linalg.norm(to_lion, axis=1)
+    cosine = (to_lion * world.bodies.facing).sum(axis=1) / np.linalg.norm(to_lion, axis=1)
     assert cosine.min() > np.cos(np.radians(10.0))
     pass_time(world, 2.0)
     assert "stage" not in goals(world, of(world, "some"))
@@ -144,7 +144,7 @@ def test_twelve_people_split_into_groups_with_intentions_of_their_own() -> None:
 def used_area(words: str) -> float:
     world = scene(f"group some: 6 people, visits east, starts at west{words}\n")
     pass_time(world, 0.5)
-    return float(np.prod(np.ptp(world.people.target[of(world, "some")], axis=0)))
+    return float(np.prod(np.ptp(world.bodies.target[of(world, "some")], axis=0)))
 
 
 def test_who_adapts_to_space_uses_the_whole_region() -> None:
@@ -159,7 +159,7 @@ def met(words: str) -> tuple[float, float]:
     )
     world.bodies.place[:] = [[2.0, 4.0], [22.0, 4.0]]
     pass_time(world, 0.2)
-    world.people.target[:] = [[22.0, 4.0], [2.0, 4.0]]
+    world.bodies.target[:] = [[22.0, 4.0], [2.0, 4.0]]
     for _ in range(400):
         step(world)
         across = world.bodies.place[1] - world.bodies.place[0]
@@ -176,6 +176,17 @@ def test_safe_wandering_turns_away_before_and_back_after() -> None:
     assert aside > 0.2
     assert back > np.cos(np.radians(5.0))
     assert met("at 0 s: everybody ignores others\n")[0] < 0.05
+
+
+def test_a_spot_is_free_if_nobody_goes_within_half_a_step_of_it() -> None:
+    chance = np.random.default_rng(1)
+    for _ in range(100):
+        spots = np.stack(np.meshgrid(*(np.arange(n) for n in chance.integers(1, 9, 2))), -1).reshape(-1, 2) * APART_M
+        spots = spots[chance.random(len(spots)) < 0.7] + chance.uniform(-5, 5, 2)
+        if len(spots):
+            taken = spots.min(axis=0) + chance.uniform(-2, 7, (chance.integers(1, 40), 2))
+            away = np.linalg.norm(spots[:, None] - taken, axis=2).min(axis=1)
+            assert np.array_equal(blocked(spots, taken), away <= APART_M / 2)
 
 
 def test_wanderers_keep_off_the_walls_and_each_other() -> None:
@@ -195,11 +206,11 @@ def bent(floor: str) -> tuple[np.ndarray, np.ndarray]:
         world = world_of(read_text(f"{floor}\npoint end at 11, 4\ngroup one: 1 people, visits end\n"), seed)
         world.bodies.place[0] = (1.0, 4.0)
         aside = []
-        while not world.people.settled[0] or world.people.goal[0] < 0:
+        while not world.bodies.settled[0] or world.bodies.goal[0] < 0:
             step(world)
             aside.append(world.bodies.place[0, 1] - 4.0)
         ways.append(max(aside, key=abs))
-        assert np.linalg.norm(world.bodies.place[0] - world.people.target[0]) < 0.15
+        assert np.linalg.norm(world.bodies.place[0] - world.bodies.target[0]) < 0.15
     return np.abs(ways), np.array(ways)
 
 
@@ -212,24 +223,17 @@ def test_every_way_is_a_curve_of_its_own_where_there_is_room() -> None:
     assert narrow.max() < 0.25
 
 
-def test_a_turn_keeps_length_and_angle() -> None:
-    way = np.array([[1.0, 0.0], [0.6, 0.8]])
-    found = turned(way, 0.3)
-    assert np.allclose(np.linalg.norm(found, axis=1), 1.0)
-    assert np.allclose((found * way).sum(axis=1), np.cos(0.3), atol=2e-3)
-
-
 def test_a_counter_serves_one_at_a_time_and_everybody_in_turn() -> None:
     world = scene("point till at 12, 2 region 4 x 3 act pay for 2 s one at a time\n"
                   "group queue: 4 people, visits till > east, starts at middle\n")  # fmt: skip
     till, served = len(world.places) - 1, set()
     for _ in range(560):
         step(world)
-        now = np.flatnonzero((world.people.phase == ACTING) & (world.people.goal == till))
+        now = np.flatnonzero((world.people.phase == ACTING) & (world.bodies.goal == till))
         assert len(now) <= 1
         served |= set(now.tolist())
     assert len(served) == 4
-    assert not ((world.people.phase == WAITING) & (world.people.goal == till)).any()
+    assert not ((world.people.phase == WAITING) & (world.bodies.goal == till)).any()
 
 
 def test_feelings_set_the_speed_and_share_is_exact() -> None:

@@ -6,25 +6,21 @@ import numpy as np
 import pytest
 
 from cloner.behaviour import dice, fields
-from cloner.behaviour.ground import (
-    AHEAD_M,
-    BODY_M,
-    DIRECTIONS,
-    bin_directions,
-    box,
-    direction_bins,
-    ground_of,
-    inside,
-)  # fmt: skip
-from cloner.behaviour.nearby import nearest, wrapped
-from cloner.behaviour.walking import STEP_S, Bodies, walk
+from cloner.behaviour.ground import BODY_M, Ground, box, ground_of, inside
+from cloner.behaviour.walking import GIVEN, STEP_S, Bodies, bodies_on, walk
+from kit.scripts import script
+
+WORLDS = script("behaviour_worlds")
+
+SIGHT_M = 6.0
 
 
-def bodies_at(place: list[list[float]], way: tuple[float, float], speed: float = 1.34) -> Bodies:
-    at = np.array(place, float)
-    yes = np.ones(len(at), bool)
-    return Bodies(at, np.zeros_like(at), np.full(len(at), BODY_M), np.tile(way, (len(at), 1)).astype(float),
-                  np.full(len(at), speed), yes, yes.copy())  # fmt: skip
+def bodies_at(
+    ground: Ground, place: list[list[float]], way: tuple[float, float], speed: float = 1.34, **world: float
+) -> Bodies:
+    bodies = bodies_on(ground, np.array(place, float), **world)
+    bodies.goal[:], bodies.way[:], bodies.wants[:] = GIVEN, way, speed
+    return bodies
 
 
 def test_walls_of_overlapping_floors_are_those_around_all() -> None:
@@ -54,11 +50,6 @@ def test_inside_of_a_corner_polygon() -> None:
     ]
 
 
-def test_directions_and_their_bins_agree() -> None:
-    x, y = bin_directions().T
-    assert direction_bins(x, y).tolist() == list(range(DIRECTIONS))
-
-
 def test_a_field_leads_round_an_obstacle_on_nearly_the_shortest_way() -> None:
     ground = ground_of([box((10, 5), (20, 10))], [box((10, 3.5), (1, 7))])
     goal = box((18, 2), (1, 1))
@@ -66,7 +57,9 @@ def test_a_field_leads_round_an_obstacle_on_nearly_the_shortest_way() -> None:
     row, column = ground.cells(np.array([[2.0, 2.0]]))
     straight = np.hypot(10 - 0.5 - 2, 5) + 1 + np.hypot(18 - 0.5 - 10.5, 4.5)  # by the corners at y = 7
     assert straight < distance[row[0], column[0]] < 1.25 * straight  # walls cost more, sixteen directions 2.7 %
-    way = fields.directions(ground, distance)[row[0], column[0]]
+    lost = bodies_at(ground, [[2.0, 2.0]], (0.0, 0.0), places=1)
+    lost.lead(0, distance, fields.region_cells(ground, goal))
+    way = lost.core.arrays["fields"].reshape(*distance.shape, 2)[row[0], column[0]]
     assert way @ np.array([7.5, 5.2]) / np.hypot(7.5, 5.2) > np.cos(np.radians(12))
     shut = ground_of([box((2, 2), (4, 4)), box((9, 2), (4, 4))])
     assert np.isinf(fields.distances(shut, box((9, 2), (1, 1)))[shut.cells(np.array([[2.0, 2.0]]))]).all()
@@ -74,31 +67,33 @@ def test_a_field_leads_round_an_obstacle_on_nearly_the_shortest_way() -> None:
 
 def test_the_nearest_sixteen_are_found_by_the_grid() -> None:
     place = np.stack([dice.uniform(3, k, np.arange(200)) * 20 for k in (1, 2)], axis=1)
-    found = nearest(place, np.zeros_like(place))
+    bodies = bodies_at(ground_of([box((10, 10), (24, 24))]), place.tolist(), (0.0, 0.0))
+    walk(bodies)
+    found = bodies.core.arrays["others"]
     away = np.linalg.norm(place[:, None] - place[None], axis=2)
     np.fill_diagonal(away, np.inf)
     for k, row in enumerate(found):
-        want = [one for one in np.argsort(away[k])[:16] if away[k, one] <= AHEAD_M]
+        want = [one for one in np.argsort(away[k])[:16] if away[k, one] <= SIGHT_M]
         assert row[row >= 0].tolist() == want
 
 
 def test_one_alone_walks_forty_metres_at_his_own_speed() -> None:
     ground = ground_of([box((25, 1), (50, 2))])
-    one = bodies_at([[1.0, 1.0]], (1.0, 0.0), 1.33)
+    one = bodies_at(ground, [[1.0, 1.0]], (1.0, 0.0), 1.33)
     for _ in range(round(30.0 / STEP_S)):
-        walk(one, ground)
+        walk(one)
     assert one.place[0, 0] == pytest.approx(1.0 + 1.33 * (30.0 - 0.5), abs=0.1)  # half a second to come to speed
 
 
 def test_nobody_crosses_a_wall_or_stands_in_another() -> None:
     ground = ground_of([box((4, 2), (8, 4)), box((8.2, 2), (0.6, 1.0)), box((11, 2), (5, 4))])
-    way = fields.directions(ground, fields.distances(ground, box((12.5, 2), (1, 3))))
-    people = bodies_at([[1 + 0.6 * (k % 5), 0.7 + 0.6 * (k // 5)] for k in range(25)], (1.0, 0.0))
+    goal = box((12.5, 2), (1, 3))
+    people = bodies_at(ground, [[1 + 0.6 * (k % 5), 0.7 + 0.6 * (k // 5)] for k in range(25)], (1.0, 0.0), places=1)
+    people.lead(0, fields.distances(ground, goal), fields.region_cells(ground, goal))
+    people.goal[:] = 0
     least, passed = np.inf, 0
     for k in range(round(40.0 / STEP_S)):
-        row, column = ground.cells(people.place)
-        people.way[:] = way[row, column]
-        walk(people, ground)
+        walk(people)
         inner = (people.place[:, 0] < 8.0) | (people.place[:, 0] > 8.5)
         assert (people.place[:, 1] > BODY_M - 1e-9).all()
         assert (people.place[:, 1] < 4.0 - BODY_M + 1e-9).all()
@@ -119,15 +114,34 @@ def test_speed_falls_with_density_as_weidmann_says() -> None:
         k = np.arange(count)
         rows = 2 if density < 1 else 6
         place = np.stack([(k // rows + 0.5) * 30 / (count / rows), 0.4 + (k % rows + 0.5) * 3.2 / rows], axis=1)
-        people = bodies_at(place.tolist(), (1.0, 0.0))
-        people.own_speed[:] = 1.34 + 0.26 * np.clip(dice.normal(4, 1, k), -2, 2)
+        people = bodies_at(ground, place.tolist(), (1.0, 0.0), period_m=30.0)
+        people.wants[:] = 1.34 + 0.26 * np.clip(dice.normal(4, 1, k), -2, 2)
         went = np.zeros(count)
         for step in range(300):
             before = people.place[:, 0].copy()
-            walk(people, ground, period_m=30.0)
-            went += wrapped(people.place[:, 0] - before, 30.0) if step >= 100 else 0.0
+            walk(people)
+            moved = people.place[:, 0] - before
+            went += moved - 30.0 * np.floor(moved / 30.0 + 0.5) if step >= 100 else 0.0
         found.append(float(went.mean() / 10.0) / speed)
     assert np.allclose(found, 1.0, atol=0.15)
+
+
+@pytest.mark.parametrize("seed", [5, 10])
+def test_streams_against_each_other_do_not_lock(seed: int) -> None:
+    pace, lanes = WORLDS.streams(seed, WORLDS.Middles())  # these two locked while bodies were pushed straight apart
+    assert pace > 0.6
+    assert lanes > 0.5
+
+
+@pytest.mark.parametrize("polite", [True, False])
+def test_who_stands_makes_way_for_who_comes(polite: bool) -> None:
+    ground = ground_of([box((5, 0.5), (10, 1))])
+    people = bodies_at(ground, [[1.0, 0.5], [5.0, 0.5]], (1.0, 0.0))
+    people.way[1] = 0.0
+    people.avoids[1] = polite
+    for _ in range(round(10.0 / STEP_S)):
+        walk(people)
+    assert (people.place[0, 0] > people.place[1, 0] + 1.0) == polite
 
 
 def test_dice_are_even_normal_and_repeat() -> None:

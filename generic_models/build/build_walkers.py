@@ -1,0 +1,65 @@
+"""Build the walkers' core, `walkers.wasm`, of the AssemblyScript in ``cloner/behaviour/core``.
+
+Fetch the compiler with the ordinary client and give its folder::
+
+    npm install --prefix FOLDER assemblyscript@0.28.20
+    python generic_models/build/build_walkers.py FOLDER
+
+The same compiler gives the same bytes; ``PROVENANCE.json`` beside the module tells theirs and those of its source, and
+``tests/unit/behaviour/test_core.py`` builds and compares. No code of the compiler's library is in the module.
+"""
+
+from __future__ import annotations
+
+import argparse
+import hashlib
+import json
+import subprocess
+import tempfile
+from pathlib import Path
+
+CORE = Path(__file__).resolve().parents[2] / "cloner" / "behaviour" / "core"
+MODULE = "walkers.wasm"
+#: No garbage collector and no checks of arrays: the core takes its memory once and holds numbers only.
+OPTIONS = ("-O3", "--runtime", "stub", "--noAssert", "--initialMemory", "1")
+
+
+def built(packages: Path) -> bytes:
+    """Return the module, made by the compiler in a folder of npm packages."""
+    compiler = packages / "node_modules" / "assemblyscript" / "bin" / "asc.js"
+    with tempfile.TemporaryDirectory() as folder:
+        module = Path(folder) / MODULE
+        subprocess.run(["node", compiler, "walkers.ts", *OPTIONS, "--outFile", module], cwd=CORE, check=True)
+        return module.read_bytes()
+
+
+def provenance(module: bytes, packages: Path) -> dict[str, object]:
+    """Return what is told of a module: its digest, and of what by what it was made."""
+    told = json.loads((packages / "node_modules" / "assemblyscript" / "package.json").read_text(encoding="utf-8"))
+    return {
+        "file": MODULE,
+        "sha256": hashlib.sha256(module).hexdigest(),
+        "licence": "Apache-2.0",
+        "made_with": f"assemblyscript {told['version']} {' '.join(OPTIONS)}",
+        "source": source_digests(),
+    }
+
+
+def source_digests() -> dict[str, str]:
+    """Return the sha256 of each file of the source."""
+    return {one.name: hashlib.sha256(one.read_bytes()).hexdigest() for one in sorted(CORE.glob("*.ts"))}
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("packages", type=Path, help="folder that holds node_modules")
+    packages = parser.parse_args().packages.resolve()
+    module = built(packages)
+    (CORE / MODULE).write_bytes(module)
+    told = json.dumps([provenance(module, packages)], indent=1)
+    (CORE / "PROVENANCE.json").write_text(told + "\n", encoding="utf-8")
+    print(f"{MODULE}: {len(module)} bytes")
+
+
+if __name__ == "__main__":
+    main()
