@@ -11,15 +11,13 @@ from pathlib import Path
 from typing import Any, Final
 
 from cloner.crowd.rooms import ROOM_FILES
+from cloner.crowd.shaders import files
 
 #: The files of the pack that the page holds.
 HELD: Final = ("numbers.bin", "colours.webp", "shapes.webp", "covers.webp", "atlas.webp", "codes.webp", "shell.webp")
 #: Footings of a pack that acts a scenario, numbers in line.
 ACTED_FILE: Final = "acted.bin"
-SHADERS: Final = ("common.glsl", "shading.glsl", "worn.glsl", "person.vert", "person.frag", "impostor.vert",
-                  "impostor.frag", "ground.vert", "ground.frag", "block.vert", "block.frag",
-                  "room.vert", "room.frag")  # fmt: skip
-_SCRIPTS: Final = ("scene.js", "stage.js", "footing.js", "room.js", "player.js")
+_SCRIPTS: Final = ("scene.js", "stage.js", "footing.js", "daylight.js", "room.js", "player.js")
 _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src 'none'"
 )
@@ -45,7 +43,7 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
         f"{base64.b64encode((folder / name).read_bytes()).decode('ascii')}</script>\n"
         for name in names
     )
-    shaders = {name: (web / name).read_text(encoding="utf-8") for name in SHADERS}
+    shaders = {name: (web / name).read_text(encoding="utf-8") for name in files()}
     told = {key: value for key, value in facts.items() if key != "files"}
     page = (web / "player.html").read_text(encoding="utf-8")
     parts = {

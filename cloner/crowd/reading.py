@@ -13,7 +13,7 @@ from cloner.crowd.footing import Acted, fits
 from cloner.crowd.impostors import Bake, with_tiles
 from cloner.crowd.levels import LOOSE, body_levels
 from cloner.crowd.player import ACTED_FILE
-from cloner.crowd.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, LitRoom, Probes
+from cloner.crowd.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, LitRoom, Probes
 from cloner.crowd.scene import Casting
 from cloner.crowd.stock import Numbers
 from cloner.crowd.theatre import Stock
@@ -111,9 +111,9 @@ def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
     told = facts["room"]
     try:
         held = unpacked(checked(pack, ROOM_FILE, facts), told["arrays"])
-        looks, light = (picture(checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE))
+        looks, light, sun = (picture(checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE, SUN_FILE))
         shape = tuple(told["shape"])
-        fits_in = held["probes"].shape == (*shape, 3, 4) and held["sun"].shape == shape
+        fits_in = sun.shape == light.shape and held["probes"].shape == (*shape, 3, 4) and held["sun"].shape == shape
         finite = all(np.isfinite(one).all() for one in held.values())
         if not (fits_in and finite and len(told["heights"]) == shape[0] and not looks.shape[0] % looks.shape[1]):
             raise ValueError("a room of odd shapes")
@@ -121,7 +121,7 @@ def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
         raise ClonerError("the room's files do not fit together", "Build it again", pack.name) from error
     low, heights = np.array(told["low"], float), np.array(told["heights"], float)
     probes = Probes(low, heights, float(told["step"]), held["probes"], held["sun"])
-    return LitRoom(held["corners"], looks, light, probes, told)
+    return LitRoom(held["corners"], looks, light, sun[..., 0], probes, told)
 
 
 def checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:

@@ -1,7 +1,8 @@
 """A lit room that a pack's clones stand in: its triangles, its light map, and the probes that light people.
 
-``room.bin`` holds arrays; ``room_looks.webp`` textures one below another; ``room_light.webp`` the light map, sRGB,
-white standing for ``brightest``. ``cloner scene build`` writes them.
+``room.bin`` holds arrays; ``room_looks.webp`` textures one below another; ``room_light.webp`` the light map without the
+sun's own light, sRGB, white standing for ``brightest``; ``room_sun.webp`` how much of the sun falls there, so that
+people can stand in its way. ``cloner scene build`` writes them.
 """
 
 from __future__ import annotations
@@ -16,7 +17,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 ROOM_FILE, LOOKS_FILE, LIGHT_FILE = "room.bin", "room_looks.webp", "room_light.webp"
-ROOM_FILES: Final = (ROOM_FILE, LOOKS_FILE, LIGHT_FILE)
+SUN_FILE: Final = "room_sun.webp"
+ROOM_FILES: Final = (ROOM_FILE, LOOKS_FILE, LIGHT_FILE, SUN_FILE)
 #: Texels that a person's light has: c0 and c of red, green and blue; how much of the sun is seen.
 GLOW: Final = 4
 #: People are lit as their chests are, metres.
@@ -44,11 +46,12 @@ class Probes:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LitRoom:
-    """What is drawn: (3 T, 8) corners (place, uv, light-map uv, look); pictures (H, W, 3); and the sun."""
+    """What is drawn: (3 T, 8) corners (place, uv, light-map uv, look); pictures (H, W, 3); the sun's share (H, W)."""
 
     corners: NDArray[np.float32]
     looks: NDArray[np.uint8]
     light: NDArray[np.uint8]
+    sun: NDArray[np.uint8]
     probes: Probes
     facts: Mapping[str, Any]
 

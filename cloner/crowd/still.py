@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from cloner.crowd.daylight import CAST_PX, DAY, Hour, room_values
 from cloner.crowd.eye import Eye
 from cloner.crowd.files import MARK
 from cloner.crowd.footing import GONE, Acted, rows_at
@@ -117,18 +118,20 @@ class Painter:
     ) -> None:  # fmt: skip
         self._room = room
         if room:
-            theatre.send_room(room.looks, room.light)
+            theatre.send_room(room.looks, room.light, room.sun)
         self._theatre, self._facts, self._scene, self._size = theatre, facts, made, size_px
-        self._focal = size_px[1] / 2.0 / np.tan(np.radians(FIELD_DEG) / 2.0)
         if isinstance(made, Scene):
             theatre.send_people(made.rows)
 
-    def picture(self, view: tuple[Any, Any], now: float, mode: str = "hybrid") -> Pixels:
+    def picture(
+        self, view: tuple[Any, Any], now: float, mode: str = "hybrid", hour: Hour = DAY, field_deg: float = FIELD_DEG
+    ) -> Pixels:
         """Return the (H, W, 3) picture from a place towards a target at a time, seconds.
 
         ``mode``: "hybrid", "levels" (no impostors) or "geometry" (the finest level alone).
         """
-        eye = Eye(np.array(view[0], float), np.array(view[1], float), self._size, float(self._focal))
+        focal = self._size[1] / 2.0 / np.tan(np.radians(field_deg) / 2.0)
+        eye = Eye(np.array(view[0], float), np.array(view[1], float), self._size, float(focal))
         theatre = self._theatre
         target = theatre.target(self._size, 1, SAMPLES)
         values = {
@@ -137,12 +140,14 @@ class Painter:
             "classic": int(bool(self._facts["impostors"]["classic"])),
         }  # fmt: skip
         if self._room:
-            told = self._room.facts
-            values |= {"roomed": 1, "sunWay": tuple(told["sun_way"]), "sunLight": tuple(told["sun_light"]),
-                       "brightest": float(told["brightest"])}  # fmt: skip
-        theatre.begin(target, SKY)
+            values |= room_values(self._room.probes, self._room.facts, eye, hour)
         chosen = self._tiers(eye, now, mode)
+        if "shadowed" in values:
+            seen = np.concatenate(chosen)
+            theatre.cast(_instances(seen), {**values, "clipFromWorld": values["shadowFromWorld"]}, CAST_PX)
+        theatre.begin(target, SKY)
         if self._room:
+            theatre.draw_sky(values)
             theatre.draw_room(self._room.corners, values)
         if isinstance(self._scene, Acted):
             theatre.draw_blocks(self._scene.blocks, values)

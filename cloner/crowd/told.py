@@ -169,6 +169,7 @@ _ROOM: Final = {
             "sun": _array("float32", 0, 0, 0),
         },
         "low": _PLACE, "heights": _Rows(_number(0.0, 1000.0), 1, 16), "shape": _Rows(_whole(1, 10_000), 3, 3),
-        "step": _METRES, "brightest": _METRES, "sun_way": _PLACE, "sun_light": _PLACE,
+        "step": _METRES, "brightest": _METRES, "sun_way": _PLACE, "sun_light": _PLACE, "sky_light": _PLACE,
+        "ground": _PLACE,
     }
 }  # fmt: skip

@@ -12,13 +12,13 @@ from PIL import Image
 
 from cloner.acting.written import RoomParts, bake_file
 from cloner.crowd.files import packed, webp
-from cloner.crowd.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, Probes
+from cloner.crowd.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, Probes
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, quiet
 from cloner.scenes import looks
 from cloner.scenes.charts import charts_of
 from cloner.scenes.direct import sun_way
-from cloner.scenes.gltf import BRIGHTEST, meshes_of
+from cloner.scenes.gltf import meshes_of
 from cloner.scenes.plan import Plan
 from cloner.scenes.solids import Room
 from cloner.scenes.written import light_in, room_in
@@ -45,19 +45,18 @@ def build_folder(
         If the room is not lit, or what :func:`~cloner.acting.written.bake_file` refuses.
     """
     room = room_in(folder)
-    light, probes = light_in(folder)
-    parts = room_parts(room, light, probes, folder.name)
+    parts = room_parts(room, *light_in(folder), folder.name)
     return bake_file(walk, pack, out, seconds=seconds, seed=seed, room=parts, progress=progress)
 
 
-def room_parts(room: Room, light: bytes, probes: Probes, where: str) -> RoomParts:
-    """Return a room as files of a pack; ``light`` is the map's PNG file."""
+def room_parts(room: Room, light: bytes, brightest: float, probes: Probes, where: str) -> RoomParts:
+    """Return a room as files of a pack; ``light`` is the map's PNG file, in which white stands for ``brightest``."""
     charts, size = charts_of(room)
     try:
         with Image.open(io.BytesIO(light), formats=["PNG"]) as image:
             if image.size != size:
                 raise ValueError("another room's")
-            pixels = np.asarray(image.convert("RGB"))
+            pixels = np.asarray(image.convert("RGBA"))
     except (OSError, ValueError) as error:
         raise ClonerError("the light map is not this room's", "Make it with cloner scene light", where) from error
     meshes = meshes_of(charts, size)
@@ -73,11 +72,13 @@ def room_parts(room: Room, light: bytes, probes: Probes, where: str) -> RoomPart
     sun = room.plan.sun
     facts = {
         "name": room.plan.name, "arrays": told, "low": probes.low.tolist(), "heights": probes.heights.tolist(),
-        "step": probes.step, "shape": list(probes.sun.shape), "brightest": BRIGHTEST,
+        "step": probes.step, "shape": list(probes.sun.shape), "brightest": brightest,
+        "sky_light": list(room.plan.sky.light), "ground": looks.albedo(room.plan.floors[-1].look).tolist(),
         "sun_way": sun_way(sun).tolist() if sun else [0.0, 1.0, 0.0],
         "sun_light": list(sun.light) if sun else [0.0] * 3,
     }  # fmt: skip
-    files = {ROOM_FILE: data, LOOKS_FILE: webp(sheet, LOOK_QUALITY), LIGHT_FILE: webp(pixels, None)}
+    files = {ROOM_FILE: data, LOOKS_FILE: webp(sheet, LOOK_QUALITY), LIGHT_FILE: webp(pixels[..., :3], None),
+             SUN_FILE: webp(pixels[..., 3], None)}  # fmt: skip
     return RoomParts(files, facts, views_in(room.plan))
 
 

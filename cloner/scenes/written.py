@@ -23,9 +23,13 @@ from cloner.scenes.probes import probes_of
 from cloner.scenes.solids import Room, room_of
 
 PLAN_FILE, ROOM_FILE, LIGHT_FILE, PROBES_FILE = "plan.toml", "room.glb", "light.png", "probes.npz"
+#: What the page asks for: in colours all light but the sun's own, in alpha how much of the sun is there.
+PARTS_FILE: Final = "parts.png"
+#: What is brighter than all but this share of the texels may be cut off: the ceiling above a lamp.
+CUT_OFF: Final = 0.002
 #: A map of the largest floor at 4 cm, and its probes, are smaller.
 LARGEST_LIGHT_BYTES: Final = 200_000_000
-_ARRAYS: Final = {"low": 1, "heights": 1, "step": 0, "light": 5, "sun": 3}
+_ARRAYS: Final = {"low": 1, "heights": 1, "step": 0, "light": 5, "sun": 3, "brightest": 0}
 
 
 def make_folder(source: str, out: Path) -> list[str]:
@@ -42,7 +46,7 @@ def make_folder(source: str, out: Path) -> list[str]:
     data = room_glb(room)
     write_bytes(out / PLAN_FILE, text.encode("utf-8"))
     write_bytes(out / ROOM_FILE, data)
-    for name in (LIGHT_FILE, PROBES_FILE):  # those of a room that stood here before
+    for name in (LIGHT_FILE, PARTS_FILE, PROBES_FILE):  # those of a room that stood here before
         (out / name).unlink(missing_ok=True)
     triangles = sum(len(one.triangles) for one in meshes_of(*charts_of(room)))
     floor = sum((one.high[0] - one.low[0]) * (one.high[1] - one.low[1]) for one in plan.floors)
@@ -57,11 +61,16 @@ def light_folder(folder: Path, progress: Progress = quiet) -> list[str]:
     room = room_in(folder)
     lit = lit_room(room, progress=progress)
     probes = probes_of(room, lit, progress)
+    soft = np.maximum(lit.map - lit.sun * (room.plan.sun.light if room.plan.sun else (0.0,) * 3), 0.0)
+    brightest = max(float(np.quantile(soft.max(axis=2), 1.0 - CUT_OFF)), 1e-3)
+    parts = np.dstack([to_bytes(soft.astype(np.float32), brightest), np.rint(lit.sun * 255.0).astype(np.uint8)])
     stream = io.BytesIO()
     np.savez_compressed(
-        stream, low=probes.low, heights=probes.heights, step=np.array(probes.step), light=probes.light, sun=probes.sun
-    )
+        stream, low=probes.low, heights=probes.heights, step=np.array(probes.step), light=probes.light, sun=probes.sun,
+        brightest=np.array(brightest),
+    )  # fmt: skip
     write_bytes(folder / LIGHT_FILE, png_bytes(to_bytes(lit.map)))
+    write_bytes(folder / PARTS_FILE, png_bytes(parts))
     write_bytes(folder / PROBES_FILE, stream.getvalue())
     write_bytes(folder / ROOM_FILE, room_glb(room, lit.map))
     return [
@@ -83,8 +92,8 @@ def room_in(folder: Path) -> Room:
     return room_of(read_plan(folder / PLAN_FILE)[0])
 
 
-def light_in(folder: Path) -> tuple[bytes, Probes]:
-    """Return the light map's file and the probes of a folder that ``cloner scene light`` wrote.
+def light_in(folder: Path) -> tuple[bytes, float, Probes]:
+    """Return what ``cloner scene light`` wrote: the page's light map as a file, what white stands for, the probes.
 
     Raises
     ------
@@ -92,15 +101,22 @@ def light_in(folder: Path) -> tuple[bytes, Probes]:
         If there are none, or they are damaged.
     """
     try:
-        picture = read_outside(folder / LIGHT_FILE, LARGEST_LIGHT_BYTES)
+        picture = read_outside(folder / PARTS_FILE, LARGEST_LIGHT_BYTES)
         data = read_outside(folder / PROBES_FILE, LARGEST_LIGHT_BYTES)
         with np.load(io.BytesIO(data), allow_pickle=False) as held:
             found = {name: np.asarray(held[name], np.float64) for name in _ARRAYS}
         light, sun = found["light"], found["sun"]
         fits = all(found[name].ndim == axes and np.isfinite(found[name]).all() for name, axes in _ARRAYS.items())
-        if not (fits and light.shape == (*sun.shape, 3, 4) and len(found["heights"]) == sun.shape[0] and sun.size):
+        if not (
+            fits
+            and light.shape == (*sun.shape, 3, 4)
+            and len(found["heights"]) == sun.shape[0]
+            and sun.size
+            and found["brightest"] > 0.0
+        ):
             raise ValueError("probes of odd shapes")
     except (OSError, UnfitFile, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
         raise ClonerError("the room has no light", "Make it with cloner scene light", folder.name) from error
     step = float(found["step"])
-    return picture, Probes(found["low"], found["heights"], step, light.astype(np.float32), sun.astype(np.float32))
+    probes = Probes(found["low"], found["heights"], step, light.astype(np.float32), sun.astype(np.float32))
+    return picture, float(found["brightest"]), probes

@@ -9,10 +9,10 @@ const STATURE_M = 1.75;
 
 const state = {
   scene: facts.scene, people: facts.people_count, now: 0, paused: false, debug: 0, mode: "hybrid", camera: "orbit",
-  stats: {}, still: 0,
+  stats: {}, still: 0, hour: DAY,
 };
 const canvas = document.querySelector("canvas");
-let acted = null, blocks = null, room = null;
+let acted = null, blocks = null, room = null, passes = null;
 let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
 
 function open() {
@@ -39,17 +39,19 @@ async function start(context) {
     bodyVertices: { value: stage.body.uv.length / 2 }, depthRange: { value: facts.impostors.depth_range_m },
     rings: { value: facts.impostors.rings_deg.length }, classic: { value: facts.impostors.classic ? 1 : 0 },
     ringElevations: { value: [0, 1, 2, 3].map((k) => ((facts.impostors.rings_deg[k] || 0) * Math.PI) / 180) },
-    dearFromPx: { value: 24 }, roomed: { value: 0 }, sunLight: { value: new THREE.Vector3() },
+    dearFromPx: { value: 24 }, ...lightUniforms(),
     glow: { value: flatTexture(new Float32Array(4), 1, 1, FLOATS) },
   };
   for (const [name, texture] of Object.entries(stage.textures)) uniforms[name] = { value: texture };
+  for (const name of ["stones", "stoneShells"]) uniforms[name] ??= { value: arrayTexture(new Uint8Array(4 * facts.people.length), 1, 1, facts.people.length) };
   const arrays = facts.acted ? await arraysOf(bytesOf("acted.bin"), facts.acted.arrays) : null;
   if (arrays) acted = actedOf(arrays, facts.people.length);
   buildTiers();
   if (arrays && arrays.blocks.length) buildBlocks(arrays.blocks);
   if (facts.room) {
     room = await loadRoom(facts.room, shaders, uniforms);
-    world.add(room.mesh);
+    passes = lightPasses(facts, stage.body, shaders, uniforms);
+    world.add(room.mesh, passes.sky);
   }
   setScene(state.scene, state.people);
   buildKnobs();
@@ -81,17 +83,17 @@ function buildTiers() {
     const { geometry, start, triangles } = levelGeometry(facts, stage.body, level, instancesOf(MOST));
     const own = { ...uniforms, looseStart: { value: start }, coarse: { value: level >= 2 ? 1 : 0 } };
     add(geometry, materialOf(shaders, ["common.glsl", "person.vert"],
-      ["common.glsl", "shading.glsl", "worn.glsl", "person.frag"], own), 2).userData.triangles = triangles;
+      ["common.glsl", "light.glsl", "shading.glsl", "worn.glsl", "person.frag"], own), 2).userData.triangles = triangles;
   }
   add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "impostor.vert"],
-    ["common.glsl", "shading.glsl", "impostor.frag"], uniforms, {
+    ["common.glsl", "light.glsl", "shading.glsl", "impostor.frag"], uniforms, {
       alphaToCoverage: uniforms.cutoff.value === 0, blending: THREE.CustomBlending, blendEquation: THREE.AddEquation,
       blendSrc: THREE.OneFactor, blendDst: THREE.ZeroFactor, blendSrcAlpha: THREE.ZeroFactor, blendDstAlpha: THREE.OneFactor,
     }), 3).userData.triangles = 2;
-  const shadows = add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "ground.vert"], ["ground.frag"],
+  const shadows = add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "ground.vert"], ["light.glsl", "ground.frag"],
     uniforms, { transparent: true, depthWrite: false }), 1);
   shadows.userData.triangles = 2;
-  const floor = add(quadGeometry(instancesOf(1)), materialOf(shaders, ["common.glsl", "ground.vert"], ["ground.frag"],
+  const floor = add(quadGeometry(instancesOf(1)), materialOf(shaders, ["common.glsl", "ground.vert"], ["light.glsl", "ground.frag"],
     uniforms), 0);
   floor.geometry.attributes.instance.array[0] = -1;
   floor.geometry.instanceCount = 1;
@@ -105,7 +107,7 @@ function buildBlocks(corners) {
   geometry.setAttribute("position", part(0));
   geometry.setAttribute("normal", part(1));
   geometry.instanceCount = 1;
-  blocks = new THREE.Mesh(geometry, materialOf(shaders, ["block.vert"], ["shading.glsl", "block.frag"], uniforms));
+  blocks = new THREE.Mesh(geometry, materialOf(shaders, ["block.vert"], ["light.glsl", "shading.glsl", "block.frag"], uniforms));
   blocks.frustumCulled = false;
   world.add(blocks);
 }
@@ -129,7 +131,10 @@ function setScene(name, count) {
     data, since: new Float32Array(made.count).fill(-9), pairs: new Float32Array(2 * made.count), cells: [], rebin: 0, next: 0,
   };
   if (blocks) blocks.visible = name === ACTED;
-  if (room) room.enter(name === ACTED, made.count);
+  if (room) {
+    room.enter(name === ACTED, made.count);
+    passes.sky.visible = name === ACTED;
+  }
   if (name === ACTED) act();
   place(0, made.count);
   bin();
@@ -317,6 +322,12 @@ function draw() {
   cameraPlanes(uniforms.clipFromWorld.value.elements);
   choose();
   state.stats.choice = performance.now() - begun;
+  if (room && uniforms.roomed.value) {
+    const { elements } = camera.matrixWorld, axis = (k) => new THREE.Vector3(elements[4 * k], elements[4 * k + 1], elements[4 * k + 2]);
+    const tall = Math.tan((camera.fov * Math.PI) / 360), ahead = axis(2).negate();
+    room.see(uniforms.eye.value, ahead, axis(0).multiplyScalar(tall * camera.aspect), axis(1).multiplyScalar(tall), state.hour);
+    if (room.sunny) passes.cast(renderer, camera, uniforms.eye.value, ahead, walkers);
+  }
   tiers.forEach((mesh, k) => { mesh.material.wireframe = Boolean(state.debug) && k < LEVELS; });
   renderer.info.reset();
   renderer.render(world, camera);
