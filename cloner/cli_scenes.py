@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from cloner.errors import ClonerError
 from cloner.terminal import ProgressLine
 
 scenes = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Rooms to walk in: from plans, lit, inhabited.")
@@ -50,5 +51,24 @@ def _build(
 
     with ProgressLine() as progress:
         lines = build_folder(folder, walk, pack, out, seconds=seconds, seed=seed, progress=progress)
+    for line in lines:
+        typer.echo(line)
+
+
+@scenes.command("film")
+def _film(
+    sequence: Annotated[Path, typer.Argument(metavar="FILM", help="Its lines, such as samples/awakening.film.")],
+    room: Annotated[Path, typer.Option("--room", help="What scene light wrote.")],
+    pack: Annotated[Path, typer.Option("--pack", help="What cloner crowd --feelings --statues wrote.")],
+    out: Annotated[Path | None, typer.Option("--out", help="film.mp4, .webp or .gif, or a folder for PNGs.")] = None,
+    page: Annotated[Path | None, typer.Option("--page", help="Folder of a pack whose page plays the film.")] = None,
+) -> None:
+    """Play a film of clones in a lit room: into a file, pictures, or a page."""
+    from cloner.scenes.filmed import film_file
+
+    if out is None and page is None:
+        raise ClonerError("nothing is to be written", "Give --out film.mp4 or --page FOLDER", "cloner scene film")
+    with ProgressLine() as progress:
+        lines = film_file(sequence, room, pack, out, page, progress)
     for line in lines:
         typer.echo(line)

@@ -15,9 +15,11 @@ from cloner.crowd.shaders import files
 
 #: The files of the pack that the page holds.
 HELD: Final = ("numbers.bin", "colours.webp", "shapes.webp", "covers.webp", "atlas.webp", "codes.webp", "shell.webp")
+#: And those of packs whose people can be statues.
+STONES: Final = ("stone.webp", "stone_shell.webp")
 #: Footings of a pack that acts a scenario, numbers in line.
 ACTED_FILE: Final = "acted.bin"
-_SCRIPTS: Final = ("scene.js", "stage.js", "footing.js", "daylight.js", "room.js", "player.js")
+_SCRIPTS: Final = ("scene.js", "stage.js", "footing.js", "daylight.js", "room.js", "staging.js", "player.js")
 _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src 'none'"
 )
@@ -33,7 +35,8 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
         What ``crowd.json`` will hold.
     """
     web = importlib.resources.files("cloner.crowd") / "web"
-    names = ["body.bin", *(f"people/{row['id']}/{name}" for row in facts["people"] for name in HELD)]
+    own = (*HELD, *(STONES if facts.get("statues") else ()))
+    names = ["body.bin", *(f"people/{row['id']}/{name}" for row in facts["people"] for name in own)]
     if "acted" in facts:
         names.append(ACTED_FILE)
     if "room" in facts:

@@ -75,7 +75,7 @@ def light_at(probes: Probes, places: Array) -> tuple[Array, Array]:
 
 def glow_of(probes: Probes, rows: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return the (N, GLOW, 4) light of people whose (N, 5, 4) rows tell where they are."""
-    places = np.column_stack([rows[:, 0, 1], np.full(len(rows), CHEST_M), rows[:, 0, 2]]).astype(np.float64)
+    places = np.column_stack([rows[:, 0, 1], CHEST_M + rows[:, 4, 2], rows[:, 0, 2]]).astype(np.float64)
     light, sun = light_at(probes, places)
     glow = np.zeros((len(rows), GLOW, 4), np.float32)
     glow[:, :3], glow[:, 3, 0] = light, sun

@@ -19,6 +19,7 @@ from cloner.crowd.footing import GONE, Acted, rows_at
 from cloner.crowd.reading import casting_from, read_acted, read_facts, read_room, read_stock
 from cloner.crowd.rooms import LitRoom, glow_of
 from cloner.crowd.scene import ACTED, SCENES, Scene, places, scene_of
+from cloner.crowd.staging import UP, Staging, finished, staging_of
 from cloner.crowd.theatre import Theatre
 from cloner.errors import ClonerError
 from cloner.vision.films import FORMATS, write_film
@@ -86,7 +87,10 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
     theatre = Theatre(read_stock(pack, facts))
     temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
     try:
-        painter = Painter(theatre, facts, made, (width, height), read_room(pack, facts) if name == ACTED else None)
+        staging = staging_of(facts) if name == ACTED else None
+        painter = Painter(
+            theatre, facts, made, (width, height), read_room(pack, facts) if name == ACTED else None, staging
+        )
         if out.suffix.lower() in FORMATS:
             write_film(_film(painter, views[view]), FRAMES_PER_S, temporary)
         else:
@@ -114,8 +118,9 @@ class Painter:
 
     def __init__(
         self, theatre: Theatre, facts: dict[str, Any], made: Scene | Acted, size_px: tuple[int, int],
-        room: LitRoom | None = None,
+        room: LitRoom | None = None, staging: Staging | None = None,
     ) -> None:  # fmt: skip
+        self._staging = staging
         self._room = room
         if room:
             theatre.send_room(room.looks, room.light, room.sun)
@@ -139,6 +144,8 @@ class Painter:
             "laneLength": self._scene.lane_m if isinstance(self._scene, Scene) else 1.0, "cutoff": 0.0,
             "classic": int(bool(self._facts["impostors"]["classic"])),
         }  # fmt: skip
+        if "statues" in self._facts:
+            values["stoneColour"] = tuple(self._facts["statues"]["colour"])
         if self._room:
             values |= room_values(self._room.probes, self._room.facts, eye, hour)
         chosen = self._tiers(eye, now, mode)
@@ -159,16 +166,24 @@ class Painter:
         theatre.soft(False)
         return np.ascontiguousarray(theatre.read(target)[..., :3])
 
+    def film_picture(self, now: float) -> Pixels:
+        """Return the (H, W, 3) picture of a staged film at a time, seconds."""
+        if self._staging is None or not isinstance(self._scene, Acted):
+            raise ValueError("nothing is staged")
+        eye, look, field_deg = self._staging.camera(self._staging.rows(self._scene, now), now)
+        shown = self.picture((eye, look), now, hour=self._staging.hour(now), field_deg=field_deg)
+        return finished(shown, self._staging.caption(now), self._staging.curtain(now))
+
     def _tiers(self, eye: Eye, now: float, mode: str) -> list[NDArray[np.int64]]:
         """Return who is drawn at each level, and last as an impostor."""
         if isinstance(self._scene, Scene):
             where, here = places(self._scene, now), None
         else:
-            rows = rows_at(self._scene, now)
+            rows = self._staging.rows(self._scene, now) if self._staging else rows_at(self._scene, now)
             self._theatre.send_people(rows)
             if self._room:
                 self._theatre.send_glow(glow_of(self._room.probes, rows))
-            where, here = np.column_stack([rows[:, 0, 1], np.zeros(len(rows)), rows[:, 0, 2]]), rows[:, 0, 0] < GONE
+            where, here = np.column_stack([rows[:, 0, 1], rows[:, 4, UP], rows[:, 0, 2]]), rows[:, 0, 0] < GONE
         away = np.linalg.norm(where + (0.0, 0.9, 0.0) - eye.place_m, axis=1)
         tiers = self._facts["tiers"]
         far = eye.focal_px * self._facts["switch"]["metres_per_focal_px"]

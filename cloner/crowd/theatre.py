@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -11,7 +10,6 @@ from numpy.typing import NDArray
 
 from cloner.crowd import stock
 from cloner.crowd.groups import STEP
-from cloner.crowd.levels import BodyLevels
 from cloner.crowd.shaders import PARTS, UNROOMED, source
 from cloner.generic.gl_painter import new_context
 
@@ -29,41 +27,10 @@ _UNITS: Final = ("people", "clones", "vertices", "loose", "corners", "bones", "a
                  "shapes", "glow", "roomLooks", "roomLight", "roomSun", "shadows", "stones", "stoneShells")  # fmt: skip
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class Stock:
-    """Everything that the shaders read of some clones.
-
-    Attributes
-    ----------
-    body : BodyLevels
-    budgets : loose triangles of each level
-    numbers : one a clone
-    table : (C, COLUMNS, 4) float32
-    atlases : (C, A, A, 4) uint8, shells : (C, B, 2 B, 4) uint8
-    tiles : (C, 2 T, 4) float32, colours : (C, H, W, 4) uint8, shapes : (C, H/2, W/2, 4) uint8, or None before baking
-    elevations : tuple of radians
-    stones : (C, A, A, 3) uint8, stone_shells : (C, B, 2 B, 3) uint8
-        The same people in stone, or None.
-    """
-
-    body: BodyLevels
-    budgets: tuple[int, ...]
-    numbers: tuple[stock.Numbers, ...]
-    table: NDArray[np.float32]
-    atlases: Pixels
-    shells: Pixels
-    tiles: NDArray[np.float32] | None = None
-    colours: Pixels | None = None
-    shapes: Pixels | None = None
-    elevations: tuple[float, ...] = (0.0,)
-    stones: Pixels | None = None
-    stone_shells: Pixels | None = None
-
-
 class Theatre:
     """One GL context with the textures of a stock and of the people in front of it."""
 
-    def __init__(self, held: Stock) -> None:
+    def __init__(self, held: stock.Stock) -> None:
         self.stock = held
         self._gl: Any = new_context()
         self._programs = {name: self._program(*parts) for name, parts in PARTS.items()}

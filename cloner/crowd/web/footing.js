@@ -114,5 +114,5 @@ function actedOf(arrays, clones) {
     }
   }
 
-  return { count, people, at(now, rows) { for (let who = 0; who < count; who++) fill(who, now, rows); } };
+  return { count, people, at(now, rows, time = () => now) { for (let who = 0; who < count; who++) fill(who, time(who), rows); } };
 }

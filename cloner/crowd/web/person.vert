@@ -31,7 +31,7 @@ flat out float stone;
 flat out float partial;
 
 const int HEAD_FIRST = 35, HEAD_LAST = 45;  // joints of the head and the upper neck
-const float NECK = 1.78;                    // where the neck ends, in halves of the stature
+const float HEAD_MIDDLE = 1.86;             // in halves of the stature
 
 vec3 fromOctahedron(uint code) {
   vec2 f = vec2(float(code & 255u), float(code >> 8)) / 127.5 - 1.0;
@@ -85,10 +85,10 @@ void main() {
   vec3 own = vec3(dot(r0, rest), dot(r1, rest), dot(r2, rest)) * p.scale;
   n = vec3(dot(r0.xyz, n), dot(r1.xyz, n), dot(r2.xyz, n));
   if (p.part > 1.5) {  // a head on its own leans to its side
-    vec3 neck = vec3(0.0, NECK * cloneTexel(p.clone, 0).x * p.scale, 0.0);
+    vec3 middle = vec3(0.0, HEAD_MIDDLE * cloneTexel(p.clone, 0).x * p.scale, 0.0);
     float lean = 2.0 * PI * (p.part - 2.0), cl = cos(lean), sl = sin(lean);
-    own = own - neck;
-    own = neck + vec3(cl * own.x - sl * own.y, sl * own.x + cl * own.y, own.z);
+    own = own - middle;
+    own = middle + vec3(cl * own.x - sl * own.y, sl * own.x + cl * own.y, own.z);
     n = vec3(cl * n.x - sl * n.y, sl * n.x + cl * n.y, n.z);
   }
   rested = rest.xyz / (2.0 * cloneTexel(p.clone, 0).x);

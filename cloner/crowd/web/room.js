@@ -28,13 +28,14 @@ async function loadRoom(told, shaders, uniforms) {
   mesh.frustumCulled = false;
   const outside = uniforms.sunWay.value.clone(), [levels, deep, wide] = told.shape, [x0, , z0] = told.low;
   const heights = told.heights, grid = deep * wide;
-  let h = 0;
-  while (h + 2 < levels && heights[h + 1] < CHEST_M) h++;
-  const up = levels > 1 ? Math.min(Math.max((CHEST_M - heights[h]) / (heights[h + 1] - heights[h]), 0), 1) : 0;
   let data = null;
 
-  // Sixteen numbers into a list: the light straight between the eight probes around the chest.
-  function lightInto(list, to, px, pz) {
+  // Sixteen numbers into a list: the light straight between the eight probes around the chest of somebody who stands so high.
+  function lightInto(list, to, px, pz, high = 0) {
+    const chest = CHEST_M + high;
+    let h = 0;
+    while (h + 2 < levels && heights[h + 1] < chest) h++;
+    const up = levels > 1 ? Math.min(Math.max((chest - heights[h]) / (heights[h + 1] - heights[h]), 0), 1) : 0;
     const x = Math.min(Math.max((px - x0) / told.step, 0), wide - 1), z = Math.min(Math.max((pz - z0) / told.step, 0), deep - 1);
     const ix = Math.min(Math.floor(x), Math.max(wide - 2, 0)), iz = Math.min(Math.floor(z), Math.max(deep - 2, 0));
     list.fill(0, to, to + 16);
@@ -51,6 +52,33 @@ async function loadRoom(told, shaders, uniforms) {
   const asked = new Float64Array(16), lightAt = (x, z) => lightInto(asked, 0, x, z);
   return {
     mesh, told, sunny: told.sun_light.some((one) => one > 0),
+    // Where somebody gets who wants to go from one place to another: along walls, not through them.
+    walk(x, z, wanted_x, wanted_z) {
+      const [rows, columns] = told.arrays.walkable.shape, [gx, gz] = told.ground_low;
+      const free = (px, pz) => {
+        const c = Math.floor((px - gx) / told.ground_step), r = Math.floor((pz - gz) / told.ground_step);
+        return c >= 0 && r >= 0 && c < columns && r < rows && held.walkable[r * columns + c] > 0;
+      };
+      if (!free(x, z)) {  // who comes from the air goes to the nearest floor
+        let best = Infinity, found = [x, z];
+        for (let k = 0; k < held.walkable.length; k++) {
+          if (!held.walkable[k]) continue;
+          const px = gx + ((k % columns) + 0.5) * told.ground_step, pz = gz + (Math.floor(k / columns) + 0.5) * told.ground_step;
+          const far = (px - x) ** 2 + (pz - z) ** 2;
+          if (far < best) { best = far; found = [px, pz]; }
+        }
+        return found;
+      }
+      const steps = Math.max(1, Math.ceil(Math.hypot(wanted_x - x, wanted_z - z) / (0.5 * told.ground_step)));
+      const dx = (wanted_x - x) / steps, dz = (wanted_z - z) / steps;
+      for (let k = 0; k < steps; k++) {
+        if (free(x + dx, z + dz)) { x += dx; z += dz; }
+        else if (free(x + dx, z)) x += dx;
+        else if (free(x, z + dz)) z += dz;
+        else break;
+      }
+      return [x, z];
+    },
     // The uniforms of this eye and hour.
     see(eye, ahead, right, up_, hour) {
       uniforms.daylight.value.set(...hour.daylight);
@@ -83,7 +111,7 @@ async function loadRoom(told, shaders, uniforms) {
     light(people, count) {
       for (let i = 0; i < count; i++) {
         const from = i * 4 * PERSON_TEXELS;
-        lightInto(data, 16 * i, people[from + 1], people[from + 2]);
+        lightInto(data, 16 * i, people[from + 1], people[from + 2], people[from + UP]);
       }
       uniforms.glow.value.needsUpdate = true;
     },
