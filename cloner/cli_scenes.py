@@ -7,7 +7,6 @@ from typing import Annotated
 
 import typer
 
-from cloner.errors import ClonerError
 from cloner.terminal import ProgressLine
 
 scenes = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Rooms to walk in: from plans, lit, inhabited.")
@@ -66,8 +65,6 @@ def _film(
     """Play a film of clones in a lit room: into a file, pictures, or a page."""
     from cloner.scenes.filmed import film_file
 
-    if out is None and page is None:
-        raise ClonerError("nothing is to be written", "Give --out film.mp4 or --page FOLDER", "cloner scene film")
     with ProgressLine() as progress:
         lines = film_file(sequence, room, pack, out, page, progress)
     for line in lines:

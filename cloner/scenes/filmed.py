@@ -56,6 +56,8 @@ def film_file(
     ClonerError
         If a line is not understood, the pack lacks what the film wants, or something cannot be read or written.
     """
+    if out is None and page is None:
+        raise ClonerError("nothing is to be written", "Give --out film.mp4 or --page FOLDER", source.name)
     film = read_sequence(source)
     if out is not None:
         safe_output(out)
