@@ -34,7 +34,7 @@ LIFT_S: Final = 8.0
 #: Who lifts something from the ground bends so far from the hips and on along the spine, and leans thighs and shanks so
 #: far, radians; the wrists go so far outwards, up and ahead of the feet, metres for somebody of 1.7 m.
 BEND, CURL, THIGH, SHANK = 1.1, 0.5, 1.25, 0.9
-LOW_M: Final = (0.10, 0.20, 0.46)
+LOW_M: Final = (0.14, 0.20, 0.46)
 #: An arm never gets straighter than this share of its length: elbows must not snap.
 REACH: Final = 0.985
 _DOWN: Final = np.array([0.0, -1.0, 0.0])
@@ -101,7 +101,7 @@ def lift(body: Body) -> Motion:
     size = body.joints_m[body.joint("skullbase"), 1] / 1.52  # of somebody of 1.7 m
     for side in SIDES:
         low = _sided(side, LOW_M) * size
-        high = _of_head(body, world, motion, side, (0.16, -0.12, 0.62))
+        high = _of_head(body, world, motion, side, (0.27, -0.20, 0.62))
         place = hanging[side] + (low - hanging[side]) * down[:, None]
         _reach(body, world, motion, side, place + (high - place) * up[:, None], (0.7, -0.6, -0.3))
     return _made(body, motion, world)

@@ -33,11 +33,9 @@ LATTICE_M, PATCH_M = 0.25, 0.5
 RAYS: Final = 400
 #: Openings are asked at places so far apart, metres; who is nearer than this to one counts rays that leave by it.
 PORTAL_STEP_M, NEAR_PORTAL_M = 0.4, 1.2
-#: Bounces end when no patch changes by more than this share of the brightest.
-SETTLED: Final = 1e-4
-MOST_BOUNCES: Final = 200
-SMOOTH_NODES: Final = 0.7
-ONE_NODE: Final = 1.5  # gaussians end there: over a wall there are two
+#: Bounces end when no patch changes by more than this share of the brightest, or after so many.
+SETTLED, MOST_BOUNCES = 1e-4, 200
+SMOOTH_NODES, ONE_NODE = 0.7, 1.5  # gaussians end at the second: over a wall there are two nodes
 #: Places at which a cell's mean is taken, along each side.
 IN_CELL: Final = 12
 

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,18 +12,14 @@ from typing import Final
 
 from cloner.errors import ClonerError, plain
 from cloner.outside import UnfitFile, read_outside
-
-XY = tuple[float, float]
-XYZ = tuple[float, float, float]
+from cloner.scenes.words import MOST_SECONDS, XY, Words
 
 LARGEST_BYTES: Final = 1_000_000
-MOST_ACTORS, MOST_SECONDS, MOST_LINES = 2_000, 1_800.0, 5_000
-FARTHEST: Final = 1_000.0
+MOST_ACTORS, MOST_LINES = 2_000, 5_000
 FEELINGS: Final = ("regular", "sad", "calm", "happy", "explosive", "afraid")
 ACTS: Final = ("look", "wave", "point", "photograph", "pay", "applaud", "lift", "sit", "stand")
 #: How the eye opens where nothing is said, degrees from bottom to top; a person from head to foot fills it at 2 m.
 LENS_DEG: Final = 45.0
-_TOKEN: Final = re.compile(r'\s*(?:("[^"]*")|([+-]?(?:\d+\.?\d*|\.\d+))|([^\W\d]\w*)|(.))')
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,102 +110,14 @@ def sequence_of(text: str, where: str) -> Sequence:
     return made
 
 
-class Words:
-    """The words of one line, taken one after another; whatever does not fit is told with line, column and what does."""
-
-    def __init__(self, line: str, number: int, where: str) -> None:
-        self._where, self._number, self._at = where, number, 0
-        self._tokens: list[tuple[str, str, int]] = []
-        for match in _TOKEN.finditer(line):
-            kind = ("text", "number", "word", "sign")[match.lastindex - 1] if match.lastindex else ""
-            if match.group(match.lastindex or 0) == "#":
-                break
-            if kind and not (kind == "sign" and match.group(4).isspace()):
-                self._tokens.append((kind, match.group(match.lastindex or 0), match.start(match.lastindex or 0) + 1))
-
-    def left(self) -> bool:
-        """Return whether anything is left."""
-        return self._at < len(self._tokens)
-
-    def wrong(self, expected: str, back: int = 0) -> ClonerError:
-        """Return what to raise: what stands there, and what was expected."""
-        at = self._at - back
-        shown = plain(repr(self._tokens[at][1])) if at < len(self._tokens) else "the line's end"
-        column = self._tokens[at][2] if at < len(self._tokens) else (self._tokens[-1][2] + len(self._tokens[-1][1]))
-        return ClonerError(f"line {self._number}, column {column}: {shown} stands where {expected} was expected",
-                           "docs/scenes.md has every statement", self._where)  # fmt: skip
-
-    def take(self, kind: str, expected: str) -> str:
-        """Take a token of a kind."""
-        if not self.left() or self._tokens[self._at][0] != kind:
-            raise self.wrong(expected)
-        self._at += 1
-        return self._tokens[self._at - 1][1]
-
-    def word(self, *known: str) -> str:
-        """Take one of some words."""
-        expected = known[0] if len(known) == 1 else f"{', '.join(known[:-1])} or {known[-1]}"
-        found = self.take("word", expected)
-        if found not in known:
-            raise self.wrong(expected, 1)
-        return found
-
-    def has(self, word: str) -> bool:
-        """Take a word or sign if it is next."""
-        if self.left() and self._tokens[self._at][1] == word and self._tokens[self._at][0] in ("word", "sign"):
-            self._at += 1
-            return True
-        return False
-
-    def must(self, *signs: str) -> None:
-        """Take these words or signs."""
-        for sign in signs:
-            if not self.has(sign):
-                raise self.wrong(repr(sign))
-
-    def number(self, expected: str, low: float = -FARTHEST, high: float = FARTHEST) -> float:
-        """Take a number within bounds."""
-        value = float(self.take("number", expected))
-        if not low <= value <= high:
-            raise self.wrong(f"{expected} from {low:g} to {high:g}", 1)
-        return value
-
-    def numbers(self, count: int, expected: str, low: float = -FARTHEST, high: float = FARTHEST) -> tuple[float, ...]:
-        """Take so many numbers with commas."""
-        found = [self.number(expected, low, high)]
-        for _ in range(count - 1):
-            self.must(",")
-            found.append(self.number(expected, low, high))
-        return tuple(found)
-
-    def place(self) -> XY:
-        """Take x, y."""
-        x, y = self.numbers(2, "a place (x, y)")
-        return x, y
-
-    def seconds(self, word: str, usual: float | None = None) -> float:
-        """Take ``word N s``; without it the usual time, if there is one."""
-        if usual is not None and not self.has(word):
-            return usual
-        if usual is None:
-            self.must(word)
-        found = self.number("a time in seconds", 0.0, MOST_SECONDS)
-        self.must("s")
-        return found
-
-    def end(self) -> None:
-        """Refuse what is left."""
-        if self.left():
-            raise self.wrong("the line's end")
-
-    def who(self, film: Sequence) -> tuple[int, ...]:
-        """Take the name of somebody, of rows, or everybody."""
-        name = self.take("word", "an actor's name")
-        if name == "everybody":
-            return tuple(range(len(film.actors)))
-        if name not in film.groups:
-            raise self.wrong(f"one of {', '.join(list(film.groups)[:12]) or 'the actors (none yet)'}", 1)
-        return film.groups[name]
+def _who(words: Words, film: Sequence) -> tuple[int, ...]:
+    """Take the name of somebody, of rows, or everybody."""
+    name = words.take("word", "an actor's name")
+    if name == "everybody":
+        return tuple(range(len(film.actors)))
+    if name not in film.groups:
+        raise words.wrong(f"one of {', '.join(list(film.groups)[:12]) or 'the actors (none yet)'}", 1)
+    return film.groups[name]
 
 
 def _film(words: Words, film: Sequence) -> None:
@@ -302,9 +209,8 @@ def _camera(words: Words, film: Sequence, when: float) -> None:
     eye = words.numbers(3, "a place (x, y, height)")
     words.must("looks", "at")
     look, who = (0.0, 0.0, 0.0), -1
-    try_name = not words.left() or words._tokens[words._at][0] == "word"
-    if try_name:
-        who = words.who(film)[0]
+    if words.next_is("word"):
+        who = _who(words, film)[0]
     else:
         look = words.numbers(3, "a place (x, y, height) or a name")  # type: ignore[assignment]
     lens = LENS_DEG
@@ -344,7 +250,7 @@ def _caption(words: Words, film: Sequence, when: float) -> None:
 
 
 def _deed(words: Words, film: Sequence, when: float) -> None:
-    actors = words.who(film)
+    actors = _who(words, film)
     deed = words.word("awakens", "hardens", "rises", "walks", "runs", "turns", "does", "gives")
     if deed in ("awakens", "hardens"):
         seconds = words.seconds("in", 3.0)
@@ -358,15 +264,15 @@ def _deed(words: Words, film: Sequence, when: float) -> None:
         film.orders.append(Order(when, actors, deed + (" by" if by else ""), to, word=feeling))
     elif deed == "turns":
         words.must("to")
-        if words._tokens[words._at : words._at + 1] and words._tokens[words._at][0] == "word":
-            film.orders.append(Order(when, actors, "turns", who=words.who(film)[0]))
+        if words.next_is("word"):
+            film.orders.append(Order(when, actors, "turns", who=_who(words, film)[0]))
         else:
             film.orders.append(Order(when, actors, "turns", words.place()))
     elif deed == "does":
         word = words.word(*ACTS)
         film.orders.append(Order(when, actors, "does", word=word, seconds=words.seconds("for")))
     else:
-        other = words.who(film)[0]
+        other = _who(words, film)[0]
         words.must("the", "head")
         if film.actors[other].head_at is None:
             raise words.wrong(f"somebody whose head lies somewhere, unlike {film.actors[other].name}", 3)

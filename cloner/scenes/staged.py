@@ -27,7 +27,7 @@ LIES_M, LEANS = 0.095, 0.21
 #: While a head is given: when it leaves the ground, when it is before the giver's face, when over the neck; shares.
 TAKEN, LIFTED, OVER = 0.40, 0.66, 0.86
 #: It is held so far before the giver, metres, and comes down on the neck from so far above.
-HELD_M, ABOVE_M = 0.42, 0.10
+HELD_M, ABOVE_M = 0.44, 0.10
 
 
 def acted_by(
