@@ -36,6 +36,17 @@ def _light(folder: FolderArgument) -> None:
         typer.echo(line)
 
 
+@scenes.command("sound")
+def _sound(folder: FolderArgument) -> None:
+    """Work out how a room sounds: an impulse response for each floor, as WAV files."""
+    from cloner.scenes.written import sound_folder
+
+    with ProgressLine() as progress:
+        lines = sound_folder(folder, progress)
+    for line in lines:
+        typer.echo(line)
+
+
 @scenes.command("build")
 def _build(
     folder: FolderArgument,

@@ -21,7 +21,7 @@ from cloner.crowd.files import MARK, digest, pack_folder, packed
 from cloner.crowd.footing import COLUMNS, Acted, touches_of
 from cloner.crowd.player import ACTED_FILE, player_page
 from cloner.crowd.reading import casting_from, checked, read_facts, read_stock
-from cloner.crowd.rooms import ROOM_FILES
+from cloner.crowd.rooms import ECHO_FILE, ROOM_FILES
 from cloner.crowd.scene import ACTED, IDLE, WALK, Casting, Dice, look_of, scale_of
 from cloner.errors import ClonerError
 from cloner.outside import UnfitFile, read_outside
@@ -115,7 +115,7 @@ def write_acted(
         "clips": acted.clips, "blocks": acted.blocks,
     }  # fmt: skip
     data, told = packed(arrays)
-    kept = {name: own for name, own in facts["files"].items() if name not in (ACTED_FILE, *ROOM_FILES)}
+    kept = {name: own for name, own in facts["files"].items() if name not in (ACTED_FILE, *ROOM_FILES, ECHO_FILE)}
     files = {ACTED_FILE: data, **(room.files if room else {})}
     made = {key: value for key, value in facts.items() if key not in ("room", "staging")} | {
         "scene": ACTED, "people_count": len(acted.people),

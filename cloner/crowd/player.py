@@ -10,7 +10,7 @@ from html import escape
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.crowd.rooms import ROOM_FILES
+from cloner.crowd.rooms import ECHO_FILE, ROOM_FILES
 from cloner.crowd.shaders import files
 
 #: The files of the pack that the page holds.
@@ -19,7 +19,16 @@ HELD: Final = ("numbers.bin", "colours.webp", "shapes.webp", "covers.webp", "atl
 STONES: Final = ("stone.webp", "stone_shell.webp")
 #: Footings of a pack that acts a scenario, numbers in line.
 ACTED_FILE: Final = "acted.bin"
-_SCRIPTS: Final = ("scene.js", "stage.js", "footing.js", "daylight.js", "room.js", "staging.js", "player.js")
+_SCRIPTS: Final = (
+    "scene.js",
+    "stage.js",
+    "footing.js",
+    "daylight.js",
+    "room.js",
+    "staging.js",
+    "sound.js",
+    "player.js",
+)
 _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src 'none'"
 )
@@ -40,7 +49,7 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
     if "acted" in facts:
         names.append(ACTED_FILE)
     if "room" in facts:
-        names += ROOM_FILES
+        names += [one for one in (*ROOM_FILES, ECHO_FILE) if one in facts["files"]]
     held = "".join(
         f'<script type="application/octet-stream" data-file="{escape(name)}">'
         f"{base64.b64encode((folder / name).read_bytes()).decode('ascii')}</script>\n"

@@ -19,6 +19,8 @@ Array = NDArray[np.float64]
 ROOM_FILE, LOOKS_FILE, LIGHT_FILE = "room.bin", "room_looks.webp", "room_light.webp"
 SUN_FILE: Final = "room_sun.webp"
 ROOM_FILES: Final = (ROOM_FILE, LOOKS_FILE, LIGHT_FILE, SUN_FILE)
+#: How the room sounds on its largest floor, where that was worked out.
+ECHO_FILE: Final = "room_echo.wav"
 #: Texels that a person's light has: c0 and c of red, green and blue; how much of the sun is seen.
 GLOW: Final = 4
 #: People are lit as their chests are, metres.

@@ -36,6 +36,8 @@ def why_unfit(facts: Any) -> str:
         wrong = _unfit(facts, _STAGING, "") or _unstaged(facts["staging"], facts.get("people_count", 0))
     if not wrong and "room" in facts:
         wrong = _unfit(facts, _ROOM, "")
+    if not wrong and "echo" in facts.get("room", {}):
+        wrong = _unfit(facts["room"]["echo"], _Rows(_number(-1e6, 1e6), 4, 4), "room.echo")
     if wrong:
         return wrong
     clones = len(facts["people"])

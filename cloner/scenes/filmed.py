@@ -19,10 +19,10 @@ from cloner.crowd.theatre import Theatre
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder, safe_output
-from cloner.scenes.inhabited import room_parts, views_in
+from cloner.scenes.inhabited import room_parts, sounding, views_in
 from cloner.scenes.sequence import read_sequence
 from cloner.scenes.staged import acted_by
-from cloner.scenes.written import light_in, room_in
+from cloner.scenes.written import light_in, room_in, sound_in
 from cloner.vision.films import FORMATS, write_film
 
 Pixels = NDArray[np.uint8]
@@ -65,7 +65,7 @@ def film_file(
         raise ClonerError("the pack would be replaced by what is made of it", "Choose another --page folder", page.name)
     facts = read_facts(pack)
     built = room_in(room)
-    parts = room_parts(built, *light_in(room), room.name)
+    parts = sounding(room_parts(built, *light_in(room), room.name), sound_in(room, built))
     acted, staging = acted_by(film, read_stock(pack, facts), facts["people"], progress)
     told = {"title": film.title, "seconds": film.seconds, "size_px": list(film.size_px), "rate_hz": film.rate_hz}
     lines = [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any, Final
@@ -17,7 +18,7 @@ from cloner.behaviour.trajectories import Trajectories
 from cloner.crowd.files import packed, webp
 from cloner.crowd.footing import Acted
 from cloner.crowd.reading import read_facts, read_stock
-from cloner.crowd.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, Probes
+from cloner.crowd.rooms import ECHO_FILE, LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, Probes
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, quiet
 from cloner.scenes import looks
@@ -29,7 +30,7 @@ from cloner.scenes.plan import Block, Plan
 from cloner.scenes.solids import Panel, Room
 from cloner.scenes.staged import with_statues
 from cloner.scenes.walkable import walkable_of
-from cloner.scenes.written import light_in, room_in
+from cloner.scenes.written import light_in, room_in, sound_in
 
 #: How the page's textures are kept: taste, no blocks at arm's length.
 LOOK_QUALITY: Final = 88
@@ -57,6 +58,7 @@ def build_folder(
     room = room_in(folder)
     things = things_in(room.plan, walk)
     parts = room_parts(room, *light_in(folder), folder.name, things if "statues" in read_facts(pack) else ())
+    parts = sounding(parts, sound_in(folder, room))
     return bake_file(walk, pack, out, seconds=seconds, seed=seed, room=parts, progress=progress)
 
 
@@ -115,6 +117,13 @@ def room_parts(
              SUN_FILE: webp(pixels[..., 3], None)}  # fmt: skip
     stand = partial(_with_statues, room.plan, {one.name: one for one in statues}) if statues else None
     return RoomParts(files, facts, views_in(room.plan), stand)
+
+
+def sounding(parts: RoomParts, sound: tuple[bytes, list[float]] | None) -> RoomParts:
+    """Return a room with its echo and where that is heard."""
+    if sound is None:
+        return parts
+    return replace(parts, files={**parts.files, ECHO_FILE: sound[0]}, facts={**parts.facts, "echo": sound[1]})
 
 
 def _within(panel: Panel, boxes: NDArray[np.float64]) -> bool:

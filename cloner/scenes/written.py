@@ -16,8 +16,10 @@ from cloner.outside import UnfitFile, read_outside
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import safe_output
 from cloner.scenes.charts import charts_of
+from cloner.scenes.echoes import EAR_M, echo_at, wav_bytes
 from cloner.scenes.gltf import meshes_of, room_glb, to_bytes
 from cloner.scenes.light import lit_room
+from cloner.scenes.pieces import plan_place
 from cloner.scenes.plan import read_plan
 from cloner.scenes.probes import probes_of
 from cloner.scenes.solids import Room, room_of
@@ -29,6 +31,8 @@ PARTS_FILE: Final = "parts.png"
 CUT_OFF: Final = 0.002
 #: A map of the largest floor at 4 cm, and its probes, are smaller.
 LARGEST_LIGHT_BYTES: Final = 200_000_000
+#: Where a room's echoes lie; four seconds have 180 kB.
+SOUND_FOLDER, LARGEST_SOUND_BYTES = "sound", 1_000_000
 _ARRAYS: Final = {"low": 1, "heights": 1, "step": 0, "light": 5, "sun": 3, "brightest": 0}
 
 
@@ -46,8 +50,6 @@ def make_folder(source: str, out: Path) -> list[str]:
     data = room_glb(room)
     write_bytes(out / PLAN_FILE, text.encode("utf-8"))
     write_bytes(out / ROOM_FILE, data)
-    for name in (LIGHT_FILE, PARTS_FILE, PROBES_FILE):  # those of a room that stood here before
-        (out / name).unlink(missing_ok=True)
     triangles = sum(len(one.triangles) for one in meshes_of(*charts_of(room)))
     floor = sum((one.high[0] - one.low[0]) * (one.high[1] - one.low[1]) for one in plan.floors)
     return [
@@ -77,6 +79,38 @@ def light_folder(folder: Path, progress: Progress = quiet) -> list[str]:
         f"light map {lit.size[0]} x {lit.size[1]} texels, {probes.sun.size} probes",
         str(folder / ROOM_FILE), str(folder / PROBES_FILE),
     ]  # fmt: skip
+
+
+def sound_folder(folder: Path, progress: Progress = quiet) -> list[str]:
+    """Work out how a folder's room sounds in the middle of each floor, as WAV files; return what to say of it.
+
+    Raises
+    ------
+    ClonerError
+        If there is no room, or a file cannot be written.
+    """
+    room = room_in(folder)
+    lines = []
+    for number, floor in enumerate(room.plan.floors, start=1):
+        middle = ((floor.low[0] + floor.high[0]) / 2.0, (floor.low[1] + floor.high[1]) / 2.0)
+        echo = echo_at(room, plan_place(*middle, EAR_M))
+        name = f"floor_{number}.wav"
+        write_bytes(folder / SOUND_FOLDER / name, wav_bytes(echo))
+        lines.append(f"{name}: at {middle[0]:g}, {middle[1]:g}: falls by 60 dB in {echo.rings_s:.2f} s")
+        progress("sound", number / len(room.plan.floors))
+    return [*lines, str(folder / SOUND_FOLDER)]
+
+
+def sound_in(folder: Path, room: Room) -> tuple[bytes, list[float]] | None:
+    """Return how the largest floor of a folder's room sounds, and its borders (x, z, x, z); None where nobody asked."""
+    areas = [(one.high[0] - one.low[0]) * (one.high[1] - one.low[1]) for one in room.plan.floors]
+    largest = int(np.argmax(areas))
+    floor = room.plan.floors[largest]
+    try:
+        data = read_outside(folder / SOUND_FOLDER / f"floor_{largest + 1}.wav", LARGEST_SOUND_BYTES)
+    except (OSError, UnfitFile):
+        return None
+    return data, [floor.low[0], -floor.high[1], floor.high[0], -floor.low[1]]
 
 
 def room_in(folder: Path) -> Room:

@@ -12,7 +12,7 @@ const state = {
   stats: {}, still: 0, hour: DAY,
 };
 const canvas = document.querySelector("canvas");
-let acted = null, blocks = null, room = null, passes = null, staging = null;
+let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null;
 let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
 
 function open() {
@@ -50,6 +50,7 @@ async function start(context) {
   buildTiers();
   if (arrays && arrays.blocks.length) buildBlocks(arrays.blocks);
   if (facts.room) {
+    if (facts.room.echo) echo = bytesOf("room_echo.wav");
     room = await loadRoom(facts.room, shaders, uniforms);
     passes = lightPasses(facts, stage.body, shaders, uniforms);
     world.add(room.mesh, passes.sky);
@@ -332,6 +333,10 @@ function draw() {
     room.see(uniforms.eye.value, ahead, axis(0).multiplyScalar(tall * camera.aspect), axis(1).multiplyScalar(tall), state.hour);
     if (room.sunny) passes.cast(renderer, camera, uniforms.eye.value, ahead, walkers);
   }
+  if (sound && state.scene === ACTED) {
+    const way = new THREE.Vector3();
+    sound.hear(uniforms.eye.value, camera.getWorldDirection(way), walkers, acted);
+  }
   tiers.forEach((mesh, k) => { mesh.material.wireframe = Boolean(state.debug) && k < LEVELS; });
   renderer.info.reset();
   renderer.render(world, camera);
@@ -467,6 +472,12 @@ function select(label, names, chosen, act) {
   document.querySelector("#knobs").append(made);
 }
 
+// How much of the room's echo is heard at a place: all on its floor, less on others.
+function echoHeard(x, z) {
+  const [x0, z0, x1, z1] = facts.room.echo;
+  return x >= x0 && x <= x1 && z >= z0 && z <= z1 ? 1 : 0.15;
+}
+
 // Whether the pack holds a film.
 function directed() { return Boolean(staging && staging.film && state.scene === ACTED); }
 
@@ -483,6 +494,12 @@ function buildKnobs() {
   document.querySelector("#knobs").append(slider);
   knob("pause", (made) => { state.paused = !state.paused; made.setAttribute("aria-pressed", state.paused); });
   knob("tiers", (made) => { state.debug = 1 - state.debug; made.setAttribute("aria-pressed", Boolean(state.debug)); });
+  if (acted) knob("sound", async (made) => {
+    if (!sound) sound = await soundOf(echo, echoHeard);
+    else if (sound.context.state === "running") await sound.context.suspend();
+    else await sound.context.resume();
+    made.setAttribute("aria-pressed", sound.context.state !== "suspended");
+  });
   knob("picture", () => {
     draw();
     canvas.toBlob((blob) => {

@@ -20,6 +20,7 @@ from cloner.crowd.theatre import Theatre
 from cloner.crowd.told import why_unfit
 from cloner.errors import ClonerError
 from cloner.scenes.inhabited import build_folder
+from cloner.scenes.written import room_in, sound_folder, sound_in
 from kit.browser import CHROMIUM, browser
 
 pytestmark = [pytest.mark.gl, pytest.mark.slow]
@@ -156,3 +157,35 @@ def test_damage_is_told_in_one_sentence(
     facts = read_facts(built)
     facts["room"]["shape"] = [1, 2]
     assert why_unfit(facts) == "room.shape"
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
+def test_the_page_is_silent_until_asked_then_steps_are_heard_in_the_rooms_echo(
+    lit_folder: Path, lively: Path, tmp_path: Path
+) -> None:
+    shutil.copytree(lit_folder, tmp_path / "room")
+    said = sound_folder(tmp_path / "room")
+    assert said[0].startswith("floor_1.wav: at 4, 3: falls by 60 dB in ")
+    (tmp_path / "walk.crowd").write_text(
+        "floor 0, 0 to 8, 6\npoint a at 1.5, 3 region 1 x 1\npoint b at 6.5, 3 region 1 x 1\n"
+        "group two: 2 people, visits a > b > a > b, starts at a\n"
+    )
+    build_folder(tmp_path / "room", tmp_path / "walk.crowd", lively, tmp_path / "built", seconds=12.0, seed=1)
+    with browser(tmp_path / "profile") as page:
+        page.open(tmp_path / "built" / "player.html", *SIZE)
+        page.wait_for("document.body?.dataset.ready === 'yes'", 120)
+        page.value("crowd.set({ now: 1, place: [4, 1.6, -1], target: [4, 1.4, -4] })")
+        assert page.value("sound === null && echo.length > 1000")
+        page.value("[...document.querySelectorAll('button')].find((one) => one.textContent === 'sound').click()")
+        page.wait_for("sound !== null", 30)
+        page.value("(() => { for (let k = 0; k < 50; k++) { state.now = 1 + 0.2 * k; draw(); } })()")
+        assert 12 <= page.value("sound.steps") <= 60, "two people, some two steps a second"
+        assert [page.value(f"echoHeard(4, {z})") for z in (-3, 3)] == [1, 0.15]
+        assert page.complaints() == []
+        assert len(page.requests()) == 1
+
+
+def test_a_room_of_which_nobody_asked_for_sound_has_none(lit_folder: Path, tmp_path: Path) -> None:
+    assert sound_in(lit_folder, room_in(lit_folder)) is None
+    with pytest.raises(ClonerError, match="no room"):
+        sound_folder(tmp_path)
