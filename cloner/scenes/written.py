@@ -23,6 +23,7 @@ from cloner.scenes.pieces import plan_place
 from cloner.scenes.plan import read_plan
 from cloner.scenes.probes import probes_of
 from cloner.scenes.solids import Room, room_of
+from cloner.scenes.x3d import room_x3d
 
 PLAN_FILE, ROOM_FILE, LIGHT_FILE, PROBES_FILE = "plan.toml", "room.glb", "light.png", "probes.npz"
 #: What the page asks for: in colours all light but the sun's own, in alpha how much of the sun is there.
@@ -75,9 +76,11 @@ def light_folder(folder: Path, progress: Progress = quiet) -> list[str]:
     write_bytes(folder / PARTS_FILE, png_bytes(parts))
     write_bytes(folder / PROBES_FILE, stream.getvalue())
     write_bytes(folder / ROOM_FILE, room_glb(room, lit.map))
+    for name, data in room_x3d(room, LIGHT_FILE).items():
+        write_bytes(folder / name, data)
     return [
         f"light map {lit.size[0]} x {lit.size[1]} texels, {probes.sun.size} probes",
-        str(folder / ROOM_FILE), str(folder / PROBES_FILE),
+        str(folder / ROOM_FILE), str(folder / "room.x3d"), str(folder / PROBES_FILE),
     ]  # fmt: skip
 
 
