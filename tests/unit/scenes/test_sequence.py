@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import pytest
 
 from cloner.errors import ClonerError
-from cloner.scenes.sequence import Key, Order, sequence_of
+from cloner.scenes.sequence import Key, Order, read_sequence, sequence_of
 
 BEGIN = """film "A night" for 12 s, 640 x 360, 10 frames a second
 actor first is anna at 3, 4 facing 90 in stone, .3 m deep   # a comment
@@ -79,3 +82,16 @@ def test_a_film_without_camera_or_actors_is_refused() -> None:
         sequence_of("actor first is anna at 3, 4\n", "a.film")
     with pytest.raises(ClonerError, match="before it moves"):
         sequence_of("actor first is anna at 3, 4\nat 0 s: camera moves to 1, 1, 1 looks at 0, 0, 0 in 2 s", "a.film")
+
+
+def test_the_sample_and_every_line_of_the_documents_are_understood() -> None:
+    root = Path(__file__).parents[3]
+    film = read_sequence(root / "samples" / "awakening.film")
+    assert (film.seconds, len(film.actors)) == (62.0, 50)
+    assert [one.head_at for one in film.actors if one.head_at] == [(7.15, 7.9)]
+    rows = re.findall(r"^\| `((?:film|actor|rows|at) [^`]*)`", (root / "docs" / "scenes.md").read_text(), flags=re.M)
+    assert len(rows) >= 12
+    cast = "actor second is anna at 7, 9, head at 7, 8\nat 0 s: camera at 1, 1, 1 looks at second\n"
+    begin = [one for one in rows if not one.startswith("at ")]
+    for one in [*begin, *(one for one in rows if one.startswith("at "))]:
+        sequence_of("\n".join([*begin, cast, *([one] if one.startswith("at ") else [])]), one)
