@@ -88,7 +88,7 @@ def test_the_sample_and_every_line_of_the_documents_are_understood() -> None:
     root = Path(__file__).parents[3]
     film = read_sequence(root / "samples" / "awakening.film")
     assert (film.seconds, len(film.actors)) == (62.0, 50)
-    assert [one.head_at for one in film.actors if one.head_at] == [(7.15, 7.9)]
+    assert [one.head_at for one in film.actors if one.head_at] == [(7.42, 8.68)]
     rows = re.findall(r"^\| `((?:film|actor|rows|at) [^`]*)`", (root / "docs" / "scenes.md").read_text(), flags=re.M)
     assert len(rows) >= 12
     cast = "actor second is anna at 7, 9, head at 7, 8\nat 0 s: camera at 1, 1, 1 looks at second\n"
