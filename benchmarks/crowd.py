@@ -26,7 +26,8 @@ from cloner.crowd.impostors import TEXELS_PER_M, TEXELS_PER_PX, Bake, bake, with
 from cloner.crowd.levels import LOOSE, body_levels
 from cloner.crowd.pack import LARGEST_PX, stock_of
 from cloner.crowd.reading import read_facts, read_stock
-from cloner.crowd.theatre import Stock, Theatre
+from cloner.crowd.stock import Stock
+from cloner.crowd.theatre import Theatre
 from cloner.motion.rig import centred
 from cloner.project.clone_file import CLONE_FILE, load_clone
 

@@ -8,6 +8,7 @@ import os
 import signal
 import sys
 import time
+from functools import partial
 from pathlib import Path
 from types import FrameType
 from typing import TYPE_CHECKING, Annotated, Final
@@ -273,11 +274,20 @@ def _crowd(
     walks: Annotated[list[Path] | None, typer.Option("--walk", help="A captured walk (.bvh, .amc) more.")] = None,
     feelings: Annotated[bool, typer.Option("--feelings", help="Walks of feelings and acts, for behave bake.")] = False,
     classic: Annotated[bool, typer.Option("--classic", help="Impostors of the plain kind, to compare with.")] = False,
+    statues: Annotated[str, typer.Option("--statues", help="Everybody in this material too: stone, clay ...")] = "",
 ) -> None:
     """Make a crowd of finished clones: a page for browsers, levels and impostors for engines."""
     from cloner.crowd.pack import Wanted, make_pack, rings_of
 
-    wanted = Wanted(people, views, poses, rings_of(rings), looks, scene, vat, tuple(walks or ()), feelings, classic)
+    carved = None
+    if statues:
+        from cloner.statues.carved import check_material, statue_of
+
+        check_material(statues)
+        carved = partial(statue_of, material=statues)
+    wanted = Wanted(
+        people, views, poses, rings_of(rings), looks, scene, vat, tuple(walks or ()), feelings, classic, carved
+    )
     make_pack(results, out, wanted, lambda name, k, n: typer.echo(f"{k}/{n} {name}", err=True))
     typer.echo(str(out / "player.html"))
 

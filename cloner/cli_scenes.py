@@ -36,6 +36,17 @@ def _light(folder: FolderArgument) -> None:
         typer.echo(line)
 
 
+@scenes.command("sound")
+def _sound(folder: FolderArgument) -> None:
+    """Work out how a room sounds: an impulse response for each floor, as WAV files."""
+    from cloner.scenes.written import sound_folder
+
+    with ProgressLine() as progress:
+        lines = sound_folder(folder, progress)
+    for line in lines:
+        typer.echo(line)
+
+
 @scenes.command("build")
 def _build(
     folder: FolderArgument,
@@ -50,5 +61,22 @@ def _build(
 
     with ProgressLine() as progress:
         lines = build_folder(folder, walk, pack, out, seconds=seconds, seed=seed, progress=progress)
+    for line in lines:
+        typer.echo(line)
+
+
+@scenes.command("film")
+def _film(
+    sequence: Annotated[Path, typer.Argument(metavar="FILM", help="Its lines, such as samples/awakening.film.")],
+    room: Annotated[Path, typer.Option("--room", help="What scene light wrote.")],
+    pack: Annotated[Path, typer.Option("--pack", help="What cloner crowd --feelings --statues wrote.")],
+    out: Annotated[Path | None, typer.Option("--out", help="film.mp4, .webp or .gif, or a folder for PNGs.")] = None,
+    page: Annotated[Path | None, typer.Option("--page", help="Folder of a pack whose page plays the film.")] = None,
+) -> None:
+    """Play a film of clones in a lit room: into a file, pictures, or a page."""
+    from cloner.scenes.filmed import film_file
+
+    with ProgressLine() as progress:
+        lines = film_file(sequence, room, pack, out, page, progress)
     for line in lines:
         typer.echo(line)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, Final
@@ -21,7 +21,7 @@ from cloner.crowd.files import MARK, digest, pack_folder, packed
 from cloner.crowd.footing import COLUMNS, Acted, touches_of
 from cloner.crowd.player import ACTED_FILE, player_page
 from cloner.crowd.reading import casting_from, checked, read_facts, read_stock
-from cloner.crowd.rooms import ROOM_FILES
+from cloner.crowd.rooms import ECHO_FILE, ROOM_FILES
 from cloner.crowd.scene import ACTED, IDLE, WALK, Casting, Dice, look_of, scale_of
 from cloner.errors import ClonerError
 from cloner.outside import UnfitFile, read_outside
@@ -34,11 +34,15 @@ LARGEST_SCENARIO_BYTES: Final = 2_000_000_000
 
 @dataclass(frozen=True, slots=True)
 class RoomParts:
-    """A lit room for a pack: files by name, what ``crowd.json`` says of it, and where the page's eye stands in it."""
+    """A lit room for a pack: files by name, what ``crowd.json`` says of it, and where the page's eye stands in it.
+
+    ``statues`` adds those that stand in the room to what is acted, and tells how they are staged.
+    """
 
     files: Mapping[str, bytes]
     facts: Mapping[str, Any]
     views: Mapping[str, Any]
+    statues: Callable[..., tuple[Acted, Mapping[str, Any]]] | None = None
 
 
 def bake_file(
@@ -74,22 +78,54 @@ def bake_file(
     acted, lines = acted_by(walk, pack, facts, progress)
     if room:
         acted = replace(acted, blocks=acted.blocks[:0])
+    seconds = (len(walk.place) - 1) / RATE_HZ
+    views = room.views if room else views_of(walk.place.min(axis=(0, 1)), walk.place.max(axis=(0, 1)))
+    if room and room.statues and "statues" in facts:
+        acted, staging = room.statues(walk, acted, facts, pack, seconds)
+        size = write_acted(pack, facts, out, acted, seconds, views, room, staging)
+    else:
+        size = write_acted(pack, facts, out, acted, seconds, views, room)
+    spent = len(walk.groups) * max(seconds, 1.0 / RATE_HZ)
+    lines.append(
+        f"{len(walk.groups)} people, {seconds:g} s, {len(acted.footings)} footings, "
+        f"{size / 1e3:.0f} kB: {size / spent:.0f} bytes a person and second"
+    )
+    return [*lines, str(out / "player.html")]
+
+
+def write_acted(
+    pack: Path, facts: dict[str, Any], out: Path, acted: Acted, seconds: float, views: Mapping[str, Any],
+    room: RoomParts | None = None, staging: Mapping[str, Any] | None = None,
+) -> int:  # fmt: skip
+    """Write a pack whose clones act in a folder of its own; return the bytes of what they act.
+
+    Parameters
+    ----------
+    pack, facts
+        Where the clones come from, and what is told there.
+    out : Path
+    acted : Acted
+    seconds : how long
+    views : eye and target of the page's views
+    room, staging
+        What stands around them, and how it is staged; see :mod:`cloner.crowd.staging`.
+    """
     arrays: dict[str, NDArray[Any]] = {
         "footings": acted.footings, "starts": acted.starts, "people": acted.people, "touches": acted.touches,
         "clips": acted.clips, "blocks": acted.blocks,
     }  # fmt: skip
     data, told = packed(arrays)
-    low, high = walk.place.min(axis=(0, 1)), walk.place.max(axis=(0, 1))
-    kept = {name: told for name, told in facts["files"].items() if name not in (ACTED_FILE, *ROOM_FILES)}
+    kept = {name: own for name, own in facts["files"].items() if name not in (ACTED_FILE, *ROOM_FILES, ECHO_FILE)}
     files = {ACTED_FILE: data, **(room.files if room else {})}
-    made = {key: value for key, value in facts.items() if key != "room"} | {
-        "scene": ACTED, "people_count": len(walk.groups),
+    made = {key: value for key, value in facts.items() if key not in ("room", "staging")} | {
+        "scene": ACTED, "people_count": len(acted.people),
         "files": kept | {name: digest(own) for name, own in files.items()},
-        "acted": {"seconds": (len(walk.place) - 1) / RATE_HZ, "people": len(walk.groups), "arrays": told,
-                  "views": room.views if room else views_of(low, high)},
+        "acted": {"seconds": seconds, "people": len(acted.people), "arrays": told, "views": dict(views)},
     }  # fmt: skip
     if room:
         made["room"] = room.facts
+    if staging:
+        made["staging"] = staging
     with pack_folder(out) as folder:
         for name in kept:
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
@@ -100,12 +136,7 @@ def bake_file(
         made["player"] = {"sha256": digest(page), "bytes": len(page)}
         (folder / "player.html").write_bytes(page)
         (folder / MARK).write_text(json.dumps(made, indent=1, sort_keys=True) + "\n", encoding="utf-8")
-    spent = len(walk.groups) * max(made["acted"]["seconds"], 1.0 / RATE_HZ)
-    lines.append(
-        f"{len(walk.groups)} people, {made['acted']['seconds']:g} s, {len(acted.footings)} footings, "
-        f"{len(data) / 1e3:.0f} kB: {len(data) / spent:.0f} bytes a person and second"
-    )
-    return [*lines, str(out / "player.html")]
+    return len(data)
 
 
 def views_of(low: NDArray[Any], high: NDArray[Any]) -> dict[str, list[list[float]]]:
@@ -118,6 +149,17 @@ def views_of(low: NDArray[Any], high: NDArray[Any]) -> dict[str, list[list[float
         "street": ((x, 1.7, front + 4.0), (x, 1.3, z)),
     }
     return {name: [[round(float(one), 3) for one in place] for place in pair] for name, pair in views.items()}
+
+
+def things_of(source: Path) -> tuple[str, ...]:
+    """Return the names of the things in a file of trajectories or a scenario; none where :func:`bake_file` refuses."""
+    try:
+        begins = read_outside(source, LARGEST_SCENARIO_BYTES)[: len(MAGIC)]
+    except (OSError, UnfitFile):
+        return ()
+    if begins == MAGIC:
+        return read_trajectories(source).things
+    return tuple(str(one.name) for one in read_scenario(source).things)
 
 
 def _trajectories(source: Path, seconds: float, seed: int, progress: Progress) -> Trajectories:

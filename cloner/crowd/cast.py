@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
@@ -49,6 +49,8 @@ class Cast:
     groups : (T,) uint8, place in ``GROUPS`` of the generic triangles
     width_to_depth : float
         Of the box around the walking chest and arms.
+    stone : (A, A, 3) uint8, stone_shell : (B, 2 B, 3) uint8, or None
+        Atlas and shells as a statue's.
     """
 
     identifier: str
@@ -64,6 +66,8 @@ class Cast:
     looks: Mapping[str, GroupLook]
     groups: NDArray[np.uint8]
     width_to_depth: float
+    stone: Pixels | None = None
+    stone_shell: Pixels | None = None
 
 
 def cast_of(
@@ -75,8 +79,9 @@ def cast_of(
     walks: Sequence[Path] = (),
     feelings: bool = False,
     atlas_px: int = ATLAS_PX,
+    carved: Callable[[Clone], Clone] | None = None,
 ) -> Cast:
-    """Return a clone ready for the crowd.
+    """Return a clone ready for the crowd; ``carved`` makes a statue of it, which is taken along as another texture.
 
     Raises
     ------
@@ -86,6 +91,7 @@ def cast_of(
     groups, shells = triangle_groups(clone), [shell for shell in clone.shells if shell.kind in DRAWN]
     atlas, codes = smaller(clone.atlas.rgb, atlas_px), texel_groups(groups, atlas_px)
     clips = clips_of(clone, poses, walks, feelings=feelings)
+    statue = carved(clone) if carved else None
     normals = surface_normals(clone.vertices_m)[body.vertex]
     return Cast(
         identifier,
@@ -101,6 +107,8 @@ def cast_of(
         looks_of(atlas, codes),
         groups,
         _width_to_depth(clone.vertices_m[body.vertex], body, clips[0], clone.stature_m),
+        smaller(statue.atlas.rgb, atlas_px) if statue else None,
+        _shell_picture([one for one in statue.shells if one.kind in DRAWN])[..., :3] if statue else None,
     )
 
 

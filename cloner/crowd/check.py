@@ -81,6 +81,7 @@ def gpu_bytes(pack: Path, facts: dict[str, Any]) -> dict[str, int]:
         "impostors' shapes": held.shapes.nbytes,
         "atlases": held.atlases.nbytes * 4 // 3,
         "hair": held.shells.nbytes * 4 // 3,
+        **({"statues": held.stones.nbytes * 16 // 9} if held.stones is not None else {}),
         "vertices": sum(n.vertices.nbytes + n.loose.nbytes + n.corners.nbytes for n in held.numbers),
         "bones": sum(n.bones.nbytes for n in held.numbers),
         "tables": held.table.nbytes + held.tiles.nbytes,

@@ -30,13 +30,17 @@ class Eye:
     size_px: tuple[int, int]
     focal_px: float
 
-    def clip_from_world(self, near_m: float = NEAR_M, far_m: float = FAR_M) -> Array:
-        """Return the (4, 4) matrix to clip space, Y up."""
+    def axes(self) -> Array:
+        """Return (3, 3) the unit ways to the right, up and back."""
         back = np.asarray(self.place_m, float) - self.target_m
         back /= np.linalg.norm(back)
         right = np.cross([0.0, 1.0, 0.0], back)
         right /= np.linalg.norm(right)
-        rows = np.vstack([right, np.cross(back, right), back])
+        return np.vstack([right, np.cross(back, right), back])
+
+    def clip_from_world(self, near_m: float = NEAR_M, far_m: float = FAR_M) -> Array:
+        """Return the (4, 4) matrix to clip space, Y up."""
+        rows = self.axes()
         view = np.eye(4)
         view[:3, :3], view[:3, 3] = rows, -rows @ self.place_m
         width, height = self.size_px

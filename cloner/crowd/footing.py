@@ -174,10 +174,10 @@ def turned_by(headings: Any, points: Array) -> Array:
     return np.stack([c * points[:, 0] + s * points[:, 1], c * points[:, 1] - s * points[:, 0]], axis=1)
 
 
-def rows_at(acted: Acted, now: float) -> NDArray[np.float32]:
-    """Return everybody's rows at a time, (N, PERSON_TEXELS, 4) float32, as ``footing.js`` fills them."""
+def rows_at(acted: Acted, times: float | Array) -> NDArray[np.float32]:
+    """Return everybody's rows at a time, or each at an own one, (N, 5, 4) float32, as ``footing.js`` fills them."""
     rows = acted.people.copy()
-    for who in range(len(rows)):
+    for who, now in enumerate(np.broadcast_to(times, len(rows)).tolist()):
         own = acted.footings[acted.starts[who] : acted.starts[who + 1]]
         k = int(np.searchsorted(own[:, FROM], now, side="right")) - 1
         if k < 0 or now >= own[k, UNTIL]:

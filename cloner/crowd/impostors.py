@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from cloner.crowd.cast import Cast, posed
 from cloner.crowd.clips import Clip
 from cloner.crowd.levels import BodyLevels
-from cloner.crowd.stock import middle_m
-from cloner.crowd.theatre import Stock, Theatre
+from cloner.crowd.stock import Stock, middle_m
+from cloner.crowd.theatre import Theatre
 
 Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]

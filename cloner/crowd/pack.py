@@ -18,6 +18,7 @@ from cloner.crowd.clips import WALK_FRAMES
 from cloner.crowd.files import (
     FORMAT,
     MARK,
+    SHAPE_QUALITY,
     VERSION,
     digest,
     pack_folder,
@@ -34,7 +35,8 @@ from cloner.crowd.levels import LOOSE, BodyLevels, body_levels
 from cloner.crowd.looks import casting_of, garment_masks, read_looks
 from cloner.crowd.people import find_people, load_person
 from cloner.crowd.player import player_page
-from cloner.crowd.theatre import DEPTH_RANGE_M, SUN, Stock
+from cloner.crowd.stock import Stock
+from cloner.crowd.theatre import DEPTH_RANGE_M, SUN
 from cloner.crowd.vat import vat_files
 from cloner.errors import ClonerError
 from cloner.motion.acts import ACTS
@@ -71,6 +73,8 @@ class Wanted:
         Walks of all feelings and what people do who stand, as scenarios want them.
     classic : bool
         Impostors as in the source: a texel a pixel, nearest view, no depth.
+    carved : callable or None
+        Makes a statue of a clone: everybody can be one then.
     """
 
     people: int = 5000
@@ -83,6 +87,7 @@ class Wanted:
     walks: tuple[Path, ...] = ()
     feelings: bool = False
     classic: bool = False
+    carved: Callable[[Clone], Clone] | None = None
 
 
 def make_pack(
@@ -112,21 +117,26 @@ def make_pack(
     for one in found:  # nobody waits for a bake to hear that the last clone is refused
         _, generic = load_person(one, generic)
     files: dict[str, str] = {}
-    rows, masks = [], []
+    rows, masks, tones = [], [], []
     with pack_folder(out) as folder:
         for number, one in enumerate(found, start=1):
             told(one.identifier, number, len(found))
             clone, _ = load_person(one, generic)
             cast = cast_of(
-                one.identifier, clone, body, poses=wanted.poses, walks=wanted.walks, feelings=wanted.feelings
-            )
+                one.identifier, clone, body, poses=wanted.poses, walks=wanted.walks, feelings=wanted.feelings,
+                carved=wanted.carved,
+            )  # fmt: skip
             row, first_bone = _person(folder, cast, clone, body, wanted, first_bone, files)
             rows.append(row)
+            if cast.stone is not None:
+                tones.append(cast.stone[cast.codes > 0].mean(axis=0) / 255.0)
             masks.append(garment_masks(cast.codes[:: len(cast.codes) // MASK_PX, :: len(cast.codes) // MASK_PX]))
         casting = casting_of(masks, looks)
         data, body_told = packed(_body_arrays(body))
         _write(folder, "body.bin", data, files)
         facts = _facts(wanted, rows, body, casting, body_told, files)
+        if tones:
+            facts["statues"] = {"colour": np.mean(tones, axis=0).round(4).tolist()}
         page = player_page(folder, facts)
         facts["player"] = {"sha256": digest(page), "bytes": len(page)}
         (folder / "player.html").write_bytes(page)
@@ -190,6 +200,9 @@ def _person(
         "grey.png": small_png(grey_atlas(cast.atlas, cast.codes, cast.looks)),
         f"{cast.identifier}.glb": levels_glb(cast, clone, body),
     }
+    if cast.stone is not None and cast.stone_shell is not None:
+        content["stone.webp"] = webp(cast.stone, ATLAS_QUALITY)
+        content["stone_shell.webp"] = webp(cast.stone_shell, SHAPE_QUALITY)
     if wanted.vat:
         content |= vat_files(cast, body)
     for name, one in content.items():

@@ -10,16 +10,25 @@ from html import escape
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.crowd.rooms import ROOM_FILES
+from cloner.crowd.rooms import ECHO_FILE, ROOM_FILES
+from cloner.crowd.shaders import files
 
 #: The files of the pack that the page holds.
 HELD: Final = ("numbers.bin", "colours.webp", "shapes.webp", "covers.webp", "atlas.webp", "codes.webp", "shell.webp")
+#: And those of packs whose people can be statues.
+STONES: Final = ("stone.webp", "stone_shell.webp")
 #: Footings of a pack that acts a scenario, numbers in line.
 ACTED_FILE: Final = "acted.bin"
-SHADERS: Final = ("common.glsl", "shading.glsl", "worn.glsl", "person.vert", "person.frag", "impostor.vert",
-                  "impostor.frag", "ground.vert", "ground.frag", "block.vert", "block.frag",
-                  "room.vert", "room.frag")  # fmt: skip
-_SCRIPTS: Final = ("scene.js", "stage.js", "footing.js", "room.js", "player.js")
+_SCRIPTS: Final = (
+    "scene.js",
+    "stage.js",
+    "footing.js",
+    "daylight.js",
+    "room.js",
+    "staging.js",
+    "sound.js",
+    "player.js",
+)
 _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src 'none'"
 )
@@ -35,17 +44,18 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
         What ``crowd.json`` will hold.
     """
     web = importlib.resources.files("cloner.crowd") / "web"
-    names = ["body.bin", *(f"people/{row['id']}/{name}" for row in facts["people"] for name in HELD)]
+    own = (*HELD, *(STONES if facts.get("statues") else ()))
+    names = ["body.bin", *(f"people/{row['id']}/{name}" for row in facts["people"] for name in own)]
     if "acted" in facts:
         names.append(ACTED_FILE)
     if "room" in facts:
-        names += ROOM_FILES
+        names += [one for one in (*ROOM_FILES, ECHO_FILE) if one in facts["files"]]
     held = "".join(
         f'<script type="application/octet-stream" data-file="{escape(name)}">'
         f"{base64.b64encode((folder / name).read_bytes()).decode('ascii')}</script>\n"
         for name in names
     )
-    shaders = {name: (web / name).read_text(encoding="utf-8") for name in SHADERS}
+    shaders = {name: (web / name).read_text(encoding="utf-8") for name in files()}
     told = {key: value for key, value in facts.items() if key != "files"}
     page = (web / "player.html").read_text(encoding="utf-8")
     parts = {

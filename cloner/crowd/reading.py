@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -12,11 +13,10 @@ from cloner.crowd.files import FORMAT, MARK, VERSION, digest, picture, shell_fro
 from cloner.crowd.footing import Acted, fits
 from cloner.crowd.impostors import Bake, with_tiles
 from cloner.crowd.levels import LOOSE, body_levels
-from cloner.crowd.player import ACTED_FILE
-from cloner.crowd.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, LitRoom, Probes
+from cloner.crowd.player import ACTED_FILE, STONES
+from cloner.crowd.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, LitRoom, Probes
 from cloner.crowd.scene import Casting
-from cloner.crowd.stock import Numbers
-from cloner.crowd.theatre import Stock
+from cloner.crowd.stock import Numbers, Stock
 from cloner.crowd.told import why_unfit
 from cloner.errors import ClonerError, plain
 from cloner.outside import read_outside
@@ -60,6 +60,7 @@ def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
     """
     body = body_levels()
     numbers, rows, atlases, shells, tiles = [], [], [], [], []
+    stones: dict[str, list[Any]] = {name: [] for name in (STONES if facts.get("statues") else ())}
     try:
         for row in facts["people"]:
             files = {
@@ -72,8 +73,12 @@ def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
             atlases.append(np.dstack([picture(files["atlas.webp"]), picture(files["codes.webp"])[..., 0]]))
             shells.append(shell_from(files["shell.webp"]))
             tiles.append(tiles_from(files, arrays["tiles"]))
+            for name, own in stones.items():
+                own.append(picture(checked(pack, f"people/{row['id']}/{name}", facts)))
         elevations = tuple(float(np.radians(ring)) for ring in facts["impostors"]["rings_deg"])
         held = Stock(body, LOOSE, tuple(numbers), np.stack(rows), np.stack(atlases), np.stack(shells))
+        if stones:
+            held = replace(held, stones=np.stack(stones[STONES[0]]), stone_shells=np.stack(stones[STONES[1]]))
         return with_tiles(held, tiles, Bake(int(facts["impostors"]["views"]), elevations))
     except (ValueError, LookupError, TypeError, OSError) as error:
         raise ClonerError("the crowd's files do not fit together", _AGAIN, pack.name) from error
@@ -111,9 +116,9 @@ def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
     told = facts["room"]
     try:
         held = unpacked(checked(pack, ROOM_FILE, facts), told["arrays"])
-        looks, light = (picture(checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE))
+        looks, light, sun = (picture(checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE, SUN_FILE))
         shape = tuple(told["shape"])
-        fits_in = held["probes"].shape == (*shape, 3, 4) and held["sun"].shape == shape
+        fits_in = sun.shape == light.shape and held["probes"].shape == (*shape, 3, 4) and held["sun"].shape == shape
         finite = all(np.isfinite(one).all() for one in held.values())
         if not (fits_in and finite and len(told["heights"]) == shape[0] and not looks.shape[0] % looks.shape[1]):
             raise ValueError("a room of odd shapes")
@@ -121,7 +126,7 @@ def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
         raise ClonerError("the room's files do not fit together", "Build it again", pack.name) from error
     low, heights = np.array(told["low"], float), np.array(told["heights"], float)
     probes = Probes(low, heights, float(told["step"]), held["probes"], held["sun"])
-    return LitRoom(held["corners"], looks, light, probes, told)
+    return LitRoom(held["corners"], looks, light, sun[..., 0], probes, told)
 
 
 def checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:

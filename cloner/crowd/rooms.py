@@ -1,7 +1,8 @@
 """A lit room that a pack's clones stand in: its triangles, its light map, and the probes that light people.
 
-``room.bin`` holds arrays; ``room_looks.webp`` textures one below another; ``room_light.webp`` the light map, sRGB,
-white standing for ``brightest``. ``cloner scene build`` writes them.
+``room.bin`` holds arrays; ``room_looks.webp`` textures one below another; ``room_light.webp`` the light map without the
+sun's own light, sRGB, white standing for ``brightest``; ``room_sun.webp`` how much of the sun falls there, so that
+people can stand in its way. ``cloner scene build`` writes them.
 """
 
 from __future__ import annotations
@@ -16,7 +17,10 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 ROOM_FILE, LOOKS_FILE, LIGHT_FILE = "room.bin", "room_looks.webp", "room_light.webp"
-ROOM_FILES: Final = (ROOM_FILE, LOOKS_FILE, LIGHT_FILE)
+SUN_FILE: Final = "room_sun.webp"
+ROOM_FILES: Final = (ROOM_FILE, LOOKS_FILE, LIGHT_FILE, SUN_FILE)
+#: How the room sounds on its largest floor, where that was worked out.
+ECHO_FILE: Final = "room_echo.wav"
 #: Texels that a person's light has: c0 and c of red, green and blue; how much of the sun is seen.
 GLOW: Final = 4
 #: People are lit as their chests are, metres.
@@ -44,11 +48,12 @@ class Probes:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class LitRoom:
-    """What is drawn: (3 T, 8) corners (place, uv, light-map uv, look); pictures (H, W, 3); and the sun."""
+    """What is drawn: (3 T, 8) corners (place, uv, light-map uv, look); pictures (H, W, 3); the sun's share (H, W)."""
 
     corners: NDArray[np.float32]
     looks: NDArray[np.uint8]
     light: NDArray[np.uint8]
+    sun: NDArray[np.uint8]
     probes: Probes
     facts: Mapping[str, Any]
 
@@ -72,7 +77,7 @@ def light_at(probes: Probes, places: Array) -> tuple[Array, Array]:
 
 def glow_of(probes: Probes, rows: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return the (N, GLOW, 4) light of people whose (N, 5, 4) rows tell where they are."""
-    places = np.column_stack([rows[:, 0, 1], np.full(len(rows), CHEST_M), rows[:, 0, 2]]).astype(np.float64)
+    places = np.column_stack([rows[:, 0, 1], CHEST_M + rows[:, 4, 2], rows[:, 0, 2]]).astype(np.float64)
     light, sun = light_at(probes, places)
     glow = np.zeros((len(rows), GLOW, 4), np.float32)
     glow[:, :3], glow[:, 3, 0] = light, sun

@@ -12,12 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
+from cloner.crowd.daylight import CAST_PX, DAY, Hour, room_values
 from cloner.crowd.eye import Eye
 from cloner.crowd.files import MARK
 from cloner.crowd.footing import GONE, Acted, rows_at
 from cloner.crowd.reading import casting_from, read_acted, read_facts, read_room, read_stock
 from cloner.crowd.rooms import LitRoom, glow_of
 from cloner.crowd.scene import ACTED, SCENES, Scene, places, scene_of
+from cloner.crowd.staging import UP, Staging, finished, staging_of
 from cloner.crowd.theatre import Theatre
 from cloner.errors import ClonerError
 from cloner.vision.films import FORMATS, write_film
@@ -85,7 +87,10 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
     theatre = Theatre(read_stock(pack, facts))
     temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
     try:
-        painter = Painter(theatre, facts, made, (width, height), read_room(pack, facts) if name == ACTED else None)
+        staging = staging_of(facts) if name == ACTED else None
+        painter = Painter(
+            theatre, facts, made, (width, height), read_room(pack, facts) if name == ACTED else None, staging
+        )
         if out.suffix.lower() in FORMATS:
             write_film(_film(painter, views[view]), FRAMES_PER_S, temporary)
         else:
@@ -113,22 +118,25 @@ class Painter:
 
     def __init__(
         self, theatre: Theatre, facts: dict[str, Any], made: Scene | Acted, size_px: tuple[int, int],
-        room: LitRoom | None = None,
+        room: LitRoom | None = None, staging: Staging | None = None,
     ) -> None:  # fmt: skip
+        self._staging = staging
         self._room = room
         if room:
-            theatre.send_room(room.looks, room.light)
+            theatre.send_room(room.looks, room.light, room.sun)
         self._theatre, self._facts, self._scene, self._size = theatre, facts, made, size_px
-        self._focal = size_px[1] / 2.0 / np.tan(np.radians(FIELD_DEG) / 2.0)
         if isinstance(made, Scene):
             theatre.send_people(made.rows)
 
-    def picture(self, view: tuple[Any, Any], now: float, mode: str = "hybrid") -> Pixels:
+    def picture(
+        self, view: tuple[Any, Any], now: float, mode: str = "hybrid", hour: Hour = DAY, field_deg: float = FIELD_DEG
+    ) -> Pixels:
         """Return the (H, W, 3) picture from a place towards a target at a time, seconds.
 
         ``mode``: "hybrid", "levels" (no impostors) or "geometry" (the finest level alone).
         """
-        eye = Eye(np.array(view[0], float), np.array(view[1], float), self._size, float(self._focal))
+        focal = self._size[1] / 2.0 / np.tan(np.radians(field_deg) / 2.0)
+        eye = Eye(np.array(view[0], float), np.array(view[1], float), self._size, float(focal))
         theatre = self._theatre
         target = theatre.target(self._size, 1, SAMPLES)
         values = {
@@ -136,13 +144,17 @@ class Painter:
             "laneLength": self._scene.lane_m if isinstance(self._scene, Scene) else 1.0, "cutoff": 0.0,
             "classic": int(bool(self._facts["impostors"]["classic"])),
         }  # fmt: skip
+        if "statues" in self._facts:
+            values["stoneColour"] = tuple(self._facts["statues"]["colour"])
         if self._room:
-            told = self._room.facts
-            values |= {"roomed": 1, "sunWay": tuple(told["sun_way"]), "sunLight": tuple(told["sun_light"]),
-                       "brightest": float(told["brightest"])}  # fmt: skip
-        theatre.begin(target, SKY)
+            values |= room_values(self._room.probes, self._room.facts, eye, hour)
         chosen = self._tiers(eye, now, mode)
+        if "shadowed" in values:
+            seen = np.concatenate(chosen)
+            theatre.cast(_instances(seen), {**values, "clipFromWorld": values["shadowFromWorld"]}, CAST_PX)
+        theatre.begin(target, SKY)
         if self._room:
+            theatre.draw_sky(values)
             theatre.draw_room(self._room.corners, values)
         if isinstance(self._scene, Acted):
             theatre.draw_blocks(self._scene.blocks, values)
@@ -154,16 +166,24 @@ class Painter:
         theatre.soft(False)
         return np.ascontiguousarray(theatre.read(target)[..., :3])
 
+    def film_picture(self, now: float) -> Pixels:
+        """Return the (H, W, 3) picture of a staged film at a time, seconds."""
+        if self._staging is None or not isinstance(self._scene, Acted):
+            raise ValueError("nothing is staged")
+        eye, look, field_deg = self._staging.camera(self._staging.rows(self._scene, now), now)
+        shown = self.picture((eye, look), now, hour=self._staging.hour(now), field_deg=field_deg)
+        return finished(shown, self._staging.caption(now), self._staging.curtain(now))
+
     def _tiers(self, eye: Eye, now: float, mode: str) -> list[NDArray[np.int64]]:
         """Return who is drawn at each level, and last as an impostor."""
         if isinstance(self._scene, Scene):
             where, here = places(self._scene, now), None
         else:
-            rows = rows_at(self._scene, now)
+            rows = self._staging.rows(self._scene, now) if self._staging else rows_at(self._scene, now)
             self._theatre.send_people(rows)
             if self._room:
                 self._theatre.send_glow(glow_of(self._room.probes, rows))
-            where, here = np.column_stack([rows[:, 0, 1], np.zeros(len(rows)), rows[:, 0, 2]]), rows[:, 0, 0] < GONE
+            where, here = np.column_stack([rows[:, 0, 1], rows[:, 4, UP], rows[:, 0, 2]]), rows[:, 0, 0] < GONE
         away = np.linalg.norm(where + (0.0, 0.9, 0.0) - eye.place_m, axis=1)
         tiers = self._facts["tiers"]
         far = eye.focal_px * self._facts["switch"]["metres_per_focal_px"]

@@ -51,6 +51,37 @@ class Numbers:
     bones: NDArray[np.int16]
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Stock:
+    """Everything that the shaders read of some clones.
+
+    Attributes
+    ----------
+    body : BodyLevels
+    budgets : loose triangles of each level
+    numbers : tuple of Numbers, one a clone
+    table : (C, COLUMNS, 4) float32
+    atlases : (C, A, A, 4) uint8, shells : (C, B, 2 B, 4) uint8
+    tiles : (C, 2 T, 4) float32, colours : (C, H, W, 4) uint8, shapes : (C, H/2, W/2, 4) uint8, or None before baking
+    elevations : tuple of radians
+    stones : (C, A, A, 3) uint8, stone_shells : (C, B, 2 B, 3) uint8
+        The same people in stone, or None.
+    """
+
+    body: BodyLevels
+    budgets: tuple[int, ...]
+    numbers: tuple[Numbers, ...]
+    table: NDArray[np.float32]
+    atlases: NDArray[np.uint8]
+    shells: NDArray[np.uint8]
+    tiles: NDArray[np.float32] | None = None
+    colours: NDArray[np.uint8] | None = None
+    shapes: NDArray[np.uint8] | None = None
+    elevations: tuple[float, ...] = (0.0,)
+    stones: NDArray[np.uint8] | None = None
+    stone_shells: NDArray[np.uint8] | None = None
+
+
 def numbers_of(cast: Cast, budgets: Sequence[int] = LOOSE) -> Numbers:
     """Return a clone's numbers; ``budgets`` are the loose triangles of each level."""
     used, triangles = _compact(cast.loose)

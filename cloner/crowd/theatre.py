@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import importlib.resources
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
@@ -12,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.crowd import stock
 from cloner.crowd.groups import STEP
-from cloner.crowd.levels import BodyLevels
+from cloner.crowd.shaders import PARTS, UNROOMED, source
 from cloner.generic.gl_painter import new_context
 
 Array = NDArray[np.float64]
@@ -22,53 +20,20 @@ HEADER: Final = "#version 330\n"
 #: Depth that 8 bits of an impostor stand for, metres: a stride with swinging arms.
 DEPTH_RANGE_M: Final = 1.4
 SUN: Final = (0.45, 0.75, 0.48)
+#: The level whose shadow people cast: its outline is within a texel of the shadow's map.
+CAST_LEVEL: Final = 2
 _A2C: Final = 0x809E  # GL_SAMPLE_ALPHA_TO_COVERAGE
 _UNITS: Final = ("people", "clones", "vertices", "loose", "corners", "bones", "atlases", "shells", "tiles", "colours",
-                 "shapes", "glow", "roomLooks", "roomLight")  # fmt: skip
-_PARTS: Final = {
-    "person": (("common", "person.vert"), ("common", "shading", "worn", "person.frag")),
-    "bake": (("common", "person.vert"), ("common", "shading", "worn", "bake.frag")),
-    "impostor": (("common", "impostor.vert"), ("common", "shading", "impostor.frag")),
-    "ground": (("common", "ground.vert"), ("ground.frag",)),
-    "block": (("block.vert",), ("shading", "block.frag")),
-    "room": (("room.vert",), ("room.frag",)),
-}
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Stock:
-    """Everything that the shaders read of some clones.
-
-    Attributes
-    ----------
-    body : BodyLevels
-    budgets : loose triangles of each level
-    numbers : one a clone
-    table : (C, COLUMNS, 4) float32
-    atlases : (C, A, A, 4) uint8, shells : (C, B, 2 B, 4) uint8
-    tiles : (C, 2 T, 4) float32, colours : (C, H, W, 4) uint8, shapes : (C, H/2, W/2, 4) uint8, or None before baking
-    elevations : tuple of radians
-    """
-
-    body: BodyLevels
-    budgets: tuple[int, ...]
-    numbers: tuple[stock.Numbers, ...]
-    table: NDArray[np.float32]
-    atlases: Pixels
-    shells: Pixels
-    tiles: NDArray[np.float32] | None = None
-    colours: Pixels | None = None
-    shapes: Pixels | None = None
-    elevations: tuple[float, ...] = (0.0,)
+                 "shapes", "glow", "roomLooks", "roomLight", "roomSun", "shadows", "stones", "stoneShells")  # fmt: skip
 
 
 class Theatre:
     """One GL context with the textures of a stock and of the people in front of it."""
 
-    def __init__(self, held: Stock) -> None:
+    def __init__(self, held: stock.Stock) -> None:
         self.stock = held
         self._gl: Any = new_context()
-        self._programs = {name: self._program(*parts) for name, parts in _PARTS.items()}
+        self._programs = {name: self._program(*parts) for name, parts in PARTS.items()}
         self._textures: dict[str, Any] = {}
         self._levels: dict[tuple[str, int], tuple[Any, ...]] = {}
         self._instances = self._gl.buffer(reserve=8)
@@ -97,6 +62,9 @@ class Theatre:
         self._flat("clones", held.table, "f4")
         self._array("atlases", held.atlases, "f1", mips=4)
         self._array("shells", held.shells, "f1", mips=4)
+        none = np.zeros((len(held.table), 1, 1, 3), np.uint8)
+        self._array("stones", none if held.stones is None else held.stones, "f1", mips=4)
+        self._array("stoneShells", none if held.stone_shells is None else held.stone_shells, "f1", mips=4)
         self.send_tiles()
 
     def send_tiles(self) -> None:
@@ -118,13 +86,15 @@ class Theatre:
         rows = stock.padded_rows(glow, 256)
         self._flat("glow", rows.reshape(len(rows), -1, 4), "f4")
 
-    def send_room(self, looks: Pixels, light: Pixels) -> None:
-        """Send a room's textures, one below another, and its light map, (H, W, 3) each."""
+    def send_room(self, looks: Pixels, light: Pixels, sun: Pixels) -> None:
+        """Send a room's textures, one below another, its light map, (H, W, 3) each, and the sun's share (H, W)."""
         side = looks.shape[1]
         self._array("roomLooks", looks.reshape(-1, side, side, 3), "f1", mips=6)
         self._textures["roomLooks"].repeat_x = self._textures["roomLooks"].repeat_y = True
         self._flat("roomLight", light, "f1")
-        self._textures["roomLight"].filter = (self._gl.LINEAR, self._gl.LINEAR)
+        self._flat("roomSun", sun[..., None], "f1")
+        for name in ("roomLight", "roomSun"):
+            self._textures[name].filter = (self._gl.LINEAR, self._gl.LINEAR)
 
     def draw_room(self, corners: NDArray[np.float32], values: Mapping[str, Any]) -> None:
         """Draw triangles given as (3 T, 8) corners: place, uv, light-map uv, look; only their fronts."""
@@ -192,7 +162,7 @@ class Theatre:
             "rings": len(self.stock.elevations), "sunWay": _unit(SUN), "debugView": 0,
             "ringElevations": (*self.stock.elevations, 0.0, 0.0, 0.0)[:4], "classic": 0, "dearFromPx": 24.0,
             "now": 0.0, "coarse": 0, "laneLength": 100.0, "cutoff": 0.5,
-            "roomed": 0, "sunLight": (0.0, 0.0, 0.0),
+            **UNROOMED,
         }  # fmt: skip
         for name, value in {**fixed, **values}.items():
             if name in own:
@@ -257,6 +227,27 @@ class Theatre:
         self._gl.fbo.depth_mask = True
         self._gl.disable(self._gl.BLEND)
 
+    def draw_sky(self, values: Mapping[str, Any]) -> None:
+        """Draw the sky behind everything."""
+        self.uniforms("sky", values)
+        corner = self._gl.buffer(np.array([[0, 0], [1, 0], [0, 1], [1, 1]], np.float32).tobytes())
+        quad = self._gl.vertex_array(self._programs["sky"], [(corner, "2f", "corner")])
+        quad.render(self._gl.TRIANGLE_STRIP)
+        quad.release()
+        corner.release()
+
+    def cast(self, who: NDArray[np.float32], values: Mapping[str, Any], size_px: int) -> None:
+        """Draw the depth of (N, 2) instances as the sun sees them; ``clipFromWorld`` is the sun's."""
+        if "shadows" not in self._textures:
+            self._textures["shadows"] = self._gl.depth_texture((size_px, size_px))
+            self._textures["shadows"].compare_func = ""
+            self._textures["shadows"].filter = (self._gl.NEAREST, self._gl.NEAREST)
+            self._sun = self._gl.framebuffer(depth_attachment=self._textures["shadows"])
+        self._sun.use()
+        self._sun.clear()
+        self._gl.enable_only(self._gl.DEPTH_TEST)
+        self.draw_people(CAST_LEVEL, who, values, "cast")
+
     def draw_blocks(self, corners: NDArray[np.float32], values: Mapping[str, Any]) -> None:
         """Draw triangles given as (3 T, 6) corners and normals."""
         if not len(corners):
@@ -293,12 +284,6 @@ class Theatre:
             target = plain
         data = target.read(components=4, attachment=attachment, alignment=1)
         return np.frombuffer(data, np.uint8).reshape(height, width, 4)[::-1]
-
-
-def source(names: Sequence[str]) -> str:
-    """Return the text of shader parts, one after another."""
-    folder = importlib.resources.files("cloner.crowd") / "web"
-    return "\n".join((folder / (name if "." in name else f"{name}.glsl")).read_text(encoding="utf-8") for name in names)
 
 
 def _unit(vector: Sequence[float]) -> tuple[float, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from pathlib import PurePosixPath
 from typing import Any, Final
 
@@ -29,8 +30,14 @@ def why_unfit(facts: Any) -> str:
     wrong = _unfit(facts, _FACTS, "")
     if not wrong and ("acted" in facts or facts["scene"] == ACTED):
         wrong = _unfit(facts, _ACTED, "")
+    if not wrong and "statues" in facts:
+        wrong = _unfit(facts, _STATUES, "")
+    if not wrong and "staging" in facts:
+        wrong = _unfit(facts, _STAGING, "") or _unstaged(facts["staging"], facts.get("people_count", 0))
     if not wrong and "room" in facts:
         wrong = _unfit(facts, _ROOM, "")
+    if not wrong and "echo" in facts.get("room", {}):
+        wrong = _unfit(facts["room"]["echo"], _Rows(_number(-1e6, 1e6), 4, 4), "room.echo")
     if wrong:
         return wrong
     clones = len(facts["people"])
@@ -161,14 +168,56 @@ _ACTED: Final = {
         "views": {name: _Rows(_PLACE, 2, 2) for name in ("overview", "near", "street")},
     }
 }  # fmt: skip
+#: For packs whose people can be statues: the material's mean colour.
+_STATUES: Final = {"statues": {"colour": _PLACE}}
+
+
+def _keys(columns: int) -> Check:
+    """Return what keys of a time and so many values are: rows of numbers, times rising."""
+    row = _Rows(_number(-1e6, 1e6), columns + 1, columns + 1)
+
+    def fits(value: Any) -> bool:
+        return not _unfit(value, _Rows(row, 1), "keys") and all(one[0] <= other[0] for one, other in pairwise(value))
+
+    return fits
+
+
+def _pair(first: Check, second: Check) -> Check:
+    return lambda value: isinstance(value, list) and len(value) == 2 and first(value[0]) and second(value[1])
+
+
+def _unstaged(told: Any, people: int) -> str:
+    """Return what is staged of people that there are not."""
+    named = [one[0] for name in ("wakes", "hardens", "stone", "up") for one in told[name]]
+    named += [one[key] for one in told["heads"] for key in ("who", "of")]
+    named += [int(key[7]) for shot in told["shots"] for key in shot]
+    return "" if all(one < people for one in named) else "staging"
+
+
+_WHO: Final = _whole(0, MOST_PEOPLE)
+#: As :mod:`cloner.crowd.staging` has it.
+_STAGING: Final = {
+    "staging": {
+        "wakes": _Rows(_pair(_WHO, _number(0.0, 1e6))), "hardens": _Rows(_pair(_WHO, _number(0.0, 1e6))),
+        "stone": _Rows(_pair(_WHO, _keys(1))), "up": _Rows(_pair(_WHO, _keys(1))),
+        "heads": _Rows({"who": _WHO, "of": _WHO, "until": _number(0.0, 1e6), "path": _keys(5)}),
+        "shots": _Rows(_keys(8)), "light": _keys(3), "stars": _keys(1), "stops": _keys(1), "curtain": _keys(1),
+        "lantern": _keys(6),
+        "captions": _Rows(lambda one: isinstance(one, list) and len(one) == 3 and all(map(_number(0, 1e6), one[:2]))
+                          and _text(one[2])),
+    }
+}  # fmt: skip
 #: As :class:`cloner.crowd.rooms.LitRoom` has them, for packs whose clones stand in a lit room.
 _ROOM: Final = {
     "room": {
         "arrays": {
             "corners": _array("float32", 0, 8), "probes": _array("float32", 0, 0, 0, 3, 4),
             "sun": _array("float32", 0, 0, 0),
+            "walkable": _array("uint8", 0, 0),
         },
+        "ground_low": _Rows(_number(-1e6, 1e6), 2, 2), "ground_step": _METRES,
         "low": _PLACE, "heights": _Rows(_number(0.0, 1000.0), 1, 16), "shape": _Rows(_whole(1, 10_000), 3, 3),
-        "step": _METRES, "brightest": _METRES, "sun_way": _PLACE, "sun_light": _PLACE,
+        "step": _METRES, "brightest": _METRES, "sun_way": _PLACE, "sun_light": _PLACE, "sky_light": _PLACE,
+        "ground": _PLACE,
     }
 }  # fmt: skip

@@ -1,4 +1,4 @@
-"""What people do while they stand: look, wave, point, photograph, pay, applaud; each closed into a circle.
+"""What people do while they stand: look, wave, point, photograph, pay, applaud, lift; each closed into a circle.
 
 The lower body is that of the idle; hands go to places told in shares of the arm's length, so that they meet and reach
 whatever the person's size. All places and times are taste.
@@ -30,6 +30,11 @@ PHOTOGRAPH_S: Final = 4.0
 PAY_S: Final = 4.0
 APPLAUD_S: Final = 2.0
 CLAPS: Final = 4
+LIFT_S: Final = 8.0
+#: Who lifts something from the ground bends so far from the hips and on along the spine, and leans thighs and shanks so
+#: far, radians; the wrists go so far outwards, up and ahead of the feet, metres for somebody of 1.7 m.
+BEND, CURL, THIGH, SHANK = 1.1, 0.5, 1.25, 0.9
+LOW_M: Final = (0.14, 0.20, 0.46)
 #: An arm never gets straighter than this share of its length: elbows must not snap.
 REACH: Final = 0.985
 _DOWN: Final = np.array([0.0, -1.0, 0.0])
@@ -85,10 +90,54 @@ def applaud(body: Body) -> Motion:
     return _made(body, motion, world)
 
 
+def lift(body: Body) -> Motion:
+    """Return somebody who takes something from the ground with both hands, lifts it before the face and lets it go."""
+    motion, world, turn = _standing(body, LIFT_S, "lift")
+    hanging = {side: _wrist(body, world, motion, side) for side in SIDES}
+    share = turn / (2.0 * np.pi)
+    down = _eased(share, 0.0, 0.3) * (1.0 - _eased(share, 0.4, 0.66))
+    up = _eased(share, 0.42, 0.66) * (1.0 - _eased(share, 0.84, 1.0))
+    motion = _bent(body, world, motion, down)
+    size = body.joints_m[body.joint("skullbase"), 1] / 1.52  # of somebody of 1.7 m
+    for side in SIDES:
+        low = _sided(side, LOW_M) * size
+        high = _of_head(body, world, motion, side, (0.27, -0.20, 0.62))
+        place = hanging[side] + (low - hanging[side]) * down[:, None]
+        _reach(body, world, motion, side, place + (high - place) * up[:, None], (0.7, -0.6, -0.3))
+    return _made(body, motion, world)
+
+
 #: By the words that scenarios have for them.
 ACTS: Final[Mapping[str, Callable[[Body], Motion]]] = MappingProxyType({
-    "look": look, "wave": wave, "point": point, "photograph": photograph, "pay": pay, "applaud": applaud,
+    "look": look, "wave": wave, "point": point, "photograph": photograph, "pay": pay, "applaud": applaud, "lift": lift,
 })  # fmt: skip
+
+
+def _eased(share: Array, first: float, last: float) -> Array:
+    at = np.clip((share - first) / (last - first), 0.0, 1.0)
+    return np.asarray(at * at * (3.0 - 2.0 * at))
+
+
+def _wrist(body: Body, world: Array, motion: Motion, side: str) -> Array:
+    return np.asarray(turns.places(world, body.joints_m, body.parents, motion.root_m)[:, body.joint(f"{side}_wrist")])
+
+
+def _bent(body: Body, world: Array, motion: Motion, share: Array) -> Motion:
+    """Bend (F,) shares of a bow into the orientations; the feet stay, so the root moves, which is returned."""
+    ankles = [body.joint("l_ankle"), body.joint("r_ankle")]
+    legs = {one for side in SIDES for one in below(body, body.joint(f"{side}_hip"))}
+    before = turns.places(world, body.joints_m, body.parents, motion.root_m)[:, ankles].mean(axis=1)
+    spine = [body.joint(name) for name in ("vl4", "vl1", "vt10", "vt6", "vt1")]
+    for joint in range(len(body.joints_m)):
+        if joint not in legs:
+            curl = sum(joint in below(body, one) for one in spine) / len(spine)
+            world[:, joint] = turns.about(X, share * (BEND + CURL * curl)) @ world[:, joint]
+    for side in SIDES:
+        for name, lean in (("hip", -THIGH), ("knee", SHANK)):
+            joint = body.joint(f"{side}_{name}")
+            world[:, joint] = turns.about(X, share * lean) @ world[:, joint]
+    after = turns.places(world, body.joints_m, body.parents, motion.root_m)[:, ankles].mean(axis=1)
+    return replace(motion, root_m=motion.root_m + before - after)
 
 
 def _standing(body: Body, seconds: float, name: str) -> tuple[Motion, Array, Array]:

@@ -109,8 +109,8 @@ def filled(values: Array, there: NDArray[np.bool_]) -> Array:
 
 
 def laid(charts: tuple[Chart, ...], values: list[Array], size: tuple[int, int]) -> NDArray[np.float32]:
-    """Return the (H, W, 3) map of each chart's (nv, nu, 3) values, their borders repeated."""
-    out = np.zeros((size[1], size[0], 3), np.float32)
+    """Return the (H, W, k) map of each chart's (nv, nu, k) values, their borders repeated."""
+    out = np.zeros((size[1], size[0], values[0].shape[2]), np.float32)
     for chart, own in zip(charts, values, strict=True):
         padded = np.pad(own, ((PAD, PAD), (PAD, PAD), (0, 0)), mode="edge")
         y, x = chart.y - PAD, chart.x - PAD

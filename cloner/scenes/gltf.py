@@ -63,9 +63,9 @@ def meshes_of(charts: tuple[Chart, ...], size: tuple[int, int]) -> list[Mesh]:
     return made
 
 
-def to_bytes(light: NDArray[np.float32]) -> NDArray[np.uint8]:
-    """Return a light map as sRGB, ``BRIGHTEST`` being white."""
-    linear = np.clip(light / BRIGHTEST, 0.0, 1.0)
+def to_bytes(light: NDArray[np.float32], brightest: float = BRIGHTEST) -> NDArray[np.uint8]:
+    """Return a light map as sRGB, ``brightest`` being white."""
+    linear = np.clip(light / brightest, 0.0, 1.0)
     srgb = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1.0 / 2.4) - 0.055)
     return np.asarray((srgb * 255.0 + 0.5).astype(np.uint8))
 

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import io
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
@@ -10,21 +13,29 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from cloner.acting.written import RoomParts, bake_file
+from cloner.acting.written import RoomParts, bake_file, things_of
+from cloner.behaviour.trajectories import Trajectories
 from cloner.crowd.files import packed, webp
-from cloner.crowd.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, Probes
+from cloner.crowd.footing import Acted
+from cloner.crowd.reading import read_facts, read_stock
+from cloner.crowd.rooms import ECHO_FILE, LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, Probes
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, quiet
 from cloner.scenes import looks
 from cloner.scenes.charts import charts_of
 from cloner.scenes.direct import sun_way
-from cloner.scenes.gltf import BRIGHTEST, meshes_of
-from cloner.scenes.plan import Plan
-from cloner.scenes.solids import Room
-from cloner.scenes.written import light_in, room_in
+from cloner.scenes.gltf import meshes_of
+from cloner.scenes.pieces import plain_of
+from cloner.scenes.plan import Block, Plan
+from cloner.scenes.solids import Panel, Room
+from cloner.scenes.staged import with_statues
+from cloner.scenes.walkable import walkable_of
+from cloner.scenes.written import light_in, room_in, sound_in
 
 #: How the page's textures are kept: taste, no blocks at arm's length.
 LOOK_QUALITY: Final = 88
+#: When a statue awakens of which nothing is told, seconds.
+NEVER_S: Final = 1e5
 
 
 def build_folder(
@@ -45,40 +56,96 @@ def build_folder(
         If the room is not lit, or what :func:`~cloner.acting.written.bake_file` refuses.
     """
     room = room_in(folder)
-    light, probes = light_in(folder)
-    parts = room_parts(room, light, probes, folder.name)
+    things = things_in(room.plan, walk)
+    parts = room_parts(room, *light_in(folder), folder.name, things if "statues" in read_facts(pack) else ())
+    parts = sounding(parts, sound_in(folder, room))
     return bake_file(walk, pack, out, seconds=seconds, seed=seed, room=parts, progress=progress)
 
 
-def room_parts(room: Room, light: bytes, probes: Probes, where: str) -> RoomParts:
-    """Return a room as files of a pack; ``light`` is the map's PNG file."""
+def things_in(plan: Plan, walk: Path) -> tuple[Block, ...]:
+    """Return the blocks of a plan that stand for a scenario's things."""
+    names = things_of(walk)
+    return tuple(one for one in plan.blocks if one.name in names and not one.pillar)
+
+
+def room_parts(
+    room: Room, light: bytes, brightest: float, probes: Probes, where: str, statues: Sequence[Block] = ()
+) -> RoomParts:
+    """Return a room as files of a pack.
+
+    Parameters
+    ----------
+    room : Room
+    light : bytes
+        The map's PNG file, in which white stands for ``brightest``.
+    brightest, probes, where
+        As of :func:`cloner.scenes.written.light_in`, and what to call it.
+    statues : sequence of Block
+        Blocks in whose stead clones in stone stand; their shadows stay.
+    """
     charts, size = charts_of(room)
     try:
         with Image.open(io.BytesIO(light), formats=["PNG"]) as image:
             if image.size != size:
                 raise ValueError("another room's")
-            pixels = np.asarray(image.convert("RGB"))
+            pixels = np.asarray(image.convert("RGBA"))
     except (OSError, ValueError) as error:
         raise ClonerError("the light map is not this room's", "Make it with cloner scene light", where) from error
-    meshes = meshes_of(charts, size)
+    boxes = np.array([plain_of(one)[1][0] for one in statues]).reshape(-1, 2, 3)
+    meshes = meshes_of(tuple(one for one in charts if not _within(one.panel, boxes)), size)
     corners = [
         np.column_stack([one.places, one.uv, one.light_uv, np.full(len(one.places), k)])[one.triangles.ravel()]
         for k, one in enumerate(meshes)
     ]
+    walkable, ground_low, ground_step = walkable_of(room)
     arrays: dict[str, NDArray[Any]] = {
         "corners": np.concatenate(corners).astype(np.float32), "probes": probes.light, "sun": probes.sun,
+        "walkable": walkable,
     }  # fmt: skip
     data, told = packed(arrays)
     sheet = np.concatenate([looks.texture(one.look) for one in meshes])
     sun = room.plan.sun
     facts = {
         "name": room.plan.name, "arrays": told, "low": probes.low.tolist(), "heights": probes.heights.tolist(),
-        "step": probes.step, "shape": list(probes.sun.shape), "brightest": BRIGHTEST,
+        "step": probes.step, "shape": list(probes.sun.shape), "brightest": brightest,
+        "ground_low": list(ground_low), "ground_step": ground_step,
+        "sky_light": list(room.plan.sky.light), "ground": looks.albedo(room.plan.floors[-1].look).tolist(),
         "sun_way": sun_way(sun).tolist() if sun else [0.0, 1.0, 0.0],
         "sun_light": list(sun.light) if sun else [0.0] * 3,
     }  # fmt: skip
-    files = {ROOM_FILE: data, LOOKS_FILE: webp(sheet, LOOK_QUALITY), LIGHT_FILE: webp(pixels, None)}
-    return RoomParts(files, facts, views_in(room.plan))
+    files = {ROOM_FILE: data, LOOKS_FILE: webp(sheet, LOOK_QUALITY), LIGHT_FILE: webp(pixels[..., :3], None),
+             SUN_FILE: webp(pixels[..., 3], None)}  # fmt: skip
+    stand = partial(_with_statues, room.plan, {one.name: one for one in statues}) if statues else None
+    return RoomParts(files, facts, views_in(room.plan), stand)
+
+
+def sounding(parts: RoomParts, sound: tuple[bytes, list[float]] | None) -> RoomParts:
+    """Return a room with its echo and where that is heard."""
+    if sound is None:
+        return parts
+    return replace(parts, files={**parts.files, ECHO_FILE: sound[0]}, facts={**parts.facts, "echo": sound[1]})
+
+
+def _within(panel: Panel, boxes: NDArray[np.float64]) -> bool:
+    """Return whether a panel is a face of one of (B, 2, 3) boxes."""
+    ends = np.stack([panel.corner, panel.corner + panel.along * panel.size[0] + panel.up * panel.size[1]])
+    return any(bool(((ends >= box[0] - 1e-6) & (ends <= box[1] + 1e-6)).all()) for box in boxes)
+
+
+def _with_statues(
+    plan: Plan, blocks: Mapping[str, Block], walk: Trajectories, acted: Acted, facts: dict[str, Any], pack: Path,
+    seconds: float,
+) -> tuple[Acted, Mapping[str, Any]]:  # fmt: skip
+    """Return what is acted with a clone in stone for each thing, which faces the middle of the floor."""
+    floor = max(plan.floors, key=lambda one: (one.high[0] - one.low[0]) * (one.high[1] - one.low[1]))
+    rows = []
+    for name, block in blocks.items():
+        away = [(low + high) / 2.0 - at for low, high, at in zip(floor.low, floor.high, block.at, strict=True)]
+        along = abs(away[0]) * (floor.high[1] - floor.low[1]) < abs(away[1]) * (floor.high[0] - floor.low[0])
+        heading = np.arctan2(0.0, -away[1]) if along else np.arctan2(away[0], 0.0)
+        wakes = next((when for when, what in walk.told if what == f"{name} awakens"), NEVER_S)
+        rows.append((block.at[0], -block.at[1], block.low, float(heading), wakes))
+    return with_statues(acted, read_stock(pack, facts), rows, seconds)
 
 
 def views_in(plan: Plan) -> dict[str, list[list[float]]]:

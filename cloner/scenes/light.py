@@ -33,11 +33,9 @@ LATTICE_M, PATCH_M = 0.25, 0.5
 RAYS: Final = 400
 #: Openings are asked at places so far apart, metres; who is nearer than this to one counts rays that leave by it.
 PORTAL_STEP_M, NEAR_PORTAL_M = 0.4, 1.2
-#: Bounces end when no patch changes by more than this share of the brightest.
-SETTLED: Final = 1e-4
-MOST_BOUNCES: Final = 200
-SMOOTH_NODES: Final = 0.7
-ONE_NODE: Final = 1.5  # gaussians end there: over a wall there are two
+#: Bounces end when no patch changes by more than this share of the brightest, or after so many.
+SETTLED, MOST_BOUNCES = 1e-4, 200
+SMOOTH_NODES, ONE_NODE = 0.7, 1.5  # gaussians end at the second: over a wall there are two nodes
 #: Places at which a cell's mean is taken, along each side.
 IN_CELL: Final = 12
 
@@ -71,6 +69,7 @@ class Lit:
     ----------
     charts, size : where the panels lie in the map, its (width, height)
     map : (H, W, 3) irradiance
+    sun : (H, W, 1) share of the sun's own light that falls there straight, 0..1, part of the map
     patches : what surfaces give back, for probes
     stops : the room's
     """
@@ -78,6 +77,7 @@ class Lit:
     charts: tuple[Chart, ...]
     size: tuple[int, int]
     map: NDArray[np.float32]
+    sun: NDArray[np.float32]
     patches: Patches
     stops: Stops
 
@@ -86,7 +86,7 @@ def lit_room(room: Room, *, texel_m: float | None = None, rays: int = RAYS, prog
     """Return a room's light maps; ``texel_m`` wins over the sizes of texels that panels have by themselves."""
     stops, portals = Stops(room.stops), Stops(room.portals)
     charts, size = charts_of(room, texel_m)
-    direct, fine = _straight(room, charts, stops, progress)
+    direct, sunny, fine = _straight(room, charts, stops, progress)
     lattice = [grid_of(room, one, _counts(one.size, LATTICE_M, 2)) for one in room.panels]
     cells = np.array([_counts(one.size, PATCH_M, 1) for one in room.panels])
     first = np.concatenate([[0], np.cumsum(cells.prod(axis=1))])
@@ -112,7 +112,8 @@ def lit_room(room: Room, *, texel_m: float | None = None, rays: int = RAYS, prog
         whole = filled(own, grid.there) + _finer(more, coarse, grid)
         values.append(np.maximum(whole, 0.0))
     progress("light", 1.0)
-    return Lit(charts, size, laid(charts, values, size), patches, stops)
+    sun = [filled(own[..., None], grid.there) for own, grid in zip(sunny, fine, strict=True)]
+    return Lit(charts, size, laid(charts, values, size), laid(charts, sun, size), patches, stops)
 
 
 def cell_of(patches: Patches, quad: NDArray[np.int64], where: Array) -> NDArray[np.int64]:
@@ -140,20 +141,22 @@ def _albedo(panel: Panel) -> Array:
 
 def _straight(
     room: Room, charts: tuple[Chart, ...], stops: Stops, progress: Progress
-) -> tuple[list[Array], list[Grid]]:
-    """Return each panel's light from sun and lamps, (nv, nu, 3), and its fine grid."""
-    found, grids = [], []
+) -> tuple[list[Array], list[Array], list[Grid]]:
+    """Return each panel's light from sun and lamps, (nv, nu, 3), the sun's share in it, (nv, nu), and its fine grid."""
+    found, sunny, grids = [], [], []
     for k, chart in enumerate(charts):
         grid = grid_of(room, chart.panel, chart.size)
-        light = np.zeros((*grid.there.shape, 3))
+        light, share = np.zeros((*grid.there.shape, 3)), np.zeros(grid.there.shape)
         if room.plan.sun:
-            light += sun_on(chart.panel, grid, stops, room.plan.sun)[..., None] * room.plan.sun.light
+            share = sun_on(chart.panel, grid, stops, room.plan.sun)
+            light += share[..., None] * room.plan.sun.light
         for lamp in room.plan.lamps:
             light += lamp_on(chart.panel, grid, stops, lamp)[..., None] * lamp.light
         found.append(light)
+        sunny.append(share)
         grids.append(grid)
         progress("sun and lamps", (k + 1) / len(charts))
-    return found, grids
+    return found, sunny, grids
 
 
 def _panels_of(room: Room) -> tuple[NDArray[np.int64], Array, Array]:

@@ -19,6 +19,7 @@ _BASE: Final[dict[str, tuple[float, tuple[float, float, float]]]] = {
     "stone": (2.0, (0.69, 0.65, 0.58)),
     "timber": (1.0, (0.47, 0.35, 0.24)),
     "marble": (1.0, (0.86, 0.84, 0.81)),
+    "earth": (2.0, (0.56, 0.43, 0.31)),
     "white": (1.0, (1.0, 1.0, 1.0)),
 }
 
@@ -46,6 +47,9 @@ def texture(look: str) -> NDArray[np.uint8]:
     elif look == "timber":
         grain = gaussian_filter(rng.normal(size=(SIDE_PX, SIDE_PX)), (20.0, 0.8), mode="wrap")
         shade += 0.1 * grain / grain.std() + _tiles(rng, x, y, 5, 1, 0.1) - 0.5 * _joints(x, y, 5, 1, 0.008)
+    elif look == "earth":
+        lumps = np.maximum(_noise(rng, 5.0), 0.0)
+        shade += 0.06 * fine + 0.05 * broad + 0.05 * lumps - 0.12 * (_noise(rng, 2.5) > 1.9)
     elif look == "marble":
         vein = np.abs(np.sin(np.pi * (2 * x + 2 * y) + 1.5 * broad))
         shade -= 0.12 * np.exp(-8.0 * vein) - 0.02 * fine

@@ -15,13 +15,13 @@ from cloner.errors import ClonerError, plain
 from cloner.outside import UnfitFile, read_outside
 
 #: Plans that come with Cloner.
-SHIPPED: Final = ("museum", "nave")
+SHIPPED: Final = ("museum", "nave", "pit")
 LARGEST_PLAN_BYTES: Final = 1_000_000
 #: More than this is no room: it bounds what a hostile plan can make us hold.
 LARGEST: Final = 360.0  # metres, or degrees
 LARGEST_FLOOR_M2: Final = 20_000.0
 MOST_PARTS: Final = 500
-LOOKS: Final = ("flags", "cobbles", "plaster", "stone", "timber", "marble", "white")
+LOOKS: Final = ("flags", "cobbles", "plaster", "stone", "timber", "marble", "earth", "white")
 XY = tuple[float, float]
 RGB = tuple[float, float, float]
 

@@ -16,16 +16,25 @@ from cloner.outside import UnfitFile, read_outside
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import safe_output
 from cloner.scenes.charts import charts_of
+from cloner.scenes.echoes import EAR_M, echo_at, wav_bytes
 from cloner.scenes.gltf import meshes_of, room_glb, to_bytes
 from cloner.scenes.light import lit_room
+from cloner.scenes.pieces import plan_place
 from cloner.scenes.plan import read_plan
 from cloner.scenes.probes import probes_of
 from cloner.scenes.solids import Room, room_of
+from cloner.scenes.x3d import room_x3d
 
 PLAN_FILE, ROOM_FILE, LIGHT_FILE, PROBES_FILE = "plan.toml", "room.glb", "light.png", "probes.npz"
+#: What the page asks for: in colours all light but the sun's own, in alpha how much of the sun is there.
+PARTS_FILE: Final = "parts.png"
+#: What is brighter than all but this share of the texels may be cut off: the ceiling above a lamp.
+CUT_OFF: Final = 0.002
 #: A map of the largest floor at 4 cm, and its probes, are smaller.
 LARGEST_LIGHT_BYTES: Final = 200_000_000
-_ARRAYS: Final = {"low": 1, "heights": 1, "step": 0, "light": 5, "sun": 3}
+#: Where a room's echoes lie; four seconds have 180 kB.
+SOUND_FOLDER, LARGEST_SOUND_BYTES = "sound", 1_000_000
+_ARRAYS: Final = {"low": 1, "heights": 1, "step": 0, "light": 5, "sun": 3, "brightest": 0}
 
 
 def make_folder(source: str, out: Path) -> list[str]:
@@ -42,8 +51,6 @@ def make_folder(source: str, out: Path) -> list[str]:
     data = room_glb(room)
     write_bytes(out / PLAN_FILE, text.encode("utf-8"))
     write_bytes(out / ROOM_FILE, data)
-    for name in (LIGHT_FILE, PROBES_FILE):  # those of a room that stood here before
-        (out / name).unlink(missing_ok=True)
     triangles = sum(len(one.triangles) for one in meshes_of(*charts_of(room)))
     floor = sum((one.high[0] - one.low[0]) * (one.high[1] - one.low[1]) for one in plan.floors)
     return [
@@ -57,17 +64,56 @@ def light_folder(folder: Path, progress: Progress = quiet) -> list[str]:
     room = room_in(folder)
     lit = lit_room(room, progress=progress)
     probes = probes_of(room, lit, progress)
+    soft = np.maximum(lit.map - lit.sun * (room.plan.sun.light if room.plan.sun else (0.0,) * 3), 0.0)
+    brightest = max(float(np.quantile(soft.max(axis=2), 1.0 - CUT_OFF)), 1e-3)
+    parts = np.dstack([to_bytes(soft.astype(np.float32), brightest), np.rint(lit.sun * 255.0).astype(np.uint8)])
     stream = io.BytesIO()
     np.savez_compressed(
-        stream, low=probes.low, heights=probes.heights, step=np.array(probes.step), light=probes.light, sun=probes.sun
-    )
+        stream, low=probes.low, heights=probes.heights, step=np.array(probes.step), light=probes.light, sun=probes.sun,
+        brightest=np.array(brightest),
+    )  # fmt: skip
     write_bytes(folder / LIGHT_FILE, png_bytes(to_bytes(lit.map)))
+    write_bytes(folder / PARTS_FILE, png_bytes(parts))
     write_bytes(folder / PROBES_FILE, stream.getvalue())
     write_bytes(folder / ROOM_FILE, room_glb(room, lit.map))
+    for name, data in room_x3d(room, LIGHT_FILE).items():
+        write_bytes(folder / name, data)
     return [
         f"light map {lit.size[0]} x {lit.size[1]} texels, {probes.sun.size} probes",
-        str(folder / ROOM_FILE), str(folder / PROBES_FILE),
+        str(folder / ROOM_FILE), str(folder / "room.x3d"), str(folder / PROBES_FILE),
     ]  # fmt: skip
+
+
+def sound_folder(folder: Path, progress: Progress = quiet) -> list[str]:
+    """Work out how a folder's room sounds in the middle of each floor, as WAV files; return what to say of it.
+
+    Raises
+    ------
+    ClonerError
+        If there is no room, or a file cannot be written.
+    """
+    room = room_in(folder)
+    lines = []
+    for number, floor in enumerate(room.plan.floors, start=1):
+        middle = ((floor.low[0] + floor.high[0]) / 2.0, (floor.low[1] + floor.high[1]) / 2.0)
+        echo = echo_at(room, plan_place(*middle, EAR_M))
+        name = f"floor_{number}.wav"
+        write_bytes(folder / SOUND_FOLDER / name, wav_bytes(echo))
+        lines.append(f"{name}: at {middle[0]:g}, {middle[1]:g}: falls by 60 dB in {echo.rings_s:.2f} s")
+        progress("sound", number / len(room.plan.floors))
+    return [*lines, str(folder / SOUND_FOLDER)]
+
+
+def sound_in(folder: Path, room: Room) -> tuple[bytes, list[float]] | None:
+    """Return how the largest floor of a folder's room sounds, and its borders (x, z, x, z); None where nobody asked."""
+    areas = [(one.high[0] - one.low[0]) * (one.high[1] - one.low[1]) for one in room.plan.floors]
+    largest = int(np.argmax(areas))
+    floor = room.plan.floors[largest]
+    try:
+        data = read_outside(folder / SOUND_FOLDER / f"floor_{largest + 1}.wav", LARGEST_SOUND_BYTES)
+    except (OSError, UnfitFile):
+        return None
+    return data, [floor.low[0], -floor.high[1], floor.high[0], -floor.low[1]]
 
 
 def room_in(folder: Path) -> Room:
@@ -83,8 +129,8 @@ def room_in(folder: Path) -> Room:
     return room_of(read_plan(folder / PLAN_FILE)[0])
 
 
-def light_in(folder: Path) -> tuple[bytes, Probes]:
-    """Return the light map's file and the probes of a folder that ``cloner scene light`` wrote.
+def light_in(folder: Path) -> tuple[bytes, float, Probes]:
+    """Return what ``cloner scene light`` wrote: the page's light map as a file, what white stands for, the probes.
 
     Raises
     ------
@@ -92,15 +138,22 @@ def light_in(folder: Path) -> tuple[bytes, Probes]:
         If there are none, or they are damaged.
     """
     try:
-        picture = read_outside(folder / LIGHT_FILE, LARGEST_LIGHT_BYTES)
+        picture = read_outside(folder / PARTS_FILE, LARGEST_LIGHT_BYTES)
         data = read_outside(folder / PROBES_FILE, LARGEST_LIGHT_BYTES)
         with np.load(io.BytesIO(data), allow_pickle=False) as held:
             found = {name: np.asarray(held[name], np.float64) for name in _ARRAYS}
         light, sun = found["light"], found["sun"]
         fits = all(found[name].ndim == axes and np.isfinite(found[name]).all() for name, axes in _ARRAYS.items())
-        if not (fits and light.shape == (*sun.shape, 3, 4) and len(found["heights"]) == sun.shape[0] and sun.size):
+        if not (
+            fits
+            and light.shape == (*sun.shape, 3, 4)
+            and len(found["heights"]) == sun.shape[0]
+            and sun.size
+            and found["brightest"] > 0.0
+        ):
             raise ValueError("probes of odd shapes")
     except (OSError, UnfitFile, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
         raise ClonerError("the room has no light", "Make it with cloner scene light", folder.name) from error
     step = float(found["step"])
-    return picture, Probes(found["low"], found["heights"], step, light.astype(np.float32), sun.astype(np.float32))
+    probes = Probes(found["low"], found["heights"], step, light.astype(np.float32), sun.astype(np.float32))
+    return picture, float(found["brightest"]), probes

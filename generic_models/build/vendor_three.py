@@ -30,11 +30,11 @@ export { GLTFLoader } from "three/examples/jsm/loaders/GLTFLoader.js";
 CROWD = """
 export {
   BufferAttribute, BufferGeometry, ClampToEdgeWrapping, Color, CustomBlending, DataArrayTexture, DataTexture,
-  DoubleSide, FloatType, FrontSide, GLSL3, HalfFloatType, InstancedBufferAttribute, InstancedBufferGeometry,
-  LinearFilter,
+  DepthTexture, DoubleSide, FloatType, FrontSide, GLSL3, HalfFloatType, InstancedBufferAttribute,
+  InstancedBufferGeometry, LinearFilter,
   LinearMipmapLinearFilter, Matrix4, Mesh, NearestFilter, NoBlending, OneFactor, PerspectiveCamera, RawShaderMaterial,
-  RedIntegerFormat, RGBAFormat, RGBAIntegerFormat, Scene, ShortType, UnsignedByteType, UnsignedShortType, Vector2,
-  Vector3, WebGLRenderer, ZeroFactor, AddEquation,
+  RedIntegerFormat, RepeatWrapping, RGBAFormat, RGBAIntegerFormat, Scene, ShortType, UnsignedByteType,
+  UnsignedShortType, Vector2, Vector3, WebGLRenderTarget, WebGLRenderer, ZeroFactor, AddEquation,
 } from "three";
 export { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 """

@@ -49,14 +49,14 @@ def test_trimesh_reads_the_room_where_the_plan_has_it(made) -> None:
     low, high = trimesh.load(path, force="scene").bounds
     plan = read_plan(name)[0]
     floors = np.array([[one.low, one.high] for one in plan.floors])
-    assert (low[0], -high[2]) == pytest.approx(tuple(floors[:, 0].min(axis=0)), abs=0.51)
-    assert (high[0], -low[2]) == pytest.approx(tuple(floors[:, 1].max(axis=0)), abs=0.51)
+    assert (low[0], -high[2]) == pytest.approx(tuple(floors[:, 0].min(axis=0)), abs=0.81)  # walls around
+    assert (high[0], -low[2]) == pytest.approx(tuple(floors[:, 1].max(axis=0)), abs=0.81)  # walls around
     assert low[1] == pytest.approx(0.0, abs=1e-6)
 
 
 @pytest.mark.skipif(not readers.HAS_ASSIMP, reason="assimp is not here; run: sudo apt-get install -y assimp-utils")
 def test_assimp_reads_it(made) -> None:
-    assert readers.assimp(made[0])["meshes"] >= 5
+    assert readers.assimp(made[0])["meshes"] >= (1 if made[1] == "pit" else 5)  # the pit is all earth
 
 
 def test_the_light_map_hangs_on_every_material_and_only_when_lit(made) -> None:

@@ -16,6 +16,8 @@ struct Person {
   int other; int second; float share;  // the clip and frame that are blended in, and by how much
   ivec3 donors;   // whose top, bottom and shoes are worn
   vec4 dyes;      // top, bottom, shoes, hair: 0xRRGGBB or -1
+  float stone;    // 1: made of stone, 0: come alive
+  float part;     // 0: whole, 1: without the head, from 2: the head alone, leaned by the rest, in turns
 };
 
 vec4 personTexel(int who, int k) { return texelFetch(people, ivec2((who % ROW) * PERSON + k, who / ROW), 0); }
@@ -30,6 +32,8 @@ Person personOf(int who, bool coarse) {
   p.scale = pace.w;
   p.donors = ivec3(worn.xyz + 0.5);
   p.clip = int(worn.w + 0.5);
+  p.stone = 0.0;
+  p.part = 0.0;
   p.shown = path.x > 3.5 ? 0.0 : 1.0;
   p.other = p.clip;
   p.share = 0.0;
@@ -38,7 +42,9 @@ Person personOf(int who, bool coarse) {
   p.frames = int(clip.y + 0.5);
   if (path.x > 2.5) {         // by footings: see footing.js
     p.frame = int(pace.x + 0.5);
-    p.place = vec3(path.y, 0.0, path.z);
+    p.place = vec3(path.y, where.z, path.z);
+    p.stone = where.y;
+    p.part = where.w;
     p.heading = path.w;
     p.other = int(where.x + 0.5) / 1024;
     p.second = int(where.x + 0.5) % 1024;
@@ -64,6 +70,9 @@ Person personOf(int who, bool coarse) {
   }
   return p;
 }
+
+// Which half of somebody is not there.
+bool leftOut(float headness, float part) { return part > 0.5 && (part < 1.5 ? headness > 0.5 : headness < 0.5); }
 
 vec3 unpacked(float dye) {
   int whole = int(dye);  // whole already; half more would not fit a float

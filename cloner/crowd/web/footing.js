@@ -114,5 +114,6 @@ function actedOf(arrays, clones) {
     }
   }
 
-  return { count, people, at(now, rows) { for (let who = 0; who < count; who++) fill(who, now, rows); } };
+  const walks = (who) => footings[current[who] * FOOTING + LAST] >= 0;
+  return { count, people, current, walks, at(now, rows, time = () => now) { for (let who = 0; who < count; who++) fill(who, time(who), rows); } };
 }

@@ -17,8 +17,8 @@ void main() {
     at = corner * 2.0 - 1.0;
     float c = cos(p.heading), s = sin(p.heading);
     vec2 flat_ = at * vec2(0.42, 0.5) * p.scale;
-    place = p.place + vec3(c * flat_.x + s * flat_.y, 0.004, c * flat_.y - s * flat_.x);
-    strength = 0.5 * p.shown;
+    place = vec3(p.place.x, max(p.place.y, 0.0), p.place.z) + vec3(c * flat_.x + s * flat_.y, 0.004, c * flat_.y - s * flat_.x);
+    strength = 0.5 * p.shown * (p.part > 1.5 ? 0.3 : 1.0);
   }
   gl_Position = clipFromWorld * vec4(place, 1.0);
 }

@@ -12,6 +12,10 @@ flat in float texelsPerM;
 flat in ivec4 whose;
 flat in vec4 dyes;
 
+flat in float stone;
+flat in vec3 seat;   // where its middle is
+
+uniform vec3 stoneColour;
 uniform sampler2DArray colours;  // RGB colour, A coverage
 uniform sampler2DArray shapes;   // normal x, y; depth; code of what may be dyed
 uniform float depthRange;
@@ -61,7 +65,8 @@ vec4 viewAt(vec4 tile, vec2 middle, vec4 turn, vec3 axes, vec2 size, int times) 
       if (donor != whose.x) rgb = dyed(rgb, look, cloneTexel(donor, COLOURS - 1 + group).rgb);
     }
   }
-  return vec4(lit(rgb, normalize(towards(shape.rg * 2.0 - 1.0, axes)), wearer) * found.a, found.a);
+  if (stone > 0.0) rgb = mix(rgb, min(stoneColour * (0.55 + 0.9 * lumaOf(rgb)), vec3(1.0)), stone);
+  return vec4(lit(rgb, normalize(towards(shape.rg * 2.0 - 1.0, axes)), wearer, seat, false) * found.a, found.a);
 }
 
 void main() {

@@ -23,6 +23,8 @@ flat out int dear;
 flat out float texelsPerM;
 flat out ivec4 whose;
 flat out vec4 dyes;
+flat out float stone;
+flat out vec3 seat;
 
 int slotOf(int view, int views, float around) {
   if (around > 0.5) return view < 0 ? view + views : view >= views ? view - views : view;  // % is for whole positives
@@ -80,4 +82,6 @@ void main() {
   wearer = int(instance.x + 0.5);
   whose = ivec4(p.clone, p.donors);
   dyes = p.dyes;
+  stone = p.stone;
+  seat = middle;
 }

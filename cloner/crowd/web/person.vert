@@ -25,6 +25,13 @@ flat out ivec4 whose;  // wearer, and whose top, bottom, shoes
 flat out vec4 dyes;
 flat out vec2 fades;
 flat out int wearer;  // who it is
+out float headness;    // 1 on the head
+out vec3 rested;       // place in the rest pose, shares of the stature
+flat out float stone;
+flat out float partial;
+
+const int HEAD_FIRST = 35, HEAD_LAST = 45;  // joints of the head and the upper neck
+const float HEAD_MIDDLE = 1.86;             // in halves of the stature
 
 vec3 fromOctahedron(uint code) {
   vec2 f = vec2(float(code & 255u), float(code >> 8)) / 127.5 - 1.0;
@@ -61,9 +68,11 @@ void main() {
   int row = int(cloneTexel(p.clone, CLIPS + p.clip).x + 0.5) + p.frame;
   int second = int(cloneTexel(p.clone, CLIPS + p.other).x + 0.5) + p.second;
   vec4 r0 = vec4(0.0), r1 = vec4(0.0), r2 = vec4(0.0);
+  headness = 0.0;
   for (int k = 0; k < 4; k++) {
     if (w[k] <= 0.0) continue;
     int joint = int(j[k] + 0.5);
+    if (joint >= HEAD_FIRST && joint <= HEAD_LAST) headness += w[k];
     float kept = w[k] * (1.0 - p.share), more = w[k] * p.share;
     r0 += kept * boneRow(joint, row, 0);
     r1 += kept * boneRow(joint, row, 1);
@@ -75,6 +84,16 @@ void main() {
   }
   vec3 own = vec3(dot(r0, rest), dot(r1, rest), dot(r2, rest)) * p.scale;
   n = vec3(dot(r0.xyz, n), dot(r1.xyz, n), dot(r2.xyz, n));
+  if (p.part > 1.5) {  // a head on its own leans to its side
+    vec3 middle = vec3(0.0, HEAD_MIDDLE * cloneTexel(p.clone, 0).x * p.scale, 0.0);
+    float lean = 2.0 * PI * (p.part - 2.0), cl = cos(lean), sl = sin(lean);
+    own = own - middle;
+    own = middle + vec3(cl * own.x - sl * own.y, sl * own.x + cl * own.y, own.z);
+    n = vec3(cl * n.x - sl * n.y, sl * n.x + cl * n.y, n.z);
+  }
+  rested = rest.xyz / (2.0 * cloneTexel(p.clone, 0).x);
+  stone = p.stone;
+  partial = p.part;
   float c = cos(p.heading), s = sin(p.heading);
   world = p.place + vec3(c * own.x + s * own.z, own.y, c * own.z - s * own.x);
   normal = vec3(c * n.x + s * n.z, n.y, c * n.z - s * n.x);

@@ -5,14 +5,14 @@ const { facts, shaders } = JSON.parse(document.querySelector("#facts").textConte
 const say = (text) => { document.querySelector("#status").textContent = text; };
 const LEVELS = facts.tiers.length, IMPOSTOR = LEVELS, HIDDEN = LEVELS + 1;
 const HYSTERESIS = 0.05, FADE_S = 0.3, CELL_M = 16, REBIN_FRAMES = 12, MOST = 100000; // fade: taste
-const STATURE_M = 1.75;
+const STATURE_M = 1.75, ARM_M = 0.45; // nobody walks nearer to anybody: taste
 
 const state = {
   scene: facts.scene, people: facts.people_count, now: 0, paused: false, debug: 0, mode: "hybrid", camera: "orbit",
-  stats: {}, still: 0,
+  stats: {}, still: 0, hour: DAY,
 };
 const canvas = document.querySelector("canvas");
-let acted = null, blocks = null, room = null;
+let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null;
 let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
 
 function open() {
@@ -39,19 +39,24 @@ async function start(context) {
     bodyVertices: { value: stage.body.uv.length / 2 }, depthRange: { value: facts.impostors.depth_range_m },
     rings: { value: facts.impostors.rings_deg.length }, classic: { value: facts.impostors.classic ? 1 : 0 },
     ringElevations: { value: [0, 1, 2, 3].map((k) => ((facts.impostors.rings_deg[k] || 0) * Math.PI) / 180) },
-    dearFromPx: { value: 24 }, roomed: { value: 0 }, sunLight: { value: new THREE.Vector3() },
+    dearFromPx: { value: 24 }, ...lightUniforms(),
     glow: { value: flatTexture(new Float32Array(4), 1, 1, FLOATS) },
   };
   for (const [name, texture] of Object.entries(stage.textures)) uniforms[name] = { value: texture };
+  if (facts.statues) uniforms.stoneColour.value.set(...facts.statues.colour);
   const arrays = facts.acted ? await arraysOf(bytesOf("acted.bin"), facts.acted.arrays) : null;
   if (arrays) acted = actedOf(arrays, facts.people.length);
+  if (facts.staging) staging = stagingOf(facts.staging, facts.people.map((one) => one.stature_m));
   buildTiers();
   if (arrays && arrays.blocks.length) buildBlocks(arrays.blocks);
   if (facts.room) {
+    if (facts.room.echo) echo = bytesOf("room_echo.wav");
     room = await loadRoom(facts.room, shaders, uniforms);
-    world.add(room.mesh);
+    passes = lightPasses(facts, stage.body, shaders, uniforms);
+    world.add(room.mesh, passes.sky);
   }
   setScene(state.scene, state.people);
+  if (directed()) setCamera("film");
   buildKnobs();
   resize();
   view("overview");
@@ -81,17 +86,17 @@ function buildTiers() {
     const { geometry, start, triangles } = levelGeometry(facts, stage.body, level, instancesOf(MOST));
     const own = { ...uniforms, looseStart: { value: start }, coarse: { value: level >= 2 ? 1 : 0 } };
     add(geometry, materialOf(shaders, ["common.glsl", "person.vert"],
-      ["common.glsl", "shading.glsl", "worn.glsl", "person.frag"], own), 2).userData.triangles = triangles;
+      ["common.glsl", "light.glsl", "shading.glsl", "worn.glsl", "person.frag"], own), 2).userData.triangles = triangles;
   }
   add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "impostor.vert"],
-    ["common.glsl", "shading.glsl", "impostor.frag"], uniforms, {
+    ["common.glsl", "light.glsl", "shading.glsl", "impostor.frag"], uniforms, {
       alphaToCoverage: uniforms.cutoff.value === 0, blending: THREE.CustomBlending, blendEquation: THREE.AddEquation,
       blendSrc: THREE.OneFactor, blendDst: THREE.ZeroFactor, blendSrcAlpha: THREE.ZeroFactor, blendDstAlpha: THREE.OneFactor,
     }), 3).userData.triangles = 2;
-  const shadows = add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "ground.vert"], ["ground.frag"],
+  const shadows = add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "ground.vert"], ["light.glsl", "ground.frag"],
     uniforms, { transparent: true, depthWrite: false }), 1);
   shadows.userData.triangles = 2;
-  const floor = add(quadGeometry(instancesOf(1)), materialOf(shaders, ["common.glsl", "ground.vert"], ["ground.frag"],
+  const floor = add(quadGeometry(instancesOf(1)), materialOf(shaders, ["common.glsl", "ground.vert"], ["light.glsl", "ground.frag"],
     uniforms), 0);
   floor.geometry.attributes.instance.array[0] = -1;
   floor.geometry.instanceCount = 1;
@@ -105,7 +110,7 @@ function buildBlocks(corners) {
   geometry.setAttribute("position", part(0));
   geometry.setAttribute("normal", part(1));
   geometry.instanceCount = 1;
-  blocks = new THREE.Mesh(geometry, materialOf(shaders, ["block.vert"], ["shading.glsl", "block.frag"], uniforms));
+  blocks = new THREE.Mesh(geometry, materialOf(shaders, ["block.vert"], ["light.glsl", "shading.glsl", "block.frag"], uniforms));
   blocks.frustumCulled = false;
   world.add(blocks);
 }
@@ -129,7 +134,10 @@ function setScene(name, count) {
     data, since: new Float32Array(made.count).fill(-9), pairs: new Float32Array(2 * made.count), cells: [], rebin: 0, next: 0,
   };
   if (blocks) blocks.visible = name === ACTED;
-  if (room) room.enter(name === ACTED, made.count);
+  if (room) {
+    room.enter(name === ACTED, made.count);
+    passes.sky.visible = name === ACTED;
+  }
   if (name === ACTED) act();
   place(0, made.count);
   bin();
@@ -137,8 +145,12 @@ function setScene(name, count) {
 
 // Everybody where the scenario has them now; when it is over it begins again.
 function act() {
-  const long = facts.acted.seconds;
-  acted.at(state.now - Math.floor(state.now / long) * long, walkers.rows);
+  const long = facts.acted.seconds, now = state.now - Math.floor(state.now / long) * long;
+  acted.at(now, walkers.rows, staging ? (who) => staging.time(who, now) : undefined);
+  if (staging) {
+    staging.dress(walkers.rows, now);
+    state.hour = staging.hour(now);
+  }
   walkers.data.set(walkers.rows);
   uniforms.people.value.needsUpdate = true;
   if (room) room.light(walkers.rows, walkers.count);
@@ -149,7 +161,7 @@ function place(first, last) {
   for (let i = first; i < last; i++) {
     const at = i * 4 * PERSON_TEXELS, kind = rows[at], a = rows[at + 1], b = rows[at + 2], way = rows[at + 3];
     const speed = rows[at + 4];
-    y[i] = kind >= BY_FOOTINGS ? 0 : rows[at + 16];
+    y[i] = rows[at + (kind >= BY_FOOTINGS ? UP : 16)];
     if (kind === 0 || kind >= BY_FOOTINGS) { x[i] = a; z[i] = b; }
     else if (kind === 1) {
       const along = b + speed * now;
@@ -306,17 +318,25 @@ function frame(time) {
 }
 
 function draw() {
-  camera.updateMatrixWorld();
-  uniforms.clipFromWorld.value.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-  camera.getWorldPosition(uniforms.eye.value);
-  uniforms.focalPx.value = renderer.domElement.height / 2 / Math.tan((camera.fov * Math.PI) / 360);
+  lens();
   uniforms.now.value = state.now;
   uniforms.debugView.value = state.debug;
   const begun = performance.now();
   keepCells();
+  if (state.camera === "film") direct();
   cameraPlanes(uniforms.clipFromWorld.value.elements);
   choose();
   state.stats.choice = performance.now() - begun;
+  if (room && uniforms.roomed.value) {
+    const { elements } = camera.matrixWorld, axis = (k) => new THREE.Vector3(elements[4 * k], elements[4 * k + 1], elements[4 * k + 2]);
+    const tall = Math.tan((camera.fov * Math.PI) / 360), ahead = axis(2).negate();
+    room.see(uniforms.eye.value, ahead, axis(0).multiplyScalar(tall * camera.aspect), axis(1).multiplyScalar(tall), state.hour);
+    if (room.sunny) passes.cast(renderer, camera, uniforms.eye.value, ahead, walkers);
+  }
+  if (sound && state.scene === ACTED) {
+    const way = new THREE.Vector3();
+    sound.hear(uniforms.eye.value, camera.getWorldDirection(way), walkers, acted);
+  }
   tiers.forEach((mesh, k) => { mesh.material.wireframe = Boolean(state.debug) && k < LEVELS; });
   renderer.info.reset();
   renderer.render(world, camera);
@@ -331,6 +351,26 @@ function resize() {
   renderer.setSize(wide, tall, false);
   camera.aspect = wide / tall;
   camera.updateProjectionMatrix();
+}
+
+// The film's own camera, caption and curtain, now.
+function direct() {
+  const long = facts.acted.seconds, now = state.now - Math.floor(state.now / long) * long;
+  const { place: at, target, fov } = staging.camera(walkers.rows, now);
+  camera.fov = fov;
+  camera.updateProjectionMatrix();
+  look(at, target);
+  lens();
+  document.querySelector("#caption").textContent = staging.caption(now);
+  document.querySelector("#curtain").style.opacity = 1 - staging.curtain(now);
+}
+
+// What the shaders know of the eye.
+function lens() {
+  camera.updateMatrixWorld();
+  uniforms.clipFromWorld.value.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+  camera.getWorldPosition(uniforms.eye.value);
+  uniforms.focalPx.value = renderer.domElement.height / 2 / Math.tan((camera.fov * Math.PI) / 360);
 }
 
 // ---- cameras ---------------------------------------------------------------------------------------------------------
@@ -356,17 +396,39 @@ function look(place, target) {
 }
 
 function steer(step) {
+  if (state.camera === "film") return;
   if (state.camera === "orbit") { if (controls.enabled) controls.update(); return; }
-  const fast = keys.has("shift") ? 12 : 4, ahead = (keys.has("w") || keys.has("arrowup") ? 1 : 0) - (keys.has("s") || keys.has("arrowdown") ? 1 : 0);
+  const inside = room && uniforms.roomed.value && state.camera === "walk along", { x: from_x, z: from_z } = camera.position;
+  const fast = inside ? (keys.has("shift") ? 4 : 1.6) : keys.has("shift") ? 12 : 4, ahead = (keys.has("w") || keys.has("arrowup") ? 1 : 0) - (keys.has("s") || keys.has("arrowdown") ? 1 : 0);
   const aside = (keys.has("d") || keys.has("arrowright") ? 1 : 0) - (keys.has("a") || keys.has("arrowleft") ? 1 : 0);
   const up = (keys.has("e") ? 1 : 0) - (keys.has("q") ? 1 : 0), cp = state.camera === "fly" ? Math.cos(fly.pitch) : 1;
   camera.position.x += (-Math.sin(fly.yaw) * cp * ahead + Math.cos(fly.yaw) * aside) * fast * step;
   camera.position.z += (-Math.cos(fly.yaw) * cp * ahead - Math.sin(fly.yaw) * aside) * fast * step;
   camera.position.y += state.camera === "fly" ? (Math.sin(fly.pitch) * ahead + up) * fast * step : 1.65 - camera.position.y;
+  if (inside) [camera.position.x, camera.position.z] = room.walk(from_x, from_z, ...besides(from_x, from_z));
   camera.rotation.set(fly.pitch, fly.yaw, 0, "YXZ");
 }
 
+// Where a walker wants to go, short of people who stand there: nobody walks through anybody.
+function besides(from_x, from_z) {
+  const { x, z, count, rows } = walkers, wanted = camera.position;
+  for (let i = 0; i < count; i++) {
+    if (rows[i * 4 * PERSON_TEXELS] >= GONE) continue;
+    const dx = wanted.x - x[i], dz = wanted.z - z[i], far = Math.hypot(dx, dz);
+    if (far >= ARM_M || far < 1e-3 || far >= Math.hypot(from_x - x[i], from_z - z[i])) continue;
+    wanted.x = x[i] + (dx / far) * ARM_M;
+    wanted.z = z[i] + (dz / far) * ARM_M;
+  }
+  return [wanted.x, wanted.z];
+}
+
 function setCamera(kind) {
+  if (state.camera === "film" && kind !== "film") {
+    camera.fov = 45;
+    camera.updateProjectionMatrix();
+    document.querySelector("#caption").textContent = "";
+    document.querySelector("#curtain").style.opacity = 0;
+  }
   state.camera = kind;
   controls.enabled = kind === "orbit";
   const way = new THREE.Vector3();
@@ -410,10 +472,19 @@ function select(label, names, chosen, act) {
   document.querySelector("#knobs").append(made);
 }
 
+// How much of the room's echo is heard at a place: all on its floor, less on others.
+function echoHeard(x, z) {
+  const [x0, z0, x1, z1] = facts.room.echo;
+  return x >= x0 && x <= x1 && z >= z0 && z <= z1 ? 1 : 0.15;
+}
+
+// Whether the pack holds a film.
+function directed() { return Boolean(staging && staging.film && state.scene === ACTED); }
+
 function buildKnobs() {
   select("scene", [...(acted ? [ACTED] : []), ...Object.keys(SCENES)], state.scene, (name) => { setScene(name, state.people); view("overview"); });
-  select("camera", ["orbit", "fly", "walk along"], "orbit", (kind) => setCamera(kind));
-  for (const name of Object.keys(VIEWS)) knob(name, () => { view(name); });
+  select("camera", [...(directed() ? ["film"] : []), "orbit", "fly", "walk along"], state.camera, (kind) => setCamera(kind));
+  for (const name of Object.keys(VIEWS)) knob(name, () => { if (state.camera === "film") setCamera("orbit"); view(name); });
   const slider = document.createElement("input");
   Object.assign(slider, { type: "range", min: 0, max: 100, step: 1 });
   slider.setAttribute("aria-label", "people");
@@ -423,6 +494,12 @@ function buildKnobs() {
   document.querySelector("#knobs").append(slider);
   knob("pause", (made) => { state.paused = !state.paused; made.setAttribute("aria-pressed", state.paused); });
   knob("tiers", (made) => { state.debug = 1 - state.debug; made.setAttribute("aria-pressed", Boolean(state.debug)); });
+  if (acted) knob("sound", async (made) => {
+    if (!sound) sound = await soundOf(echo, echoHeard);
+    else if (sound.context.state === "running") await sound.context.suspend();
+    else await sound.context.resume();
+    made.setAttribute("aria-pressed", sound.context.state !== "suspended");
+  });
   knob("picture", () => {
     draw();
     canvas.toBlob((blob) => {

@@ -6,11 +6,13 @@ in float look;
 uniform mat4 clipFromWorld;
 out vec2 at;
 out vec2 lightAt;
+out vec3 world;
 flat out float layer;
 
 void main() {
   at = uv;
   lightAt = lightUv;
   layer = look;
+  world = position;
   gl_Position = clipFromWorld * vec4(position, 1.0);
 }

@@ -1,11 +1,10 @@
 // Colour of cloth, light, and the pattern that fades tiers into one another.
-uniform vec3 sunWay;       // unit, towards the sun
-uniform int roomed;        // 1: in a lit room
 uniform sampler2D glow;    // four texels a person
-uniform vec3 sunLight;     // of the room
 uniform int debugView;     // 1: tiers in plain colours, impostors green
 uniform float cutoff;      // above 0: nothing below this coverage, the rest solid; else coverage goes out as alpha
 
+// Feet stand in the dark of their own contact shadow: so much of the light is gone at the floor, fading so fast, metres.
+const float DARK_BELOW = 0.35, DARK_M = 0.18;  // taste
 const vec3 SKY = vec3(0.62, 0.68, 0.78), EARTH = vec3(0.42, 0.39, 0.35), SUN = vec3(1.05, 1.0, 0.9);  // taste
 
 float lumaOf(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
@@ -15,16 +14,19 @@ vec3 dyed(vec3 rgb, vec4 look, vec3 dye) {
   return min(dye * pow(max(lumaOf(rgb) * 255.0, 1.0) / look.x, look.y), vec3(1.0));
 }
 
-// Who stands in a lit room gets the light of its probes: four numbers a colour, and how much of the sun is seen.
-vec3 lit(vec3 rgb, vec3 normal, int who) {
+// Who stands in a lit room (solid: is more than a picture) gets the light of its probes: four numbers a colour, and how much of the sun is seen.
+vec3 lit(vec3 rgb, vec3 normal, int who, vec3 world, bool solid) {
   vec3 light = mix(EARTH, SKY, normal.y * 0.5 + 0.5) + SUN * 0.55 * max(dot(normal, sunWay), 0.0);
   if (roomed > 0 && who >= 0) {
     ivec2 first = ivec2((who % 256) * 4, who / 256);
     vec4 n = vec4(1.0, normal);
     for (int k = 0; k < 3; k++) light[k] = max(dot(texelFetch(glow, first + ivec2(k, 0), 0), n), 0.0);
-    light += sunLight * texelFetch(glow, first + ivec2(3, 0), 0).x * max(dot(normal, sunWay), 0.0);
+    light *= 1.0 - DARK_BELOW * exp(-max(world.y, 0.0) / DARK_M) * (0.6 - 0.4 * normal.y);
+    float sun = texelFetch(glow, first + ivec2(3, 0), 0).x * max(dot(normal, sunWay), 0.0);
+    if (sun > 0.0) light += sunLight * sun * (solid ? sunLeft(world, normal) : 1.0);
+    light = light * daylight + lanternOn(world, normal);
   }
-  return pow(min(pow(rgb, vec3(2.2)) * light, vec3(1.0)), vec3(1.0 / 2.2));
+  return toned(pow(rgb, vec3(2.2)) * light);
 }
 
 // fade f > 0 keeps the share f of the pixels, f < 0 the ones that -f leaves.

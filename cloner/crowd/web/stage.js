@@ -85,7 +85,9 @@ async function loadStage(facts, told) {
     const numbers = await arraysOf(bytesOf(place + "numbers.bin"), row.arrays);
     const [colours, shapes, covers, atlas, codes, shell] = await Promise.all(
       ["colours", "shapes", "covers", "atlas", "codes", "shell"].map((name) => pixelsOf(`${place}${name}.webp`)));
-    people.push({ row, numbers, colours, shapes, covers, atlas, codes, shell });
+    const [stone, stoneShell] = facts.statues
+      ? await Promise.all(["stone", "stone_shell"].map((name) => pixelsOf(`${place}${name}.webp`))) : [];
+    people.push({ row, numbers, colours, shapes, covers, atlas, codes, shell, stone, stoneShell });
     told(people.length, facts.people.length);
   }
   const of = (name) => people.map((one) => one.numbers[name]);
@@ -115,6 +117,10 @@ async function loadStage(facts, told) {
       () => 0), SMOOTH),
   };
   people.forEach((one, k) => fillLayers(one, k, textures));
+  for (const [name, key] of [["stones", "stone"], ["stoneShells", "stoneShell"]]) {
+    const put = (one, layer) => layer.set(one.data), none = { width: 1, height: 1, data: new Uint8Array(4) };
+    textures[name] = arrayTexture(...filled(people.map((one) => one[key] || none), put), facts.statues ? MIPPED : {});
+  }
   return { body, people, textures, table };
 }
 

@@ -55,6 +55,9 @@ def test_hands_are_where_the_act_needs_them(body: Body) -> None:
     assert np.linalg.norm(chin, axis=1).max() < 0.6
     given = of(body, done["pay"], "r_wrist")[:, 2]
     assert np.ptp(given) > 0.3, "out and back"
+    lifted = body.places(done["lift"])[:, body.joint("r_wrist"), 1]
+    assert lifted.min() < 0.27, "on the ground"
+    assert of(body, done["lift"], "r_wrist")[:, 1].max() > -0.25, "before the face"
 
 
 def test_hands_clap_four_times_in_two_seconds(body: Body) -> None:

@@ -1,0 +1,118 @@
+"""The command ``cloner scene film``: lines, a lit room and a pack of clones become a film, pictures, or a page."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from cloner.acting.written import write_acted
+from cloner.crowd.reading import read_acted, read_facts, read_room, read_stock
+from cloner.crowd.staging import staging_of
+from cloner.crowd.still import Painter
+from cloner.crowd.theatre import Theatre
+from cloner.errors import ClonerError
+from cloner.pipeline import Progress, quiet
+from cloner.project.atomic import result_folder, safe_output
+from cloner.scenes.inhabited import room_parts, sounding, views_in
+from cloner.scenes.sequence import read_sequence
+from cloner.scenes.staged import acted_by
+from cloner.scenes.written import light_in, room_in, sound_in
+from cloner.vision.films import FORMATS, write_film
+
+Pixels = NDArray[np.uint8]
+
+#: Pictures are named by so many digits.
+DIGITS: Final = 5
+
+
+def film_file(
+    source: Path, room: Path, pack: Path, out: Path | None, page: Path | None, progress: Progress = quiet
+) -> list[str]:
+    """Write a film, and a page that plays it; return what to say of it.
+
+    Parameters
+    ----------
+    source : Path
+        The film's lines.
+    room : Path
+        What ``cloner scene light`` wrote.
+    pack : Path
+        What ``cloner crowd --feelings --statues`` wrote.
+    out : Path or None
+        A film (.mp4, .webp, .gif), or a folder that receives a PNG a picture.
+    page : Path or None
+        Folder that receives the pack whose page plays the film.
+    progress : callable
+        May raise Cancelled; no film is left then.
+
+    Raises
+    ------
+    ClonerError
+        If a line is not understood, the pack lacks what the film wants, or something cannot be read or written.
+    """
+    if out is None and page is None:
+        raise ClonerError("nothing is to be written", "Give --out film.mp4 or --page FOLDER", source.name)
+    film = read_sequence(source)
+    if out is not None:
+        safe_output(out)
+    if page is not None and page.resolve() == pack.resolve():
+        raise ClonerError("the pack would be replaced by what is made of it", "Choose another --page folder", page.name)
+    facts = read_facts(pack)
+    built = room_in(room)
+    parts = sounding(room_parts(built, *light_in(room), room.name), sound_in(room, built))
+    acted, staging = acted_by(film, read_stock(pack, facts), facts["people"], progress)
+    told = {"title": film.title, "seconds": film.seconds, "size_px": list(film.size_px), "rate_hz": film.rate_hz}
+    lines = [
+        f"{film.title or source.stem}: {film.seconds:g} s, {len(film.actors)} actors, {len(staging['shots'])} shots"
+    ]
+    with tempfile.TemporaryDirectory() as folder:
+        staged = page if page is not None else Path(folder) / "staged"
+        write_acted(pack, facts, staged, acted, film.seconds, views_in(built.plan), parts, staging | {"film": told})
+        if out is not None:
+            _draw(staged, out, progress)
+    return [
+        *lines,
+        *([str(out)] if out is not None else []),
+        *([str(page / "player.html")] if page is not None else []),
+    ]
+
+
+def _draw(pack: Path, out: Path, progress: Progress) -> None:
+    """Draw a staged pack's film into a file, or into a folder of pictures."""
+    facts = read_facts(pack)
+    told = facts["staging"]["film"]
+    theatre = Theatre(read_stock(pack, facts))
+    try:
+        painter = Painter(
+            theatre, facts, read_acted(pack, facts), tuple(told["size_px"]), read_room(pack, facts), staging_of(facts)
+        )
+        pictures = _pictures(painter, told, progress)
+        if out.suffix.lower() in FORMATS:
+            temporary = out.with_name(f".{out.stem}.partial{out.suffix}")
+            try:
+                out.parent.mkdir(parents=True, exist_ok=True)
+                write_film(pictures, told["rate_hz"], temporary)
+                temporary.replace(out)
+            finally:
+                temporary.unlink(missing_ok=True)
+        else:
+            with result_folder(out.parent, out.name) as folder:
+                for number, shown in enumerate(pictures, start=1):
+                    Image.fromarray(shown).save(folder / f"{number:0{DIGITS}}.png")
+    except OSError as error:
+        raise ClonerError("the film cannot be written", "Choose another --out", out.name) from error
+    finally:
+        theatre.close()
+
+
+def _pictures(painter: Painter, told: dict[str, Any], progress: Progress) -> Iterator[Pixels]:
+    count = max(round(told["seconds"] * told["rate_hz"]), 1)
+    for k in range(count):
+        yield painter.film_picture(k / told["rate_hz"])
+        progress("pictures", (k + 1) / count)
