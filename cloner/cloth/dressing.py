@@ -14,7 +14,7 @@ from cloner.cloth.blocks import BLOCKS, draft
 from cloner.cloth.drawn import read_drawing
 from cloner.cloth.fabrics import FABRICS, Fabric
 from cloner.cloth.loop import Loop, best_loop
-from cloner.cloth.moving import Worn, put_on, simulate
+from cloner.cloth.moving import BLEND, SETTLE, Worn, put_on, simulate
 from cloner.cloth.pattern import Pattern, read_pattern
 from cloner.cloth.placing import Ring, body_ring
 from cloner.cloth.sections import sections
@@ -34,6 +34,8 @@ from cloner.records.motions import Motion
 from cloner.render import draw
 
 Array = NDArray[np.float64]
+#: Sees the garment's points (N, 3) in a frame, and the clone's root (3,) and rotations (94, 3).
+Watch = Callable[[Array, Array, Array], None]
 
 WALK: Final = "walk"
 WAIST: Final = "natural_waist"
@@ -48,6 +50,10 @@ STEP_M: Final = 0.0152
 LENGTHS_M: Final = (0.15, 1.2)
 LEGS_M: Final = 0.10
 SIZE_PX: Final = (480, 720)
+
+
+def unwatched(places_m: Array, root_m: Array, rotations: Array) -> None:
+    """See a frame of cloth and do nothing."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -73,15 +79,64 @@ def dressed(
     progress: Progress = quiet,
 ) -> Dressed:
     """Return a clone with a garment that moves in a loop with a cyclic motion; only what hangs from a ring has one."""
-    ring = body_ring(clone, ring_level) if ring_level is not None else None
-    worn = put_on(clone, pattern, ring, fabric, motion, step_m)
-    total, kept = cycles * len(worn.rotations), []
-    for number, state in simulate(worn, cycles):
-        if number >= 0:
-            kept.append(state.places_m)
-        progress("cloth", 0.9 * max(number, 0) / total)
-    progress("loop", 0.9)
-    return Dressed(clone, motion, worn, best_loop(worn, np.array(kept)), fabric)
+    return Dressing(clone, pattern, ring_level, fabric, motion, cycles=cycles, step_m=step_m).walked(progress=progress)
+
+
+class Dressing:
+    """A garment on its way: arranged round the clone, sewn and hung, walked with; each step begins where one ended.
+
+    Parameters
+    ----------
+    clone : Clone
+    pattern : Pattern
+    ring_level : str or None
+        Level of the ring that it hangs from, if any.
+    fabric : Fabric
+    motion : Motion
+        Cyclic.
+    """
+
+    def __init__(
+        self,
+        clone: Clone,
+        pattern: Pattern,
+        ring_level: str | None,
+        fabric: Fabric,
+        motion: Motion,
+        *,
+        cycles: int = CYCLES,
+        step_m: float = STEP_M,
+    ) -> None:
+        ring = body_ring(clone, ring_level) if ring_level is not None else None
+        self.worn = put_on(clone, pattern, ring, fabric, motion, step_m)
+        self._clone, self._fabric, self._motion, self._cycles = clone, fabric, motion, cycles
+        self._moving = simulate(self.worn, cycles)
+        self._done = 0
+
+    def hung(self, watch: Watch = unwatched, *, progress: Progress = quiet) -> None:
+        """Let the garment hang on the clone at rest; ``watch`` gets its points (N, 3) in every frame."""
+        while self._done < SETTLE:
+            places = self._next()
+            watch(places, np.zeros(3), np.zeros_like(self.worn.rotations[0]))
+            progress("sew", self._done / SETTLE)
+
+    def walked(self, watch: Watch = unwatched, *, progress: Progress = quiet) -> Dressed:
+        """Walk with it until a loop is found; ``watch`` gets every frame's points and the pose, once it walks."""
+        self.hung(progress=lambda _, __: progress("cloth", 0.0))
+        put, count = SETTLE + BLEND - 1, len(self.worn.rotations)
+        total, kept = self._cycles * count, []
+        while self._done < put + total:
+            number, places = self._done - put, self._next()
+            if number >= 0:
+                kept.append(places)
+                watch(places, self.worn.root_m[number % count], self.worn.rotations[number % count])
+            progress("cloth", 0.9 * max(number, 0) / total)
+        progress("loop", 0.9)
+        return Dressed(self._clone, self._motion, self.worn, best_loop(self.worn, np.array(kept)), self._fabric)
+
+    def _next(self) -> Array:
+        self._done += 1
+        return next(self._moving)[1].places_m
 
 
 def fabric_named(name: str) -> Fabric:
