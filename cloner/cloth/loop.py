@@ -126,7 +126,8 @@ def _closed(worn: Worn, stretch_m: Array, start: int) -> tuple[Array, float]:
 
 def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
     """Return a frame's cloth with its threads' lengths and out of the skin; the same start always gives the same."""
-    skin_m = worn.body.posed(worn.root_m[frame], worn.rotations[frame])
+    below_m = None if worn.under is None else worn.under.loop_m[frame]
+    skin_m = worn.met_m(worn.root_m[frame], worn.rotations[frame], below_m)
     now = skin_between(worn.body, skin_m, skin_m)
     tree, out = now.tree, places_m.copy()
     free = 1.0 / worn.sheet.mass_kg

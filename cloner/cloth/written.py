@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from glob import escape
 from pathlib import Path
 from typing import Final
@@ -35,6 +36,7 @@ def dress_file(
     fabric: str,
     motion: str = WALK,
     length_cm: float | None = None,
+    over: Sequence[tuple[str, str]] = (),
     progress: Progress = quiet,
 ) -> tuple[str, ...]:
     """Put a garment on a clone, let it walk, and write the loop; return what to say of it.
@@ -51,6 +53,8 @@ def dress_file(
         "walk", or a capture of a walk (.bvh).
     length_cm : float or None
         Of a named garment, from the ring or the natural waist down.
+    over : sequence of (str, str)
+        Garments and fabrics worn over it, one over the other.
     progress : callable
         May raise Cancelled: nothing was written then.
 
@@ -60,18 +64,27 @@ def dress_file(
         If something named does not exist, or cannot be worn or written.
     """
     check_target(out)
-    cloth = fabric_named(fabric)
+    fabrics = [fabric_named(name) for name in (fabric, *(name for _, name in over))]
     clone = centred(clone_of(clone_path))
-    pattern, ring_level = pattern_of(clone, garment, length_cm)
-    found = dressed(clone, pattern, ring_level, cloth, motion_of(clone, motion), progress=progress)
+    cuts = [pattern_of(clone, garment, length_cm), *(pattern_of(clone, name, None) for name, _ in over)]
+    walk, found = motion_of(clone, motion), None
+    for number, ((pattern, ring_level), cloth) in enumerate(zip(cuts, fabrics, strict=True)):
+        share = functools.partial(_share, progress, number, len(cuts))
+        found = dressed(clone, pattern, ring_level, cloth, walk, under=found, progress=share)
+    assert found is not None
     progress("export", 0.97)
     write_dressed(found, out)
-    loop = found.loop
-    return (
-        f"loop of {len(loop.frames_m)} frames, {found.worn.cloth.count} vertices: gap {loop.gap_mm:.0f} mm "
-        f"(median stretch {loop.median_mm:.0f}), closed by {loop.moved_mm:.0f} mm at most",
-        str(out),
+    said = (
+        f"loop of {len(one.loop.frames_m)} frames, {one.worn.cloth.count} vertices: gap {one.loop.gap_mm:.0f} mm "
+        f"(median stretch {one.loop.median_mm:.0f}), closed by {one.loop.moved_mm:.0f} mm at most"
+        for one in found.layers
     )
+    return (*said, str(out))
+
+
+def _share(progress: Progress, number: int, count: int, step: str, fraction: float) -> None:
+    """Tell how far one of several garments is."""
+    progress(step, (number + fraction) / count)
 
 
 def check_target(out: Path) -> None:

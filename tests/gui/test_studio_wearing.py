@@ -47,7 +47,7 @@ class Studio:
 
 @pytest.fixture
 def studio(monkeypatch):
-    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", {"cycles": 4, "step_m": 0.05})
+    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", {"cycles": 4, "step_m": 0.05, "under": None})
     return Studio()
 
 
@@ -94,7 +94,8 @@ def test_a_skirt_is_arranged_sewn_walked_in_and_saved(wearing, qtbot, monkeypatc
     wearing.fabric.activated.emit(wearing.fabric.currentIndex())
     on(qtbot, wearing, FABRIC)
     assert wearing.outfit().fabric == "denim"
-    assert wearing.preview.draped.rgb[2] > wearing.preview.draped.rgb[0], "denim is blue"
+    colour = wearing.preview.draped.parts[-1][1]
+    assert colour[2] > colour[0], "denim is blue"
     press(qtbot, wearing.next_button)
     on(qtbot, wearing, ANIMATE)
     assert len(wearing.preview.draped.places_m) > 20
@@ -103,6 +104,29 @@ def test_a_skirt_is_arranged_sewn_walked_in_and_saved(wearing, qtbot, monkeypatc
     assert target.read_bytes()[:4] == b"glTF"
     assert wearing.written.isVisible()
     qtbot.waitUntil(lambda: any(one.draped is not None for one in seen if hasattr(one, "draped")), timeout=10000)
+
+
+def test_a_cape_is_worn_over_a_skirt(wearing, qtbot):
+    for step in (SEW, FABRIC, ANIMATE):
+        press(qtbot, wearing.next_button)
+        on(qtbot, wearing, step)
+    assert wearing.over_button.isVisible()
+    skirt = wearing.outfit()
+    press(qtbot, wearing.over_button)
+    assert wearing.step == ARRANGE
+    assert not wearing.subject.isEnabled(), "who wears it stays"
+    wearing.garment.setCurrentIndex(wearing.garment.findData("cape"))
+    wearing.garment.activated.emit(wearing.garment.currentIndex())
+    wearing.fabric.setCurrentIndex(wearing.fabric.findData("silk"))
+    assert wearing.outfit().under == skirt
+    for step in (SEW, FABRIC, ANIMATE):
+        press(qtbot, wearing.next_button)
+        on(qtbot, wearing, step)
+        shown = wearing.preview.draped
+        assert len(shown.parts) == 2
+        assert sum(count for count, _ in shown.parts) == len(shown.faces)
+        assert shown.faces.max() == shown.places_m.shape[1] - 1
+    assert len(wearing.preview.draped.places_m) > 20
 
 
 def test_work_is_stopped_at_once_and_goes_on_from_there(wearing, qtbot, studio):
@@ -161,7 +185,7 @@ def test_a_bad_file_is_refused_in_one_sentence(wearing, qtbot, monkeypatch, tmp_
 
 
 def test_what_was_cancelled_leaves_no_file(eva, tmp_path, monkeypatch):
-    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", {"cycles": 4, "step_m": 0.06})
+    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", {"cycles": 4, "step_m": 0.06, "under": None})
     from cloner.booth.studio.values import Outfit
 
     def stop(step, fraction):

@@ -13,6 +13,7 @@ from cloner.records.clones import Clone
 
 Floats = NDArray[np.float32]
 Array = NDArray[np.float64]
+Rgb = tuple[float, float, float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,6 +33,8 @@ class Outfit:
     fabric : str
     motion : str
         "walk", or a captured walk's file.
+    under : Outfit or None
+        What is worn below already, by the same clone in the same motion.
     """
 
     clone: Path
@@ -40,6 +43,7 @@ class Outfit:
     length_cm: float | None = None
     fabric: str = "cotton"
     motion: str = "walk"
+    under: Outfit | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -50,7 +54,8 @@ class Draped:
     ----------
     places_m : (F, N, 3) float32
     faces : (T, 3) int32
-    rgb : three shares of sRGB, 0..1
+    parts : tuple of (int, three shares of sRGB, 0..1)
+        How many of the faces belong to each garment, the innermost first, and its colour.
     root_m : (F, 3)
     rotations : (F, 94, 3)
         How the clone stands in each frame.
@@ -58,7 +63,7 @@ class Draped:
 
     places_m: Floats
     faces: NDArray[np.int32]
-    rgb: tuple[float, float, float]
+    parts: tuple[tuple[int, Rgb], ...]
     root_m: Array
     rotations: Array
 

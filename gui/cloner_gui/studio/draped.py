@@ -47,8 +47,10 @@ class DrapedScene(Scene):
         layers = clone_layers(self.clone, shown.rotations[row])
         root = shown.root_m[row]
         places = shown.places_m[row].astype(np.float64) - root  # as the clone's own layers, which stand at home
-        normals = vertex_normals(places, shown.faces)
-        layers.append(Layer(places, normals, shown.faces, colour=shown.rgb, two_sided=True))
+        normals, first = vertex_normals(places, shown.faces), 0
+        for count, rgb in shown.parts:
+            layers.append(Layer(places, normals, shown.faces[first : first + count], colour=rgb, two_sided=True))
+            first += count
         camera = self.orbit.camera(self.clone, width_px, height_px, root)
         return draw(layers, camera, shading="soft", background=BACKGROUND, supersample=2 if fine else 1)
 

@@ -6,7 +6,7 @@ import functools
 from pathlib import Path
 from typing import Final
 
-from PySide6.QtCore import QT_TRANSLATE_NOOP, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFileDialog, QMessageBox, QSpinBox, QWidget
 
 from cloner.booth.studio.values import Arranged, Draped, Outfit
@@ -18,45 +18,9 @@ from cloner_gui.pieces import button, label
 from cloner_gui.step_bar import StepBar
 from cloner_gui.studio.bench import Bench, Subject
 from cloner_gui.studio.draped import DrapedPreview, PiecesView
-from cloner_gui.words import Spoken, translate
+from cloner_gui.studio.wardrobe import FABRICS, GARMENTS, TARGETS
+from cloner_gui.words import translate
 
-GARMENTS: Final = Spoken(
-    "garments",
-    {
-        "skirt": QT_TRANSLATE_NOOP("garments", "Skirt"),
-        "circle-skirt": QT_TRANSLATE_NOOP("garments", "Circle skirt"),
-        "straight-skirt": QT_TRANSLATE_NOOP("garments", "Straight skirt"),
-        "long-skirt": QT_TRANSLATE_NOOP("garments", "Long skirt"),
-        "cape": QT_TRANSLATE_NOOP("garments", "Cape"),
-        "tee": QT_TRANSLATE_NOOP("garments", "T-shirt"),
-        "dress": QT_TRANSLATE_NOOP("garments", "Dress"),
-        "coat": QT_TRANSLATE_NOOP("garments", "Coat"),
-        "trousers": QT_TRANSLATE_NOOP("garments", "Trousers"),
-    },
-)
-FABRICS: Final = Spoken(
-    "fabrics",
-    {
-        "silk": QT_TRANSLATE_NOOP("fabrics", "Silk"),
-        "cotton": QT_TRANSLATE_NOOP("fabrics", "Cotton"),
-        "linen": QT_TRANSLATE_NOOP("fabrics", "Linen"),
-        "wool": QT_TRANSLATE_NOOP("fabrics", "Wool"),
-        "denim": QT_TRANSLATE_NOOP("fabrics", "Denim"),
-        "burlap": QT_TRANSLATE_NOOP("fabrics", "Burlap"),
-    },
-)
-#: What a dressed clone is written as, by file ending.
-TARGETS: Final = Spoken(
-    "garments",
-    {
-        ".glb": QT_TRANSLATE_NOOP("garments", "GLB: the clone walks in it"),
-        ".mp4": QT_TRANSLATE_NOOP("garments", "MP4 film"),
-        ".webp": QT_TRANSLATE_NOOP("garments", "WebP film"),
-        ".gif": QT_TRANSLATE_NOOP("garments", "GIF film"),
-        ".usdc": QT_TRANSLATE_NOOP("garments", "USD: the garment alone"),
-        ".pc2": QT_TRANSLATE_NOOP("garments", "PC2 and OBJ: the garment alone"),
-    },
-)
 ARRANGE, SEW, FABRIC, ANIMATE, EXPORT = range(5)
 #: Lengths that may be asked for, cm; the first stands for the usual one.
 _LENGTHS_CM: Final = (14, 120)
@@ -72,7 +36,8 @@ class WearingWindow(Bench):
         self.steps, self.preview, self.pieces = StepBar(5), DrapedPreview(), PiecesView()
         self.garment, self.fabric, self.motion = QComboBox(), QComboBox(), QComboBox()
         self.bare, self.length, self.told = QCheckBox(), QSpinBox(), label("dim")
-        self.next_button = button("main")
+        self.next_button, self.over_button = button("main"), button()
+        self._under: Outfit | None = None
         self.preview.empty_text = translate("studio", "Choose a clone that is finished.")
         self.step = ARRANGE
         self._fill()
@@ -93,6 +58,7 @@ class WearingWindow(Bench):
             None if length == _LENGTHS_CM[0] else float(length),
             str(self.fabric.currentData()),
             str(self.motion.currentData()),
+            self._under,
         )
 
     def _fill(self) -> None:
@@ -122,17 +88,20 @@ class WearingWindow(Bench):
         self.controls.addStretch(1)
         self.stage.addWidget(self.steps)
         self.stage.addWidget(self.preview, 1)
+        self.over_button.setText(translate("studio", "Something &over it"))
+        self.deeds.addWidget(self.over_button)
         self.deeds.addWidget(self.next_button)
 
     def _connect(self) -> None:
         self.subject.changed.connect(self._take_subject)
         self.bare.clicked.connect(self._ask_bare)
         self.garment.activated.connect(self._take_garment)
-        self.length.valueChanged.connect(self._begin_anew)
+        self.length.valueChanged.connect(self._cut_anew)
         self.fabric.activated.connect(self._hang_again)
         self.motion.activated.connect(self._take_motion)
         self.steps.chosen.connect(self._go_back)
         self.next_button.clicked.connect(self.go_on)
+        self.over_button.clicked.connect(self.wear_over)
         self.busy_changed.connect(self._show_step)
         self.preview.failed.connect(self.notice.tell)
 
@@ -169,11 +138,11 @@ class WearingWindow(Bench):
 
     def _take_garment(self, row: int) -> None:
         if self._took_file(self.garment, row, translate("studio", "File of a garment"), "*.svg *.json"):
-            self._begin_anew()
+            self._cut_anew()
 
     def _take_motion(self, row: int) -> None:
         if self._took_file(self.motion, row, translate("studio", "Captured walk"), "*.bvh"):
-            self._go_back(min(self.step, FABRIC))
+            self._begin_anew()
 
     def _took_file(self, box: QComboBox, row: int, title: str, kinds: str) -> bool:
         """Ask for a file where the last entry was chosen, which stands for one; False where none was given."""
@@ -206,9 +175,16 @@ class WearingWindow(Bench):
         else:
             self._export(outfit)
 
-    def _begin_anew(self) -> None:
-        """Forget the garment: another one, or another clone, is wanted."""
+    def wear_over(self) -> None:
+        """Keep what is worn, and begin with a garment over it."""
+        self._under = self.outfit()
         self.step = ARRANGE
+        self.pieces.show_pieces(())
+        self._show_step()
+
+    def _begin_anew(self) -> None:
+        """Forget all garments: another one, or another clone, is wanted."""
+        self.step, self._under = ARRANGE, None
         self.pieces.show_pieces(())
         self.preview.show_draped(None)
         self.preview.set_clone(None)
@@ -217,6 +193,13 @@ class WearingWindow(Bench):
         if path is not None:
             newest().ask(self, "clone", functools.partial(clone_of, path), self._take_clone, self.notice.tell)
         self._show_step()
+
+    def _cut_anew(self) -> None:
+        """Forget the garment at hand; what is worn below it stays."""
+        if self._under is None:
+            self._begin_anew()
+        else:
+            self._reach(ARRANGE)
 
     def _take_clone(self, clone: Clone) -> None:
         if self.step == ARRANGE:
@@ -227,7 +210,7 @@ class WearingWindow(Bench):
         if step < self.step and not self.busy:
             self.step = step
             if step == ARRANGE:
-                self._begin_anew()
+                self._cut_anew()
             self._show_step()
 
     def _take_arranged(self, made: Arranged) -> None:
@@ -288,6 +271,10 @@ class WearingWindow(Bench):
         )
         self.steps.show_steps(titles, self.step, 0 if self.busy else self.step)
         self.next_button.setText(deeds[self.step])
+        self.over_button.setVisible(self.step >= ANIMATE)
+        self.over_button.setEnabled(not self.busy)
         self.next_button.setEnabled(not self.busy and self.subject.path is not None)
-        for one in (self.subject, self.bare, self.garment, self.length, self.fabric, self.motion):
+        for one in (self.garment, self.length, self.fabric):
             one.setEnabled(not self.busy)
+        for other in (self.subject, self.bare, self.motion):
+            other.setEnabled(not self.busy and self._under is None)

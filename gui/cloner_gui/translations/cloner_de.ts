@@ -2248,6 +2248,10 @@
         <translation>Teile</translation>
     </message>
     <message>
+        <source>Something &amp;over it</source>
+        <translation>Etwas da&amp;rüber</translation>
+    </message>
+    <message>
         <source>Photographed clothes</source>
         <translation>Fotografierte Kleider</translation>
     </message>

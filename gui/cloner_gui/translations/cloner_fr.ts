@@ -2248,6 +2248,10 @@
         <translation>Pièces</translation>
     </message>
     <message>
+        <source>Something &amp;over it</source>
+        <translation>Quelque chose par-&amp;dessus</translation>
+    </message>
+    <message>
         <source>Photographed clothes</source>
         <translation>Vêtements photographiés</translation>
     </message>

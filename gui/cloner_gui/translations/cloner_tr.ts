@@ -2247,6 +2247,10 @@
         <translation>Parçalar</translation>
     </message>
     <message>
+        <source>Something &amp;over it</source>
+        <translation>Ü&amp;stüne bir şey</translation>
+    </message>
+    <message>
         <source>Photographed clothes</source>
         <translation>Fotoğraftaki giysiler</translation>
     </message>
