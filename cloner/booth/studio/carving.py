@@ -11,7 +11,7 @@ import numpy as np
 
 from cloner import pipeline
 from cloner.bodies.made import clone_of_measures
-from cloner.booth.studio.values import Array, Figure, MarkedPhoto, Markers, StatueWish
+from cloner.booth.studio.values import Array, Figure, MarkedPhoto, Markers, Pixels, StatueWish
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -81,14 +81,14 @@ class Carving:
         return MarkedPhoto(picture.rgb, focal, clone, markers, bool(found))
 
     def paint_photo(
-        self, photo: MarkedPhoto, markers: Markers, onto: Path | None, material: str, progress: Progress
+        self, rgb: Pixels, focal_px: float, markers: Markers, onto: Path | None, material: str, progress: Progress
     ) -> Clone:
         """Return the clone with a photo laid on it and continued all round, cut from a material if one is named."""
         progress("textures", 0.0)
         clone, known = self._base(onto), known_points()
         vertices = np.array([one if isinstance(one, int) else known[one] for one in markers.at], np.int32)
         size = len(clone.atlas.rgb)
-        fitted = fit_photo(mesh_of(clone), vertices, markers.px, photo.rgb, focal_px=photo.focal_px, size=size)
+        fitted = fit_photo(mesh_of(clone), vertices, markers.px, rgb, focal_px=focal_px, size=size)
         progress("textures", 0.7)
         made = photographed(clone, fitted)
         return statue_of(made, material) if material else made

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+import copyreg
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from types import MappingProxyType
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +16,26 @@ from cloner.records.clones import Clone
 
 Floats = NDArray[np.float32]
 Array = NDArray[np.float64]
+Pixels = NDArray[np.uint8]
 Rgb = tuple[float, float, float]
+
+
+def _read_only(told: dict[Any, Any]) -> MappingProxyType[Any, Any]:
+    return MappingProxyType(told)
+
+
+def _sent(told: MappingProxyType[Any, Any]) -> tuple[Callable[..., MappingProxyType[Any, Any]], tuple[Any, ...]]:
+    """Return how a read-only mapping is made again in another process: clones hold some."""
+    return _read_only, (dict(told),)
+
+
+copyreg.pickle(MappingProxyType, _sent)
+
+
+def received(clone: Clone) -> Clone:
+    """Return a clone that came through a pipe as it was: read-only, so that a painter keeps its textures."""
+    shells = tuple(replace(shell) for shell in clone.shells)
+    return replace(clone, atlas=replace(clone.atlas), shells=shells)
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,7 +179,7 @@ class MarkedPhoto:
         Whether a face was found in the photo: else the markers lie in its middle.
     """
 
-    rgb: NDArray[np.uint8]
+    rgb: Pixels
     focal_px: float
     clone: Clone
     markers: Markers

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from PySide6.QtCore import QSignalBlocker
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QFileDialog, QGridLayout, QLabel, QListWidget, QWidget
 
-from cloner.booth.studio.values import Figure, StatueWish
+from cloner.booth.studio.values import Figure, StatueWish, received
 from cloner.errors import ClonerError
 from cloner.project.atomic import write_text
 from cloner.records.clones import Clone
@@ -102,7 +102,7 @@ class BlobsWindow(StatueBench):
             self.work("begin_blobs", self.onto(), then=self._take_base)
 
     def _take_base(self, made: tuple[Clone, tuple[Blob, ...]]) -> None:
-        self._base = made[0]
+        self._base = received(made[0])
         self.preview.set_clone(self._base)
         self.take_blobs(made[1])
 

@@ -9,7 +9,7 @@ from typing import Final
 from PySide6.QtWidgets import QComboBox, QFileDialog, QLineEdit, QWidget
 
 from cloner.bodies.telling import PRESETS, STATURES_M, Told, untold_mm
-from cloner.booth.studio.values import BodyWish, Figure
+from cloner.booth.studio.values import BodyWish, Figure, received
 from cloner.errors import ClonerError
 from cloner.project.folder import safe_identifier
 from cloner.records.clones import Clone
@@ -137,7 +137,7 @@ class BodiesWindow(Bench):
             self.work("shape_body", wish, then=self._take_figure, failed=self._refuse, quiet=True)
 
     def _take_base(self, made: tuple[Clone, str]) -> None:
-        self._base, self._sex = made
+        self._base, self._sex = received(made[0]), made[1]
         self._set_ranges()
         self.rows[STATURE].follow(100.0 * self._base.stature_m)
         self._set_ranges()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
@@ -13,7 +14,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QContextMenuEvent
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QMenu, QWidget
 
-from cloner.booth.studio.values import MarkedPhoto, Markers, StatueWish
+from cloner.booth.studio.values import MarkedPhoto, Markers, StatueWish, received
 from cloner.frames import ViewId
 from cloner.records.clones import Clone
 from cloner.records.points import ViewPoints
@@ -114,12 +115,12 @@ class PhotographWindow(StatueBench):
             self.work("mark_photo", self._path, self.onto(), then=self._take_photo)
 
     def _take_photo(self, found: MarkedPhoto) -> None:
-        self._photo, self._fit = found, None
+        self._photo, self._fit = replace(found, clone=received(found.clone)), None
         rgb = np.ascontiguousarray(found.rgb)
         rgb.setflags(write=False)  # it came through a pipe: the painter keeps what cannot change
         self._rgb = rgb
         self.view.set_photo(rgb)
-        self.preview.set_clone(found.clone)
+        self.preview.set_clone(self._photo.clone)
         self.preview.frame("face")
         if not found.found:
             self.told.setText(translate("studio", "No face was found: drag the markers to their places."))
@@ -210,11 +211,14 @@ class PhotographWindow(StatueBench):
         """Paint what the photo does not show, and cut the clone from its material."""
         if self._photo is not None:
             material = str(self.material.currentData())
-            self.work("paint_photo", self._photo, self._markers, self.onto(), material, then=self._take_painted)
+            photo = self._photo
+            self.work(
+                "paint_photo", photo.rgb, photo.focal_px, self._markers, self.onto(), material, then=self._take_painted
+            )
 
     def _take_painted(self, clone: Clone) -> None:
         self.preview.show_fit(None, None, None)
-        self.preview.update_clone(clone)
+        self.preview.update_clone(received(clone))
 
     def _show_live(self, asked_s: float = 0.0) -> None:
         """Show the photo itself where the markers lay it."""

@@ -8,7 +8,7 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 from PySide6.QtWidgets import QComboBox, QFileDialog, QLineEdit, QWidget
 
-from cloner.booth.studio.values import StatueWish
+from cloner.booth.studio.values import StatueWish, received
 from cloner.project.folder import safe_identifier
 from cloner.records.clones import Clone
 from cloner_gui.booth import Booth
@@ -146,6 +146,7 @@ class StoneWindow(StatueBench):
         self.work("save_carved", self.onto(), str(self.pose.currentData()), wish, then=self.tell_written)
 
     def _take_statue(self, statue: Clone) -> None:
+        statue = received(statue)
         if self.preview.pixmap().isNull():
             self.preview.set_clone(statue)
         else:

@@ -9,7 +9,7 @@ from typing import Final
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFileDialog, QMessageBox, QSpinBox, QWidget
 
-from cloner.booth.studio.values import Arranged, Draped, Outfit
+from cloner.booth.studio.values import Arranged, Draped, Outfit, received
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner_gui.booth import Booth
@@ -216,7 +216,7 @@ class WearingWindow(Bench):
     def _take_arranged(self, made: Arranged) -> None:
         self.pieces.show_pieces(made.pieces_m)
         self.preview.show_draped(made.draped)
-        self.preview.update_clone(made.below)
+        self.preview.update_clone(received(made.below))
         self._reach(SEW)
 
     def _hang(self, outfit: Outfit) -> None:
