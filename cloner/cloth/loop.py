@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.cloth.moving import Worn
-from cloner.cloth.solver import leash, pull
+from cloner.cloth.solver import leash
+from cloner.cloth.threads import limit, pull
 from cloner.cloth.wearer import planes_under, skin_between
 from cloner.geometry.viewpoints import framing_camera
 from cloner.render import render_mesh
@@ -136,6 +137,7 @@ def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
         if number < RELAXATIONS:  # what was spread lies askew over folds: threads go back to their lengths
             leash(worn.sheet, out)
             pull(worn.sheet.stretch, out, free, SPEED_S / 20.0)
+            limit(worn.sheet.stretch, out, free)
             if number % 4 < 3:
                 continue
         planes = planes_under(now, tree, out, 0.05)

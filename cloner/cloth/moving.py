@@ -15,7 +15,8 @@ from cloner.cloth.layered import Under, wearer_over
 from cloner.cloth.pattern import Pattern
 from cloner.cloth.placing import Band, Ring, band, outside, placed
 from cloner.cloth.sections import sections
-from cloner.cloth.solver import THICK_M, Sheet, State, leash, pull, sheet_of, step
+from cloner.cloth.solver import THICK_M, Sheet, State, leash, sheet_of, step
+from cloner.cloth.threads import pull
 from cloner.cloth.wearer import FRAMES_PER_S, Wearer, frames, planes_under, skin_between, wearer
 from cloner.cloth.wrapping import DEEP_M, PUSHES, wrapped
 from cloner.records.clones import Clone
