@@ -138,7 +138,9 @@ class Menus:
         from cloner_gui.studio.windows import window_of
 
         if self._booth.allowed():
-            _show(window_of(which)(self._booth, self._window))
+            made = window_of(which)(self._booth, self._window)
+            self._window.kiosk.changed.connect(made.close)
+            made.show()  # deleted with the main window: deleted on close, glibc found a spoilt heap
 
     def _open_settings(self) -> None:
         from cloner_gui.pages.settings import SettingsWindow

@@ -1,6 +1,7 @@
 """A clone is dressed in the window: arranged, sewn, hung, walked in, saved; nobody is undressed unasked."""
 
 import dataclasses
+import shutil
 import threading
 
 import numpy as np
@@ -197,10 +198,29 @@ def test_what_was_cancelled_leaves_no_file(eva, tmp_path, monkeypatch):
     assert not list(tmp_path.iterdir())
 
 
+def test_a_clone_that_is_deleted_is_seen_no_longer(wearing, qtbot, eva, tmp_path):
+    gone = tmp_path / "gone"
+    shutil.copytree(eva, gone)
+    wearing.subject.choose(gone)
+    qtbot.waitUntil(lambda: wearing.preview._clone is not None, timeout=20000)
+    press(qtbot, wearing.next_button)
+    on(qtbot, wearing, SEW)
+    shutil.rmtree(gone)
+    wearing.booth.visits_changed.emit()
+    assert wearing.outfit() is None
+    assert wearing.preview._clone is None
+    assert wearing.preview.draped is None
+    assert not wearing.next_button.isEnabled()
+
+
 def test_the_kiosk_hides_the_studio(wearing, qtbot):
     window = wearing.parent()
     window.booth.change(pin="x")
+    window.menus._open_studio("wearing")
+    opened = [one for one in window.findChildren(WearingWindow) if one is not wearing]
+    assert len(opened) == 1
     window.kiosk.toggle()
+    assert not opened[0].isVisible()
     assert not window.menuBar().isVisible()
     window.kiosk._end()
     titles = [one.text().replace("&", "") for one in window.menuBar().actions()]

@@ -197,6 +197,7 @@ class Subject(QWidget):
         column.addWidget(self.who)
         column.addWidget(self.other_button)
         self.other_button.clicked.connect(self._choose)
+        booth.visits_changed.connect(self._look)
         outcome, folder = booth.session.outcome, booth.session.folder
         self.path: Path | None = None
         self.choose(None if outcome is None else outcome.folder, "" if folder is None else booth.name_of(folder))
@@ -207,6 +208,11 @@ class Subject(QWidget):
         nobody = translate("studio", "No clone is chosen.")
         self.who.setText(nobody if path is None else called or path.name)
         self.changed.emit()
+
+    def _look(self) -> None:
+        """Let a clone go that was deleted."""
+        if self.path is not None and not self.path.exists():
+            self.choose(None)
 
     def _choose(self) -> None:
         text = translate("studio", "Folder of a clone")

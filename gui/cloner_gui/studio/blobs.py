@@ -97,8 +97,10 @@ class BlobsWindow(StatueBench):
 
     def begin_anew(self) -> None:
         """Fit blobs to a body, to begin with."""
-        if self.is_ready():
-            self._base = None
+        self._base = None
+        if not self.is_ready():
+            self.preview.set_clone(None)
+        else:
             self.work("begin_blobs", self.onto(), then=self._take_base)
 
     def _take_base(self, made: tuple[Clone, tuple[Blob, ...]]) -> None:

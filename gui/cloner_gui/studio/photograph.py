@@ -111,7 +111,11 @@ class PhotographWindow(StatueBench):
 
     def begin_anew(self) -> None:
         """Mark the photo anew: another one, or another clone, is wanted."""
-        if self._path is not None and self.is_ready():
+        if not self.is_ready():
+            self._photo, self._fit = None, None
+            self.preview.show_fit(None, None, None)
+            self.preview.set_clone(None)
+        elif self._path is not None:
             self.work("mark_photo", self._path, self.onto(), then=self._take_photo)
 
     def _take_photo(self, found: MarkedPhoto) -> None:

@@ -184,6 +184,7 @@ class WearingWindow(Bench):
 
     def _begin_anew(self) -> None:
         """Forget all garments: another one, or another clone, is wanted."""
+        self.cancel()
         self.step, self._under = ARRANGE, None
         self.pieces.show_pieces(())
         self.preview.show_draped(None)
@@ -191,7 +192,13 @@ class WearingWindow(Bench):
         self.written.setText("")
         path = self.subject.path
         if path is not None:
-            newest().ask(self, "clone", functools.partial(clone_of, path), self._take_clone, self.notice.tell)
+            newest().ask(
+                self,
+                "clone",
+                functools.partial(clone_of, path),
+                functools.partial(self._take_clone, path),
+                self.notice.tell,
+            )
         self._show_step()
 
     def _cut_anew(self) -> None:
@@ -201,8 +208,8 @@ class WearingWindow(Bench):
         else:
             self._reach(ARRANGE)
 
-    def _take_clone(self, clone: Clone) -> None:
-        if self.step == ARRANGE:
+    def _take_clone(self, path: Path, clone: Clone) -> None:
+        if self.step == ARRANGE and path == self.subject.path:
             self.preview.set_clone(clone)
 
     def _go_back(self, step: int) -> None:
