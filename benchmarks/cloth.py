@@ -108,7 +108,9 @@ def main() -> None:
     ]  # fmt: skip
     (DOCS / "cloth_benchmark.md").write_text("\n".join(lines), encoding="utf-8")
     print("\n".join(lines[4:-4]))
-    shown = list(pictures(Dressed(clone, motion, worn, loop, fabric)))[:: max(1, len(loop.frames_m) // 8)]
+    shown = list(pictures(Dressed(clone, motion, worn, loop, fabric, np.zeros((0, worn.cloth.count, 3)))))[
+        :: max(1, len(loop.frames_m) // 8)
+    ]
     sheet = Image.fromarray(np.hstack(shown))
     sheet.resize((sheet.width // 3, sheet.height // 3), Image.Resampling.LANCZOS).save(DOCS / "pictures" / "cloth.png")
 

@@ -245,13 +245,25 @@ def _dress(
     fabric: Annotated[str, typer.Option(help="silk, cotton, linen, wool, denim or burlap.")] = "cotton",
     motion: Annotated[str, typer.Option(help="walk, or a captured walk (.bvh).")] = "walk",
     length: Annotated[float | None, typer.Option("--length", help="Length in cm.")] = None,
+    over: Annotated[
+        list[str] | None, typer.Option("--over", help="Worn over it: GARMENT or GARMENT:FABRIC. Repeat it.")
+    ] = None,
 ) -> None:
     """Put a garment on a clone and let its cloth flow in a loop with the walk."""
     from cloner.cloth.written import dress_file
 
+    worn_over = [(name, other or fabric) for name, _, other in (one.partition(":") for one in over or ())]
+
     with ProgressLine() as progress:
         lines = dress_file(
-            clone_path, out, garment=garment, fabric=fabric, motion=motion, length_cm=length, progress=progress
+            clone_path,
+            out,
+            garment=garment,
+            fabric=fabric,
+            motion=motion,
+            length_cm=length,
+            over=worn_over,
+            progress=progress,
         )
     for line in lines:
         typer.echo(line)

@@ -77,10 +77,21 @@ def clone_of(path: Path) -> Clone:
     ClonerError
         If there is none.
     """
+    return load_clone(clone_file(path))
+
+
+def clone_file(path: Path) -> Path:
+    """Return the ``clone.npz`` that a result's folder holds, or that is given itself.
+
+    Raises
+    ------
+    ClonerError
+        If there is none.
+    """
     file = path / CLONE_FILE if path.is_dir() else path
     if not file.is_file():
         raise ClonerError("there is no clone", "Give a result's folder or its clone.npz", path.name)
-    return load_clone(file)
+    return file
 
 
 def folder_name(path: Path) -> str:

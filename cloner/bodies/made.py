@@ -41,20 +41,32 @@ def clone_of_measures(told: Told, size: int, seed: int = 0) -> Clone:
     ClonerError
         If nobody has these measures.
     """
-    check_told(told)
-    generic, body = load_generic(), measured_body(told)
-    vertices = flat_soles(generic, body.vertices_m, 0.0)
-    joints = eye_joints(generic, body.joints_m, vertices)
+    generic, body = load_generic(), figure(told)
+    vertices, joints = body.vertices_m, body.joints_m
     names, index, delta, start = face_targets(vertices)
     shown = measures_mm(vertices, joints, load_tape_rules())
     return Clone(
         vertices, joints, names, index, delta, start,
-        painted(BodyMesh(vertices, joints), told.sex, size, np.random.default_rng(seed)),
+        painted(body, told.sex, size, np.random.default_rng(seed)),
         (), named_features(generic, vertices), {}, told.stature_m, 0.0,
         consent=True, terms=Terms(licence="everyone"),  # nobody's likeness: a family's face and drawn skin
         triangle_regions=regions(told.sex),
         measures_mm={key: round(told.mm.get(key, shown[key]), 1) for key in MEASURE_KEYS},
     )  # fmt: skip
+
+
+def figure(told: Told) -> BodyMesh:
+    """Return the shape alone of a body that only a tape knows, with flat soles on y = 0 and eyes in their sockets.
+
+    Raises
+    ------
+    ClonerError
+        If nobody has these measures.
+    """
+    check_told(told)
+    generic, body = load_generic(), measured_body(told)
+    vertices = flat_soles(generic, body.vertices_m, 0.0)
+    return BodyMesh(vertices, eye_joints(generic, body.joints_m, vertices))
 
 
 def remeasured_clone(clone: Clone, told: Told) -> Clone:

@@ -89,8 +89,12 @@ def check_told(told: Told) -> None:
             raise ClonerError(f"the {_words(key)} cannot be told, it follows from the others", hint, key)
     for larger, smaller in NEVER_SMALLER:
         if larger in told.mm and smaller in told.mm and told.mm[larger] < told.mm[smaller]:
-            message = f"the {_words(larger)} of {_cm(told.mm[larger])} is smaller than the {_words(smaller)}"
-            raise ClonerError(f"{message} of {_cm(told.mm[smaller])}", _MEASURE, larger)
+            large, small = told.mm[larger], told.mm[smaller]
+            raise ClonerError(
+                f"the {_words(larger)} of {_cm(large)} is smaller than the {_words(smaller)} of {_cm(small)}",
+                _MEASURE,
+                larger,
+            )
     _check_likely(told)
 
 
@@ -98,20 +102,20 @@ def _check_likely(told: Told) -> None:
     """Refuse measures far from everybody's, alone or beside the others."""
     everybody = people(told.sex)
     for key, value in told.mm.items():
-        _check_near(told, key, value, everybody.spread_mm(key, told.stature_m), FAR, "")
+        _check_near(told, key, value, everybody.spread_mm(key, told.stature_m), FAR, alone=True)
     for key, value in told.mm.items():
         others = {other: each for other, each in told.mm.items() if other != key}
         alike = everybody.told(told.stature_m, others)
-        _check_near(told, key, value, alike.spread_mm(key, told.stature_m), FAR_TOGETHER, " with the other measures")
+        _check_near(told, key, value, alike.spread_mm(key, told.stature_m), FAR_TOGETHER, alone=False)
 
 
-def _check_near(told: Told, key: str, value: float, usual: tuple[float, float], far: float, beside: str) -> None:
+def _check_near(told: Told, key: str, value: float, usual: tuple[float, float], far: float, *, alone: bool) -> None:
     mean, spread = usual[0], max(usual[1], 0.02 * usual[0])
     if abs(value - mean) > far * spread:
-        hint = f"{_MEASURE}; {_cm(mean - far * spread)} to {_cm(mean + far * spread)} can be made"
+        hint = f"Measure again; {_cm(mean - far * spread)} to {_cm(mean + far * spread)} can be made"
         stature = STATURE_MM[told.sex][0] / 1e3 if not told.stature_m else told.stature_m
-        message = f"a {_words(key)} of {_cm(value)} is no body's of {100.0 * stature:.0f} cm{beside}"
-        raise ClonerError(message, hint, key)
+        message = f"a {_words(key)} of {_cm(value)} is no body's of {100.0 * stature:.0f} cm"
+        raise ClonerError(message if alone else f"{message} with the other measures", hint, key)
 
 
 def refused(key: str, error_mm: float, wanted_mm: float) -> ClonerError:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import struct
 import tempfile
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +27,7 @@ def _closed_m(found: Dressed) -> NDArray[np.float64]:
 
 
 def pc2(found: Dressed) -> bytes:
-    """Return the garment's vertices in every frame of the loop; the last repeats the first."""
+    """Return the outermost garment's vertices in every frame of the loop; the last repeats the first."""
     frames = _closed_m(found).astype("<f4")
     return struct.pack("<12siiffi", b"POINTCACHE2\0", 1, frames.shape[1], 0.0, 1.0, len(frames)) + frames.tobytes()
 
@@ -46,7 +47,7 @@ def obj(found: Dressed) -> bytes:
 
 
 def usd(found: Dressed) -> bytes:
-    """Return a USD file (binary) of the garment: a mesh with points at every frame.
+    """Return a USD file (binary) of all garments: a mesh each, with points at every frame.
 
     Raises
     ------
@@ -54,30 +55,36 @@ def usd(found: Dressed) -> bytes:
         If the USD library is not installed.
     """
     pxr = usd_library()
-    cloth, frames = found.worn.cloth, _closed_m(found)
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "garment.usdc"
         stage = pxr.Usd.Stage.CreateNew(str(path))
         pxr.UsdGeom.SetStageUpAxis(stage, pxr.UsdGeom.Tokens.y)
         pxr.UsdGeom.SetStageMetersPerUnit(stage, 1.0)
         stage.SetStartTimeCode(0.0)
-        stage.SetEndTimeCode(float(len(frames) - 1))
+        stage.SetEndTimeCode(float(len(found.loop.frames_m)))
         stage.SetTimeCodesPerSecond(float(FRAMES_PER_S))
-        mesh = pxr.UsdGeom.Mesh.Define(stage, "/Garment")
-        stage.SetDefaultPrim(mesh.GetPrim())
-        mesh.CreateSubdivisionSchemeAttr(pxr.UsdGeom.Tokens.none)
-        mesh.CreateDoubleSidedAttr(True)
-        mesh.CreateFaceVertexCountsAttr(pxr.Vt.IntArray.FromNumpy(np.full(len(cloth.faces), 3, np.int32)))
-        mesh.CreateFaceVertexIndicesAttr(pxr.Vt.IntArray.FromNumpy(cloth.faces.ravel().astype(np.int32)))
-        places = pxr.UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
-            "st", pxr.Sdf.ValueTypeNames.TexCoord2fArray, pxr.UsdGeom.Tokens.faceVarying
-        )
-        places.Set(pxr.Vt.Vec2fArray.FromNumpy(cloth.flat_m[cloth.triangles.ravel()].astype(np.float32)))
-        mesh.CreateDisplayColorAttr([pxr.Gf.Vec3f(*found.fabric.linear_rgb())])
-        points, box = mesh.CreatePointsAttr(), mesh.CreateExtentAttr()
-        for number, frame in enumerate(frames.astype(np.float32)):
-            points.Set(pxr.Vt.Vec3fArray.FromNumpy(frame), float(number))
-            box.Set([pxr.Gf.Vec3f(*map(float, end)) for end in (frame.min(axis=0), frame.max(axis=0))], float(number))
+        for number, one in enumerate(found.layers, start=1):
+            _add_mesh(pxr, stage, one, "Garment" if number == 1 else f"Garment_{number}")
+        stage.SetDefaultPrim(stage.GetPrimAtPath("/Garment"))
         stage.GetRootLayer().Save()
         del stage
         return path.read_bytes()
+
+
+def _add_mesh(pxr: Any, stage: Any, one: Dressed, name: str) -> None:
+    """Add a garment's mesh with its points in every frame."""
+    cloth, frames = one.worn.cloth, _closed_m(one)
+    mesh = pxr.UsdGeom.Mesh.Define(stage, f"/{name}")
+    mesh.CreateSubdivisionSchemeAttr(pxr.UsdGeom.Tokens.none)
+    mesh.CreateDoubleSidedAttr(True)
+    mesh.CreateFaceVertexCountsAttr(pxr.Vt.IntArray.FromNumpy(np.full(len(cloth.faces), 3, np.int32)))
+    mesh.CreateFaceVertexIndicesAttr(pxr.Vt.IntArray.FromNumpy(cloth.faces.ravel().astype(np.int32)))
+    places = pxr.UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
+        "st", pxr.Sdf.ValueTypeNames.TexCoord2fArray, pxr.UsdGeom.Tokens.faceVarying
+    )
+    places.Set(pxr.Vt.Vec2fArray.FromNumpy(cloth.flat_m[cloth.triangles.ravel()].astype(np.float32)))
+    mesh.CreateDisplayColorAttr([pxr.Gf.Vec3f(*one.fabric.linear_rgb())])
+    points, box = mesh.CreatePointsAttr(), mesh.CreateExtentAttr()
+    for number, frame in enumerate(frames.astype(np.float32)):
+        points.Set(pxr.Vt.Vec3fArray.FromNumpy(frame), float(number))
+        box.Set([pxr.Gf.Vec3f(*map(float, end)) for end in (frame.min(axis=0), frame.max(axis=0))], float(number))

@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 from cloner.cloth.blocks import BLOCKS, draft
 from cloner.cloth.drawn import read_drawing
 from cloner.cloth.fabrics import FABRICS, Fabric
+from cloner.cloth.layered import Under
 from cloner.cloth.loop import Loop, best_loop
-from cloner.cloth.moving import Worn, put_on, simulate
+from cloner.cloth.moving import BLEND, SETTLE, Worn, put_on, simulate
 from cloner.cloth.pattern import Pattern, read_pattern
 from cloner.cloth.placing import Ring, body_ring
 from cloner.cloth.sections import sections
@@ -34,6 +35,8 @@ from cloner.records.motions import Motion
 from cloner.render import draw
 
 Array = NDArray[np.float64]
+#: Sees a frame: the points (N, 3) of all garments, the innermost first, the clone's root (3,) and rotations (94, 3).
+Watch = Callable[[Array, Array, Array], None]
 
 WALK: Final = "walk"
 WAIST: Final = "natural_waist"
@@ -50,15 +53,41 @@ LEGS_M: Final = 0.10
 SIZE_PX: Final = (480, 720)
 
 
+def unwatched(places_m: Array, root_m: Array, rotations: Array) -> None:
+    """See a frame of cloth and do nothing."""
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class Dressed:
-    """A clone and its garment in a closed loop."""
+    """A clone and its garment in a closed loop.
+
+    Attributes
+    ----------
+    put_m : (P, N, 3)
+        The garment's points while it was put on, and in the walk's first cycle.
+    under : Dressed or None
+        What is worn below it.
+    """
 
     clone: Clone
     motion: Motion
     worn: Worn
     loop: Loop
     fabric: Fabric
+    put_m: Array
+    under: Dressed | None = None
+
+    @property
+    def layers(self) -> tuple[Dressed, ...]:
+        """All garments that are worn, the innermost first."""
+        return (*(() if self.under is None else self.under.layers), self)
+
+    def below(self) -> Under:
+        """Return all garments as what another is worn over."""
+        starts = np.cumsum([0, *(one.worn.cloth.count for one in self.layers)])
+        faces = [one.worn.cloth.faces + start for one, start in zip(self.layers, starts, strict=False)]
+        put = np.concatenate([one.put_m for one in self.layers], axis=1)
+        return Under(np.concatenate(faces), put, np.concatenate([one.loop.frames_m for one in self.layers], axis=1))
 
 
 def dressed(
@@ -70,18 +99,84 @@ def dressed(
     *,
     cycles: int = CYCLES,
     step_m: float = STEP_M,
+    under: Dressed | None = None,
     progress: Progress = quiet,
 ) -> Dressed:
     """Return a clone with a garment that moves in a loop with a cyclic motion; only what hangs from a ring has one."""
-    ring = body_ring(clone, ring_level) if ring_level is not None else None
-    worn = put_on(clone, pattern, ring, fabric, motion, step_m)
-    total, kept = cycles * len(worn.rotations), []
-    for number, state in simulate(worn, cycles):
-        if number >= 0:
-            kept.append(state.places_m)
-        progress("cloth", 0.9 * max(number, 0) / total)
-    progress("loop", 0.9)
-    return Dressed(clone, motion, worn, best_loop(worn, np.array(kept)), fabric)
+    made = Dressing(clone, pattern, ring_level, fabric, motion, cycles=cycles, step_m=step_m, under=under)
+    return made.walked(progress=progress)
+
+
+class Dressing:
+    """A garment on its way: arranged round the clone, sewn and hung, walked with; each step begins where one ended.
+
+    Parameters
+    ----------
+    clone : Clone
+    pattern : Pattern
+    ring_level : str or None
+        Level of the ring that it hangs from, if any.
+    fabric : Fabric
+    motion : Motion
+        Cyclic.
+    under : Dressed or None
+        What is worn below already, in the same motion.
+    """
+
+    def __init__(
+        self,
+        clone: Clone,
+        pattern: Pattern,
+        ring_level: str | None,
+        fabric: Fabric,
+        motion: Motion,
+        *,
+        cycles: int = CYCLES,
+        step_m: float = STEP_M,
+        under: Dressed | None = None,
+    ) -> None:
+        ring = body_ring(clone, ring_level) if ring_level is not None else None
+        below = None if under is None else under.below()
+        self.worn, self._under = put_on(clone, pattern, ring, fabric, motion, step_m, below), under
+        self._clone, self._fabric, self._motion, self._cycles = clone, fabric, motion, cycles
+        self._moving = simulate(self.worn, cycles)
+        self._done = 0
+        self._put: list[Array] = []
+
+    def hung(self, watch: Watch = unwatched, *, progress: Progress = quiet) -> None:
+        """Let the garment hang on the clone at rest; ``watch`` sees every frame."""
+        while self._done < SETTLE:
+            places = self._next()
+            watch(self.with_below(places, self._done - 1), np.zeros(3), np.zeros_like(self.worn.rotations[0]))
+            progress("sew", self._done / SETTLE)
+
+    def walked(self, watch: Watch = unwatched, *, progress: Progress = quiet) -> Dressed:
+        """Walk with it until a loop is found; ``watch`` sees every frame, once it walks."""
+        self.hung(progress=lambda _, __: progress("cloth", 0.0))
+        put, count = SETTLE + BLEND - 1, len(self.worn.rotations)
+        total, kept = self._cycles * count, []
+        while self._done < put + total:
+            number, places = self._done - put, self._next()
+            if number >= 0:
+                kept.append(places)
+                all_m = self.with_below(places, number + put)
+                watch(all_m, self.worn.root_m[number % count], self.worn.rotations[number % count])
+            progress("cloth", 0.9 * max(number, 0) / total)
+        progress("loop", 0.9)
+        loop, first = best_loop(self.worn, np.array(kept)), np.array(self._put)
+        return Dressed(self._clone, self._motion, self.worn, loop, self._fabric, first, self._under)
+
+    def with_below(self, places_m: Array, frame: int) -> Array:
+        """Return the points of what is worn below in a frame from the beginning on, and this garment's after them."""
+        under = self.worn.under
+        return places_m if under is None else np.concatenate([under.at(frame), places_m])
+
+    def _next(self) -> Array:
+        places = next(self._moving)[1].places_m
+        self._done += 1
+        if self._done < SETTLE + BLEND + len(self.worn.rotations):
+            self._put.append(places)
+        return places
 
 
 def fabric_named(name: str) -> Fabric:
@@ -153,12 +248,14 @@ def motion_of(clone: Clone, motion: str) -> Motion:
 def pictures(found: Dressed, turn_deg: float = 30.0) -> Iterator[NDArray[np.uint8]]:
     """Yield the loop's pictures."""
     camera = framing_camera(found.clone.vertices_m, turn_deg, *SIZE_PX)
-    faces, colour = found.worn.cloth.faces.astype(np.int32), tuple(value / 255.0 for value in found.fabric.rgb)
-    for frame, places in enumerate(found.loop.frames_m):
+    for frame in range(len(found.loop.frames_m)):
         shown = [
             replace(layer, vertices_m=layer.vertices_m + found.worn.root_m[frame])
             for layer in clone_layers(found.clone, found.worn.rotations[frame])
         ]
-        normals = vertex_normals(places, faces)
-        shown.append(Layer(places, normals, faces, colour=(colour[0], colour[1], colour[2]), two_sided=True))
+        for one in found.layers:
+            places, faces = one.loop.frames_m[frame], one.worn.cloth.faces.astype(np.int32)
+            red, green, blue = (value / 255.0 for value in one.fabric.rgb)
+            normals = vertex_normals(places, faces)
+            shown.append(Layer(places, normals, faces, colour=(red, green, blue), two_sided=True))
         yield draw(shown, camera, shading="soft", background=(226, 228, 230))

@@ -31,13 +31,24 @@ class _Later(GltfBuffer):
 
 
 def glb(found: Dressed) -> bytes:
-    """Return the walking clone with its garment: a morph target a frame, shown in turn by the walk's own animation.
+    """Return the walking clone with its garments: a morph target a frame, shown in turn by the walk's own animation.
 
-    Skin that the cloth always covers has a material of its own, which is not seen; nothing is taken away.
+    Skin that cloth always covers has a material of its own, which is not seen; nothing is taken away.
     """
     gltf = build(found.clone, moves=lambda _: (found.motion,))
-    _hide(gltf, covered(found.worn, found.loop.frames_m))
-    buffer, cloth, frames = _Later(gltf, gltf.binary_blob()), found.worn.cloth, found.loop.frames_m
+    _hide(gltf, np.any([covered(one.worn, one.loop.frames_m) for one in found.layers], axis=0))
+    buffer = _Later(gltf, gltf.binary_blob())
+    for number, one in enumerate(found.layers, start=1):
+        _add(gltf, buffer, one, "Garment" if number == 1 else f"Garment {number}")
+    data = buffer.data()
+    gltf.buffers[0].byteLength = len(data)
+    gltf.set_binary_blob(data)
+    return glb_bytes(gltf)
+
+
+def _add(gltf: Any, buffer: GltfBuffer, one: Dressed, name: str) -> None:
+    """Add a garment's mesh with its targets, its material, and when each target is on."""
+    cloth, frames = one.worn.cloth, one.loop.frames_m
     faces = cloth.faces.astype(np.int32)
     normals = np.array([vertex_normals(frame, faces) for frame in frames])
     points, turned = frames[:, cloth.vertex], normals[:, cloth.vertex]
@@ -51,21 +62,17 @@ def glb(found: Dressed) -> bytes:
         }
         for k in range(1, len(points))
     ]
-    colour = [*found.fabric.linear_rgb(), 1.0]
+    colour = [*one.fabric.linear_rgb(), 1.0]
     look = pygltflib.PbrMetallicRoughness(baseColorFactor=colour, metallicFactor=0.0, roughnessFactor=ROUGHNESS)
-    gltf.materials.append(pygltflib.Material(name=found.fabric.name, pbrMetallicRoughness=look, doubleSided=True))
+    gltf.materials.append(pygltflib.Material(name=one.fabric.name, pbrMetallicRoughness=look, doubleSided=True))
     primitive = pygltflib.Primitive(
         attributes=attributes, indices=buffer.indices(cloth.triangles.astype(np.int32)),
         material=len(gltf.materials) - 1, targets=targets,
     )  # fmt: skip
-    gltf.meshes.append(pygltflib.Mesh(name="Garment", primitives=[primitive], weights=[0.0] * len(targets)))
-    gltf.nodes.append(pygltflib.Node(name="Garment", mesh=len(gltf.meshes) - 1))
+    gltf.meshes.append(pygltflib.Mesh(name=name, primitives=[primitive], weights=[0.0] * len(targets)))
+    gltf.nodes.append(pygltflib.Node(name=name, mesh=len(gltf.meshes) - 1))
     gltf.scenes[0].nodes.append(len(gltf.nodes) - 1)
-    _show_in_turn(gltf, buffer, len(points), float(found.motion.times_s[-1]), len(gltf.nodes) - 1)
-    data = buffer.data()
-    gltf.buffers[0].byteLength = len(data)
-    gltf.set_binary_blob(data)
-    return glb_bytes(gltf)
+    _show_in_turn(gltf, buffer, len(points), float(one.motion.times_s[-1]), len(gltf.nodes) - 1)
 
 
 def _show_in_turn(gltf: Any, buffer: GltfBuffer, count: int, seconds: float, node: int) -> None:

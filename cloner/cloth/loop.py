@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.cloth.moving import Worn
-from cloner.cloth.solver import leash, pull
+from cloner.cloth.solver import leash
+from cloner.cloth.threads import limit, pull
 from cloner.cloth.wearer import planes_under, skin_between
 from cloner.geometry.viewpoints import framing_camera
 from cloner.render import render_mesh
@@ -126,7 +127,8 @@ def _closed(worn: Worn, stretch_m: Array, start: int) -> tuple[Array, float]:
 
 def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
     """Return a frame's cloth with its threads' lengths and out of the skin; the same start always gives the same."""
-    skin_m = worn.body.posed(worn.root_m[frame], worn.rotations[frame])
+    below_m = None if worn.under is None else worn.under.loop_m[frame]
+    skin_m = worn.met_m(worn.root_m[frame], worn.rotations[frame], below_m)
     now = skin_between(worn.body, skin_m, skin_m)
     tree, out = now.tree, places_m.copy()
     free = 1.0 / worn.sheet.mass_kg
@@ -135,6 +137,7 @@ def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
         if number < RELAXATIONS:  # what was spread lies askew over folds: threads go back to their lengths
             leash(worn.sheet, out)
             pull(worn.sheet.stretch, out, free, SPEED_S / 20.0)
+            limit(worn.sheet.stretch, out, free)
             if number % 4 < 3:
                 continue
         planes = planes_under(now, tree, out, 0.05)

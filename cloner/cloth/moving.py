@@ -11,12 +11,14 @@ from numpy.typing import NDArray
 
 from cloner.cloth.cut import Cloth, cut
 from cloner.cloth.fabrics import Fabric
+from cloner.cloth.layered import Under, wearer_over
 from cloner.cloth.pattern import Pattern
 from cloner.cloth.placing import Band, Ring, band, outside, placed
 from cloner.cloth.sections import sections
-from cloner.cloth.solver import THICK_M, Sheet, State, leash, pull, sheet_of, step
+from cloner.cloth.solver import THICK_M, Sheet, State, leash, sheet_of, step
+from cloner.cloth.threads import pull
 from cloner.cloth.wearer import FRAMES_PER_S, Wearer, frames, planes_under, skin_between, wearer
-from cloner.cloth.wrapping import DEEP_M, wrapped
+from cloner.cloth.wrapping import DEEP_M, PUSHES, wrapped
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
@@ -48,6 +50,8 @@ class Worn:
     speed_m_s : float
         At which the ground runs backwards: the air does as well.
     start : State
+    under : Under or None
+        What is worn below.
     """
 
     cloth: Cloth
@@ -58,32 +62,65 @@ class Worn:
     rotations: Array
     speed_m_s: float
     start: State
+    under: Under | None = None
+
+    def met_m(self, root_m: Array, rotations: Array, below_m: Array | None) -> Array:
+        """Return (B, 3) the skin of a pose, and the points (N, 3) of what is worn below after it."""
+        skin_m = self.body.posed(root_m, rotations)
+        return skin_m if below_m is None else np.concatenate([skin_m, below_m])
 
 
-def put_on(clone: Clone, pattern: Pattern, ring: Ring | None, fabric: Fabric, motion: Motion, step_m: float) -> Worn:
-    """Return a garment placed round a clone in rest pose, not yet let go; what hangs from a ring needs it."""
+def put_on(
+    clone: Clone,
+    pattern: Pattern,
+    ring: Ring | None,
+    fabric: Fabric,
+    motion: Motion,
+    step_m: float,
+    under: Under | None = None,
+) -> Worn:
+    """Return a garment placed round a clone in rest pose, not yet let go; what hangs from a ring needs it.
+
+    ``under`` is a garment that is worn already: the new one is placed over it.
+    """
     cloth = cut(pattern, step_m)
     body = wearer(clone, whole=ring is None or float(ring.points_m[0, 1]) > NECK * clone.stature_m)
+    met_m = clone.vertices_m[body.rows]
+    if under is not None:
+        body = wearer_over(body, under, SETTLE - 1)
+        met_m = np.concatenate([clone.vertices_m[body.rows], under.at(SETTLE - 1)])
     if ring is None:
         places, held, held_m = wrapped(pattern, cloth, sections(clone))
     else:
         places, held, held_m = placed(pattern, cloth, ring)
-        places = outside(places, clone.vertices_m[body.rows], held)
+        places = outside(places, met_m, held)
+    if under is not None:
+        places = _cleared(body, met_m, places)
+        held_m = places[held]
     root, rotations = frames(body, motion)
     tied = band(clone, held_m, body.rows)
     sheet = sheet_of(cloth, fabric, held)
-    if ring is None:
-        places = _eased(sheet, body, places)
+    if ring is None or under is not None:
+        places = _eased(sheet, body, met_m, places)
     state = State(places, np.zeros_like(places))
-    return Worn(cloth, sheet, body, tied, root, rotations, motion.speed_m_s, state)
+    return Worn(cloth, sheet, body, tied, root, rotations, motion.speed_m_s, state, under)
 
 
-def _eased(sheet: Sheet, body: Wearer, places_m: Array) -> Array:
+def _cleared(body: Wearer, met_m: Array, places_m: Array) -> Array:
+    """Return places pushed out of all that is met, what will be held as well."""
+    out, now = places_m.copy(), skin_between(body, met_m, met_m)
+    for _ in range(PUSHES):
+        planes = planes_under(now, now.tree, out, DEEP_M)
+        deep = THICK_M - np.einsum("ij,ij->i", out[planes.rows] - planes.late_m, planes.normals)
+        out[planes.rows] += np.maximum(deep, 0.0)[:, None] * planes.normals
+    return out
+
+
+def _eased(sheet: Sheet, body: Wearer, met_m: Array, places_m: Array) -> Array:
     """Return places in which threads that sewing stretched are back at their lengths, outside the skin, weightless."""
     out, free = places_m.copy(), 1.0 / sheet.mass_kg
     free[sheet.held] = 0.0
-    skin_m = body.clone.vertices_m[body.rows]
-    now = skin_between(body, skin_m, skin_m)
+    now = skin_between(body, met_m, met_m)
     for number in range(EASING):
         leash(sheet, out)  # drawn back later in one step, it would fly
         pull(sheet.stretch, out, free, 1.0, slack=True)  # what is short folds when it hangs
@@ -106,9 +143,12 @@ def simulate(worn: Worn, cycles: int) -> Iterator[tuple[int, State]]:
     put = len(poses)
     poses += [(worn.root_m[k % count], worn.rotations[k % count]) for k in range(1, cycles * count)]
     state = worn.start
-    before_skin, before_band = worn.body.posed(*poses[0]), worn.band.posed(*poses[0])
+    under = worn.under
+    before_skin = worn.met_m(*poses[0], None if under is None else under.at(0))
+    before_band = worn.band.posed(*poses[0])
     for number, pose in enumerate(poses):
-        now_skin, now_band = worn.body.posed(*pose), worn.band.posed(*pose)
+        now_skin = worn.met_m(*pose, None if under is None else under.at(number))
+        now_band = worn.band.posed(*pose)
         between = skin_between(worn.body, before_skin, now_skin)
         wind = np.array([0.0, 0.0, -worn.speed_m_s if number >= put else 0.0])
         state = step(worn.sheet, state, between, (before_band, now_band), 1.0 / FRAMES_PER_S, SUBSTEPS, wind)

@@ -21,6 +21,7 @@ from scipy.spatial import cKDTree
 
 from cloner.cloth.cut import Cloth
 from cloner.cloth.fabrics import Fabric
+from cloner.cloth.threads import Threads, grouped, limit, pull
 from cloner.cloth.wearer import Planes, Skin, planes_under
 from cloner.geometry.triangles import paired_edges
 
@@ -41,19 +42,6 @@ FASTEST_M_S: Final = 12.0
 LEASH: Final = 1.01
 #: Share of its speed that cloth keeps a second by itself: threads rub.
 KEPT: Final = 0.25
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Threads:
-    """Threads in groups that share no vertex.
-
-    Attributes
-    ----------
-    groups : tuple of (int64 (G,), int64 (G,), float64 (G,), float64 (G,))
-        Both ends, rest length in metres, compliance in m/N.
-    """
-
-    groups: tuple[tuple[Ints, Ints, Array, Array], ...]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -113,8 +101,8 @@ def sheet_of(cloth: Cloth, fabric: Fabric, held: Ints) -> Sheet:
         faces,
         np.asarray(mass, np.float64),
         np.asarray(area, np.float64),
-        _grouped(ends, rest, 1.0 / stiff, cloth.count),
-        _grouped(bends, flat_m, 1.0 / bending, cloth.count),
+        grouped(ends, rest, 1.0 / stiff, cloth.count),
+        grouped(bends, flat_m, 1.0 / bending, cloth.count),
         ends,
         rest,
         held,
@@ -175,20 +163,6 @@ def _across(cloth: Cloth) -> tuple[Ints, Array, Array]:
     return np.asarray(opposite, dtype=np.int64), height, np.hypot(height, along)
 
 
-def _grouped(ends: Ints, rest_m: Array, compliance: Array, count: int) -> Threads:
-    """Return threads in the fewest groups that going through them once finds."""
-    used = [0] * count
-    group = np.empty(len(ends), dtype=np.int64)
-    for row, (one, other) in enumerate(ends.tolist()):
-        taken = used[one] | used[other]
-        free = (~taken & (taken + 1)).bit_length() - 1
-        group[row] = free
-        used[one] |= 1 << free
-        used[other] |= 1 << free
-    rows = [np.flatnonzero(group == number) for number in range(int(group.max(initial=-1)) + 1)]
-    return Threads(tuple((ends[own, 0], ends[own, 1], rest_m[own], compliance[own]) for own in rows))
-
-
 def step(
     sheet: Sheet,
     state: State,
@@ -236,22 +210,12 @@ def step(
             pull(sheet.bend, places, free, h)
         leash(sheet, places)
         pull(sheet.stretch, places, free, h)
+        if number % 2:
+            limit(sheet.stretch, places, free)
         if planes is not None:
             _keep_out(planes, places, before, sheet.fabric.friction, share, 1.0 / substeps)
         speeds = (places - before) * (kept / h)
     return State(places, speeds)
-
-
-def pull(threads: Threads, places: Array, free: Array, h: float, *, slack: bool = False) -> None:
-    """Move the ends of threads to their lengths, group after group; with ``slack`` short ones stay short."""
-    for one, other, rest, compliance in threads.groups:
-        away = places[other] - places[one]
-        length = np.sqrt(np.einsum("ij,ij->i", away, away))
-        first, second = free[one], free[other]
-        longer = np.maximum(length - rest, 0.0) if slack else length - rest
-        weight = longer / (np.maximum(length, 1e-9) * (first + second + compliance / h**2 + 1e-12))
-        places[one] += (weight * first)[:, None] * away
-        places[other] -= (weight * second)[:, None] * away
 
 
 def leash(sheet: Sheet, places: Array) -> None:

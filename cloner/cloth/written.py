@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import functools
+import os
+from collections.abc import Callable, Mapping, Sequence
+from glob import escape
 from pathlib import Path
 from typing import Final
 
@@ -20,6 +23,8 @@ from cloner.vision.films import FORMATS as FILMS
 from cloner.vision.films import write_film
 
 PC2: Final = ".pc2"
+#: How the name of a film that is not finished goes on.
+PARTIAL: Final = ".partial-"
 WRITERS: Final[Mapping[str, Callable[[Dressed], bytes]]] = {".glb": glb, PC2: pc2, ".usdc": usd}
 
 
@@ -31,6 +36,7 @@ def dress_file(
     fabric: str,
     motion: str = WALK,
     length_cm: float | None = None,
+    over: Sequence[tuple[str, str]] = (),
     progress: Progress = quiet,
 ) -> tuple[str, ...]:
     """Put a garment on a clone, let it walk, and write the loop; return what to say of it.
@@ -47,6 +53,8 @@ def dress_file(
         "walk", or a capture of a walk (.bvh).
     length_cm : float or None
         Of a named garment, from the ring or the natural waist down.
+    over : sequence of (str, str)
+        Garments and fabrics worn over it, one over the other.
     progress : callable
         May raise Cancelled: nothing was written then.
 
@@ -55,6 +63,38 @@ def dress_file(
     ClonerError
         If something named does not exist, or cannot be worn or written.
     """
+    check_target(out)
+    fabrics = [fabric_named(name) for name in (fabric, *(name for _, name in over))]
+    clone = centred(clone_of(clone_path))
+    cuts = [pattern_of(clone, garment, length_cm), *(pattern_of(clone, name, None) for name, _ in over)]
+    walk, found = motion_of(clone, motion), None
+    for number, ((pattern, ring_level), cloth) in enumerate(zip(cuts, fabrics, strict=True)):
+        share = functools.partial(_share, progress, number, len(cuts))
+        found = dressed(clone, pattern, ring_level, cloth, walk, under=found, progress=share)
+    assert found is not None
+    progress("export", 0.97)
+    write_dressed(found, out)
+    said = (
+        f"loop of {len(one.loop.frames_m)} frames, {one.worn.cloth.count} vertices: gap {one.loop.gap_mm:.0f} mm "
+        f"(median stretch {one.loop.median_mm:.0f}), closed by {one.loop.moved_mm:.0f} mm at most"
+        for one in found.layers
+    )
+    return (*said, str(out))
+
+
+def _share(progress: Progress, number: int, count: int, step: str, fraction: float) -> None:
+    """Tell how far one of several garments is."""
+    progress(step, (number + fraction) / count)
+
+
+def check_target(out: Path) -> None:
+    """Refuse a file that no dressed clone is written to, before any work.
+
+    Raises
+    ------
+    ClonerError
+        If its ending is not known, or the file exists.
+    """
     kind = out.suffix.lower()
     if kind not in (*WRITERS, *FILMS):
         hint = f"Give --out a name that ends with {', '.join((*WRITERS, *FILMS))}"
@@ -62,20 +102,35 @@ def dress_file(
     safe_output(out)
     if kind == PC2:
         safe_output(out.with_suffix(".obj"))
-    cloth = fabric_named(fabric)
-    clone = centred(clone_of(clone_path))
-    pattern, ring_level = pattern_of(clone, garment, length_cm)
-    found = dressed(clone, pattern, ring_level, cloth, motion_of(clone, motion), progress=progress)
-    progress("export", 0.97)
+
+
+def write_dressed(found: Dressed, out: Path) -> None:
+    """Write a dressed clone as the file's ending says.
+
+    Raises
+    ------
+    ClonerError
+        If it cannot be written.
+    """
+    check_target(out)
+    kind = out.suffix.lower()
     if kind in WRITERS:
         write_bytes(out, WRITERS[kind](found))
         if kind == PC2:
             write_bytes(out.with_suffix(".obj"), obj(found))
-    else:
-        write_film(list(pictures(found)), FRAMES_PER_S, out)
-    loop = found.loop
-    return (
-        f"loop of {len(loop.frames_m)} frames, {found.worn.cloth.count} vertices: gap {loop.gap_mm:.0f} mm "
-        f"(median stretch {loop.median_mm:.0f}), closed by {loop.moved_mm:.0f} mm at most",
-        str(out),
-    )
+        return
+    temporary = out.with_name(f".{out.stem}{PARTIAL}{os.getpid()}{out.suffix}")
+    try:
+        write_film(list(pictures(found)), FRAMES_PER_S, temporary)
+        temporary.replace(out)
+    except OSError as error:
+        raise ClonerError("the file cannot be written", "Check the folder's permissions and space", out.name) from error
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def clean_up(out: Path) -> None:
+    """Remove what a process that was killed while it wrote a dressed clone left beside it."""
+    for name in (out.name, out.with_suffix(".obj").name):
+        for rest in (*out.parent.glob(f".{escape(name)}.*"), *out.parent.glob(f".{escape(out.stem)}{PARTIAL}*")):
+            rest.unlink(missing_ok=True)

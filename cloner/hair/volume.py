@@ -184,7 +184,7 @@ def agreed_mm(views: list[HairView], points_m: Array) -> tuple[NDArray[np.float3
             across = np.where(known, np.minimum(across, wide / mean), across)
         judged = inside < FAR_MM
         sides, least = sides + judged, np.minimum(least, inside)
-        aside = ViewId.BODY_SIDE in names  # front and back tell the same ends: heard as two, they would round twice
+        aside = ViewId.BODY_SIDE in names  # front and back tell the same ends: as two they would round twice
         plan[aside] = np.where(judged, np.minimum(plan[aside], across), plan[aside])
     away = sum(np.maximum(ROUND_MM - across, 0.0) ** 2 for across in plan.values())
     return np.where(sides > 0, np.minimum(least, ROUND_MM - np.sqrt(away)), np.float32(-FAR_MM)), sides

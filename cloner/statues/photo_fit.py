@@ -90,6 +90,8 @@ class Marked:
         The marked vertices.
     reached : (R,) int64
         The vertices that bend.
+    bent : (B, 3) int32
+        The triangles among them.
     weights : (R, K + 26) sparse
         Sibson coordinates of them among markers and the box round them.
     """
@@ -97,6 +99,7 @@ class Marked:
     mesh: Mesh
     vertex: Index
     reached: NDArray[np.int64]
+    bent: Index
     weights: csr_matrix
 
 
@@ -158,8 +161,9 @@ def mark(mesh: Mesh, vertex: Index) -> Marked:
         raise ClonerError("all markers lie on one line", "Mark vertices beside it too", "--markers")
     box = enclosing_points(places, margin=REACH)
     inside = (mesh.vertices_m > box.min(axis=0)) & (mesh.vertices_m < box.max(axis=0))
-    reached = np.flatnonzero(inside.all(axis=1))
-    return Marked(mesh, rows.astype(np.int32), reached, _weights(mesh.vertices_m[reached], places, box))
+    bends = inside.all(axis=1)
+    bent, reached = mesh.triangles[bends[mesh.triangles].any(axis=1)], np.flatnonzero(bends)
+    return Marked(mesh, rows.astype(np.int32), reached, bent, _weights(mesh.vertices_m[reached], places, box))
 
 
 def _weights(queries_m: Array, places_m: Array, box_m: Array) -> csr_matrix:
@@ -210,7 +214,7 @@ def fit_markers(
     vertices[marked.reached] += deform(marked.weights, target - places)
     vertices[marked.vertex] = target
     missed = np.linalg.norm(camera.project(places) - markers, axis=1)
-    return Fit(camera, height, vertices, missed, _turned(marked.mesh, camera, vertices))
+    return Fit(camera, height, vertices, missed, _turned(marked, camera, vertices))
 
 
 def fit_photo(
@@ -281,8 +285,8 @@ def _higher(places_m: Array, times: float) -> Array:
     return np.asarray(middle + (places_m - middle) * (1.0, times, 1.0))
 
 
-def _turned(mesh: Mesh, camera: Camera, vertices_m: Array) -> int:
-    before, now = (_facing(camera, points, mesh.triangles) for points in (mesh.vertices_m, vertices_m))
+def _turned(marked: Marked, camera: Camera, vertices_m: Array) -> int:
+    before, now = (_facing(camera, points, marked.bent) for points in (marked.mesh.vertices_m, vertices_m))
     return int(((before > SQUARE) & (now < 0.0)).sum())
 
 

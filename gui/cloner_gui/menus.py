@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, Final
 
@@ -20,7 +21,7 @@ TEXT_PERCENTS: Final = (100, 125, 150, 200)
 
 
 class Menus:
-    """Event, Edit, View and Operator.
+    """Event, Edit, View, Operator and Studio.
 
     Parameters
     ----------
@@ -43,7 +44,7 @@ class Menus:
         bar = self._window.menuBar()
         bar.clear()
         self._menus = [bar.addMenu(title) for title in _titles()]
-        event, edit, view, operator = self._menus
+        event, edit, view, operator, studio = self._menus
         for text, key, act in (
             (translate("menu", "&Open…"), QKeySequence.StandardKey.Open, self._window.choose_folder),
             (translate("menu", "&New visitor"), QKeySequence.StandardKey.New, self._booth.new_visitor),
@@ -58,6 +59,8 @@ class Menus:
         self._add(operator, translate("menu", "&Screen for visitors"), self._open_stage, QKeySequence("Ctrl+D"))
         self._add(operator, translate("menu", "&Effort…"), self._open_statistics, QKeySequence("Ctrl+E"))
         self._add(operator, translate("menu", "&What is held…"), self._open_held, None)
+        for text, which in studio_entries():
+            self._add(studio, text, functools.partial(self._open_studio, which), None)
 
     def follow(self) -> None:
         """Look and speak as the event's settings say."""
@@ -131,6 +134,14 @@ class Menus:
 
         _show(HeldWindow(self._booth, self._window))
 
+    def _open_studio(self, which: str) -> None:
+        from cloner_gui.studio.windows import window_of
+
+        if self._booth.allowed():
+            made = window_of(which)(self._booth, self._window)
+            self._window.kiosk.changed.connect(made.close)
+            made.show()  # deleted with the main window: deleted on close, glibc found a spoilt heap
+
     def _open_settings(self) -> None:
         from cloner_gui.pages.settings import SettingsWindow
 
@@ -142,10 +153,22 @@ def _show(dialog: QDialog) -> None:
     dialog.show()
 
 
-def _titles() -> tuple[str, str, str, str]:
+def studio_entries() -> tuple[tuple[str, str], ...]:
+    """Return the studio's windows as its menu offers them: text and name."""
+    return (
+        (translate("menu", "&Dress a clone…"), "wearing"),
+        (translate("menu", "&Body from measures…"), "bodies"),
+        (translate("menu", "&Clone in stone…"), "stone"),
+        (translate("menu", "&Photograph on a statue…"), "photograph"),
+        (translate("menu", "Body of b&lobs…"), "blobs"),
+    )
+
+
+def _titles() -> tuple[str, ...]:
     return (
         translate("menu", "&Event"),
         translate("menu", "&Edit"),
         translate("menu", "&View"),
         translate("menu", "O&perator"),
+        translate("menu", "&Studio"),
     )

@@ -6,7 +6,7 @@ import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 import numpy as np
 
@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from cloner.refitting import Refitted
 
 ProposedPoints = dict[ViewId, ViewPoints]
+Studio = Callable[..., object]
+#: What the studio's process loads; it starts with the studio's first job.
+STUDIO: Final = "cloner.booth.studio.jobs:StudioJobs"
 
 
 def refit_person(values: Mapping[str, object], corrections: Corrections) -> Refitted:
@@ -57,6 +60,11 @@ def nothing(*_: object) -> None:
     """Do nothing."""
 
 
+def no_studio(method: str, arguments: tuple[object, ...], progress: Progress, show: Show) -> object:
+    """Do no job of the studio: there is no process for it."""
+    raise Cancelled
+
+
 @dataclass(frozen=True, slots=True)
 class Services:
     """The long jobs of the window, and the short one after a drag.
@@ -77,6 +85,9 @@ class Services:
     hand_over : callable
         Takes a result, a target and the formats and gives what was written.
     refit : callable
+    studio : callable
+        Does a job of the studio by its name, with its arguments, a progress and a way to show; see
+        `cloner.booth.studio.jobs.StudioJobs`.
     start, stop : callable
         Called when the window opens and closes.
     """
@@ -88,21 +99,23 @@ class Services:
     open: Callable[[Path], Opened] = open_visitor
     pack: Callable[[Path, Path, Progress], Path] = pack_parcel
     refit: Callable[[Mapping[str, object], Corrections], Refitted] = refit_person
+    studio: Studio = no_studio
     start: Callable[[], None] = nothing
     stop: Callable[[], None] = nothing
 
 
 def process_services() -> Services:
-    """Return the services in two processes: one for the visitor at hand, one that clones the others meanwhile."""
-    desk, oven = Worker(), Worker()
+    """Return the services in their processes: for the visitor at hand, for clones meanwhile, and for the studio."""
+    desk, oven, bench = Worker(), Worker(), Worker(STUDIO)
     return Services(
         look=functools.partial(_look, desk),
         propose=functools.partial(_propose, desk),
         clone=functools.partial(_clone, oven),
         hand_over=functools.partial(_hand_over, desk),
         pack=functools.partial(_pack, desk),
+        studio=functools.partial(_studio, bench),
         start=desk.start,
-        stop=functools.partial(_stop, desk, oven),
+        stop=functools.partial(_stop, desk, oven, bench),
     )
 
 
@@ -141,6 +154,10 @@ def _hand_over(worker: Worker, result: Path, target: Path, formats: Sequence[str
 def _pack(worker: Worker, folder: Path, result: Path, progress: Progress) -> Path:
     made: Path = worker.call("pack", folder, result, progress=progress)
     return made
+
+
+def _studio(worker: Worker, method: str, arguments: tuple[object, ...], progress: Progress, show: Show) -> object:
+    return worker.call(method, *arguments, progress=progress, show=show)
 
 
 def points_by_view(values: Mapping[str, object], photos: PhotoSet) -> ProposedPoints:

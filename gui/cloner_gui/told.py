@@ -11,12 +11,18 @@ from PySide6.QtCore import QT_TRANSLATE_NOOP
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.records.measures import BY_KEY
 from cloner_gui.point_names import is_point, spoken
-from cloner_gui.told_sentences import SENTENCES as SENTENCES
+from cloner_gui.told_sentences import SENTENCES as BOOTH_SENTENCES
+from cloner_gui.told_studio import STUDIO_SENTENCES
 from cloner_gui.words import VIEW_TITLES, Spoken, translate
 
 if TYPE_CHECKING:
     from cloner.refitting import Refitted
+
+
+#: All that the library may say in the window.
+SENTENCES: Final = BOOTH_SENTENCES + STUDIO_SENTENCES
 
 
 def told(sentence: str) -> str:
@@ -35,7 +41,9 @@ def told_error(error: ClonerError) -> str:
     """Return what is wrong and what to do, in the window's language."""
     where = told_where(error.where)
     hint = told(error.hint)
-    return f"{where}: {told(error.message)}. {hint}" + ("" if hint.endswith("?") else ".")
+    message = told(error.message)
+    said = f"{where}: {message}" if where else message[:1].upper() + message[1:]
+    return f"{said}. {hint}" + ("" if hint.endswith("?") else ".")
 
 
 #: Files of the program's own, as the operator knows them.
@@ -55,7 +63,9 @@ FILES: Final = Spoken(
 
 
 def told_where(where: str) -> str:
-    """Return where something is wrong, without names of files that the operator never sees."""
+    """Return where something is wrong, without names of files and options that nobody sees here."""
+    if where.startswith("--") or where in BY_KEY:  # the sentence names the measure itself
+        return ""
     first, comma, rest = where.partition(", ")
     stem = Path(first).stem.partition(".")[0]
     if stem in list(ViewId):

@@ -1,5 +1,6 @@
 """No text is cut in any language, size of text and size of screen; and no letter stands for two controls."""
 
+import functools
 import threading
 import time
 
@@ -16,11 +17,13 @@ from cloner_gui.canvas.whole_photo import WholePhoto
 from cloner_gui.dialogs import ask_to_forget
 from cloner_gui.letters import assign, letter_of, lettered_in
 from cloner_gui.main_window import CLONE, TAKEAWAY
+from cloner_gui.menus import studio_entries
 from cloner_gui.pages.gallery import TRASHED, GalleryWindow
 from cloner_gui.pages.held import HeldWindow
 from cloner_gui.pages.settings import SettingsWindow
 from cloner_gui.pages.stage import StageWindow
 from cloner_gui.pages.statistics import StatisticsWindow
+from cloner_gui.studio.windows import window_of
 from cloner_gui.webcam import WebcamDialog
 from kit.fitting import beyond_screen, cut_texts
 from kit.odd_programs import install
@@ -102,6 +105,8 @@ def windows(window):
     yield "webcam", lambda: WebcamDialog(ViewId.FACE_SIDE, window, make=Still)
     yield "delete", lambda: ask_to_forget(booth, folders, window)
     yield "large photo", lambda: large_photo(window)
+    for _, which in studio_entries():
+        yield which, functools.partial(window_of(which), booth, window)
 
 
 def large_photo(window):

@@ -21,7 +21,7 @@ from cloner_gui.canvas.painting import image_of
 Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
-_BACKGROUND: Final = (226, 228, 232)
+BACKGROUND: Final = (226, 228, 232)
 _FIGURE: Final = (196, 208, 226)
 _LINE: Final = (58, 96, 168)
 _LINE_SHARE: Final = 0.006  # of the picture's height
@@ -80,7 +80,7 @@ class Scene:
         if self.mode == OUTLINE:
             return _outlined(coverage(layers, camera, supersample=2))
         shading = _SHADINGS.get(self.mode, "soft")
-        return draw(layers, camera, shading=shading, background=_BACKGROUND, supersample=samples)
+        return draw(layers, camera, shading=shading, background=BACKGROUND, supersample=samples)
 
     def _over_photo(self, view: ViewId, photo: Image, size_px: tuple[int, int], samples: int) -> Image:
         seen = self.clone.views[view]
@@ -97,5 +97,5 @@ def _outlined(cover: Array) -> Image:
     thick = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * wide + 1, 2 * wide + 1))
     line = np.clip(cv2.dilate(cover, thick) - cover, 0.0, 1.0)[..., None]
     inside = cover[..., None]
-    paper = np.array(_BACKGROUND, dtype=np.float64) * (1.0 - inside) + np.array(_FIGURE) * inside
+    paper = np.array(BACKGROUND, dtype=np.float64) * (1.0 - inside) + np.array(_FIGURE) * inside
     return np.asarray(np.round(paper * (1.0 - line) + np.array(_LINE) * line), dtype=np.uint8)

@@ -46,6 +46,73 @@
     </message>
 </context>
 <context>
+    <name>blobs</name>
+    <message>
+        <source>belly</source>
+        <translation>Bauch</translation>
+    </message>
+    <message>
+        <source>waist</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>chest</source>
+        <translation>Brustkorb</translation>
+    </message>
+    <message>
+        <source>neck</source>
+        <translation>Hals</translation>
+    </message>
+    <message>
+        <source>pelvis</source>
+        <translation>Becken</translation>
+    </message>
+    <message>
+        <source>chest, across</source>
+        <translation>Brustkorb, quer</translation>
+    </message>
+    <message>
+        <source>shoulders</source>
+        <translation>Schultern</translation>
+    </message>
+    <message>
+        <source>buttock</source>
+        <translation>Gesäß</translation>
+    </message>
+    <message>
+        <source>breast</source>
+        <translation>Brust</translation>
+    </message>
+    <message>
+        <source>shoulder&apos;s muscle</source>
+        <translation>Schultermuskel</translation>
+    </message>
+    <message>
+        <source>thigh</source>
+        <translation>Oberschenkel</translation>
+    </message>
+    <message>
+        <source>lower leg</source>
+        <translation>Unterschenkel</translation>
+    </message>
+    <message>
+        <source>calf</source>
+        <translation>Wade</translation>
+    </message>
+    <message>
+        <source>kneecap</source>
+        <translation>Kniescheibe</translation>
+    </message>
+    <message>
+        <source>upper arm</source>
+        <translation>Oberarm</translation>
+    </message>
+    <message>
+        <source>forearm</source>
+        <translation>Unterarm</translation>
+    </message>
+</context>
+<context>
     <name>clone</name>
     <message>
         <source>Clone</source>
@@ -135,6 +202,33 @@
     <message>
         <source>Refused: {reasons}.</source>
         <translation>Zurückgewiesen: {reasons}.</translation>
+    </message>
+</context>
+<context>
+    <name>fabrics</name>
+    <message>
+        <source>Silk</source>
+        <translation>Seide</translation>
+    </message>
+    <message>
+        <source>Cotton</source>
+        <translation>Baumwolle</translation>
+    </message>
+    <message>
+        <source>Linen</source>
+        <translation>Leinen</translation>
+    </message>
+    <message>
+        <source>Wool</source>
+        <translation>Wolle</translation>
+    </message>
+    <message>
+        <source>Denim</source>
+        <translation>Jeansstoff</translation>
+    </message>
+    <message>
+        <source>Burlap</source>
+        <translation>Sackleinen</translation>
     </message>
 </context>
 <context>
@@ -234,6 +328,70 @@
     <message>
         <source>deleted for good on {when}</source>
         <translation>endgültig gelöscht am {when}</translation>
+    </message>
+</context>
+<context>
+    <name>garments</name>
+    <message>
+        <source>Skirt</source>
+        <translation>Rock</translation>
+    </message>
+    <message>
+        <source>Circle skirt</source>
+        <translation>Tellerrock</translation>
+    </message>
+    <message>
+        <source>Straight skirt</source>
+        <translation>Gerader Rock</translation>
+    </message>
+    <message>
+        <source>Long skirt</source>
+        <translation>Langer Rock</translation>
+    </message>
+    <message>
+        <source>Cape</source>
+        <translation>Umhang</translation>
+    </message>
+    <message>
+        <source>T-shirt</source>
+        <translation>T-Shirt</translation>
+    </message>
+    <message>
+        <source>Dress</source>
+        <translation>Kleid</translation>
+    </message>
+    <message>
+        <source>Coat</source>
+        <translation>Mantel</translation>
+    </message>
+    <message>
+        <source>Trousers</source>
+        <translation>Hose</translation>
+    </message>
+    <message>
+        <source>GLB: the clone walks in it</source>
+        <extracomment>What a dressed clone is written as, by file ending.</extracomment>
+        <translation>GLB: der Klon geht darin</translation>
+    </message>
+    <message>
+        <source>MP4 film</source>
+        <translation>MP4-Film</translation>
+    </message>
+    <message>
+        <source>WebP film</source>
+        <translation>WebP-Film</translation>
+    </message>
+    <message>
+        <source>GIF film</source>
+        <translation>GIF-Film</translation>
+    </message>
+    <message>
+        <source>USD: the garment alone</source>
+        <translation>USD: das Kleidungsstück allein</translation>
+    </message>
+    <message>
+        <source>PC2 and OBJ: the garment alone</source>
+        <translation>PC2 und OBJ: das Kleidungsstück allein</translation>
     </message>
 </context>
 <context>
@@ -566,6 +724,80 @@
     </message>
 </context>
 <context>
+    <name>materials</name>
+    <message>
+        <source>Stone</source>
+        <translation>Stein</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Bronze</source>
+        <translation>Bronze</translation>
+    </message>
+    <message>
+        <source>Marble</source>
+        <translation>Marmor</translation>
+    </message>
+    <message>
+        <source>As photographed</source>
+        <translation>Wie fotografiert</translation>
+    </message>
+    <message>
+        <source>Arms hanging</source>
+        <translation>Arme hängend</translation>
+    </message>
+    <message>
+        <source>On guard</source>
+        <translation>Auf Wache</translation>
+    </message>
+    <message>
+        <source>Hailing</source>
+        <translation>Grüßend</translation>
+    </message>
+</context>
+<context>
+    <name>measures</name>
+    <message>
+        <source>Height without shoes</source>
+        <translation>Größe ohne Schuhe</translation>
+    </message>
+    <message>
+        <source>Chest</source>
+        <translation>Brust</translation>
+    </message>
+    <message>
+        <source>Waist</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>Hips</source>
+        <translation>Hüfte</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Hals</translation>
+    </message>
+    <message>
+        <source>Below the breast</source>
+        <translation>Unterbrust</translation>
+    </message>
+    <message>
+        <source>Thigh</source>
+        <translation>Oberschenkel</translation>
+    </message>
+    <message>
+        <source>Inside leg</source>
+        <translation>Schrittlänge</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Arm</translation>
+    </message>
+</context>
+<context>
     <name>menu</name>
     <message>
         <source>&amp;Open…</source>
@@ -640,6 +872,26 @@
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
+        <source>&amp;Dress a clone…</source>
+        <translation>Einen Klon &amp;anziehen…</translation>
+    </message>
+    <message>
+        <source>&amp;Body from measures…</source>
+        <translation>&amp;Körper nach Maßen…</translation>
+    </message>
+    <message>
+        <source>&amp;Clone in stone…</source>
+        <translation>Klon in &amp;Stein…</translation>
+    </message>
+    <message>
+        <source>&amp;Photograph on a statue…</source>
+        <translation>&amp;Fotografie auf einer Statue…</translation>
+    </message>
+    <message>
+        <source>Body of b&amp;lobs…</source>
+        <translation>Körper aus &amp;Blobs…</translation>
+    </message>
+    <message>
         <source>&amp;Event</source>
         <translation>&amp;Veranstaltung</translation>
     </message>
@@ -654,6 +906,10 @@
     <message>
         <source>O&amp;perator</source>
         <translation>B&amp;ediener</translation>
+    </message>
+    <message>
+        <source>&amp;Studio</source>
+        <translation>&amp;Studio</translation>
     </message>
 </context>
 <context>
@@ -1647,6 +1903,26 @@
         <translation>Kopieren</translation>
     </message>
     <message>
+        <source>Making the body</source>
+        <translation>Der Körper wird gemacht</translation>
+    </message>
+    <message>
+        <source>Cutting the pieces</source>
+        <translation>Die Teile werden zugeschnitten</translation>
+    </message>
+    <message>
+        <source>Sewing and hanging</source>
+        <translation>Nähen und Hängen</translation>
+    </message>
+    <message>
+        <source>Walking in it</source>
+        <translation>Gehen darin</translation>
+    </message>
+    <message>
+        <source>Closing the loop</source>
+        <translation>Die Schleife wird geschlossen</translation>
+    </message>
+    <message>
         <source>Reading back what was written</source>
         <translation>Geschriebenes wird gegengelesen</translation>
     </message>
@@ -1697,6 +1973,347 @@
     <message>
         <source>{stick} can be pulled out.</source>
         <translation>{stick} kann abgezogen werden.</translation>
+    </message>
+</context>
+<context>
+    <name>studio</name>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <extracomment>Width of the controls beside the picture, lines of text; taste.</extracomment>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>How far the work is</source>
+        <translation>Wie weit die Arbeit ist</translation>
+    </message>
+    <message>
+        <source>Written: {place}</source>
+        <translation>Geschrieben: {place}</translation>
+    </message>
+    <message>
+        <source>&amp;Another clone…</source>
+        <translation>Ein &amp;anderer Klon…</translation>
+    </message>
+    <message>
+        <source>No clone is chosen.</source>
+        <translation>Es ist kein Klon gewählt.</translation>
+    </message>
+    <message>
+        <source>Folder of a clone</source>
+        <translation>Ordner eines Klons</translation>
+    </message>
+    <message>
+        <source>Body of blobs</source>
+        <translation>Körper aus Blobs</translation>
+    </message>
+    <message>
+        <source>Show the &amp;blobs</source>
+        <translation>&amp;Blobs zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Open a file of blobs…</source>
+        <translation>Datei mit Blobs ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the blobs as a file…</source>
+        <translation>Blobs als &amp;Datei sichern…</translation>
+    </message>
+    <message>
+        <source>Bl&amp;obs</source>
+        <translation>B&amp;lobs</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <extracomment>Steps of the slider a centimetre.</extracomment>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>&amp;Material</source>
+        <translation>&amp;Material</translation>
+    </message>
+    <message>
+        <source>File of blobs</source>
+        <translation>Datei mit Blobs</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius at the other end</source>
+        <translation>Radius am Ende</translation>
+    </message>
+    <message>
+        <source>To the left</source>
+        <translation>Nach links</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Forwards</source>
+        <translation>Nach vorn</translation>
+    </message>
+    <message>
+        <source>Times as wide</source>
+        <translation>So breit</translation>
+    </message>
+    <message>
+        <source>Times as high</source>
+        <translation>So hoch</translation>
+    </message>
+    <message>
+        <source>Times as deep</source>
+        <translation>So tief</translation>
+    </message>
+    <message>
+        <source>Body from measures</source>
+        <extracomment>Sliders go so many spreads to either side of what is usual; a body may have 4.5 (`FAR`). Side of a saved body&apos;s texture, texels; as `cloner body` has it.</extracomment>
+        <translation>Körper nach Maßen</translation>
+    </message>
+    <message>
+        <source>A woman</source>
+        <translation>Eine Frau</translation>
+    </message>
+    <message>
+        <source>A man</source>
+        <translation>Ein Mann</translation>
+    </message>
+    <message>
+        <source>A clone, told new measures</source>
+        <translation>Ein Klon, neu vermessen</translation>
+    </message>
+    <message>
+        <source>Four, as a shop asks</source>
+        <translation>Vier, wie im Laden</translation>
+    </message>
+    <message>
+        <source>Nine, as a tailor takes</source>
+        <translation>Neun, wie beim Schneider</translation>
+    </message>
+    <message>
+        <source>&amp;Save the body…</source>
+        <translation>Den Körper &amp;sichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Who</source>
+        <translation>&amp;Wer</translation>
+    </message>
+    <message>
+        <source>&amp;Measures</source>
+        <translation>&amp;Maße</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the body</source>
+        <translation>&amp;Name des Körpers</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>koerper</translation>
+    </message>
+    <message>
+        <source>Folder for bodies</source>
+        <translation>Ordner für Körper</translation>
+    </message>
+    <message>
+        <source>Take this marker away</source>
+        <extracomment>What a vertex is called that has no name of its own: this and its number.</extracomment>
+        <translation>Diese Marke entfernen</translation>
+    </message>
+    <message>
+        <source>Photograph on a statue</source>
+        <translation>Fotografie auf einer Statue</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;photograph…</source>
+        <translation>Eine &amp;Fotografie wählen…</translation>
+    </message>
+    <message>
+        <source>Paint it all &amp;round</source>
+        <translation>&amp;Ringsum bemalen</translation>
+    </message>
+    <message>
+        <source>Choose a photograph of a face, of flesh or of stone.</source>
+        <translation>Wählen Sie die Fotografie eines Gesichts, aus Fleisch oder aus Stein.</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>Fotografie</translation>
+    </message>
+    <message>
+        <source>No face was found: drag the markers to their places.</source>
+        <translation>Es wurde kein Gesicht gefunden: ziehen Sie die Marken an ihre Orte.</translation>
+    </message>
+    <message>
+        <source>Drag the markers. A double click on the clone adds one, Delete takes one away.</source>
+        <translation>Ziehen Sie die Marken. Ein Doppelklick auf den Klon fügt eine hinzu, Entf nimmt eine weg.</translation>
+    </message>
+    <message>
+        <source>The usual man</source>
+        <extracomment>Side of the texture of a statue that is nobody&apos;s clone, texels; as `cloner statue` has it.</extracomment>
+        <translation>Der übliche Mann</translation>
+    </message>
+    <message>
+        <source>Its own colours</source>
+        <translation>Die eigenen Farben</translation>
+    </message>
+    <message>
+        <source>A clone</source>
+        <translation>Ein Klon</translation>
+    </message>
+    <message>
+        <source>&amp;Save the statue…</source>
+        <translation>Die Statue &amp;sichern…</translation>
+    </message>
+    <message>
+        <source>statue</source>
+        <translation>statue</translation>
+    </message>
+    <message>
+        <source>La&amp;id on</source>
+        <translation>&amp;Gelegt auf</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the statue</source>
+        <translation>&amp;Name der Statue</translation>
+    </message>
+    <message>
+        <source>Folder for statues</source>
+        <translation>Ordner für Statuen</translation>
+    </message>
+    <message>
+        <source>Clone in stone</source>
+        <translation>Klon in Stein</translation>
+    </message>
+    <message>
+        <source>Choose a clone that is finished.</source>
+        <translation>Wählen Sie einen fertigen Klon.</translation>
+    </message>
+    <message>
+        <source>&amp;Pose</source>
+        <translation>&amp;Haltung</translation>
+    </message>
+    <message>
+        <source>Dress a clone</source>
+        <extracomment>Lengths that may be asked for, cm; the first stands for the usual one.</extracomment>
+        <translation>Einen Klon anziehen</translation>
+    </message>
+    <message>
+        <source>A file of my own…</source>
+        <translation>Eine eigene Datei…</translation>
+    </message>
+    <message>
+        <source>Own walk</source>
+        <translation>Eigener Gang</translation>
+    </message>
+    <message>
+        <source>A captured walk…</source>
+        <translation>Ein aufgenommener Gang…</translation>
+    </message>
+    <message>
+        <source>as usual</source>
+        <translation>wie üblich</translation>
+    </message>
+    <message>
+        <source>&amp;Instead of the photographed clothes</source>
+        <translation>S&amp;tatt der fotografierten Kleider</translation>
+    </message>
+    <message>
+        <source>Otherwise it is worn over the clothes of the photos.</source>
+        <translation>Sonst wird es über den Kleidern der Fotos getragen.</translation>
+    </message>
+    <message>
+        <source>Who wears it</source>
+        <translation>Wer es trägt</translation>
+    </message>
+    <message>
+        <source>&amp;Garment</source>
+        <translation>&amp;Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Länge</translation>
+    </message>
+    <message>
+        <source>&amp;Fabric</source>
+        <translation>&amp;Stoff</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>&amp;Bewegung</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Something &amp;over it</source>
+        <translation>Etwas da&amp;rüber</translation>
+    </message>
+    <message>
+        <source>Photographed clothes</source>
+        <translation>Fotografierte Kleider</translation>
+    </message>
+    <message>
+        <source>Take the photographed clothes of {name} off?</source>
+        <translation>Die fotografierten Kleider von {name} ausziehen?</translation>
+    </message>
+    <message>
+        <source>The garment is then worn over neutral underwear. Ask the visitor first.</source>
+        <translation>Das Kleidungsstück wird dann über neutraler Unterwäsche getragen. Fragen Sie zuerst die Person.</translation>
+    </message>
+    <message>
+        <source>Take them off</source>
+        <translation>Ausziehen</translation>
+    </message>
+    <message>
+        <source>File of a garment</source>
+        <translation>Datei eines Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Captured walk</source>
+        <translation>Aufgenommener Gang</translation>
+    </message>
+    <message>
+        <source>Save the dressed clone</source>
+        <translation>Den angezogenen Klon sichern</translation>
+    </message>
+    <message>
+        <source>Arrange</source>
+        <translation>Anlegen</translation>
+    </message>
+    <message>
+        <source>Sew</source>
+        <translation>Nähen</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Stoff</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>A&amp;rrange</source>
+        <translation>An&amp;legen</translation>
+    </message>
+    <message>
+        <source>Se&amp;w</source>
+        <translation>&amp;Nähen</translation>
+    </message>
+    <message>
+        <source>Let it wal&amp;k</source>
+        <translation>&amp;Gehen lassen</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>&amp;Sichern als…</translation>
     </message>
 </context>
 <context>
@@ -2581,7 +3198,7 @@
     </message>
     <message>
         <source>The event&apos;s settings</source>
-        <extracomment>Files of the program&apos;s own, as the operator knows them.</extracomment>
+        <extracomment>All that the library may say in the window. Files of the program&apos;s own, as the operator knows them.</extracomment>
         <translation>Die Einstellungen der Veranstaltung</translation>
     </message>
     <message>
@@ -2815,6 +3432,466 @@
     <message>
         <source>it contradicts %1, so the clone stays %2 px off it</source>
         <translation>er widerspricht %1, der Klon bleibt %2 px davon entfernt</translation>
+    </message>
+    <message>
+        <source>the clone does not tell its clothes from its skin</source>
+        <translation>der Klon unterscheidet Kleider und Haut nicht</translation>
+    </message>
+    <message>
+        <source>Clone the photos again</source>
+        <translation>Klonen Sie die Fotos neu</translation>
+    </message>
+    <message>
+        <source>no body could be made with a %1 of %2: %3 mm remain</source>
+        <translation>kein Körper lässt sich mit %1 von %2 machen: %3 mm bleiben</translation>
+    </message>
+    <message>
+        <source>Measure it again, or leave it out</source>
+        <translation>Messen Sie noch einmal, oder lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>the sex %1 is not known</source>
+        <translation>das Geschlecht %1 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Give --sex f or --sex m</source>
+        <translation>Geben Sie --sex f oder --sex m an</translation>
+    </message>
+    <message>
+        <source>a stature of %1 cm cannot be made</source>
+        <translation>eine Körpergröße von %1 cm lässt sich nicht machen</translation>
+    </message>
+    <message>
+        <source>Adults of %1 to %2 cm can be made</source>
+        <translation>Erwachsene von %1 bis %2 cm lassen sich machen</translation>
+    </message>
+    <message>
+        <source>These can: %1</source>
+        <translation>Diese gehen: %1</translation>
+    </message>
+    <message>
+        <source>a %1 of %2 is no body&apos;s of %3 cm</source>
+        <translation>%1 von %2 hat niemand von %3 cm</translation>
+    </message>
+    <message>
+        <source>%1 with the other measures</source>
+        <translation>%1 bei den übrigen Maßen</translation>
+    </message>
+    <message>
+        <source>Measure again; %1 to %2 can be made</source>
+        <translation>Messen Sie noch einmal; %1 bis %2 lässt sich machen</translation>
+    </message>
+    <message>
+        <source>the %1 cannot be told, it follows from the others</source>
+        <translation>%1 kann man nicht angeben, das folgt aus den übrigen</translation>
+    </message>
+    <message>
+        <source>the %1 of %2 is smaller than the %3 of %4</source>
+        <translation>%1 von %2 ist kleiner als %3 von %4</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Messen Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>Give --sex f or --sex m, or leave it out</source>
+        <translation>Geben Sie --sex f oder --sex m an, oder lassen Sie es weg</translation>
+    </message>
+    <message>
+        <source>no consent to being shown is recorded</source>
+        <translation>es ist keine Einwilligung festgehalten, gezeigt zu werden</translation>
+    </message>
+    <message>
+        <source>Write consent = &quot;...&quot; into person.toml and clone again</source>
+        <translation>Lassen Sie die Person auf der ersten Seite einwilligen und klonen Sie neu</translation>
+    </message>
+    <message>
+        <source>Clones from %1 cm on can be</source>
+        <translation>Klone ab %1 cm gehen</translation>
+    </message>
+    <message>
+        <source>a statue has no clothes to take off</source>
+        <translation>eine Statue hat keine Kleider zum Ausziehen</translation>
+    </message>
+    <message>
+        <source>Undress the clone, then make a statue of it</source>
+        <translation>Ziehen Sie den Klon aus, und machen Sie dann eine Statue daraus</translation>
+    </message>
+    <message>
+        <source>a clone of %1 cm may be a child&apos;s and is not undressed</source>
+        <translation>ein Klon von %1 cm kann ein Kind sein und wird nicht ausgezogen</translation>
+    </message>
+    <message>
+        <source>the clone has no measures of its body</source>
+        <translation>der Klon hat keine Maße seines Körpers</translation>
+    </message>
+    <message>
+        <source>the stature is missing</source>
+        <translation>die Körpergröße fehlt</translation>
+    </message>
+    <message>
+        <source>Give --stature and as many measures as you know</source>
+        <translation>Geben Sie die Größe und so viele Maße an, wie Sie wissen</translation>
+    </message>
+    <message>
+        <source>the stature must be a length in centimetres</source>
+        <translation>die Körpergröße muss eine Länge in Zentimetern sein</translation>
+    </message>
+    <message>
+        <source>For example --stature 168</source>
+        <translation>Zum Beispiel 168</translation>
+    </message>
+    <message>
+        <source>the drawing has a DOCTYPE</source>
+        <translation>die Zeichnung hat einen DOCTYPE</translation>
+    </message>
+    <message>
+        <source>Save it as plain SVG</source>
+        <translation>Speichern Sie sie als einfaches SVG</translation>
+    </message>
+    <message>
+        <source>a seam of the drawing does not name two edges</source>
+        <translation>eine Naht der Zeichnung nennt nicht zwei Kanten</translation>
+    </message>
+    <message>
+        <source>See docs/cloth.md for how a garment is drawn</source>
+        <translation>docs/cloth.md sagt, wie ein Kleidungsstück gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>the drawing has no width in millimetres</source>
+        <translation>die Zeichnung hat keine Breite in Millimetern</translation>
+    </message>
+    <message>
+        <source>Give it one, such as width=&quot;600mm&quot;</source>
+        <translation>Geben Sie ihr eine, etwa width=&quot;600mm&quot;</translation>
+    </message>
+    <message>
+        <source>the piece %1 has %2 edges and %3 names for them</source>
+        <translation>das Teil %1 hat %2 Kanten und %3 Namen dafür</translation>
+    </message>
+    <message>
+        <source>Name every edge once, in the order of drawing</source>
+        <translation>Nennen Sie jede Kante einmal, in der Reihenfolge der Zeichnung</translation>
+    </message>
+    <message>
+        <source>the file is no SVG</source>
+        <translation>die Datei ist kein SVG</translation>
+    </message>
+    <message>
+        <source>a part of the drawing is transformed</source>
+        <translation>ein Teil der Zeichnung ist transformiert</translation>
+    </message>
+    <message>
+        <source>Apply the transformation first</source>
+        <translation>Wenden Sie die Transformation erst an</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 has a command %2</source>
+        <translation>der Umriss des Teils %1 hat einen Befehl %2</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 ends early</source>
+        <translation>der Umriss des Teils %1 endet zu früh</translation>
+    </message>
+    <message>
+        <source>the fabric %1 is not known</source>
+        <translation>der Stoff %1 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The fabrics are %1</source>
+        <translation>Die Stoffe sind %1</translation>
+    </message>
+    <message>
+        <source>the garment %1 is not known</source>
+        <translation>das Kleidungsstück %1 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>The garments are %1, or a .json or .svg file</source>
+        <translation>Es gibt %1, oder eine .json- oder .svg-Datei</translation>
+    </message>
+    <message>
+        <source>a %1 of %2 cm cannot be cut</source>
+        <translation>%1 von %2 cm lässt sich nicht zuschneiden</translation>
+    </message>
+    <message>
+        <source>%1 to %2 cm hang clear of the floor</source>
+        <translation>%1 bis %2 cm hängen frei über dem Boden</translation>
+    </message>
+    <message>
+        <source>the motion %1 is not known</source>
+        <translation>die Bewegung %1 ist nicht bekannt</translation>
+    </message>
+    <message>
+        <source>Give walk, or a captured walk (.bvh)</source>
+        <translation>Wählen Sie den eigenen oder einen aufgenommenen Gang (.bvh)</translation>
+    </message>
+    <message>
+        <source>a garment has 1 to %1 pieces</source>
+        <translation>ein Kleidungsstück hat 1 bis %1 Teile</translation>
+    </message>
+    <message>
+        <source>See docs/cloth.md for the form of a garment&apos;s file</source>
+        <translation>docs/cloth.md sagt, wie die Datei eines Kleidungsstücks aussieht</translation>
+    </message>
+    <message>
+        <source>two pieces share one name</source>
+        <translation>zwei Teile haben denselben Namen</translation>
+    </message>
+    <message>
+        <source>some pieces hang from a ring and others lie round the body</source>
+        <translation>manche Teile hängen an einem Ring und andere liegen um den Körper</translation>
+    </message>
+    <message>
+        <source>the piece %1 lies round %2, which is no part</source>
+        <translation>das Teil %1 liegt um %2, das kein Körperteil ist</translation>
+    </message>
+    <message>
+        <source>A piece lies round %1</source>
+        <translation>Ein Teil liegt um %1</translation>
+    </message>
+    <message>
+        <source>Let every edge begin where the one before ends</source>
+        <translation>Jede Kante beginne, wo die vorige endet</translation>
+    </message>
+    <message>
+        <source>the piece %1 has fewer than two edges</source>
+        <translation>das Teil %1 hat weniger als zwei Kanten</translation>
+    </message>
+    <message>
+        <source>the piece %1 has an edge that is no curve of four points</source>
+        <translation>das Teil %1 hat eine Kante, die keine Kurve aus vier Punkten ist</translation>
+    </message>
+    <message>
+        <source>the piece %1 has no garment&apos;s size</source>
+        <translation>das Teil %1 hat nicht die Größe eines Kleidungsstücks</translation>
+    </message>
+    <message>
+        <source>Write metres</source>
+        <translation>Schreiben Sie Meter</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 crosses itself</source>
+        <translation>der Umriss des Teils %1 kreuzt sich selbst</translation>
+    </message>
+    <message>
+        <source>Draw it without a loop</source>
+        <translation>Zeichnen Sie ihn ohne Schlinge</translation>
+    </message>
+    <message>
+        <source>the held edge %1 is in no piece</source>
+        <translation>die gehaltene Kante %1 ist in keinem Teil</translation>
+    </message>
+    <message>
+        <source>the seam&apos;s edge %1 is in no piece</source>
+        <translation>die Kante %1 der Naht ist in keinem Teil</translation>
+    </message>
+    <message>
+        <source>the edge %1 is sewn twice</source>
+        <translation>die Kante %1 wird zweimal genäht</translation>
+    </message>
+    <message>
+        <source>the edges %1 and %2 of a seam are %3 long</source>
+        <translation>die Kanten %1 und %2 einer Naht sind %3 lang</translation>
+    </message>
+    <message>
+        <source>Make them alike</source>
+        <translation>Machen Sie sie gleich</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 is open</source>
+        <translation>der Umriss des Teils %1 ist offen</translation>
+    </message>
+    <message>
+        <source>the file is no garment</source>
+        <translation>die Datei ist kein Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>the piece %1 has no edge to hang from</source>
+        <translation>das Teil %1 hat keine Kante, an der es hängt</translation>
+    </message>
+    <message>
+        <source>Name the edge at the ring %1 and the lowest one %2</source>
+        <translation>Nennen Sie die Kante am Ring %1 und die unterste %2</translation>
+    </message>
+    <message>
+        <source>no dressed clone is written as %1</source>
+        <translation>kein angezogener Klon wird als %1 geschrieben</translation>
+    </message>
+    <message>
+        <source>Give --out a name that ends with %1</source>
+        <translation>Wählen Sie einen Namen, der auf %1 endet</translation>
+    </message>
+    <message>
+        <source>the blobs lie nowhere near most of the body</source>
+        <translation>die Blobs liegen fast überall fern vom Körper</translation>
+    </message>
+    <message>
+        <source>cloner statue blobs CLONE --out body.json writes blobs to begin with</source>
+        <translation>Beginnen Sie mit den Blobs, die das Fenster vorschlägt</translation>
+    </message>
+    <message>
+        <source>a body has 1 to %1 blobs, not %2</source>
+        <translation>ein Körper hat 1 bis %1 Blobs, nicht %2</translation>
+    </message>
+    <message>
+        <source>See docs/statues.md for how blobs are written</source>
+        <translation>docs/statues.md sagt, wie Blobs geschrieben werden</translation>
+    </message>
+    <message>
+        <source>blob %1 lacks its joint or radius, or tells more than blobs have</source>
+        <translation>Blob %1 fehlt Gelenk oder Radius, oder er sagt mehr, als Blobs haben</translation>
+    </message>
+    <message>
+        <source>blob %1 has no name of 1 to 60 letters</source>
+        <translation>Blob %1 hat keinen Namen von 1 bis 60 Buchstaben</translation>
+    </message>
+    <message>
+        <source>the blob %1 needs a place for each end</source>
+        <translation>der Blob %1 braucht einen Ort für jedes Ende</translation>
+    </message>
+    <message>
+        <source>the %1 must be %2 numbers from %3 to %4</source>
+        <translation>%1 müssen %2 Zahlen von %3 bis %4 sein</translation>
+    </message>
+    <message>
+        <source>the blob %1 hangs on %2, which is no joint</source>
+        <translation>der Blob %1 hängt an %2, das kein Gelenk ist</translation>
+    </message>
+    <message>
+        <source>Joints have H-Anim&apos;s names</source>
+        <translation>Gelenke haben die Namen von H-Anim</translation>
+    </message>
+    <message>
+        <source>the file holds no list of %1</source>
+        <translation>die Datei enthält keine Liste von %1</translation>
+    </message>
+    <message>
+        <source>the %1 are no JSON</source>
+        <translation>%1 sind kein JSON</translation>
+    </message>
+    <message>
+        <source>%1 markers are too few</source>
+        <translation>%1 Marken sind zu wenige</translation>
+    </message>
+    <message>
+        <source>Mark at least %1 vertices</source>
+        <translation>Setzen Sie mindestens %1 Marken</translation>
+    </message>
+    <message>
+        <source>a marker&apos;s vertex is not on the mesh</source>
+        <translation>der Punkt einer Marke liegt nicht auf dem Netz</translation>
+    </message>
+    <message>
+        <source>It has %1 of them</source>
+        <translation>Es hat %1 davon</translation>
+    </message>
+    <message>
+        <source>two markers lie on the same vertex</source>
+        <translation>zwei Marken liegen auf demselben Punkt</translation>
+    </message>
+    <message>
+        <source>Leave one of them out</source>
+        <translation>Lassen Sie eine davon weg</translation>
+    </message>
+    <message>
+        <source>all markers lie on one line</source>
+        <translation>alle Marken liegen auf einer Linie</translation>
+    </message>
+    <message>
+        <source>Mark vertices beside it too</source>
+        <translation>Setzen Sie auch Marken daneben</translation>
+    </message>
+    <message>
+        <source>markers on mesh and photo differ in number</source>
+        <translation>Marken auf Netz und Foto sind nicht gleich viele</translation>
+    </message>
+    <message>
+        <source>Give each both places</source>
+        <translation>Geben Sie jeder beide Orte</translation>
+    </message>
+    <message>
+        <source>all markers lie at one place of the photo</source>
+        <translation>alle Marken liegen an einem Ort des Fotos</translation>
+    </message>
+    <message>
+        <source>Drag them to their places</source>
+        <translation>Ziehen Sie sie an ihre Orte</translation>
+    </message>
+    <message>
+        <source>a mesh from elsewhere keeps the photo&apos;s colours</source>
+        <translation>ein fremdes Netz behält die Farben des Fotos</translation>
+    </message>
+    <message>
+        <source>Leave --material out</source>
+        <translation>Lassen Sie das Material weg</translation>
+    </message>
+    <message>
+        <source>neck girth</source>
+        <translation>der Halsumfang</translation>
+    </message>
+    <message>
+        <source>bust girth</source>
+        <translation>der Brustumfang</translation>
+    </message>
+    <message>
+        <source>underbust girth</source>
+        <translation>der Unterbrustumfang</translation>
+    </message>
+    <message>
+        <source>waist girth</source>
+        <translation>der Taillenumfang</translation>
+    </message>
+    <message>
+        <source>hip girth</source>
+        <translation>der Hüftumfang</translation>
+    </message>
+    <message>
+        <source>thigh girth</source>
+        <translation>der Oberschenkelumfang</translation>
+    </message>
+    <message>
+        <source>inside leg height</source>
+        <translation>die Schrittlänge</translation>
+    </message>
+    <message>
+        <source>arm length</source>
+        <translation>die Armlänge</translation>
+    </message>
+    <message>
+        <source>skirt</source>
+        <translation>Rock</translation>
+    </message>
+    <message>
+        <source>circle-skirt</source>
+        <translation>Tellerrock</translation>
+    </message>
+    <message>
+        <source>straight-skirt</source>
+        <translation>gerader Rock</translation>
+    </message>
+    <message>
+        <source>long-skirt</source>
+        <translation>langer Rock</translation>
+    </message>
+    <message>
+        <source>cape</source>
+        <translation>Umhang</translation>
+    </message>
+    <message>
+        <source>tee</source>
+        <translation>T-Shirt</translation>
+    </message>
+    <message>
+        <source>dress</source>
+        <translation>Kleid</translation>
+    </message>
+    <message>
+        <source>coat</source>
+        <translation>Mantel</translation>
+    </message>
+    <message>
+        <source>trousers</source>
+        <translation>Hose</translation>
     </message>
 </context>
 <context>

@@ -46,6 +46,73 @@
     </message>
 </context>
 <context>
+    <name>blobs</name>
+    <message>
+        <source>belly</source>
+        <translation>ventre</translation>
+    </message>
+    <message>
+        <source>waist</source>
+        <translation>taille</translation>
+    </message>
+    <message>
+        <source>chest</source>
+        <translation>torse</translation>
+    </message>
+    <message>
+        <source>neck</source>
+        <translation>cou</translation>
+    </message>
+    <message>
+        <source>pelvis</source>
+        <translation>bassin</translation>
+    </message>
+    <message>
+        <source>chest, across</source>
+        <translation>torse, en travers</translation>
+    </message>
+    <message>
+        <source>shoulders</source>
+        <translation>épaules</translation>
+    </message>
+    <message>
+        <source>buttock</source>
+        <translation>fesse</translation>
+    </message>
+    <message>
+        <source>breast</source>
+        <translation>sein</translation>
+    </message>
+    <message>
+        <source>shoulder&apos;s muscle</source>
+        <translation>muscle de l&apos;épaule</translation>
+    </message>
+    <message>
+        <source>thigh</source>
+        <translation>cuisse</translation>
+    </message>
+    <message>
+        <source>lower leg</source>
+        <translation>jambe</translation>
+    </message>
+    <message>
+        <source>calf</source>
+        <translation>mollet</translation>
+    </message>
+    <message>
+        <source>kneecap</source>
+        <translation>rotule</translation>
+    </message>
+    <message>
+        <source>upper arm</source>
+        <translation>bras</translation>
+    </message>
+    <message>
+        <source>forearm</source>
+        <translation>avant-bras</translation>
+    </message>
+</context>
+<context>
     <name>clone</name>
     <message>
         <source>Clone</source>
@@ -135,6 +202,33 @@
     <message>
         <source>Refused: {reasons}.</source>
         <translation>Refusés : {reasons}.</translation>
+    </message>
+</context>
+<context>
+    <name>fabrics</name>
+    <message>
+        <source>Silk</source>
+        <translation>Soie</translation>
+    </message>
+    <message>
+        <source>Cotton</source>
+        <translation>Coton</translation>
+    </message>
+    <message>
+        <source>Linen</source>
+        <translation>Lin</translation>
+    </message>
+    <message>
+        <source>Wool</source>
+        <translation>Laine</translation>
+    </message>
+    <message>
+        <source>Denim</source>
+        <translation>Denim</translation>
+    </message>
+    <message>
+        <source>Burlap</source>
+        <translation>Toile de jute</translation>
     </message>
 </context>
 <context>
@@ -234,6 +328,70 @@
     <message>
         <source>deleted for good on {when}</source>
         <translation>supprimé pour de bon le {when}</translation>
+    </message>
+</context>
+<context>
+    <name>garments</name>
+    <message>
+        <source>Skirt</source>
+        <translation>Jupe</translation>
+    </message>
+    <message>
+        <source>Circle skirt</source>
+        <translation>Jupe cercle</translation>
+    </message>
+    <message>
+        <source>Straight skirt</source>
+        <translation>Jupe droite</translation>
+    </message>
+    <message>
+        <source>Long skirt</source>
+        <translation>Jupe longue</translation>
+    </message>
+    <message>
+        <source>Cape</source>
+        <translation>Cape</translation>
+    </message>
+    <message>
+        <source>T-shirt</source>
+        <translation>T-shirt</translation>
+    </message>
+    <message>
+        <source>Dress</source>
+        <translation>Robe</translation>
+    </message>
+    <message>
+        <source>Coat</source>
+        <translation>Manteau</translation>
+    </message>
+    <message>
+        <source>Trousers</source>
+        <translation>Pantalon</translation>
+    </message>
+    <message>
+        <source>GLB: the clone walks in it</source>
+        <extracomment>What a dressed clone is written as, by file ending.</extracomment>
+        <translation>GLB : le clone marche avec</translation>
+    </message>
+    <message>
+        <source>MP4 film</source>
+        <translation>Film MP4</translation>
+    </message>
+    <message>
+        <source>WebP film</source>
+        <translation>Film WebP</translation>
+    </message>
+    <message>
+        <source>GIF film</source>
+        <translation>Film GIF</translation>
+    </message>
+    <message>
+        <source>USD: the garment alone</source>
+        <translation>USD : le vêtement seul</translation>
+    </message>
+    <message>
+        <source>PC2 and OBJ: the garment alone</source>
+        <translation>PC2 et OBJ : le vêtement seul</translation>
     </message>
 </context>
 <context>
@@ -566,6 +724,80 @@
     </message>
 </context>
 <context>
+    <name>materials</name>
+    <message>
+        <source>Stone</source>
+        <translation>Pierre</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>Argile</translation>
+    </message>
+    <message>
+        <source>Bronze</source>
+        <translation>Bronze</translation>
+    </message>
+    <message>
+        <source>Marble</source>
+        <translation>Marbre</translation>
+    </message>
+    <message>
+        <source>As photographed</source>
+        <translation>Comme sur les photos</translation>
+    </message>
+    <message>
+        <source>Arms hanging</source>
+        <translation>Bras ballants</translation>
+    </message>
+    <message>
+        <source>On guard</source>
+        <translation>En garde</translation>
+    </message>
+    <message>
+        <source>Hailing</source>
+        <translation>Saluant</translation>
+    </message>
+</context>
+<context>
+    <name>measures</name>
+    <message>
+        <source>Height without shoes</source>
+        <translation>Taille sans chaussures</translation>
+    </message>
+    <message>
+        <source>Chest</source>
+        <translation>Poitrine</translation>
+    </message>
+    <message>
+        <source>Waist</source>
+        <translation>Tour de taille</translation>
+    </message>
+    <message>
+        <source>Hips</source>
+        <translation>Hanches</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Cou</translation>
+    </message>
+    <message>
+        <source>Below the breast</source>
+        <translation>Dessous de poitrine</translation>
+    </message>
+    <message>
+        <source>Thigh</source>
+        <translation>Cuisse</translation>
+    </message>
+    <message>
+        <source>Inside leg</source>
+        <translation>Entrejambe</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Bras</translation>
+    </message>
+</context>
+<context>
     <name>menu</name>
     <message>
         <source>&amp;Open…</source>
@@ -640,6 +872,26 @@
         <translation>&amp;Plein écran</translation>
     </message>
     <message>
+        <source>&amp;Dress a clone…</source>
+        <translation>&amp;Habiller un clone…</translation>
+    </message>
+    <message>
+        <source>&amp;Body from measures…</source>
+        <translation>&amp;Corps d&apos;après mesures…</translation>
+    </message>
+    <message>
+        <source>&amp;Clone in stone…</source>
+        <translation>Clone en &amp;pierre…</translation>
+    </message>
+    <message>
+        <source>&amp;Photograph on a statue…</source>
+        <translation>Photo sur une &amp;statue…</translation>
+    </message>
+    <message>
+        <source>Body of b&amp;lobs…</source>
+        <translation>Corps de &amp;blobs…</translation>
+    </message>
+    <message>
         <source>&amp;Event</source>
         <translation>&amp;Événement</translation>
     </message>
@@ -654,6 +906,10 @@
     <message>
         <source>O&amp;perator</source>
         <translation>O&amp;pérateur</translation>
+    </message>
+    <message>
+        <source>&amp;Studio</source>
+        <translation>&amp;Studio</translation>
     </message>
 </context>
 <context>
@@ -1647,6 +1903,26 @@
         <translation>Copie</translation>
     </message>
     <message>
+        <source>Making the body</source>
+        <translation>Création du corps</translation>
+    </message>
+    <message>
+        <source>Cutting the pieces</source>
+        <translation>Coupe des pièces</translation>
+    </message>
+    <message>
+        <source>Sewing and hanging</source>
+        <translation>Couture et tombé</translation>
+    </message>
+    <message>
+        <source>Walking in it</source>
+        <translation>Marche avec</translation>
+    </message>
+    <message>
+        <source>Closing the loop</source>
+        <translation>Fermeture de la boucle</translation>
+    </message>
+    <message>
         <source>Reading back what was written</source>
         <translation>Relecture de ce qui est écrit</translation>
     </message>
@@ -1697,6 +1973,347 @@
     <message>
         <source>{stick} can be pulled out.</source>
         <translation>{stick} peut être retirée.</translation>
+    </message>
+</context>
+<context>
+    <name>studio</name>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <extracomment>Width of the controls beside the picture, lines of text; taste.</extracomment>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>How far the work is</source>
+        <translation>Avancement du travail</translation>
+    </message>
+    <message>
+        <source>Written: {place}</source>
+        <translation>Écrit : {place}</translation>
+    </message>
+    <message>
+        <source>&amp;Another clone…</source>
+        <translation>Un &amp;autre clone…</translation>
+    </message>
+    <message>
+        <source>No clone is chosen.</source>
+        <translation>Aucun clone n&apos;est choisi.</translation>
+    </message>
+    <message>
+        <source>Folder of a clone</source>
+        <translation>Dossier d&apos;un clone</translation>
+    </message>
+    <message>
+        <source>Body of blobs</source>
+        <translation>Corps de blobs</translation>
+    </message>
+    <message>
+        <source>Show the &amp;blobs</source>
+        <translation>Montrer les &amp;blobs</translation>
+    </message>
+    <message>
+        <source>&amp;Open a file of blobs…</source>
+        <translation>&amp;Ouvrir un fichier de blobs…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the blobs as a file…</source>
+        <translation>En&amp;registrer les blobs…</translation>
+    </message>
+    <message>
+        <source>Bl&amp;obs</source>
+        <translation>B&amp;lobs</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <extracomment>Steps of the slider a centimetre.</extracomment>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>&amp;Material</source>
+        <translation>&amp;Matière</translation>
+    </message>
+    <message>
+        <source>File of blobs</source>
+        <translation>Fichier de blobs</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Radius at the other end</source>
+        <translation>Rayon au bout</translation>
+    </message>
+    <message>
+        <source>To the left</source>
+        <translation>Vers la gauche</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>Vers le haut</translation>
+    </message>
+    <message>
+        <source>Forwards</source>
+        <translation>Vers l&apos;avant</translation>
+    </message>
+    <message>
+        <source>Times as wide</source>
+        <translation>Largeur, fois</translation>
+    </message>
+    <message>
+        <source>Times as high</source>
+        <translation>Hauteur, fois</translation>
+    </message>
+    <message>
+        <source>Times as deep</source>
+        <translation>Profondeur, fois</translation>
+    </message>
+    <message>
+        <source>Body from measures</source>
+        <extracomment>Sliders go so many spreads to either side of what is usual; a body may have 4.5 (`FAR`). Side of a saved body&apos;s texture, texels; as `cloner body` has it.</extracomment>
+        <translation>Corps d&apos;après mesures</translation>
+    </message>
+    <message>
+        <source>A woman</source>
+        <translation>Une femme</translation>
+    </message>
+    <message>
+        <source>A man</source>
+        <translation>Un homme</translation>
+    </message>
+    <message>
+        <source>A clone, told new measures</source>
+        <translation>Un clone, nouvelles mesures</translation>
+    </message>
+    <message>
+        <source>Four, as a shop asks</source>
+        <translation>Quatre, comme en magasin</translation>
+    </message>
+    <message>
+        <source>Nine, as a tailor takes</source>
+        <translation>Neuf, comme le tailleur</translation>
+    </message>
+    <message>
+        <source>&amp;Save the body…</source>
+        <translation>Enregi&amp;strer le corps…</translation>
+    </message>
+    <message>
+        <source>&amp;Who</source>
+        <translation>&amp;Qui</translation>
+    </message>
+    <message>
+        <source>&amp;Measures</source>
+        <translation>&amp;Mesures</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the body</source>
+        <translation>&amp;Nom du corps</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>corps</translation>
+    </message>
+    <message>
+        <source>Folder for bodies</source>
+        <translation>Dossier pour les corps</translation>
+    </message>
+    <message>
+        <source>Take this marker away</source>
+        <extracomment>What a vertex is called that has no name of its own: this and its number.</extracomment>
+        <translation>Enlever ce repère</translation>
+    </message>
+    <message>
+        <source>Photograph on a statue</source>
+        <translation>Photo sur une statue</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;photograph…</source>
+        <translation>Choisir une &amp;photo…</translation>
+    </message>
+    <message>
+        <source>Paint it all &amp;round</source>
+        <translation>Peindre tout aut&amp;our</translation>
+    </message>
+    <message>
+        <source>Choose a photograph of a face, of flesh or of stone.</source>
+        <translation>Choisissez la photo d&apos;un visage, de chair ou de pierre.</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>Photo</translation>
+    </message>
+    <message>
+        <source>No face was found: drag the markers to their places.</source>
+        <translation>Aucun visage trouvé : tirez les repères à leur place.</translation>
+    </message>
+    <message>
+        <source>Drag the markers. A double click on the clone adds one, Delete takes one away.</source>
+        <translation>Tirez les repères. Un double clic sur le clone en ajoute un, Suppr en enlève un.</translation>
+    </message>
+    <message>
+        <source>The usual man</source>
+        <extracomment>Side of the texture of a statue that is nobody&apos;s clone, texels; as `cloner statue` has it.</extracomment>
+        <translation>L&apos;homme habituel</translation>
+    </message>
+    <message>
+        <source>Its own colours</source>
+        <translation>Ses propres couleurs</translation>
+    </message>
+    <message>
+        <source>A clone</source>
+        <translation>Un clone</translation>
+    </message>
+    <message>
+        <source>&amp;Save the statue…</source>
+        <translation>Enregi&amp;strer la statue…</translation>
+    </message>
+    <message>
+        <source>statue</source>
+        <translation>statue</translation>
+    </message>
+    <message>
+        <source>La&amp;id on</source>
+        <translation>Posé s&amp;ur</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the statue</source>
+        <translation>&amp;Nom de la statue</translation>
+    </message>
+    <message>
+        <source>Folder for statues</source>
+        <translation>Dossier pour les statues</translation>
+    </message>
+    <message>
+        <source>Clone in stone</source>
+        <translation>Clone en pierre</translation>
+    </message>
+    <message>
+        <source>Choose a clone that is finished.</source>
+        <translation>Choisissez un clone achevé.</translation>
+    </message>
+    <message>
+        <source>&amp;Pose</source>
+        <translation>&amp;Pose</translation>
+    </message>
+    <message>
+        <source>Dress a clone</source>
+        <extracomment>Lengths that may be asked for, cm; the first stands for the usual one.</extracomment>
+        <translation>Habiller un clone</translation>
+    </message>
+    <message>
+        <source>A file of my own…</source>
+        <translation>Un fichier à moi…</translation>
+    </message>
+    <message>
+        <source>Own walk</source>
+        <translation>Sa propre marche</translation>
+    </message>
+    <message>
+        <source>A captured walk…</source>
+        <translation>Une marche capturée…</translation>
+    </message>
+    <message>
+        <source>as usual</source>
+        <translation>comme d&apos;habitude</translation>
+    </message>
+    <message>
+        <source>&amp;Instead of the photographed clothes</source>
+        <translation>Sans les vêtements des &amp;photos</translation>
+    </message>
+    <message>
+        <source>Otherwise it is worn over the clothes of the photos.</source>
+        <translation>Sinon il se porte par-dessus les vêtements des photos.</translation>
+    </message>
+    <message>
+        <source>Who wears it</source>
+        <translation>Qui le porte</translation>
+    </message>
+    <message>
+        <source>&amp;Garment</source>
+        <translation>&amp;Vêtement</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Longueur</translation>
+    </message>
+    <message>
+        <source>&amp;Fabric</source>
+        <translation>&amp;Tissu</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>&amp;Mouvement</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Pièces</translation>
+    </message>
+    <message>
+        <source>Something &amp;over it</source>
+        <translation>Quelque chose par-&amp;dessus</translation>
+    </message>
+    <message>
+        <source>Photographed clothes</source>
+        <translation>Vêtements photographiés</translation>
+    </message>
+    <message>
+        <source>Take the photographed clothes of {name} off?</source>
+        <translation>Enlever les vêtements photographiés de {name} ?</translation>
+    </message>
+    <message>
+        <source>The garment is then worn over neutral underwear. Ask the visitor first.</source>
+        <translation>Le vêtement se porte alors sur des sous-vêtements neutres. Demandez d&apos;abord à la personne.</translation>
+    </message>
+    <message>
+        <source>Take them off</source>
+        <translation>Les enlever</translation>
+    </message>
+    <message>
+        <source>File of a garment</source>
+        <translation>Fichier d&apos;un vêtement</translation>
+    </message>
+    <message>
+        <source>Captured walk</source>
+        <translation>Marche capturée</translation>
+    </message>
+    <message>
+        <source>Save the dressed clone</source>
+        <translation>Enregistrer le clone habillé</translation>
+    </message>
+    <message>
+        <source>Arrange</source>
+        <translation>Disposer</translation>
+    </message>
+    <message>
+        <source>Sew</source>
+        <translation>Coudre</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Tissu</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>A&amp;rrange</source>
+        <translation>Dis&amp;poser</translation>
+    </message>
+    <message>
+        <source>Se&amp;w</source>
+        <translation>C&amp;oudre</translation>
+    </message>
+    <message>
+        <source>Let it wal&amp;k</source>
+        <translation>Faire marc&amp;her</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>Enregi&amp;strer sous…</translation>
     </message>
 </context>
 <context>
@@ -2581,7 +3198,7 @@
     </message>
     <message>
         <source>The event&apos;s settings</source>
-        <extracomment>Files of the program&apos;s own, as the operator knows them.</extracomment>
+        <extracomment>All that the library may say in the window. Files of the program&apos;s own, as the operator knows them.</extracomment>
         <translation>Les réglages de l’événement</translation>
     </message>
     <message>
@@ -2815,6 +3432,466 @@
     <message>
         <source>it contradicts %1, so the clone stays %2 px off it</source>
         <translation>il contredit %1, le clone en reste à %2 px</translation>
+    </message>
+    <message>
+        <source>the clone does not tell its clothes from its skin</source>
+        <translation>le clone ne distingue pas ses vêtements de sa peau</translation>
+    </message>
+    <message>
+        <source>Clone the photos again</source>
+        <translation>Clonez à nouveau les photos</translation>
+    </message>
+    <message>
+        <source>no body could be made with a %1 of %2: %3 mm remain</source>
+        <translation>aucun corps n&apos;a pu être fait avec %1 de %2 : il reste %3 mm</translation>
+    </message>
+    <message>
+        <source>Measure it again, or leave it out</source>
+        <translation>Mesurez à nouveau, ou laissez-la de côté</translation>
+    </message>
+    <message>
+        <source>the sex %1 is not known</source>
+        <translation>le sexe %1 n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>Give --sex f or --sex m</source>
+        <translation>Donnez --sex f ou --sex m</translation>
+    </message>
+    <message>
+        <source>a stature of %1 cm cannot be made</source>
+        <translation>une taille de %1 cm ne peut pas être faite</translation>
+    </message>
+    <message>
+        <source>Adults of %1 to %2 cm can be made</source>
+        <translation>Des adultes de %1 à %2 cm peuvent être faits</translation>
+    </message>
+    <message>
+        <source>These can: %1</source>
+        <translation>Celles-ci le peuvent : %1</translation>
+    </message>
+    <message>
+        <source>a %1 of %2 is no body&apos;s of %3 cm</source>
+        <translation>personne de %3 cm n&apos;a %1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 with the other measures</source>
+        <translation>%1 avec les autres mesures</translation>
+    </message>
+    <message>
+        <source>Measure again; %1 to %2 can be made</source>
+        <translation>Mesurez à nouveau ; de %1 à %2 est possible</translation>
+    </message>
+    <message>
+        <source>the %1 cannot be told, it follows from the others</source>
+        <translation>%1 ne peut pas être donné, cela découle du reste</translation>
+    </message>
+    <message>
+        <source>the %1 of %2 is smaller than the %3 of %4</source>
+        <translation>%1 de %2 est plus petit que %3 de %4</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Mesurez à nouveau</translation>
+    </message>
+    <message>
+        <source>Give --sex f or --sex m, or leave it out</source>
+        <translation>Donnez --sex f ou --sex m, ou rien</translation>
+    </message>
+    <message>
+        <source>no consent to being shown is recorded</source>
+        <translation>aucun consentement à être montré n&apos;est noté</translation>
+    </message>
+    <message>
+        <source>Write consent = &quot;...&quot; into person.toml and clone again</source>
+        <translation>Faites consentir la personne à la première page et clonez à nouveau</translation>
+    </message>
+    <message>
+        <source>Clones from %1 cm on can be</source>
+        <translation>Les clones à partir de %1 cm le peuvent</translation>
+    </message>
+    <message>
+        <source>a statue has no clothes to take off</source>
+        <translation>une statue n&apos;a pas de vêtements à enlever</translation>
+    </message>
+    <message>
+        <source>Undress the clone, then make a statue of it</source>
+        <translation>Déshabillez le clone, puis faites-en une statue</translation>
+    </message>
+    <message>
+        <source>a clone of %1 cm may be a child&apos;s and is not undressed</source>
+        <translation>un clone de %1 cm peut être un enfant et n&apos;est pas déshabillé</translation>
+    </message>
+    <message>
+        <source>the clone has no measures of its body</source>
+        <translation>le clone n&apos;a pas de mesures de son corps</translation>
+    </message>
+    <message>
+        <source>the stature is missing</source>
+        <translation>la taille manque</translation>
+    </message>
+    <message>
+        <source>Give --stature and as many measures as you know</source>
+        <translation>Donnez la taille et autant de mesures que possible</translation>
+    </message>
+    <message>
+        <source>the stature must be a length in centimetres</source>
+        <translation>la taille doit être une longueur en centimètres</translation>
+    </message>
+    <message>
+        <source>For example --stature 168</source>
+        <translation>Par exemple 168</translation>
+    </message>
+    <message>
+        <source>the drawing has a DOCTYPE</source>
+        <translation>le dessin a un DOCTYPE</translation>
+    </message>
+    <message>
+        <source>Save it as plain SVG</source>
+        <translation>Enregistrez-le en SVG simple</translation>
+    </message>
+    <message>
+        <source>a seam of the drawing does not name two edges</source>
+        <translation>une couture du dessin ne nomme pas deux bords</translation>
+    </message>
+    <message>
+        <source>See docs/cloth.md for how a garment is drawn</source>
+        <translation>docs/cloth.md dit comment dessiner un vêtement</translation>
+    </message>
+    <message>
+        <source>the drawing has no width in millimetres</source>
+        <translation>le dessin n&apos;a pas de largeur en millimètres</translation>
+    </message>
+    <message>
+        <source>Give it one, such as width=&quot;600mm&quot;</source>
+        <translation>Donnez-lui-en une, comme width=&quot;600mm&quot;</translation>
+    </message>
+    <message>
+        <source>the piece %1 has %2 edges and %3 names for them</source>
+        <translation>la pièce %1 a %2 bords et %3 noms pour eux</translation>
+    </message>
+    <message>
+        <source>Name every edge once, in the order of drawing</source>
+        <translation>Nommez chaque bord une fois, dans l&apos;ordre du dessin</translation>
+    </message>
+    <message>
+        <source>the file is no SVG</source>
+        <translation>le fichier n&apos;est pas un SVG</translation>
+    </message>
+    <message>
+        <source>a part of the drawing is transformed</source>
+        <translation>une partie du dessin est transformée</translation>
+    </message>
+    <message>
+        <source>Apply the transformation first</source>
+        <translation>Appliquez d&apos;abord la transformation</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 has a command %2</source>
+        <translation>le contour de la pièce %1 a une commande %2</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 ends early</source>
+        <translation>le contour de la pièce %1 finit trop tôt</translation>
+    </message>
+    <message>
+        <source>the fabric %1 is not known</source>
+        <translation>le tissu %1 n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>The fabrics are %1</source>
+        <translation>Les tissus sont %1</translation>
+    </message>
+    <message>
+        <source>the garment %1 is not known</source>
+        <translation>le vêtement %1 n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>The garments are %1, or a .json or .svg file</source>
+        <translation>Les vêtements sont %1, ou un fichier .json ou .svg</translation>
+    </message>
+    <message>
+        <source>a %1 of %2 cm cannot be cut</source>
+        <translation>%1 de %2 cm ne peut pas être coupé</translation>
+    </message>
+    <message>
+        <source>%1 to %2 cm hang clear of the floor</source>
+        <translation>%1 à %2 cm pendent sans toucher le sol</translation>
+    </message>
+    <message>
+        <source>the motion %1 is not known</source>
+        <translation>le mouvement %1 n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>Give walk, or a captured walk (.bvh)</source>
+        <translation>Choisissez la marche propre ou une marche capturée (.bvh)</translation>
+    </message>
+    <message>
+        <source>a garment has 1 to %1 pieces</source>
+        <translation>un vêtement a de 1 à %1 pièces</translation>
+    </message>
+    <message>
+        <source>See docs/cloth.md for the form of a garment&apos;s file</source>
+        <translation>docs/cloth.md dit la forme du fichier d&apos;un vêtement</translation>
+    </message>
+    <message>
+        <source>two pieces share one name</source>
+        <translation>deux pièces ont le même nom</translation>
+    </message>
+    <message>
+        <source>some pieces hang from a ring and others lie round the body</source>
+        <translation>certaines pièces pendent d&apos;un anneau et d&apos;autres entourent le corps</translation>
+    </message>
+    <message>
+        <source>the piece %1 lies round %2, which is no part</source>
+        <translation>la pièce %1 entoure %2, qui n&apos;est pas une partie</translation>
+    </message>
+    <message>
+        <source>A piece lies round %1</source>
+        <translation>Une pièce entoure %1</translation>
+    </message>
+    <message>
+        <source>Let every edge begin where the one before ends</source>
+        <translation>Que chaque bord commence où finit le précédent</translation>
+    </message>
+    <message>
+        <source>the piece %1 has fewer than two edges</source>
+        <translation>la pièce %1 a moins de deux bords</translation>
+    </message>
+    <message>
+        <source>the piece %1 has an edge that is no curve of four points</source>
+        <translation>la pièce %1 a un bord qui n&apos;est pas une courbe de quatre points</translation>
+    </message>
+    <message>
+        <source>the piece %1 has no garment&apos;s size</source>
+        <translation>la pièce %1 n&apos;a pas la taille d&apos;un vêtement</translation>
+    </message>
+    <message>
+        <source>Write metres</source>
+        <translation>Écrivez des mètres</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 crosses itself</source>
+        <translation>le contour de la pièce %1 se croise</translation>
+    </message>
+    <message>
+        <source>Draw it without a loop</source>
+        <translation>Dessinez-le sans boucle</translation>
+    </message>
+    <message>
+        <source>the held edge %1 is in no piece</source>
+        <translation>le bord tenu %1 n&apos;est dans aucune pièce</translation>
+    </message>
+    <message>
+        <source>the seam&apos;s edge %1 is in no piece</source>
+        <translation>le bord %1 de la couture n&apos;est dans aucune pièce</translation>
+    </message>
+    <message>
+        <source>the edge %1 is sewn twice</source>
+        <translation>le bord %1 est cousu deux fois</translation>
+    </message>
+    <message>
+        <source>the edges %1 and %2 of a seam are %3 long</source>
+        <translation>les bords %1 et %2 d&apos;une couture mesurent %3</translation>
+    </message>
+    <message>
+        <source>Make them alike</source>
+        <translation>Rendez-les pareils</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 is open</source>
+        <translation>le contour de la pièce %1 est ouvert</translation>
+    </message>
+    <message>
+        <source>the file is no garment</source>
+        <translation>le fichier n&apos;est pas un vêtement</translation>
+    </message>
+    <message>
+        <source>the piece %1 has no edge to hang from</source>
+        <translation>la pièce %1 n&apos;a pas de bord où pendre</translation>
+    </message>
+    <message>
+        <source>Name the edge at the ring %1 and the lowest one %2</source>
+        <translation>Nommez %1 le bord à l&apos;anneau et %2 le plus bas</translation>
+    </message>
+    <message>
+        <source>no dressed clone is written as %1</source>
+        <translation>aucun clone habillé ne s&apos;écrit en %1</translation>
+    </message>
+    <message>
+        <source>Give --out a name that ends with %1</source>
+        <translation>Choisissez un nom qui finit par %1</translation>
+    </message>
+    <message>
+        <source>the blobs lie nowhere near most of the body</source>
+        <translation>les blobs sont loin de presque tout le corps</translation>
+    </message>
+    <message>
+        <source>cloner statue blobs CLONE --out body.json writes blobs to begin with</source>
+        <translation>Commencez par les blobs que propose la fenêtre</translation>
+    </message>
+    <message>
+        <source>a body has 1 to %1 blobs, not %2</source>
+        <translation>un corps a de 1 à %1 blobs, pas %2</translation>
+    </message>
+    <message>
+        <source>See docs/statues.md for how blobs are written</source>
+        <translation>docs/statues.md dit comment écrire les blobs</translation>
+    </message>
+    <message>
+        <source>blob %1 lacks its joint or radius, or tells more than blobs have</source>
+        <translation>il manque au blob %1 l&apos;articulation ou le rayon, ou il en dit trop</translation>
+    </message>
+    <message>
+        <source>blob %1 has no name of 1 to 60 letters</source>
+        <translation>le blob %1 n&apos;a pas de nom de 1 à 60 lettres</translation>
+    </message>
+    <message>
+        <source>the blob %1 needs a place for each end</source>
+        <translation>le blob %1 a besoin d&apos;un lieu pour chaque bout</translation>
+    </message>
+    <message>
+        <source>the %1 must be %2 numbers from %3 to %4</source>
+        <translation>%1 doit être %2 nombres de %3 à %4</translation>
+    </message>
+    <message>
+        <source>the blob %1 hangs on %2, which is no joint</source>
+        <translation>le blob %1 pend à %2, qui n&apos;est pas une articulation</translation>
+    </message>
+    <message>
+        <source>Joints have H-Anim&apos;s names</source>
+        <translation>Les articulations ont les noms de H-Anim</translation>
+    </message>
+    <message>
+        <source>the file holds no list of %1</source>
+        <translation>le fichier ne contient pas de liste de %1</translation>
+    </message>
+    <message>
+        <source>the %1 are no JSON</source>
+        <translation>%1 : ce n&apos;est pas du JSON</translation>
+    </message>
+    <message>
+        <source>%1 markers are too few</source>
+        <translation>%1 repères sont trop peu</translation>
+    </message>
+    <message>
+        <source>Mark at least %1 vertices</source>
+        <translation>Marquez au moins %1 sommets</translation>
+    </message>
+    <message>
+        <source>a marker&apos;s vertex is not on the mesh</source>
+        <translation>le sommet d&apos;un repère n&apos;est pas sur le maillage</translation>
+    </message>
+    <message>
+        <source>It has %1 of them</source>
+        <translation>Il en a %1</translation>
+    </message>
+    <message>
+        <source>two markers lie on the same vertex</source>
+        <translation>deux repères sont sur le même sommet</translation>
+    </message>
+    <message>
+        <source>Leave one of them out</source>
+        <translation>Enlevez l&apos;un d&apos;eux</translation>
+    </message>
+    <message>
+        <source>all markers lie on one line</source>
+        <translation>tous les repères sont sur une ligne</translation>
+    </message>
+    <message>
+        <source>Mark vertices beside it too</source>
+        <translation>Marquez aussi à côté</translation>
+    </message>
+    <message>
+        <source>markers on mesh and photo differ in number</source>
+        <translation>les repères du maillage et de la photo diffèrent en nombre</translation>
+    </message>
+    <message>
+        <source>Give each both places</source>
+        <translation>Donnez à chacun ses deux lieux</translation>
+    </message>
+    <message>
+        <source>all markers lie at one place of the photo</source>
+        <translation>tous les repères sont au même endroit de la photo</translation>
+    </message>
+    <message>
+        <source>Drag them to their places</source>
+        <translation>Tirez-les à leur place</translation>
+    </message>
+    <message>
+        <source>a mesh from elsewhere keeps the photo&apos;s colours</source>
+        <translation>un maillage d&apos;ailleurs garde les couleurs de la photo</translation>
+    </message>
+    <message>
+        <source>Leave --material out</source>
+        <translation>Laissez la matière de côté</translation>
+    </message>
+    <message>
+        <source>neck girth</source>
+        <translation>le tour de cou</translation>
+    </message>
+    <message>
+        <source>bust girth</source>
+        <translation>le tour de poitrine</translation>
+    </message>
+    <message>
+        <source>underbust girth</source>
+        <translation>le tour de dessous de poitrine</translation>
+    </message>
+    <message>
+        <source>waist girth</source>
+        <translation>le tour de taille</translation>
+    </message>
+    <message>
+        <source>hip girth</source>
+        <translation>le tour de hanches</translation>
+    </message>
+    <message>
+        <source>thigh girth</source>
+        <translation>le tour de cuisse</translation>
+    </message>
+    <message>
+        <source>inside leg height</source>
+        <translation>l&apos;entrejambe</translation>
+    </message>
+    <message>
+        <source>arm length</source>
+        <translation>la longueur du bras</translation>
+    </message>
+    <message>
+        <source>skirt</source>
+        <translation>jupe</translation>
+    </message>
+    <message>
+        <source>circle-skirt</source>
+        <translation>jupe cercle</translation>
+    </message>
+    <message>
+        <source>straight-skirt</source>
+        <translation>jupe droite</translation>
+    </message>
+    <message>
+        <source>long-skirt</source>
+        <translation>jupe longue</translation>
+    </message>
+    <message>
+        <source>cape</source>
+        <translation>cape</translation>
+    </message>
+    <message>
+        <source>tee</source>
+        <translation>t-shirt</translation>
+    </message>
+    <message>
+        <source>dress</source>
+        <translation>robe</translation>
+    </message>
+    <message>
+        <source>coat</source>
+        <translation>manteau</translation>
+    </message>
+    <message>
+        <source>trousers</source>
+        <translation>pantalon</translation>
     </message>
 </context>
 <context>

@@ -45,6 +45,73 @@
     </message>
 </context>
 <context>
+    <name>blobs</name>
+    <message>
+        <source>belly</source>
+        <translation>karın</translation>
+    </message>
+    <message>
+        <source>waist</source>
+        <translation>bel</translation>
+    </message>
+    <message>
+        <source>chest</source>
+        <translation>göğüs</translation>
+    </message>
+    <message>
+        <source>neck</source>
+        <translation>boyun</translation>
+    </message>
+    <message>
+        <source>pelvis</source>
+        <translation>leğen</translation>
+    </message>
+    <message>
+        <source>chest, across</source>
+        <translation>göğüs, enine</translation>
+    </message>
+    <message>
+        <source>shoulders</source>
+        <translation>omuzlar</translation>
+    </message>
+    <message>
+        <source>buttock</source>
+        <translation>kalça</translation>
+    </message>
+    <message>
+        <source>breast</source>
+        <translation>meme</translation>
+    </message>
+    <message>
+        <source>shoulder&apos;s muscle</source>
+        <translation>omuz kası</translation>
+    </message>
+    <message>
+        <source>thigh</source>
+        <translation>uyluk</translation>
+    </message>
+    <message>
+        <source>lower leg</source>
+        <translation>alt bacak</translation>
+    </message>
+    <message>
+        <source>calf</source>
+        <translation>baldır</translation>
+    </message>
+    <message>
+        <source>kneecap</source>
+        <translation>diz kapağı</translation>
+    </message>
+    <message>
+        <source>upper arm</source>
+        <translation>üst kol</translation>
+    </message>
+    <message>
+        <source>forearm</source>
+        <translation>ön kol</translation>
+    </message>
+</context>
+<context>
     <name>clone</name>
     <message>
         <source>Clone</source>
@@ -134,6 +201,33 @@
     <message>
         <source>Refused: {reasons}.</source>
         <translation>Geri çevrilen: {reasons}.</translation>
+    </message>
+</context>
+<context>
+    <name>fabrics</name>
+    <message>
+        <source>Silk</source>
+        <translation>İpek</translation>
+    </message>
+    <message>
+        <source>Cotton</source>
+        <translation>Pamuk</translation>
+    </message>
+    <message>
+        <source>Linen</source>
+        <translation>Keten</translation>
+    </message>
+    <message>
+        <source>Wool</source>
+        <translation>Yün</translation>
+    </message>
+    <message>
+        <source>Denim</source>
+        <translation>Kot</translation>
+    </message>
+    <message>
+        <source>Burlap</source>
+        <translation>Çuval bezi</translation>
     </message>
 </context>
 <context>
@@ -233,6 +327,70 @@
     <message>
         <source>deleted for good on {when}</source>
         <translation>tümüyle silinme: {when}</translation>
+    </message>
+</context>
+<context>
+    <name>garments</name>
+    <message>
+        <source>Skirt</source>
+        <translation>Etek</translation>
+    </message>
+    <message>
+        <source>Circle skirt</source>
+        <translation>Kloş etek</translation>
+    </message>
+    <message>
+        <source>Straight skirt</source>
+        <translation>Düz etek</translation>
+    </message>
+    <message>
+        <source>Long skirt</source>
+        <translation>Uzun etek</translation>
+    </message>
+    <message>
+        <source>Cape</source>
+        <translation>Pelerin</translation>
+    </message>
+    <message>
+        <source>T-shirt</source>
+        <translation>Tişört</translation>
+    </message>
+    <message>
+        <source>Dress</source>
+        <translation>Elbise</translation>
+    </message>
+    <message>
+        <source>Coat</source>
+        <translation>Palto</translation>
+    </message>
+    <message>
+        <source>Trousers</source>
+        <translation>Pantolon</translation>
+    </message>
+    <message>
+        <source>GLB: the clone walks in it</source>
+        <extracomment>What a dressed clone is written as, by file ending.</extracomment>
+        <translation>GLB: klon onunla yürür</translation>
+    </message>
+    <message>
+        <source>MP4 film</source>
+        <translation>MP4 filmi</translation>
+    </message>
+    <message>
+        <source>WebP film</source>
+        <translation>WebP filmi</translation>
+    </message>
+    <message>
+        <source>GIF film</source>
+        <translation>GIF filmi</translation>
+    </message>
+    <message>
+        <source>USD: the garment alone</source>
+        <translation>USD: yalnız giysi</translation>
+    </message>
+    <message>
+        <source>PC2 and OBJ: the garment alone</source>
+        <translation>PC2 ve OBJ: yalnız giysi</translation>
     </message>
 </context>
 <context>
@@ -565,6 +723,80 @@
     </message>
 </context>
 <context>
+    <name>materials</name>
+    <message>
+        <source>Stone</source>
+        <translation>Taş</translation>
+    </message>
+    <message>
+        <source>Clay</source>
+        <translation>Kil</translation>
+    </message>
+    <message>
+        <source>Bronze</source>
+        <translation>Bronz</translation>
+    </message>
+    <message>
+        <source>Marble</source>
+        <translation>Mermer</translation>
+    </message>
+    <message>
+        <source>As photographed</source>
+        <translation>Fotoğraftaki gibi</translation>
+    </message>
+    <message>
+        <source>Arms hanging</source>
+        <translation>Kollar aşağıda</translation>
+    </message>
+    <message>
+        <source>On guard</source>
+        <translation>Nöbette</translation>
+    </message>
+    <message>
+        <source>Hailing</source>
+        <translation>Selamlayan</translation>
+    </message>
+</context>
+<context>
+    <name>measures</name>
+    <message>
+        <source>Height without shoes</source>
+        <translation>Ayakkabısız boy</translation>
+    </message>
+    <message>
+        <source>Chest</source>
+        <translation>Göğüs</translation>
+    </message>
+    <message>
+        <source>Waist</source>
+        <translation>Bel</translation>
+    </message>
+    <message>
+        <source>Hips</source>
+        <translation>Kalça</translation>
+    </message>
+    <message>
+        <source>Neck</source>
+        <translation>Boyun</translation>
+    </message>
+    <message>
+        <source>Below the breast</source>
+        <translation>Göğüs altı</translation>
+    </message>
+    <message>
+        <source>Thigh</source>
+        <translation>Uyluk</translation>
+    </message>
+    <message>
+        <source>Inside leg</source>
+        <translation>İç bacak</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Kol</translation>
+    </message>
+</context>
+<context>
     <name>menu</name>
     <message>
         <source>&amp;Open…</source>
@@ -639,6 +871,26 @@
         <translation>&amp;Tam ekran</translation>
     </message>
     <message>
+        <source>&amp;Dress a clone…</source>
+        <translation>Bir klonu &amp;giydir…</translation>
+    </message>
+    <message>
+        <source>&amp;Body from measures…</source>
+        <translation>Ölçülerden &amp;beden…</translation>
+    </message>
+    <message>
+        <source>&amp;Clone in stone…</source>
+        <translation>Taştan &amp;klon…</translation>
+    </message>
+    <message>
+        <source>&amp;Photograph on a statue…</source>
+        <translation>Heykele &amp;fotoğraf…</translation>
+    </message>
+    <message>
+        <source>Body of b&amp;lobs…</source>
+        <translation>&amp;Bloblardan beden…</translation>
+    </message>
+    <message>
         <source>&amp;Event</source>
         <translation>&amp;Etkinlik</translation>
     </message>
@@ -653,6 +905,10 @@
     <message>
         <source>O&amp;perator</source>
         <translation>&amp;Operatör</translation>
+    </message>
+    <message>
+        <source>&amp;Studio</source>
+        <translation>&amp;Stüdyo</translation>
     </message>
 </context>
 <context>
@@ -1646,6 +1902,26 @@
         <translation>Kopyalanıyor</translation>
     </message>
     <message>
+        <source>Making the body</source>
+        <translation>Beden yapılıyor</translation>
+    </message>
+    <message>
+        <source>Cutting the pieces</source>
+        <translation>Parçalar kesiliyor</translation>
+    </message>
+    <message>
+        <source>Sewing and hanging</source>
+        <translation>Dikiliyor ve asılıyor</translation>
+    </message>
+    <message>
+        <source>Walking in it</source>
+        <translation>Onunla yürünüyor</translation>
+    </message>
+    <message>
+        <source>Closing the loop</source>
+        <translation>Döngü kapatılıyor</translation>
+    </message>
+    <message>
         <source>Reading back what was written</source>
         <translation>Yazılanlar yeniden okunuyor</translation>
     </message>
@@ -1696,6 +1972,347 @@
     <message>
         <source>{stick} can be pulled out.</source>
         <translation>{stick} çekilebilir.</translation>
+    </message>
+</context>
+<context>
+    <name>studio</name>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <extracomment>Width of the controls beside the picture, lines of text; taste.</extracomment>
+        <translation>İ&amp;ptal</translation>
+    </message>
+    <message>
+        <source>How far the work is</source>
+        <translation>İşin durumu</translation>
+    </message>
+    <message>
+        <source>Written: {place}</source>
+        <translation>Yazıldı: {place}</translation>
+    </message>
+    <message>
+        <source>&amp;Another clone…</source>
+        <translation>&amp;Başka bir klon…</translation>
+    </message>
+    <message>
+        <source>No clone is chosen.</source>
+        <translation>Klon seçilmedi.</translation>
+    </message>
+    <message>
+        <source>Folder of a clone</source>
+        <translation>Bir klonun klasörü</translation>
+    </message>
+    <message>
+        <source>Body of blobs</source>
+        <translation>Bloblardan beden</translation>
+    </message>
+    <message>
+        <source>Show the &amp;blobs</source>
+        <translation>&amp;Blobları göster</translation>
+    </message>
+    <message>
+        <source>&amp;Open a file of blobs…</source>
+        <translation>Blob dosyası &amp;aç…</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve the blobs as a file…</source>
+        <translation>Blobları dosyaya ka&amp;ydet…</translation>
+    </message>
+    <message>
+        <source>Bl&amp;obs</source>
+        <translation>B&amp;loblar</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <extracomment>Steps of the slider a centimetre.</extracomment>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source>&amp;Material</source>
+        <translation>&amp;Malzeme</translation>
+    </message>
+    <message>
+        <source>File of blobs</source>
+        <translation>Blob dosyası</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Yarıçap</translation>
+    </message>
+    <message>
+        <source>Radius at the other end</source>
+        <translation>Öbür uçta yarıçap</translation>
+    </message>
+    <message>
+        <source>To the left</source>
+        <translation>Sola</translation>
+    </message>
+    <message>
+        <source>Upwards</source>
+        <translation>Yukarı</translation>
+    </message>
+    <message>
+        <source>Forwards</source>
+        <translation>Öne</translation>
+    </message>
+    <message>
+        <source>Times as wide</source>
+        <translation>Genişlik katı</translation>
+    </message>
+    <message>
+        <source>Times as high</source>
+        <translation>Yükseklik katı</translation>
+    </message>
+    <message>
+        <source>Times as deep</source>
+        <translation>Derinlik katı</translation>
+    </message>
+    <message>
+        <source>Body from measures</source>
+        <extracomment>Sliders go so many spreads to either side of what is usual; a body may have 4.5 (`FAR`). Side of a saved body&apos;s texture, texels; as `cloner body` has it.</extracomment>
+        <translation>Ölçülerden beden</translation>
+    </message>
+    <message>
+        <source>A woman</source>
+        <translation>Bir kadın</translation>
+    </message>
+    <message>
+        <source>A man</source>
+        <translation>Bir erkek</translation>
+    </message>
+    <message>
+        <source>A clone, told new measures</source>
+        <translation>Yeni ölçülerle bir klon</translation>
+    </message>
+    <message>
+        <source>Four, as a shop asks</source>
+        <translation>Dört, mağazadaki gibi</translation>
+    </message>
+    <message>
+        <source>Nine, as a tailor takes</source>
+        <translation>Dokuz, terzideki gibi</translation>
+    </message>
+    <message>
+        <source>&amp;Save the body…</source>
+        <translation>Bedeni &amp;kaydet…</translation>
+    </message>
+    <message>
+        <source>&amp;Who</source>
+        <translation>&amp;Kim</translation>
+    </message>
+    <message>
+        <source>&amp;Measures</source>
+        <translation>&amp;Ölçüler</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the body</source>
+        <translation>Bedenin &amp;adı</translation>
+    </message>
+    <message>
+        <source>body</source>
+        <translation>beden</translation>
+    </message>
+    <message>
+        <source>Folder for bodies</source>
+        <translation>Bedenler için klasör</translation>
+    </message>
+    <message>
+        <source>Take this marker away</source>
+        <extracomment>What a vertex is called that has no name of its own: this and its number.</extracomment>
+        <translation>Bu işareti kaldır</translation>
+    </message>
+    <message>
+        <source>Photograph on a statue</source>
+        <translation>Heykele fotoğraf</translation>
+    </message>
+    <message>
+        <source>Choose a &amp;photograph…</source>
+        <translation>Bir &amp;fotoğraf seç…</translation>
+    </message>
+    <message>
+        <source>Paint it all &amp;round</source>
+        <translation>Her yanı &amp;boya</translation>
+    </message>
+    <message>
+        <source>Choose a photograph of a face, of flesh or of stone.</source>
+        <translation>Etten ya da taştan bir yüzün fotoğrafını seçin.</translation>
+    </message>
+    <message>
+        <source>Photograph</source>
+        <translation>Fotoğraf</translation>
+    </message>
+    <message>
+        <source>No face was found: drag the markers to their places.</source>
+        <translation>Yüz bulunamadı: işaretleri yerlerine sürükleyin.</translation>
+    </message>
+    <message>
+        <source>Drag the markers. A double click on the clone adds one, Delete takes one away.</source>
+        <translation>İşaretleri sürükleyin. Klona çift tıklama bir tane ekler, Sil bir tane kaldırır.</translation>
+    </message>
+    <message>
+        <source>The usual man</source>
+        <extracomment>Side of the texture of a statue that is nobody&apos;s clone, texels; as `cloner statue` has it.</extracomment>
+        <translation>Sıradan adam</translation>
+    </message>
+    <message>
+        <source>Its own colours</source>
+        <translation>Kendi renkleri</translation>
+    </message>
+    <message>
+        <source>A clone</source>
+        <translation>Bir klon</translation>
+    </message>
+    <message>
+        <source>&amp;Save the statue…</source>
+        <translation>Heykeli &amp;kaydet…</translation>
+    </message>
+    <message>
+        <source>statue</source>
+        <translation>heykel</translation>
+    </message>
+    <message>
+        <source>La&amp;id on</source>
+        <translation>Üzerine &amp;konan</translation>
+    </message>
+    <message>
+        <source>&amp;Name of the statue</source>
+        <translation>Heykelin &amp;adı</translation>
+    </message>
+    <message>
+        <source>Folder for statues</source>
+        <translation>Heykeller için klasör</translation>
+    </message>
+    <message>
+        <source>Clone in stone</source>
+        <translation>Taştan klon</translation>
+    </message>
+    <message>
+        <source>Choose a clone that is finished.</source>
+        <translation>Bitmiş bir klon seçin.</translation>
+    </message>
+    <message>
+        <source>&amp;Pose</source>
+        <translation>&amp;Duruş</translation>
+    </message>
+    <message>
+        <source>Dress a clone</source>
+        <extracomment>Lengths that may be asked for, cm; the first stands for the usual one.</extracomment>
+        <translation>Bir klonu giydir</translation>
+    </message>
+    <message>
+        <source>A file of my own…</source>
+        <translation>Kendi dosyam…</translation>
+    </message>
+    <message>
+        <source>Own walk</source>
+        <translation>Kendi yürüyüşü</translation>
+    </message>
+    <message>
+        <source>A captured walk…</source>
+        <translation>Kaydedilmiş yürüyüş…</translation>
+    </message>
+    <message>
+        <source>as usual</source>
+        <translation>her zamanki gibi</translation>
+    </message>
+    <message>
+        <source>&amp;Instead of the photographed clothes</source>
+        <translation>Fotoğraftaki giysiler &amp;yerine</translation>
+    </message>
+    <message>
+        <source>Otherwise it is worn over the clothes of the photos.</source>
+        <translation>Yoksa fotoğraftaki giysilerin üstüne giyilir.</translation>
+    </message>
+    <message>
+        <source>Who wears it</source>
+        <translation>Kim giyiyor</translation>
+    </message>
+    <message>
+        <source>&amp;Garment</source>
+        <translation>&amp;Giysi</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Uzunluk</translation>
+    </message>
+    <message>
+        <source>&amp;Fabric</source>
+        <translation>&amp;Kumaş</translation>
+    </message>
+    <message>
+        <source>&amp;Motion</source>
+        <translation>&amp;Hareket</translation>
+    </message>
+    <message>
+        <source>Pieces</source>
+        <translation>Parçalar</translation>
+    </message>
+    <message>
+        <source>Something &amp;over it</source>
+        <translation>Ü&amp;stüne bir şey</translation>
+    </message>
+    <message>
+        <source>Photographed clothes</source>
+        <translation>Fotoğraftaki giysiler</translation>
+    </message>
+    <message>
+        <source>Take the photographed clothes of {name} off?</source>
+        <translation>{name} için fotoğraftaki giysiler çıkarılsın mı?</translation>
+    </message>
+    <message>
+        <source>The garment is then worn over neutral underwear. Ask the visitor first.</source>
+        <translation>Giysi o zaman sade iç çamaşırı üstüne giyilir. Önce ziyaretçiye sorun.</translation>
+    </message>
+    <message>
+        <source>Take them off</source>
+        <translation>Çıkar</translation>
+    </message>
+    <message>
+        <source>File of a garment</source>
+        <translation>Giysi dosyası</translation>
+    </message>
+    <message>
+        <source>Captured walk</source>
+        <translation>Kaydedilmiş yürüyüş</translation>
+    </message>
+    <message>
+        <source>Save the dressed clone</source>
+        <translation>Giydirilmiş klonu kaydet</translation>
+    </message>
+    <message>
+        <source>Arrange</source>
+        <translation>Yerleştir</translation>
+    </message>
+    <message>
+        <source>Sew</source>
+        <translation>Dik</translation>
+    </message>
+    <message>
+        <source>Fabric</source>
+        <translation>Kumaş</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Canlandır</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Dışa aktar</translation>
+    </message>
+    <message>
+        <source>A&amp;rrange</source>
+        <translation>Ye&amp;rleştir</translation>
+    </message>
+    <message>
+        <source>Se&amp;w</source>
+        <translation>&amp;Dik</translation>
+    </message>
+    <message>
+        <source>Let it wal&amp;k</source>
+        <translation>Yür&amp;üt</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>Farklı &amp;kaydet…</translation>
     </message>
 </context>
 <context>
@@ -2580,7 +3197,7 @@
     </message>
     <message>
         <source>The event&apos;s settings</source>
-        <extracomment>Files of the program&apos;s own, as the operator knows them.</extracomment>
+        <extracomment>All that the library may say in the window. Files of the program&apos;s own, as the operator knows them.</extracomment>
         <translation>Etkinliğin ayarları</translation>
     </message>
     <message>
@@ -2814,6 +3431,466 @@
     <message>
         <source>it contradicts %1, so the clone stays %2 px off it</source>
         <translation>%1 ile çelişiyor, klon %2 piksel uzakta kalıyor</translation>
+    </message>
+    <message>
+        <source>the clone does not tell its clothes from its skin</source>
+        <translation>klon giysilerini derisinden ayırmıyor</translation>
+    </message>
+    <message>
+        <source>Clone the photos again</source>
+        <translation>Fotoğrafları yeniden klonlayın</translation>
+    </message>
+    <message>
+        <source>no body could be made with a %1 of %2: %3 mm remain</source>
+        <translation>%1 %2 olan bir beden yapılamadı: %3 mm kalıyor</translation>
+    </message>
+    <message>
+        <source>Measure it again, or leave it out</source>
+        <translation>Yeniden ölçün ya da boş bırakın</translation>
+    </message>
+    <message>
+        <source>the sex %1 is not known</source>
+        <translation>%1 cinsiyeti bilinmiyor</translation>
+    </message>
+    <message>
+        <source>Give --sex f or --sex m</source>
+        <translation>--sex f ya da --sex m verin</translation>
+    </message>
+    <message>
+        <source>a stature of %1 cm cannot be made</source>
+        <translation>%1 cm boy yapılamaz</translation>
+    </message>
+    <message>
+        <source>Adults of %1 to %2 cm can be made</source>
+        <translation>%1 ile %2 cm arası yetişkinler yapılabilir</translation>
+    </message>
+    <message>
+        <source>These can: %1</source>
+        <translation>Bunlar olabilir: %1</translation>
+    </message>
+    <message>
+        <source>a %1 of %2 is no body&apos;s of %3 cm</source>
+        <translation>%3 cm boyunda kimsede %1 %2 değildir</translation>
+    </message>
+    <message>
+        <source>%1 with the other measures</source>
+        <translation>%1, öbür ölçülerle</translation>
+    </message>
+    <message>
+        <source>Measure again; %1 to %2 can be made</source>
+        <translation>Yeniden ölçün; %1 ile %2 arası yapılabilir</translation>
+    </message>
+    <message>
+        <source>the %1 cannot be told, it follows from the others</source>
+        <translation>%1 verilemez, öbürlerinden çıkar</translation>
+    </message>
+    <message>
+        <source>the %1 of %2 is smaller than the %3 of %4</source>
+        <translation>%1 (%2), %3 ölçüsünden (%4) küçük</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Yeniden ölçün</translation>
+    </message>
+    <message>
+        <source>Give --sex f or --sex m, or leave it out</source>
+        <translation>--sex f ya da --sex m verin ya da boş bırakın</translation>
+    </message>
+    <message>
+        <source>no consent to being shown is recorded</source>
+        <translation>gösterilmeye onay kaydı yok</translation>
+    </message>
+    <message>
+        <source>Write consent = &quot;...&quot; into person.toml and clone again</source>
+        <translation>İlk sayfada onay alın ve yeniden klonlayın</translation>
+    </message>
+    <message>
+        <source>Clones from %1 cm on can be</source>
+        <translation>%1 cm&apos;den uzun klonlar olabilir</translation>
+    </message>
+    <message>
+        <source>a statue has no clothes to take off</source>
+        <translation>heykelin çıkarılacak giysisi yok</translation>
+    </message>
+    <message>
+        <source>Undress the clone, then make a statue of it</source>
+        <translation>Klonu soyun, sonra heykel yapın</translation>
+    </message>
+    <message>
+        <source>a clone of %1 cm may be a child&apos;s and is not undressed</source>
+        <translation>%1 cm boyundaki klon çocuk olabilir, soyulmaz</translation>
+    </message>
+    <message>
+        <source>the clone has no measures of its body</source>
+        <translation>klonun beden ölçüleri yok</translation>
+    </message>
+    <message>
+        <source>the stature is missing</source>
+        <translation>boy eksik</translation>
+    </message>
+    <message>
+        <source>Give --stature and as many measures as you know</source>
+        <translation>Boyu ve bildiğiniz kadar ölçü verin</translation>
+    </message>
+    <message>
+        <source>the stature must be a length in centimetres</source>
+        <translation>boy santimetre olmalı</translation>
+    </message>
+    <message>
+        <source>For example --stature 168</source>
+        <translation>Örneğin 168</translation>
+    </message>
+    <message>
+        <source>the drawing has a DOCTYPE</source>
+        <translation>çizimde DOCTYPE var</translation>
+    </message>
+    <message>
+        <source>Save it as plain SVG</source>
+        <translation>Düz SVG olarak kaydedin</translation>
+    </message>
+    <message>
+        <source>a seam of the drawing does not name two edges</source>
+        <translation>çizimdeki bir dikiş iki kenar adlandırmıyor</translation>
+    </message>
+    <message>
+        <source>See docs/cloth.md for how a garment is drawn</source>
+        <translation>Giysi çizimi için docs/cloth.md dosyasına bakın</translation>
+    </message>
+    <message>
+        <source>the drawing has no width in millimetres</source>
+        <translation>çizimin milimetre genişliği yok</translation>
+    </message>
+    <message>
+        <source>Give it one, such as width=&quot;600mm&quot;</source>
+        <translation>Verin, örneğin width=&quot;600mm&quot;</translation>
+    </message>
+    <message>
+        <source>the piece %1 has %2 edges and %3 names for them</source>
+        <translation>%1 parçasının %2 kenarı ve %3 adı var</translation>
+    </message>
+    <message>
+        <source>Name every edge once, in the order of drawing</source>
+        <translation>Her kenarı çizim sırasıyla bir kez adlandırın</translation>
+    </message>
+    <message>
+        <source>the file is no SVG</source>
+        <translation>dosya SVG değil</translation>
+    </message>
+    <message>
+        <source>a part of the drawing is transformed</source>
+        <translation>çizimin bir bölümü dönüştürülmüş</translation>
+    </message>
+    <message>
+        <source>Apply the transformation first</source>
+        <translation>Önce dönüşümü uygulayın</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 has a command %2</source>
+        <translation>%1 parçasının çizgisinde %2 komutu var</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 ends early</source>
+        <translation>%1 parçasının çizgisi erken bitiyor</translation>
+    </message>
+    <message>
+        <source>the fabric %1 is not known</source>
+        <translation>%1 kumaşı bilinmiyor</translation>
+    </message>
+    <message>
+        <source>The fabrics are %1</source>
+        <translation>Kumaşlar: %1</translation>
+    </message>
+    <message>
+        <source>the garment %1 is not known</source>
+        <translation>%1 giysisi bilinmiyor</translation>
+    </message>
+    <message>
+        <source>The garments are %1, or a .json or .svg file</source>
+        <translation>Giysiler: %1 ya da .json veya .svg dosyası</translation>
+    </message>
+    <message>
+        <source>a %1 of %2 cm cannot be cut</source>
+        <translation>%2 cm %1 kesilemez</translation>
+    </message>
+    <message>
+        <source>%1 to %2 cm hang clear of the floor</source>
+        <translation>%1 ile %2 cm arası yere değmez</translation>
+    </message>
+    <message>
+        <source>the motion %1 is not known</source>
+        <translation>%1 hareketi bilinmiyor</translation>
+    </message>
+    <message>
+        <source>Give walk, or a captured walk (.bvh)</source>
+        <translation>Kendi yürüyüşü ya da kaydedilmiş yürüyüş (.bvh) seçin</translation>
+    </message>
+    <message>
+        <source>a garment has 1 to %1 pieces</source>
+        <translation>bir giysinin 1 ile %1 arası parçası olur</translation>
+    </message>
+    <message>
+        <source>See docs/cloth.md for the form of a garment&apos;s file</source>
+        <translation>Giysi dosyasının biçimi için docs/cloth.md dosyasına bakın</translation>
+    </message>
+    <message>
+        <source>two pieces share one name</source>
+        <translation>iki parçanın adı aynı</translation>
+    </message>
+    <message>
+        <source>some pieces hang from a ring and others lie round the body</source>
+        <translation>bazı parçalar halkadan sarkıyor, bazıları bedeni sarıyor</translation>
+    </message>
+    <message>
+        <source>the piece %1 lies round %2, which is no part</source>
+        <translation>%1 parçası %2 çevresinde, bu bir bölüm değil</translation>
+    </message>
+    <message>
+        <source>A piece lies round %1</source>
+        <translation>Parça şunları sarar: %1</translation>
+    </message>
+    <message>
+        <source>Let every edge begin where the one before ends</source>
+        <translation>Her kenar öncekinin bittiği yerde başlasın</translation>
+    </message>
+    <message>
+        <source>the piece %1 has fewer than two edges</source>
+        <translation>%1 parçasının ikiden az kenarı var</translation>
+    </message>
+    <message>
+        <source>the piece %1 has an edge that is no curve of four points</source>
+        <translation>%1 parçasının bir kenarı dört noktalı eğri değil</translation>
+    </message>
+    <message>
+        <source>the piece %1 has no garment&apos;s size</source>
+        <translation>%1 parçası giysi boyunda değil</translation>
+    </message>
+    <message>
+        <source>Write metres</source>
+        <translation>Metre yazın</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 crosses itself</source>
+        <translation>%1 parçasının çizgisi kendini kesiyor</translation>
+    </message>
+    <message>
+        <source>Draw it without a loop</source>
+        <translation>Düğümsüz çizin</translation>
+    </message>
+    <message>
+        <source>the held edge %1 is in no piece</source>
+        <translation>tutulan %1 kenarı hiçbir parçada yok</translation>
+    </message>
+    <message>
+        <source>the seam&apos;s edge %1 is in no piece</source>
+        <translation>dikişin %1 kenarı hiçbir parçada yok</translation>
+    </message>
+    <message>
+        <source>the edge %1 is sewn twice</source>
+        <translation>%1 kenarı iki kez dikiliyor</translation>
+    </message>
+    <message>
+        <source>the edges %1 and %2 of a seam are %3 long</source>
+        <translation>bir dikişin %1 ve %2 kenarları %3 uzunlukta</translation>
+    </message>
+    <message>
+        <source>Make them alike</source>
+        <translation>Eşitleyin</translation>
+    </message>
+    <message>
+        <source>the outline of the piece %1 is open</source>
+        <translation>%1 parçasının çizgisi açık</translation>
+    </message>
+    <message>
+        <source>the file is no garment</source>
+        <translation>dosya giysi değil</translation>
+    </message>
+    <message>
+        <source>the piece %1 has no edge to hang from</source>
+        <translation>%1 parçasının asılacak kenarı yok</translation>
+    </message>
+    <message>
+        <source>Name the edge at the ring %1 and the lowest one %2</source>
+        <translation>Halkadaki kenara %1, en alttakine %2 deyin</translation>
+    </message>
+    <message>
+        <source>no dressed clone is written as %1</source>
+        <translation>giydirilmiş klon %1 olarak yazılmaz</translation>
+    </message>
+    <message>
+        <source>Give --out a name that ends with %1</source>
+        <translation>%1 ile biten bir ad seçin</translation>
+    </message>
+    <message>
+        <source>the blobs lie nowhere near most of the body</source>
+        <translation>bloblar bedenin çoğundan uzakta</translation>
+    </message>
+    <message>
+        <source>cloner statue blobs CLONE --out body.json writes blobs to begin with</source>
+        <translation>Pencerenin önerdiği bloblarla başlayın</translation>
+    </message>
+    <message>
+        <source>a body has 1 to %1 blobs, not %2</source>
+        <translation>bir bedenin 1 ile %1 arası blobu olur, %2 değil</translation>
+    </message>
+    <message>
+        <source>See docs/statues.md for how blobs are written</source>
+        <translation>Blob yazımı için docs/statues.md dosyasına bakın</translation>
+    </message>
+    <message>
+        <source>blob %1 lacks its joint or radius, or tells more than blobs have</source>
+        <translation>%1. blobun eklemi ya da yarıçapı eksik ya da fazla bilgi var</translation>
+    </message>
+    <message>
+        <source>blob %1 has no name of 1 to 60 letters</source>
+        <translation>%1. blobun 1-60 harflik adı yok</translation>
+    </message>
+    <message>
+        <source>the blob %1 needs a place for each end</source>
+        <translation>%1 blobunun her ucu için yer gerekli</translation>
+    </message>
+    <message>
+        <source>the %1 must be %2 numbers from %3 to %4</source>
+        <translation>%1: %3 ile %4 arasında %2 sayı olmalı</translation>
+    </message>
+    <message>
+        <source>the blob %1 hangs on %2, which is no joint</source>
+        <translation>%1 blobu %2 üzerinde, bu eklem değil</translation>
+    </message>
+    <message>
+        <source>Joints have H-Anim&apos;s names</source>
+        <translation>Eklemler H-Anim adlarını taşır</translation>
+    </message>
+    <message>
+        <source>the file holds no list of %1</source>
+        <translation>dosyada %1 listesi yok</translation>
+    </message>
+    <message>
+        <source>the %1 are no JSON</source>
+        <translation>%1 JSON değil</translation>
+    </message>
+    <message>
+        <source>%1 markers are too few</source>
+        <translation>%1 işaret çok az</translation>
+    </message>
+    <message>
+        <source>Mark at least %1 vertices</source>
+        <translation>En az %1 nokta işaretleyin</translation>
+    </message>
+    <message>
+        <source>a marker&apos;s vertex is not on the mesh</source>
+        <translation>bir işaretin noktası ağda değil</translation>
+    </message>
+    <message>
+        <source>It has %1 of them</source>
+        <translation>%1 tane var</translation>
+    </message>
+    <message>
+        <source>two markers lie on the same vertex</source>
+        <translation>iki işaret aynı noktada</translation>
+    </message>
+    <message>
+        <source>Leave one of them out</source>
+        <translation>Birini çıkarın</translation>
+    </message>
+    <message>
+        <source>all markers lie on one line</source>
+        <translation>bütün işaretler bir çizgide</translation>
+    </message>
+    <message>
+        <source>Mark vertices beside it too</source>
+        <translation>Yanına da işaret koyun</translation>
+    </message>
+    <message>
+        <source>markers on mesh and photo differ in number</source>
+        <translation>ağdaki ve fotoğraftaki işaret sayısı farklı</translation>
+    </message>
+    <message>
+        <source>Give each both places</source>
+        <translation>Her birine iki yer verin</translation>
+    </message>
+    <message>
+        <source>all markers lie at one place of the photo</source>
+        <translation>bütün işaretler fotoğrafın aynı yerinde</translation>
+    </message>
+    <message>
+        <source>Drag them to their places</source>
+        <translation>Yerlerine sürükleyin</translation>
+    </message>
+    <message>
+        <source>a mesh from elsewhere keeps the photo&apos;s colours</source>
+        <translation>başka yerden bir ağ fotoğrafın renklerini korur</translation>
+    </message>
+    <message>
+        <source>Leave --material out</source>
+        <translation>Malzeme vermeyin</translation>
+    </message>
+    <message>
+        <source>neck girth</source>
+        <translation>boyun çevresi</translation>
+    </message>
+    <message>
+        <source>bust girth</source>
+        <translation>göğüs çevresi</translation>
+    </message>
+    <message>
+        <source>underbust girth</source>
+        <translation>göğüs altı çevresi</translation>
+    </message>
+    <message>
+        <source>waist girth</source>
+        <translation>bel çevresi</translation>
+    </message>
+    <message>
+        <source>hip girth</source>
+        <translation>kalça çevresi</translation>
+    </message>
+    <message>
+        <source>thigh girth</source>
+        <translation>uyluk çevresi</translation>
+    </message>
+    <message>
+        <source>inside leg height</source>
+        <translation>iç bacak boyu</translation>
+    </message>
+    <message>
+        <source>arm length</source>
+        <translation>kol boyu</translation>
+    </message>
+    <message>
+        <source>skirt</source>
+        <translation>etek</translation>
+    </message>
+    <message>
+        <source>circle-skirt</source>
+        <translation>kloş etek</translation>
+    </message>
+    <message>
+        <source>straight-skirt</source>
+        <translation>düz etek</translation>
+    </message>
+    <message>
+        <source>long-skirt</source>
+        <translation>uzun etek</translation>
+    </message>
+    <message>
+        <source>cape</source>
+        <translation>pelerin</translation>
+    </message>
+    <message>
+        <source>tee</source>
+        <translation>tişört</translation>
+    </message>
+    <message>
+        <source>dress</source>
+        <translation>elbise</translation>
+    </message>
+    <message>
+        <source>coat</source>
+        <translation>palto</translation>
+    </message>
+    <message>
+        <source>trousers</source>
+        <translation>pantolon</translation>
     </message>
 </context>
 <context>

@@ -10,6 +10,7 @@ from cloner.cloth.cut import Cloth, cut
 from cloner.cloth.fabrics import FABRICS, Fabric
 from cloner.cloth.pattern import Pattern, Segment
 from cloner.cloth.solver import THICK_M, Sheet, State, sheet_of, step, strains
+from cloner.cloth.threads import LONGEST, grouped, limit
 from cloner.cloth.wearer import Skin
 
 CALM = np.zeros(3)
@@ -104,3 +105,15 @@ def test_stiffer_fabrics_are_stiffer() -> None:
     assert silk.bend_n_m() == pytest.approx(9.81e-5 * 0.0225)
     assert silk.stretch_n_m()[0] == pytest.approx(490.0 / 0.03)
     assert all(isinstance(fabric, Fabric) for fabric in FABRICS.values())
+
+
+def test_no_thread_stays_long_and_nothing_is_moved_that_is_held() -> None:
+    threads = grouped(np.array([[0, 1], [1, 2]]), np.ones(2), np.ones(2), 3)
+    free, places = np.array([0.0, 1.0, 1.0]), np.array([[0.0, 0.0, 0.0], [0.0, -1.2, 0.0], [0.0, -2.4, 0.0]])
+    for _ in range(50):
+        limit(threads, places, free)
+    assert places[0].tolist() == [0.0, 0.0, 0.0]
+    assert np.diff(-places[:, 1]) == pytest.approx(LONGEST, abs=1e-3)
+    short = places * 0.5
+    limit(threads, short, free)
+    assert short.tolist() == (places * 0.5).tolist(), "what is short folds as it likes"

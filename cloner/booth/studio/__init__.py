@@ -1,0 +1,1 @@
+"""What an operator makes of finished clones and of nobody's: clothes, bodies from measures, statues."""

@@ -1,0 +1,23 @@
+"""The studio's long jobs, as one object that lives in a worker's process."""
+
+from __future__ import annotations
+
+from cloner.booth.studio.carving import Carving
+from cloner.booth.studio.shaping import Shaping
+from cloner.booth.studio.wearing import Wearing
+from cloner.booth.worker import Show, not_shown
+
+
+class StudioJobs(Wearing, Shaping, Carving):
+    """What the studio's process can be asked for; every method gets a progress callable that may raise Cancelled.
+
+    Parameters
+    ----------
+    show : callable
+        Takes what a job has to show so far.
+    """
+
+    def __init__(self, show: Show = not_shown) -> None:
+        Wearing.__init__(self, show)
+        Shaping.__init__(self)
+        Carving.__init__(self)

@@ -1,0 +1,137 @@
+"""Wearing: a garment is arranged round a clone, sewn, walked with and written; what was made so far is remembered."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+
+from cloner.bodies.undressed import undressed_clone
+from cloner.bodies.written import sex_of
+from cloner.booth.studio.values import Arranged, Array, Draped, Outfit, Rgb
+from cloner.booth.worker import Show, not_shown
+from cloner.cloth.dressing import Dressed, Dressing, Watch, fabric_named, motion_of, pattern_of
+from cloner.cloth.fabrics import Fabric
+from cloner.cloth.moving import SETTLE
+from cloner.cloth.pattern import Pattern, curve
+from cloner.cloth.wearer import FRAMES_PER_S
+from cloner.cloth.written import clean_up, write_dressed
+from cloner.motion.rig import centred
+from cloner.picture import clone_file, clone_of
+from cloner.pipeline import Progress
+from cloner.records.clones import Clone
+
+#: Places along an edge that is drawn.
+_PLACES: Final = 16
+
+
+class Wearing:
+    """The jobs of the window for wearing.
+
+    Parameters
+    ----------
+    show : callable
+        Takes a `Draped` for every frame of cloth that is simulated.
+    """
+
+    def __init__(self, show: Show = not_shown) -> None:
+        self._show = show
+        self._below: tuple[tuple[Path, bool, int], Clone] | None = None
+        self._dressing: tuple[Outfit, Dressing, Pattern] | None = None
+        self._dressed: dict[Outfit, Dressed] = {}
+
+    def arrange(self, outfit: Outfit, progress: Progress) -> Arranged:
+        """Cut a garment and lay it round the clone; see `cloner.cloth.moving.put_on`."""
+        dressing, pattern = self._arranged(outfit, progress)
+        still = np.zeros_like(dressing.worn.rotations[0])
+        places = dressing.with_below(dressing.worn.start.places_m, SETTLE - 1)
+        draped = self._draped(outfit, dressing, places, np.zeros(3), still)
+        return Arranged(self._wearer(outfit, progress), _pieces(pattern), draped)
+
+    def hang(self, outfit: Outfit, progress: Progress) -> None:
+        """Sew the garment and let it hang; shows every frame."""
+        dressing, _ = self._arranged(outfit, progress)
+        dressing.hung(self._watch(outfit, dressing), progress=progress)
+
+    def walk(self, outfit: Outfit, progress: Progress) -> tuple[Draped, float]:
+        """Walk in the garment until its loop is found; return the loop and its frames a second. Shows every frame."""
+        found = self._walked(outfit, progress)
+        worn, loop = found.worn, found.below()
+        shown = Draped(
+            loop.loop_m.astype(np.float32), loop.faces.astype(np.int32), _parts(found.layers), worn.root_m,
+            worn.rotations,
+        )  # fmt: skip
+        return shown, float(FRAMES_PER_S)
+
+    def save_worn(self, outfit: Outfit, out: Path, progress: Progress) -> Path:
+        """Write the clone in its garments; see `cloner.cloth.written.write_dressed`."""
+        found = self._walked(outfit, progress)
+        progress("export", 0.0)
+        clean_up(out)
+        write_dressed(found, out)
+        return out
+
+    def _walked(self, outfit: Outfit, progress: Progress) -> Dressed:
+        """Return a garment in its loop; the last one, and what is worn below it, are remembered."""
+        self._wearer(outfit, progress)
+        if outfit not in self._dressed:
+            dressing, _ = self._arranged(outfit, progress)
+            self._dressing = None  # it is walked with once
+            found = dressing.walked(self._watch(outfit, dressing), progress=progress)
+            self._dressed = {one: worn for one, worn in self._dressed.items() if one == outfit.under}
+            self._dressed[outfit] = found
+        return self._dressed[outfit]
+
+    def _wearer(self, outfit: Outfit, progress: Progress) -> Clone:
+        key = outfit.clone, outfit.bare, clone_file(outfit.clone).stat().st_mtime_ns
+        if self._below is None or self._below[0] != key:
+            progress("body", 0.0)
+            clone = clone_of(outfit.clone)
+            below = undressed_clone(clone, sex_of(clone)) if outfit.bare else clone
+            self._below, self._dressing, self._dressed = (key, centred(below)), None, {}
+        return self._below[1]
+
+    def _arranged(self, outfit: Outfit, progress: Progress) -> tuple[Dressing, Pattern]:
+        """Return the garment as far as it has come; laid round the clone anew where something else is wanted."""
+        clone = self._wearer(outfit, progress)
+        if self._dressing is None or self._dressing[0] != outfit:
+            under = None if outfit.under is None else self._walked(outfit.under, progress)
+            progress("arrange", 0.3)
+            pattern, ring = pattern_of(clone, outfit.garment, outfit.length_cm)
+            fabric, motion = fabric_named(outfit.fabric), motion_of(clone, outfit.motion)
+            self._dressing = outfit, Dressing(clone, pattern, ring, fabric, motion, under=under), pattern
+        return self._dressing[1:]
+
+    def _watch(self, outfit: Outfit, dressing: Dressing) -> Watch:
+        return lambda places, root, turned: self._show(self._draped(outfit, dressing, places, root, turned))
+
+    def _draped(self, outfit: Outfit, dressing: Dressing, places_m: Array, root_m: Array, rotations: Array) -> Draped:
+        """Return one frame (N, 3) of all garments."""
+        faces = dressing.worn.cloth.faces
+        own = (len(faces), _rgb(fabric_named(outfit.fabric)))
+        parts: tuple[tuple[int, Rgb], ...] = (own,)
+        if outfit.under is not None:
+            below = self._dressed[outfit.under]
+            inner = below.below().faces
+            faces = np.concatenate([inner, faces + int(inner.max()) + 1])
+            parts = (*_parts(below.layers), own)
+        return Draped(places_m[None].astype(np.float32), faces.astype(np.int32), parts, root_m[None], rotations[None])
+
+
+def _pieces(pattern: Pattern) -> tuple[Array, ...]:
+    """Return the outlines (M, 2) of a garment's pieces, metres."""
+    shares = np.linspace(0.0, 1.0, _PLACES, endpoint=False)
+    return tuple(
+        np.concatenate([curve(np.asarray(edge), shares) for edge in segment.edges.values()])
+        for segment in pattern.segments
+    )
+
+
+def _parts(layers: tuple[Dressed, ...]) -> tuple[tuple[int, Rgb], ...]:
+    return tuple((len(one.worn.cloth.faces), _rgb(one.fabric)) for one in layers)
+
+
+def _rgb(fabric: Fabric) -> Rgb:
+    red, green, blue = (value / 255.0 for value in fabric.rgb)
+    return red, green, blue

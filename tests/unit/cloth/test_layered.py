@@ -1,0 +1,99 @@
+"""Garments worn over one another: what is below is met like skin."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pygltflib
+import pytest
+from scipy.spatial import cKDTree
+from typer.testing import CliRunner
+
+from cloner.bodies.made import clone_of_measures
+from cloner.bodies.telling import Told
+from cloner.cli import app
+from cloner.cloth import dressing
+from cloner.cloth.dressing import Dressed, dressed, pattern_of
+from cloner.cloth.fabrics import FABRICS
+from cloner.cloth.glb import glb
+from cloner.cloth.layered import Under
+from cloner.geometry.wedges import vertex_normals
+from cloner.motion.own import own_motions
+from cloner.motion.rig import centred
+from cloner.project.clone_file import save_clone
+from cloner.records.clones import Clone
+
+
+@pytest.fixture(scope="module")
+def eva() -> Clone:
+    return centred(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512))
+
+
+@pytest.fixture(scope="module")
+def worn(eva: Clone) -> tuple[Dressed, Dressed, Dressed]:
+    """A dress, a coat over it, and the same coat over nothing."""
+    walk, made = own_motions(eva)[0], []
+    for name, fabric, over in (("dress", "silk", False), ("coat", "wool", True), ("coat", "wool", False)):
+        pattern, ring = pattern_of(eva, name, None)
+        under = made[0] if over else None
+        made.append(dressed(eva, pattern, ring, FABRICS[fabric], walk, cycles=4, step_m=0.04, under=under))
+    return made[0], made[1], made[2]
+
+
+def below(inner: Dressed, outer: Dressed) -> float:
+    """Return the share of an outer garment's points that lie inside an inner one, of those near it, in all frames."""
+    shares = []
+    for cloth, points in zip(inner.loop.frames_m, outer.loop.frames_m, strict=True):
+        outward = vertex_normals(cloth, inner.worn.cloth.faces.astype(np.int32))
+        away, near = cKDTree(cloth).query(points)
+        high = np.einsum("ij,ij->i", points - cloth[near], outward[near])
+        shares.append((high[away < 0.05] < -0.002).mean())
+    return float(np.mean(shares))
+
+
+def test_a_coat_lies_over_the_dress(worn: tuple[Dressed, Dressed, Dressed]) -> None:
+    inner, outer, alone = worn
+    assert below(inner, outer) < 0.06
+    assert below(inner, alone) > 2.0 * below(inner, outer), "over nothing it would pass through the dress"
+    assert outer.layers == (inner, outer)
+    assert np.isfinite(outer.loop.frames_m).all()
+
+
+def test_both_are_in_the_file_and_move(worn: tuple[Dressed, Dressed, Dressed]) -> None:
+    gltf = pygltflib.GLTF2.load_from_bytes(glb(worn[1]))
+    names = [mesh.name for mesh in gltf.meshes if mesh.name.startswith("Garment")]
+    assert names == ["Garment", "Garment 2"]
+    moved = {gltf.nodes[one.target.node].name for one in gltf.animations[0].channels if one.target.path == "weights"}
+    assert moved >= set(names)
+    assert [one.name for one in gltf.materials][-2:] == ["silk", "wool"]
+
+
+def test_what_is_below_goes_into_its_loop_within_the_first_cycle() -> None:
+    put, loop = (
+        np.arange(14.0)[:, None, None] * np.ones((1, 2, 3)),
+        100.0 + np.arange(4.0)[:, None, None] * np.ones((1, 2, 3)),
+    )
+    under = Under(np.array([[0, 1, 0]]), put, loop)
+    assert under.at(3)[0, 0] == 3.0
+    assert under.at(10)[0, 0] == 10.0  # the first cycle begins where it was simulated
+    assert 13.0 < under.at(13)[0, 0] < 103.0
+    assert under.at(14)[0, 0] == 100.0
+    assert under.at(19)[0, 0] == 101.0
+
+
+def test_the_command_takes_what_is_worn_over_it(eva: Clone, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", {"cycles": 4, "step_m": 0.06, "under": None})
+    monkeypatch.setattr(dressing.dressed, "__kwdefaults__", {
+        "cycles": 4, "step_m": 0.06, "under": None, "progress": lambda *_: None
+    })  # fmt: skip
+    save_clone(eva, tmp_path / "clone.npz")
+    out = tmp_path / "both.glb"
+    asked = ["dress", str(tmp_path), "--garment", "trousers", "--over", "tee:denim", "--out", str(out)]
+    told = CliRunner().invoke(app, asked)
+    assert told.exit_code == 0, told.output
+    assert told.output.count("loop of") == 2
+    assert out.is_file()
+    wrong = CliRunner().invoke(app, [*asked[:-1], str(tmp_path / "x.glb"), "--over", "hat"])
+    assert wrong.exit_code != 0
+    assert not (tmp_path / "x.glb").exists()
