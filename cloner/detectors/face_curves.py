@@ -20,7 +20,7 @@ UNIT_PX: Final = 160.0
 LEAST_IOD_PX: Final = 60.0
 #: What an edge is like outwards (lids' normals point down in the picture on the left side, up on the right, as both
 #: run from the inner corner outwards) and how far it is looked for, shares of the eye distance. Lips, brows and jaw are
-#: not pulled: it made them worse (docs/decisions.md).
+#: not pulled: it made them worse (docs/decisions/).
 SIGNS: Final[dict[str, Sign]] = {
     "lid_upper_L": "line",
     "lid_upper_R": "line",

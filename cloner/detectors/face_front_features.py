@@ -14,7 +14,7 @@ from cloner.records.points import Proposal
 
 Array = NDArray[np.float64]
 
-#: Features looked for, on each half of the face. Of eyes and lips the net tells more (docs/decisions.md).
+#: Features looked for, on each half of the face. Of eyes and lips the net tells more (docs/decisions/).
 HALVES: Final = ("front_nose", "front_chin")
 
 
