@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from cloner import cli
+from cloner import cli, terminal
 from cloner.project.clone_file import save_clone
 from cloner.terminal import EXIT_DEFECT, ended, out_of_memory, sentence_of
 from hostile.cases_photos import JPEG
@@ -63,7 +63,7 @@ def test_a_clone_that_is_stopped_leaves_nothing(tmp_path: Path, samples: Path, n
         time.sleep(0.05)
     process.send_signal(number)
     _, told = process.communicate(timeout=60)
-    assert process.returncode == cli.EXIT_CANCELLED, told
+    assert process.returncode == terminal.EXIT_CANCELLED, told
     assert "stopped" in told
     assert not out.exists()
 
@@ -79,7 +79,7 @@ def test_a_window_that_is_asked_to_end_does(number: signal.Signals) -> None:
     assert process.stdout.readline() == "open\n"
     process.send_signal(number)
     _, told = process.communicate(timeout=30)
-    assert process.returncode == cli.EXIT_CANCELLED, told
+    assert process.returncode == terminal.EXIT_CANCELLED, told
     assert "Traceback" not in told
 
 
@@ -112,8 +112,10 @@ def test_streams_that_are_closed_full_or_left(root: Path, redirection: str, code
 
 @pytest.mark.parametrize("redirection", ["2>&-", "2> /dev/full", "2> >(exec true)"])
 def test_a_complaint_that_nobody_hears_ends_with_its_own_code(root: Path, redirection: str) -> None:
-    assert through_shell(redirection, ["clone", root / "nobody", "--out", root / "out"]).returncode == cli.EXIT_INPUT
-    assert through_shell(redirection, ["batch", root, "--out", root / "out"]).returncode == cli.EXIT_SOME_FAILED
+    assert (
+        through_shell(redirection, ["clone", root / "nobody", "--out", root / "out"]).returncode == terminal.EXIT_INPUT
+    )
+    assert through_shell(redirection, ["batch", root, "--out", root / "out"]).returncode == terminal.EXIT_SOME_FAILED
 
 
 @pytest.fixture(scope="module")
@@ -151,7 +153,7 @@ def test_paths_longer_than_any_file_system_takes_have_a_sentence(
         for number, handler in zip(STOPPING, before, strict=True):
             signal.signal(number, handler)
     told = [line for line in capfd.readouterr().err.splitlines() if line.startswith("cloner: ")]
-    assert caught.value.code == cli.EXIT_INPUT, told
+    assert caught.value.code == terminal.EXIT_INPUT, told
     assert len(told) == 1
     assert len(told[0]) < 1500
 
@@ -163,7 +165,7 @@ def test_too_little_memory_has_a_sentence_before_anything_is_begun(
     # Whether a library raises an error or ends the process where memory ends is the machine's luck.
     arguments = ["clone", samples / "anna" / "plain", "--out", tmp_path / "out"]
     done = through_shell("", arguments, f"ulimit -v {limit_kib};")
-    assert done.returncode == cli.EXIT_INPUT, done.stderr[-2000:]
+    assert done.returncode == terminal.EXIT_INPUT, done.stderr[-2000:]
     assert "not enough memory" in done.stderr
     assert not (tmp_path / "out").exists()
 
@@ -193,5 +195,5 @@ def test_the_page_of_exit_codes_is_the_programs() -> None:
     page = (Path(__file__).resolve().parents[2] / "docs" / "exit_codes.md").read_text(encoding="utf-8")
     rows = [line.split("|")[1].strip() for line in page.splitlines() if line.startswith("| ")]
     codes = {int(row) for row in rows if row.isdigit()}
-    assert codes == {0, cli.EXIT_SOME_FAILED, cli.EXIT_INPUT, EXIT_DEFECT, cli.EXIT_CANCELLED}
+    assert codes == {0, terminal.EXIT_SOME_FAILED, terminal.EXIT_INPUT, EXIT_DEFECT, terminal.EXIT_CANCELLED}
     assert {"SIGINT", "SIGTERM", "SIGHUP", "SIGPIPE", "SIGKILL"} <= {row.strip("`") for row in rows}

@@ -14,8 +14,8 @@ from PIL import Image
 
 from cloner import batch
 from cloner.batch import BatchOptions, batch_folder, summary_table
-from cloner.cli import pace
 from cloner.cloning import CloneOutcome, stamp_options
+from cloner.commands.clones import pace
 from cloner.errors import Cancelled, ClonerError
 from cloner.project.claims import claimed
 from cloner.project.manifest import find_visitors, shard

@@ -17,8 +17,9 @@ import pygltflib
 import pytest
 from PIL import Image
 
-from cloner import cli, cloning
+from cloner import cli, cloning, terminal
 from cloner.cloning import CloneOutcome
+from cloner.commands import options
 
 Command = Callable[..., tuple[int, str, str]]
 
@@ -59,7 +60,7 @@ def complaint(stderr: str) -> str:
 def refused(run: Command, photos: Path, out: Path, *options: object) -> str:
     """Run ``cloner clone``, check that it refuses without a trace, and return its sentence."""
     code, _, stderr = run("clone", photos, "--out", out, *options)
-    assert code == cli.EXIT_INPUT
+    assert code == terminal.EXIT_INPUT
     assert not out.exists(), "something was left behind"
     return complaint(stderr)
 
@@ -126,8 +127,8 @@ def test_odd_texture_sizes_are_refused(run: Command, tmp_path: Path, samples: Pa
 
 
 def test_the_command_lines_defaults_are_the_programs() -> None:
-    assert cli.split_formats(cli.DEFAULT_FORMATS) == cloning.DEFAULT_FORMATS
-    assert cli.DEFAULT_TEXTURE_SIZE == cloning.DEFAULT_TEXTURE_SIZE
+    assert terminal.split_formats(options.DEFAULT_FORMATS) == cloning.DEFAULT_FORMATS
+    assert options.DEFAULT_TEXTURE_SIZE == cloning.DEFAULT_TEXTURE_SIZE
 
 
 def test_unwritable_output(run: Command, tmp_path: Path, samples: Path) -> None:
@@ -223,7 +224,7 @@ def test_stopping_leaves_nothing(tmp_path: Path, samples: Path, number: signal.S
         time.sleep(0.05)
     process.send_signal(number)
     _, stderr = process.communicate(timeout=60)
-    assert process.returncode == cli.EXIT_CANCELLED, stderr
+    assert process.returncode == terminal.EXIT_CANCELLED, stderr
     assert "stopped" in complaint(stderr)
     assert not out.exists()
 
@@ -247,13 +248,13 @@ def test_a_killed_run_leaves_nothing_visible_and_the_next_one_sweeps(
     assert all(path.name.startswith(".") for path in left)
     (photos / "face_front.jpg").write_bytes(b"")
     code, _, stderr = run("clone", photos, "--out", out)
-    assert (code, "empty" in complaint(stderr)) == (cli.EXIT_INPUT, True)
+    assert (code, "empty" in complaint(stderr)) == (terminal.EXIT_INPUT, True)
     assert not list(out.iterdir())
 
 
 def test_render_refuses_what_it_cannot_draw(run: Command, tmp_path: Path) -> None:
     code, _, stderr = run("render", tmp_path, "--out", tmp_path / "a.png")
-    assert (code, "no clone" in complaint(stderr)) == (cli.EXIT_INPUT, True)
+    assert (code, "no clone" in complaint(stderr)) == (terminal.EXIT_INPUT, True)
 
 
 @pytest.mark.slow
@@ -265,7 +266,7 @@ def test_render_draws_a_clone(run: Command, tmp_path: Path, cloned_anna: CloneOu
     assert drawn.shape == (300, 200)
     assert drawn.std() > 20.0, "the picture is empty"
     code, _, stderr = run("render", cloned_anna.folder, "--view", "above", "--out", tmp_path / "above.png")
-    assert code == cli.EXIT_INPUT
+    assert code == terminal.EXIT_INPUT
     assert "front" in complaint(stderr)
     assert [path.name for path in tmp_path.iterdir()] == ["side.png"]
 
@@ -286,7 +287,7 @@ def test_animate_adds_speech_and_a_face_and_refuses_other_files(
     names = [animation.name for animation in pygltflib.GLTF2().load_binary(str(again)).animations]
     assert names == ["anna_mama", "walk", "idle"]
     code, _, stderr = run("animate", cloned_anna.folder, tmp_path / "song.mp3", "--out", tmp_path / "song.glb")
-    assert code == cli.EXIT_INPUT
+    assert code == terminal.EXIT_INPUT
     assert ".wav" in complaint(stderr)
 
 

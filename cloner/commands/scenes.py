@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from cloner.commands.options import say
 from cloner.terminal import ProgressLine
 
 scenes = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Rooms to walk in: from plans, lit, inhabited.")
@@ -21,8 +22,7 @@ def _make(
     """Build a room from a plan: plan.toml and room.glb."""
     from cloner.scenes.written import make_folder
 
-    for line in make_folder(plan, out):
-        typer.echo(line)
+    say(make_folder(plan, out))
 
 
 @scenes.command("light")
@@ -32,8 +32,7 @@ def _light(folder: FolderArgument) -> None:
 
     with ProgressLine() as progress:
         lines = light_folder(folder, progress)
-    for line in lines:
-        typer.echo(line)
+    say(lines)
 
 
 @scenes.command("sound")
@@ -43,8 +42,7 @@ def _sound(folder: FolderArgument) -> None:
 
     with ProgressLine() as progress:
         lines = sound_folder(folder, progress)
-    for line in lines:
-        typer.echo(line)
+    say(lines)
 
 
 @scenes.command("build")
@@ -61,8 +59,7 @@ def _build(
 
     with ProgressLine() as progress:
         lines = build_folder(folder, walk, pack, out, seconds=seconds, seed=seed, progress=progress)
-    for line in lines:
-        typer.echo(line)
+    say(lines)
 
 
 @scenes.command("film")
@@ -78,5 +75,4 @@ def _film(
 
     with ProgressLine() as progress:
         lines = film_file(sequence, room, pack, out, page, progress)
-    for line in lines:
-        typer.echo(line)
+    say(lines)

@@ -8,12 +8,20 @@ from typing import Annotated, Any, Final
 import typer
 from typer.core import TyperGroup
 
+from cloner.commands.options import (
+    DEFAULT_FORMATS,
+    DEFAULT_TEXTURE_SIZE,
+    CloneArgument,
+    FormatOption,
+    IdOption,
+    OutOption,
+    SizeOption,
+    say,
+)
 from cloner.terminal import ProgressLine, split_formats
 
 #: What ``cloner statue CLONE`` means.
 MAKE: Final = "make"
-OutOption = Annotated[Path, typer.Option("--out", help="Folder that receives the results.")]
-FormatOption = Annotated[str, typer.Option("--format", help="Formats, with commas, as of cloner clone.")]
 
 
 class OrMake(TyperGroup):
@@ -33,12 +41,12 @@ statues = typer.Typer(
 
 @statues.command(MAKE)
 def _statue(
-    clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
+    clone_path: CloneArgument,
     out: OutOption,
     material: Annotated[str, typer.Option("--material", help="stone, clay, bronze or marble.")] = "stone",
     pose: Annotated[str, typer.Option("--pose", help="How it rests: rest, standing, guard or hail.")] = "rest",
-    identifier: Annotated[str, typer.Option("--id", help="Name of the result's folder.")] = "",
-    formats: FormatOption = "glb,wrl",
+    identifier: IdOption = "",
+    formats: FormatOption = DEFAULT_FORMATS,
 ) -> None:
     """Make a statue of a clone: one material all over, still rigged."""
     from cloner.statues.written import statue_folder
@@ -55,11 +63,11 @@ def _photo(
     photo: Annotated[Path, typer.Argument(metavar="PHOTO", help="A photograph of a statue, or of a face.")],
     markers: Annotated[Path, typer.Option("--markers", help="Which vertex is where in the photo: docs/statues.md.")],
     out: OutOption,
-    identifier: Annotated[str, typer.Option("--id", help="Name of the result's folder.")],
+    identifier: IdOption,
     onto: Annotated[Path | None, typer.Option("--onto", help="A clone, or a mesh (.obj); else the usual man.")] = None,
     material: Annotated[str, typer.Option("--material", help="Then cut in stone, clay, bronze or marble.")] = "",
-    formats: FormatOption = "glb,wrl",
-    size: Annotated[int, typer.Option("--size", help="Side of the texture, texels.")] = 2048,
+    formats: FormatOption = DEFAULT_FORMATS,
+    size: SizeOption = DEFAULT_TEXTURE_SIZE,
 ) -> None:
     """Lay one photograph on a clone or a mesh by marker points; its texture goes on all round."""
     from cloner.statues.photographed import photo_folder
@@ -69,13 +77,12 @@ def _photo(
             photo, markers, out, identifier, onto=onto, material=material, formats=split_formats(formats),
             texture_size=size, progress=progress,
         )  # fmt: skip
-    for line in (*lines, str(folder)):
-        typer.echo(line)
+    say((*lines, str(folder)))
 
 
 @statues.command("blobs")
 def _blobs(
-    clone_path: Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")],
+    clone_path: CloneArgument,
     out: Annotated[Path, typer.Option("--out", help="The .json file to write, to be edited.")],
 ) -> None:
     """Write the metaballs that make a clone's body."""
@@ -89,11 +96,11 @@ def _blobs(
 def _body(
     blobs: Annotated[Path, typer.Argument(metavar="BLOBS", help="Metaballs on the skeleton (.json).")],
     out: OutOption,
-    identifier: Annotated[str, typer.Option("--id", help="Name of the result's folder.")],
+    identifier: IdOption,
     onto: Annotated[Path | None, typer.Option("--onto", help="Whose head, hands and feet; else the usual man.")] = None,
     material: Annotated[str, typer.Option("--material", help="Then cut in stone, clay, bronze or marble.")] = "",
-    formats: FormatOption = "glb,wrl",
-    size: Annotated[int, typer.Option("--size", help="Side of the texture of the usual man, texels.")] = 2048,
+    formats: FormatOption = DEFAULT_FORMATS,
+    size: SizeOption = DEFAULT_TEXTURE_SIZE,
 ) -> None:
     """Make a body of metaballs; head, hands and feet stay attached, and it is rigged."""
     from cloner.statues.blob_bodies import blob_folder
@@ -103,5 +110,4 @@ def _body(
             blobs, out, identifier, onto=onto, material=material, formats=split_formats(formats), texture_size=size,
             progress=progress,
         )  # fmt: skip
-    for line in (*lines, str(folder)):
-        typer.echo(line)
+    say((*lines, str(folder)))

@@ -1,0 +1,116 @@
+"""``cloner crowd``, ``crowd-check`` and ``behave``: packs of clones, and scenarios that they act."""
+
+from __future__ import annotations
+
+import sys
+from functools import partial
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from cloner.commands.options import say
+from cloner.terminal import ProgressLine
+
+behaves = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Crowds with a mind: scenarios.")
+ScenarioArgument = Annotated[Path, typer.Argument(metavar="SCENARIO", help="Its text, such as samples/museum.crowd.")]
+
+
+def crowd(
+    results: Annotated[list[Path], typer.Argument(metavar="RESULTS...", help="Result folders, or a batch's output.")],
+    out: Annotated[Path, typer.Option("--out", help="Folder of the pack to write.")],
+    people: Annotated[int, typer.Option("--people", help="How many people the player starts with.")] = 5000,
+    views: Annotated[int, typer.Option("--views", help="Impostors around a clone; 0: 22, or 40 for broad ones.")] = 0,
+    poses: Annotated[int, typer.Option("--poses", help="Poses a walk: 8, 12, 16 or 24.")] = 16,
+    rings: Annotated[str, typer.Option("--rings", help="Elevations of the impostors, degrees, with commas.")] = "5",
+    looks: Annotated[Path | None, typer.Option("--looks", help="Palettes and wardrobe: looks.toml.")] = None,
+    scene: Annotated[str, typer.Option("--scene", help="walk, plaza or stadium.")] = "plaza",
+    vat: Annotated[bool, typer.Option("--vat", help="Vertex animation textures for engines too.")] = False,
+    walks: Annotated[list[Path] | None, typer.Option("--walk", help="A captured walk (.bvh, .amc) more.")] = None,
+    feelings: Annotated[bool, typer.Option("--feelings", help="Walks of feelings and acts, for behave bake.")] = False,
+    classic: Annotated[bool, typer.Option("--classic", help="Impostors of the plain kind, to compare with.")] = False,
+    statues: Annotated[str, typer.Option("--statues", help="Everybody in this material too: stone, clay ...")] = "",
+) -> None:
+    """Make a crowd of finished clones: a page for browsers, levels and impostors for engines."""
+    from cloner.crowd.pack import Wanted, make_pack, rings_of
+
+    carved = None
+    if statues:
+        from cloner.statues.carved import check_material, statue_of
+
+        check_material(statues)
+        carved = partial(statue_of, material=statues)
+    wanted = Wanted(
+        people, views, poses, rings_of(rings), looks, scene, vat, tuple(walks or ()), feelings, classic, carved
+    )
+    make_pack(results, out, wanted, lambda name, k, n: typer.echo(f"{k}/{n} {name}", err=True))
+    typer.echo(str(out / "player.html"))
+
+
+def crowd_check(pack: Annotated[Path, typer.Argument(metavar="PACK", help="Folder that cloner crowd wrote.")]) -> None:
+    """Say whether a crowd's pack is whole, and what is in it."""
+    from cloner.crowd.check import check_pack
+
+    say(check_pack(pack))
+
+
+@behaves.command("check")
+def _behave_check(scenario: ScenarioArgument) -> None:
+    """Say what a scenario holds, or what is wrong with it and where."""
+    from cloner.behaviour.written import check_file
+
+    say(check_file(scenario))
+
+
+@behaves.command("run")
+def _behave_run(
+    scenario: ScenarioArgument,
+    out: Annotated[Path, typer.Option("--out", help="The file of trajectories to write.")],
+    seconds: Annotated[float, typer.Option("--seconds", help="How long.")] = 60.0,
+    seed: Annotated[int, typer.Option("--seed", help="The same scenario and seed: the same steps.")] = 0,
+    picture: Annotated[Path | None, typer.Option("--picture", help="The end from above (.png).")] = None,
+    film: Annotated[Path | None, typer.Option("--film", help="All from above (.mp4, .gif, .webp).")] = None,
+) -> None:
+    """Let a scenario's people walk."""
+    from cloner.behaviour.written import run_file
+
+    with ProgressLine() as progress:
+        lines = run_file(scenario, out, seconds=seconds, seed=seed, picture=picture, film=film, progress=progress)
+    say(lines)
+
+
+@behaves.command("guide")
+def _behave_guide(
+    scenario: ScenarioArgument,
+    out: Annotated[Path, typer.Option("--out", help="The file of trajectories to write at the end.")],
+    seconds: Annotated[float, typer.Option("--seconds", help="How long at most.")] = 3600.0,
+    seed: Annotated[int, typer.Option("--seed", help="As for run.")] = 0,
+    port: Annotated[int, typer.Option("--port", help="Of this machine only; any free one by default.")] = 0,
+) -> None:
+    """Let a scenario's people walk by the clock, guided by other programs of this machine."""
+    from cloner.behaviour.written import guide_file
+
+    for line in guide_file(scenario, out, seconds=seconds, seed=seed, port=port, told=_at_once):
+        typer.echo(line)
+
+
+def _at_once(line: str) -> None:
+    """Print a line that another program may be waiting for."""
+    typer.echo(line)
+    sys.stdout.flush()
+
+
+@behaves.command("bake")
+def _behave_bake(
+    source: Annotated[Path, typer.Argument(metavar="WALK", help="What behave run wrote, or a scenario's text.")],
+    pack: Annotated[Path, typer.Option("--pack", help="What cloner crowd --feelings wrote.")],
+    out: Annotated[Path, typer.Option("--out", help="Folder of the new pack, whose page plays it.")],
+    seconds: Annotated[float, typer.Option("--seconds", help="How long, for a scenario.")] = 60.0,
+    seed: Annotated[int, typer.Option("--seed", help="As for run, for a scenario.")] = 0,
+) -> None:
+    """Let a pack's clones act a scenario in a page for browsers."""
+    from cloner.acting.written import bake_file
+
+    with ProgressLine() as progress:
+        lines = bake_file(source, pack, out, seconds=seconds, seed=seed, progress=progress)
+    say(lines)
