@@ -14,7 +14,8 @@ pytestmark = pytest.mark.gui
 
 #: What no operator of the window can meet: other ways in, files that people write by hand, and motion files.
 ELSEWHERE = (
-    "cloner/animating.py", "cloner/api.py", "cloner/batch.py", "cloner/cli.py", "cloner/evaluate/", "cloner/farm.py",
+    "cloner/animating.py", "cloner/api.py", "cloner/batch.py", "cloner/cli.py", "cloner/commands/", "cloner/evaluate/",
+    "cloner/farm.py",
     "cloner/behaviour/", "cloner/cluster", "cloner/crowd/", "cloner/outside.py", "cloner/acting/", "cloner/scenes/",
     "cloner/statues/carved.py", "cloner/statues/clay_heads.py", "cloner/statues/markers.py",
     "cloner/statues/obj_files.py", "cloner/statues/poses.py", "cloner/terminal.py",

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from cloner import cli
+from cloner import cli, terminal
 from cloner.errors import ClonerError
 from cloner.project.clone_file import save_clone
 from hostile import cases_motion, cases_photos, cases_texts
@@ -88,7 +88,7 @@ def test_the_command_line_says_it_too(
         signal.signal(signal.SIGTERM, handler)
         os.umask(mask)
     told = capfd.readouterr()
-    assert caught.value.code == cli.EXIT_INPUT, told.err
+    assert caught.value.code == terminal.EXIT_INPUT, told.err
     said = [line for line in told.err.splitlines() if line.startswith("cloner: ")]
     assert len(said) == 1, told.err
     assert re.search(case.words, said[0])
