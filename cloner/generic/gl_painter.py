@@ -22,8 +22,8 @@ NEAR_M: Final = 0.05
 FAR_M: Final = 100.0
 #: Textures left in the driver; an atlas of 2048 texels is 16 MB there. One clone has two to four.
 KEPT_TEXTURES: Final = 6
-#: Texels cover from this alpha on, and are seen at all from that on.
-COVERS, SHOWS = 0.5, 0.004
+#: Alphas, from and below: texels that hide what lies behind them, and those that let it through.
+HIDES, BLENDS = (0.9, 2.0), (0.004, 0.9)
 #: Lights that the shader takes.
 LIGHTS: Final = 3
 #: Colours of the wire mesh's faces and edges, 0..1; taste.
@@ -48,12 +48,12 @@ _FRAGMENT_SHADER: Final = """
 #version 330
 uniform sampler2D picture;
 uniform bool textured; uniform bool two_sided; uniform bool white;
-uniform vec3 colour; uniform float ambient; uniform vec4 lights[3]; uniform float least_alpha;
+uniform vec3 colour; uniform float ambient; uniform vec4 lights[3]; uniform vec2 alphas;
 in vec3 towards; in vec2 at;
 out vec4 shown;
 void main() {
     vec4 texel = textured ? texture(picture, at) : vec4(colour, 1.0);
-    if (texel.a < least_alpha) discard;
+    if (texel.a < alphas.x || texel.a >= alphas.y) discard;
     if (white) texel.rgb = vec3(1.0);
     float light = ambient;
     vec3 n = normalize(towards);
@@ -121,10 +121,10 @@ class Stage:
             blended = sorted(filter(_blends, layers), key=lambda each: -_depth_m(each, frame.camera))
             # what covers hides, in whatever order; then soft edges are laid over it, the farthest mesh first
             for layer in (*(layer for layer in layers if not _blends(layer)), *blended):
-                self._draw(layer, frame, COVERS)
+                self._draw(layer, frame, HIDES)
             self._target.depth_mask = False
             for layer in blended:
-                self._draw(layer, frame, SHOWS)
+                self._draw(layer, frame, BLENDS)
             self._target.depth_mask = True
             pixels = self._target.read(components=3, alignment=1)
         return np.frombuffer(pixels, np.uint8).reshape(height, width, 3)
@@ -150,7 +150,7 @@ class Stage:
             for part in (*self._target.color_attachments, self._target.depth_attachment, self._target):
                 part.release()
 
-    def _draw(self, layer: Layer, frame: Frame, least_alpha: float) -> None:
+    def _draw(self, layer: Layer, frame: Frame, alphas: tuple[float, float]) -> None:
         gl, program = self._gl, self._program
         uv = np.zeros((len(layer.vertices_m), 2)) if layer.uv is None else layer.uv
         corners = gl.buffer(np.hstack([layer.vertices_m, layer.normals, uv]).astype(np.float32).tobytes())
@@ -159,7 +159,7 @@ class Stage:
         mesh = gl.vertex_array(program, [(corners, "3f 3f 2f", "place", "normal", "uv")], indices)
         textured = layer.texture is not None and layer.uv is not None and not frame.wire
         program["textured"].value, program["two_sided"].value = textured, layer.two_sided
-        program["white"].value, program["least_alpha"].value = layer.white, least_alpha
+        program["white"].value, program["alphas"].value = layer.white, alphas
         program["colour"].value = _WIRE_FACE if frame.wire else layer.colour
         texture = self._texture(layer.texture) if textured and layer.texture is not None else None
         (gl.disable if layer.two_sided else gl.enable)(moderngl.CULL_FACE)

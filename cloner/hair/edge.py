@@ -5,6 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.ndimage import distance_transform_edt
 
 from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.graphs import surface_graph
@@ -63,9 +64,11 @@ def soften_edge(rgba: NDArray[np.uint8], atlas: AtlasMap, inside_mm: NDArray[np.
     light = rgba[..., :3].astype(np.float32).mean(axis=2)
     gap = cv2.GaussianBlur(light, (0, 0), STRAND_TEXELS) - light
     spread = max(float(gap[atlas.covered()].std()), LIGHTEST_LEVELS)
-    distance = np.full(light.size, np.float32(FADE_MM[1] + STRAND_MM))
+    distance = np.zeros(light.size, np.float32)
     distance[atlas.texel] = atlas.interpolate(np.minimum(inside_mm, 4.0 * FADE_MM[1])[:, None])[:, 0]
-    distance = distance.reshape(light.shape) + STRAND_MM * np.clip(gap / spread, -1.0, 1.0)
+    # Between texels beside charts are sampled too: were they opaque, triangles' edges would be drawn on the forehead.
+    row, column = distance_transform_edt(~atlas.covered(), return_distances=False, return_indices=True)
+    distance = distance.reshape(light.shape)[row, column] + STRAND_MM * np.clip(gap / spread, -1.0, 1.0)
     share = np.clip((distance - FADE_MM[0]) / (FADE_MM[1] - FADE_MM[0]), 0.0, 1.0)
     result = rgba.copy()
     result[..., 3] = np.rint(255.0 * share * share * (3.0 - 2.0 * share)).astype(np.uint8)
