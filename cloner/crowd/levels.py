@@ -152,11 +152,11 @@ def shell_levels(shell: Shell, budgets: Sequence[int] = LOOSE) -> tuple[Index, .
 
 def _simplified(shell: Shell, places: Array, weld: NDArray[np.int64], welded: Index, budget: int) -> Index:
     target = budget
-    while True:
+    while True:  # ends at no triangle at the latest, or with pieces that cannot be made fewer: those are cut off
         points, faces, collapses = fast_simplification.simplify(
             places.astype(np.float32), welded, target_count=target, agg=5, return_collapses=True
         )
-        if len(faces) <= budget:
+        if len(faces) <= budget or target == 0:
             break
         target = int(target * 0.9)
     points, faces, mapping = fast_simplification.replay_simplification(places.astype(np.float32), welded, collapses)

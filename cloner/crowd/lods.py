@@ -31,6 +31,7 @@ from cloner.records.heads import SHELL_KINDS, Shell
 
 Index = NDArray[np.int32]
 
+CARDS: Final = "frizz"
 SKIN: Final = 0  # the only skin of the clone's glTF
 
 
@@ -55,6 +56,8 @@ def with_levels(gltf: Any, clone: Clone) -> Any:
     meshes = list(gltf.meshes)
     for level in range(LEVELS):
         for mesh, own in zip(meshes, lists, strict=True):
+            if not own:
+                continue
             primitives = [
                 pygltflib.Primitive(
                     attributes=mesh.primitives[row].attributes,
@@ -74,20 +77,31 @@ def with_levels(gltf: Any, clone: Clone) -> Any:
 
 
 def _lists(clone: Clone) -> list[dict[int, tuple[Index, ...]]]:
-    """Return for every mesh of a clone's glTF its primitives that have levels, by row, and their triangles."""
+    """Return for every mesh of a clone's glTF its primitives that have levels, by row, and their triangles.
+
+    Frizz has none: from afar it is less than a pixel, and its cards, which hang together nowhere, cannot be made fewer.
+    """
     shipped = surface_levels()
     surfaces = load_surfaces()
     body = {row: shipped[one.name] for row, one in enumerate(surfaces) if one.name in shipped}
     riding = [shell for shell in clone.shells if len(shell.rides)]
     body |= {len(surfaces) + row: shell_levels(shell, _budgets(clone, shell)) for row, shell in enumerate(riding)}
-    loose = [[one for one in clone.shells if one.kind == kind and not len(one.rides)] for kind in SHELL_KINDS]
-    return [body, *({row: shell_levels(shell, _budgets(clone, shell)) for row, shell in enumerate(shells)}
-                    for shells in loose if shells)]  # fmt: skip
+    loose = [(kind, [one for one in clone.shells if one.kind == kind and not len(one.rides)]) for kind in SHELL_KINDS]
+    return [
+        body,
+        *(
+            {row: shell_levels(shell, _budgets(clone, shell)) for row, shell in enumerate(shells)}
+            if kind != CARDS
+            else {}
+            for kind, shells in loose
+            if shells
+        ),
+    ]
 
 
 def _budgets(clone: Clone, shell: Shell) -> tuple[int, ...]:
-    """Return how many triangles a shell may have at each level: its share of all shells' together."""
-    whole = sum(len(one.triangles) for one in clone.shells)
+    """Return how many triangles a shell may have at each level: its share of all shells' together but the frizz's."""
+    whole = sum(len(one.triangles) for one in clone.shells if one.kind != CARDS)
     return tuple(max(round(budget * len(shell.triangles) / whole), 1) for budget in LOOSE)
 
 

@@ -6,6 +6,7 @@ import json
 import os
 import shutil
 import subprocess
+from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -90,6 +91,27 @@ def test_a_beard_has_levels_too(tmp_path: Path) -> None:
     (made,) = lods.export(bearded_clone(), tmp_path)
     file = pygltflib.GLTF2().load_binary(str(made))
     assert len(drawn(file, 1)["Body_LOD1"]) == 3, "body, eyes and beard"
+
+
+def test_frizz_is_whole_in_the_clone_and_in_no_coarser_level(tmp_path: Path) -> None:
+    """Its cards hang together nowhere: a simplifier that was asked for fewer of them looked for them for ever."""
+    clone = toy_clone(STATURE_M)
+    (hair,) = [shell for shell in clone.shells if shell.kind == "hair"]
+    alone = hair.triangles.reshape(-1)
+    cards = replace(
+        hair,
+        kind="frizz",
+        vertices_m=hair.vertices_m[alone] + np.arange(len(alone))[:, None] * 1e-5,
+        triangles=np.arange(len(alone), dtype=np.int32).reshape(-1, 3),
+        uv=hair.uv[alone],
+        skin_joints=hair.skin_joints[alone],
+        skin_weights=hair.skin_weights[alone],
+    )
+    (made,) = lods.export(replace(clone, shells=(*clone.shells, cards)), tmp_path)
+    file = pygltflib.GLTF2().load_binary(str(made))
+    assert "Frizz" in drawn(file)
+    for level in range(1, 5):
+        assert list(drawn(file, level)) == [f"{name}_LOD{level}" for name in drawn(file) if name != "Frizz"]
 
 
 @pytest.mark.skipif(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -64,6 +65,19 @@ def test_shells_keep_their_own_vertices_and_stay_below_the_budget() -> None:
         assert triangles.max() < len(shell.vertices_m)
         spread = np.ptp(shell.vertices_m[np.unique(triangles)], axis=0)
         assert np.allclose(spread, np.ptp(shell.vertices_m, axis=0), atol=0.02)
+
+
+def test_pieces_that_cannot_be_made_fewer_are_cut_off_at_the_budget() -> None:
+    (hair,) = [shell for shell in toy_clone().shells if shell.kind == "hair"]
+    alone = hair.triangles.reshape(-1)
+    loose = replace(
+        hair,
+        vertices_m=hair.vertices_m[alone] + np.arange(len(alone))[:, None] * 1e-5,
+        triangles=np.arange(len(alone), dtype=np.int32).reshape(-1, 3),
+        uv=hair.uv[alone],
+    )
+    (few,) = shell_levels(loose, (len(loose.triangles) // 4,))
+    assert len(few) <= len(loose.triangles) // 4
 
 
 def test_the_shipped_lists_and_scripts_are_the_ones_of_the_record() -> None:
