@@ -69,6 +69,7 @@ def taking_obeyed(run: Callable[..., StageResult]) -> Callable[..., StageResult]
     return run_obeyed
 
 
+#: Name, version of what it gives, needs, gives, and what runs.
 STAGES: tuple[Stage, ...] = (
     Stage("proposals", 1, ("photos",), ("proposals",), proposals.run),
     Stage("points", 1, ("photos", "proposals", "corrections"), ("body_points", "face_points"), points.run),

@@ -17,6 +17,7 @@ from cloner.records.bodies import BodyMesh
 
 Array = NDArray[np.float64]
 
+#: Rounds in which lengths are brought to what was asked, and the gap at which they end, mm (taste).
 ROUNDS: Final = 4
 CLOSE_MM: Final = 0.3
 #: Levels below this share of the stature are feet and stay.

@@ -15,6 +15,7 @@ from scipy.interpolate import CubicSpline, RegularGridInterpolator
 
 Array = NDArray[np.float64]
 
+#: Heights of a section, and stations around it (taste).
 ROWS, STATIONS = 20, 23
 #: How much of its growth a breast's row takes in front (twice, at both breasts), everywhere, for women and men.
 LOBES: Final = {"f": (1.0, 0.35), "m": (0.5, 0.6)}

@@ -13,22 +13,26 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Mapping
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.carriage_sight import HAIR, Head, Params, Sight, angles_of, sight_of, turned
 from cloner.body.outlined import Outlined
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.hair.agreement import HairField, agreement
 from cloner.head.flank import Flank
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
 
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.carriage")
+
 Array = NDArray[np.float64]
 
-#: Largest turn of one step, radians.
-_STEP_RAD = 0.15
+_STEP_RAD = _CALIBRATED.number("step_rad", "rad")
 #: A photo without a face, and one in which nothing was looked up.
 UNSEEN = np.zeros((0, 2))
 NOTHING = Flank(np.zeros(0, dtype=np.int64), np.zeros((0, 2)), np.zeros(0))

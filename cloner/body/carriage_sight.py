@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import functools
 from dataclasses import dataclass, field, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.outlined import Outlined, body_triangles, see
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
@@ -20,6 +22,9 @@ from cloner.head.rim import HAIR_M, thickening
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
 
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.carriage_sight")
+
 Array = NDArray[np.float64]
 
 #: Joints that carry the head, in two groups that may counter each other.
@@ -28,10 +33,8 @@ NECK, SKULL = ("vc7", "vc5", "vc3"), ("skullbase",)
 HEAD_POINTS = ("nose_tip", "ear_outer_L", "ear_outer_R", "pupil_L", "pupil_R")
 #: Numbers of the hair's thickness: everywhere, more on top, more behind, more at the sides.
 HAIR = len(HAIR_M)
-#: Neighbouring points of a rim or a face err together: so many count as independent.
-_INDEPENDENT = 30.0
-#: A place found wrongly pulls no more than one that is so many spreads off.
-_WRONG = 4.0
+_INDEPENDENT = _CALIBRATED.number("independent", "pieces")
+_WRONG = _CALIBRATED.number("wrong", "spreads")
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,15 +57,15 @@ class Params:
         up: nearer to the truth than the phenotype's head, whose skin lies beyond the search.
     """
 
-    point_mm: float = 20.0
-    outline_mm: float = 3.0
-    face_mm: float = 2.0
-    hair_mm: float = 2.0
+    point_mm: float = _CALIBRATED.number("point_mm", "mm")
+    outline_mm: float = _CALIBRATED.number("outline_mm", "mm")
+    face_mm: float = _CALIBRATED.number("face_mm", "mm")
+    hair_mm: float = _CALIBRATED.number("hair_mm", "mm")
     thickness_mm: tuple[tuple[float, float], ...] = tuple((mm_from_m(a), mm_from_m(b)) for a, b in HAIR_M)
-    neck_deg: float = 8.0
-    head_deg: float = 4.0
-    nod_deg: float = 2.0
-    spot_mm: float = 1.5
+    neck_deg: float = _CALIBRATED.number("neck_deg", "deg")
+    head_deg: float = _CALIBRATED.number("head_deg", "deg")
+    nod_deg: float = _CALIBRATED.number("nod_deg", "deg")
+    spot_mm: float = _CALIBRATED.number("spot_mm", "mm")
     turns: int = 5
     looks_at: int = 2
 

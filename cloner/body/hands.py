@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import functools
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.geometry.turning import below
 from cloner.records.bodies import BodyMesh
 
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.hands")
+
 Array = NDArray[np.float64]
 
-#: Usual length and width of a hand over the phenotype's, and how far they differ (taste).
-USUAL, SPREAD = (1.0, 1.0), (0.05, 0.06)
+USUAL = _CALIBRATED.pair("usual", "factor")
+SPREAD = _CALIBRATED.pair("spread", "factor")
 
 
 @functools.cache

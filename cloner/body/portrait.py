@@ -14,10 +14,14 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.generic.load import GenericHuman
 from cloner.records.points import Proposal, Proposals
+
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.portrait")
 
 Array = NDArray[np.float64]
 
@@ -50,11 +54,11 @@ class Params:
     """
 
     shapes: int = 20
-    focal_35mm: float = 70.0
-    face_m: float = 0.0045
-    drift: float = 1.2
-    shoulder_m: float = 0.020
-    most_sigmas: float = 2.0
+    focal_35mm: float = _CALIBRATED.number("focal_35mm", "mm")
+    face_m: float = _CALIBRATED.number("face_m", "m")
+    drift: float = _CALIBRATED.number("drift", "factor")
+    shoulder_m: float = _CALIBRATED.number("shoulder_m", "m")
+    most_sigmas: float = _CALIBRATED.number("most_sigmas", "spreads")
     turns: int = 4
 
 

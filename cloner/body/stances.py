@@ -12,11 +12,13 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.outlined import Outlined, Seen, body_triangles, see
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.geometry.posing import moved_camera
@@ -24,6 +26,9 @@ from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms
 from cloner.geometry.turning import carried_share, pixel_slope, turned_motion, turned_rotation
 from cloner.records.bodies import BodyMesh, PosedView
+
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.stances")
 
 Array = NDArray[np.float64]
 #: Rest vertices of a body whose hands and feet have given sizes.
@@ -47,13 +52,13 @@ class Params:
         Farthest believed outline, one turn of Gauss-Newton each.
     """
 
-    limb_degrees: float = 2.0
-    tip_degrees: float = 6.0
-    camera_degrees: tuple[float, float, float] = (0.7, 0.7, 0.7)
-    camera_mm: tuple[float, float, float] = (10.0, 10.0, 40.0)
-    outline_mm: float = 4.0
-    piece_mm: float = 15.0
-    reach_mm: tuple[float, ...] = (50.0, 30.0, 20.0)
+    limb_degrees: float = _CALIBRATED.number("limb_degrees", "deg")
+    tip_degrees: float = _CALIBRATED.number("tip_degrees", "deg")
+    camera_degrees: tuple[float, float, float] = _CALIBRATED.triple("camera_degrees", "deg")
+    camera_mm: tuple[float, float, float] = _CALIBRATED.triple("camera_mm", "mm")
+    outline_mm: float = _CALIBRATED.number("outline_mm", "mm")
+    piece_mm: float = _CALIBRATED.number("piece_mm", "mm")
+    reach_mm: tuple[float, ...] = _CALIBRATED.triple("reach_mm", "mm")
 
 
 #: Joints that turn: limbs about all axes, knees about their hinge alone.

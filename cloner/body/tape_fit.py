@@ -13,18 +13,20 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measures import TapeRules, girth_planes
 from cloner.geometry.stretching import CLOSE_MM, Loop, fields, grown, zone_m
 from cloner.records.bodies import BodyMesh
 
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.tape_fit")
+
 Array = NDArray[np.float64]
 
-#: Largest growth of corners, depth and whole slices; corners beyond this would be square.
-MOST_WITH_SIDE: Final = (0.06, 0.12, 0.40)
-#: Without a side photo nobody saw the depth.
-MOST_WITHOUT_SIDE: Final = (0.03, 0.40, 0.40)
+MOST_WITH_SIDE: Final = _CALIBRATED.triple("most_with_side", "factor")
+MOST_WITHOUT_SIDE: Final = _CALIBRATED.triple("most_without_side", "factor")
 #: A slice's level may move as it grows (the widest hip); then it is found again.
 ROUNDS: Final = 3
 FRONTAL: Final = np.array([0.0, 0.0, 1.0])

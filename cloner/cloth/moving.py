@@ -24,6 +24,7 @@ from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
+#: Steps of the solver a frame (taste).
 SUBSTEPS: Final = 20
 #: Frames of hanging still at rest, and of going from the rest pose to the walk's first frame.
 SETTLE, BLEND = 24, 24

@@ -16,6 +16,7 @@ from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
 
+#: Places on a section's hull, half a degree apart.
 SAMPLES: Final = 720
 #: Slices are taken every centimetre.
 STEP_M: Final = 0.01

@@ -18,6 +18,7 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+#: Frames a second of every cycle.
 FRAMES_PER_S: Final = 30
 #: What a skirt meets; arms swing beside it. Sleeves and capes meet arms too, but no hands.
 MET: Final = ("torso", "pelvis", "left_thigh", "right_thigh", "left_calf", "right_calf", "left_foot", "right_foot")

@@ -30,6 +30,7 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 
 JPEG_QUALITY: Final = 85  # taste: crowds are seen from some metres
+#: OpenGL's numbers, which glTF uses.
 _LINEAR, _TRILINEAR, _CLAMP = 9729, 9987, 33071
 
 

@@ -8,20 +8,20 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors import pose_rows as net
 from cloner.vision.outline_walk import Figure, Strip, gap_between, polyline, sample, walk_strip
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.flanks")
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-#: Farthest outline beside an axis, figure heights; a coat stands off no more.
-REACH: Final = 0.30
-#: How far an axis may run beside the person, figure heights.
-SLACK: Final = 0.02
-#: Half an arm's width with sleeve, figure heights: an outline nearer to the arm's axis may be the arm's.
-ARM_HALF: Final = 0.05
-#: The hand's end beyond its knuckles, as a share of the way from wrist to knuckles.
-_FINGERS: Final = 1.1
+REACH: Final = _CALIBRATED.number("reach", "figure")
+SLACK: Final = _CALIBRATED.number("slack", "figure")
+ARM_HALF: Final = _CALIBRATED.number("arm_half", "figure")
+_FINGERS: Final = _CALIBRATED.number("fingers", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -18,6 +18,7 @@ import numpy as np
 from ai_edge_litert.interpreter import Interpreter
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.anchors import DETECTOR_LAYERS, decode, join, make_anchors, sigmoid
 from cloner.detectors.chatter import chatter_logged
 from cloner.detectors.face_regions import closer_look
@@ -45,6 +46,9 @@ from cloner.detectors.pose_passes import CONFIRMED, POSE_SIDE, hips_inside, look
 from cloner.detectors.results import POSE_NAMES, Box, FaceResult, PoseResult
 from cloner.vision.crops import Crop, cut, move_points, photo_px_from_crop
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.litert")
+
 __all__ = [
     "POSE_NAMES", "Box", "FaceResult", "PoseResult",
     "detect_face", "detect_people", "detect_pose", "label_features", "let_nets_go",
@@ -62,12 +66,9 @@ INNER: Final = {
     "pose_landmark_heavy.tflite": (415, 430, 448, 499, 545, 557),
     "selfie_segmentation.tflite": (25, 48, 91),
 }
-#: A body detected with this score counts when the pose net agrees; one detected with less, down to `DIM`, when the pose
-#: net is `CERTAIN` (a generated person in a long dark coat: detector 0.42 to 0.46, net 1.00; of 18 pictures without
-#: people a rocket gives 0.46 and 0.954, a logo 0.40 and 0.955).
-CLEAR: Final = 0.5
-DIM: Final = 0.3
-CERTAIN: Final = 0.99
+CLEAR: Final = _CALIBRATED.number("clear", "score")
+DIM: Final = _CALIBRATED.number("dim", "score")
+CERTAIN: Final = _CALIBRATED.number("certain", "score")
 _LOADING: Final = threading.Lock()
 
 

@@ -12,9 +12,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.anchors import overlaps
 from cloner.detectors.results import Box
 from cloner.vision.crops import Crop
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.placing")
 
 Floats = NDArray[np.float64]
 Photo = NDArray[np.uint8]
@@ -26,8 +30,8 @@ _NEARBY: Final = (
     (1.13, 0.00, 0.01, -0.03),
 )  # fmt: skip
 
-#: Crops around bodies that show the same person alike: shares of a side that they lie apart, and of sizes.
-SAME_CROP, SAME_CROP_SIZE = 0.05, 1.2
+SAME_CROP = _CALIBRATED.number("same_crop", "share")
+SAME_CROP_SIZE = _CALIBRATED.number("same_crop_size", "factor")
 
 
 def circle_crop(middle: Floats, rim: Floats, scale: float) -> Crop:

@@ -14,20 +14,19 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.profile_search import ProfileModel, normals_of, search
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.profile_fit")
 
 Array = NDArray[np.float64]
 
-#: Error of an outline point, metres; neighbours err together, so it is larger than a mask's own.
-_SIGMA_M: Final = 0.0019
-#: Gates of the Gauss-Newton turns, metres: what lies beyond is another thing (glasses, a fringe).
-_GATES_M: Final = (0.014, 0.014, 0.012, 0.010, 0.008, 0.007, 0.007, 0.006, 0.006, 0.006)
-#: Gap at which a sample counts as half missed, metres: few wrong stretches are better than a compromise with them.
-_MISS_M: Final = 0.00095
-#: Cost of an unusual shape, shares of one sample for each squared standard deviation.
-_MISS_PRIOR: Final = 0.15
-#: How much a normal that differs by a radian counts as distance, metres.
-_NORMAL_M: Final = 0.007
+_SIGMA_M: Final = _CALIBRATED.number("sigma_m", "m")
+_GATES_M: Final = _CALIBRATED.numbers("gates_m", "m")
+_MISS_M: Final = _CALIBRATED.number("miss_m", "m")
+_MISS_PRIOR: Final = _CALIBRATED.number("miss_prior", "share")
+_NORMAL_M: Final = _CALIBRATED.number("normal_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -9,6 +9,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.profile_search")
+
 Array = NDArray[np.float64]
 Field = NDArray[np.float32]
 
@@ -19,13 +24,11 @@ _SIZES: Final = np.geomspace(0.66, 1.5, 12)
 _TILTS: Final = np.radians(np.linspace(-27.0, 27.0, 10))
 #: Modes of which both ends are tried, and how far they go, standard deviations.
 _TRIED_MODES: Final = 3
-_TRIED_SIGMA: Final = 1.5
-#: The outline is also felt this far inside and outside, and no gap counts more than this, metres.
-_FEEL_M: Final = 0.006
-_CAP_M: Final = 0.007
-#: Cost of a size or tilt that is usual times e, or off by a radian: of equal fits the usual one wins (taste).
-_UNUSUAL_SIZE: Final = 0.004
-_UNUSUAL_TILT: Final = 0.004
+_TRIED_SIGMA: Final = _CALIBRATED.number("tried_sigma", "spreads")
+_FEEL_M: Final = _CALIBRATED.number("feel_m", "m")
+_CAP_M: Final = _CALIBRATED.number("cap_m", "m")
+_UNUSUAL_SIZE: Final = _CALIBRATED.number("unusual_size", "cost")
+_UNUSUAL_TILT: Final = _CALIBRATED.number("unusual_tilt", "cost")
 STARTS: Final = 10
 
 

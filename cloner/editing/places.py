@@ -3,23 +3,25 @@
 from __future__ import annotations
 
 import functools
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.outlined import body_triangles
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.geometry.skin_bends import Place, SkinMetric, skin_metric
+
+#: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
+_CALIBRATED: Final = calibrated("editing.places")
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-#: Farthest distance along the skin that is measured, metres.
-FARTHEST_M = 0.4
-#: Vertices that belong to the head by this share or more never move.
-HEAD_SHARE = 0.9
-#: Skin less free than this makes no handle.
-LEAST_FREE = 0.3
+FARTHEST_M = _CALIBRATED.number("farthest_m", "m")
+HEAD_SHARE = _CALIBRATED.number("head_share", "share")
+LEAST_FREE = _CALIBRATED.number("least_free", "factor")
 _OPPOSITE = (("_outer", "_inner"), ("_front", "_back"), ("_left", "_right"))
 _NAMED_OPPOSITE = {
     "chest_front": "back",

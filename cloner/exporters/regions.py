@@ -19,6 +19,7 @@ from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
 
 LARGEST_PX: Final = 1024  # labels are as coarse as triangles: more texels would tell no more
+#: Level of texels that belong to no region.
 NOTHING: Final = 255
 #: Colours of the labels for people who look at the picture.
 _SHOWN: Final = (230, 190, 165, 90, 55, 30, 255, 255, 255, 200, 60, 80, 60, 110, 220, 60, 180, 90, 40, 40, 40)

@@ -148,6 +148,7 @@ class GenericHuman:
         return self.viseme_index[rows], self.viseme_delta_m[rows]
 
 
+#: What files of older builds lack.
 _EMPTY: dict[str, npt.NDArray[np.generic]] = {
     "fdp_names": np.array([], dtype=np.str_),
     "fdp_vertices": np.zeros(0, dtype=np.int32),

@@ -19,6 +19,7 @@ from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
 
+#: The renderer's near plane, metres; nothing of a person comes nearer to a lens.
 NEAR_M: Final = 0.05
 #: Surfaces this much nearer win, share of the depth; float32 depth is good to 1e-7.
 _TIE: Final = 1e-5

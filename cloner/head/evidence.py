@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import FaceNet, load_face_net
 from cloner.detectors.profile import front_contour, outline
 from cloner.detectors.taught import taught_net
@@ -27,10 +29,12 @@ from cloner.records.points import FacePoints, Proposals, ViewPoints
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.evidence")
+
 Array = NDArray[np.float64]
 
-#: Depth inside the outline at which hair and skin are told apart, share of the face's height.
-SKIN_DEPTH = 0.015
+SKIN_DEPTH = _CALIBRATED.number("skin_depth", "share")
 #: Whose outline is the face's own; no beard's, no cap's, no lock's.
 OWN_OUTLINE = (Label.FACE_SKIN, Label.BODY_SKIN, Label.EYES, Label.MOUTH)
 #: What hides the skin below a net point, which the net then draws on what hides it.
@@ -85,30 +89,30 @@ class Params:
         The head's size never departs further from the phenotype's.
     """
 
-    focal_35mm: float = 70.0
-    distance_m: float = 1.1
-    distance_sigma: float = 0.1
-    presence: float = 0.5
-    net_floor_m: float = 0.0013
-    drift: float = 1.0
-    together: float = 1.5
-    hidden_net: float = 4.0
-    loose_net: float = 2.0
-    named_m: float = 0.009
-    corrected_m: float = 0.0008
-    loose_named: float = 3.0
-    contour_m: float = 0.0015
-    flank_m: float = 0.0012
+    focal_35mm: float = _CALIBRATED.number("focal_35mm", "mm")
+    distance_m: float = _CALIBRATED.number("distance_m", "m")
+    distance_sigma: float = _CALIBRATED.number("distance_sigma", "share")
+    presence: float = _CALIBRATED.number("presence", "score")
+    net_floor_m: float = _CALIBRATED.number("net_floor_m", "m")
+    drift: float = _CALIBRATED.number("drift", "factor")
+    together: float = _CALIBRATED.number("together", "factor")
+    hidden_net: float = _CALIBRATED.number("hidden_net", "factor")
+    loose_net: float = _CALIBRATED.number("loose_net", "factor")
+    named_m: float = _CALIBRATED.number("named_m", "m")
+    corrected_m: float = _CALIBRATED.number("corrected_m", "m")
+    loose_named: float = _CALIBRATED.number("loose_named", "factor")
+    contour_m: float = _CALIBRATED.number("contour_m", "m")
+    flank_m: float = _CALIBRATED.number("flank_m", "m")
     looks: int = 3
-    taught: float = 0.5
-    yaw: float = 0.035
-    tip: float = 0.035
-    relief_m: float = 0.004
-    bend_m: float = 0.0012
-    limit_m: float = 0.010
-    body_scale: float = 0.018
-    own_scale: float = 0.045
-    scale_limit: float = 0.12
+    taught: float = _CALIBRATED.number("taught", "share")
+    yaw: float = _CALIBRATED.number("yaw", "rad")
+    tip: float = _CALIBRATED.number("tip", "rad")
+    relief_m: float = _CALIBRATED.number("relief_m", "m")
+    bend_m: float = _CALIBRATED.number("bend_m", "m")
+    limit_m: float = _CALIBRATED.number("limit_m", "m")
+    body_scale: float = _CALIBRATED.number("body_scale", "share")
+    own_scale: float = _CALIBRATED.number("own_scale", "share")
+    scale_limit: float = _CALIBRATED.number("scale_limit", "share")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.profile import lay_profile
 from cloner.generic.head_controls import HeadControls
 from cloner.geometry.contour_match import foremost, match
@@ -23,20 +25,17 @@ from cloner.head.jaw import FRONT, PHOTOS, RARITY, SIDE
 from cloner.head.rim import HAIR_M, rim_evidence
 from cloner.records.views import Camera
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.fit")
+
 Array = NDArray[np.float64]
 
 #: Iterations of the joint fit; the profile's curve joins after the named points have found the pose.
 ITERATIONS, CURVE_FROM = 12, 4
-#: A contour point farther than this from the model's profile is none of its; shrinks over the iterations, metres.
-GATES_M = (0.015, 0.006)
-#: Height of the levels of which each gives its foremost vertex to the outline. Rows of the generic's vertices lie up to
-#: 5 mm apart: in finer levels vertices inside the face stand for its outline (true shape and camera of 11 random heads
-#: against their photos' outlines: 1.4 mm rms at 3 mm, 0.3 at 6).
-LEVEL_M = 0.006
-#: The forehead is followed up to this over the glabella, where no hair covers it, metres.
-FOREHEAD_M = 0.045
-#: A profile laid on the contour with a larger trimmed mean distance is not trusted, metres.
-LAID_M = 0.004
+GATES_M = _CALIBRATED.pair("gates_m", "m")
+LEVEL_M = _CALIBRATED.number("level_m", "m")
+FOREHEAD_M = _CALIBRATED.number("forehead_m", "m")
+LAID_M = _CALIBRATED.number("laid_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

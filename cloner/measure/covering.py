@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.outlined import body_triangles
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.seeing import facing, look
 from cloner.geometry.skinning import joint_transforms, skin
@@ -20,19 +21,20 @@ from cloner.records.labels import CLOTHES, SKINS, labels_at
 from cloner.records.measures import Cover
 from cloner.records.points import Proposals
 
+#: What each number is and where it comes from: ``cloner/calibration/measure.toml``.
+_CALIBRATED: Final = calibrated("measure.covering")
+
 Array = NDArray[np.float64]
 
 #: Slices a segment.
 SLICES: Final = 8
-#: Steeper surfaces mix with what is behind them.
-LEAST_COSINE: Final = 0.35
+LEAST_COSINE: Final = _CALIBRATED.number("least_cosine", "cosine")
 #: Fewer seen vertices tell nothing of a slice.
 LEAST_VERTICES: Final = 4
 #: Limbs with the segment of their own garment, which is taken as covered.
 LIMBS: Final = {("upper_arm", "forearm"): "torso", ("thigh", "calf"): "pelvis"}
-#: Hands, feet and neck are small: skin elsewhere within these shares is the fit's error or a collar's edge.
-CLOTH_SHARE: Final = 0.2
-SKIN_SHARE: Final = 0.4
+CLOTH_SHARE: Final = _CALIBRATED.number("cloth_share", "share")
+SKIN_SHARE: Final = _CALIBRATED.number("skin_share", "share")
 
 
 def covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:

@@ -24,6 +24,7 @@ from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
+#: How long each act takes, seconds, and claps in one (taste).
 LOOK_S: Final = 6.0
 POINT_S: Final = 4.0
 PHOTOGRAPH_S: Final = 4.0

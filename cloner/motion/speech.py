@@ -34,11 +34,14 @@ from cloner.records.arrays import freeze
 
 Array = NDArray[np.float64]
 
+#: Samples a second, length and step of a frame, order of the linear prediction and range of voices: usual in the
+#: analysis of speech, not tried against others.
 RATE_HZ: Final = 16_000
 FRAME_S: Final = 0.025
 STEP_S: Final = 0.01
 LPC_ORDER: Final = 14
 PITCH_HZ: Final = (70.0, 400.0)
+#: Longest speech, seconds (taste).
 LONGEST_S: Final = 600.0
 #: What scipy raises over headers that are damaged; a NameError where it finds no samples (1.17).
 _BROKEN: Final = (

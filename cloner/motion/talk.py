@@ -33,6 +33,7 @@ from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
+#: Frames a second of every clip.
 FRAMES_PER_S: Final = 30.0
 #: How much formants and hiss count beside the net, for voices unlike those it was taught with; of one it never heard
 #: (flite's rms) 71 % of the salient phonemes lead at their middle with nothing, 75 with .3, of known voices 3 % less.

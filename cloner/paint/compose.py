@@ -38,6 +38,7 @@ SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden 
 LAST_CHOICE = 0.0005  # beside an inner outline a photo paints only what no other one sees
 OWNER_SMOOTHING = 4  # rounds; borders of 2-3 edge lengths' smoothness
 CLASH = 0.6  # of a full difference between skin and not skin
+#: Share of the weight from which one photo owns a texel (taste).
 OWNER_SHARE = 0.6
 BORDER_KIND = 0.25  # half the range of kinds that is border
 KIND_EDGE = 0.15  # kinds mix where their shares differ by less

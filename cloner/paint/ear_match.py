@@ -28,6 +28,7 @@ LEAST_CONTRAST = 0.45  # share of hair outside less that inside; a covered or a 
 LEAST_GAIN = 0.08  # better than where the head has it by so much
 SHIFT_PENALTY = 0.35  # for the farthest shift
 SIZES = (1.0, 0.9, 0.8, 0.7)  # of the head's ear: outlines do not tell an ear's size
+#: What an ear twice too large costs, and points compared at most (taste).
 SIZE_PENALTY = 0.2
 FADE_M = 0.04  # the shift dies away over this distance along the skin
 MOST_POINTS = 300

@@ -16,6 +16,7 @@ from cloner.records.heads import Shell
 Array = NDArray[np.float64]
 
 BELOW_MM = 1.5  # the scalp lies this far below the shell
+#: How deep skin is tucked at most, mm, and neighbours that tell how deep (taste).
 DEEPEST_MM = 25.0
 NEAR_M = 0.022  # shell points farther off say nothing about a vertex
 SAME_WAY = 0.75  # nor do the hairline's walls, which face along the skin

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ from cloner.body.outlined import Outlined, body_triangles, coverage, gaps_mm, ou
 from cloner.body.stances import Params as StanceParams
 from cloner.body.stances import fit_stances
 from cloner.body.tape_fit import taped_body
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.geometry.rims import vertex_normals
@@ -31,6 +33,9 @@ from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.rough import shape_slices
+
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.fine")
 
 Array = NDArray[np.float64]
 
@@ -55,11 +60,11 @@ class Params:
     """
 
     slices: int = 16
-    smooth: float = 0.8
-    slice_reach_mm: float = 35.0
-    settle_reach_mm: tuple[float, ...] = (45.0, 30.0, 20.0)
-    stiffness: float = 1.0
-    anchor: float = 0.002
+    smooth: float = _CALIBRATED.number("smooth", "factor")
+    slice_reach_mm: float = _CALIBRATED.number("slice_reach_mm", "mm")
+    settle_reach_mm: tuple[float, ...] = _CALIBRATED.triple("settle_reach_mm", "mm")
+    stiffness: float = _CALIBRATED.number("stiffness", "factor")
+    anchor: float = _CALIBRATED.number("anchor", "factor")
     direction_turns: int = 20
 
 

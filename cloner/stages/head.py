@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.head_controls import load_head_controls
 from cloner.geometry.eyeballs import IRIS_M
@@ -35,10 +37,12 @@ from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.head")
+
 Array = NDArray[np.float64]
 
-#: Colour used when no photo shows the irises, sRGB levels.
-BROWN = np.array([92.0, 64.0, 45.0])
+BROWN = np.array(_CALIBRATED.triple("brown", "grey"))
 #: Iterations after each look into the side photo.
 LOOK_TURNS = 6
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,7 @@ from cloner.body.carriage import carry_heads
 from cloner.body.carriage_looks import look_up
 from cloner.body.carriage_sight import NECK
 from cloner.body.outlined import Outlined, masked_field, outlined_photos
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.face_grids import eyeball
@@ -39,15 +41,14 @@ from cloner.stages.fine import Params as FineParams
 from cloner.stages.fine import neck_trust, settled
 from cloner.stages.points import for_fitting
 
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.join")
+
 Array = NDArray[np.float64]
 
-#: Parts of the sole that stand no higher than this touch the floor; higher ones are the toe's spring and the arch.
-TREAD_M = 0.003
-#: Share of what lacks to the stature that lifts the whole head: how high the head sits is no surer than how high its
-#: vault is (faces 7 mm wrong in height with none, 4 mm with this or all; crowns in face photos worse with all).
-LIFTED = 0.5
-#: Farthest outline that the joined neck believes, in two rounds.
-NECK_REACH_MM = (25.0, 15.0)
+TREAD_M = _CALIBRATED.number("tread_m", "m")
+LIFTED = _CALIBRATED.number("lifted", "share")
+NECK_REACH_MM = _CALIBRATED.pair("neck_reach_mm", "mm")
 
 
 def blend_head(generic: GenericHuman, body: BodyMesh, head: HeadFit) -> Array:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.outlined import gaps_mm, outlined_photos, see
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
@@ -27,19 +28,19 @@ from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.measures")
+
 Array = NDArray[np.float64]
 
-#: Spread of adult stature when none was given, one standard deviation over both sexes, metres (ANSUR II: 0.09).
-UNKNOWN_STATURE_M: Final = 0.09
-#: Half of nine in ten errors of a tape, mm.
-TAPE_ERROR_MM: Final = 5.0
+UNKNOWN_STATURE_M: Final = _CALIBRATED.number("unknown_stature_m", "m")
+TAPE_ERROR_MM: Final = _CALIBRATED.number("tape_error_mm", "mm")
 #: No clothes were seen.
 NO_RUMPLE_MM: Final = np.full(2, np.nan)
 NOT_HIDDEN: Final = np.zeros(len(ALL_KEYS), dtype=bool)
 #: Girths that the depth in the side photo decides most.
 WAISTS: Final = ("narrowest_waist_girth", "waist_girth", "navel_girth")
-#: A tape this many of its ± away from what the photos tell is asked about.
-STRANGE: Final = 2.0
+STRANGE: Final = _CALIBRATED.number("strange", "factor")
 
 
 def measured(

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +27,7 @@ from cloner.body.outlined import (
     slice_pairs,
     views_of,
 )
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.settling import unfolded
@@ -34,6 +36,9 @@ from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, Skelet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
+
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.rough")
 
 Array = NDArray[np.float64]
 
@@ -50,8 +55,8 @@ class Params:
         Farthest silhouette pixel that is believed.
     """
 
-    end_levels: tuple[float, float] = (0.2, 0.8)
-    reach_mm: float = 45.0
+    end_levels: tuple[float, float] = _CALIBRATED.pair("end_levels", "share")
+    reach_mm: float = _CALIBRATED.number("reach_mm", "mm")
 
 
 def follow_joints(vertices_m: Array, old_m: Array, new_m: Array) -> Array:

@@ -9,11 +9,13 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
@@ -53,6 +55,9 @@ from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.noise import quieted
 from cloner.vision.repair import spread_nearest
 
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.textures")
+
 Array = NDArray[np.float64]
 
 
@@ -71,8 +76,8 @@ class Params:
     """
 
     size: int = 2048
-    band_m: float = 0.012
-    head_band_m: float = 0.008
+    band_m: float = _CALIBRATED.number("band_m", "m")
+    head_band_m: float = _CALIBRATED.number("head_band_m", "m")
     limits: Limits = field(default_factory=Limits)
 
 
