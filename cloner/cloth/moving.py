@@ -19,6 +19,7 @@ from cloner.cloth.solver import THICK_M, Sheet, State, leash, sheet_of, step
 from cloner.cloth.threads import pull
 from cloner.cloth.wearer import FRAMES_PER_S, Wearer, frames, planes_under, skin_between, wearer
 from cloner.cloth.wrapping import DEEP_M, PUSHES, wrapped
+from cloner.easing import smoothstep
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
@@ -138,8 +139,7 @@ def simulate(worn: Worn, cycles: int) -> Iterator[tuple[int, State]]:
     count = len(worn.rotations)
     poses = [(np.zeros(3), np.zeros_like(worn.rotations[0]))] * SETTLE
     for number in range(1, BLEND + 1):
-        share = number / BLEND
-        share = share * share * (3.0 - 2.0 * share)
+        share = smoothstep(number / BLEND)
         poses.append((share * worn.root_m[0], share * worn.rotations[0]))
     put = len(poses)
     poses += [(worn.root_m[k % count], worn.rotations[k % count]) for k in range(1, cycles * count)]

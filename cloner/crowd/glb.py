@@ -16,7 +16,7 @@ from cloner import __version__
 from cloner.crowd.cast import Cast
 from cloner.crowd.clips import Clip
 from cloner.crowd.groups import sorted_by_group
-from cloner.crowd.levels import BodyLevels
+from cloner.crowd.levels import BodyLevels, nested
 from cloner.exporters.bones import hanim_bones
 from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes, png_bytes
@@ -58,7 +58,7 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
         shell = _material(gltf, buffer, "loose", png_bytes(cast.shell), "image/png", "MASK")
     own = _shared(buffer, cast.vertices_m, cast.normals, body.uv, bones.carried(body.joints, body.weights))
     own_loose = None
-    order, sizes = _used(loose.triangles)
+    order, sizes = nested(loose.triangles)
     if shell is not None:
         carried = bones.carried(loose.joints[order], loose.weights[order])
         own_loose = _shared(buffer, loose.vertices_m[order], loose.normals[order], loose.uv[order], carried)
@@ -88,19 +88,6 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
     gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
     gltf.set_binary_blob(data)
     return glb_bytes(gltf)
-
-
-def _used(levels: tuple[NDArray[np.int32], ...]) -> tuple[NDArray[np.int64], list[int]]:
-    """Return the vertices that any level uses, those of coarser levels first, and how many each level reaches."""
-    order: list[int] = []
-    sizes: list[int] = []
-    seen: set[int] = set()
-    for triangles in reversed(levels):
-        new = [int(one) for one in np.unique(triangles) if int(one) not in seen]
-        seen.update(new)
-        order += new
-        sizes.insert(0, len(order))
-    return np.array(order, np.int64), sizes
 
 
 def _shared(

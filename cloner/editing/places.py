@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.body.outlined import body_triangles
 from cloner.calibration.loader import calibrated
+from cloner.easing import smoothstep
 from cloner.generic.load import load_generic
 from cloner.geometry.skin_bends import Place, SkinMetric, skin_metric
 
@@ -43,8 +44,7 @@ def free_skin() -> Array:
     generic = load_generic()
     free = (generic.vertex_part == generic.part_names.index("body")).astype(np.float64)
     if len(generic.head_blend):
-        share = np.clip((HEAD_SHARE - generic.head_blend) / HEAD_SHARE, 0.0, 1.0)
-        free *= share * share * (3.0 - 2.0 * share)
+        free *= smoothstep(HEAD_SHARE - generic.head_blend, 0.0, HEAD_SHARE)
     return np.asarray(free)
 
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
+from cloner.easing import smoothstep
 from cloner.generic.face_grids import Grid
 from cloner.geometry.eyeballs import BALL_M, CORNEA, Ball, cornea
 
@@ -37,15 +38,10 @@ CLEAR_M = _CALIBRATED.number("clear_m", "m")
 REACH = _CALIBRATED.pair("reach", "share")
 
 
-def _ramp(values: Array, low: float, high: float) -> Array:
-    t = np.clip((values - low) / (high - low), 0.0, 1.0)
-    return np.asarray(t * t * (3.0 - 2.0 * t))
-
-
 def reach_of(grid: Grid, points: Array, ball: Ball) -> Array:
     """Return (N,) how surely a column's margin lies on the ball: 1 in the middle, 0 at the corners."""
     away = points[grid.margin] - ball.centre
-    return np.asarray(1.0 - _ramp(np.hypot(away[:, 0], away[:, 1]) / (BALL_M + OVER_M[0]), *REACH))
+    return np.asarray(1.0 - smoothstep(np.hypot(away[:, 0], away[:, 1]) / (BALL_M + OVER_M[0]), *REACH))
 
 
 def depth_of_ball(grid: Grid, points: Array, centre_xy: Array) -> float:
@@ -59,7 +55,7 @@ def depth_of_ball(grid: Grid, points: Array, centre_xy: Array) -> float:
     margin = points[grid.margin]
     across = np.hypot(*(margin[:, :2] - centre_xy).T)
     over = BALL_M + OVER_M[0]
-    weight = 1.0 - _ramp(across / over, 0.6, 0.9)
+    weight = 1.0 - smoothstep(across / over, 0.6, 0.9)
     weight[grid.corners] = 0.0
     depth = margin[:, 2] - np.sqrt(np.maximum(over**2 - across**2, 1e-8))
     return float((weight * depth).sum() / max(float(weight.sum()), 1e-9))

@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.easing import smoothstep
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import surface_graph
@@ -78,9 +79,9 @@ def shift_ear(
         return lookup_px
     size, shift = fit
     graph = surface_graph(posed_m, triangles)
-    share = np.clip(1.0 - graph.distance_from(own, FADE_M) / FADE_M, 0.0, 1.0)
+    share = smoothstep(1.0 - graph.distance_from(own, FADE_M) / FADE_M)
     moved = rings.middle_px + size * (lookup_px - rings.middle_px) + shift
-    return np.asarray(lookup_px + (share * share * (3.0 - 2.0 * share))[:, None] * (moved - lookup_px))
+    return np.asarray(lookup_px + share[:, None] * (moved - lookup_px))
 
 
 def _ear_rings(lookup_px: Array, triangles: NDArray[np.int32], nose_px: Array, width_px: float) -> _Rings | None:

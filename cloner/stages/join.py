@@ -21,6 +21,7 @@ from cloner.body.carriage_sight import NECK
 from cloner.body.outlined import Outlined, masked_field, outlined_photos
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
+from cloner.easing import smoothstep
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.face_grids import eyeball
 from cloner.generic.features import named_features
@@ -91,9 +92,9 @@ def to_stature(generic: GenericHuman, mesh: BodyMesh, stature_m: float) -> tuple
     """
     vertices, joints = mesh.vertices_m.copy(), mesh.joints_m.copy()
     top, eyes = vertices[generic.feature("head_top"), 1], vertices[generic.feature("glabella"), 1]
-    share = np.clip((vertices[:, 1] - eyes) / max(float(top - eyes), 1e-3), 0.0, 1.0) * (generic.head_blend > 0)
+    share = smoothstep(vertices[:, 1] - eyes, 0.0, max(float(top - eyes), 1e-3)) * (generic.head_blend > 0)
     lift = LIFTED * float(stature_m - top)
-    vertices[:, 1] += lift * generic.head_blend + share**2 * (3.0 - 2.0 * share) * (stature_m - top - lift)
+    vertices[:, 1] += lift * generic.head_blend + share * (stature_m - top - lift)
     joints[:, 1] += lift * neck_shares(generic)
     return BodyMesh(vertices, joints), lift
 
