@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -131,8 +131,3 @@ def round_body(base: BodyMesh, stature_m: float) -> Family:
     modes, joints = _frozen()
     scale = stature_m / GENERIC_STATURE_M
     return Family(base, np.float32(scale) * modes, scale * joints)
-
-
-def with_base(family: Family, base: BodyMesh) -> Family:
-    """Return the family round another body of the same stature."""
-    return replace(family, base=base)

@@ -62,9 +62,9 @@ class Params:
     turns: int = 4
 
 
-def portrait_shape(generic: GenericHuman, proposals: Proposals, params: Params | None = None) -> Array:
+def portrait_shape(generic: GenericHuman, proposals: Proposals) -> Array:
     """Return the shape coefficients (C,) that the front photo of the face suggests; zeros without one."""
-    params = params or Params()
+    params = Params()
     proposal = proposals.views.get(ViewId.FACE_FRONT)
     coefficients = np.zeros(params.shapes)
     if proposal is None or proposal.face_presence == 0.0:

@@ -99,7 +99,7 @@ def put_on(
     if under is not None:
         places = _cleared(body, met_m, places)
         held_m = places[held]
-    root, rotations = frames(body, motion)
+    root, rotations = frames(motion)
     tied = band(clone, held_m, body.rows)
     sheet = sheet_of(cloth, fabric, held)
     if ring is None or under is not None:

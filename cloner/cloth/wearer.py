@@ -65,7 +65,7 @@ def wearer(clone: Clone, *, whole: bool = False) -> Wearer:
     return Wearer(clone, rows.astype(np.int64), np.searchsorted(rows, triangles).astype(np.int64))
 
 
-def frames(body: Wearer, motion: Motion) -> tuple[Array, Array]:
+def frames(motion: Motion) -> tuple[Array, Array]:
     """Return the root (F, 3) and rotations (F, 94, 3) of one cycle at `FRAMES_PER_S`; the frame after the last is the first."""  # noqa: E501
     span = float(motion.times_s[-1])
     count = max(2, round(span * FRAMES_PER_S))

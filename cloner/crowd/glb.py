@@ -82,7 +82,7 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
         roots.append(len(gltf.nodes) - 1)
     for clip in cast.clips:
         if len(clip.frames) > 1:
-            gltf.animations.append(animation(gltf, buffer, clone, motion_of(clip), bones, roots[1]))
+            gltf.animations.append(animation(buffer, clone, motion_of(clip), bones, roots[1]))
     gltf.scenes.append(pygltflib.Scene(name=cast.identifier, nodes=roots))
     data = buffer.data()
     gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))

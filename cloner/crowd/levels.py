@@ -28,8 +28,6 @@ SURFACES: Final = ("body", "eyes")
 #: Triangles of the loose shells at each level; below 500 hair tears (measured).
 LOOSE: Final = (4_000, 2_000, 1_000, 500)
 LEVELS: Final = len(LOOSE)
-#: Simplified points this near keep their own vertex, metres.
-_SAME_M: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.anchors import sigmoid
 from cloner.detectors.mask_crops import MaskNet
-from cloner.detectors.placing import circle_crop, turned, whole_picture
+from cloner.detectors.placing import circle_crop, whole_picture
 from cloner.detectors.portraits import agreement, is_cut_below, portrait_crop
 from cloner.detectors.results import Box, PoseResult
 from cloner.vision.crops import Crop, move_points, photo_px_from_crop
@@ -73,13 +73,10 @@ class Pass:
     def result(self, mask: NDArray[np.float32]) -> PoseResult:
         """Return the pose with a mask of the whole photo."""
         table = self.out[195].reshape(39, 5)[:33]
-        world = self.out[117].reshape(39, 3)[:33].astype(np.float64)
-        world[:, :2] = turned(world[:, :2], self.crop.angle_rad)
         return PoseResult(
             points_px=self.points_px[:33],
             visibility=sigmoid(table[:, 3]),
             presence=sigmoid(table[:, 4]),
-            world_m=world,
             score=self.score,
             mask=mask,
         )

@@ -42,15 +42,12 @@ class Laid:
         Share of the model's outline that misses the photo's, 0..1, plus the prior's share.
     covariance : (4 + B, 4 + B) float64
         Of size and turn, place, and weights, as the last turn of Gauss-Newton leaves it.
-    gap_m : (M,) float64
-        How far the photo's outline lies before the model's along the normals; NaN where none was near.
     """
 
     px_from_m: Array
     weights: Array
     cost: float
     covariance: Array
-    gap_m: Array
 
     @property
     def size(self) -> float:
@@ -85,7 +82,7 @@ def lay(outline_px: Array, model: ProfileModel, start: Array, weights: Array, si
         share = 1.0 / (1.0 + (gap / (0.35 * gate)) ** 2) ** 2
         strength = np.where(kept, share, 0.0) / _SIGMA_M**2
         px_from_m, weights, covariance = _step(model, px_from_m, weights, normal, gap, strength, size)
-    return Laid(px_from_m, weights, *_judged(outline_px, model, px_from_m, weights, covariance))
+    return Laid(px_from_m, weights, _cost(outline_px, model, px_from_m, weights), covariance)
 
 
 def _step(
@@ -98,7 +95,7 @@ def _step(
     pull = np.concatenate([[25.0 * np.log(size / now), 0.0, 0.0, 0.0], -weights])
     system = slope.T @ (strength[:, None] * slope) + np.diag(prior + 1e-9)
     step = np.linalg.solve(system, slope.T @ (strength * gap) + pull)
-    moved = _moved(px_from_m, step[:4], model, weights)
+    moved = _moved(px_from_m, step[:4], model)
     return moved, np.asarray(weights + step[4:]), np.asarray(np.linalg.inv(system))
 
 
@@ -133,7 +130,7 @@ def _slopes(model: ProfileModel, px_from_m: Array, weights: Array, normal: Array
     )
 
 
-def _moved(px_from_m: Array, step: Array, model: ProfileModel, weights: Array) -> Array:
+def _moved(px_from_m: Array, step: Array, model: ProfileModel) -> Array:
     """Return the map after a step of log size, turn (radians, clockwise as seen) and place (metres)."""
     size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
     step = step * min(1.0, 0.3 / max(abs(step[0]), abs(step[1]), 1e-9))
@@ -144,16 +141,13 @@ def _moved(px_from_m: Array, step: Array, model: ProfileModel, weights: Array) -
     return np.column_stack([linear, shift])
 
 
-def _judged(
-    outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array, covariance: Array
-) -> tuple[float, Array, Array]:
-    """Return cost, covariance and gaps of a laid model."""
+def _cost(outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array) -> float:
+    """Return the cost of a laid model."""
     here, outwards, found, kept = _pairs(outline_px, model, px_from_m, weights, _GATES_M[-1])
     size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
     gap = ((outline_px[found, :2] - here) * outwards).sum(axis=1) / size
     missed = np.where(kept, gap**2 / (gap**2 + _MISS_M**2), 1.0)
-    cost = float(missed.mean() + _MISS_PRIOR * float(weights @ weights) / model.samples)
-    return cost, covariance, np.where(kept, gap, np.nan)
+    return float(missed.mean() + _MISS_PRIOR * float(weights @ weights) / model.samples)
 
 
 def find_laid(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -79,12 +79,10 @@ def face_figures(rest_m: Array, shape_m: Array) -> FaceFigures:
     return FaceFigures(*(mm_from_m(value) for value in values))
 
 
-def target_figures(clone: Clone, wanted: Sequence[str] | None = None) -> dict[str, FaceFigures]:
+def target_figures(clone: Clone) -> dict[str, FaceFigures]:
     """Return the figures of every target at full weight; what goes through is the worst on the way there."""
     out = {}
     for name, offsets in target_offsets(clone):
-        if wanted is not None and name not in wanted:
-            continue
         step = offsets[:-1].astype(np.float64)
         out[name] = worst_on_the_way(clone.vertices_m, step)
     return out

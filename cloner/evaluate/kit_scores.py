@@ -71,7 +71,7 @@ def evaluate_people(
             after = number + 1
             ahead = clone_person(queue[after], place, told) if after < len(queue) else first
             progress(f"score {person.name}", (number + 0.5) / len(people))
-            rows += score_person(person, run, None if ahead is None else ahead.clone, out, seed)
+            rows += score_person(person, run, None if ahead is None else ahead.clone, out)
     return rows
 
 
@@ -96,7 +96,7 @@ def clone_person(person: Path, out: Path, told: Told) -> CloneRun | None:
     return run
 
 
-def score_person(person: Path, run: CloneRun | None, other: Clone | None, out: Path | None, seed: int = 0) -> list[Row]:
+def score_person(person: Path, run: CloneRun | None, other: Clone | None, out: Path | None) -> list[Row]:
     """Return all rows of one person; the truth is first read here, the clone exists."""
     if run is None:
         return rows_of(person.name, KIT_SET, [Score("cloned", "", "", 0.0)], {})

@@ -78,7 +78,7 @@ def boundary(mask: Mask) -> Mask:
     return np.asarray(edge, dtype=bool)
 
 
-def fit_similarity(source: Array, target: Array, *, scale: bool, weights: Array | None = None) -> Array:
+def fit_similarity(source: Array, target: Array, *, scale: bool) -> Array:
     """Return the (4, 4) ``target_from_source`` of least squares.
 
     Parameters
@@ -86,20 +86,17 @@ def fit_similarity(source: Array, target: Array, *, scale: bool, weights: Array 
     source, target : (N, 3) float64, corresponding points
     scale : bool
         Whether a uniform scale is free (similarity) or one (rigid).
-    weights : (N,) float64 or None
 
     References
     ----------
     S. Umeyama 1991, equations 40-42.
     """
-    weight = np.ones(len(source)) if weights is None else weights
-    weight = weight / weight.sum()
-    source_mean, target_mean = weight @ source, weight @ target
+    source_mean, target_mean = source.mean(axis=0), target.mean(axis=0)
     away, aim = source - source_mean, target - target_mean
-    u, sizes, vt = np.linalg.svd(aim.T @ (weight[:, None] * away))
+    u, sizes, vt = np.linalg.svd(aim.T @ away)
     sign = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])
     rotation = u @ np.diag(sign) @ vt
-    factor = float(sizes @ sign / (weight @ (away**2).sum(axis=1))) if scale else 1.0
+    factor = float(sizes @ sign / (away**2).sum()) if scale else 1.0
     transform = np.eye(4)
     transform[:3, :3] = factor * rotation
     transform[:3, 3] = target_mean - factor * rotation @ source_mean

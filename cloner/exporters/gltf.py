@@ -117,7 +117,7 @@ def build(
             roots.append(len(gltf.nodes) - 1)
     body = next(number for number, node in enumerate(gltf.nodes) if node.mesh == 0)
     for motion in motions:
-        gltf.animations.append(animation(gltf, buffer, clone, driven(motion, drivers), bones, body))
+        gltf.animations.append(animation(buffer, clone, driven(motion, drivers), bones, body))
     facts = _facts(clone, bones)
     if drivers:
         facts["correctives"] = [driver.told(bones.name_of(driver.joint)) for driver in drivers]

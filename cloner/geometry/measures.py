@@ -161,7 +161,6 @@ TRUTH_GIRTHS: Final = {
     "calf": "calf_girth",
     "upper_arm": "upper_arm_girth",
 }
-GIRTH_NAMES: Final = tuple(TRUTH_GIRTHS)
 _TRUNK: Final = ("torso", "pelvis", "left_thigh", "right_thigh")
 
 

@@ -127,7 +127,6 @@ def fit_shape(
     start: ShapeFit,
     gather: Callable[[ShapeFit, int], Sequence[Evidence]],
     *,
-    prior_sigma: Array | float = 1.0,
     at_least: Array | float = -np.inf,
     rarity: Array | float = 0.0,
     turn_sigma: Array | None = None,
@@ -141,8 +140,6 @@ def fit_shape(
     start : ShapeFit
     gather : callable
         ``gather(fit, iteration)`` returns the evidence for the present fit: curves are matched afresh each time.
-    prior_sigma : float or (F,)
-        Expected size of the coefficients around zero.
     at_least : float or (F,)
         No coefficient becomes smaller.
     rarity : float or (F,)
@@ -155,13 +152,12 @@ def fit_shape(
     """
     fit = start
     count = len(fit.coefficients)
-    prior = 1.0 / np.broadcast_to(np.asarray(prior_sigma, dtype=np.float64), (count,)) ** 2
     pull = np.zeros((len(fit.cameras), 3)) if turn_sigma is None else 1.0 / turn_sigma**2
     for iteration in range(iterations):
         size = count + 6 * len(fit.cameras) + 1
         normal, right = np.zeros((size, size)), np.zeros(size)
-        normal[:count, :count] += np.diag(prior)
-        right[:count] -= prior * fit.coefficients + rarity
+        normal[:count, :count] += np.eye(count)  # coefficients are spreads
+        right[:count] -= fit.coefficients + rarity
         for index in range(len(fit.cameras)):
             turn = slice(count + 6 * index, count + 6 * index + 3)
             held = pull[index] / (1.0 + pull[index] * fit.turned[index] ** 2 / TURN_OUTLIER**2)

@@ -144,7 +144,7 @@ def _places(capture: Capture, world: Array, offsets: Array, root: Array) -> Arra
 
 def _trunk(body: Body, anatomy: Anatomy, capture: Capture, source: Array) -> Array:
     """Return orientations of all joints with the trunk's, neck's and head's set; limbs as the trunk."""
-    source = _levelled(capture, source, anatomy.neck[1:])
+    source = _levelled(source, anatomy.neck[1:])
     world = np.tile(np.eye(3), (len(source), len(body.names), 1, 1))
     world[:] = source[:, [anatomy.pelvis]]
     for names, knots in ((SPINE, anatomy.spine), (NECK, anatomy.neck)):
@@ -159,7 +159,7 @@ def _trunk(body: Body, anatomy: Anatomy, capture: Capture, source: Array) -> Arr
     return world
 
 
-def _levelled(capture: Capture, source: Array, joints: tuple[int, ...]) -> Array:
+def _levelled(source: Array, joints: tuple[int, ...]) -> Array:
     """Return the orientations with neck and head upright as they are carried in the capture's calm stretches.
 
     What a marker set calls a head at rest may look up by 20 degrees; people who walk or stand look ahead.

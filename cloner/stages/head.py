@@ -105,8 +105,6 @@ def run(
     value = HeadFit(
         head,
         _cameras(model, fitted, front, side, phenotype),
-        controls.names,
-        pivot + scale * (_controls_before(model, controls.controls_m, phenotype) + moved - pivot),
         _iris(photos, model, fitted, front),
         IRIS_M,
         "" if side is None else ("right" if side.facing > 0 else "left"),
@@ -182,12 +180,6 @@ def _masks(fitted: Fitted, front: Front | None, proposals: Proposals) -> list[tu
     if fitted.side is not None:
         out.append((fitted.side, proposals.views[ViewId.FACE_SIDE].mask))
     return out
-
-
-def _controls_before(model: Model, controls_m: Array, phenotype: Phenotype) -> Array:
-    """Return the controls of the mean head at the phenotype's stature."""
-    middle = model.generic.vertices_m[model.generic.feature("nasion")].astype(np.float64)
-    return np.asarray(controls_m - middle + model.vertices_m[model.generic.feature("nasion")])
 
 
 def _sizes(photos: PhotoSet, phenotype: Phenotype, front: Front | None, side: Side | None, params: Params, log: Log
