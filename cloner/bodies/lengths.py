@@ -54,8 +54,7 @@ def stretched(body: BodyMesh, rules: TapeRules, told_mm: Mapping[str, float]) ->
 
 
 def _share(generic: GenericHuman, *names: str) -> Array:
-    rows = [generic.segment_names.index(name) for name in names]
-    return np.asarray(np.clip(generic.segment_weights[:, rows].astype(np.float64).sum(axis=1), 0.0, 1.0))
+    return np.asarray(np.clip(generic.share(*names), 0.0, 1.0))
 
 
 def _levels(vertices: Array, joints: Array, rules: TapeRules, gap_m: Mapping[str, float]) -> Array:

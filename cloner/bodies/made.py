@@ -95,7 +95,7 @@ def remeasured_clone(clone: Clone, told: Told) -> Clone:
     after = remeasured_body(before, replace(told, mm=wanted))
     vertices = flat_soles(generic, after.vertices_m, clone.sole_m) + lift
     shift = vertices - clone.vertices_m
-    skin = np.flatnonzero(generic.vertex_part == generic.part_names.index("body"))
+    skin = np.flatnonzero(generic.skin)
     now = measures_mm(vertices, after.joints_m + lift, rules, clone.sole_m)
     old = measures_mm(clone.vertices_m, clone.joints_m, rules, clone.sole_m)
     return replace(

@@ -9,11 +9,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import Outlined, body_triangles, see
+from cloner.body.outlined import Outlined, see
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.head.flank import Flank
@@ -98,7 +99,7 @@ class Head:
         normals = vertex_normals(mesh.vertices_m, body_triangles())
         ears = generic.region("ear_left") | generic.region("ear_right")
         above = mesh.vertices_m[:, 1] > mesh.vertices_m[ears, 1].mean()
-        on_head = (generic.head_blend > 0.9) & (generic.vertex_part == generic.part_names.index("body"))
+        on_head = (generic.head_blend > 0.9) & generic.skin
         pivot = load_face_net().places.at(mesh.vertices_m).mean(axis=0)
         return cls(mesh, on_head, generic.region("scalp") & above & ~ears, thickening(normals), pivot)
 

@@ -15,9 +15,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import body_triangles
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.settling import smoothed_directions
 from cloner.records.bodies import Phenotype
@@ -65,7 +65,7 @@ SEAM_M: Final = _CALIBRATED.number("seam_m", "m")
 def _directions() -> Array:
     """Return (E, V, 3) how the generic's vertices move per metre of every ease."""
     generic = load_generic()
-    skin = generic.vertex_part == generic.part_names.index("body")
+    skin = generic.skin
     normals = vertex_normals(generic.vertices_m.astype(np.float64), body_triangles())
     # cloth spans creases; along their own normals both flanks of one would run through each other
     ways = smoothed_directions(normals, body_triangles(), turns=WAY_TURNS)
@@ -73,9 +73,7 @@ def _directions() -> Array:
     along = np.clip(generic.slice_s.astype(np.float64), 0.0, 1.0)
     rows = []
     for ease in EASES:
-        places = [generic.segment_names.index(name) for name in ease.segments]
-        weight = generic.segment_weights[:, places].astype(np.float64).sum(axis=1)
-        rows.append((weight * skin * (along if ease.hangs else 1.0))[:, None] * ways)
+        rows.append((generic.share(*ease.segments) * skin * (along if ease.hangs else 1.0))[:, None] * ways)
     return np.array(rows)
 
 

@@ -50,8 +50,7 @@ class Params:
 def _feet() -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
     """Return the feet's vertices, their foot weight, and the ankle joint of each."""
     generic = load_generic()
-    rows = [generic.segment_names.index(f"{side}_foot") for side in ("left", "right")]
-    weights = generic.segment_weights[:, rows].astype(np.float64)
+    weights = np.column_stack([generic.share("left_foot"), generic.share("right_foot")])
     vertices = np.flatnonzero(weights.sum(axis=1) > 0.01)
     ankles = np.array([generic.joint("l_ankle"), generic.joint("r_ankle")])
     return vertices, weights[vertices].sum(axis=1), ankles[np.argmax(weights[vertices], axis=1)]

@@ -26,8 +26,7 @@ SPREAD = _CALIBRATED.pair("spread", "factor")
 def _hand(side: str) -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
     """Return a hand's vertices, their weight, and the joints in it."""
     generic = load_generic()
-    segment = generic.segment_names.index({"l": "left_hand", "r": "right_hand"}[side])
-    weight = generic.segment_weights[:, segment].astype(np.float64)
+    weight = generic.share({"l": "left_hand", "r": "right_hand"}[side])
     vertices = np.flatnonzero(weight > 0.001)
     return vertices, weight[vertices], np.flatnonzero(below(generic.joint_parents, generic.joint(f"{side}_wrist")))
 

@@ -17,10 +17,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import Outlined, Seen, body_triangles, see
+from cloner.body.outlined import Outlined, Seen, see
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.posing import moved_camera
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms

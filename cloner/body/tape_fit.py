@@ -68,13 +68,6 @@ def _loops(generic: GenericHuman, rules: TapeRules, body: BodyMesh, tape_mm: Map
             for other, _ in planes
             if other is not plane and other.segments[0] == plane.segments[0]
         ]
-        weight = _weight(generic, plane.segments)
+        weight = np.where(generic.skin, np.clip(generic.share(*plane.segments), 0.0, 1.0), 0.0)
         loops.append(Loop(plane.point_m, plane.normal, plane.triangles, weight, wanted, zone_m(away)))
     return loops
-
-
-def _weight(generic: GenericHuman, segments: tuple[str, ...]) -> Array:
-    rows = [generic.segment_names.index(name) for name in segments]
-    body = generic.vertex_part == generic.part_names.index("body")
-    share = generic.segment_weights[:, rows].astype(np.float64).sum(axis=1)
-    return np.where(body, np.clip(share, 0.0, 1.0), 0.0)

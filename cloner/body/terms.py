@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from cloner.body.evidence import Evidence, Params
 from cloner.body.model import Drawn, Family
-from cloner.body.outlined import body_triangles
 from cloner.detectors.body_points import ENDS
 from cloner.frames import mm_from_m
 from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.posing import Chosen
 from cloner.geometry.rims import rim_vertices, vertex_normals
 from cloner.geometry.tripods import placed_camera
@@ -136,7 +136,7 @@ def outline_trust(generic: GenericHuman) -> Array:
     trust = np.ones(len(generic.vertices_m))
     for name, value in (("hand", 0.3), ("foot", 0.5)):
         for side in ("left", "right"):
-            trust[generic.vertex_segment == generic.segment_names.index(f"{side}_{name}")] = value
+            trust[generic.segment(f"{side}_{name}")] = value
     trust[generic.region("scalp")] = 0.0
     return trust
 

@@ -55,10 +55,10 @@ def wearer(clone: Clone, *, whole: bool = False) -> Wearer:
     """Return what cloth can meet of a clone; ``whole`` with arms and neck."""
     generic = load_generic()
     names = (*MET, *ARMS) if whole else MET
-    met = np.isin(generic.vertex_segment, [generic.segment_names.index(name) for name in names])
+    met = generic.segment(*names)
     if whole:
         met |= generic.region("neck") & (generic.head_blend < 0.9)
-    met &= generic.vertex_part == generic.part_names.index("body")
+    met &= generic.skin
     triangles, _ = generic.triangles()
     triangles = triangles[met[triangles].all(axis=1)]
     rows = np.unique(triangles)

@@ -8,10 +8,10 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import body_triangles
 from cloner.calibration.loader import calibrated
 from cloner.easing import smoothstep
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.skin_bends import Place, SkinMetric, skin_metric
 
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
@@ -42,7 +42,7 @@ def generic_metric() -> SkinMetric:
 def free_skin() -> Array:
     """Return (V,) how far a point on the body's outline may move each vertex: the head is left to the face photos."""
     generic = load_generic()
-    free = (generic.vertex_part == generic.part_names.index("body")).astype(np.float64)
+    free = generic.skin.astype(np.float64)
     if len(generic.head_blend):
         free *= smoothstep(HEAD_SHARE - generic.head_blend, 0.0, HEAD_SHARE)
     return np.asarray(free)

@@ -152,7 +152,7 @@ def _front_skin() -> NDArray[np.int32]:
     """Return the (T, 3) triangles of the skin around the mouth, without what lies inside it."""
     generic, grid = load_generic(), mouth_grid()
     near = np.linalg.norm(generic.vertices_m - generic.vertices_m[generic.feature("stomion")], axis=1) < AROUND_M
-    near &= (generic.vertex_part == generic.part_names.index("body")) & ~generic.region("mouth_interior")
+    near &= generic.skin & ~generic.region("mouth_interior")
     near[grid.rings[: grid.margin]] = False
     near[grid.rings[grid.margin :]] = True
     triangles = load_triangles()

@@ -95,7 +95,7 @@ def profile_candidates(model: Model) -> NDArray[np.int64]:
     high = v[generic.feature("glabella"), 1] + FOREHEAD_M
     inside = generic.region("mouth_interior")
     wanted = (np.abs(v[:, 0]) < 0.025) & (v[:, 1] > low) & (v[:, 1] < high) & ~inside
-    wanted &= (generic.vertex_part == generic.part_names.index("body")) & (model.row >= 0)
+    wanted &= generic.skin & (model.row >= 0)
     wanted &= v[:, 2] > v[generic.feature("eye_outer_L"), 2] - 0.01
     return np.flatnonzero(wanted)
 

@@ -96,7 +96,7 @@ def _skin() -> NDArray[np.integer]:
     """Return the triangles of the outer skin of face and ears."""
     generic = load_generic()
     shown = generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
-    kept = (generic.vertex_part == generic.part_names.index("body")) & shown
+    kept = generic.skin & shown
     kept &= ~generic.region("mouth_interior")
     triangles, _ = generic.triangles()
     return np.asarray(triangles[kept[triangles].all(axis=1)])

@@ -70,7 +70,7 @@ def head_skin() -> Skin:
     generic = load_generic()
     head, mean = generic.head_vertices, generic.vertices_m
     row = np.full(len(mean), -1, dtype=np.int64)
-    outer = (generic.vertex_part == generic.part_names.index("body")) & ~generic.region("mouth_interior")
+    outer = generic.skin & ~generic.region("mouth_interior")
     row[head] = np.where(outer[head], np.arange(len(head)), -1)
     triangles = row[generic.triangles()[0]]
     triangles = triangles[(triangles >= 0).all(axis=1)]

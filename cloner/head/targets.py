@@ -47,7 +47,7 @@ def _head_maps() -> tuple[NDArray[np.int64], LocalMaps]:
     """Return the head's skin vertices and the solver of their local maps."""
     generic = load_generic()
     head = generic.head_vertices
-    rows = head[generic.vertex_part[head] == generic.part_names.index("body")].astype(np.int64)
+    rows = head[generic.skin[head]].astype(np.int64)
     return rows, local_maps(generic.vertices_m[rows].astype(np.float64), reach_m=REACH_M, anchors=ANCHORS)
 
 

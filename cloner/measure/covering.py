@@ -10,9 +10,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import body_triangles
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.seeing import facing, look
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import PosedView
@@ -67,7 +67,7 @@ def covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
     told["neck"] = _whole(bare[generic.region("neck")])
     for side in ("left", "right"):
         for part in ("hand", "foot"):
-            segment = generic.vertex_segment == generic.segment_names.index(f"{side}_{part}")
+            segment = generic.segment(f"{side}_{part}")
             told[f"{side}_{part}"] = _whole(bare[segment])
     return {name: cover for name, cover in told.items() if any(slice_ is not None for slice_ in cover.covered)}
 
@@ -116,13 +116,13 @@ def _seen_labels(
     triangles = body_triangles()
     sight = look(posed_m, triangles, posed.camera, facing(posed_m, triangles, posed.camera))
     good = (sight.cosine > LEAST_COSINE) & sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
-    rows = np.flatnonzero(good & (generic.vertex_part == generic.part_names.index("body")))
+    rows = np.flatnonzero(good & generic.skin)
     return rows, sight.cosine[rows], labels_at(labels, sight.pixel_px[rows])
 
 
 def _slices(generic: GenericHuman, name: str, bare: Array) -> Array:
     """Return (SLICES,) shares of skin along a segment, NaN where too little was seen."""
-    members = (generic.vertex_segment == generic.segment_names.index(name)) & ~np.isnan(bare)
+    members = generic.segment(name) & ~np.isnan(bare)
     place = np.clip((generic.slice_s * SLICES).astype(int), 0, SLICES - 1)
     shares = np.full(SLICES, np.nan)
     for k in range(SLICES):

@@ -142,8 +142,8 @@ def flesh(side: str, joint: str) -> Flesh:
     generic = load_generic()
     reach, segments = _REACH[joint]
     own = [s if s in ("torso", "pelvis") else f"{'left' if side == 'l' else 'right'}_{s}" for s in segments]
-    inside = np.isin(generic.vertex_segment, [generic.segment_names.index(name) for name in own])
-    inside &= generic.vertex_part == generic.part_names.index("body")
+    inside = generic.segment(*own)
+    inside &= generic.skin
     away = np.linalg.norm(generic.vertices_m - generic.joints_m[generic.joint(f"{side}_{joint}")], axis=1)
     inside &= away < reach * GENERIC_STATURE_M / 1.70
     triangles = np.asarray(generic.triangles()[0], dtype=np.int64)

@@ -187,7 +187,7 @@ def paint(
 
     A texel's owners first; others are asked only where none of them shows it.
     """
-    skin = generic.vertex_part == generic.part_names.index("body")
+    skin = generic.skin
     outside = skin & ~generic.region("mouth_interior")
     claims, shown = [], np.zeros(atlas.shape[0] * atlas.shape[1], np.float32)
     found: list[Painted] = []

@@ -66,7 +66,7 @@ def hands_beyond_cuffs(generic: GenericHuman) -> list[NDArray[np.intp]]:
     """Return the vertices of both hands that no cuff reaches."""
     found = []
     for side in ("left", "right"):
-        rows = np.flatnonzero(generic.vertex_segment == generic.segment_names.index(f"{side}_hand"))
+        rows = np.flatnonzero(generic.segment(f"{side}_hand"))
         reach = np.linalg.norm(generic.vertices_m[rows] - generic.joints_m[generic.joint(f"{side[0]}_wrist")], axis=1)
         found.append(rows[reach > CUFF_SHARE * reach.max()])
     return found

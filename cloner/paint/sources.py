@@ -14,10 +14,11 @@ from cloner.generic.face_grids import mouth_grid
 from cloner.generic.lip_steps import SHARE, to_borders
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.seeing import Sight, depth_at
 from cloner.labels.glasses import frame_of, wears_glasses
 from cloner.paint.ear_match import shift_ear
-from cloner.paint.posed import Stood, body_triangles, stand
+from cloner.paint.posed import Stood, stand
 from cloner.paint.zones import hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
@@ -217,7 +218,7 @@ def make_source(
     """Return one photo as a source and the mean gap between outlines before the shift, px."""
     sight = stood.sight
     lookup, gap = align(sight, plate, limits)
-    lookup = shift_ear(generic, stood.posed_m, body_triangles(generic), sight, plate.hair, view, lookup)
+    lookup = shift_ear(generic, stood.posed_m, body_triangles(), sight, plate.hair, view, lookup)
     if plate.lips_px is not None:
         grid = mouth_grid()
         lookup[grid.rings, 1] += SHARE[:, None] * to_borders(grid, lookup[grid.rings], own_edges(plate.lips_px))

@@ -18,13 +18,14 @@ from numpy.typing import NDArray
 from cloner.body.feet import Params as FeetParams
 from cloner.body.feet import shaped_feet, sized_feet
 from cloner.body.hands import SPREAD, USUAL, sized_hands
-from cloner.body.outlined import Outlined, body_triangles, coverage, gaps_mm, outlined_photos, see, views_of
+from cloner.body.outlined import Outlined, coverage, gaps_mm, outlined_photos, see, views_of
 from cloner.body.stances import Params as StanceParams
 from cloner.body.stances import fit_stances
 from cloner.body.tape_fit import taped_body
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.settling import bending_matrix, settle, smoothed_directions, unfolded
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype
@@ -71,14 +72,14 @@ class Params:
 def rim_trust() -> Array:
     """Return (V,) how far the outline moves each vertex when the skin settles: not the head, little the fingers."""
     generic = load_generic()
-    trust = np.where(generic.vertex_part == generic.part_names.index("body"), 1.0, 0.0)
+    trust = np.where(generic.skin, 1.0, 0.0)
     for side in ("left", "right"):
-        trust[generic.vertex_segment == generic.segment_names.index(f"{side}_hand")] = 0.05
-        trust[generic.vertex_segment == generic.segment_names.index(f"{side}_foot")] = 0.0
+        trust[generic.segment(f"{side}_hand")] = 0.05
+        trust[generic.segment(f"{side}_foot")] = 0.0
     if len(generic.head_blend):
         trust *= 1.0 - np.clip(generic.head_blend.astype(np.float64) * 2.0, 0.0, 1.0)
     else:
-        trust[generic.vertex_segment == generic.segment_names.index("head")] = 0.0
+        trust[generic.segment("head")] = 0.0
     return trust
 
 
@@ -90,7 +91,7 @@ def beyond_cloth(photo: Outlined, pixels: Array) -> NDArray[np.bool_]:
 def neck_trust() -> Array:
     """Return (V,) how far the outline moves each vertex of the neck of a joined person; everything else stays."""
     generic = load_generic()
-    return np.where(generic.region("neck") & (generic.vertex_part == generic.part_names.index("body")), 1.0, 0.0)
+    return np.where(generic.region("neck") & generic.skin, 1.0, 0.0)
 
 
 def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, params: Params, trust: Array) -> BodyMesh:

@@ -17,19 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.clothes import clothed_body
-from cloner.body.outlined import (
-    GRID_SEGMENTS,
-    Outlined,
-    body_triangles,
-    gap_mm,
-    outlined_photos,
-    see,
-    slice_pairs,
-    views_of,
-)
+from cloner.body.outlined import GRID_SEGMENTS, Outlined, gap_mm, outlined_photos, see, slice_pairs, views_of
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.settling import unfolded
 from cloner.geometry.slices import aspect_shift, fine_shift
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
@@ -120,8 +112,7 @@ def shape_slices(
         for name in GRID_SEGMENTS:
             if photo.view is ViewId.BODY_SIDE and name.endswith("arm"):
                 continue
-            row = generic.segment_names.index(name)
-            weight = generic.segment_weights[:, row].astype(np.float64)
+            weight = generic.share(name)
             near = np.flatnonzero(weight > 0)
             pairs = slice_pairs(seen, photo, name, levels, reach_mm)
             s = np.clip(generic.slice_s[near].astype(np.float64), 0.0, 1.0)

@@ -19,6 +19,7 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.iris import white_to_skin
 from cloner.geometry.wedges import vertex_normals
@@ -40,7 +41,6 @@ from cloner.paint.lid_skin import clean_lids
 from cloner.paint.materials import Materials, find_materials
 from cloner.paint.nostrils import darken_nostrils
 from cloner.paint.parts import paint_parts
-from cloner.paint.posed import body_triangles
 from cloner.paint.sources import Limits, Source, gather_sources
 from cloner.paint.tiles import Tile, cut_tiles
 from cloner.paint.tucking import tuck_scalp
@@ -196,7 +196,7 @@ def share_photos(
     sources = meet_lines(generic, sources)
     tick(0.4)
     graph = person_graph(generic, joined.vertices_m)
-    normals = vertex_normals(joined.vertices_m, body_triangles(generic))
+    normals = vertex_normals(joined.vertices_m, body_triangles())
     colours = vertex_colours(sources)
     kinds = find_materials(generic, sources, graph)
     if only_faces(sources):
@@ -216,7 +216,7 @@ def share_photos(
 
 def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:
     """Return the atlas of what is painted and not photographed: eyes, mouth and lashes."""
-    body = generic.vertex_part[generic.triangles()[0][:, 0]] == generic.part_names.index("body")
+    body = generic.skin[generic.triangles()[0][:, 0]]
     return generic_atlas(generic, size, wanted=~body)
 
 

@@ -66,7 +66,7 @@ def photographed(clone: Clone, fitted: PhotoFit) -> Clone:
     """
     generic = load_generic()
     vertices = seat_parts(clone.vertices_m, fitted.fit.vertices_m, None)
-    skin = np.flatnonzero(generic.vertex_part == generic.part_names.index("body"))
+    skin = np.flatnonzero(generic.skin)
     shift = (vertices - clone.vertices_m)[skin]
     names, index, delta, start = face_targets(vertices)
     return replace(

@@ -162,7 +162,7 @@ def _placed(clone: Clone, found: dict[str, Array], size_px: tuple[int, int], foc
         )
         places, camera = fit.vertices_m, fit.camera
     except ClonerError:
-        head = clone.vertices_m[generic.vertex_segment == generic.segment_names.index("head")]
+        head = clone.vertices_m[generic.segment("head")]
         high, (width, height) = _FACE_SHARE * size_px[1], size_px
         corners = np.array([[0.0, 1.0], [0.0, -1.0], [0.5, 0.0], [-0.5, 0.0]]) * high / 2.0 + (width / 2, height / 2)
         ends = np.array([head[head[:, 1].argmin()], head[head[:, 1].argmax()], head[head[:, 0].argmax()],
