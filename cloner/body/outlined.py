@@ -13,7 +13,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.contours import OutlineField, outline_field
 from cloner.geometry.rims import borders_px, rim_vertices
-from cloner.geometry.skinning import blend_transforms, joint_transforms
+from cloner.geometry.skinning import blend_transforms, joint_transforms, posed_joints
 from cloner.geometry.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.labels import Label, shows
@@ -103,7 +103,7 @@ def see(mesh: BodyMesh, photo: Outlined, among: NDArray[np.bool_] | None = None)
     transforms = joint_transforms(mesh.joints_m, generic.joint_parents, photo.posed.rotations)
     blended = blend_transforms(transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
     posed_m = np.einsum("vab,vb->va", blended[:, :, :3], mesh.vertices_m) + blended[:, :, 3]
-    joints = np.einsum("jab,jb->ja", transforms[:, :3, :3], mesh.joints_m) + transforms[:, :3, 3]
+    joints = posed_joints(transforms, mesh.joints_m)
     pixels = camera.project(posed_m)
     reduction = photo.field.reduction
     size = (photo.field.distance.shape[0], photo.field.distance.shape[1])

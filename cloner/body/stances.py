@@ -26,6 +26,7 @@ from cloner.geometry.posing import moved_camera
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms
 from cloner.geometry.turning import carried_share, pixel_slope, turned_motion, turned_rotation
+from cloner.geometry.vectors import unit
 from cloner.records.bodies import BodyMesh, PosedView
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
@@ -119,7 +120,7 @@ def _rows(
     camera = photo.posed.camera
     normals = np.einsum("vab,vb->va", seen.blended[:, :, :3], vertex_normals(mesh.vertices_m, body_triangles()))[rim]
     flat = (normals @ camera.camera_from_model[:3, :3].T)[:, :2]
-    flat /= np.maximum(np.linalg.norm(flat, axis=1, keepdims=True), 1e-9)
+    flat = unit(flat)
     reach_px = reach_mm / seen.mm_per_px
     nearest, distance = photo.field.nearest_rim(seen.body.pixels[rim], flat, reach_px)
     keep = (distance < reach_px) & ~photo.field.veiled

@@ -22,6 +22,7 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.posing import Chosen
 from cloner.geometry.rims import rim_vertices, vertex_normals
 from cloner.geometry.tripods import placed_camera
+from cloner.geometry.vectors import unit
 
 Array = NDArray[np.float64]
 Rows = tuple[Array, Array]
@@ -164,7 +165,7 @@ class OutlineTerm:
         height, width = field.distance.shape
         rim, _ = rim_vertices(small, posed, triangles, camera.position_m, (height, width), 2.5)
         normals = vertex_normals(posed, triangles)[rim] @ camera.camera_from_model[:3, :3].T
-        self.normals = normals[:, :2] / np.maximum(np.linalg.norm(normals[:, :2], axis=1, keepdims=True), 1e-9)
+        self.normals = unit(normals[:, :2])
         self.model, self.field = skin.part(rim), field
         self.trust = outline_trust(body.generic)[rim]
         mm, sigma = evidence.mm_per_px, params.outline_mm

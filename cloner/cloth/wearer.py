@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.vectors import unit
 from cloner.geometry.wedges import vertex_normals
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -132,6 +133,6 @@ def planes_under(skin_now: Skin, tree: cKDTree, points_m: Array, reach_m: float)
     weight /= weight.sum(axis=1, keepdims=True)
     near = near[rows]
     normals = np.einsum("nk,nka->na", weight, skin_now.normals[near])
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+    normals = unit(normals)
     early, late = (np.einsum("nk,nka->na", weight, place[near]) for place in (skin_now.early_m, skin_now.late_m))
     return Planes(rows, early, late, normals)

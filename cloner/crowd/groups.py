@@ -20,6 +20,7 @@ from scipy.ndimage import distance_transform_edt
 
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.vectors import unit
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
 
@@ -88,7 +89,7 @@ def _nails(generic: GenericHuman) -> NDArray[np.bool_]:
     normals = np.zeros_like(places)
     for corner in range(3):
         np.add.at(normals, triangles[:, corner], faces)
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+    normals = unit(normals, 1e-12)
     for side in "lr":
         for finger in ("thumb", "index", "middle", "ring", "pinky"):
             joint, before = generic.joint(f"{side}_{finger}3"), generic.joint(f"{side}_{finger}2")

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.profile_search import ProfileModel, normals_of, search
+from cloner.detectors.profile_search import ProfileModel, normals_of, search, size_of
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.profile_fit")
@@ -52,7 +52,7 @@ class Laid:
     @property
     def size(self) -> float:
         """Pixels per metre."""
-        return float(np.sqrt(abs(np.linalg.det(self.px_from_m[:, :2]))))
+        return size_of(self.px_from_m)
 
     def curve_px(self, model: ProfileModel) -> Array:
         """Return the (M, 2) outline of the laid model, photo px."""
@@ -76,7 +76,7 @@ def lay(outline_px: Array, model: ProfileModel, start: Array, weights: Array, si
         here, _, found, kept = _pairs(outline_px, model, px_from_m, weights, gate)
         if kept.sum() < 20:
             break
-        now = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+        now = size_of(px_from_m)
         normal = outline_px[found, 2:]
         gap = ((outline_px[found, :2] - here) * normal).sum(axis=1) / now
         share = 1.0 / (1.0 + (gap / (0.35 * gate)) ** 2) ** 2
@@ -89,7 +89,7 @@ def _step(
     model: ProfileModel, px_from_m: Array, weights: Array, normal: Array, gap: Array, strength: Array, size: float
 ) -> tuple[Array, Array, Array]:
     """Return map, weights and covariance after one step of Gauss-Newton towards gaps (M,) metres along normals."""
-    now = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    now = size_of(px_from_m)
     slope = _slopes(model, px_from_m, weights, normal, now)
     prior = np.concatenate([[25.0, 8.0, 0.0, 0.0], np.ones(len(weights))])
     pull = np.concatenate([[25.0 * np.log(size / now), 0.0, 0.0, 0.0], -weights])
@@ -103,7 +103,7 @@ def _pairs(
     outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array, gate: float
 ) -> tuple[Array, Array, NDArray[np.intp], NDArray[np.bool_]]:
     """Return model points and normals in px, the outline point nearest to each in place and slope, and which count."""
-    size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    size = size_of(px_from_m)
     curve = model.shape(weights)[: model.samples]
     here = curve @ px_from_m[:, :2].T + px_from_m[:, 2]
     outwards = normals_of(curve) @ px_from_m[:, :2].T / size
@@ -132,7 +132,7 @@ def _slopes(model: ProfileModel, px_from_m: Array, weights: Array, normal: Array
 
 def _moved(px_from_m: Array, step: Array, model: ProfileModel) -> Array:
     """Return the map after a step of log size, turn (radians, clockwise as seen) and place (metres)."""
-    size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    size = size_of(px_from_m)
     step = step * min(1.0, 0.3 / max(abs(step[0]), abs(step[1]), 1e-9))
     c, s = np.cos(step[1]), np.sin(step[1])
     linear = np.exp(step[0]) * np.array([[c, -s], [s, c]]) @ px_from_m[:, :2]
@@ -144,7 +144,7 @@ def _moved(px_from_m: Array, step: Array, model: ProfileModel) -> Array:
 def _cost(outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array) -> float:
     """Return the cost of a laid model."""
     here, outwards, found, kept = _pairs(outline_px, model, px_from_m, weights, _GATES_M[-1])
-    size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    size = size_of(px_from_m)
     gap = ((outline_px[found, :2] - here) * outwards).sum(axis=1) / size
     missed = np.where(kept, gap**2 / (gap**2 + _MISS_M**2), 1.0)
     return float(missed.mean() + _MISS_PRIOR * float(weights @ weights) / model.samples)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
+from cloner.geometry.vectors import unit
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.profile_search")
@@ -70,10 +71,15 @@ def similarity(facing: int, size: float, tilt: float, nose_px: Array, nose_m: Ar
     return np.column_stack([linear, nose_px - linear @ nose_m])
 
 
+def size_of(px_from_m: Array) -> float:
+    """Return the pixels per metre of a similarity (2, 3)."""
+    return float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+
+
 def normals_of(curve: Array) -> Array:
     """Return (N, 2) unit normals of an open curve: to the left of its direction in an x-right, y-up frame."""
     along = np.gradient(curve, axis=0)
-    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-12)
+    along = unit(along, 1e-12)
     return np.column_stack([-along[:, 1], along[:, 0]])
 
 
@@ -150,7 +156,7 @@ def _apart(rated: list[tuple[float, Array, Array]], model: ProfileModel) -> list
     places: list[Array] = []
     for _, start, weights in rated:
         knots = model.shape(weights)[[0, model.samples // 2, model.samples - 1]] @ start[:, :2].T + start[:, 2]
-        reach = 0.008 * np.sqrt(abs(np.linalg.det(start[:, :2])))
+        reach = 0.008 * size_of(start)
         if all(np.abs(knots - other).max() > reach for other in places):
             kept.append((start, weights))
             places.append(knots)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.layers import Layer
 from cloner.geometry.rasters import fragments
+from cloner.geometry.vectors import unit
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
@@ -151,7 +152,7 @@ def _shade(
         rgba[:, :3] = 255.0
     if lights:
         normal = np.einsum("nk,nkc->nc", share, layer.normals[corners]) @ camera.camera_from_model[:3, :3].T
-        normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9)
+        normal = unit(normal)
         light = np.full(len(corners), ambient)
         for direction, strength in lights:
             turned = normal @ (direction / np.linalg.norm(direction))

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from cloner.geometry.rims import triangle_normals
 from cloner.geometry.skin_bends import Place, SkinMetric
+from cloner.geometry.vectors import unit
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -65,7 +66,7 @@ def rim_of(metric: SkinMetric, posed_m: Array, pixels: Array, eye_m: Array) -> R
     seen = np.where(turned[rows, 0], metric.beside[rows, 0], metric.beside[rows, 1])
     along = pixels[edges[:, 1]] - pixels[edges[:, 0]]
     normal = np.stack([along[:, 1], -along[:, 0]], axis=1)
-    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9)
+    normal = unit(normal)
     inside = pixels[metric.triangles[seen]].mean(axis=1) - pixels[edges].mean(axis=1)
     return Rim(pixels, edges, np.where(np.einsum("na,na->n", normal, inside)[:, None] > 0, -normal, normal))
 

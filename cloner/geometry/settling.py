@@ -14,6 +14,8 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import splu
 
 from cloner.geometry.rims import triangle_normals
+from cloner.geometry.triangles import sides
+from cloner.geometry.vectors import unit
 
 Array = NDArray[np.float64]
 
@@ -24,7 +26,7 @@ UNFOLDING_TURNS = 10
 @functools.lru_cache(maxsize=4)
 def _averaging(triangles_bytes: bytes, count: int) -> sparse.csr_matrix:
     triangles = np.frombuffer(triangles_bytes, dtype=np.int32).reshape(-1, 3)
-    rows = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    rows = sides(triangles)
     rows = np.concatenate([rows, rows[:, ::-1]])
     links = sparse.coo_matrix((np.ones(len(rows)), (rows[:, 0], rows[:, 1])), shape=(count, count)).tocsr()
     links.data[:] = 1.0
@@ -48,7 +50,7 @@ def smoothed_directions(directions: Array, triangles: NDArray[np.int32], *, turn
     smooth = directions
     for _ in range(turns):
         smooth = 0.5 * smooth + 0.5 * (averaging @ smooth)
-        smooth = smooth / np.maximum(np.linalg.norm(smooth, axis=1, keepdims=True), 1e-9)
+        smooth = unit(smooth)
     return np.asarray(smooth)
 
 

@@ -9,6 +9,7 @@ from scipy.ndimage import gaussian_filter1d
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
+from cloner.geometry.triangles import sides
 from cloner.geometry.tubes import directions, hull_radii, ring_angles, tube_points
 from cloner.hair.loose_views import LooseView
 from cloner.records.clones import Joined
@@ -32,7 +33,7 @@ def body_sections(generic: GenericHuman, joined: Joined, heights_m: Array, angle
     own = generic.segment(*names)
     triangles = body_triangles()
     triangles = triangles[own[triangles].all(axis=1)]
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    edges = sides(triangles)
     edges = edges[edges[:, 0] < edges[:, 1]]
     ends = joined.vertices_m[edges]
     centres, radii = np.zeros((len(heights_m), 2)), np.zeros((len(heights_m), len(angles)))

@@ -22,6 +22,7 @@ from cloner.geometry.rims import vertex_normals
 from cloner.geometry.shape_fit import Evidence
 from cloner.geometry.surface import SurfacePoints
 from cloner.geometry.triangles import edges_of
+from cloner.geometry.vectors import unit
 from cloner.head.evidence import Model
 from cloner.head.outline import Outline
 from cloner.records.views import Camera
@@ -133,7 +134,7 @@ class _Sight:
     def nearest(self, places: SurfacePoints, away_m: Array) -> tuple[Array, NDArray[np.int64]]:
         """Return how far (N,) metres the outline lies from places pushed outwards (N,) metres, and where on it (N,)."""
         outwards = places.at(self.normals) @ self.camera.camera_from_model[:2, :3].T
-        outwards /= np.maximum(np.linalg.norm(outwards, axis=1, keepdims=True), 1e-9)
+        outwards = unit(outwards)
         seen = self.camera.project(places.at(self.head)) + away_m[:, None] / self.metres * outwards
         gap, which = self.outline.nearest(seen)
         return gap * self.metres, which

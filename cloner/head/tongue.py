@@ -14,6 +14,7 @@ from scipy.interpolate import PchipInterpolator
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid
+from cloner.geometry.vectors import unit
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.tongue")
@@ -101,7 +102,7 @@ def put_out(rest: Array, lying: Array, lips: Array, grid: Grid, teeth: Array) ->
     path, lip_top = _path(lying, comes, lips, grid, teeth, middle)
     bend = PchipInterpolator(path[:, 0], path[:, 1:])
     place, along = bend(comes), bend.derivative()(comes)
-    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
+    along = unit(along)
     back, half = _back(rest)
     rise = (rest[:, 1] - back) / half
     blend = np.clip(comes / 0.5, 0.0, 1.0)

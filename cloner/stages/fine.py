@@ -28,6 +28,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.settling import bending_matrix, settle, smoothed_directions, unfolded
+from cloner.geometry.vectors import unit
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype
 from cloner.records.photos import Person
 from cloner.records.points import Proposals
@@ -114,7 +115,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         across = turned @ camera.camera_from_model[:3, :3].T
         moving = np.einsum("vab,vb->va", seen.blended[rim, :, :3], ways[rim]) @ camera.camera_from_model[:3, :3].T
         per_m = 1.0 / np.linalg.norm(seen.body.lift[rim, :, 0], axis=1)
-        flat = across[:, :2] / np.maximum(np.linalg.norm(across[:, :2], axis=1, keepdims=True), 1e-9)
+        flat = unit(across[:, :2])
         reach_px = reach_mm / seen.mm_per_px
         nearest, distance = photo.field.nearest_rim(seen.body.pixels[rim], flat, reach_px)
         keep = distance < reach_px * np.where(trust[rim[nearest]] > 0.5, 1.0, 0.35)

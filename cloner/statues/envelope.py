@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from cloner.generic.charts import person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import load_triangles
+from cloner.geometry.vectors import unit
 from cloner.geometry.wedges import vertex_normals
 from cloner.statues.blobs import LEVEL, Field
 
@@ -57,7 +58,7 @@ def enveloped(vertices_m: Array, joints_m: Array, field: Field) -> Envelope:
     kept, bone = _kept(generic), vertices_m - _axes(generic, vertices_m, joints_m)
     body = generic.skin & (kept < 1.0)
     normals = graph.smooth(vertex_normals(vertices_m, load_triangles()), ROUNDS)
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+    normals = unit(normals)
     away = np.maximum(np.linalg.norm(bone, axis=1), 1e-6)
     depth = DEPTH * away * np.maximum(np.einsum("va,va->v", bone, normals) / away, LEANING)
     rows, shift = np.flatnonzero(body), np.full(len(vertices_m), np.nan)
