@@ -45,3 +45,11 @@ def paired_edges(triangles: Index) -> tuple[Ints, Ints, Ints]:
 def sides(triangles: NDArray[Any]) -> NDArray[Any]:
     """Return (3 T, 2) the sides of triangles, first all first ones."""
     return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+
+
+def longest_sides(points_m: Array, triangles: Index) -> Array:
+    """Return (N,) the longest side of the triangles (T, 3) around each vertex (N, 3), zero where there are none."""
+    long = np.linalg.norm(points_m[triangles] - points_m[np.roll(triangles, 1, axis=1)], axis=2).max(axis=1)
+    longest = np.zeros(len(points_m))
+    np.maximum.at(longest, triangles, long[:, None])
+    return longest

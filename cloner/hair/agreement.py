@@ -20,7 +20,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import vertex_normals
 from cloner.hair.views import clean_hair, hairline
-from cloner.paint.sources import person_mask
+from cloner.paint.prepared import person_mask
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet

@@ -16,7 +16,7 @@ from cloner.geometry.rasters import nearest_depth
 from cloner.geometry.seeing import depth_at, nearest_of
 from cloner.geometry.skinning import joint_transforms
 from cloner.paint.posed import parents_of, pose
-from cloner.paint.sources import person_mask
+from cloner.paint.prepared import person_mask
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import Label, shows

@@ -23,7 +23,7 @@ from cloner.geometry.shape_fit import Evidence
 from cloner.geometry.surface import SurfacePoints
 from cloner.geometry.triangles import edges_of
 from cloner.geometry.vectors import unit
-from cloner.head.evidence import Model
+from cloner.head.model import Model
 from cloner.head.outline import Outline
 from cloner.records.views import Camera
 

@@ -13,9 +13,10 @@ from cloner.frames import ViewId
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.resection import resect
 from cloner.geometry.skinning import joint_transforms
-from cloner.head.evidence import Front, Model, Params
+from cloner.head.evidence import Front, Params
 from cloner.head.fit import Fitted
 from cloner.head.jaw import opened
+from cloner.head.model import Model
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.views import Camera

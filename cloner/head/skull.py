@@ -13,7 +13,7 @@ from scipy.optimize import least_squares
 from cloner.calibration.loader import calibrated
 from cloner.generic.head_controls import HeadControls
 from cloner.geometry.dffd import deform
-from cloner.head.evidence import Model
+from cloner.head.model import Model
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.

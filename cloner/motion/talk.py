@@ -18,16 +18,8 @@ from cloner.motion.expressions import Beat, mixed, play
 from cloner.motion.gait import idle
 from cloner.motion.heard import heard_visemes
 from cloner.motion.score import GESTURES, QUICK, SILENT, Score
-from cloner.motion.speech import (
-    LARGEST_BYTES,
-    frame_features,
-    mouth_weights,
-    phoneme_visemes,
-    read_phonemes,
-    read_wav,
-    smoothed,
-    sound_visemes,
-)
+from cloner.motion.sound import frame_features, read_wav, sound_visemes
+from cloner.motion.speech import LARGEST_BYTES, mouth_weights, phoneme_visemes, read_phonemes, smoothed
 from cloner.outside import text_outside
 from cloner.records.motions import Motion
 

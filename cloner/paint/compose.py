@@ -18,13 +18,8 @@ from cloner.geometry.partition import border_shares, partition_surface
 from cloner.paint.baked import Baked, blank
 from cloner.paint.grain import coarse_tiles
 from cloner.paint.materials import Materials, always_bare
-from cloner.paint.sources import (
-    Limits,
-    Source,
-    covered_by_hair,
-    shown_colours,
-    visible_points,
-)
+from cloner.paint.prepared import Limits
+from cloner.paint.sources import Source, covered_by_hair, shown_colours, visible_points
 from cloner.paint.tiles import Tile, cut_tiles
 from cloner.paint.zones import hair_allowed, hair_kept
 from cloner.vision.aligning import sample

@@ -14,10 +14,9 @@ from cloner.frames import ViewId, mm_from_m
 from cloner.generic.head_controls import load_head_controls
 from cloner.geometry.eyeballs import IRIS_M
 from cloner.geometry.iris import sample_iris
-from cloner.head.evidence import Front, Log, Model, Params, Side, focal_px, make_model, read_front, read_side
+from cloner.head.evidence import Front, Log, Params, Side, focal_px, read_front, read_side
 from cloner.head.fit import (
     Fitted,
-    add_relief,
     fit_basis,
     scaled,
     start_front,
@@ -25,7 +24,9 @@ from cloner.head.fit import (
 )
 from cloner.head.flank import find_flank
 from cloner.head.jaw import FRONT, PHOTOS, SIDE
+from cloner.head.model import Model, make_model
 from cloner.head.parts import Sight, seat_parts
+from cloner.head.relief import add_relief
 from cloner.head.report import report_front, report_side, warn_missing
 from cloner.head.size import body_camera, head_scale
 from cloner.head.skull import fit_skull

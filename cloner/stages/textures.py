@@ -41,7 +41,8 @@ from cloner.paint.lid_skin import clean_lids
 from cloner.paint.materials import Materials, find_materials
 from cloner.paint.nostrils import darken_nostrils
 from cloner.paint.parts import paint_parts
-from cloner.paint.sources import Limits, Source, gather_sources
+from cloner.paint.prepared import Limits
+from cloner.paint.sources import Source, gather_sources
 from cloner.paint.tiles import Tile, cut_tiles
 from cloner.paint.tucking import tuck_scalp
 from cloner.paint.undressed import dress_unseen, near_sight, only_faces, plain_beyond
