@@ -1,4 +1,4 @@
-"""The smooth step: how something fades in or out without a kink."""
+"""The smooth step and the half wave: how something fades in or out without a kink."""
 
 from __future__ import annotations
 
@@ -24,3 +24,8 @@ def smoothstep(values: Any, low: float = 0.0, high: float = 1.0) -> NDArray[Any]
     """
     share = np.clip((values - low) / (high - low), 0.0, 1.0)
     return np.asarray(share * share * (3.0 - 2.0 * share))
+
+
+def half_wave(share: Any) -> NDArray[Any]:
+    """Return 0 at 0, 1 at 1, and half a wave of a cosine between; ``share`` of any shape, 0..1."""
+    return np.asarray(0.5 - 0.5 * np.cos(np.pi * share))

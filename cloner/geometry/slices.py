@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
+from cloner.easing import half_wave
 from cloner.geometry.contours import OutlineField
 from cloner.geometry.vectors import unit
 
@@ -189,7 +190,7 @@ def rounded(weight: Array) -> Array:
     made wider by front and deeper by the side photo gains only 0.71 of both at its
     diagonals. With the cosine it is scaled as a whole; at the occluding points both agree.
     """
-    return np.asarray(0.5 - 0.5 * np.cos(np.pi * weight))
+    return half_wave(weight)
 
 
 def fine_shift(pairs: SlicePairs, s: Array, theta: Array, *, smooth: float) -> Array:
