@@ -52,6 +52,11 @@ class Cloth:
         """Number of vertices."""
         return int(self.vertex.max()) + 1
 
+    def sewn(self, points_m: Array) -> Array:
+        """Return the (N, 3) vertices of points (W, 3): the middle of those that are one after sewing."""
+        counts = np.bincount(self.vertex, minlength=self.count)
+        return np.stack([np.bincount(self.vertex, points_m[:, k]) / counts for k in range(3)], axis=1)
+
 
 def cut(pattern: Pattern, step_m: float) -> Cloth:
     """Return a garment's pieces as triangles of about one size, sewn."""

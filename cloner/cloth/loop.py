@@ -141,7 +141,5 @@ def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
             limit(worn.sheet.stretch, out, free)
             if number % 4 < 3:
                 continue
-        planes = planes_under(now, tree, out, 0.05)
-        deep = CLEAR_M - np.einsum("ij,ij->i", out[planes.rows] - planes.late_m, planes.normals)
-        out[planes.rows] += np.maximum(deep, 0.0)[:, None] * planes.normals
+        planes_under(now, tree, out, 0.05).push_out(out, CLEAR_M)
     return out

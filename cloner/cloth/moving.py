@@ -112,9 +112,7 @@ def _cleared(body: Wearer, met_m: Array, places_m: Array) -> Array:
     """Return places pushed out of all that is met, what will be held as well."""
     out, now = places_m.copy(), skin_between(body, met_m, met_m)
     for _ in range(PUSHES):
-        planes = planes_under(now, now.tree, out, DEEP_M)
-        deep = THICK_M - np.einsum("ij,ij->i", out[planes.rows] - planes.late_m, planes.normals)
-        out[planes.rows] += np.maximum(deep, 0.0)[:, None] * planes.normals
+        planes_under(now, now.tree, out, DEEP_M).push_out(out, THICK_M)
     return out
 
 
@@ -127,10 +125,7 @@ def _eased(sheet: Sheet, body: Wearer, met_m: Array, places_m: Array) -> Array:
         leash(sheet, out)  # drawn back later in one step, it would fly
         pull(sheet.stretch, out, free, 1.0, slack=True)  # what is short folds when it hangs
         if number % 3 == 2:
-            planes = planes_under(now, now.tree, out, DEEP_M)
-            deep = THICK_M - np.einsum("ij,ij->i", out[planes.rows] - planes.late_m, planes.normals)
-            deep[np.isin(planes.rows, sheet.held)] = 0.0
-            out[planes.rows] += np.maximum(deep, 0.0)[:, None] * planes.normals
+            planes_under(now, now.tree, out, DEEP_M).push_out(out, THICK_M, sheet.held)
     return out
 
 

@@ -98,8 +98,7 @@ def placed(pattern: Pattern, cloth: Cloth, ring: Ring) -> tuple[Array, Ints, Arr
         outward = (base - centre) * [1.0, 0.0, 1.0]
         outward = unit(outward)
         points[own] = base + down[:, None] * (np.sin(lean) * outward - np.cos(lean) * UP)
-    counts = np.bincount(cloth.vertex, minlength=cloth.count)
-    places = np.stack([np.bincount(cloth.vertex, points[:, k]) / counts for k in range(3)], axis=1)
+    places = cloth.sewn(points)
     held = np.unique(cloth.vertex[np.concatenate([cloth.edges[f"{s.name}.{TOP}"] for s in pattern.segments])])
     return places, held, places[held]
 

@@ -123,6 +123,13 @@ class Planes:
     late_m: Array
     normals: Array
 
+    def push_out(self, places_m: Array, clear_m: float, held: Ints | None = None) -> None:
+        """Move places (N, 3) in place until they lie ``clear_m`` above their planes; those ``held`` (K,) stay."""
+        deep = clear_m - np.einsum("ij,ij->i", places_m[self.rows] - self.late_m, self.normals)
+        if held is not None:
+            deep[np.isin(self.rows, held)] = 0.0
+        places_m[self.rows] += np.maximum(deep, 0.0)[:, None] * self.normals
+
 
 def planes_under(skin_now: Skin, tree: cKDTree, points_m: Array, reach_m: float) -> Planes:
     """Return the tangent planes under points (N, 3) that lie within reach of the skin or inside it."""

@@ -21,7 +21,7 @@ from cloner.exporters.bones import hanim_bones
 from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes, png_bytes
 from cloner.exporters.glb_file import glb_bytes
-from cloner.exporters.gltf import add_skeleton
+from cloner.exporters.gltf import add_skeleton, add_texture
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
 from cloner.records.clones import Clone
@@ -118,11 +118,8 @@ def _shared(
 
 
 def _material(gltf: Any, buffer: GltfBuffer, name: str, data: bytes, kind: str, mode: str) -> int:
-    gltf.images.append(pygltflib.Image(name=name, mimeType=kind, bufferView=buffer.view(data)))
-    gltf.textures.append(pygltflib.Texture(sampler=0, source=len(gltf.images) - 1, name=name))
-    look = pygltflib.PbrMetallicRoughness(
-        baseColorTexture=pygltflib.TextureInfo(index=len(gltf.textures) - 1), metallicFactor=0.0, roughnessFactor=0.9
-    )
+    shown = pygltflib.TextureInfo(index=add_texture(gltf, buffer, data, kind, name))
+    look = pygltflib.PbrMetallicRoughness(baseColorTexture=shown, metallicFactor=0.0, roughnessFactor=0.9)
     made = pygltflib.Material(name=name, pbrMetallicRoughness=look, alphaMode=mode, doubleSided=mode != "OPAQUE")
     made.alphaCutoff = 0.4 if mode == "MASK" else None  # as in the clone's own glTF
     gltf.materials.append(made)

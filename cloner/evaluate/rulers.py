@@ -11,6 +11,8 @@ from scipy.ndimage import binary_erosion, distance_transform_edt
 from skimage.color import deltaE_ciede2000, rgb2gray, rgb2lab
 from skimage.metrics import structural_similarity
 
+from cloner.geometry.alignment import similarity
+
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
@@ -86,20 +88,11 @@ def fit_similarity(source: Array, target: Array, *, scale: bool) -> Array:
     source, target : (N, 3) float64, corresponding points
     scale : bool
         Whether a uniform scale is free (similarity) or one (rigid).
-
-    References
-    ----------
-    S. Umeyama 1991, equations 40-42.
     """
-    source_mean, target_mean = source.mean(axis=0), target.mean(axis=0)
-    away, aim = source - source_mean, target - target_mean
-    u, sizes, vt = np.linalg.svd(aim.T @ away)
-    sign = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])
-    rotation = u @ np.diag(sign) @ vt
-    factor = float(sizes @ sign / (away**2).sum()) if scale else 1.0
+    factor, rotation, shift = similarity(source, target)
     transform = np.eye(4)
-    transform[:3, :3] = factor * rotation
-    transform[:3, 3] = target_mean - factor * rotation @ source_mean
+    transform[:3, :3] = factor * rotation if scale else rotation
+    transform[:3, 3] = shift if scale else target.mean(axis=0) - rotation @ source.mean(axis=0)
     return transform
 
 

@@ -54,7 +54,7 @@ def region_texels(clone: Clone, size: int) -> NDArray[np.uint8]:
     return np.append(clone.triangle_regions, NOTHING).astype(np.uint8)[shown]
 
 
-@lru_cache(maxsize=2)  # the same for everybody, and most formats ask
+@lru_cache(maxsize=3)  # the same for everybody, and most formats ask
 def texel_triangles(size: int) -> NDArray[np.int32]:
     """Return the (size, size) triangle that each texel of the atlas shows, -1 outside the charts; read only."""
     atlas = generic_atlas(load_generic(), size)

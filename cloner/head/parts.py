@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.alignment import similarity
 from cloner.geometry.eyeballs import BALL_M, Ball, ball_points
-from cloner.geometry.sockets import similarity
 from cloner.head import lids, lips, tongue
 from cloner.records.views import Camera
 

@@ -16,7 +16,7 @@ from cloner.evaluate import face_motion
 from cloner.frames import ViewId
 from cloner.generic.face_grids import eye_grid, eyeball
 from cloner.generic.load import load_generic
-from cloner.geometry.sockets import similarity
+from cloner.geometry.alignment import similarity
 from cloner.head.ears import ear_fields
 from cloner.head.modes import load_head_modes
 from cloner.records.bodies import Phenotype
