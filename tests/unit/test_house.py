@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import re
 from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
@@ -51,3 +52,11 @@ def test_no_two_functions_say_the_same() -> None:
         if size >= TWIN_NODES:
             alike[what].append(f"{file} {function.name}")
     assert not [where for where in alike.values() if len(where) > 1]
+
+
+def test_words_that_context_explains_are_used() -> None:
+    context = (CLONER.parent / "CONTEXT.md").read_text(encoding="utf-8")
+    words = [word for row in re.findall(r"^\| ([^|-]+) \|", context, re.M) for word in row.split(", ")]
+    text = "\n".join(path.read_text(encoding="utf-8") for path in CLONER.rglob("*.py"))
+    used = re.sub(r"[^a-z]+", " ", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text).lower())
+    assert not [word for word in words if word.lower() not in used]
