@@ -32,6 +32,7 @@ _NEARBY: Final = (
 
 SAME_CROP = _CALIBRATED.number("same_crop", "share")
 SAME_CROP_SIZE = _CALIBRATED.number("same_crop_size", "factor")
+SAME_BOX = _CALIBRATED.number("same_box", "share")
 
 
 def circle_crop(middle: Floats, rim: Floats, scale: float) -> Crop:
@@ -60,11 +61,11 @@ def same_place(first: Box, second: Box, overlap: float) -> bool:
     return bool(overlaps(rows[0], rows[1][None])[0] > overlap)
 
 
-def distinct(boxes: list[Box], overlap: float = 0.2) -> list[Box]:
+def distinct(boxes: list[Box]) -> list[Box]:
     """Return the boxes without repeats, the best first."""
     kept: list[Box] = []
     for box in sorted(boxes, key=lambda b: -b.score):
-        if not any(same_place(box, other, overlap) for other in kept):
+        if not any(same_place(box, other, SAME_BOX) for other in kept):
             kept.append(box)
     return kept
 

@@ -39,7 +39,6 @@ def evaluate_people(
     *,
     progress: Callable[[str, float], None] = lambda what, fraction: None,
     told: Told = lambda sentence: None,
-    seed: int = 0,
 ) -> list[Row]:
     """Clone people from their photos alone, then score them.
 
@@ -51,7 +50,6 @@ def evaluate_people(
         Receives the clones and the held-out pictures; None keeps nothing.
     progress, told : callable
         Get what is done now and how far it is; get a sentence a refusal and a warning.
-    seed : int
 
     Returns
     -------

@@ -51,7 +51,7 @@ def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> 
     body = len(next(iter(kit.bodies_m.values())))
     on_body: Flags = np.asarray((origins.vertices < body).all(axis=1), bool)
     pixel = np.rint(origins.pixel_px).astype(int)
-    allowed, judged = _true_labels(origins, generic, kit, on_body)
+    allowed, judged = _true_labels(origins, kit, on_body)
     wrong = np.zeros(len(pixel), bool)
     for row, view in enumerate(origins.views):
         truth = kit.truth.views[view.value]
@@ -75,9 +75,7 @@ def _merged() -> NDArray[np.int64]:
     return np.array([LABELS.index(_SAME.get(name, name)) for name in LABELS])
 
 
-def _true_labels(
-    origins: Origins, generic: GenericHuman, kit: KitTruth, on_body: Flags
-) -> tuple[NDArray[np.int64], Flags]:
+def _true_labels(origins: Origins, kit: KitTruth, on_body: Flags) -> tuple[NDArray[np.int64], Flags]:
     """Return (N,) the labels near each texel's true place as bits, and whether any photo shows that place."""
     bits, seen = np.zeros(len(on_body), np.int64), np.zeros(len(on_body), bool)
     triangles = body_triangles()

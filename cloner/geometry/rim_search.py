@@ -40,12 +40,11 @@ class Rim:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Found:
-    """A point of the rim: where it lies on the mesh and in the photo, and whether it bounds the whole body."""
+    """A point of the rim: where it lies on the mesh and in the photo, and its outward normal there."""
 
     place: Place
     pixel: Array
     outward: Array
-    is_border: bool
 
 
 def rim_of(metric: SkinMetric, posed_m: Array, pixels: Array, eye_m: Array) -> Rim:
@@ -99,7 +98,7 @@ def nearest_rim_point(
     best = int(order[np.argmin(distance[order] + np.where(border, 0.0, penalty_px))])
     ends = rim.edges[rows[best]]
     place = Place(int(ends[0]), int(ends[1]), float(share[best]))
-    return Found(place, points[best], rim.outward[rows[best]], bool(border[np.flatnonzero(order == best)[0]]))
+    return Found(place, points[best], rim.outward[rows[best]])
 
 
 def outermost(edges: Ints, pixels: Array, target_px: Array, outward: Array) -> tuple[Place, float] | None:

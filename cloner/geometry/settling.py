@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 
 #: Rounds in which folds are sought again; each evens the motion half as often.
 UNFOLDING_TURNS = 10
+#: No fit of an outline turns skin farther than this; what does has run through a crease.
+MOST_DEGREES = 60.0
 
 
 @functools.lru_cache(maxsize=4)
@@ -88,18 +90,16 @@ def settle(
     return np.asarray(splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}).solve(right))
 
 
-def unfolded(before_m: Array, after_m: Array, triangles: NDArray[np.int32], *, most_degrees: float = 60.0) -> Array:
+def unfolded(before_m: Array, after_m: Array, triangles: NDArray[np.int32]) -> Array:
     """Return moved vertices with folds taken out: where a triangle turned too far, the motion is evened.
 
     Parameters
     ----------
     before_m, after_m : (V, 3) vertices before and after the motion
     triangles : (T, 3)
-    most_degrees : float
-        No fit of an outline turns skin farther than this; what does has run through a crease.
     """
     averaging = _averaging(np.ascontiguousarray(triangles, dtype=np.int32).tobytes(), len(before_m))
-    start, least = triangle_normals(before_m, triangles), np.cos(np.deg2rad(most_degrees))
+    start, least = triangle_normals(before_m, triangles), np.cos(np.deg2rad(MOST_DEGREES))
     size = np.linalg.norm(start, axis=1)
     motion = after_m - before_m
     for _ in range(UNFOLDING_TURNS):

@@ -50,7 +50,7 @@ def start_front(model: Model, front: Front, size: tuple[int, int, float], params
     return resect(places, front.net_px, first, sigma_px=sigma).camera
 
 
-def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, float], params: Params) -> list[Camera]:
+def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, float]) -> list[Camera]:
     """Return first side cameras, to be tried all: from the named points, and from the head's own profile.
 
     The head (H, 3) is best one already fitted to the front photo, which knows the heights of nose, lips and chin: its

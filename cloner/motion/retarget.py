@@ -25,11 +25,13 @@ from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
+#: Frames a second of what comes out; places between two captured frames are interpolated.
+FRAMES_PER_S: Final = 60.0
 #: Heads that are carried farther off the upright than this do so on purpose, radians (45 degrees).
 CARRIED_RAD: Final = 0.8
 
 
-def retarget(capture: Capture, body: Body, *, name: str, frames_per_s: float = 60.0) -> Motion:
+def retarget(capture: Capture, body: Body, *, name: str) -> Motion:
     """Return the capture as a motion of a clone.
 
     Parameters
@@ -37,8 +39,6 @@ def retarget(capture: Capture, body: Body, *, name: str, frames_per_s: float = 6
     capture : Capture
     body : Body
     name : str
-    frames_per_s : float
-        Places between two captured frames are interpolated.
 
     Raises
     ------
@@ -46,10 +46,10 @@ def retarget(capture: Capture, body: Body, *, name: str, frames_per_s: float = 6
         If the capture's joints cannot be told.
     """
     anatomy = find_anatomy(capture)
-    count = max(round((len(capture.root) - 1) * capture.frame_s * frames_per_s), 1)
-    times = np.arange(count + 1) / frames_per_s
+    count = max(round((len(capture.root) - 1) * capture.frame_s * FRAMES_PER_S), 1)
+    times = np.arange(count + 1) / FRAMES_PER_S
     source, offsets, where = _in_our_axes(capture, anatomy, times)
-    world = _trunk(body, anatomy, capture, source)
+    world = _trunk(body, anatomy, source)
     for side, leg, arm in zip(SIDES, anatomy.legs, anatomy.arms, strict=True):
         _limb(body, world, side, ("hip", "knee", "ankle"), leg, source, offsets)
         _foot(body, world, side, leg, source, offsets)
@@ -125,7 +125,7 @@ def _places(capture: Capture, world: Array, offsets: Array, root: Array) -> Arra
     return where
 
 
-def _trunk(body: Body, anatomy: Anatomy, capture: Capture, source: Array) -> Array:
+def _trunk(body: Body, anatomy: Anatomy, source: Array) -> Array:
     """Return orientations of all joints with the trunk's, neck's and head's set; limbs as the trunk."""
     source = _levelled(source, anatomy.neck[1:])
     world = np.tile(np.eye(3), (len(source), len(body.names), 1, 1))

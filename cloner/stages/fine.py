@@ -29,7 +29,7 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.settling import bending_matrix, settle, smoothed_directions, unfolded
 from cloner.geometry.vectors import unit
-from cloner.records.bodies import BodyMesh, BodySet, Phenotype
+from cloner.records.bodies import BodyMesh, BodySet, FineBody, Phenotype
 from cloner.records.photos import Person
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
@@ -180,11 +180,11 @@ def run(
     tick: Callable[[float], None],
     rng: np.random.Generator,
 ) -> StageResult:
-    """Give the bodies after slices and settling; the consensus is settled on all photos at once."""
+    """Give the body: two after slices, front and back with the side, and their mean settled on all photos at once."""
     params = Params()
     photos = outlined_photos(phenotype, silhouettes, proposals)
     if not photos:
-        return StageResult({"bodies": rough_bodies})
+        return StageResult({"body": FineBody(rough_bodies.consensus)})
     levels = (np.arange(params.slices) + 0.5) / params.slices
     sliced = []
     for main, body in ((ViewId.BODY_FRONT, rough_bodies.front_side), (ViewId.BODY_BACK, rough_bodies.back_side)):
@@ -198,6 +198,6 @@ def run(
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))
     consensus = taped_body(consensus, dict(person.tape_mm), side_seen=ViewId.BODY_SIDE in photos)
     return StageResult(
-        {"bodies": BodySet(sliced[0], sliced[1], consensus, {view: photo.posed for view, photo in photos.items()})},
+        {"body": FineBody(consensus, {view: photo.posed for view, photo in photos.items()})},
         residuals_of(consensus, photos),
     )

@@ -32,7 +32,7 @@ from cloner.head.size import body_camera, head_scale
 from cloner.head.skull import fit_skull
 from cloner.records.bodies import Phenotype
 from cloner.records.heads import HeadFit
-from cloner.records.photos import Person, PhotoSet
+from cloner.records.photos import PhotoSet
 from cloner.records.points import FacePoints, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
@@ -68,7 +68,6 @@ def run(
     face_points: FacePoints,
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
-    person: Person,
     tick: Callable[[float], None],
     rng: np.random.Generator,
 ) -> StageResult:
@@ -150,7 +149,7 @@ def _fit(model: Model, front: Front | None, side: Side | None, sizes: dict[str, 
         return coefficients, fitted
     tried = [
         fit_basis(model, front, side, (fitted.front, beside), params, coefficients, zoom_sigma=zoom_sigma)
-        for beside in start_side(model, fitted.head_m, side, sizes["side"], params)
+        for beside in start_side(model, fitted.head_m, side, sizes["side"])
     ]
     coefficients, fitted, _ = min(tried, key=lambda t: t[2])
     return coefficients, fitted

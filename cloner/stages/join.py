@@ -30,7 +30,7 @@ from cloner.hair.agreement import hair_fields
 from cloner.head.jaw import jaw_in, jaw_rotations, opened
 from cloner.head.modes import load_head_modes
 from cloner.head.targets import face_targets
-from cloner.records.bodies import BodyMesh, BodySet, Phenotype, PosedView
+from cloner.records.bodies import BodyMesh, FineBody, Phenotype, PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import HeadFit
 from cloner.records.photos import PhotoSet
@@ -152,7 +152,7 @@ def run(
     proposals: Proposals,
     body_points: BodyPoints,
     silhouettes: SilhouetteSet,
-    bodies: BodySet,
+    body: FineBody,
     head: HeadFit,
     phenotype: Phenotype,
     tick: Callable[[float], None],
@@ -164,15 +164,14 @@ def run(
     are blended, before blending.
     """
     generic = load_generic()
-    body = bodies.consensus
     border = generic.head_vertices[
         (generic.head_blend[generic.head_vertices] > 0.2) & (generic.head_blend[generic.head_vertices] < 0.8)
     ]
     place = np.searchsorted(generic.head_vertices, border)
-    apart = np.linalg.norm(head.vertices_m[place] - body.vertices_m[border], axis=1)
-    vertices = flat_soles(generic, blend_head(generic, body, head), phenotype.sole_m)
-    mesh, risen = to_stature(generic, BodyMesh(vertices, body.joints_m), phenotype.stature_m)
-    outlined = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
+    apart = np.linalg.norm(head.vertices_m[place] - body.mesh.vertices_m[border], axis=1)
+    vertices = flat_soles(generic, blend_head(generic, body.mesh, head), phenotype.sole_m)
+    mesh, risen = to_stature(generic, BodyMesh(vertices, body.mesh.joints_m), phenotype.stature_m)
+    outlined = outlined_photos(phenotype, silhouettes, proposals, body.views)
     seen = {view: for_fitting(points) for view, points in body_points.views.items()}
     faces = {view: proposals.views[view].face_px for view in outlined if proposals.views[view].face_presence > 0.0}
     near = near_photos(head, proposals, risen)

@@ -19,7 +19,7 @@ from cloner.geometry.under_clothes import NINE_IN_TEN, Estimate, Evidence, Measu
 from cloner.measure.covering import covers
 from cloner.measure.rumpled import garments_rumples_mm
 from cloner.measure.side_arms import hidden_rows
-from cloner.records.bodies import BodySet, Phenotype
+from cloner.records.bodies import FineBody, Phenotype
 from cloner.records.clones import Joined
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.measures import BY_KEY, FITS, MEASURE_KEYS, Cover, Measure, MeasureSet
@@ -130,7 +130,7 @@ def run(
     proposals: Proposals,
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
-    bodies: BodySet,
+    body: FineBody,
     joined: Joined,
     person: Person,
     tick: Callable[[float], None],
@@ -139,19 +139,19 @@ def run(
     """Give the measures of the joined person. Residual: how far the body's rim is from the outlines."""
     prior = load_measure_prior()
     shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
-    outlined = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
+    outlined = outlined_photos(phenotype, silhouettes, proposals, body.views)
     if not outlined:
         return StageResult({"measures": unseen(shown)})
     tick(0.4)
     regions = [region for silhouette in silhouettes.views.values() for region in silhouette.loose]
     if any(region.name == AROUND_LEGS for region in regions):
         shown = {key: value for key, value in shown.items() if key not in LOOSE_KEYS}
-    seen = {view: see(bodies.consensus, photo) for view, photo in outlined.items()}
+    seen = {view: see(body.mesh, photo) for view, photo in outlined.items()}
     gap = float(np.mean([gaps_mm(seen[view], photo)[""] for view, photo in outlined.items()]))
     tick(0.7)
     cover = covers(proposals, joined)
     rumple = garments_rumples_mm(seen, outlined, silhouettes, cover)
     noise = max(1.0, gap / prior.gap_mm)
-    hidden = hidden_rows(bodies.consensus.vertices_m, seen)
+    hidden = hidden_rows(body.mesh.vertices_m, seen)
     found, warnings = measured(shown, person, cover, noise=noise, rumple_mm=rumple, hidden=hidden)
     return StageResult({"measures": found}, (Residual("gap of the body's rim", gap, "mm"),), warnings)
