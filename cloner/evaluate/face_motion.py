@@ -14,6 +14,7 @@ from cloner.generic.face_grids import Grid, eye_grid, eyeball, lips_apart, mouth
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import load_triangles
+from cloner.geometry.surface import over
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
@@ -164,14 +165,7 @@ def teeth_through(shape_m: Array) -> float:
     generic = load_generic()
     teeth = shape_m[np.concatenate([generic.part("teeth_upper"), generic.part("teeth_lower")])]
     corners = shape_m[_front_skin()]
-    a, b, c = (corners[:, k, :2] for k in range(3))
-    one, two = b - a, c - a
-    area = one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0]
-    area = np.where(np.abs(area) < 1e-14, 1e-14, area)
-    way = teeth[:, None, :2] - a
-    u = (way[..., 0] * two[:, 1] - way[..., 1] * two[:, 0]) / area
-    v = (one[:, 0] * way[..., 1] - one[:, 1] * way[..., 0]) / area
-    covers = (u >= 0.0) & (v >= 0.0) & (u + v <= 1.0)
+    covers, u, v = over(teeth[:, :2], corners[..., :2])
     depth = corners[:, 0, 2] + u * (corners[:, 1, 2] - corners[:, 0, 2]) + v * (corners[:, 2, 2] - corners[:, 0, 2])
     front = np.where(covers, depth, -np.inf).max(axis=1)
     covered = covers.any(axis=1)

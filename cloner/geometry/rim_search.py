@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from cloner.geometry.rims import triangle_normals
 from cloner.geometry.skin_bends import Place, SkinMetric
+from cloner.geometry.surface import over
 from cloner.geometry.vectors import unit
 
 Array = NDArray[np.float64]
@@ -145,11 +146,4 @@ def covered(points_px: Array, pixels: Array, triangles: NDArray[np.integer]) -> 
     code = outside.sum(axis=1).astype(np.int8)
     # Three corners beyond one and the same side of the box: the triangle misses it.
     near = np.bitwise_and.reduce(code[triangles], axis=1) == 0
-    corner = pixels[triangles[near]]
-    edge1, edge2 = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]
-    area = edge1[:, 0] * edge2[:, 1] - edge1[:, 1] * edge2[:, 0]
-    area = np.where(np.abs(area) < 1e-9, np.inf, area)
-    delta = points_px[:, None] - corner[None, :, 0]
-    u = (delta[..., 0] * edge2[:, 1] - delta[..., 1] * edge2[:, 0]) / area
-    v = (edge1[:, 0] * delta[..., 1] - edge1[:, 1] * delta[..., 0]) / area
-    return np.asarray(((u >= 0) & (v >= 0) & (u + v <= 1)).any(axis=1))
+    return np.asarray(over(points_px, pixels[triangles[near]])[0].any(axis=1))
