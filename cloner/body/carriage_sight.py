@@ -42,17 +42,11 @@ _WRONG = _CALIBRATED.number("wrong", "spreads")
 class Params:
     """Trust in the evidence.
 
+    Its numbers: ``cloner/calibration/body.toml``, ``[carriage_sight.*]``.
+
     Attributes
     ----------
-    point_mm, outline_mm, face_mm : float
-        Spread of the pose net's points on the head, of the head's outline, and of the face net's points.
-    hair_mm : float
-        Spread of the hair's outline around the skull by the shared thickness.
     thickness_mm : tuple of four (mean, spread) of the numbers of the hair's thickness.
-    neck_deg, head_deg, nod_deg : float
-        Usual bend of the neck away from the phenotype's, turn of the head by all that, and nod of a face photo.
-    spot_mm : float
-        Spread of the skin looked up.
     turns, looks_at : int
         Gauss-Newton steps (six find no better heads on eight painted people), and before which of them skin is looked
         up: nearer to the truth than the phenotype's head, whose skin lies beyond the search.

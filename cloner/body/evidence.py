@@ -29,36 +29,16 @@ Array = NDArray[np.float64]
 class Params:
     """Weights of the evidence, as spreads.
 
+    Its numbers: ``cloner/calibration/body.toml``, ``[evidence.*]``.
+
     Attributes
     ----------
-    joint_mm, corrected_mm : float
-        Trust in joints where no net spoke, and in an operator's points.
-    outline_mm : float
-        Trust in one independent piece of outline.
-    outline_piece_mm : float
-        Length of outline that counts as independent evidence.
-    hair_mm, hair_spread_mm : float
-        Usual hair above the skull and its spread (taste).
-    floor_mm : float
-        How far heels and toes of both feet may stand off one level floor.
-    height_m, same_height_m : tuple, float
-        Usual height of a camera and its spread; how far the cameras of one person's photos usually differ.
-    azimuth_degrees, facing_degrees, pitch_degrees, roll_degrees : float
-        Spread of the direction that the person was asked to turn to, and of the camera's aim.
-    same_pose : float
-        How much a person's photos differ in pose, relative to how much people do.
     shapes : tuple of int
         Number of shape coefficients in the successive rounds.
-    reach_mm : tuple of float
-        Farthest matched outline in the successive rounds; the first has points only.
     turns_per_round : int
         Gauss-Newton steps a round.
-    fade : tuple of float
-        Spreads beyond which a point loses its weight, in the first round and later.
     height_px : int
         Photo height at which outlines are compared.
-    most_step, most_sigmas : float
-        Longest step of a camera or joint angle (radians, metres), and largest shape coefficient.
     """
 
     joint_mm: float = _CALIBRATED.number("joint_mm", "mm")

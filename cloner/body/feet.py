@@ -32,13 +32,7 @@ WELT_M = _CALIBRATED.number("welt_m", "m")
 class Params:
     """How a foot becomes a shoe.
 
-    Attributes
-    ----------
-    barefoot_m : float
-        Soles thinner than this are taken for naked feet, metres.
-    shod, spread : tuple of float
-        Usual width, length and height of a shoe over the foot in it, and a shift
-        forwards in metres; and how far each may differ (taste).
+    Its numbers: ``cloner/calibration/body.toml``, ``[feet.*]``.
     """
 
     barefoot_m: float = _CALIBRATED.number("barefoot_m", "m")

@@ -34,21 +34,12 @@ _EYES: Final = (33, 263)
 class Params:
     """Weights of the evidence.
 
+    Its numbers: ``cloner/calibration/body.toml``, ``[portrait.*]``.
+
     Attributes
     ----------
     shapes : int
         Number of coefficients; more say nothing about the build.
-    focal_35mm : float
-        Lens of a usual portrait, mm; perspective matters little at this precision.
-    face_m : float
-        What single face points may differ from the family of faces (expressions, the face's own character); measured:
-        with 1 mm a smile makes a caricature, with 6 mm the sample visitors' sex is hardly told.
-    drift : float
-        Size of the errors that the net's points make together, against those on painted heads (as in the head's fit).
-    shoulder_m : float
-        Trust in the net's shoulders, over clothes.
-    most_sigmas : float
-        Largest coefficient.
     turns : int
         Gauss-Newton steps.
     """

@@ -41,17 +41,7 @@ Sizer = Callable[[Array], BodyMesh]
 class Params:
     """Trust in outlines against the poses found before.
 
-    Attributes
-    ----------
-    limb_degrees, tip_degrees : float
-        How far limbs, and hands and feet, usually turn from the phenotype's pose (on random people 2 was better
-        than 1 degree for limbs by 0.0008 of the overlap).
-    camera_degrees, camera_mm : tuple of float
-        How far the camera usually turns about its own axes (right, down, ahead) and shifts; the far shift is a scale.
-    outline_mm, piece_mm : float
-        Spread of one independent piece of outline, and its length.
-    reach_mm : tuple of float
-        Farthest believed outline, one turn of Gauss-Newton each.
+    Its numbers: ``cloner/calibration/body.toml``, ``[stances.*]``.
     """
 
     limb_degrees: float = _CALIBRATED.number("limb_degrees", "deg")

@@ -36,38 +36,12 @@ Bools = NDArray[np.bool_]
 class Params:
     """How far a point bends the skin.
 
+    Its numbers: ``cloner/calibration/editing.toml``, ``[claims.*]``.
+
     Attributes
     ----------
-    territory_mm : float
-        Skin this near to a feature's vertex may make the outline that its point was placed on. Levels are a matter of
-        opinion: proposed and own level differ by up to 66 mm on the sample visitors.
-    least_reach_mm, most_reach_mm, reach_per_mm : float
-        Where a bend ends: so many mm per mm of the move, within the first two (taste: pictures).
-    gentle : float
-        A bend always reaches this many times its move, or it would fold.
-    across : float
-        Share of a limb's thickness that a bend takes up: the other side stays.
-    depth : float
-        How much farther a bend reaches along the line of sight than across it (taste).
-    dimple : float
-        Pressed in, skin must give way so far along the line of sight that no rim of a dimple shows: this many times
-        the root of the move times the part's radius. 2.45 would do on a cylinder.
-    usual_radius_mm : float
-        Radius of parts without a feature opposite.
-    most_mm : float
-        A point farther from the body than this is a mistake (taste: a hand and a half).
-    inner_mm : float
-        How much nearer an outline in front of or behind other parts must be than one before the background.
-    least_area, least_area_mm2 : float
-        Triangles squeezed below this share of the generic's own area, and tiny ones, may turn: toes in shoes.
-    gap_mm : float
-        Skin farther out than this beyond the outline belongs to another part.
-    damping : tuple of float
-        Resistance to moving, as a share of the greatest slope, tried in turn until nothing folds.
     turns, rounds : int
         Steps of the solution, and how often other skin that has become the outline is taken in.
-    near_px : float
-        Points obeyed to this are obeyed.
     """
 
     territory_mm: float = _CALIBRATED.number("territory_mm", "mm")

@@ -46,18 +46,10 @@ class Params:
     Limbs lie on their outlines already, so a small move is rather the joint's place in the limb than the limb's: with
     stiffer places a knee dragged by 10 px took the whole leg 6 px off its outline.
 
+    Its numbers: ``cloner/calibration/editing.toml``, ``[pose.*]``.
+
     Attributes
     ----------
-    angle_share : float
-        Spread of an angle's change, as a share of how much people differ in it.
-    place_mm : float
-        Spread of a joint's place in the limb.
-    kept_px : float
-        Spread of the other joints' places in the photo.
-    exact_px : float
-        Spread of a corrected joint.
-    most_angle, most_mm : float
-        Largest change of an angle (radians) and of a joint's place.
     turns : int
     """
 

@@ -40,48 +40,12 @@ HIDING = (Label.BEARD, Label.HAIR)
 class Params:
     """Expected errors and sizes.
 
+    Its numbers: ``cloner/calibration/head.toml``, ``[evidence.*]``.
+
     Attributes
     ----------
-    focal_35mm : float
-        Stated default for face photos without EXIF, mm.
-    distance_m, distance_sigma : float
-        How far people stand from the camera of a face photo when nothing tells, and its relative spread. Perspective
-        hardly tells it (six random heads fitted at .75 to 1.26 m stood at .93 to 1.81, in no order), so the spread is
-        less than people's: at .2 a sample visitor at a booth erred by 1.13 instead of .91 mm.
-    presence : float
-        Least presence of a face that is used.
-    net_floor_m : float
-        Error of a net point on a photo beyond its spread on painted heads (measured on the sample visitors).
-    drift, together : float
-        The joint errors of net points on photos against those on painted heads, and how much their own errors grow in
-        the shape fit, where hundreds add up.
-    hidden_net : float
-        How much larger the errors of net points on a beard or on hair are.
-    loose_net : float
-        The same where DFFD follows single net points.
-    named_m, corrected_m : float
-        Expected errors of proposed profile points and of an operator's points.
-    loose_named : float
-        How much the proposed profile points' errors grow once the curve itself is matched.
-    contour_m : float
-        Expected error of the profile contour.
-    flank_m : float
-        Expected error of a place found in the side photo by its look in the front photo (measured: 0.6-2 mm).
     looks : int
         How often the side photo is searched, from an ever better fit.
-    taught : float
-        Share of what corrections tell of the net's errors that is taken out before the fit, which finds the rest
-        itself. None leaves 12 corrections at odds with the rest (boris plain 1.4 -> 3.1 mm), all takes it out twice.
-    yaw, tip : float
-        Expected deviation of the side photo from an exact profile, radians: about the vertical, and sideways, with
-        heavy tails. Cheeks that lie farther back look like a head that is turned, so most of the turn is believed of
-        the person: at .07 without tails a scan-model head photographed at 90 degrees came out turned by 3 to 7.
-    relief_m, bend_m, limit_m : float
-        Prior of the DFFD displacements (see ``solve_relief``).
-    body_scale, own_scale : float
-        Relative errors of the head's size from the body photo, and of the phenotype's own head (nine painted people).
-    scale_limit : float
-        The head's size never departs further from the phenotype's.
     """
 
     focal_35mm: float = _CALIBRATED.number("focal_35mm", "mm")

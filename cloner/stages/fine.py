@@ -46,16 +46,12 @@ Array = NDArray[np.float64]
 class Params:
     """How finely slices are cut and how softly the skin settles.
 
+    Its numbers: ``cloner/calibration/stages.toml``, ``[fine.*]``.
+
     Attributes
     ----------
     slices : int
         Slices a segment; 8, 16 or 32 hardly matter (facts.md, measured).
-    smooth : float
-        Smoothing along the segment, in slices.
-    reach_mm : tuple of float
-        Farthest believed silhouette pixel for slices and, falling, for the settling rounds.
-    stiffness, anchor : float
-        Resistance of the settling to bending and to moving at all (taste: pictures).
     direction_turns : int
         How often the directions in which skin settles are averaged, over some 25 mm (measured: crossing triangle pairs
         of four people fell from 128, 40, 25, 21 to 6, 0, 0, 0 and no overlap changed).

@@ -59,12 +59,7 @@ ISLAND: Final = _CALIBRATED.number("island", "share")
 class Params:
     """Settings of the regions.
 
-    Attributes
-    ----------
-    contrast : float
-        CIELAB distance of neighbouring triangles over which a border is likely (taste).
-    trust : float
-        Weight of a triangle's own colour and place against one neighbour of the same colour (taste).
+    Its numbers: ``cloner/calibration/stages.toml``, ``[regions.*]``.
     """
 
     contrast: float = _CALIBRATED.number("contrast", "lab")

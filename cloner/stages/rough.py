@@ -39,12 +39,7 @@ Array = NDArray[np.float64]
 class Params:
     """Where the end slices of a part lie, and how far its outline may be.
 
-    Attributes
-    ----------
-    end_levels : tuple of float
-        Top and bottom slice, 0..1 along the part; a little inside, where no neighbour hides them.
-    reach_mm : float
-        Farthest silhouette pixel that is believed.
+    Its numbers: ``cloner/calibration/stages.toml``, ``[rough.*]``.
     """
 
     end_levels: tuple[float, float] = _CALIBRATED.pair("end_levels", "share")

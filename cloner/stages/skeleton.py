@@ -35,12 +35,7 @@ Array = NDArray[np.float64]
 class Params:
     """Limits of the key joints' motion.
 
-    Attributes
-    ----------
-    reach_mm : float
-        Farthest outline pixel that is believed.
-    most_mm : float
-        A joint centre is never moved farther than this from the phenotype's (taste).
+    Its numbers: ``cloner/calibration/stages.toml``, ``[skeleton.*]``.
     """
 
     reach_mm: float = _CALIBRATED.number("reach_mm", "mm")

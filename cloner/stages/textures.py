@@ -66,12 +66,12 @@ Array = NDArray[np.float64]
 class Params:
     """Settings of the texture stage.
 
+    Its numbers: ``cloner/calibration/stages.toml``, ``[textures.*]``.
+
     Attributes
     ----------
     size : int
         Side of the atlas, texels.
-    band_m, head_band_m : float
-        Half width L of the mixing band between two photos on body and head, metres (taste).
     limits : Limits
         When a photo may paint a surface.
     """

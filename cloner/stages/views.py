@@ -34,14 +34,7 @@ FRONT = np.diag([1.0, -1.0, -1.0])
 class Params:
     """Assumptions about cameras that the photos do not tell.
 
-    Attributes
-    ----------
-    body_focal_35mm, face_focal_35mm : float
-        Stated default focal lengths without EXIF, mm (ordinary zoom of a compact camera or phone).
-    camera_height_m : float
-        Usual height of a hand-held or tripod camera for a standing person.
-    hair_m, sole_m : float
-        Usual height of hair above the skull and of shoe soles below the foot.
+    Its numbers: ``cloner/calibration/stages.toml``, ``[views.*]``.
     """
 
     body_focal_35mm: float = _CALIBRATED.number("body_focal_35mm", "mm")
