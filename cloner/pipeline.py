@@ -35,9 +35,6 @@ from cloner.stages import (
 
 log = logging.getLogger(__name__)
 
-Tick = Callable[[float], None]
-"""Called with a fraction 0..1; may raise Cancelled."""
-
 Progress = Callable[[str, float], None]
 """Called with a step's name and the fraction 0..1 of the whole; may raise Cancelled."""
 

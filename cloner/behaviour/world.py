@@ -21,7 +21,6 @@ from cloner.errors import ClonerError
 SPREAD: Final = 0.194
 #: What everybody can do; points and emotions add to it.
 ACTS: Final = ("stand", "walk", "run")
-REGULAR: Final = "regular"
 WALKING, WAITING, CALLED, ACTING, DONE = range(5)
 
 

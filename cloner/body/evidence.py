@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body_points import ENDS
@@ -21,8 +20,6 @@ from cloner.records.views import View
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.evidence")
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

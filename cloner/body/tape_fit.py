@@ -11,7 +11,6 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
@@ -23,7 +22,6 @@ from cloner.records.bodies import BodyMesh
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.tape_fit")
 
-Array = NDArray[np.float64]
 
 MOST_WITH_SIDE: Final = _CALIBRATED.triple("most_with_side", "factor")
 MOST_WITHOUT_SIDE: Final = _CALIBRATED.triple("most_without_side", "factor")

@@ -37,7 +37,6 @@ KINDS: Final = {ViewId.BODY_FRONT: "front", ViewId.BODY_SIDE: "side", ViewId.BOD
 ENDS = ("head_top", "sole_left", "sole_right")
 END_ERROR: Final = _CALIBRATED.number("end_error", "figure")
 CUT_ERROR: Final = _CALIBRATED.number("cut_error", "figure")
-REFUSED: Final = _CALIBRATED.number("refused", "factor")
 _SURE: Final = _CALIBRATED.number("sure", "score")
 
 

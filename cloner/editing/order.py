@@ -7,7 +7,6 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.taught import HAND, FaceErrors, Frame, axes_of, errors_of, frame_of
@@ -17,7 +16,6 @@ from cloner.records.points import ViewPoints, expected_error, expected_face_erro
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
 _CALIBRATED: Final = calibrated("editing.order")
 
-Array = NDArray[np.float64]
 
 BODY_SHARE: Final = _CALIBRATED.number("body_share", "share")
 #: What the likeness of a face is judged by (goals: landmarks in 3-D); other points count by what they tell of these.

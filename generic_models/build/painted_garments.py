@@ -23,7 +23,6 @@ from cloner.geometry.tubes import hull_radii, ring_angles, tube_mesh, tube_point
 Array = NDArray[np.float64]
 Kind = Literal["short skirt", "long skirt", "coat", "bag"]
 
-KINDS: Final[tuple[Kind, ...]] = ("short skirt", "long skirt", "coat", "bag")
 COLUMNS, RINGS = 144, 72
 EASE_M: Final = 0.006
 #: Share of hip to ankle where each garment ends.
