@@ -29,7 +29,6 @@ from cloner.records.bodies import BodyMesh
 from cloner.render import render_mesh
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
-SHARE = {"four": 1.0, "nine": 1.0}
 #: Lengths vary together less than girths do: all of a tailor's at once so many spreads off would be nobody.
 LENGTH_SHARE = 0.5
 SHEET = (

@@ -19,7 +19,7 @@ from cloner.generic.load import load_generic
 from cloner.records.points import PointSet, Proposals, ViewPoints
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.records.views import Camera, View, ViewSet
-from cloner.stages import fine
+from cloner.stages import fine, rough, skeleton
 
 Values = dict[str, Any]
 
@@ -102,15 +102,41 @@ def slices(count: int) -> Iterator[None]:
         fine.Params = before  # type: ignore[misc]
 
 
-VARIANTS: Final[Mapping[str, tuple[Callable[[Values], Values], int]]] = {
-    "all": (unchanged, 16),
-    "orthographic cameras": (orthographic, 16),
-    "mask only": (mask_only, 16),
-    "edges only": (edges_only, 16),
-    "8 slices": (unchanged, 8),
-    "32 slices": (unchanged, 32),
-    "2 wrong points a photo": (partial(wrong_points, count=2), 16),
-    "4 wrong points a photo": (partial(wrong_points, count=4), 16),
+#: Steps of the fit, and what leaves the body as it is in their place.
+STEPS: Final[Mapping[str, tuple[Any, str, Callable[..., Any]]]] = {
+    "joints moved to the limbs' middles": (skeleton, "key_shift", lambda *rest: np.zeros(3)),
+    "slices at the parts' ends": (rough, "shape_slices", lambda mesh, *rest: mesh),
+    "slices of the skin": (fine, "shape_slices", lambda mesh, *rest: mesh),
+    "hands and feet": (fine, "extremities", lambda mesh, photos, sole_m: (mesh, photos)),
+    "settling": (fine, "settled", lambda mesh, *rest: mesh),
+}
+
+
+@contextmanager
+def without(step: str) -> Iterator[None]:
+    """Leave out a step of the fit; "" leaves out none."""
+    if not step:
+        yield
+        return
+    module, name, instead = STEPS[step]
+    before = getattr(module, name)
+    setattr(module, name, instead)
+    try:
+        yield
+    finally:
+        setattr(module, name, before)
+
+
+VARIANTS: Final[Mapping[str, tuple[Callable[[Values], Values], int, str]]] = {
+    "all": (unchanged, 16, ""),
+    "orthographic cameras": (orthographic, 16, ""),
+    "mask only": (mask_only, 16, ""),
+    "edges only": (edges_only, 16, ""),
+    "8 slices": (unchanged, 8, ""),
+    "32 slices": (unchanged, 32, ""),
+    "2 wrong points a photo": (partial(wrong_points, count=2), 16, ""),
+    "4 wrong points a photo": (partial(wrong_points, count=4), 16, ""),
+    **{f"without {step}": (unchanged, 16, step) for step in STEPS},
 }
 
 
@@ -122,8 +148,8 @@ def ablate(case: Case, folder: Path) -> dict[str, Any]:
     truth, generic = known_truth(known), load_generic()
     values, _ = run_stages(first_values(known.photos, known.person), FIRST)
     variants = {}
-    for name, (change, count) in VARIANTS.items():
-        with slices(count):
+    for name, (change, count, left_out) in VARIANTS.items():
+        with slices(count), without(left_out):
             fitted, _ = run_stages(change(values), FIT)
         score = score_step(step_clones(fitted, generic)["fine"], generic, truth)
         inputs = [value for view, value in score["below_head_iou"].items() if view != HELD_OUT]

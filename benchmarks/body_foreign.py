@@ -18,8 +18,6 @@ from cloner.records.photos import Person, PhotoSet
 from cloner.records.views import Camera
 from cloner.vision.pictures import read_picture
 
-Array = NDArray[np.float64]
-
 SURFACE_POINTS: Final = 100_000
 _HELD_FILE: Final = "body_45"
 

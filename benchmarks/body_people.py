@@ -82,7 +82,7 @@ def step_clones(values: Values, generic: GenericHuman) -> dict[str, Clone]:
         "phenotype": (vertices, joints),
         "skeleton": (follow_joints(vertices, joints, skeleton), skeleton),
         "rough": (values["rough_bodies"].consensus.vertices_m, values["rough_bodies"].consensus.joints_m),
-        "fine": (values["bodies"].consensus.vertices_m, values["bodies"].consensus.joints_m),
+        "fine": (values["body"].mesh.vertices_m, values["body"].mesh.joints_m),
     }
     made = {name: body_clone(generic, *mesh, views, stature, sole) for name, mesh in meshes.items()}
     mean = body_clone(generic, *generic.shape(np.zeros(0), stature), views, stature, sole)

@@ -11,9 +11,7 @@ in ``--scans`` instead; the page has a column a family.
 from __future__ import annotations
 
 import argparse
-import json
 import multiprocessing
-import os
 import sys
 import traceback
 from concurrent.futures import ProcessPoolExecutor, as_completed
@@ -21,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from body_people import write_json
 from head_foreign import foreign_head
 from head_page import write_page
 from head_people import KnownHead, known_head
@@ -56,14 +55,6 @@ def keep(known: KnownHead, folder: Path) -> dict[str, Any]:
         np.savez_compressed(folder / f"{known.name}.npz", points=measure.points, **marks, **made)
     write_json(folder / f"{known.name}.json", row)
     return dict(row)
-
-
-def write_json(path: Path, value: dict[str, Any]) -> None:
-    """Write a JSON file whole or not at all."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    partial = path.with_name(f".{path.name}.{os.getpid()}")
-    partial.write_text(json.dumps(value, indent=1, default=float))
-    os.replace(partial, path)
 
 
 def told(row: dict[str, Any]) -> str:

@@ -8,13 +8,10 @@ from typing import Final
 import numpy as np
 from foreign import foreign_camera, foreign_surface, told_of
 from head_people import KnownHead
-from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.project.folder import load_photos
 from cloner.records.photos import Person, PhotoSet
-
-Array = NDArray[np.float64]
 
 SURFACE_POINTS: Final = 60_000
 #: The foreign heads' landmark names and ours; their brows, jaw and ear points have no twin here.

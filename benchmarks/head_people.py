@@ -19,7 +19,7 @@ from cloner.evaluate.surfaces import sample_surface
 from cloner.evaluate.truth import TruthSurface
 from cloner.frames import FILM_LONG_SIDE_MM, ViewId
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
-from cloner.geometry.sockets import similarity
+from cloner.geometry.alignment import similarity
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.views import Camera
 

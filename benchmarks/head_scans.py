@@ -23,8 +23,6 @@ from cloner.records.views import Camera
 Array = NDArray[np.float64]
 
 
-#: First seed that calibrations may draw.
-LEARNED_FROM: Final = 20_000
 DISTANCE_M: Final = (0.7, 2.0)
 #: Turns of the side camera about the vertical: half of the sitters are placed with care, degrees; front cameras are
 #: turned up to the second, every third head's up to the third.

@@ -22,7 +22,8 @@ from cloner.frames import ViewId
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.dffd import deform
-from cloner.head.evidence import Log, Params, make_model, read_front, read_side
+from cloner.head.evidence import Log, Params, read_front, read_side
+from cloner.head.model import make_model
 from cloner.head.modes import load_head_modes
 from cloner.project.corrections import no_corrections
 from cloner.records.heads import HeadFit

@@ -77,10 +77,10 @@ def cloned(person: Path) -> dict[str, Any]:
     values = {"photos": load_photos(person), "person": read_person(person), "corrections": read_corrections(person)}
     names = [stage.name for stage in pipeline.STAGES]
     found, _ = pipeline.run(values, stages=pipeline.STAGES[: names.index(LAST_STAGE) + 1])
-    joined, silhouettes, bodies = found["obeyed"], found["obeyed_silhouettes"], found["bodies"]
+    joined, silhouettes, body = found["obeyed"], found["obeyed_silhouettes"], found["body"]
     cover = covers(found["proposals"], joined)
-    photos = outlined_photos(found["phenotype"], silhouettes, found["proposals"], bodies.views)
-    seen = {view: see(bodies.consensus, photo) for view, photo in photos.items()}
+    photos = outlined_photos(found["phenotype"], silhouettes, found["proposals"], body.views)
+    seen = {view: see(body.mesh, photo) for view, photo in photos.items()}
     regions = [region.name for silhouette in silhouettes.views.values() for region in silhouette.loose]
     truth = json.loads((person / "truth.json").read_text())
     return {
@@ -88,7 +88,7 @@ def cloned(person: Path) -> dict[str, Any]:
         "shown": vector(joined.vertices_m, joined.joints_m, joined.sole_m),
         "naked": naked_mm(person),
         "rumple": garments_rumples_mm(seen, photos, silhouettes, cover),
-        "hidden": hidden_rows(bodies.consensus.vertices_m, seen),
+        "hidden": hidden_rows(body.mesh.vertices_m, seen),
         "around_legs": AROUND_LEGS in regions,
         "gap_mm": float(np.mean([gaps_mm(seen[view], photo)[""] for view, photo in photos.items()])),
     } | {f"cover_{name}": flags(own) for name, own in cover.items()}

@@ -23,10 +23,10 @@ from numpy.typing import NDArray
 from rig import arms_up, sitting
 
 from cloner.errors import ClonerError
+from cloner.evaluate.crossings import Crossings, buried_depths, crossings_between, seen_triangles, self_crossings
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, load_triangles
-from cloner.geometry.crossings import Crossings, buried_depths, crossings_between, seen_triangles, self_crossings
 from cloner.geometry.rasters import fragments
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.geometry.triangles import areas, edges_of

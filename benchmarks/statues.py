@@ -28,7 +28,7 @@ from cloner.render import draw
 from cloner.statues.blobs import field_of
 from cloner.statues.carved import statue_of
 from cloner.statues.envelope import enveloped
-from cloner.statues.markers import known_points
+from cloner.statues.markers import MARKED, known_points
 from cloner.statues.materials import MATERIALS
 from cloner.statues.photo_fit import fit_markers, fit_photo, mark
 from cloner.statues.photographed import mesh_of
@@ -39,13 +39,6 @@ FACES = 30
 #: Spread of the faces' shapes against the family's: statues are less alike than people.
 SPREAD = 1.3
 SIZE = (900, 1200)
-NAMES = (
-    "glabella", "nasion", "nose_tip", "subnasale", "lip_top", "lip_bottom", "chin_front", "chin_bottom", "eye_inner_L",
-    "eye_inner_R", "eye_outer_L", "eye_outer_R", "eye_upper_L", "eye_upper_R", "eye_lower_L", "eye_lower_R",
-    "mouth_corner_L", "mouth_corner_R", "ala_L", "ala_R", "ear_top_L", "ear_top_R", "ear_lobe_L", "ear_lobe_R",
-    "fdp_4.1", "fdp_4.2", "fdp_4.3", "fdp_4.4", "fdp_4.5", "fdp_4.6", "fdp_2.13", "fdp_2.14", "fdp_5.1", "fdp_5.2",
-    "fdp_5.3", "fdp_5.4", "fdp_10.7", "fdp_10.8", "fdp_11.1", "fdp_2.2",
-)  # fmt: skip
 BODIES = [(sex, stature, bust, waist, hip) for sex, stature, bust, waist, hip in (
     ("f", 1.50, 80, 62, 86), ("f", 1.60, 86, 68, 92), ("f", 1.66, 90, 74, 97), ("f", 1.68, 104, 92, 112),
     ("f", 1.74, 96, 80, 104), ("f", 1.80, 92, 72, 98), ("m", 1.60, 90, 78, 90), ("m", 1.70, 96, 84, 96),
@@ -103,7 +96,7 @@ def sitter(clone: Clone, rng: np.random.Generator) -> Clone:
 def faces() -> list[str]:
     generic, base = load_generic(), clone_of_measures(Told("m", 1.75, {}), 1024)
     points = known_points()
-    vertex = np.array([points[name] for name in NAMES])
+    vertex = np.array([points[name] for name in MARKED])
     mesh = mesh_of(base)
     marked = mark(mesh, vertex)
     between = np.setdiff1d(np.flatnonzero(generic.region("face")), vertex)

@@ -27,8 +27,6 @@ from cloner.generic.load import load_generic
 from cloner.project.folder import load_photos, read_corrections, read_person
 from cloner.records.clones import Clone
 
-Array = NDArray[np.float64]
-
 LIKE: Final = 6.0  # dE2000: a wall's own spread of light and noise
 BESIDE_PX: Final = (8, 60)  # how far beside the outline the wall is looked at
 WALL_COLOURS: Final = 4

@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import os
+from collections.abc import Mapping
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Final
@@ -54,9 +55,20 @@ def make_keys(folder: Path) -> tuple[Path, ...]:
         raise ClonerError("this is there already", hint, folder.name) from error
     except OSError as error:
         raise ClonerError("the folder cannot be made", "Check permissions", folder.name) from error
-    contents = _contents(folder)
+    return write_keys(folder, _contents(folder))
+
+
+def write_keys(folder: Path, contents: Mapping[str, bytes]) -> tuple[Path, ...]:
+    """Write files that only their owner may read, in place of those of their names, and return their paths.
+
+    Raises
+    ------
+    ClonerError
+        If they cannot be written.
+    """
     try:
         for name, content in contents.items():
+            (folder / name).unlink(missing_ok=True)
             descriptor = os.open(folder / name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
             with os.fdopen(descriptor, "wb") as stream:
                 stream.write(content)

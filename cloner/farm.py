@@ -184,7 +184,7 @@ def _serve(pipe: Connection, modules: tuple[str, ...]) -> None:
     """Load what the tasks need, then do tasks until the other side closes the pipe; runs in the worker."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # a terminal's Ctrl-C reaches the batch, which ends its workers
     signal.signal(signal.SIGTERM, _stop)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
+    threading.Thread(target=end_with_parent, daemon=True).start()
     with contextlib.suppress(EOFError, OSError, KeyboardInterrupt):
         for module in modules:
             importlib.import_module(module)
@@ -210,8 +210,8 @@ def _stop(number: int, frame: FrameType | None) -> None:
     raise KeyboardInterrupt
 
 
-def _end_with_parent() -> None:
-    """End this process when the batch's does, even in the middle of a stage."""
+def end_with_parent() -> None:
+    """End this process when its parent does, even in the middle of a stage."""
     parent = mp.parent_process()
     if parent is not None:
         parent.join()

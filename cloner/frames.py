@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+#: By definition.
 MILLIMETRES_PER_METRE = 1000.0
 #: Long side of a 35 mm film frame in mm; EXIF 35-mm-equivalents refer to it.
 FILM_LONG_SIDE_MM = 36.0

@@ -21,6 +21,7 @@ from cloner.project.folder import SUFFIXES, read_consent, safe_identifier
 from cloner.project.manifest import DEEPEST, photo_folders
 from cloner.project.results import RESULT_MARK, Manifest, file_digest, place_digest, read_manifest
 
+#: Seconds of a day.
 _DAY_S: Final = 86_400.0
 _SAME: Final = 0.5  # a result is of a folder that has this share of its photos
 

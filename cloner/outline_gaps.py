@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.body.outlined import body_triangles
 from cloner.editing.claims import scene_of
 from cloner.editing.places import generic_metric
 from cloner.frames import ViewId
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rim_search import rim_of
 from cloner.geometry.rims import borders_px, fill_triangles
 from cloner.records.bodies import PosedView

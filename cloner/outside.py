@@ -13,6 +13,7 @@ from typing import BinaryIO, Final
 
 from cloner.errors import ClonerError
 
+#: Bytes read at a time.
 _BLOCK: Final = 1 << 20
 _FLAGS: Final = os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0) | getattr(os, "O_BINARY", 0)
 

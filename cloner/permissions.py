@@ -24,7 +24,7 @@ def examine_folder(folder: Path) -> tuple[Finding, ...]:
         place = folder.resolve()
         closed = _closed_above(place) or not place.stat().st_mode & (_READ | _WRITE)
         files = [place, *place.rglob("*")]
-        findings = [_open_to_others(name, folder, place, files, closed=closed), _of_others(name, folder, files)]
+        findings = [_open_to_others(name, folder, files, closed=closed), _of_others(name, folder, files)]
         return (*findings, *_above(name, place))
     except OSError as error:
         return (Finding(name, False, f"it cannot be looked at ({error.strerror})", "Ask its owner"),)
@@ -36,7 +36,7 @@ def _closed_above(place: Path) -> bool:
     return any(not parent.stat().st_mode & through for parent in place.parents)
 
 
-def _open_to_others(name: str, folder: Path, place: Path, files: list[Path], *, closed: bool) -> Finding:
+def _open_to_others(name: str, folder: Path, files: list[Path], *, closed: bool) -> Finding:
     """Say whether other users may read or change anything, and the line that ends it."""
     modes = [path.lstat().st_mode for path in files if not path.is_symlink()]
     read, written = (sum(bool(mode & bits) for mode in modes) for bits in (_READ, _WRITE))

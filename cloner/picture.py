@@ -25,6 +25,7 @@ LARGEST_PX: Final = 4096  # the renderer draws at twice this size
 TURNTABLE: Final = "turntable"
 TURN_FRAMES: Final = 72  # taste: 5 degrees a picture
 TURN_SECONDS: Final = 6.0  # taste
+#: Grey behind people (taste).
 _BACKDROP: Final = (226, 228, 230)
 
 Pixels = NDArray[np.uint8]

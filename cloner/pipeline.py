@@ -35,9 +35,6 @@ from cloner.stages import (
 
 log = logging.getLogger(__name__)
 
-Tick = Callable[[float], None]
-"""Called with a fraction 0..1; may raise Cancelled."""
-
 Progress = Callable[[str, float], None]
 """Called with a step's name and the fraction 0..1 of the whole; may raise Cancelled."""
 
@@ -69,6 +66,7 @@ def taking_obeyed(run: Callable[..., StageResult]) -> Callable[..., StageResult]
     return run_obeyed
 
 
+#: Name, version of what it gives, needs, gives, and what runs.
 STAGES: tuple[Stage, ...] = (
     Stage("proposals", 1, ("photos",), ("proposals",), proposals.run),
     Stage("points", 1, ("photos", "proposals", "corrections"), ("body_points", "face_points"), points.run),
@@ -79,12 +77,12 @@ STAGES: tuple[Stage, ...] = (
     ),
     Stage("skeleton", 1, ("proposals", "silhouettes", "phenotype"), ("skeletons",), skeleton.run),
     Stage("rough", 1, ("proposals", "skeletons", "silhouettes", "phenotype"), ("rough_bodies",), rough.run),
-    Stage("fine", 1, ("proposals", "rough_bodies", "silhouettes", "phenotype", "person"), ("bodies",), fine.run),
-    Stage("head", 1, ("photos", "proposals", "face_points", "silhouettes", "phenotype", "person"), ("head",), head.run),
+    Stage("fine", 2, ("proposals", "rough_bodies", "silhouettes", "phenotype", "person"), ("body",), fine.run),
+    Stage("head", 2, ("photos", "proposals", "face_points", "silhouettes", "phenotype"), ("head",), head.run),
     Stage(
         "join",
         1,
-        ("photos", "proposals", "body_points", "silhouettes", "bodies", "head", "phenotype"),
+        ("photos", "proposals", "body_points", "silhouettes", "body", "head", "phenotype"),
         ("joined",),
         join.run,
     ),
@@ -98,7 +96,7 @@ STAGES: tuple[Stage, ...] = (
     Stage(
         "measures",
         2,
-        ("proposals", "obeyed_silhouettes", "phenotype", "bodies", "obeyed", "person"),
+        ("proposals", "obeyed_silhouettes", "phenotype", "body", "obeyed", "person"),
         ("measures",),
         taking_obeyed(measures.run),
     ),

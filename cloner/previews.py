@@ -25,6 +25,7 @@ from cloner.render import Shading, coverage, draw, standard_camera
 FOLDER: Final = "previews"
 HEIGHT_PX: Final = 1000  # taste: a screen's height
 MARGIN: Final = 0.05  # taste: air around the person, share of the person's height
+#: Colours of the backdrop, of outlines in the photo and of the clone, and of points by where they come from (taste).
 _BACKDROP: Final = (226, 228, 230)
 _EXTRACTED: Final = (40, 220, 60)
 _CLONE: Final = (255, 40, 220)

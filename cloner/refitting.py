@@ -14,10 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner import pipeline
-from cloner.body.outlined import body_triangles
 from cloner.editing.claims import scene_of
 from cloner.editing.face import show_face
 from cloner.frames import ViewId
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import borders_px, fill_triangles
 from cloner.records.clones import Clone, Joined
 from cloner.records.photos import Person, PhotoSet

@@ -20,6 +20,7 @@ from cloner.errors import Cancelled, ClonerError, plain
 
 log = logging.getLogger(__name__)
 
+#: The exit codes (docs/exit_codes.md).
 EXIT_INPUT: Final = 2
 EXIT_SOME_FAILED: Final = 1
 EXIT_DEFECT: Final = 70  # sysexits.h: internal software error

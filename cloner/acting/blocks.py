@@ -15,6 +15,8 @@ from cloner.behaviour.model import XY
 
 Array = NDArray[np.float64]
 
+#: Heights of what a plan leaves open: a plinth, a pillar that is cut off to see over it, a counter, other things,
+#: metres (taste).
 PLINTH_M, PILLAR_M, COUNTER_M, THING_M = 0.5, 3.0, 1.0, 1.8
 #: A pillar is not wider than this, metres; a thing has this side.
 SLIM_M: Final = 1.2

@@ -64,8 +64,8 @@ class Ground:
         row, column = self.cells(place)
         return np.asarray(self.clear[row, column] >= RAY_BODY_M)
 
-    def sees(self, start: Array, end: Array, body_m: float = 0.0) -> Mask:
-        """Return whether nothing stands between the places of two lists (n, 2), as wide as a body if wanted."""
+    def sees(self, start: Array, end: Array) -> Mask:
+        """Return whether nothing stands between the places of two lists (n, 2)."""
         away = end - start
         length = np.sqrt(away[:, 0] * away[:, 0] + away[:, 1] * away[:, 1])
         if not len(length):
@@ -75,7 +75,7 @@ class Ground:
         way = start[:, None] + share[:, :, None] * away[:, None]
         row, column = self.cells(way.reshape(-1, 2))
         clear = self.clear[row, column].reshape(share.shape)
-        return np.asarray(((clear >= body_m) | (share >= 1.0)).all(axis=1))
+        return np.asarray(((clear >= 0.0) | (share >= 1.0)).all(axis=1))
 
 
 def box(middle: Sequence[float], size: Sequence[float]) -> Array:

@@ -34,6 +34,15 @@ LARGEST_BYTES: Final = 1_000_000
 _MOST_EXPECTED: Final = 6  # more words than this say less
 
 
+#: What a clause tells without a value of its own.
+_FLAGS: Final[dict[str, dict[str, Any]]] = {
+    "one_at_a_time": {"holds": 1}, "shared": {"holds": 0},
+    "flocking": {"flocking": True}, "adapts": {"adapts": True}, "wanders": {"wanders": True},
+}  # fmt: skip
+#: What the one value of a clause is called.
+_TOLD: Final = {"region": "size"} | {name: name for name in ("holds", "look_at", "leader", "memory", "starts_at")}
+
+
 class Word(str):
     """A name as it was written, and where."""
 
@@ -81,23 +90,8 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
     def obstacle_through(self, found: list[Any]) -> tuple[str, Any]:
         return "obstacles", Shape(tuple(found[1:]), found[0])
 
-    def region(self, found: list[Any]) -> dict[str, Any]:
-        return {"size": found[0]}
-
     def act(self, found: list[Any]) -> dict[str, Any]:
         return {"act": found[0], "seconds": found[1]}
-
-    def one_at_a_time(self, found: list[Any]) -> dict[str, Any]:
-        return {"holds": 1}
-
-    def shared(self, found: list[Any]) -> dict[str, Any]:
-        return {"holds": 0}
-
-    def holds(self, found: list[Any]) -> dict[str, Any]:
-        return {"holds": found[0]}
-
-    def look_at(self, found: list[Any]) -> dict[str, Any]:
-        return {"look_at": found[0]}
 
     def point(self, found: list[Any]) -> tuple[str, Any]:
         return "points", Point(found[0], found[1], **_once(found[2:], found[0]))
@@ -109,9 +103,6 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
         name, speed, walk, *acts = found
         return "emotions", Emotion(name, speed, walk or name, tuple(one for one in acts if one) or ("stand",))
 
-    def leader(self, found: list[Any]) -> dict[str, Any]:
-        return {"leader": found[0]}
-
     def feeling(self, found: list[Any]) -> dict[str, Any]:
         return {"feelings": Feeling(found[0], 100.0 if found[1] is None else found[1])}
 
@@ -122,9 +113,6 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
     def knows(self, found: list[Any]) -> dict[str, Any]:
         return {"knows": tuple(found)}
 
-    def memory(self, found: list[Any]) -> dict[str, Any]:
-        return {"memory": found[0]}
-
     def follows(self, found: list[Any]) -> dict[str, Any]:
         return {"follows": Follows(found[0], found[1] or 0.0)}
 
@@ -133,18 +121,6 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
 
     def likes(self, found: list[Any]) -> dict[str, Any]:
         return {"likes": (found[0], found[1])}
-
-    def flocking(self, found: list[Any]) -> dict[str, Any]:
-        return {"flocking": True}
-
-    def adapts(self, found: list[Any]) -> dict[str, Any]:
-        return {"adapts": True}
-
-    def wanders(self, found: list[Any]) -> dict[str, Any]:
-        return {"wanders": True}
-
-    def starts_at(self, found: list[Any]) -> dict[str, Any]:
-        return {"starts_at": found[0]}
 
     def crowd(self, found: list[Any]) -> tuple[str, Any]:
         people, name, *parts = found
@@ -197,7 +173,11 @@ class _Records(Transformer[Token, Any]):  # type: ignore[misc]  # lark may not b
         return Action("event", what=found[0])
 
     def __default__(self, data: str, children: list[Any], meta: Any) -> Any:
-        """Turn "who verb what seconds" into an action."""
+        """Return what a clause tells, or "who verb what seconds" as an action."""
+        if data in _FLAGS:
+            return _FLAGS[data]
+        if data in _TOLD:
+            return {_TOLD[data]: children[0]}
         if data == "start":
             return [one for one in children if one is not None]
         who, what, seconds = [*children, None, None][:3]

@@ -26,11 +26,10 @@ _LEARNS_EVERY: Final = 20  # steps: a second
 class Seen:
     """The world as it was before anybody selected: behaviours read this, never each other's new orders.
 
-    ``leaders`` (g,) people; ``things`` (g, t) which things each leader sees; ``place``, ``goal``, ``emotion`` of
+    ``things`` (g, t) which things each leader sees; ``place``, ``goal``, ``emotion`` of
     everybody.
     """
 
-    leaders: Indices
     things: Mask
     place: Array
     goal: Indices
@@ -45,7 +44,7 @@ def perceive(world: World) -> Seen:
     present = world.bodies.present[leaders]
     for k, thing in enumerate(world.things):
         things[:, k] = present & sees_place(world, leaders, np.repeat(thing[None], len(leaders), axis=0))
-    seen = Seen(leaders, things, place.copy(), world.bodies.goal.astype(np.int64), world.people.emotion.copy())
+    seen = Seen(things, place.copy(), world.bodies.goal.astype(np.int64), world.people.emotion.copy())
     _remember(world, seen)
     if world.steps % _LEARNS_EVERY == 0:
         _learn(world, leaders)

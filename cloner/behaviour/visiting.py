@@ -27,7 +27,7 @@ def visit(world: World) -> None:
     there = here & world.bodies.settled & (world.bodies.goal == ordered) & (ordered >= 0)
     for one in np.flatnonzero(there & (people.phase != DONE)):
         _carry_on(world, int(one))
-    _go_on(world, np.flatnonzero(here & (people.phase == DONE)), own)
+    _go_on(world, np.flatnonzero(here & (people.phase == DONE)))
 
 
 def users(world: World, place: int) -> Indices:
@@ -92,7 +92,7 @@ def _let_go(world: World, who: Indices) -> None:
         world.people.phase[who] = WALKING
 
 
-def _go_on(world: World, done: Indices, own: np.ndarray) -> None:
+def _go_on(world: World, done: Indices) -> None:
     """Send those who are done to their next goal; a flocking group goes when all are."""
     people = world.people
     for number in np.unique(people.band[done]):

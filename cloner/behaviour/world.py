@@ -13,7 +13,7 @@ from cloner.behaviour import dice, fields
 from cloner.behaviour.channels import Orders
 from cloner.behaviour.dice import purpose
 from cloner.behaviour.ground import BODY_M, CELL_M, Array, Ground, Indices, Mask, box, ground_of
-from cloner.behaviour.model import Action, Emotion, Group, Scenario
+from cloner.behaviour.model import Action, Group, Scenario
 from cloner.behaviour.walking import STEP_S, Bodies, bodies_on
 from cloner.errors import ClonerError
 
@@ -21,7 +21,6 @@ from cloner.errors import ClonerError
 SPREAD: Final = 0.194
 #: What everybody can do; points and emotions add to it.
 ACTS: Final = ("stand", "walk", "run")
-REGULAR: Final = "regular"
 WALKING, WAITING, CALLED, ACTING, DONE = range(5)
 
 
@@ -275,8 +274,3 @@ def _nearest_cells(ground: Ground, free: Mask, place: Place, count: int) -> Mask
     distance = np.where(free, fields.distances(ground, place.corners), np.inf)
     enough = np.sort(distance.ravel())[min(count, distance.size) - 1]
     return np.asarray(np.isfinite(distance) & (distance <= max(float(enough), 0.0)))
-
-
-def emotion_of(world: World, person: int) -> Emotion:
-    """Return what a person feels."""
-    return world.scenario.emotions[int(world.people.emotion[person])]

@@ -50,9 +50,9 @@ def bare_skin(clone: Clone) -> Flags:
     graph = person_graph(generic, clone.vertices_m)
     head, worn = generic.head_blend >= HEAD, worn_skin(generic, clone)
     head &= ~worn
-    bare = _body(generic) & ~worn & (head | (graph.distance_from(worn, 2.0 * HEM_M) > HEM_M))
+    bare = generic.skin & ~worn & (head | (graph.distance_from(worn, 2.0 * HEM_M) > HEM_M))
     bare &= head | _skin_coloured(generic, clone, bare)
-    return np.asarray(head & _body(generic) | _whole(generic, clone, graph, bare))
+    return np.asarray(head & generic.skin | _whole(generic, clone, graph, bare))
 
 
 def worn_skin(generic: GenericHuman, clone: Clone) -> Flags:
@@ -86,13 +86,8 @@ def usual_skin(generic: GenericHuman, colours: Array, bare: Flags) -> Array:
     return np.asarray(np.median(colours[rows], axis=0))
 
 
-def _body(generic: GenericHuman) -> Flags:
-    return np.asarray(generic.vertex_part == generic.part_names.index("body"))
-
-
 def _hands(generic: GenericHuman) -> Flags:
-    names = [generic.segment_names.index(f"{side}_hand") for side in ("left", "right")]
-    return np.isin(generic.vertex_segment, names)
+    return generic.segment("left_hand", "right_hand")
 
 
 def _skin_coloured(generic: GenericHuman, clone: Clone, bare: Flags) -> Flags:

@@ -47,7 +47,7 @@ def bared(clone: Clone, bare: Flags, sex: str, rng: np.random.Generator) -> Text
     generic, rgb = load_generic(), clone.atlas.rgb.copy()
     atlas = generic_atlas(generic, len(rgb))
     graph = person_graph(generic, clone.vertices_m)
-    body = generic.vertex_part == generic.part_names.index("body")
+    body = generic.skin
     kept = np.where(body, np.clip(graph.distance_from(body & ~bare, FADE_M) / FADE_M, 0.0, 1.0), 1.0)
     share = atlas.interpolate(kept)[:, None]
     rows = np.flatnonzero(share[:, 0] < 1.0)

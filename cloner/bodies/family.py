@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -83,7 +83,7 @@ def _frozen() -> tuple[NDArray[np.float32], Array]:
     head = (generic.head_blend.astype(np.float64), head_joints(generic), "skullbase", (0.0, 0.0, 1.0))
     feet = []
     for side in ("left", "right"):
-        own = generic.segment_weights[:, generic.segment_names.index(f"{side}_foot")].astype(np.float64)
+        own = generic.share(f"{side}_foot")
         below = np.array([float(_is_below(generic, row, f"{side[0]}_ankle")) for row in range(len(joints[0]))])
         feet.append((own, below, f"{side[0]}_ankle", (1.0, 0.0, 1.0)))
     for share, joint_share, joint, axes in (head, *feet):
@@ -103,8 +103,7 @@ def _smooth(generic: GenericHuman, modes: Array) -> Array:
     flat = np.moveaxis(modes, 0, 1).reshape(count, -1)
     for _ in range(SMOOTHINGS):
         flat = 0.5 * flat + 0.5 * (links @ flat) / around
-    rows = [generic.segment_names.index(f"{side}_hand") for side in ("left", "right")]
-    fingers = generic.segment_weights[:, rows].astype(np.float64).sum(axis=1)[:, None]  # too thin to be averaged
+    fingers = generic.share("left_hand", "right_hand")[:, None]  # too thin to be averaged
     return np.asarray((1.0 - fingers) * np.moveaxis(flat.reshape(count, len(modes), 3), 1, 0) + fingers * modes)
 
 
@@ -131,8 +130,3 @@ def round_body(base: BodyMesh, stature_m: float) -> Family:
     modes, joints = _frozen()
     scale = stature_m / GENERIC_STATURE_M
     return Family(base, np.float32(scale) * modes, scale * joints)
-
-
-def with_base(family: Family, base: BodyMesh) -> Family:
-    """Return the family round another body of the same stature."""
-    return replace(family, base=base)

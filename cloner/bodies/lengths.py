@@ -11,12 +11,14 @@ from scipy.interpolate import PchipInterpolator
 
 from cloner.bodies.carried import joints_follow
 from cloner.bodies.ruler import read
+from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.measures import TapeRules
 from cloner.records.bodies import BodyMesh
 
 Array = NDArray[np.float64]
 
+#: Rounds in which lengths are brought to what was asked, and the gap at which they end, mm (taste).
 ROUNDS: Final = 4
 CLOSE_MM: Final = 0.3
 #: Levels below this share of the stature are feet and stay.
@@ -52,8 +54,7 @@ def stretched(body: BodyMesh, rules: TapeRules, told_mm: Mapping[str, float]) ->
 
 
 def _share(generic: GenericHuman, *names: str) -> Array:
-    rows = [generic.segment_names.index(name) for name in names]
-    return np.asarray(np.clip(generic.segment_weights[:, rows].astype(np.float64).sum(axis=1), 0.0, 1.0))
+    return np.asarray(np.clip(generic.share(*names), 0.0, 1.0))
 
 
 def _levels(vertices: Array, joints: Array, rules: TapeRules, gap_m: Mapping[str, float]) -> Array:
@@ -91,8 +92,7 @@ def _apart(vertices: Array, rules: TapeRules, by_m: float) -> Array:
     generic, step = load_generic(), np.zeros_like(vertices)
     tip = vertices[rules.points["acromion_left"]]
     low = float(vertices[list(rules.level_vertices["underbust"]), 1].mean())
-    high = np.clip((vertices[:, 1] - low) / (tip[1] - low), 0.0, 1.0)
-    high = high * high * (3.0 - 2.0 * high)
+    high = smoothstep(vertices[:, 1], low, tip[1])
     arms = _share(generic, *(f"{side}_{part}" for side in SIDES for part in ("upper_arm", "forearm", "hand")))
     wide = np.clip(vertices[:, 0] / float(tip[0]), -1.0, 1.0)
     ours = (1.0 - generic.head_blend.astype(np.float64)) * high * wide

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.bodies.carried import carried_shells
 from cloner.bodies.measured import measured_body, remeasured_body
@@ -22,8 +21,6 @@ from cloner.records.clones import Clone
 from cloner.records.measures import MEASURE_KEYS
 from cloner.records.terms import Terms
 from cloner.stages.join import eye_joints, flat_soles
-
-Array = NDArray[np.float64]
 
 
 def clone_of_measures(told: Told, size: int, seed: int = 0) -> Clone:
@@ -95,7 +92,7 @@ def remeasured_clone(clone: Clone, told: Told) -> Clone:
     after = remeasured_body(before, replace(told, mm=wanted))
     vertices = flat_soles(generic, after.vertices_m, clone.sole_m) + lift
     shift = vertices - clone.vertices_m
-    skin = np.flatnonzero(generic.vertex_part == generic.part_names.index("body"))
+    skin = np.flatnonzero(generic.skin)
     now = measures_mm(vertices, after.joints_m + lift, rules, clone.sole_m)
     old = measures_mm(clone.vertices_m, clone.joints_m, rules, clone.sole_m)
     return replace(

@@ -77,8 +77,7 @@ def _field(
     wide = _narrowed(key, planes, told)
     total = np.zeros_like(vertices)
     for plane in own:
-        rows = [generic.segment_names.index(name) for name in plane.segments]
-        share = generic.segment_weights[:, rows].astype(np.float64).sum(axis=1) * _skin(generic)
+        share = generic.share(*plane.segments) * generic.skin
         ring = slice_points(vertices, plane.triangles, plane.point_m, plane.normal)
         middle = (ring.min(axis=0) + ring.max(axis=0)) / 2.0
         total += np.clip(share, 0.0, 1.0)[:, None] * sections.limb(vertices, middle, plane.normal, wide)
@@ -92,8 +91,7 @@ def _trunk_field(
     ring = slice_points(vertices, rules.torso, planes[key][0].point_m, planes[key][0].normal)
     centre = (ring.min(axis=0) + ring.max(axis=0)) / 2.0
     names = ("torso", "pelvis", "left_thigh", "right_thigh") if key == "hip_girth" else ("torso", "pelvis")
-    rows = [generic.segment_names.index(name) for name in names]
-    share = np.clip(generic.segment_weights[:, rows].astype(np.float64).sum(axis=1), 0.0, 1.0) * _skin(generic)
+    share = np.clip(generic.share(*names), 0.0, 1.0) * generic.skin
     share = share * (1.0 - generic.head_blend.astype(np.float64))
     heights = {name: float(planes[f"{name}_girth"][0].point_m[1]) for name in ("underbust", "waist")}
     if key == "bust_girth":
@@ -121,10 +119,6 @@ def _narrowed(key: str, planes: Planes, told: tuple[str, ...]) -> float:
         if other != key and set(planes[other][0].segments) & set(own.segments)
     ]
     return float(np.clip(min((*away, 2.0 * WIDE_M[key])) / 2.0, NARROWEST_M, WIDE_M[key]))
-
-
-def _skin(generic: GenericHuman) -> Array:
-    return np.asarray(generic.vertex_part == generic.part_names.index("body"), dtype=np.float64)
 
 
 def _apart(generic: GenericHuman, before: Array, after: Array) -> Array:

@@ -12,6 +12,7 @@ from scipy.spatial import ConvexHull, QhullError
 from cloner.generic.load import load_generic
 from cloner.geometry.lengths import lengths_mm
 from cloner.geometry.measures import UP, Plane, TapeRules, girth_planes, read_mm
+from cloner.geometry.triangles import sides
 
 Array = NDArray[np.float64]
 Modes = NDArray[np.floating]
@@ -101,7 +102,7 @@ def _hull_slopes(vertices_m: Array, modes_m: Modes, plane: Plane, level_modes_m:
     axis = plane.normal / np.linalg.norm(plane.normal)
     side = (vertices_m - plane.point_m) @ axis
     triangles = plane.triangles
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    edges = sides(triangles)
     edges = edges[(side[edges[:, 0]] < 0.0) != (side[edges[:, 1]] < 0.0)]
     across = np.cross(axis, [1.0, 0.0, 0.0] if abs(axis[0]) < 0.9 else [0.0, 0.0, 1.0])
     across /= np.linalg.norm(across)

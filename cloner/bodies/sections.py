@@ -13,8 +13,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline, RegularGridInterpolator
 
+from cloner.easing import half_wave
+
 Array = NDArray[np.float64]
 
+#: Heights of a section, and stations around it (taste).
 ROWS, STATIONS = 20, 23
 #: How much of its growth a breast's row takes in front (twice, at both breasts), everywhere, for women and men.
 LOBES: Final = {"f": (1.0, 0.35), "m": (0.5, 0.6)}
@@ -49,7 +52,7 @@ def breast(points_m: Array, centre_m: Array, span_m: tuple[float, float], level_
     lobe, everywhere = LOBES[sex]
     front = np.exp(-0.5 * ((np.abs(stations) - LOBE_AT) / LOBE_WIDE) ** 2)
     share = np.where(heights < level_m, (heights - low) / (level_m - low), (high - heights) / (high - level_m))
-    fullness = 0.5 - 0.5 * np.cos(np.pi * np.clip(share, 0.0, 1.0))
+    fullness = half_wave(np.clip(share, 0.0, 1.0))
     grid = fullness[:, None] * (everywhere + lobe * front)[None]
     fine = np.linspace(-np.pi, np.pi, 8 * STATIONS + 1)
     closed = np.array([CubicSpline(stations, np.r_[row[:-1], row[0]], bc_type="periodic")(fine) for row in grid])

@@ -54,7 +54,7 @@ def painted(body: BodyMesh, sex: str, size: int, rng: np.random.Generator) -> Te
     texels = np.tile(SKIN.astype(np.float32), (len(atlas.texel), 1))
     places = atlas.interpolate(generic.vertices_m.astype(np.float64))
     texels += GRAIN * grain(places, rng)[:, None]
-    skin = atlas.interpolate((generic.vertex_part == generic.part_names.index("body")).astype(np.float64)) > 0.5
+    skin = atlas.interpolate(generic.skin.astype(np.float64)) > 0.5
     brows = np.where(skin, _brows(generic, places.astype(np.float64)), -1.0)
     for field, colour in ((brows, BROWS), *((atlas.interpolate(each), rgb_) for each, rgb_ in _fields(generic))):
         texels += _inside(field) * (colour.astype(np.float32) - texels)
@@ -110,8 +110,7 @@ def underwear(generic: GenericHuman, sex: str) -> dict[str, Array]:
     """Return by "briefs" and "top" (women's) the signed distance (V,) of every vertex to its edge, positive inside."""
     places = generic.vertices_m.astype(np.float64)
     x, y = np.abs(places[:, 0]), places[:, 1]
-    rows = [generic.segment_names.index(name) for name in ("torso", "pelvis", "left_thigh", "right_thigh")]
-    trunk = (generic.segment_weights[:, rows].sum(axis=1) - 0.5) * 0.1
+    trunk = (generic.share("torso", "pelvis", "left_thigh", "right_thigh") - 0.5) * 0.1
     crotch = float(places[generic.feature("crotch"), 1])
     top = crotch + BRIEFS[0] * 1.7
     legs = y - (crotch - 0.015 + BRIEFS[1] * np.maximum(x - 0.05, 0.0))

@@ -59,7 +59,7 @@ def body_under(dressed: BodyMesh, bare: Flags, girths_mm: Mapping[str, float], s
     graph = person_graph(generic, body.vertices_m)
     body = BodyMesh(_onto(generic, graph, body, dressed, bare), dressed.joints_m)
     body = met(body, rules, told, sex, seat=False)
-    own = bare | (generic.vertex_part != generic.part_names.index("body"))
+    own = bare | ~generic.skin
     still = np.where(own, 1.0, graph.smooth(own.astype(np.float64), 4))[:, None]
     return BodyMesh(still * dressed.vertices_m + (1.0 - still) * body.vertices_m, dressed.joints_m)
 
@@ -72,7 +72,7 @@ def _fitted(
     mean = BodyMesh(scale * generic.vertices_m.astype(np.float64), scale * generic.joints_m.astype(np.float64))
     family = round_body(mean, stature_m)
     normals = vertex_normals(dressed.vertices_m, generic.triangles()[0].astype(np.int32))
-    below = (generic.head_blend < HEAD) & (generic.vertex_part == generic.part_names.index("body"))
+    below = (generic.head_blend < HEAD) & generic.skin
     seen, hidden = np.flatnonzero(below & bare)[::EVERY], np.flatnonzero(below & ~bare)[::EVERY]
     bones = _main_joints(generic)
     coefficients = np.zeros(len(family.modes_m))

@@ -113,7 +113,7 @@ def undressed_clone(clone: Clone, sex: str, seed: int = 0) -> Clone:
     dressed = BodyMesh(clone.vertices_m - lift, clone.joints_m - lift)
     body = body_under(dressed, bare, clone.measures_mm, clone.stature_m, sex)
     vertices = flat_soles(generic, body.vertices_m, 0.0)
-    skin = np.flatnonzero(generic.vertex_part == generic.part_names.index("body"))
+    skin = np.flatnonzero(generic.skin)
     shift = vertices - dressed.vertices_m
     shells = tuple(
         replace(shell, vertices_m=carried(shell.vertices_m - lift, dressed.vertices_m[skin], shift[skin]))

@@ -8,8 +8,12 @@ from typing import Final
 
 import numpy as np
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.records.points import PhotoState, StateKind, ViewPoints, confidence_of, expected_error
+
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.bone_checks")
 
 #: Bones by the joints at their ends, from the trunk outwards.
 BONES: Final = {
@@ -20,10 +24,8 @@ BONES: Final = {
 }
 #: Bones on both sides of a joint that can be moved out of place: the joint itself is then at fault.
 SHARED: Final = {"elbow": ("upper arm", "forearm"), "knee": ("thigh", "shank")}
-#: Length in one photo over the usual one beyond which a joint is wrong. Nothing lengthens a bone in a picture but
-#: perspective (24 people in front and back: 0.91-1.11); a bend towards the camera shortens it.
-LONGEST: Final = 1.25
-SHORTEST: Final = 0.60
+LONGEST: Final = _CALIBRATED.number("longest", "factor")
+SHORTEST: Final = _CALIBRATED.number("shortest", "factor")
 
 
 def check_bones(body: Mapping[ViewId, ViewPoints], height_px: Mapping[ViewId, float]) -> dict[ViewId, ViewPoints]:

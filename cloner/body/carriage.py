@@ -13,22 +13,26 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Mapping
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.carriage_sight import HAIR, Head, Params, Sight, angles_of, sight_of, turned
 from cloner.body.outlined import Outlined
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.hair.agreement import HairField, agreement
 from cloner.head.flank import Flank
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
 
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.carriage")
+
 Array = NDArray[np.float64]
 
-#: Largest turn of one step, radians.
-_STEP_RAD = 0.15
+_STEP_RAD = _CALIBRATED.number("step_rad", "rad")
 #: A photo without a face, and one in which nothing was looked up.
 UNSEEN = np.zeros((0, 2))
 NOTHING = Flank(np.zeros(0, dtype=np.int64), np.zeros((0, 2)), np.zeros(0))
@@ -70,29 +74,21 @@ def carry_heads(
     state, hair = rest.copy(), slice(len(rest) - HAIR, None)
     turning = {view: functools.partial(turned, photos[view].posed, pivot_m=head.pivot_m) for view in lines}
     spots: Mapping[ViewId, Flank] = {}
+
+    def seen(view: ViewId, angles: Array, spot: Flank) -> Sight:
+        face = faces_px.get(view, UNSEEN)
+        return sight_of(head, photos[view], angles, points.get(view), face, face_errors_m, spot, params)
+
     for step in range(params.turns):
         if step == params.looks_at:
             spots = look({view: turned(photo.posed, state[own[view]], head.pivot_m) for view, photo in photos.items()})
-        sights = {
-            view: sight_of(
-                head,
-                photo,
-                state[own[view]],
-                points.get(view),
-                faces_px.get(view, UNSEEN),
-                face_errors_m,
-                spots.get(view, NOTHING),
-                params,
-            )
-            for view, photo in photos.items()
-        }
+        sights = {view: seen(view, state[own[view]], spots.get(view, NOTHING)) for view in photos}
         if step == 0:  # from usual hair an afro's outline would count as another thing's
             state[hair.start] = usual_thickness_mm(sights, rest[hair.start])
         values, slopes = [(state - rest) / spread], [np.diag(1.0 / spread)]
         for view, sight in sights.items():
             value, slope = sight.linear(state[own[view]], state[hair])
-            values.append(value)
-            slopes.append(_placed({view: slope[:, :-HAIR]}, own, len(state)))
+            values, slopes = [*values, value], [*slopes, _placed({view: slope[:, :-HAIR]}, own, len(state))]
             slopes[-1][:, hair] = slope[:, -HAIR:]
         for value, by_view in agreement(mesh, lines, turning, {view: state[own[view]] for view in lines}):
             values.append(value)

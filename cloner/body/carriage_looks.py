@@ -13,6 +13,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.head.flank import PLACES, Flank, find_places, vertex_of
@@ -22,16 +23,17 @@ from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.photos import PhotoSet
 from cloner.records.views import Camera
 
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.carriage_looks")
+
 Array = NDArray[np.float64]
 
 #: Body photos and the face photos of the same direction.
 TWINS: Final = ((ViewId.BODY_FRONT, ViewId.FACE_FRONT), (ViewId.BODY_SIDE, ViewId.FACE_SIDE))
 #: Places on the ear that are looked up beside those of the face.
 EAR: Final = tuple((f"{name}_L", f"{name}_R") for name in ("ear_top", "ear_lobe", "ear_outer", "ear_back"))
-#: Photos whose directions differ by more than this show different skin (cosine).
-SAME_WAY: Final = 0.85
-#: A place aside of the head counts as shown when the camera stands at least this far to its side (sine).
-ASIDE: Final = 0.35
+SAME_WAY: Final = _CALIBRATED.number("same_way", "cosine")
+ASIDE: Final = _CALIBRATED.number("aside", "sine")
 
 
 def look_up(mesh: BodyMesh, photos: PhotoSet, poses: Mapping[ViewId, PosedView]) -> dict[ViewId, Flank]:

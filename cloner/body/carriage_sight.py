@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import functools
 from dataclasses import dataclass, field, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import Outlined, body_triangles, see
+from cloner.body.outlined import Outlined, see
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.head.flank import Flank
@@ -19,6 +22,9 @@ from cloner.head.modes import load_head_modes
 from cloner.head.rim import HAIR_M, thickening
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
+
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.carriage_sight")
 
 Array = NDArray[np.float64]
 
@@ -28,41 +34,33 @@ NECK, SKULL = ("vc7", "vc5", "vc3"), ("skullbase",)
 HEAD_POINTS = ("nose_tip", "ear_outer_L", "ear_outer_R", "pupil_L", "pupil_R")
 #: Numbers of the hair's thickness: everywhere, more on top, more behind, more at the sides.
 HAIR = len(HAIR_M)
-#: Neighbouring points of a rim or a face err together: so many count as independent.
-_INDEPENDENT = 30.0
-#: A place found wrongly pulls no more than one that is so many spreads off.
-_WRONG = 4.0
+_INDEPENDENT = _CALIBRATED.number("independent", "pieces")
+_WRONG = _CALIBRATED.number("wrong", "spreads")
 
 
 @dataclass(frozen=True, slots=True)
 class Params:
     """Trust in the evidence.
 
+    Its numbers: ``cloner/calibration/body.toml``, ``[carriage_sight.*]``.
+
     Attributes
     ----------
-    point_mm, outline_mm, face_mm : float
-        Spread of the pose net's points on the head, of the head's outline, and of the face net's points.
-    hair_mm : float
-        Spread of the hair's outline around the skull by the shared thickness.
     thickness_mm : tuple of four (mean, spread) of the numbers of the hair's thickness.
-    neck_deg, head_deg, nod_deg : float
-        Usual bend of the neck away from the phenotype's, turn of the head by all that, and nod of a face photo.
-    spot_mm : float
-        Spread of the skin looked up.
     turns, looks_at : int
         Gauss-Newton steps (six find no better heads on eight painted people), and before which of them skin is looked
         up: nearer to the truth than the phenotype's head, whose skin lies beyond the search.
     """
 
-    point_mm: float = 20.0
-    outline_mm: float = 3.0
-    face_mm: float = 2.0
-    hair_mm: float = 2.0
+    point_mm: float = _CALIBRATED.number("point_mm", "mm")
+    outline_mm: float = _CALIBRATED.number("outline_mm", "mm")
+    face_mm: float = _CALIBRATED.number("face_mm", "mm")
+    hair_mm: float = _CALIBRATED.number("hair_mm", "mm")
     thickness_mm: tuple[tuple[float, float], ...] = tuple((mm_from_m(a), mm_from_m(b)) for a, b in HAIR_M)
-    neck_deg: float = 8.0
-    head_deg: float = 4.0
-    nod_deg: float = 2.0
-    spot_mm: float = 1.5
+    neck_deg: float = _CALIBRATED.number("neck_deg", "deg")
+    head_deg: float = _CALIBRATED.number("head_deg", "deg")
+    nod_deg: float = _CALIBRATED.number("nod_deg", "deg")
+    spot_mm: float = _CALIBRATED.number("spot_mm", "mm")
     turns: int = 5
     looks_at: int = 2
 
@@ -95,7 +93,7 @@ class Head:
         normals = vertex_normals(mesh.vertices_m, body_triangles())
         ears = generic.region("ear_left") | generic.region("ear_right")
         above = mesh.vertices_m[:, 1] > mesh.vertices_m[ears, 1].mean()
-        on_head = (generic.head_blend > 0.9) & (generic.vertex_part == generic.part_names.index("body"))
+        on_head = (generic.head_blend > 0.9) & generic.skin
         pivot = load_face_net().places.at(mesh.vertices_m).mean(axis=0)
         return cls(mesh, on_head, generic.region("scalp") & above & ~ears, thickening(normals), pivot)
 

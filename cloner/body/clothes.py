@@ -15,11 +15,15 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import body_triangles
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.settling import smoothed_directions
 from cloner.records.bodies import Phenotype
+
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.clothes")
 
 Array = NDArray[np.float64]
 
@@ -32,8 +36,7 @@ class Ease:
     ----------
     segments : tuple of str
     mean_m, spread_m : float
-        Usual distance and one standard deviation, metres (taste; half as much or twice as much over the trunk and
-        the legs changed the held-out overlap of eight random people by less than 0.001).
+        Usual distance and one standard deviation, metres.
     hangs : bool
         Whether the distance grows from nothing at a segment's top to all of it at its end.
     """
@@ -46,24 +49,23 @@ class Ease:
 
 #: Shirt or jacket, its sleeves, trousers, and how trouser legs widen towards the hem.
 EASES: Final = (
-    Ease(("torso", "pelvis"), 0.003, 0.005),
-    Ease(("left_upper_arm", "right_upper_arm", "left_forearm", "right_forearm"), 0.004, 0.005),
-    Ease(("left_thigh", "right_thigh", "left_calf", "right_calf"), 0.008, 0.009),
-    Ease(("left_calf", "right_calf"), 0.0, 0.015, hangs=True),
+    Ease(("torso", "pelvis"), *_CALIBRATED.pair("trunk_m", "m")),
+    Ease(("left_upper_arm", "right_upper_arm", "left_forearm", "right_forearm"), *_CALIBRATED.pair("sleeves_m", "m")),
+    Ease(("left_thigh", "right_thigh", "left_calf", "right_calf"), *_CALIBRATED.pair("trousers_m", "m")),
+    Ease(("left_calf", "right_calf"), *_CALIBRATED.pair("hems_m", "m"), hangs=True),
 )
 
 
 #: How often directions are averaged with their neighbours', as when skin settles.
 WAY_TURNS: Final = 10
-#: Nearer to the middle plane than this cloth of left and right hinders each other: it moves sideways the less.
-SEAM_M: Final = 0.06
+SEAM_M: Final = _CALIBRATED.number("seam_m", "m")
 
 
 @functools.cache
 def _directions() -> Array:
     """Return (E, V, 3) how the generic's vertices move per metre of every ease."""
     generic = load_generic()
-    skin = generic.vertex_part == generic.part_names.index("body")
+    skin = generic.skin
     normals = vertex_normals(generic.vertices_m.astype(np.float64), body_triangles())
     # cloth spans creases; along their own normals both flanks of one would run through each other
     ways = smoothed_directions(normals, body_triangles(), turns=WAY_TURNS)
@@ -71,9 +73,7 @@ def _directions() -> Array:
     along = np.clip(generic.slice_s.astype(np.float64), 0.0, 1.0)
     rows = []
     for ease in EASES:
-        places = [generic.segment_names.index(name) for name in ease.segments]
-        weight = generic.segment_weights[:, places].astype(np.float64).sum(axis=1)
-        rows.append((weight * skin * (along if ease.hangs else 1.0))[:, None] * ways)
+        rows.append((generic.share(*ease.segments) * skin * (along if ease.hangs else 1.0))[:, None] * ways)
     return np.array(rows)
 
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.body_points import ENDS
 from cloner.frames import mm_from_m
 from cloner.generic.body_net import NetPoints, net_points
@@ -17,66 +18,47 @@ from cloner.records.points import Proposal, ViewPoints
 from cloner.records.silhouettes import Silhouette
 from cloner.records.views import View
 
-Array = NDArray[np.float64]
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.evidence")
 
 
 @dataclass(frozen=True, slots=True)
 class Params:
     """Weights of the evidence, as spreads.
 
+    Its numbers: ``cloner/calibration/body.toml``, ``[evidence.*]``.
+
     Attributes
     ----------
-    joint_mm, corrected_mm : float
-        Trust in joints where no net spoke, and in an operator's points.
-    outline_mm : float
-        Trust in one independent piece of outline.
-    outline_piece_mm : float
-        Length of outline that counts as independent evidence.
-    hair_mm, hair_spread_mm : float
-        Usual hair above the skull and its spread (taste).
-    floor_mm : float
-        How far heels and toes of both feet may stand off one level floor.
-    height_m, same_height_m : tuple, float
-        Usual height of a camera and its spread; how far the cameras of one person's photos usually differ.
-    azimuth_degrees, facing_degrees, pitch_degrees, roll_degrees : float
-        Spread of the direction that the person was asked to turn to, and of the camera's aim.
-    same_pose : float
-        How much a person's photos differ in pose, relative to how much people do.
     shapes : tuple of int
         Number of shape coefficients in the successive rounds.
-    reach_mm : tuple of float
-        Farthest matched outline in the successive rounds; the first has points only.
     turns_per_round : int
         Gauss-Newton steps a round.
-    fade : tuple of float
-        Spreads beyond which a point loses its weight, in the first round and later.
     height_px : int
         Photo height at which outlines are compared.
-    most_step, most_sigmas : float
-        Longest step of a camera or joint angle (radians, metres), and largest shape coefficient.
     """
 
-    joint_mm: float = 30.0
-    corrected_mm: float = 4.0
-    outline_mm: float = 10.0
-    outline_piece_mm: float = 25.0
-    hair_mm: float = 12.0
-    hair_spread_mm: float = 8.0
-    floor_mm: float = 4.0
-    height_m: tuple[float, float] = (1.25, 0.22)
-    same_height_m: float = 0.2
-    azimuth_degrees: float = 4.0
-    facing_degrees: float = 12.0
-    pitch_degrees: float = 40.0
-    roll_degrees: float = 1.5
-    same_pose: float = 0.35
+    joint_mm: float = _CALIBRATED.number("joint_mm", "mm")
+    corrected_mm: float = _CALIBRATED.number("corrected_mm", "mm")
+    outline_mm: float = _CALIBRATED.number("outline_mm", "mm")
+    outline_piece_mm: float = _CALIBRATED.number("outline_piece_mm", "mm")
+    hair_mm: float = _CALIBRATED.number("hair_mm", "mm")
+    hair_spread_mm: float = _CALIBRATED.number("hair_spread_mm", "mm")
+    floor_mm: float = _CALIBRATED.number("floor_mm", "mm")
+    height_m: tuple[float, float] = _CALIBRATED.pair("height_m", "m")
+    same_height_m: float = _CALIBRATED.number("same_height_m", "m")
+    azimuth_degrees: float = _CALIBRATED.number("azimuth_degrees", "deg")
+    facing_degrees: float = _CALIBRATED.number("facing_degrees", "deg")
+    pitch_degrees: float = _CALIBRATED.number("pitch_degrees", "deg")
+    roll_degrees: float = _CALIBRATED.number("roll_degrees", "deg")
+    same_pose: float = _CALIBRATED.number("same_pose", "factor")
     shapes: tuple[int, ...] = (6, 12, 24, 30, 30)
-    reach_mm: tuple[float, ...] = (0.0, 120.0, 80.0, 60.0, 45.0)
+    reach_mm: tuple[float, ...] = _CALIBRATED.numbers("reach_mm", "mm")
     turns_per_round: int = 3
-    fade: tuple[float, float] = (8.0, 3.0)
+    fade: tuple[float, float] = _CALIBRATED.pair("fade", "spreads")
     height_px: int = 640
-    most_step: float = 0.35
-    most_sigmas: float = 3.5
+    most_step: float = _CALIBRATED.number("most_step", "m, rad")
+    most_sigmas: float = _CALIBRATED.number("most_sigmas", "spreads")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -4,52 +4,47 @@ from __future__ import annotations
 
 import functools
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RBFInterpolator
 from scipy.spatial import ConvexHull
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
 from cloner.geometry.discs import even_disc
 from cloner.geometry.triangles import areas, edges_of
 from cloner.records.bodies import BodyMesh
 
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.feet")
+
 Array = NDArray[np.float64]
 
-#: Toes begin behind this share of the way from the instep to the longest toe's tip; the clefts begin at half of it.
-TOES_FROM = 0.3
-#: How far tips go back to where they point: with .6 a few triangles fold, with none they lie 2 cm off.
-TIPS_BACK = 0.4
-#: Skin nearer to the floor than this stands on the shoe's sole, metres (with 1 cm triangles fold over the edge).
-WELT_M = 0.004
+TOES_FROM = _CALIBRATED.number("toes_from", "share")
+TIPS_BACK = _CALIBRATED.number("tips_back", "share")
+WELT_M = _CALIBRATED.number("welt_m", "m")
 
 
 @dataclass(frozen=True, slots=True)
 class Params:
     """How a foot becomes a shoe.
 
-    Attributes
-    ----------
-    barefoot_m : float
-        Soles thinner than this are taken for naked feet, metres.
-    shod, spread : tuple of float
-        Usual width, length and height of a shoe over the foot in it, and a shift
-        forwards in metres; and how far each may differ (taste).
+    Its numbers: ``cloner/calibration/body.toml``, ``[feet.*]``.
     """
 
-    barefoot_m: float = 0.006
-    shod: tuple[float, float, float, float] = (1.08, 1.08, 1.2, 0.0)
-    spread: tuple[float, float, float, float] = (0.1, 0.06, 0.15, 0.01)
+    barefoot_m: float = _CALIBRATED.number("barefoot_m", "m")
+    shod: tuple[float, float, float, float] = _CALIBRATED.quadruple("shod", "m")
+    spread: tuple[float, float, float, float] = _CALIBRATED.quadruple("spread", "m")
 
 
 @functools.cache
 def _feet() -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
     """Return the feet's vertices, their foot weight, and the ankle joint of each."""
     generic = load_generic()
-    rows = [generic.segment_names.index(f"{side}_foot") for side in ("left", "right")]
-    weights = generic.segment_weights[:, rows].astype(np.float64)
+    weights = np.column_stack([generic.share("left_foot"), generic.share("right_foot")])
     vertices = np.flatnonzero(weights.sum(axis=1) > 0.01)
     ankles = np.array([generic.joint("l_ankle"), generic.joint("r_ankle")])
     return vertices, weights[vertices].sum(axis=1), ankles[np.argmax(weights[vertices], axis=1)]

@@ -8,20 +8,25 @@ how thick their soles are, and how long and how wide they are.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.feet import closed_toes, sized_feet
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
 from cloner.records.bodies import BodyMesh
+
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.footwear")
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
 class Footwear:
-    """A kind of footwear: usual size and one standard deviation each (taste, after shoes of shops).
+    """A kind of footwear: usual size and one standard deviation each.
 
     Attributes
     ----------
@@ -42,8 +47,19 @@ class Footwear:
     closed: bool
 
 
-SHOES = Footwear((0.024, 0.005, 0.014, 0.036), (1.08, 0.05), (1.08, 0.08), 1.2, True)
-BAREFOOT = Footwear((0.0015, 0.001, 0.0, 0.003), (1.0, 0.03), (1.0, 0.03), 1.0, False)
+def _kind(name: str, *, closed: bool) -> Footwear:
+    """Return a kind of footwear as calibrated."""
+    return Footwear(
+        _CALIBRATED.quadruple(f"{name}_sole_m", "m"),
+        _CALIBRATED.pair(f"{name}_length", "factor"),
+        _CALIBRATED.pair(f"{name}_width", "factor"),
+        _CALIBRATED.number(f"{name}_instep", "factor"),
+        closed,
+    )
+
+
+SHOES: Final = _kind("shoes", closed=True)
+BAREFOOT: Final = _kind("barefoot", closed=False)
 #: Number of linear modes: sole height, length, width.
 FOOTWEAR = 3
 

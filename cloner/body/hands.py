@@ -3,26 +3,30 @@
 from __future__ import annotations
 
 import functools
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.geometry.turning import below
 from cloner.records.bodies import BodyMesh
 
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.hands")
+
 Array = NDArray[np.float64]
 
-#: Usual length and width of a hand over the phenotype's, and how far they differ (taste).
-USUAL, SPREAD = (1.0, 1.0), (0.05, 0.06)
+USUAL = _CALIBRATED.pair("usual", "factor")
+SPREAD = _CALIBRATED.pair("spread", "factor")
 
 
 @functools.cache
 def _hand(side: str) -> tuple[NDArray[np.int64], Array, NDArray[np.int64]]:
     """Return a hand's vertices, their weight, and the joints in it."""
     generic = load_generic()
-    segment = generic.segment_names.index({"l": "left_hand", "r": "right_hand"}[side])
-    weight = generic.segment_weights[:, segment].astype(np.float64)
+    weight = generic.share({"l": "left_hand", "r": "right_hand"}[side])
     vertices = np.flatnonzero(weight > 0.001)
     return vertices, weight[vertices], np.flatnonzero(below(generic.joint_parents, generic.joint(f"{side}_wrist")))
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -11,9 +10,10 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.contours import OutlineField, outline_field
 from cloner.geometry.rims import borders_px, rim_vertices
-from cloner.geometry.skinning import blend_transforms, joint_transforms
+from cloner.geometry.skinning import blend_transforms, joint_transforms, posed_joints
 from cloner.geometry.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.labels import Label, shows
@@ -30,15 +30,6 @@ GRID_SEGMENTS = (
     "pelvis",
     *(f"{side}_{part}" for part in ("upper_arm", "forearm", "thigh", "calf") for side in ("left", "right")),
 )
-
-
-@functools.cache
-def body_triangles() -> NDArray[np.int32]:
-    """Return the triangles of the generic human's skin, without eyes, teeth, tongue and lashes."""
-    generic = load_generic()
-    triangles = generic.triangles()[0]
-    skin = generic.vertex_part == generic.part_names.index("body")
-    return np.ascontiguousarray(triangles[skin[triangles].all(axis=1)], dtype=np.int32)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -112,7 +103,7 @@ def see(mesh: BodyMesh, photo: Outlined, among: NDArray[np.bool_] | None = None)
     transforms = joint_transforms(mesh.joints_m, generic.joint_parents, photo.posed.rotations)
     blended = blend_transforms(transforms, generic.skin_joints, generic.skin_weights.astype(np.float64))
     posed_m = np.einsum("vab,vb->va", blended[:, :, :3], mesh.vertices_m) + blended[:, :, 3]
-    joints = np.einsum("jab,jb->ja", transforms[:, :3, :3], mesh.joints_m) + transforms[:, :3, 3]
+    joints = posed_joints(transforms, mesh.joints_m)
     pixels = camera.project(posed_m)
     reduction = photo.field.reduction
     size = (photo.field.distance.shape[0], photo.field.distance.shape[1])
@@ -127,12 +118,6 @@ def see(mesh: BodyMesh, photo: Outlined, among: NDArray[np.bool_] | None = None)
     return Seen(body, posed_m, blended, mm_from_m(float(np.median(size_m))), picture > 0)
 
 
-def segment_members(name: str) -> NDArray[np.int64]:
-    """Return the vertices whose main segment is ``name``."""
-    generic = load_generic()
-    return np.flatnonzero(generic.vertex_segment == generic.segment_names.index(name))
-
-
 def slice_pairs(seen: Seen, photo: Outlined, name: str, levels: Array, reach_mm: float) -> SlicePairs:
     """Return the occluding points of a grid segment's slices and their silhouette pixels in one photo."""
     generic = load_generic()
@@ -140,7 +125,7 @@ def slice_pairs(seen: Seen, photo: Outlined, name: str, levels: Array, reach_mm:
     axis = (seen.body.joints_px[first], seen.body.joints_px[second])
     return occluding_pairs(
         seen.body,
-        segment_members(name),
+        np.flatnonzero(generic.segment(name)),
         generic.slice_s.astype(np.float64),
         generic.slice_theta.astype(np.float64),
         axis,

@@ -14,10 +14,14 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.generic.load import GenericHuman
 from cloner.records.points import Proposal, Proposals
+
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.portrait")
 
 Array = NDArray[np.float64]
 
@@ -30,37 +34,28 @@ _EYES: Final = (33, 263)
 class Params:
     """Weights of the evidence.
 
+    Its numbers: ``cloner/calibration/body.toml``, ``[portrait.*]``.
+
     Attributes
     ----------
     shapes : int
         Number of coefficients; more say nothing about the build.
-    focal_35mm : float
-        Lens of a usual portrait, mm; perspective matters little at this precision.
-    face_m : float
-        What single face points may differ from the family of faces (expressions, the face's own character); measured:
-        with 1 mm a smile makes a caricature, with 6 mm the sample visitors' sex is hardly told.
-    drift : float
-        Size of the errors that the net's points make together, against those on painted heads (as in the head's fit).
-    shoulder_m : float
-        Trust in the net's shoulders, over clothes.
-    most_sigmas : float
-        Largest coefficient.
     turns : int
         Gauss-Newton steps.
     """
 
     shapes: int = 20
-    focal_35mm: float = 70.0
-    face_m: float = 0.0045
-    drift: float = 1.2
-    shoulder_m: float = 0.020
-    most_sigmas: float = 2.0
+    focal_35mm: float = _CALIBRATED.number("focal_35mm", "mm")
+    face_m: float = _CALIBRATED.number("face_m", "m")
+    drift: float = _CALIBRATED.number("drift", "factor")
+    shoulder_m: float = _CALIBRATED.number("shoulder_m", "m")
+    most_sigmas: float = _CALIBRATED.number("most_sigmas", "spreads")
     turns: int = 4
 
 
-def portrait_shape(generic: GenericHuman, proposals: Proposals, params: Params | None = None) -> Array:
+def portrait_shape(generic: GenericHuman, proposals: Proposals) -> Array:
     """Return the shape coefficients (C,) that the front photo of the face suggests; zeros without one."""
-    params = params or Params()
+    params = Params()
     proposal = proposals.views.get(ViewId.FACE_FRONT)
     coefficients = np.zeros(params.shapes)
     if proposal is None or proposal.face_presence == 0.0:

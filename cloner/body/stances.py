@@ -12,18 +12,25 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import Outlined, Seen, body_triangles, see
+from cloner.body.outlined import Outlined, Seen, see
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.posing import moved_camera
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.skinning import joint_transforms
 from cloner.geometry.turning import carried_share, pixel_slope, turned_motion, turned_rotation
+from cloner.geometry.vectors import unit
 from cloner.records.bodies import BodyMesh, PosedView
+
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.stances")
 
 Array = NDArray[np.float64]
 #: Rest vertices of a body whose hands and feet have given sizes.
@@ -34,26 +41,16 @@ Sizer = Callable[[Array], BodyMesh]
 class Params:
     """Trust in outlines against the poses found before.
 
-    Attributes
-    ----------
-    limb_degrees, tip_degrees : float
-        How far limbs, and hands and feet, usually turn from the phenotype's pose (on random people 2 was better
-        than 1 degree for limbs by 0.0008 of the overlap).
-    camera_degrees, camera_mm : tuple of float
-        How far the camera usually turns about its own axes (right, down, ahead) and shifts; the far shift is a scale.
-    outline_mm, piece_mm : float
-        Spread of one independent piece of outline, and its length.
-    reach_mm : tuple of float
-        Farthest believed outline, one turn of Gauss-Newton each.
+    Its numbers: ``cloner/calibration/body.toml``, ``[stances.*]``.
     """
 
-    limb_degrees: float = 2.0
-    tip_degrees: float = 6.0
-    camera_degrees: tuple[float, float, float] = (0.7, 0.7, 0.7)
-    camera_mm: tuple[float, float, float] = (10.0, 10.0, 40.0)
-    outline_mm: float = 4.0
-    piece_mm: float = 15.0
-    reach_mm: tuple[float, ...] = (50.0, 30.0, 20.0)
+    limb_degrees: float = _CALIBRATED.number("limb_degrees", "deg")
+    tip_degrees: float = _CALIBRATED.number("tip_degrees", "deg")
+    camera_degrees: tuple[float, float, float] = _CALIBRATED.triple("camera_degrees", "deg")
+    camera_mm: tuple[float, float, float] = _CALIBRATED.triple("camera_mm", "mm")
+    outline_mm: float = _CALIBRATED.number("outline_mm", "mm")
+    piece_mm: float = _CALIBRATED.number("piece_mm", "mm")
+    reach_mm: tuple[float, ...] = _CALIBRATED.triple("reach_mm", "mm")
 
 
 #: Joints that turn: limbs about all axes, knees about their hinge alone.
@@ -113,7 +110,7 @@ def _rows(
     camera = photo.posed.camera
     normals = np.einsum("vab,vb->va", seen.blended[:, :, :3], vertex_normals(mesh.vertices_m, body_triangles()))[rim]
     flat = (normals @ camera.camera_from_model[:3, :3].T)[:, :2]
-    flat /= np.maximum(np.linalg.norm(flat, axis=1, keepdims=True), 1e-9)
+    flat = unit(flat)
     reach_px = reach_mm / seen.mm_per_px
     nearest, distance = photo.field.nearest_rim(seen.body.pixels[rim], flat, reach_px)
     keep = (distance < reach_px) & ~photo.field.veiled

@@ -11,20 +11,20 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measures import TapeRules, girth_planes
 from cloner.geometry.stretching import CLOSE_MM, Loop, fields, grown, zone_m
 from cloner.records.bodies import BodyMesh
 
-Array = NDArray[np.float64]
+#: What each number is and where it comes from: ``cloner/calibration/body.toml``.
+_CALIBRATED: Final = calibrated("body.tape_fit")
 
-#: Largest growth of corners, depth and whole slices; corners beyond this would be square.
-MOST_WITH_SIDE: Final = (0.06, 0.12, 0.40)
-#: Without a side photo nobody saw the depth.
-MOST_WITHOUT_SIDE: Final = (0.03, 0.40, 0.40)
+
+MOST_WITH_SIDE: Final = _CALIBRATED.triple("most_with_side", "factor")
+MOST_WITHOUT_SIDE: Final = _CALIBRATED.triple("most_without_side", "factor")
 #: A slice's level may move as it grows (the widest hip); then it is found again.
 ROUNDS: Final = 3
 FRONTAL: Final = np.array([0.0, 0.0, 1.0])
@@ -66,13 +66,6 @@ def _loops(generic: GenericHuman, rules: TapeRules, body: BodyMesh, tape_mm: Map
             for other, _ in planes
             if other is not plane and other.segments[0] == plane.segments[0]
         ]
-        weight = _weight(generic, plane.segments)
+        weight = np.where(generic.skin, np.clip(generic.share(*plane.segments), 0.0, 1.0), 0.0)
         loops.append(Loop(plane.point_m, plane.normal, plane.triangles, weight, wanted, zone_m(away)))
     return loops
-
-
-def _weight(generic: GenericHuman, segments: tuple[str, ...]) -> Array:
-    rows = [generic.segment_names.index(name) for name in segments]
-    body = generic.vertex_part == generic.part_names.index("body")
-    share = generic.segment_weights[:, rows].astype(np.float64).sum(axis=1)
-    return np.where(body, np.clip(share, 0.0, 1.0), 0.0)

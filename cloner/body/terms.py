@@ -15,13 +15,14 @@ from numpy.typing import NDArray
 
 from cloner.body.evidence import Evidence, Params
 from cloner.body.model import Drawn, Family
-from cloner.body.outlined import body_triangles
 from cloner.detectors.body_points import ENDS
 from cloner.frames import mm_from_m
 from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.posing import Chosen
 from cloner.geometry.rims import rim_vertices, vertex_normals
 from cloner.geometry.tripods import placed_camera
+from cloner.geometry.vectors import unit
 
 Array = NDArray[np.float64]
 Rows = tuple[Array, Array]
@@ -136,7 +137,7 @@ def outline_trust(generic: GenericHuman) -> Array:
     trust = np.ones(len(generic.vertices_m))
     for name, value in (("hand", 0.3), ("foot", 0.5)):
         for side in ("left", "right"):
-            trust[generic.vertex_segment == generic.segment_names.index(f"{side}_{name}")] = value
+            trust[generic.segment(f"{side}_{name}")] = value
     trust[generic.region("scalp")] = 0.0
     return trust
 
@@ -164,7 +165,7 @@ class OutlineTerm:
         height, width = field.distance.shape
         rim, _ = rim_vertices(small, posed, triangles, camera.position_m, (height, width), 2.5)
         normals = vertex_normals(posed, triangles)[rim] @ camera.camera_from_model[:3, :3].T
-        self.normals = normals[:, :2] / np.maximum(np.linalg.norm(normals[:, :2], axis=1, keepdims=True), 1e-9)
+        self.normals = unit(normals[:, :2])
         self.model, self.field = skin.part(rim), field
         self.trust = outline_trust(body.generic)[rim]
         mm, sigma = evidence.mm_per_px, params.outline_mm

@@ -25,6 +25,7 @@ from cloner.records.terms import LICENCES
 EVENT_FILE: Final = "event.json"
 TRASH: Final = "trash"
 LOG_FILE: Final = "cloner.log"
+#: Number of the file's format; older ones are read too.
 FORMAT: Final = 2
 LANGUAGES: Final = ("en", "de", "fr", "tr")
 APPEARANCES: Final = ("system", "light", "dark", "contrast")
@@ -33,6 +34,7 @@ DEFAULT_TRASH_DAYS: Final = 2  # taste: a slip is noticed on the same day or the
 DEFAULT_PHONE_HOURS: Final = 24  # taste: until the visitor is at home, and no longer
 _OLD_CONSENT: Final = "consent"
 _CHOICES: Final = {"language": LANGUAGES, "appearance": APPEARANCES, "licence": LICENCES}
+#: Least and largest value of settings that are numbers (taste).
 _RANGES: Final = {
     "retention_days": (0, 3650), "trash_days": (0, 365), "text_percent": (50, 300), "phone_hours": (1, 24 * 30),
 }  # fmt: skip

@@ -41,7 +41,7 @@ def shape_after(step: str, values: Mapping[str, Any]) -> Shape | None:
     elif step == "rough":
         vertices = values["rough_bodies"].consensus.vertices_m
     elif step == "fine":
-        vertices = values["bodies"].consensus.vertices_m
+        vertices = values["body"].mesh.vertices_m
     elif step == "join":
         vertices = values["joined"].vertices_m
     elif step == "obeyed":

@@ -17,6 +17,7 @@ from cloner.project.atomic import write_text
 from cloner.project.folder import PERSON_FILE, read_consent, read_person
 from cloner.project.texts import read_text
 
+#: By definition.
 CENTIMETRES_PER_INCH: Final = 2.54
 INCHES_PER_FOOT: Final = 12
 AGREED: Final = ("event", "licence")

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 
+#: Patience with the program that talks to cameras, seconds, and bytes read of it at a time (taste).
 _FIND_S: Final = 20.0
 _SHOOT_S: Final = 30.0
 _WAIT_S: Final = 3.0  # for the next live picture

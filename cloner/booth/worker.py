@@ -17,6 +17,7 @@ from multiprocessing.connection import Connection
 from typing import Any, Final
 
 from cloner.errors import ClonerError
+from cloner.farm import end_with_parent
 
 log = logging.getLogger(__name__)
 
@@ -141,7 +142,7 @@ class _Teller(logging.Handler):
 
 def _serve(pipe: Connection, make: str) -> None:
     """Do jobs until the caller is gone; runs in the process."""
-    threading.Thread(target=_end_with_caller, daemon=True).start()
+    threading.Thread(target=end_with_parent, daemon=True).start()
     os.nice(5)  # the window comes first on a machine with two cores
     tell = _one_by_one(pipe.send)
     logging.basicConfig(level=logging.INFO, handlers=[_Teller(tell)], format="%(message)s")
@@ -185,11 +186,3 @@ def _answer(job: Callable[..., object], arguments: tuple[object, ...], tell: Sho
 def _unexpected(error: Exception) -> ClonerError:
     message = f"something went wrong that the program did not expect ({type(error).__name__})"
     return ClonerError(message, _AGAIN, "Cloner")
-
-
-def _end_with_caller() -> None:
-    """End this process when the caller's does, even in the middle of a stage."""
-    parent = mp.parent_process()
-    if parent is not None:
-        parent.join()
-        os._exit(1)

@@ -38,6 +38,7 @@ class Block:
     is_open: bool = False
 
 
+#: Shares of a circle and lengths are taste.
 BLOCKS: Final = MappingProxyType({
     block.name: block
     for block in (

@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from cloner.cloth.moving import Worn
 from cloner.generic.load import load_generic
-from cloner.geometry.triangles import edges_of
+from cloner.geometry.triangles import edges_of, sides
 from cloner.geometry.wedges import vertex_normals
 
 Array = NDArray[np.float64]
@@ -24,8 +24,7 @@ EVERY: Final = 3
 def covered(worn: Worn, frames_m: Array) -> NDArray[np.bool_]:
     """Return (V,) which of the generic human's vertices lie 5 mm under cloth in all frames (F, N, 3), no hem near."""
     faces, body = worn.cloth.faces.astype(np.int32), worn.body
-    sides = np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1)
-    ends, count = np.unique(sides, axis=0, return_counts=True)
+    ends, count = np.unique(np.sort(sides(faces), axis=1), axis=0, return_counts=True)
     hem = np.zeros(worn.cloth.count, dtype=bool)
     hem[ends[count == 1]] = True
     found = np.ones(len(body.rows), dtype=bool)

@@ -52,6 +52,11 @@ class Cloth:
         """Number of vertices."""
         return int(self.vertex.max()) + 1
 
+    def sewn(self, points_m: Array) -> Array:
+        """Return the (N, 3) vertices of points (W, 3): the middle of those that are one after sewing."""
+        counts = np.bincount(self.vertex, minlength=self.count)
+        return np.stack([np.bincount(self.vertex, points_m[:, k]) / counts for k in range(3)], axis=1)
+
 
 def cut(pattern: Pattern, step_m: float) -> Cloth:
     """Return a garment's pieces as triangles of about one size, sewn."""
@@ -106,7 +111,7 @@ def _mesh(segment: Segment, counts: Mapping[str, int], step_m: float) -> tuple[A
     lines = np.arange(low[1], high[1], tall)
     columns = [np.arange(low[0] + 0.5 * step_m * (row % 2), high[0], step_m) for row in range(len(lines))]
     grid = np.concatenate([np.column_stack([x, np.full(len(x), y)]) for x, y in zip(columns, lines, strict=True)])
-    away, _ = cKDTree(_dense(outline, step_m)).query(grid)
+    away, _ = cKDTree(_dense(outline)).query(grid)
     inner = grid[_inside(grid, outline) & (away > CLEAR * step_m)]
     points = np.concatenate([outline, inner])
     faces = Delaunay(points).simplices.astype(np.int64)
@@ -119,7 +124,7 @@ def _mesh(segment: Segment, counts: Mapping[str, int], step_m: float) -> tuple[A
     return points, faces[np.abs(area) > 1e-4 * step_m**2], rows
 
 
-def _dense(outline: Array, step_m: float) -> Array:
+def _dense(outline: Array) -> Array:
     """Return a closed outline with a point every fifth of a step."""
     following = np.roll(outline, -1, axis=0)
     shares = np.linspace(0.0, 1.0, 5, endpoint=False)[:, None, None]

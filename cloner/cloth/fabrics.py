@@ -66,6 +66,7 @@ class Fabric:
         return BENDING_N_M * sum(self.bending) / 2.0
 
 
+#: Typical of each kind, within the ranges printed for KES-F; none was measured here.
 _ALL: Final = (
     Fabric("silk", 0.070, (0.030, 0.040), (0.025, 0.020), 0.30, 0.18, 0.90, (150, 38, 52)),
     Fabric("cotton", 0.130, (0.035, 0.060), (0.080, 0.060), 0.90, 0.25, 0.80, (222, 216, 200)),

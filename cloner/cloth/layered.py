@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.cloth.wearer import Wearer
+from cloner.easing import smoothstep
 from cloner.geometry.wedges import vertex_normals
 
 Array = NDArray[np.float64]
@@ -44,8 +45,7 @@ class Under:
         looped = self.loop_m[begun % count]
         if begun >= count:
             return np.asarray(looped)
-        share = begun / count
-        share = share * share * (3.0 - 2.0 * share)
+        share = smoothstep(begun / count)
         return np.asarray((1.0 - share) * self.put_m[frame] + share * looped)
 
 

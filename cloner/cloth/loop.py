@@ -19,6 +19,7 @@ from cloner.cloth.moving import Worn
 from cloner.cloth.solver import leash
 from cloner.cloth.threads import limit, pull
 from cloner.cloth.wearer import planes_under, skin_between
+from cloner.easing import smoothstep
 from cloner.geometry.viewpoints import framing_camera
 from cloner.render import render_mesh
 
@@ -116,7 +117,7 @@ def _closed(worn: Worn, stretch_m: Array, start: int) -> tuple[Array, float]:
     period = len(stretch_m) - 1
     gap = stretch_m[0] - stretch_m[-1]
     share = np.arange(period) / period
-    spread = stretch_m[:-1] + (share * share * (3.0 - 2.0 * share))[:, None, None] * gap
+    spread = stretch_m[:-1] + smoothstep(share)[:, None, None] * gap
     out = np.empty_like(spread)
     for number in range(period):
         frame = (start + number) % period
@@ -140,7 +141,5 @@ def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
             limit(worn.sheet.stretch, out, free)
             if number % 4 < 3:
                 continue
-        planes = planes_under(now, tree, out, 0.05)
-        deep = CLEAR_M - np.einsum("ij,ij->i", out[planes.rows] - planes.late_m, planes.normals)
-        out[planes.rows] += np.maximum(deep, 0.0)[:, None] * planes.normals
+        planes_under(now, tree, out, 0.05).push_out(out, CLEAR_M)
     return out

@@ -19,11 +19,13 @@ from cloner.cloth.solver import THICK_M, Sheet, State, leash, sheet_of, step
 from cloner.cloth.threads import pull
 from cloner.cloth.wearer import FRAMES_PER_S, Wearer, frames, planes_under, skin_between, wearer
 from cloner.cloth.wrapping import DEEP_M, PUSHES, wrapped
+from cloner.easing import smoothstep
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
+#: Steps of the solver a frame (taste).
 SUBSTEPS: Final = 20
 #: Frames of hanging still at rest, and of going from the rest pose to the walk's first frame.
 SETTLE, BLEND = 24, 24
@@ -97,7 +99,7 @@ def put_on(
     if under is not None:
         places = _cleared(body, met_m, places)
         held_m = places[held]
-    root, rotations = frames(body, motion)
+    root, rotations = frames(motion)
     tied = band(clone, held_m, body.rows)
     sheet = sheet_of(cloth, fabric, held)
     if ring is None or under is not None:
@@ -110,9 +112,7 @@ def _cleared(body: Wearer, met_m: Array, places_m: Array) -> Array:
     """Return places pushed out of all that is met, what will be held as well."""
     out, now = places_m.copy(), skin_between(body, met_m, met_m)
     for _ in range(PUSHES):
-        planes = planes_under(now, now.tree, out, DEEP_M)
-        deep = THICK_M - np.einsum("ij,ij->i", out[planes.rows] - planes.late_m, planes.normals)
-        out[planes.rows] += np.maximum(deep, 0.0)[:, None] * planes.normals
+        planes_under(now, now.tree, out, DEEP_M).push_out(out, THICK_M)
     return out
 
 
@@ -125,10 +125,7 @@ def _eased(sheet: Sheet, body: Wearer, met_m: Array, places_m: Array) -> Array:
         leash(sheet, out)  # drawn back later in one step, it would fly
         pull(sheet.stretch, out, free, 1.0, slack=True)  # what is short folds when it hangs
         if number % 3 == 2:
-            planes = planes_under(now, now.tree, out, DEEP_M)
-            deep = THICK_M - np.einsum("ij,ij->i", out[planes.rows] - planes.late_m, planes.normals)
-            deep[np.isin(planes.rows, sheet.held)] = 0.0
-            out[planes.rows] += np.maximum(deep, 0.0)[:, None] * planes.normals
+            planes_under(now, now.tree, out, DEEP_M).push_out(out, THICK_M, sheet.held)
     return out
 
 
@@ -137,8 +134,7 @@ def simulate(worn: Worn, cycles: int) -> Iterator[tuple[int, State]]:
     count = len(worn.rotations)
     poses = [(np.zeros(3), np.zeros_like(worn.rotations[0]))] * SETTLE
     for number in range(1, BLEND + 1):
-        share = number / BLEND
-        share = share * share * (3.0 - 2.0 * share)
+        share = smoothstep(number / BLEND)
         poses.append((share * worn.root_m[0], share * worn.rotations[0]))
     put = len(poses)
     poses += [(worn.root_m[k % count], worn.rotations[k % count]) for k in range(1, cycles * count)]

@@ -23,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
+from cloner.geometry.vectors import arc_lengths, places_along
 from cloner.project.texts import read_text
 
 Array = NDArray[np.float64]
@@ -106,9 +107,9 @@ def length_m(points: Array) -> float:
 def even(points: Array, count: int) -> Array:
     """Return (count + 1, 2) places that lie evenly along a curve, both ends among them."""
     fine = curve(points, np.linspace(0.0, 1.0, 257))
-    run = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(fine, axis=0), axis=1))]
+    run = arc_lengths(fine)
     wanted = np.linspace(0.0, run[-1], count + 1)
-    return np.column_stack([np.interp(wanted, run, fine[:, axis]) for axis in (0, 1)])
+    return places_along(fine, run, wanted)
 
 
 def check_pattern(pattern: Pattern, where: str) -> None:

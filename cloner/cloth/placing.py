@@ -22,6 +22,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measures import UP, slice_points
 from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.vectors import unit
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
@@ -95,10 +96,9 @@ def placed(pattern: Pattern, cloth: Cloth, ring: Ring) -> tuple[Array, Ints, Arr
         wider = (length_m(segment.edges[HEM]) - tops[number]) / shares[number] / (2.0 * np.pi * length)
         lean = float(np.clip(np.arcsin(np.clip(wider, -0.9, 1.0)), -0.5, FLATTEST))
         outward = (base - centre) * [1.0, 0.0, 1.0]
-        outward /= np.maximum(np.linalg.norm(outward, axis=1, keepdims=True), 1e-9)
+        outward = unit(outward)
         points[own] = base + down[:, None] * (np.sin(lean) * outward - np.cos(lean) * UP)
-    counts = np.bincount(cloth.vertex, minlength=cloth.count)
-    places = np.stack([np.bincount(cloth.vertex, points[:, k]) / counts for k in range(3)], axis=1)
+    places = cloth.sewn(points)
     held = np.unique(cloth.vertex[np.concatenate([cloth.edges[f"{s.name}.{TOP}"] for s in pattern.segments])])
     return places, held, places[held]
 
@@ -150,7 +150,7 @@ def outside(places_m: Array, skin_m: Array, held: Ints) -> Array:
         sides, middle = hull.equations, near.mean(axis=0)
         away = out[rows][:, [0, 2]] - middle
         # Along each ray from the middle: how far the hull reaches.
-        direction = away / np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-9)
+        direction = unit(away)
         rise = direction @ sides[:, :2].T
         room = -(sides[:, 2] + middle @ sides[:, :2].T)
         reach = np.where(rise > 1e-9, room / np.maximum(rise, 1e-9), np.inf).min(axis=1) + OUTSIDE_M

@@ -12,10 +12,12 @@ from scipy.spatial import ConvexHull
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measures import UP, slice_points
+from cloner.geometry.vectors import arc_lengths, places_along, unit
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
 
+#: Places on a section's hull, half a degree apart.
 SAMPLES: Final = 720
 #: Slices are taken every centimetre.
 STEP_M: Final = 0.01
@@ -28,9 +30,9 @@ def hull_ring(points: Array) -> Array:
     away = hull - centre
     hull = hull[np.argsort(np.arctan2(away[:, 0], away[:, 1]))]
     closed = np.vstack([hull, hull[:1]])
-    run = np.r_[0.0, np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))]
+    run = arc_lengths(closed)
     even = np.linspace(0.0, run[-1], SAMPLES + 1)
-    fine = np.column_stack([np.interp(even, run, closed[:, k]) for k in (0, 1)])
+    fine = places_along(closed, run, even)
     front = int(np.argmin(np.abs(np.arctan2(fine[:-1, 0] - centre[0], fine[:-1, 1] - centre[1]))))
     fine = np.roll(fine[:-1], -front, axis=0)
     return np.vstack([fine, fine[:1]])
@@ -47,7 +49,7 @@ def wider(ring: Array, by_m: float) -> Array:
     along = np.roll(ring[:-1], -1, axis=0) - np.roll(ring[:-1], 1, axis=0)
     normal = np.column_stack([-along[:, 1], along[:, 0]])
     normal *= np.sign(np.einsum("ij,ij->i", normal, ring[:-1] - centre))[:, None]
-    out = ring[:-1] + by_m * normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
+    out = ring[:-1] + by_m * unit(normal, 1e-12)
     return np.vstack([out, out[:1]])
 
 

@@ -28,6 +28,7 @@ from cloner.geometry.triangles import paired_edges
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+#: Gravity and the density of air at 20 degrees.
 GRAVITY_M_S2: Final = 9.81
 AIR_KG_M3: Final = 1.2
 #: Drag of a plate across the wind (textbook: 1.2 to 2).

@@ -54,6 +54,7 @@ class Cut:
     neck_m: float
 
 
+#: Ease, hems and sleeves are taste.
 CUTS: Final[Mapping[str, Cut]] = {
     "tee": Cut(0.10, 0.08, 0.20, 0.36, False, 0.015),
     "dress": Cut(0.08, 0.55, 0.56, 0.0, False, 0.03),

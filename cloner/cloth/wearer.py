@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.vectors import unit
 from cloner.geometry.wedges import vertex_normals
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -18,6 +19,7 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
+#: Frames a second of every cycle.
 FRAMES_PER_S: Final = 30
 #: What a skirt meets; arms swing beside it. Sleeves and capes meet arms too, but no hands.
 MET: Final = ("torso", "pelvis", "left_thigh", "right_thigh", "left_calf", "right_calf", "left_foot", "right_foot")
@@ -54,17 +56,17 @@ def wearer(clone: Clone, *, whole: bool = False) -> Wearer:
     """Return what cloth can meet of a clone; ``whole`` with arms and neck."""
     generic = load_generic()
     names = (*MET, *ARMS) if whole else MET
-    met = np.isin(generic.vertex_segment, [generic.segment_names.index(name) for name in names])
+    met = generic.segment(*names)
     if whole:
         met |= generic.region("neck") & (generic.head_blend < 0.9)
-    met &= generic.vertex_part == generic.part_names.index("body")
+    met &= generic.skin
     triangles, _ = generic.triangles()
     triangles = triangles[met[triangles].all(axis=1)]
     rows = np.unique(triangles)
     return Wearer(clone, rows.astype(np.int64), np.searchsorted(rows, triangles).astype(np.int64))
 
 
-def frames(body: Wearer, motion: Motion) -> tuple[Array, Array]:
+def frames(motion: Motion) -> tuple[Array, Array]:
     """Return the root (F, 3) and rotations (F, 94, 3) of one cycle at `FRAMES_PER_S`; the frame after the last is the first."""  # noqa: E501
     span = float(motion.times_s[-1])
     count = max(2, round(span * FRAMES_PER_S))
@@ -121,6 +123,13 @@ class Planes:
     late_m: Array
     normals: Array
 
+    def push_out(self, places_m: Array, clear_m: float, held: Ints | None = None) -> None:
+        """Move places (N, 3) in place until they lie ``clear_m`` above their planes; those ``held`` (K,) stay."""
+        deep = clear_m - np.einsum("ij,ij->i", places_m[self.rows] - self.late_m, self.normals)
+        if held is not None:
+            deep[np.isin(self.rows, held)] = 0.0
+        places_m[self.rows] += np.maximum(deep, 0.0)[:, None] * self.normals
+
 
 def planes_under(skin_now: Skin, tree: cKDTree, points_m: Array, reach_m: float) -> Planes:
     """Return the tangent planes under points (N, 3) that lie within reach of the skin or inside it."""
@@ -131,6 +140,6 @@ def planes_under(skin_now: Skin, tree: cKDTree, points_m: Array, reach_m: float)
     weight /= weight.sum(axis=1, keepdims=True)
     near = near[rows]
     normals = np.einsum("nk,nka->na", weight, skin_now.normals[near])
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+    normals = unit(normals)
     early, late = (np.einsum("nk,nka->na", weight, place[near]) for place in (skin_now.early_m, skin_now.late_m))
     return Planes(rows, early, late, normals)

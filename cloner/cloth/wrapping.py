@@ -36,15 +36,12 @@ def wrapped(pattern: Pattern, cloth: Cloth, body: Sections) -> tuple[Array, Ints
     for number, segment in enumerate(pattern.segments):
         own = cloth.segment == number
         points[own] = _laid(segment, cloth.flat_m[own], body, widths)
-    counts = np.bincount(cloth.vertex, minlength=cloth.count)
-    places = np.stack([np.bincount(cloth.vertex, points[:, k]) / counts for k in range(3)], axis=1)
+    places = cloth.sewn(points)
     skin = wearer(body.clone, whole=True)
     skin_m = body.clone.vertices_m[skin.rows]
     now = skin_between(skin, skin_m, skin_m)
     for _ in range(PUSHES):
-        planes = planes_under(now, now.tree, places, DEEP_M)
-        deep = OUTSIDE_M - np.einsum("ij,ij->i", places[planes.rows] - planes.late_m, planes.normals)
-        places[planes.rows] += np.maximum(deep, 0.0)[:, None] * planes.normals
+        planes_under(now, now.tree, places, DEEP_M).push_out(places, OUTSIDE_M)
     held = np.unique(cloth.vertex[np.concatenate([np.zeros(0, np.int64), *(cloth.edges[e] for e in pattern.held)])])
     return places, held, places[held]
 

@@ -9,6 +9,7 @@ from typing import Annotated, Final
 import typer
 
 DEFAULT_FORMATS: Final = "glb,wrl"
+#: Side of the texture that nobody chose, texels (taste).
 DEFAULT_TEXTURE_SIZE: Final = 2048
 
 CloneArgument = Annotated[Path, typer.Argument(metavar="CLONE", help="A result's folder or its clone.npz.")]

@@ -16,6 +16,7 @@ from cloner.outside import read_outside
 
 COUNTED: Final = 1000  # people of whom looks and neighbours are counted
 TIMES_S: Final = (0.0, 3.7, 11.1, 29.3)  # any moments
+#: Bytes.
 MIB: Final = 1 << 20
 
 

@@ -17,6 +17,7 @@ from cloner.crowd.rooms import CHEST_M, Probes, light_at
 
 Array = NDArray[np.float64]
 
+#: Shares of red, green and blue in how bright a colour is (ITU-R BT.709).
 LUMA: Final = np.array([0.2126, 0.7152, 0.0722])
 #: A white thing in average light is shown this bright; taste.
 KEY: Final = 0.85

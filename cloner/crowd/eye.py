@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+#: Nearest and farthest that is drawn, metres (taste).
 NEAR_M: Final = 0.1
 FAR_M: Final = 1200.0
 

@@ -26,6 +26,7 @@ from cloner.errors import ClonerError
 Pixels = NDArray[np.uint8]
 
 FORMAT: Final = "cloner-crowd"
+#: Version of the pack's format, and JPEG quality of its pictures of shape (taste).
 VERSION: Final = 2
 COLOUR_QUALITY: Final = 80  # taste: no blocks at a texel a pixel
 SHAPE_QUALITY: Final = 88

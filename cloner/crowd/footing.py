@@ -24,6 +24,7 @@ from cloner.crowd.clips import WALK_FRAMES
 from cloner.crowd.levels import BodyLevels
 from cloner.crowd.scene import IDLE
 from cloner.crowd.stock import BONE_FULL, BONE_REACH_M, BOX_MIN_M, BOX_STEP_M, Numbers
+from cloner.easing import smoothstep
 from cloner.generic.load import load_generic
 
 Array = NDArray[np.float64]
@@ -114,12 +115,6 @@ def fits(acted: Acted, clips: Sequence[int]) -> bool:
     )
 
 
-def smooth(share: Any) -> Any:
-    """Return 0..1 eased at both ends."""
-    share = np.clip(share, 0.0, 1.0)
-    return share * share * (3.0 - 2.0 * share)
-
-
 def parts_of(row: NDArray[Any], touches: NDArray[Any], scale: float) -> Parts:
     """Return a footing that is no standing in its parts.
 
@@ -131,16 +126,16 @@ def parts_of(row: NDArray[Any], touches: NDArray[Any], scale: float) -> Parts:
     """
     first, last = round(float(row[FIRST])), round(float(row[LAST]))
     base = LEFT if first < RIGHT else RIGHT
-    up = smooth(np.arange(LIFT_PARTS + 1) / LIFT_PARTS)
+    up = smoothstep(np.arange(LIFT_PARTS + 1) / LIFT_PARTS)
     if first == last:  # a foot is lifted, the body turns, the foot is put down
         held = TURN_PARTS - 2 * LIFT_PARTS
         frames = np.full(TURN_PARTS + 1, float(first))
         shares = np.concatenate([up, np.ones(held - 1), up[::-1]])
-        turned = smooth((np.arange(TURN_PARTS + 1) - LIFT_PARTS) / held)
+        turned = smoothstep((np.arange(TURN_PARTS + 1) - LIFT_PARTS) / held)
     else:
         frames = np.arange(first, last + 1, dtype=np.float64)
         low, high = max(first, base + ALONE), min(last, base + SHARED)
-        turned = smooth((frames - low) / (high - low))
+        turned = smoothstep((frames - low) / (high - low))
         shares = row[SHARE] + (row[SHARE_LAST] - float(row[SHARE])) * turned
         if row[SHARE] == 0.0:  # it is lifted before it goes ahead
             frames, turned = (np.concatenate([np.full(LIFT_PARTS, one[0]), one]) for one in (frames, turned))
@@ -197,7 +192,7 @@ def _fill(row: NDArray[np.float32], footing: Array, acted: Acted, now: float) ->
         share = at - frame
         shown, x, z = (clip, frame, clip, (frame + 1) % length, share), footing[X], footing[Z]
         if footing[OTHER] >= 0.0 and since < BLEND_S:
-            share = 1.0 - float(smooth(since / BLEND_S))
+            share = 1.0 - float(smoothstep(since / BLEND_S))
             shown = (clip, frame, int(footing[OTHER]), -1.0 - footing[LAST], share)
             x, z = x + (footing[SHARE] - x) * share, z + (footing[SHARE_LAST] - z) * share
         _put(row, (x, z, footing[HEADING]), *shown)

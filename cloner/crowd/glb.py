@@ -16,12 +16,12 @@ from cloner import __version__
 from cloner.crowd.cast import Cast
 from cloner.crowd.clips import Clip
 from cloner.crowd.groups import sorted_by_group
-from cloner.crowd.levels import BodyLevels
+from cloner.crowd.levels import BodyLevels, nested
 from cloner.exporters.bones import hanim_bones
 from cloner.exporters.credits import CREDITS
 from cloner.exporters.files import jpeg_bytes, png_bytes
 from cloner.exporters.glb_file import glb_bytes
-from cloner.exporters.gltf import add_skeleton
+from cloner.exporters.gltf import add_skeleton, add_texture
 from cloner.exporters.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf_motion import animation
 from cloner.records.clones import Clone
@@ -30,6 +30,7 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 
 JPEG_QUALITY: Final = 85  # taste: crowds are seen from some metres
+#: OpenGL's numbers, which glTF uses.
 _LINEAR, _TRILINEAR, _CLAMP = 9729, 9987, 33071
 
 
@@ -57,7 +58,7 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
         shell = _material(gltf, buffer, "loose", png_bytes(cast.shell), "image/png", "MASK")
     own = _shared(buffer, cast.vertices_m, cast.normals, body.uv, bones.carried(body.joints, body.weights))
     own_loose = None
-    order, sizes = _used(loose.triangles)
+    order, sizes = nested(loose.triangles)
     if shell is not None:
         carried = bones.carried(loose.joints[order], loose.weights[order])
         own_loose = _shared(buffer, loose.vertices_m[order], loose.normals[order], loose.uv[order], carried)
@@ -81,25 +82,12 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
         roots.append(len(gltf.nodes) - 1)
     for clip in cast.clips:
         if len(clip.frames) > 1:
-            gltf.animations.append(animation(gltf, buffer, clone, motion_of(clip), bones, roots[1]))
+            gltf.animations.append(animation(buffer, clone, motion_of(clip), bones, roots[1]))
     gltf.scenes.append(pygltflib.Scene(name=cast.identifier, nodes=roots))
     data = buffer.data()
     gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
     gltf.set_binary_blob(data)
     return glb_bytes(gltf)
-
-
-def _used(levels: tuple[NDArray[np.int32], ...]) -> tuple[NDArray[np.int64], list[int]]:
-    """Return the vertices that any level uses, those of coarser levels first, and how many each level reaches."""
-    order: list[int] = []
-    sizes: list[int] = []
-    seen: set[int] = set()
-    for triangles in reversed(levels):
-        new = [int(one) for one in np.unique(triangles) if int(one) not in seen]
-        seen.update(new)
-        order += new
-        sizes.insert(0, len(order))
-    return np.array(order, np.int64), sizes
 
 
 def _shared(
@@ -130,11 +118,8 @@ def _shared(
 
 
 def _material(gltf: Any, buffer: GltfBuffer, name: str, data: bytes, kind: str, mode: str) -> int:
-    gltf.images.append(pygltflib.Image(name=name, mimeType=kind, bufferView=buffer.view(data)))
-    gltf.textures.append(pygltflib.Texture(sampler=0, source=len(gltf.images) - 1, name=name))
-    look = pygltflib.PbrMetallicRoughness(
-        baseColorTexture=pygltflib.TextureInfo(index=len(gltf.textures) - 1), metallicFactor=0.0, roughnessFactor=0.9
-    )
+    shown = pygltflib.TextureInfo(index=add_texture(gltf, buffer, data, kind, name))
+    look = pygltflib.PbrMetallicRoughness(baseColorTexture=shown, metallicFactor=0.0, roughnessFactor=0.9)
     made = pygltflib.Material(name=name, pbrMetallicRoughness=look, alphaMode=mode, doubleSided=mode != "OPAQUE")
     made.alphaCutoff = 0.4 if mode == "MASK" else None  # as in the clone's own glTF
     gltf.materials.append(made)

@@ -18,8 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
-from cloner.generic.charts import generic_atlas
+from cloner.exporters.regions import texel_triangles
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.vectors import unit
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
 
@@ -88,7 +89,7 @@ def _nails(generic: GenericHuman) -> NDArray[np.bool_]:
     normals = np.zeros_like(places)
     for corner in range(3):
         np.add.at(normals, triangles[:, corner], faces)
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+    normals = unit(normals, 1e-12)
     for side in "lr":
         for finger in ("thumb", "index", "middle", "ring", "pinky"):
             joint, before = generic.joint(f"{side}_{finger}3"), generic.joint(f"{side}_{finger}2")
@@ -113,7 +114,7 @@ def _back(generic: GenericHuman, side: str, axis: NDArray[np.float64]) -> NDArra
 def texel_groups(groups: NDArray[np.uint8], size: int) -> Pixels:
     """Return the (size, size) codes of the atlas' texels: ``STEP * (place in GROUPS + 1)``, 0 outside the charts."""
     codes = np.append(STEP * (groups.astype(np.int64) + 1), 0).astype(np.uint8)
-    return np.asarray(codes[_texel_triangles(size)])
+    return np.asarray(codes[texel_triangles(size)])
 
 
 def marks_of(codes: Pixels) -> Pixels:
@@ -130,15 +131,7 @@ def _limb_texels(size: int) -> NDArray[np.bool_]:
     parts = ("arm", "hand", "thigh", "calf", "foot")
     limbs = [k for k, name in enumerate(generic.segment_names) if any(part in name for part in parts)]
     on_limb = np.isin(generic.vertex_segment[triangles[:, 0]], limbs)
-    return np.asarray(np.append(on_limb, False)[_texel_triangles(size)])
-
-
-@functools.lru_cache(maxsize=3)
-def _texel_triangles(size: int) -> NDArray[np.int32]:
-    atlas = generic_atlas(load_generic(), size)
-    shown = np.full(size * size, -1, dtype=np.int32)
-    shown[atlas.texel] = atlas.triangle
-    return shown.reshape(size, size)
+    return np.asarray(np.append(on_limb, False)[texel_triangles(size)])
 
 
 def sorted_by_group(

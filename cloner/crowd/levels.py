@@ -28,8 +28,6 @@ SURFACES: Final = ("body", "eyes")
 #: Triangles of the loose shells at each level; below 500 hair tears (measured).
 LOOSE: Final = (4_000, 2_000, 1_000, 500)
 LEVELS: Final = len(LOOSE)
-#: Simplified points this near keep their own vertex, metres.
-_SAME_M: Final = 1e-6
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -67,7 +65,7 @@ def body_levels(*, full: bool = False) -> BodyLevels:
     ]
     if full:
         levels.insert(0, np.concatenate([one.triangles + start[k] for k, one in enumerate(found)]))
-    order, counts = _nested(levels)
+    order, counts = nested(levels)
     place = np.full(int(start[-1]), -1, np.int32)
     place[order] = np.arange(len(order), dtype=np.int32)
     vertex = np.concatenate([surface.vertex for surface in found])[order]
@@ -95,8 +93,18 @@ def _shipped() -> dict[str, Index]:
         return {name: archive[name] for name in archive.files}
 
 
-def _nested(levels: Sequence[Index]) -> tuple[NDArray[np.int64], tuple[int, ...]]:
-    """Return an order of the vertices in which every level uses the first so many, and how many."""
+def nested(levels: Sequence[Index]) -> tuple[NDArray[np.int64], tuple[int, ...]]:
+    """Return an order of the vertices in which every level uses the first so many, and how many.
+
+    Parameters
+    ----------
+    levels : sequence of (T, 3) vertices of triangles, the finest first
+
+    Returns
+    -------
+    order : (N,) int64, vertices that any level uses, those of coarser levels first
+    counts : tuple of int, a level each
+    """
     order: list[int] = []
     counts = []
     seen: set[int] = set()
@@ -105,7 +113,7 @@ def _nested(levels: Sequence[Index]) -> tuple[NDArray[np.int64], tuple[int, ...]
         seen.update(new)
         order += new
         counts.append(len(order))
-    return np.array(order), tuple(reversed(counts))
+    return np.array(order, np.int64), tuple(reversed(counts))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -16,6 +16,7 @@ from PIL import Image, ImageDraw, ImageFont
 
 from cloner.crowd.daylight import Hour
 from cloner.crowd.footing import GONE, Acted, rows_at
+from cloner.easing import smoothstep
 
 Array = NDArray[np.float64]
 Place = tuple[float, float, float]
@@ -36,7 +37,7 @@ def eased(keys: Keys, now: float) -> Array:
         return np.asarray(rows[max(after - 1, 0), 1:])
     first, last = rows[after - 1], rows[after]
     share = (now - first[0]) / (last[0] - first[0])
-    return np.asarray(first[1:] + (last[1:] - first[1:]) * share * share * (3.0 - 2.0 * share))
+    return np.asarray(first[1:] + (last[1:] - first[1:]) * smoothstep(share))
 
 
 class Staging:

@@ -13,7 +13,6 @@ from cloner.crowd.groups import STEP
 from cloner.crowd.shaders import PARTS, UNROOMED, source
 from cloner.generic.gl_painter import new_context
 
-Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 
 HEADER: Final = "#version 330\n"

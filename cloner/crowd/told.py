@@ -113,6 +113,7 @@ def _unfit(value: Any, shape: Any, name: str) -> str:
     return next((wrong for part in parts if (wrong := _unfit(part[1], part[2], part[0]))), "")
 
 
+#: Lengths and other positive numbers of a pack: no crowd is smaller or larger.
 _METRES: Final = _number(1e-6, 1e6)
 
 

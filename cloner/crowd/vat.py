@@ -30,7 +30,6 @@ Array = NDArray[np.float64]
 
 #: The finest level under 8,192 vertices with its hair: what readers of the layout take.
 LEVEL: Final = 1
-MOST_VERTICES: Final = 8_192
 FULL: Final = 65_535
 
 

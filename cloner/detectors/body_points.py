@@ -14,6 +14,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors import pose_rows as net
 from cloner.detectors.front_cues import sole_row
 from cloner.detectors.front_features import Found, Look, crotch, look_along, side_points
@@ -26,19 +27,17 @@ from cloner.records.labels import Label
 from cloner.records.points import PhotoState, Proposal, ViewPoints, confidence_of
 from cloner.vision.outline_walk import Figure, figure_of
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.body_points")
+
 Array = NDArray[np.float64]
 
 KINDS: Final = {ViewId.BODY_FRONT: "front", ViewId.BODY_SIDE: "side", ViewId.BODY_BACK: "back"}
 #: Points that set a body photo's scale.
 ENDS = ("head_top", "sole_left", "sole_right")
-#: Expected error of the figure's top and of a sole on the outline, figure heights.
-END_ERROR: Final = 0.004
-#: Expected error of an end that the picture's border cuts off.
-CUT_ERROR: Final = 0.05
-#: Factor on the expected error of points at a joint that was refused.
-REFUSED: Final = 2.0
-#: Arms: joints of the side photo that a body hides are guessed, and guessed turned.
-_SURE: Final = 0.5
+END_ERROR: Final = _CALIBRATED.number("end_error", "figure")
+CUT_ERROR: Final = _CALIBRATED.number("cut_error", "figure")
+_SURE: Final = _CALIBRATED.number("sure", "score")
 
 
 def propose_body_points(proposal: Proposal) -> ViewPoints:

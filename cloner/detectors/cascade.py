@@ -17,7 +17,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.vision.gradients import describe
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.cascade")
 
 Array = NDArray[np.float64]
 Picture = NDArray[np.float32]
@@ -37,10 +41,8 @@ FEATURES: Final = {
 MIDDLE: Final = ("subnasale", "nose_tip", "nasion", "glabella", "chin_front", "chin_bottom")
 #: The looked-at window, px.
 WINDOW_PX: Final = (64, 80)
-#: Weight of the mask's edge beside the picture's (a skin edge has about 100 grey levels, the mask 255).
-MASK_WEIGHT: Final = 0.4
-#: How far from its guess a feature is walked to, eye distances.
-ASTRAY: Final = 0.5
+MASK_WEIGHT: Final = _CALIBRATED.number("mask_weight", "factor")
+ASTRAY: Final = _CALIBRATED.number("astray", "iod")
 #: Guesses around the first one, shares of their reach: their agreement tells the error.
 _GUESSES: Final = np.array([[0.0, 0.0], [1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0], [0.8, 0.8], [-0.8, -0.8],
                             [0.8, -0.8], [-0.8, 0.8]])  # fmt: skip

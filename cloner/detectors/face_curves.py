@@ -8,16 +8,18 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import FaceNet, load_face_net
 from cloner.geometry.completion import bring_along
 from cloner.vision.snake import Curve, Sign, SnakeParams, pull, snake_picture
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.face_curves")
+
 Array = NDArray[np.float64]
 
-#: Eye distance in the picture that the snakes see, px: a lid's edge is then two or three pixels soft.
-UNIT_PX: Final = 160.0
-#: Faces smaller than this, px between the eyes, are left alone: nothing finer than the net's own look is to be seen.
-LEAST_IOD_PX: Final = 60.0
+UNIT_PX: Final = _CALIBRATED.number("unit_px", "px")
+LEAST_IOD_PX: Final = _CALIBRATED.number("least_iod_px", "px")
 #: What an edge is like outwards (lids' normals point down in the picture on the left side, up on the right, as both
 #: run from the inner corner outwards) and how far it is looked for, shares of the eye distance. Lips, brows and jaw are
 #: not pulled: it made them worse (docs/decisions/).
@@ -28,12 +30,10 @@ SIGNS: Final[dict[str, Sign]] = {
     "lid_lower_R": "rising",
     "mouth": "line",
 }
-REACH_IOD: Final = 0.04
-SPRING: Final = 1.5
-#: How strongly the ends are held, in springs: edges end there.
-_END: Final = 1.0
-#: Net points within this distance of a curve follow it, shares of the eye distance.
-_FOLLOW_IOD: Final = 0.15
+REACH_IOD: Final = _CALIBRATED.number("reach_iod", "iod")
+SPRING: Final = _CALIBRATED.number("spring", "factor")
+_END: Final = _CALIBRATED.number("end", "factor")
+_FOLLOW_IOD: Final = _CALIBRATED.number("follow_iod", "iod")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.cascade import FEATURES, Found, find_feature, load_cascades
 from cloner.detectors.face_front_features import HALVES, find_halves, front_pose
 from cloner.detectors.face_net import FaceNet, load_face_net
@@ -20,23 +21,22 @@ from cloner.geometry.completion import complete_points, fit_affine
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal, ViewPoints, face_confidence
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.face_points")
+
 Array = NDArray[np.float64]
 
 #: Where the hair begins over the forehead (MPEG-4 11.1), and its expected error: locks and fringes make it vague.
 HAIRLINE: Final = "hairline_top"
-HAIRLINE_ERROR: Final = 0.08
+HAIRLINE_ERROR: Final = _CALIBRATED.number("hairline_error", "iod")
 #: Points of a side photo that its outline tells; those inside the face are left to the front photo.
 PROFILE: Final = (
     "glabella", "nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom",
 )  # fmt: skip
 
-#: How far from where the eyes say an ear is doubted, eye distances.
-FAR_EAR: Final = 0.5
-#: Errors of single points against what their profile tells (24 painted people of the benchmark): brows and nose bridge
-#: are flat.
-OWN_ERROR = {"glabella": 1.5, "nasion": 1.25}
-#: Expected error of points completed from a few key points alone, share of the eye distance (taste).
-COMPLETED_ERROR: Final = 0.12
+FAR_EAR: Final = _CALIBRATED.number("far_ear", "iod")
+OWN_ERROR = _CALIBRATED.table("own_error", "factor")
+COMPLETED_ERROR: Final = _CALIBRATED.number("completed_error", "iod")
 #: Key points from which a front and a side face are completed.
 FRONT_KEYS, SIDE_KEYS = 2, 3
 

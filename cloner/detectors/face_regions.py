@@ -20,8 +20,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.placing import mesh_crop, mirror_order, nearby
 from cloner.vision.crops import cut, move_points, photo_px_from_crop
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.face_regions")
 
 Floats = NDArray[np.float64]
 Features = NDArray[np.float32]
@@ -35,8 +39,7 @@ SIDE: Final = 192
 _MAP_SIDE: Final = 48
 _GRID: Final = 16
 _REGION_SIDE: Final = 64
-#: Size of a region's grid as a share of its points' box: the net's own option.
-_ROOM: Final = 1.5
+_ROOM: Final = _CALIBRATED.number("room", "factor")
 #: Regions in the net's order, each with the two mesh points that tell its slope, from the image's left to its right.
 _REGIONS: Final = (("lips", 61, 291), ("eye_right", 33, 133), ("eye_left", 362, 263))
 #: Rows of the iris centres behind the 468 mesh points, the person's right and left.

@@ -9,6 +9,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.profile import front_contour, outline
 from cloner.detectors.profile_fit import Laid, find_laid, named_px
 from cloner.detectors.profile_search import ProfileModel, normals_of
@@ -18,39 +19,29 @@ from cloner.records.labels import FACE, shows
 from cloner.records.points import Proposal
 from cloner.vision.snake import look_along, normals, snake_picture
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.face_side")
+
 Array = NDArray[np.float64]
 
-#: Pose points below this visibility are no hints.
-VISIBLE: Final = 0.3
-#: Height of the skull's top with some hair over the nose tip, and of the eye over the mouth, metres: first sizes.
-_TOP_OVER_NOSE_M: Final = 0.14
-_EYE_TO_MOUTH_M: Final = 0.068
-#: How far forward the mouth lies of the eye when a head stands upright, radians.
-_LEAN: Final = 0.10
-#: The nose tip lies within this height of a hinted nose; steps along the outline at which it is tried, metres.
-_NOSE_REACH_M: Final = 0.055
-_STEP_M: Final = 0.0025
-#: Cost of a laid profile at which the hinted direction of the face is doubted and the other tried.
-_DOUBTED: Final = 0.28
-#: An outline shows a gradient of more than this many grey levels a pixel, at 120 px between the eyes, within this
-#: distance, along at least this share of it (40 painted and real profiles: 0.4 to 1; a shadow on the wall 0).
-_EDGE_LEVELS: Final = 3.0
-_UNIT_PX: Final = 120.0
-_EDGE_REACH_M: Final = 0.0015
-_EDGE_SHARE: Final = 0.35
-#: Heights below the top, shares of the outline's, between which noses are sought where nothing is hinted.
-_STRETCHES: Final = (0.16, 0.28, 0.44, 0.66)
-#: Inter-ocular distance of the mean adult, metres.
-IOD_M: Final = 0.063
-#: Cost at which every second profile was wrong, and how sharply that turns (painted faces).
-WRONG, _WRONG_TURN = 0.32, 0.025
-#: How much cheaper a profile counts with face all along its inner side than with none, and how deep inside that is
-#: asked: 13 profiles of generated people that long hair hid had none at costs of .28 to .42, 9 clear ones .6 to 1 at
-#: costs of .10 to .34.
-FACE_INSIDE: Final = 0.6
-INSIDE_M: Final = 0.008
-#: Error of a point on a profile laid wrongly, share of the eye distance.
-WRONG_ERROR: Final = 0.5
+VISIBLE: Final = _CALIBRATED.number("visible", "score")
+_TOP_OVER_NOSE_M: Final = _CALIBRATED.number("top_over_nose_m", "m")
+_EYE_TO_MOUTH_M: Final = _CALIBRATED.number("eye_to_mouth_m", "m")
+_LEAN: Final = _CALIBRATED.number("lean", "rad")
+_NOSE_REACH_M: Final = _CALIBRATED.number("nose_reach_m", "m")
+_STEP_M: Final = _CALIBRATED.number("step_m", "m")
+_DOUBTED: Final = _CALIBRATED.number("doubted", "cost")
+_EDGE_LEVELS: Final = _CALIBRATED.number("edge_levels", "grey")
+_UNIT_PX: Final = _CALIBRATED.number("unit_px", "px")
+_EDGE_REACH_M: Final = _CALIBRATED.number("edge_reach_m", "m")
+_EDGE_SHARE: Final = _CALIBRATED.number("edge_share", "share")
+_STRETCHES: Final = _CALIBRATED.numbers("stretches", "share")
+IOD_M: Final = _CALIBRATED.number("iod_m", "m")
+WRONG = _CALIBRATED.number("wrong", "cost")
+_WRONG_TURN = _CALIBRATED.number("wrong_turn", "cost")
+FACE_INSIDE: Final = _CALIBRATED.number("face_inside", "factor")
+INSIDE_M: Final = _CALIBRATED.number("inside_m", "m")
+WRONG_ERROR: Final = _CALIBRATED.number("wrong_error", "iod")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

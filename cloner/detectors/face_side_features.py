@@ -7,23 +7,24 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.cascade import Found, Pose, find_feature, load_cascades, sided
 from cloner.detectors.face_side import IOD_M, SideFace
 from cloner.records.labels import Label
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.face_side_features")
+
 Array = NDArray[np.float64]
 
 #: Features looked for, the ear in photos of the face alone.
 INNER: Final = ("side_eye", "side_nose", "side_mouth", "side_bridge")
 EAR: Final = "side_ear"
-#: Expected error of an ear that hair hides, or that was found far from where the face says, eye distances.
-LOST_EAR: Final = 0.20
-#: How far from where the profile says is far, eye distances.
-FAR: Final = {"side_ear": 0.9, "side_eye": 0.3, "side_nose": 0.3, "side_mouth": 0.3, "side_bridge": 0.3}
-#: Half the width of the place around an ear's middle in which hair is looked for, eye distances.
-EAR_PATCH: Final = 0.2
+LOST_EAR: Final = _CALIBRATED.number("lost_ear", "iod")
+FAR: Final = _CALIBRATED.table("far", "iod")
+EAR_PATCH: Final = _CALIBRATED.number("ear_patch", "iod")
 
 
 def side_pose(found: SideFace) -> Pose:

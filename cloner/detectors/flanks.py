@@ -8,20 +8,21 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors import pose_rows as net
+from cloner.geometry.vectors import arc_lengths
 from cloner.vision.outline_walk import Figure, Strip, gap_between, polyline, sample, walk_strip
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.flanks")
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-#: Farthest outline beside an axis, figure heights; a coat stands off no more.
-REACH: Final = 0.30
-#: How far an axis may run beside the person, figure heights.
-SLACK: Final = 0.02
-#: Half an arm's width with sleeve, figure heights: an outline nearer to the arm's axis may be the arm's.
-ARM_HALF: Final = 0.05
-#: The hand's end beyond its knuckles, as a share of the way from wrist to knuckles.
-_FINGERS: Final = 1.1
+REACH: Final = _CALIBRATED.number("reach", "figure")
+SLACK: Final = _CALIBRATED.number("slack", "figure")
+ARM_HALF: Final = _CALIBRATED.number("arm_half", "figure")
+_FINGERS: Final = _CALIBRATED.number("fingers", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -138,7 +139,7 @@ def arm_strip(figure: Figure, pose_px: Array, side: int) -> tuple[Strip, Array]:
     places, along = polyline(line)
     blur = max(0.04 * figure.height_px, 1.0)
     ahead, behind = np.clip(along + blur, 0, along[-1]), np.clip(along - blur, 0, along[-1])
-    corners = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
+    corners = arc_lengths(line)
     tangent = np.stack([np.interp(ahead, corners, line[:, k]) - np.interp(behind, corners, line[:, k]) for k in (0, 1)])
     tangent = (tangent / np.maximum(np.linalg.norm(tangent, axis=0), 1e-9)).T
     across = np.stack([tangent[:, 1], -tangent[:, 0]], axis=1)  # to the image's right of an arm that hangs down

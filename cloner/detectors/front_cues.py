@@ -11,18 +11,19 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors import pose_rows as net
 from cloner.detectors.flanks import Flank, arm_strip
 from cloner.vision.outline_walk import SMOOTH, Figure, Strip, extreme, gap_top, smoothed
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.front_cues")
+
 Array = NDArray[np.float64]
 
-#: A gap between limbs counts when it stays open over this share of the figure's height.
-GAP: Final = 0.012
-#: The neck ends where it is this much wider than at its narrowest.
-NECK_WIDER: Final = 1.25
-#: Places along the arm, of its length from shoulder to wrist, between which the wrist's waist is sought.
-_WRIST_WINDOW: Final = (0.80, 1.20)
+GAP: Final = _CALIBRATED.number("gap", "figure")
+NECK_WIDER: Final = _CALIBRATED.number("neck_wider", "factor")
+_WRIST_WINDOW: Final = _CALIBRATED.pair("wrist_window", "factor")
 
 
 def level_of(figure: Figure, row: float) -> float:

@@ -9,11 +9,15 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors import pose_rows as net
 from cloner.detectors.flanks import Flank, arm_line, find_flank
 from cloner.detectors.front_cues import arm_cues, front_cues, row_of, sole_row
 from cloner.detectors.levels import Levels, Offsets, conclude, load_levels, load_offsets
 from cloner.vision.outline_walk import Figure, Strip, apex
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.front_features")
 
 Array = NDArray[np.float64]
 #: A point with its expected error, share of the figure's height.
@@ -22,20 +26,13 @@ Found = dict[str, Placed]
 
 #: Mean size of a normal error, in its standard deviations.
 MEAN_OF_NORMAL: Final = 0.8
-#: What the mask's edge itself is off, figure heights (sample visitors: 1-3 px of 1,450).
-MASK_ERROR: Final = 0.0015
-#: An arm is no wider than this, figure heights; what is wider is arm and trunk together.
-ARM_WIDTH: Final = 0.10
-#: An outline's lean beyond which a level no longer says where on it a point lies.
-_LEAN: Final = 3.0
-#: The gap under armpit or crotch may begin this far below the place where it should, figure heights.
-GAP_ASTRAY: Final = 0.035
-#: How far the outline's point that belongs to armpit or crotch lies from the gap's top, figure heights (measured).
-GAP_ERROR: Final = 0.005
-#: Farthest outline from where the neck's base should be, figure heights.
-NECK_REACH: Final = 0.04
-#: Height over a foot's lowest row at which its end is looked for, figure heights.
-FOOT_END: Final = 0.012
+MASK_ERROR: Final = _CALIBRATED.number("mask_error", "figure")
+ARM_WIDTH: Final = _CALIBRATED.number("arm_width", "figure")
+_LEAN: Final = _CALIBRATED.number("lean", "factor")
+GAP_ASTRAY: Final = _CALIBRATED.number("gap_astray", "figure")
+GAP_ERROR: Final = _CALIBRATED.number("gap_error", "figure")
+NECK_REACH: Final = _CALIBRATED.number("neck_reach", "figure")
+FOOT_END: Final = _CALIBRATED.number("foot_end", "figure")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

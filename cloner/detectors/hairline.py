@@ -12,17 +12,19 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.records.labels import Label
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.hairline")
 
 Array = NDArray[np.float64]
 
 #: Rays from the face's middle on which hair is looked for, degrees from straight up to either side.
 ANGLES_DEG: Final = np.linspace(-80.0, 80.0, 33)
-#: How far a ray goes, and how long a stretch of hair on it must be to count, eye distances.
-_REACH_IOD: Final = 2.2
-_LEAST_IOD: Final = 0.06
-#: A neighbour that lies farther off than this is another lock, eye distances.
-_JUMP_IOD: Final = 0.25
+_REACH_IOD: Final = _CALIBRATED.number("reach_iod", "iod")
+_LEAST_IOD: Final = _CALIBRATED.number("least_iod", "iod")
+_JUMP_IOD: Final = _CALIBRATED.number("jump_iod", "iod")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -18,14 +18,16 @@ import numpy as np
 from numpy.lib.npyio import NpzFile
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.levels")
+
 Array = NDArray[np.float64]
 
-#: A seen level is refused when it lies this many spreads, and at least this far (figure heights), from what the
-#: others say. Clothes and nets differ more between real photos than between painted ones.
-GATE_SPREADS: Final = 4.0
-GATE_LEAST: Final = 0.02
-#: Error that every seen level has on top of what painted people show, figure heights (taste).
-UNKNOWN: Final = 0.003
+GATE_SPREADS: Final = _CALIBRATED.number("gate_spreads", "spreads")
+GATE_LEAST: Final = _CALIBRATED.number("gate_least", "figure")
+UNKNOWN: Final = _CALIBRATED.number("unknown", "figure")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

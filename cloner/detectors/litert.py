@@ -33,22 +33,12 @@ from cloner.detectors.placing import (
     mirror_order,
     nearby,
     owns,
-    same_body,
-    same_crop,
     same_place,
-    stands,
     whole_photo,
-    whole_picture,
 )  # fmt: skip
-from cloner.detectors.portraits import is_cut_below
-from cloner.detectors.pose_passes import CONFIRMED, POSE_SIDE, hips_inside, look, look_at_portrait, look_twice
-from cloner.detectors.results import POSE_NAMES, Box, FaceResult, PoseResult
+from cloner.detectors.pose_passes import POSE_SIDE, hips_inside, look_at_portrait, look_twice
+from cloner.detectors.results import Box, FaceResult, PoseResult
 from cloner.vision.crops import Crop, cut, move_points, photo_px_from_crop
-
-__all__ = [
-    "POSE_NAMES", "Box", "FaceResult", "PoseResult",
-    "detect_face", "detect_people", "detect_pose", "label_features", "let_nets_go",
-]  # fmt: skip
 
 Photo = NDArray[np.uint8]
 Floats = NDArray[np.float64]
@@ -62,12 +52,6 @@ INNER: Final = {
     "pose_landmark_heavy.tflite": (415, 430, 448, 499, 545, 557),
     "selfie_segmentation.tflite": (25, 48, 91),
 }
-#: A body detected with this score counts when the pose net agrees; one detected with less, down to `DIM`, when the pose
-#: net is `CERTAIN` (a generated person in a long dark coat: detector 0.42 to 0.46, net 1.00; of 18 pictures without
-#: people a rocket gives 0.46 and 0.954, a logo 0.40 and 0.955).
-CLEAR: Final = 0.5
-DIM: Final = 0.3
-CERTAIN: Final = 0.99
 _LOADING: Final = threading.Lock()
 
 
@@ -106,7 +90,7 @@ def _run(name: str, image: Photo, *, low: float) -> list[NDArray[np.float32]]:
     return _invoke(name, [image.astype(np.float32) * np.float32((1.0 - low) / 255.0) + np.float32(low)])
 
 
-def _detect(name: str, photo: Photo, crop: Crop, kind: Literal["person", "face"], threshold: float) -> list[Box]:
+def detect(name: str, photo: Photo, crop: Crop, kind: Literal["person", "face"], threshold: float) -> list[Box]:
     """Run one detector on a square crop; return boxes in photo px, the best first."""
     side, layers = DETECTOR_LAYERS[name]
     image = cut(photo, crop, width=side, height=side)
@@ -124,89 +108,15 @@ def _detect(name: str, photo: Photo, crop: Crop, kind: Literal["person", "face"]
     return boxes
 
 
-def _find_faces(photo: Photo, threshold: float = 0.5) -> list[Box]:
+def find_faces(photo: Photo, threshold: float = 0.5) -> list[Box]:
     """Return the faces in a photo, near and far, the best first."""
     whole = whole_photo(photo)
-    boxes = _detect("face_detection_short_range", photo, whole, "face", threshold)
-    boxes += _detect("face_detection_full_range", photo, whole, "face", threshold)
+    boxes = detect("face_detection_short_range", photo, whole, "face", threshold)
+    boxes += detect("face_detection_full_range", photo, whole, "face", threshold)
     return distinct(boxes)
 
 
-def _find_people(photo: Photo) -> list[Box]:
-    """Return the bodies in a photo that the pose net confirms, the best first.
-
-    The detector sees one person well and a second beside him badly, so it also looks at
-    the left and the right of the photo alone. Whom it sees dimly (a long coat, hair over the face) counts when the
-    pose net is certain and nobody else is there.
-    """
-    height, width = photo.shape[:2]
-    side = float(max(height, 0.6 * width))
-    tiles = [whole_photo(photo)]
-    tiles += [Crop(x * width, (height - 1) / 2.0, side, side) for x in (0.27, 0.73)]
-    found = [b for tile in tiles for b in _detect("pose_detection", photo, tile, "person", DIM)]
-    found = sorted((box for box in found if stands(box)), key=lambda b: -b.score)
-    people = _confirmed(photo, [box for box in found if box.score >= CLEAR], CONFIRMED)
-    dim = [] if people else [box for box in found if box.score < CLEAR]
-    if dim and is_cut_below(_selfie_net(photo, whole_picture(photo))):
-        dim = []  # a portrait: what stands in it is no whole body
-    return people or _confirmed(photo, dim, CERTAIN)[:1]
-
-
-def _confirmed(photo: Photo, boxes: Sequence[Box], least: float) -> list[Box]:
-    """Return the distinct bodies among boxes of which the pose net is at least so sure, in the boxes' order."""
-    people: list[Box] = []
-    confirmed: list[Crop] = []
-    for box in boxes:
-        crop = circle_crop(box.keypoints_px[0], box.keypoints_px[1], 1.25)
-        if any(same_crop(other, crop) for other in confirmed):  # as most tiles find the person: a third of the looks
-            continue
-        seen = look(photo, crop, _pose_net)
-        if seen.score < least:
-            continue
-        confirmed.append(crop)
-        body = seen.box(box.score)
-        if not any(same_body(other, body) for other in people):
-            people.append(body)
-    return people
-
-
-def detect_people(rgb: Photo) -> list[Box]:
-    """List the distinct people in a photo, the largest first.
-
-    Bodies count when the pose net confirms them, faces when the mesh net does and no
-    counted body owns them. Anyone under 45 % of the largest one's size is left out:
-    posters, passers-by far behind.
-
-    Parameters
-    ----------
-    rgb : (H, W, 3) uint8
-
-    Returns
-    -------
-    list of Box
-        Empty: nobody. More than one: refuse the photo.
-    """
-    people = _find_people(rgb)
-    tallest = max((p.height_px for p in people), default=0.0)
-    people = [p for p in people if p.height_px >= 0.45 * tallest]
-    faces = [f for f in _find_faces(rgb, 0.6) if _mesh(rgb, face_crop(f))[1] > 0.5]
-    widest = max((f.width_px for f in faces), default=0.0)
-    owned = [any(owns(p, f) for p in people) for f in faces]
-    # a body's own face tells how large other faces must be; without one, a tenth of it
-    least = max([f.width_px for f, o in zip(faces, owned, strict=True) if o], default=0.12 * tallest)
-    for face, has_owner in zip(faces, owned, strict=True):
-        if not has_owner and face.width_px >= 0.45 * max(least, 0.0 if people else widest):
-            people.append(face)
-    if not people:
-        portrait = look_at_portrait(rgb, _pose_net, _selfie_net, None)
-        people = [] if portrait is None else [portrait.box(portrait.score)]
-    return sorted(people, key=lambda p: -p.height_px)
-
-
-# Pose -----------------------------------------------------------------------------------
-
-
-def _pose_net(photo: Photo, crop: Crop) -> dict[int, NDArray[np.float32]]:
+def pose_net(photo: Photo, crop: Crop) -> dict[int, NDArray[np.float32]]:
     """Run the heavy pose net; return its outputs by number of values."""
     image = cut(photo, crop, width=POSE_SIDE, height=POSE_SIDE)
     return {out.size: out for out in _run("pose_landmark_heavy.tflite", image, low=0.0)}
@@ -235,28 +145,26 @@ def detect_pose(rgb: Photo) -> PoseResult | None:
     right as a rule, on pure side views the hidden limbs are guesses and the two sides
     may be exchanged. Use `visibility`.
     """
-    boxes = _detect("pose_detection", rgb, whole_photo(rgb), "person", 0.3)
+    boxes = detect("pose_detection", rgb, whole_photo(rgb), "person", 0.3)
     circles = [circle_crop(box.keypoints_px[0], box.keypoints_px[1], 1.25) for box in boxes[:1]]
-    found = look_twice(rgb, circles[0], _pose_net) if circles else None
+    found = look_twice(rgb, circles[0], pose_net) if circles else None
     if found is None or hips_inside(found, rgb):
-        found = look_at_portrait(rgb, _pose_net, _selfie_net, found)
+        found = look_at_portrait(rgb, pose_net, selfie_net, found)
     if found is None:
         return None
     if hips_inside(found, rgb):
         return found.result(body_mask(rgb, found.crop, _pose_mask_net))
-    return found.result(portrait_mask(rgb, _selfie_net))
+    return found.result(portrait_mask(rgb, selfie_net))
 
 
 def _pose_mask_net(photo: Photo, crop: Crop) -> Floats:
-    return sigmoid(_pose_net(photo, crop)[POSE_SIDE * POSE_SIDE].reshape(POSE_SIDE, POSE_SIDE))
+    return sigmoid(pose_net(photo, crop)[POSE_SIDE * POSE_SIDE].reshape(POSE_SIDE, POSE_SIDE))
 
 
-def _selfie_net(photo: Photo, crop: Crop) -> Floats:
+def selfie_net(photo: Photo, crop: Crop) -> Floats:
+    """Return the (256, 256) probability of a person in a crop, 0..1."""
     image = cut(photo, crop, width=256, height=256)
     return np.asarray(_run("selfie_segmentation.tflite", image, low=0.0)[0][..., 0], np.float64)
-
-
-# Labels ---------------------------------------------------------------------------------
 
 
 def label_features(rgb: Photo) -> list[NDArray[np.float32]]:
@@ -280,10 +188,7 @@ def label_features(rgb: Photo) -> list[NDArray[np.float32]]:
     return [*posed[-len(INNER[pose]) :], *near[-len(INNER[selfie]) :], person, near[0]]
 
 
-# Face -----------------------------------------------------------------------------------
-
-
-def _mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
+def face_mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
     """Return 468 points (x, y photo px; depth px) and the presence of a face."""
     image = cut(photo, crop, width=FACE_SIDE, height=FACE_SIDE)
     points, flag = sorted(_run("face_landmark.tflite", image, low=0.0), key=lambda a: -a.size)
@@ -296,9 +201,9 @@ def _mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
 
 def _mean_mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
     """Return the mean mesh of a crop and its mirror image; halves the net's jitter."""
-    straight, presence = _mesh(photo, crop)
+    straight, presence = face_mesh(photo, crop)
     flipped, other_crop = mirror_crop(photo, crop)
-    mirrored, other = _mesh(flipped, other_crop)
+    mirrored, other = face_mesh(flipped, other_crop)
     mirrored = mirrored[mirror_order()]
     mirrored[:, 0] = photo.shape[1] - 1 - mirrored[:, 0]
     return (straight + mirrored) / 2, min(presence, other)
@@ -320,7 +225,7 @@ def detect_face(rgb: Photo, box: Box | None = None) -> FaceResult | None:
         and `presence` does not tell; look at `turn_deg`.
     """
     if box is None or box.kind != "face":
-        found = _find_faces(rgb, 0.3)
+        found = find_faces(rgb, 0.3)
         if box is not None:
             found = [f for f in found if owns(box, f)]
         likely = [f for f in found if f.score > 0.6] or found
@@ -328,7 +233,7 @@ def detect_face(rgb: Photo, box: Box | None = None) -> FaceResult | None:
     if box is None:
         return None
     box = _look_closer(rgb, box)
-    points, presence = _mesh(rgb, face_crop(box))
+    points, presence = face_mesh(rgb, face_crop(box))
     if presence < 0.5:
         return None
     points, presence = _mean_mesh(rgb, mesh_crop(points))
@@ -344,5 +249,5 @@ def detect_face(rgb: Photo, box: Box | None = None) -> FaceResult | None:
 
 def _look_closer(photo: Photo, box: Box) -> Box:
     """Detect a small face again in a crop round it, where its eyes are sharper."""
-    near = _detect("face_detection_short_range", photo, around(box), "face", 0.5)
+    near = detect("face_detection_short_range", photo, around(box), "face", 0.5)
     return near[0] if near and same_place(near[0], box, 0.3) else box

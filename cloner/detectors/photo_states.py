@@ -7,6 +7,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors import pose_rows as net
 from cloner.detectors.flanks import ARM_HALF
 from cloner.detectors.front_cues import row_of
@@ -15,23 +16,18 @@ from cloner.frames import ViewId
 from cloner.records.points import PhotoState, StateKind
 from cloner.vision.outline_walk import Figure
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.photo_states")
+
 Array = NDArray[np.float64]
 
-#: Ankles nearer to each other than this lie one behind the other, figure heights.
-_ONE_ANKLE: Final = 0.03
-#: Two ankles side by side with socks, figure heights; a narrower run shows one.
-_ANKLE_WIDTH: Final = 0.085
-#: The net's confidence below which it only guesses a foot.
-_GUESSED: Final = 0.3
-#: Sine of the turn away from the camera by what lies before the body's axis: toes before heels, ears before
-#: shoulders, nose before ears, each in figure heights (99 painted people at -45..45 degrees: 5 degrees rms).
-_TURN: Final = (4.8, 4.7, 4.0)
-#: Turn beyond which a front or back photo is told to be turned, degrees.
-MOST_TURNED: Final = 22.0
-#: Shoulders farther apart in a side photo are told to be turned, figure heights (painted people: 22 degrees).
-SHOULDERS_APART: Final = 0.075
-#: Share of the upper arm that hangs down, below which it is held out.
-RAISED: Final = 0.4
+_ONE_ANKLE: Final = _CALIBRATED.number("one_ankle", "figure")
+_ANKLE_WIDTH: Final = _CALIBRATED.number("ankle_width", "figure")
+_GUESSED: Final = _CALIBRATED.number("guessed", "score")
+_TURN: Final = _CALIBRATED.triple("turn", "factor")
+MOST_TURNED: Final = _CALIBRATED.number("most_turned", "deg")
+SHOULDERS_APART: Final = _CALIBRATED.number("shoulders_apart", "figure")
+RAISED: Final = _CALIBRATED.number("raised", "share")
 #: Names of the joints that the net's levels stand for.
 _JOINTS: Final = {"net_shoulder": "shoulder", "net_hip": "hip", "net_knee": "knee", "net_ankle": "ankle"}
 

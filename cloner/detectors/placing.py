@@ -12,9 +12,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.anchors import overlaps
 from cloner.detectors.results import Box
 from cloner.vision.crops import Crop
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.placing")
 
 Floats = NDArray[np.float64]
 Photo = NDArray[np.uint8]
@@ -26,8 +30,9 @@ _NEARBY: Final = (
     (1.13, 0.00, 0.01, -0.03),
 )  # fmt: skip
 
-#: Crops around bodies that show the same person alike: shares of a side that they lie apart, and of sizes.
-SAME_CROP, SAME_CROP_SIZE = 0.05, 1.2
+SAME_CROP = _CALIBRATED.number("same_crop", "share")
+SAME_CROP_SIZE = _CALIBRATED.number("same_crop_size", "factor")
+SAME_BOX = _CALIBRATED.number("same_box", "share")
 
 
 def circle_crop(middle: Floats, rim: Floats, scale: float) -> Crop:
@@ -56,11 +61,11 @@ def same_place(first: Box, second: Box, overlap: float) -> bool:
     return bool(overlaps(rows[0], rows[1][None])[0] > overlap)
 
 
-def distinct(boxes: list[Box], overlap: float = 0.2) -> list[Box]:
+def distinct(boxes: list[Box]) -> list[Box]:
     """Return the boxes without repeats, the best first."""
     kept: list[Box] = []
     for box in sorted(boxes, key=lambda b: -b.score):
-        if not any(same_place(box, other, overlap) for other in kept):
+        if not any(same_place(box, other, SAME_BOX) for other in kept):
             kept.append(box)
     return kept
 

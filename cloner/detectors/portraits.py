@@ -11,17 +11,18 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.placing import circle_crop
 from cloner.vision.crops import Crop, paste
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.portraits")
+
 Array = NDArray[np.float64]
 
-#: Share of the lowest row that a person cut by it takes (30 portraits: 0.46 to 0.69; whole bodies: 0).
-_CUT_SHARE: Final = 0.25
-#: Radius of a body's circle, from hips to crown, over what a portrait shows of the body. 1.2 to 2.7 lead the net to the
-#: same points within 4 % of the head on 20 portraits, filling 40 to 60 % of the picture.
-_RADIUS: Final = 1.8
-_PERSON: Final = 0.5
+_CUT_SHARE: Final = _CALIBRATED.number("cut_share", "share")
+_RADIUS: Final = _CALIBRATED.number("radius", "factor")
+_PERSON: Final = _CALIBRATED.number("person", "share")
 
 
 def is_cut_below(person: Array) -> bool:

@@ -12,21 +12,21 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors import pose_rows as net
 from cloner.frames import ViewId
 from cloner.records.points import PhotoState, StateKind
 from cloner.vision.outline_walk import EDGE, Figure
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.pose_order")
+
 Array = NDArray[np.float64]
 
-#: Joints nearer to each other across the picture are in no order, figure heights.
-TIE: Final = 0.012
-#: How far beside the person a joint may lie, figure heights (nets miss thin wrists by half their width).
-BESIDE: Final = 0.025
-#: A run of the outline narrower than this is no leg, figure heights.
-LEAST_LEG: Final = 0.015
-#: How far from its leg's line a joint must lie to count as another leg's, figure heights.
-OFF_LINE: Final = 0.03
+TIE: Final = _CALIBRATED.number("tie", "figure")
+BESIDE: Final = _CALIBRATED.number("beside", "figure")
+LEAST_LEG: Final = _CALIBRATED.number("least_leg", "figure")
+OFF_LINE: Final = _CALIBRATED.number("off_line", "figure")
 
 
 def in_order(figure: Figure, pose_px: Array, view: ViewId) -> tuple[Array, tuple[PhotoState, ...]]:

@@ -9,24 +9,27 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.anchors import sigmoid
 from cloner.detectors.mask_crops import MaskNet
-from cloner.detectors.placing import circle_crop, turned, whole_picture
+from cloner.detectors.placing import circle_crop, whole_picture
 from cloner.detectors.portraits import agreement, is_cut_below, portrait_crop
 from cloner.detectors.results import Box, PoseResult
 from cloner.vision.crops import Crop, move_points, photo_px_from_crop
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.pose_passes")
 
 Photo = NDArray[np.uint8]
 Floats = NDArray[np.float64]
 PoseNet = Callable[[Photo, Crop], dict[int, NDArray[np.float32]]]
 """Give the pose net's outputs of a crop by their number of values."""
 
+#: Side of the pose net's input, px.
 POSE_SIDE: Final = 256
-#: A pose counts from this score of the net's, and a portrait's from this share of the person it covers.
-CONFIRMED: Final = 0.5
-_COVERED: Final = 0.7
-#: Hips below this share of the photo's height are out of it.
-_INSIDE: Final = 0.98
+CONFIRMED: Final = _CALIBRATED.number("confirmed", "score")
+_COVERED: Final = _CALIBRATED.number("covered", "share")
+_INSIDE: Final = _CALIBRATED.number("inside", "share")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -70,13 +73,10 @@ class Pass:
     def result(self, mask: NDArray[np.float32]) -> PoseResult:
         """Return the pose with a mask of the whole photo."""
         table = self.out[195].reshape(39, 5)[:33]
-        world = self.out[117].reshape(39, 3)[:33].astype(np.float64)
-        world[:, :2] = turned(world[:, :2], self.crop.angle_rad)
         return PoseResult(
             points_px=self.points_px[:33],
             visibility=sigmoid(table[:, 3]),
             presence=sigmoid(table[:, 4]),
-            world_m=world,
             score=self.score,
             mask=mask,
         )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Final
 
+#: BlazePose's rows, left first.
 NOSE: Final = 0
 EARS: Final = (7, 8)
 SHOULDERS: Final = (11, 12)

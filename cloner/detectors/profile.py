@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 from skimage.measure import find_contours
+
+from cloner.calibration.loader import calibrated
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.profile")
 
 Array = NDArray[np.float64]
 
 #: Tries around a first guess when the profile itself is known well: sizes, tilts, and how far the nose tip may be off.
 KNOWN_SIZES = np.geomspace(0.75, 1.33, 19)
 KNOWN_TILTS = np.radians(np.linspace(-14.0, 14.0, 9))
-KNOWN_TIP_M = 0.007
+KNOWN_TIP_M = _CALIBRATED.number("known_tip_m", "m")
 
 
 def outline(mask: NDArray[np.uint8]) -> Array:

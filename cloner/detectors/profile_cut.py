@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
 from cloner.detectors.face_side import WRONG, find_side_face
 from cloner.detectors.profile_fit import Laid
@@ -21,21 +22,21 @@ from cloner.detectors.profile_search import ProfileModel, normals_of
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal
 
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.profile_cut")
+
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Picture = NDArray[np.uint8]
 
-#: A mask that stands out farther than this before the profile, metres, is doubted (the model's own error is 1 mm) ...
-_DOUBTED_M: Final = 0.003
-#: ... up to where it stands out by less than this, and looked at up to that far before the profile.
-_ENDS_M: Final = 0.001
-_LOOKED_M: Final = 0.035
-_STEP_M: Final = 0.00025
-#: Wall and face are sampled this near to what is doubted, metres.
-_NEAR_M: Final = 0.008
-#: Colours nearer than this are alike, 8-bit Lab; share of a doubted piece like the wall from which it is wall; taste.
-_ALIKE: Final = 6.0
-_WALL_SHARE: Final = 0.7
+_DOUBTED_M: Final = _CALIBRATED.number("doubted_m", "m")
+_ENDS_M: Final = _CALIBRATED.number("ends_m", "m")
+_LOOKED_M: Final = _CALIBRATED.number("looked_m", "m")
+_STEP_M: Final = _CALIBRATED.number("step_m", "m")
+_NEAR_M: Final = _CALIBRATED.number("near_m", "m")
+_ALIKE: Final = _CALIBRATED.number("alike", "lab")
+_WALL_SHARE: Final = _CALIBRATED.number("wall_share", "share")
+#: Pixels of wall and face that are compared, and the fewest that tell anything (taste).
 _SAMPLES: Final = 1500
 _LEAST_PX: Final = 20
 

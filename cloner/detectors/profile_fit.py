@@ -14,20 +14,19 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.detectors.profile_search import ProfileModel, normals_of, search
+from cloner.calibration.loader import calibrated
+from cloner.detectors.profile_search import ProfileModel, normals_of, search, size_of
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.profile_fit")
 
 Array = NDArray[np.float64]
 
-#: Error of an outline point, metres; neighbours err together, so it is larger than a mask's own.
-_SIGMA_M: Final = 0.0019
-#: Gates of the Gauss-Newton turns, metres: what lies beyond is another thing (glasses, a fringe).
-_GATES_M: Final = (0.014, 0.014, 0.012, 0.010, 0.008, 0.007, 0.007, 0.006, 0.006, 0.006)
-#: Gap at which a sample counts as half missed, metres: few wrong stretches are better than a compromise with them.
-_MISS_M: Final = 0.00095
-#: Cost of an unusual shape, shares of one sample for each squared standard deviation.
-_MISS_PRIOR: Final = 0.15
-#: How much a normal that differs by a radian counts as distance, metres.
-_NORMAL_M: Final = 0.007
+_SIGMA_M: Final = _CALIBRATED.number("sigma_m", "m")
+_GATES_M: Final = _CALIBRATED.numbers("gates_m", "m")
+_MISS_M: Final = _CALIBRATED.number("miss_m", "m")
+_MISS_PRIOR: Final = _CALIBRATED.number("miss_prior", "share")
+_NORMAL_M: Final = _CALIBRATED.number("normal_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -43,20 +42,17 @@ class Laid:
         Share of the model's outline that misses the photo's, 0..1, plus the prior's share.
     covariance : (4 + B, 4 + B) float64
         Of size and turn, place, and weights, as the last turn of Gauss-Newton leaves it.
-    gap_m : (M,) float64
-        How far the photo's outline lies before the model's along the normals; NaN where none was near.
     """
 
     px_from_m: Array
     weights: Array
     cost: float
     covariance: Array
-    gap_m: Array
 
     @property
     def size(self) -> float:
         """Pixels per metre."""
-        return float(np.sqrt(abs(np.linalg.det(self.px_from_m[:, :2]))))
+        return size_of(self.px_from_m)
 
     def curve_px(self, model: ProfileModel) -> Array:
         """Return the (M, 2) outline of the laid model, photo px."""
@@ -80,26 +76,26 @@ def lay(outline_px: Array, model: ProfileModel, start: Array, weights: Array, si
         here, _, found, kept = _pairs(outline_px, model, px_from_m, weights, gate)
         if kept.sum() < 20:
             break
-        now = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+        now = size_of(px_from_m)
         normal = outline_px[found, 2:]
         gap = ((outline_px[found, :2] - here) * normal).sum(axis=1) / now
         share = 1.0 / (1.0 + (gap / (0.35 * gate)) ** 2) ** 2
         strength = np.where(kept, share, 0.0) / _SIGMA_M**2
         px_from_m, weights, covariance = _step(model, px_from_m, weights, normal, gap, strength, size)
-    return Laid(px_from_m, weights, *_judged(outline_px, model, px_from_m, weights, covariance))
+    return Laid(px_from_m, weights, _cost(outline_px, model, px_from_m, weights), covariance)
 
 
 def _step(
     model: ProfileModel, px_from_m: Array, weights: Array, normal: Array, gap: Array, strength: Array, size: float
 ) -> tuple[Array, Array, Array]:
     """Return map, weights and covariance after one step of Gauss-Newton towards gaps (M,) metres along normals."""
-    now = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    now = size_of(px_from_m)
     slope = _slopes(model, px_from_m, weights, normal, now)
     prior = np.concatenate([[25.0, 8.0, 0.0, 0.0], np.ones(len(weights))])
     pull = np.concatenate([[25.0 * np.log(size / now), 0.0, 0.0, 0.0], -weights])
     system = slope.T @ (strength[:, None] * slope) + np.diag(prior + 1e-9)
     step = np.linalg.solve(system, slope.T @ (strength * gap) + pull)
-    moved = _moved(px_from_m, step[:4], model, weights)
+    moved = _moved(px_from_m, step[:4], model)
     return moved, np.asarray(weights + step[4:]), np.asarray(np.linalg.inv(system))
 
 
@@ -107,7 +103,7 @@ def _pairs(
     outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array, gate: float
 ) -> tuple[Array, Array, NDArray[np.intp], NDArray[np.bool_]]:
     """Return model points and normals in px, the outline point nearest to each in place and slope, and which count."""
-    size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    size = size_of(px_from_m)
     curve = model.shape(weights)[: model.samples]
     here = curve @ px_from_m[:, :2].T + px_from_m[:, 2]
     outwards = normals_of(curve) @ px_from_m[:, :2].T / size
@@ -134,9 +130,9 @@ def _slopes(model: ProfileModel, px_from_m: Array, weights: Array, normal: Array
     )
 
 
-def _moved(px_from_m: Array, step: Array, model: ProfileModel, weights: Array) -> Array:
+def _moved(px_from_m: Array, step: Array, model: ProfileModel) -> Array:
     """Return the map after a step of log size, turn (radians, clockwise as seen) and place (metres)."""
-    size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    size = size_of(px_from_m)
     step = step * min(1.0, 0.3 / max(abs(step[0]), abs(step[1]), 1e-9))
     c, s = np.cos(step[1]), np.sin(step[1])
     linear = np.exp(step[0]) * np.array([[c, -s], [s, c]]) @ px_from_m[:, :2]
@@ -145,16 +141,13 @@ def _moved(px_from_m: Array, step: Array, model: ProfileModel, weights: Array) -
     return np.column_stack([linear, shift])
 
 
-def _judged(
-    outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array, covariance: Array
-) -> tuple[float, Array, Array]:
-    """Return cost, covariance and gaps of a laid model."""
+def _cost(outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Array) -> float:
+    """Return the cost of a laid model."""
     here, outwards, found, kept = _pairs(outline_px, model, px_from_m, weights, _GATES_M[-1])
-    size = float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+    size = size_of(px_from_m)
     gap = ((outline_px[found, :2] - here) * outwards).sum(axis=1) / size
     missed = np.where(kept, gap**2 / (gap**2 + _MISS_M**2), 1.0)
-    cost = float(missed.mean() + _MISS_PRIOR * float(weights @ weights) / model.samples)
-    return cost, covariance, np.where(kept, gap, np.nan)
+    return float(missed.mean() + _MISS_PRIOR * float(weights @ weights) / model.samples)
 
 
 def find_laid(

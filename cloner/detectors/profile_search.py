@@ -9,6 +9,12 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
+from cloner.geometry.vectors import unit
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.profile_search")
+
 Array = NDArray[np.float64]
 Field = NDArray[np.float32]
 
@@ -19,13 +25,11 @@ _SIZES: Final = np.geomspace(0.66, 1.5, 12)
 _TILTS: Final = np.radians(np.linspace(-27.0, 27.0, 10))
 #: Modes of which both ends are tried, and how far they go, standard deviations.
 _TRIED_MODES: Final = 3
-_TRIED_SIGMA: Final = 1.5
-#: The outline is also felt this far inside and outside, and no gap counts more than this, metres.
-_FEEL_M: Final = 0.006
-_CAP_M: Final = 0.007
-#: Cost of a size or tilt that is usual times e, or off by a radian: of equal fits the usual one wins (taste).
-_UNUSUAL_SIZE: Final = 0.004
-_UNUSUAL_TILT: Final = 0.004
+_TRIED_SIGMA: Final = _CALIBRATED.number("tried_sigma", "spreads")
+_FEEL_M: Final = _CALIBRATED.number("feel_m", "m")
+_CAP_M: Final = _CALIBRATED.number("cap_m", "m")
+_UNUSUAL_SIZE: Final = _CALIBRATED.number("unusual_size", "cost")
+_UNUSUAL_TILT: Final = _CALIBRATED.number("unusual_tilt", "cost")
 STARTS: Final = 10
 
 
@@ -67,10 +71,15 @@ def similarity(facing: int, size: float, tilt: float, nose_px: Array, nose_m: Ar
     return np.column_stack([linear, nose_px - linear @ nose_m])
 
 
+def size_of(px_from_m: Array) -> float:
+    """Return the pixels per metre of a similarity (2, 3)."""
+    return float(np.sqrt(abs(np.linalg.det(px_from_m[:, :2]))))
+
+
 def normals_of(curve: Array) -> Array:
     """Return (N, 2) unit normals of an open curve: to the left of its direction in an x-right, y-up frame."""
     along = np.gradient(curve, axis=0)
-    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-12)
+    along = unit(along, 1e-12)
     return np.column_stack([-along[:, 1], along[:, 0]])
 
 
@@ -147,7 +156,7 @@ def _apart(rated: list[tuple[float, Array, Array]], model: ProfileModel) -> list
     places: list[Array] = []
     for _, start, weights in rated:
         knots = model.shape(weights)[[0, model.samples // 2, model.samples - 1]] @ start[:, :2].T + start[:, 2]
-        reach = 0.008 * np.sqrt(abs(np.linalg.det(start[:, :2])))
+        reach = 0.008 * size_of(start)
         if all(np.abs(knots - other).max() > reach for other in places):
             kept.append((start, weights))
             places.append(knots)

@@ -66,9 +66,6 @@ class PoseResult:
         `POSE_NAMES` in photo px.
     visibility, presence : (33,) float64
         0..1: seen, and inside the photo.
-    world_m : (33, 3) float64
-        The net's guess in metres round the hip centre: x right and y down as in the
-        photo, z away from the camera. A guess, not a measurement.
     score : float
         0..1, the net's belief that this is a person.
     mask : (H, W) float32
@@ -79,7 +76,6 @@ class PoseResult:
     points_px: NDArray[np.float64]
     visibility: NDArray[np.float64]
     presence: NDArray[np.float64]
-    world_m: NDArray[np.float64]
     score: float
     mask: NDArray[np.float32]
 

@@ -9,12 +9,16 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors import pose_rows as net
 from cloner.detectors.front_cues import row_of
 from cloner.detectors.front_features import MASK_ERROR, MEAN_OF_NORMAL, Found, Placed
 from cloner.detectors.levels import Levels, conclude, load_levels, load_offsets
 from cloner.detectors.side_cues import Profile, find_profile, foot_ends, side_cues
 from cloner.vision.outline_walk import Figure
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.side_features")
 
 Array = NDArray[np.float64]
 
@@ -46,10 +50,8 @@ JOINTS: Final = {
     "knee": net.KNEES,
     "ankle": net.ANKLES,
 }
-#: Farthest outline from where the instep should be, figure heights.
-INSTEP_REACH: Final = 0.025
-#: An outline's lean beyond which a level no longer says where on it a point lies.
-_LEAN: Final = 3.0
+INSTEP_REACH: Final = _CALIBRATED.number("instep_reach", "figure")
+_LEAN: Final = _CALIBRATED.number("lean", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from cloner.registry import Registry
 
 DETECTORS = Registry("detector")
-DETECTORS.add("people", "cloner.detectors.litert:detect_people")
+DETECTORS.add("people", "cloner.detectors.people:detect_people")
 DETECTORS.add("pose", "cloner.detectors.litert:detect_pose")
 DETECTORS.add("label_features", "cloner.detectors.litert:label_features")
 DETECTORS.add("let_nets_go", "cloner.detectors.litert:let_nets_go")

@@ -16,16 +16,19 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, expected_face_error, face_confidence
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.taught")
 
 Array = NDArray[np.float64]
 Rows = NDArray[np.int64]
 
-#: How exactly an operator's hand and eye place a point, along one axis, eye distances (taste: 0.6 mm).
-HAND: Final = 0.01
-#: Expected errors, eye distances, are taken within these.
-LEAST, MOST = 0.005, 0.5
+HAND: Final = _CALIBRATED.number("hand", "iod")
+LEAST = _CALIBRATED.number("least", "iod")
+MOST = _CALIBRATED.number("most", "iod")
 #: Fewer known points than this tell no frame.
 FEWEST: Final = 4
 

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.editing.places import LEAST_FREE, distance_from, free_skin, generic_metric, territory
 from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
@@ -23,6 +25,9 @@ from cloner.records.bodies import PosedView
 from cloner.records.points import ANCHOR
 from cloner.records.views import Camera
 
+#: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
+_CALIBRATED: Final = calibrated("editing.claims")
+
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
@@ -31,58 +36,32 @@ Bools = NDArray[np.bool_]
 class Params:
     """How far a point bends the skin.
 
+    Its numbers: ``cloner/calibration/editing.toml``, ``[claims.*]``.
+
     Attributes
     ----------
-    territory_mm : float
-        Skin this near to a feature's vertex may make the outline that its point was placed on. Levels are a matter of
-        opinion: proposed and own level differ by up to 66 mm on the sample visitors.
-    least_reach_mm, most_reach_mm, reach_per_mm : float
-        Where a bend ends: so many mm per mm of the move, within the first two (taste: pictures).
-    gentle : float
-        A bend always reaches this many times its move, or it would fold.
-    across : float
-        Share of a limb's thickness that a bend takes up: the other side stays.
-    depth : float
-        How much farther a bend reaches along the line of sight than across it (taste).
-    dimple : float
-        Pressed in, skin must give way so far along the line of sight that no rim of a dimple shows: this many times
-        the root of the move times the part's radius. 2.45 would do on a cylinder.
-    usual_radius_mm : float
-        Radius of parts without a feature opposite.
-    most_mm : float
-        A point farther from the body than this is a mistake (taste: a hand and a half).
-    inner_mm : float
-        How much nearer an outline in front of or behind other parts must be than one before the background.
-    least_area, least_area_mm2 : float
-        Triangles squeezed below this share of the generic's own area, and tiny ones, may turn: toes in shoes.
-    gap_mm : float
-        Skin farther out than this beyond the outline belongs to another part.
-    damping : tuple of float
-        Resistance to moving, as a share of the greatest slope, tried in turn until nothing folds.
     turns, rounds : int
         Steps of the solution, and how often other skin that has become the outline is taken in.
-    near_px : float
-        Points obeyed to this are obeyed.
     """
 
-    territory_mm: float = 160.0
-    least_reach_mm: float = 80.0
-    most_reach_mm: float = 120.0
-    reach_per_mm: float = 4.0
-    gentle: float = 2.5
-    across: float = 0.9
-    depth: float = 1.25
-    dimple: float = 2.9
-    usual_radius_mm: float = 110.0
-    most_mm: float = 130.0
-    inner_mm: float = 40.0
-    gap_mm: float = 5.0
-    least_area: float = 0.2
-    least_area_mm2: float = 4.0
-    damping: tuple[float, ...] = (0.0, 0.15, 0.4, 1.0, 3.0)
+    territory_mm: float = _CALIBRATED.number("territory_mm", "mm")
+    least_reach_mm: float = _CALIBRATED.number("least_reach_mm", "mm")
+    most_reach_mm: float = _CALIBRATED.number("most_reach_mm", "mm")
+    reach_per_mm: float = _CALIBRATED.number("reach_by_move", "factor")
+    gentle: float = _CALIBRATED.number("gentle", "factor")
+    across: float = _CALIBRATED.number("across", "share")
+    depth: float = _CALIBRATED.number("depth", "factor")
+    dimple: float = _CALIBRATED.number("dimple", "factor")
+    usual_radius_mm: float = _CALIBRATED.number("usual_radius_mm", "mm")
+    most_mm: float = _CALIBRATED.number("most_mm", "mm")
+    inner_mm: float = _CALIBRATED.number("inner_mm", "mm")
+    gap_mm: float = _CALIBRATED.number("gap_mm", "mm")
+    least_area: float = _CALIBRATED.number("least_area", "share")
+    least_area_mm2: float = _CALIBRATED.number("least_area_mm2", "mm2")
+    damping: tuple[float, ...] = _CALIBRATED.numbers("damping", "factor")
     turns: int = 10
     rounds: int = 6
-    near_px: float = 0.1
+    near_px: float = _CALIBRATED.number("near_px", "px")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -8,10 +8,12 @@ from __future__ import annotations
 
 import functools
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.features import named_features
 from cloner.generic.head_controls import load_head_controls
@@ -21,10 +23,13 @@ from cloner.records.clones import Joined
 from cloner.records.points import FacePoints, ObeyedPoint
 from cloner.records.views import Camera
 
+#: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
+_CALIBRATED: Final = calibrated("editing.face")
+
 Array = NDArray[np.float64]
 
-#: How far a moved point takes the face with it, one standard deviation, metres (taste: an eye's width).
-REACH_M = 0.015
+REACH_M = _CALIBRATED.number("reach_m", "m")
+#: Rounds in which moved points that share skin are solved (taste).
 TURNS = 3
 
 

@@ -7,24 +7,24 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.taught import HAND, FaceErrors, Frame, axes_of, errors_of, frame_of
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, expected_error, expected_face_error
 
-Array = NDArray[np.float64]
+#: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
+_CALIBRATED: Final = calibrated("editing.order")
 
-#: How far off a body point is, against its expected error: it lies on the outline and errs along it, where the clone
-#: does not care (six sample sets: median .03, root mean square .28).
-BODY_SHARE: Final = 0.1
+
+BODY_SHARE: Final = _CALIBRATED.number("body_share", "share")
 #: What the likeness of a face is judged by (goals: landmarks in 3-D); other points count by what they tell of these.
 COUNTED: Final = frozenset(
     ("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom", "eye_inner",
      "eye_outer", "ala", "mouth_corner", "ear_top", "ear_lobe")
 )  # fmt: skip
-#: Usual eye distance and figure height, metres: they turn shares into lengths.
-IOD_M, FIGURE_M = 0.062, 1.7
+IOD_M = _CALIBRATED.number("iod_m", "m")
+FIGURE_M = _CALIBRATED.number("figure_m", "m")
 
 
 def worth_first(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]:

@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import functools
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import body_triangles
+from cloner.calibration.loader import calibrated
+from cloner.easing import smoothstep
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.skin_bends import Place, SkinMetric, skin_metric
+
+#: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
+_CALIBRATED: Final = calibrated("editing.places")
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
-#: Farthest distance along the skin that is measured, metres.
-FARTHEST_M = 0.4
-#: Vertices that belong to the head by this share or more never move.
-HEAD_SHARE = 0.9
-#: Skin less free than this makes no handle.
-LEAST_FREE = 0.3
+FARTHEST_M = _CALIBRATED.number("farthest_m", "m")
+HEAD_SHARE = _CALIBRATED.number("head_share", "share")
+LEAST_FREE = _CALIBRATED.number("least_free", "factor")
 _OPPOSITE = (("_outer", "_inner"), ("_front", "_back"), ("_left", "_right"))
 _NAMED_OPPOSITE = {
     "chest_front": "back",
@@ -39,10 +42,9 @@ def generic_metric() -> SkinMetric:
 def free_skin() -> Array:
     """Return (V,) how far a point on the body's outline may move each vertex: the head is left to the face photos."""
     generic = load_generic()
-    free = (generic.vertex_part == generic.part_names.index("body")).astype(np.float64)
+    free = generic.skin.astype(np.float64)
     if len(generic.head_blend):
-        share = np.clip((HEAD_SHARE - generic.head_blend) / HEAD_SHARE, 0.0, 1.0)
-        free *= share * share * (3.0 - 2.0 * share)
+        free *= smoothstep(HEAD_SHARE - generic.head_blend, 0.0, HEAD_SHARE)
     return np.asarray(free)
 
 

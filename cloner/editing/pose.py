@@ -9,10 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
@@ -20,6 +22,9 @@ from cloner.geometry.poses import FREEDOMS, SIGMAS, pose_matrix
 from cloner.geometry.skinning import joint_transforms
 from cloner.records.bodies import PosedView
 from cloner.records.points import ObeyedPoint
+
+#: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
+_CALIBRATED: Final = calibrated("editing.pose")
 
 Array = NDArray[np.float64]
 
@@ -41,29 +46,21 @@ class Params:
     Limbs lie on their outlines already, so a small move is rather the joint's place in the limb than the limb's: with
     stiffer places a knee dragged by 10 px took the whole leg 6 px off its outline.
 
+    Its numbers: ``cloner/calibration/editing.toml``, ``[pose.*]``.
+
     Attributes
     ----------
-    angle_share : float
-        Spread of an angle's change, as a share of how much people differ in it.
-    place_mm : float
-        Spread of a joint's place in the limb.
-    kept_px : float
-        Spread of the other joints' places in the photo.
-    exact_px : float
-        Spread of a corrected joint.
-    most_angle, most_mm : float
-        Largest change of an angle (radians) and of a joint's place.
     turns : int
     """
 
-    angle_share: float = 0.25
-    place_mm: float = 15.0
-    kept_px: float = 8.0
-    exact_px: float = 0.05
-    most_angle: float = 0.5
-    most_mm: float = 40.0
+    angle_share: float = _CALIBRATED.number("angle_share", "share")
+    place_mm: float = _CALIBRATED.number("place_mm", "mm")
+    kept_px: float = _CALIBRATED.number("kept_px", "px")
+    exact_px: float = _CALIBRATED.number("exact_px", "px")
+    most_angle: float = _CALIBRATED.number("most_angle", "rad")
+    most_mm: float = _CALIBRATED.number("most_mm", "mm")
     turns: int = 6
-    still: float = 0.01
+    still: float = _CALIBRATED.number("still", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

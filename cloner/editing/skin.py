@@ -8,10 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.editing.claims import Claim, Params, Scene, claim_of, nearest_rims, scene_of
 from cloner.editing.places import distance_from, free_skin, generic_metric, half_girth_m, opposite
 from cloner.editing.wishes import Wish
@@ -23,12 +25,13 @@ from cloner.geometry.skin_bends import Place, bump, smallest_step
 from cloner.records.bodies import PosedView
 from cloner.records.points import ObeyedPoint
 
+#: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
+_CALIBRATED: Final = calibrated("editing.skin")
+
 Array = NDArray[np.float64]
 
-#: A handle answers for the outline where its bump is at least so high.
-ANSWERS = 0.4
-#: Least damping: makes equations solvable that two handles of one place share.
-EASE = 1e-3
+ANSWERS = _CALIBRATED.number("answers", "factor")
+EASE = _CALIBRATED.number("ease", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

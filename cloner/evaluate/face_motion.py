@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,6 +14,7 @@ from cloner.generic.face_grids import Grid, eye_grid, eyeball, lips_apart, mouth
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import load_triangles
+from cloner.geometry.surface import over
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
@@ -79,12 +80,10 @@ def face_figures(rest_m: Array, shape_m: Array) -> FaceFigures:
     return FaceFigures(*(mm_from_m(value) for value in values))
 
 
-def target_figures(clone: Clone, wanted: Sequence[str] | None = None) -> dict[str, FaceFigures]:
+def target_figures(clone: Clone) -> dict[str, FaceFigures]:
     """Return the figures of every target at full weight; what goes through is the worst on the way there."""
     out = {}
     for name, offsets in target_offsets(clone):
-        if wanted is not None and name not in wanted:
-            continue
         step = offsets[:-1].astype(np.float64)
         out[name] = worst_on_the_way(clone.vertices_m, step)
     return out
@@ -154,7 +153,7 @@ def _front_skin() -> NDArray[np.int32]:
     """Return the (T, 3) triangles of the skin around the mouth, without what lies inside it."""
     generic, grid = load_generic(), mouth_grid()
     near = np.linalg.norm(generic.vertices_m - generic.vertices_m[generic.feature("stomion")], axis=1) < AROUND_M
-    near &= (generic.vertex_part == generic.part_names.index("body")) & ~generic.region("mouth_interior")
+    near &= generic.skin & ~generic.region("mouth_interior")
     near[grid.rings[: grid.margin]] = False
     near[grid.rings[grid.margin :]] = True
     triangles = load_triangles()
@@ -166,14 +165,7 @@ def teeth_through(shape_m: Array) -> float:
     generic = load_generic()
     teeth = shape_m[np.concatenate([generic.part("teeth_upper"), generic.part("teeth_lower")])]
     corners = shape_m[_front_skin()]
-    a, b, c = (corners[:, k, :2] for k in range(3))
-    one, two = b - a, c - a
-    area = one[:, 0] * two[:, 1] - one[:, 1] * two[:, 0]
-    area = np.where(np.abs(area) < 1e-14, 1e-14, area)
-    way = teeth[:, None, :2] - a
-    u = (way[..., 0] * two[:, 1] - way[..., 1] * two[:, 0]) / area
-    v = (one[:, 0] * way[..., 1] - one[:, 1] * way[..., 0]) / area
-    covers = (u >= 0.0) & (v >= 0.0) & (u + v <= 1.0)
+    covers, u, v = over(teeth[:, :2], corners[..., :2])
     depth = corners[:, 0, 2] + u * (corners[:, 1, 2] - corners[:, 0, 2]) + v * (corners[:, 2, 2] - corners[:, 0, 2])
     front = np.where(covers, depth, -np.inf).max(axis=1)
     covered = covers.any(axis=1)

@@ -20,9 +20,9 @@ from cloner.evaluate.measuring import CloneRun, clone_apart
 from cloner.evaluate.parts import wrong_part_share
 from cloner.evaluate.posing import JOINTS, joints_by_truth_name, pose_clone
 from cloner.evaluate.rows import Row, rows_of, save_held_out
-from cloner.evaluate.scores import Score, girth_scores, landmark_scores, leak_scores, score_run
+from cloner.evaluate.scores import Score, girth_scores, held_out_scores, landmark_scores, leak_scores, score_run
 from cloner.evaluate.seams import seam_ratios
-from cloner.evaluate.truth import THREE_QUARTER, told_height_m
+from cloner.evaluate.truth import told_height_m
 from cloner.frames import BODY_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.clones import Clone
@@ -39,7 +39,6 @@ def evaluate_people(
     *,
     progress: Callable[[str, float], None] = lambda what, fraction: None,
     told: Told = lambda sentence: None,
-    seed: int = 0,
 ) -> list[Row]:
     """Clone people from their photos alone, then score them.
 
@@ -51,7 +50,6 @@ def evaluate_people(
         Receives the clones and the held-out pictures; None keeps nothing.
     progress, told : callable
         Get what is done now and how far it is; get a sentence a refusal and a warning.
-    seed : int
 
     Returns
     -------
@@ -71,7 +69,7 @@ def evaluate_people(
             after = number + 1
             ahead = clone_person(queue[after], place, told) if after < len(queue) else first
             progress(f"score {person.name}", (number + 0.5) / len(people))
-            rows += score_person(person, run, None if ahead is None else ahead.clone, out, seed)
+            rows += score_person(person, run, None if ahead is None else ahead.clone, out)
     return rows
 
 
@@ -96,7 +94,7 @@ def clone_person(person: Path, out: Path, told: Told) -> CloneRun | None:
     return run
 
 
-def score_person(person: Path, run: CloneRun | None, other: Clone | None, out: Path | None, seed: int = 0) -> list[Row]:
+def score_person(person: Path, run: CloneRun | None, other: Clone | None, out: Path | None) -> list[Row]:
     """Return all rows of one person; the truth is first read here, the clone exists."""
     if run is None:
         return rows_of(person.name, KIT_SET, [Score("cloned", "", "", 0.0)], {})
@@ -146,14 +144,9 @@ def _subject_scores(
             yield Score("silhouette_iou", view.value, "", overlap)
             if subject is clone:
                 yield Score("joints_mean_mm", view.value, "mm", _joint_error_mm(clone, generic, kit, view))
-    for name in THREE_QUARTER:
-        if name in truth.views:
-            found, picture = likeness.held_out_likeness(subject, rotations, generic, truth.views[name])
-            pictures.setdefault(name, []).append(picture)
-            if not name.startswith("body"):
-                del found["silhouette_iou"]  # the shoulders of a face photo are in no known pose
-            for metric, figure in found.items():
-                yield Score(metric, name, "dE00" if metric == "delta_e" else "", figure)
+    yield from held_out_scores(
+        subject, generic, truth.views, rotations, lambda name, picture: pictures.setdefault(name, []).append(picture)
+    )
     posed = pose_clone(subject, generic, np.zeros_like(rotations))
     face = skins.face_surface_mm(posed, generic, truth.surface, rng=np.random.default_rng(0))
     yield Score("face_surface_similarity_mm", "", "mm", face.similarity.mean)

@@ -119,7 +119,7 @@ def _count(
 
 def _body(generic: GenericHuman) -> NDArray[np.bool_]:
     triangles = generic.triangles()[0]
-    return np.asarray(generic.vertex_part[triangles[:, 0]] == generic.part_names.index("body"), bool)
+    return generic.skin[triangles[:, 0]]
 
 
 def _seen_beside(

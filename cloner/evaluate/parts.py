@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from cloner.evaluate.kit import KitTruth
 from cloner.evaluate.origins import Origins
 from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.seeing import depth_at, look, nearest_of
 from cloner.records.labels import LABELS
 from cloner.records.views import Camera
@@ -50,7 +51,7 @@ def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> 
     body = len(next(iter(kit.bodies_m.values())))
     on_body: Flags = np.asarray((origins.vertices < body).all(axis=1), bool)
     pixel = np.rint(origins.pixel_px).astype(int)
-    allowed, judged = _true_labels(origins, generic, kit, on_body)
+    allowed, judged = _true_labels(origins, kit, on_body)
     wrong = np.zeros(len(pixel), bool)
     for row, view in enumerate(origins.views):
         truth = kit.truth.views[view.value]
@@ -74,12 +75,10 @@ def _merged() -> NDArray[np.int64]:
     return np.array([LABELS.index(_SAME.get(name, name)) for name in LABELS])
 
 
-def _true_labels(
-    origins: Origins, generic: GenericHuman, kit: KitTruth, on_body: Flags
-) -> tuple[NDArray[np.int64], Flags]:
+def _true_labels(origins: Origins, kit: KitTruth, on_body: Flags) -> tuple[NDArray[np.int64], Flags]:
     """Return (N,) the labels near each texel's true place as bits, and whether any photo shows that place."""
     bits, seen = np.zeros(len(on_body), np.int64), np.zeros(len(on_body), bool)
-    triangles = _body_triangles(generic)
+    triangles = body_triangles()
     rows = np.flatnonzero(on_body)
     for view, labels in kit.labels.items():
         camera, body_m = kit.truth.views[view].camera, kit.bodies_m[view]
@@ -109,7 +108,7 @@ def _labels_near(labels: NDArray[np.uint8], camera: Camera, body_m: Array) -> ND
 
 def _limb_pictures(generic: GenericHuman, body_m: Array, camera: Camera) -> tuple[list[NDArray[np.float32]], float]:
     """Return the depth pictures of left arm, right arm and the rest, and pixels within `NEAR_M` in them."""
-    triangles = _body_triangles(generic)
+    triangles = body_triangles()
     limb = _limb_of_vertex(generic)[triangles]
     pictures = [nearest_of(body_m, triangles[(limb == k).all(axis=1)], camera) for k in (0, 1, 2)]
     return pictures, NEAR_M / camera.metres_per_pixel(body_m.mean(axis=0))
@@ -143,11 +142,5 @@ def _limb_of_vertex(generic: GenericHuman) -> NDArray[np.int64]:
     """Return (V,) 0 for the left arm, 1 for the right, 2 for everything else."""
     limb = np.full(len(generic.vertex_segment), 2)
     for k, names in enumerate(_LIMBS):
-        limb[np.isin(generic.vertex_segment, [generic.segment_names.index(name) for name in names])] = k
+        limb[generic.segment(*names)] = k
     return limb
-
-
-def _body_triangles(generic: GenericHuman) -> NDArray[np.int32]:
-    triangles = generic.triangles()[0].astype(np.int32)
-    body = generic.vertex_part == generic.part_names.index("body")
-    return np.asarray(triangles[body[triangles].all(axis=1)])

@@ -14,7 +14,7 @@ from scipy.spatial import cKDTree
 from cloner.evaluate.rulers import apply, fit_similarity
 from cloner.generic.load import GenericHuman
 from cloner.geometry.poses import SIGMAS, pose_matrix
-from cloner.geometry.skinning import blend_transforms, joint_transforms, rotation_matrices, skin
+from cloner.geometry.skinning import blend_transforms, joint_transforms, posed_joints, rotation_matrices, skin
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
 
@@ -79,7 +79,7 @@ def pose_clone(clone: Clone, generic: GenericHuman, rotations: Array) -> Posed:
     transforms = joint_transforms(clone.joints_m, _parents(generic), rotations)
     skin_joints, skin_weights = generic.skin_joints.astype(np.int32), generic.skin_weights.astype(np.float64)
     vertices = skin(clone.vertices_m, transforms, skin_joints, skin_weights)
-    joints = np.einsum("jab,jb->ja", transforms[:, :3, :3], clone.joints_m) + transforms[:, :3, 3]
+    joints = posed_joints(transforms, clone.joints_m)
     names = list(clone.features_m)
     if not names:
         return Posed(vertices, joints, {})
@@ -167,7 +167,7 @@ def rotations_towards(
     def residual(values: Array) -> Array:
         transforms = joint_transforms(rest, parents, rotations(values[6:]))
         limbs = transforms[rows]
-        joints = np.einsum("jab,jb->ja", limbs[:, :3, :3], rest[rows]) + limbs[:, :3, 3]
+        joints = posed_joints(limbs, rest[rows])
         turn = rotation_matrices(values[None, :3])[0].T
         found = np.vstack([joints, on_skin(transforms)]) - joints.mean(axis=0)
         away = (found @ turn + values[3:6] - goal) / sigma

@@ -11,6 +11,8 @@ from scipy.ndimage import binary_erosion, distance_transform_edt
 from skimage.color import deltaE_ciede2000, rgb2gray, rgb2lab
 from skimage.metrics import structural_similarity
 
+from cloner.geometry.alignment import similarity
+
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
@@ -78,7 +80,7 @@ def boundary(mask: Mask) -> Mask:
     return np.asarray(edge, dtype=bool)
 
 
-def fit_similarity(source: Array, target: Array, *, scale: bool, weights: Array | None = None) -> Array:
+def fit_similarity(source: Array, target: Array, *, scale: bool) -> Array:
     """Return the (4, 4) ``target_from_source`` of least squares.
 
     Parameters
@@ -86,23 +88,11 @@ def fit_similarity(source: Array, target: Array, *, scale: bool, weights: Array 
     source, target : (N, 3) float64, corresponding points
     scale : bool
         Whether a uniform scale is free (similarity) or one (rigid).
-    weights : (N,) float64 or None
-
-    References
-    ----------
-    S. Umeyama 1991, equations 40-42.
     """
-    weight = np.ones(len(source)) if weights is None else weights
-    weight = weight / weight.sum()
-    source_mean, target_mean = weight @ source, weight @ target
-    away, aim = source - source_mean, target - target_mean
-    u, sizes, vt = np.linalg.svd(aim.T @ (weight[:, None] * away))
-    sign = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])
-    rotation = u @ np.diag(sign) @ vt
-    factor = float(sizes @ sign / (weight @ (away**2).sum(axis=1))) if scale else 1.0
+    factor, rotation, shift = similarity(source, target)
     transform = np.eye(4)
-    transform[:3, :3] = factor * rotation
-    transform[:3, 3] = target_mean - factor * rotation @ source_mean
+    transform[:3, :3] = factor * rotation if scale else rotation
+    transform[:3, 3] = shift if scale else target.mean(axis=0) - rotation @ source.mean(axis=0)
     return transform
 
 

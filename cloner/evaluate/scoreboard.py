@@ -68,7 +68,7 @@ def evaluate_visitors(
     """
     people = kit_people(paths)
     paths = [path for path in paths if (path / "truth.json").is_file() and not is_kit_person(path)] if people else paths
-    rows: list[Row] = evaluate_people(people, out, progress=progress, told=told, seed=seed) if people else []
+    rows: list[Row] = evaluate_people(people, out, progress=progress, told=told) if people else []
     rows += _evaluate_sets(paths, sets, out, progress, seed) if paths or not people else []
     if out is not None:
         out.mkdir(parents=True, exist_ok=True)

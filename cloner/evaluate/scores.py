@@ -32,6 +32,7 @@ from cloner.records.measures import MeasureSet
 from cloner.records.points import PointSet
 
 Array = NDArray[np.float64]
+Keep = Callable[[str, NDArray[np.uint8]], None]
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +72,20 @@ def score_run(run: CloneRun, truth: Truth) -> Iterator[Score]:
     yield Score("peak_mib", "", "MiB", run.peak_mib)
 
 
+def held_out_scores(
+    subject: Clone, generic: GenericHuman, views: Mapping[str, TruthView], rotations: Array, keep: Keep
+) -> Iterator[Score]:
+    """Yield how like a clone is in views that no photo shows; ``keep`` gets each one's name and picture."""
+    for name in THREE_QUARTER:
+        if name in views:
+            found, picture = likeness.held_out_likeness(subject, rotations, generic, views[name])
+            keep(name, picture)
+            if not name.startswith("body"):
+                del found["silhouette_iou"]  # the shoulders of a face photo are in no known pose
+            for metric, figure in found.items():
+                yield Score(metric, name, "dE00" if metric == "delta_e" else "", figure)
+
+
 def score_subject(
     subject: Clone,
     clone: Clone,
@@ -78,7 +93,7 @@ def score_subject(
     truth: Truth,
     *,
     rng: np.random.Generator,
-    keep: Callable[[str, NDArray[np.uint8]], None] = lambda view, picture: None,
+    keep: Keep = lambda view, picture: None,
     measures: MeasureSet | None = None,
 ) -> Iterator[Score]:
     """Yield the figures that a clone and both baselines have.
@@ -103,14 +118,7 @@ def score_subject(
         if view in clone.views:
             value = likeness.seen_as_photo(subject, clone, generic, view, truth.views[view].mask)
             yield Score("silhouette_iou", view, "", value)
-    for name in THREE_QUARTER:
-        if name in truth.views:
-            found, picture = likeness.held_out_likeness(subject, rotations, generic, truth.views[name])
-            keep(name, picture)
-            if not name.startswith("body"):
-                del found["silhouette_iou"]  # the shoulders of a face photo are in no known pose
-            for metric, figure in found.items():
-                yield Score(metric, name, "dE00" if metric == "delta_e" else "", figure)
+    yield from held_out_scores(subject, generic, truth.views, rotations, keep)
     posed, truth_rotations, truth_from_clone = _posed_as_truth(subject, generic, truth, rotations)
     yield from _surface_scores(posed, generic, truth, rng)
     photographed = bool(subject.views)  # the generic human has its stature and its one colour by construction

@@ -71,7 +71,7 @@ def _edges(clone: Clone, generic: GenericHuman) -> Edges:
     """Return (E, 2) the edges of the skin, those beside another region left out."""
     triangles = generic.triangles()[0]
     edges = edges_of(triangles)[0]
-    skin = generic.vertex_part == generic.part_names.index("body")
+    skin = generic.skin
     skin &= ~generic.region("mouth_interior")
     edges = edges[skin[edges].all(axis=1)]
     if not len(clone.triangle_regions):
@@ -99,7 +99,7 @@ def _borders(clone: Clone, generic: GenericHuman, edges: Edges) -> Mapping[str, 
 def _photo_jumps(clone: Clone, generic: GenericHuman, photos: Photos, edges: Edges) -> Array:
     """Return (E,) the jumps that the photo shows which sees both ends best; nan where none sees an edge or its twin."""
     triangles = generic.triangles()[0]
-    skin = generic.vertex_part[triangles[:, 0]] == generic.part_names.index("body")
+    skin = generic.skin[triangles[:, 0]]
     found, best = np.full(len(edges), np.nan), np.full(len(edges), _SEEN)
     for view, photo in photos.items():
         if view not in clone.views:

@@ -157,14 +157,14 @@ def face_surface_mm(
 def skin_triangles(generic: GenericHuman) -> NDArray[np.int32]:
     """Return the (T, 3) triangles of the outer skin: no eyes, teeth or mouth interior."""
     triangles, _ = generic.triangles()
-    body = generic.vertex_part == generic.part_names.index("body")
+    body = generic.skin
     kept = body & ~generic.region("mouth_interior")
     return np.asarray(triangles[kept[triangles].all(axis=1)], dtype=np.int32)
 
 
 def _dense_organs(posed: Posed, generic: GenericHuman) -> Array:
     """Return the vertices of eyes and teeth, which hide the sockets behind them."""
-    return np.asarray(posed.vertices_m[generic.vertex_part != generic.part_names.index("body")])
+    return np.asarray(posed.vertices_m[~generic.skin])
 
 
 def _both_ways(first: Array, second: Array) -> Spread:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.frames import m_from_mm
+from cloner.geometry.vectors import unit
 from cloner.records.views import Camera
 from cloner.vision.pictures import read_picture
 
@@ -202,7 +203,7 @@ def _read_surface(path: Path, base: Mapping[str, Any]) -> TruthSurface:
     kinds = np.array([_kind(name) for name in names])[part]
     labels = np.array([_label(name) for name in names])[part]
     kept = kinds != ""
-    normals = normals[kept] / np.maximum(np.linalg.norm(normals[kept], axis=1, keepdims=True), 1e-9)
+    normals = unit(normals[kept])
     marks, joints = vectors(base["points_3d_m"]), vectors(base["joints_3d_m"])
     bare = _read_bare(path.with_name("truth_body.npz"))
     return TruthSurface(points[kept], normals, kinds[kept], joints, marks, *bare, labels[kept])

@@ -16,6 +16,7 @@ from typing import Any, Final
 
 from pygltflib import Attributes
 
+#: The chunks' types by the glTF 2.0 specification: "JSON" and "BIN".
 _JSON, _BIN = 0x4E4F534A, 0x004E4942
 _HEADS: Final = 28  # the file's head and those of its two chunks, bytes
 

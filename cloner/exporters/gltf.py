@@ -117,7 +117,7 @@ def build(
             roots.append(len(gltf.nodes) - 1)
     body = next(number for number, node in enumerate(gltf.nodes) if node.mesh == 0)
     for motion in motions:
-        gltf.animations.append(animation(gltf, buffer, clone, driven(motion, drivers), bones, body))
+        gltf.animations.append(animation(buffer, clone, driven(motion, drivers), bones, body))
     facts = _facts(clone, bones)
     if drivers:
         facts["correctives"] = [driver.told(bones.name_of(driver.joint)) for driver in drivers]
@@ -173,13 +173,13 @@ def add_skeleton(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> i
 def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, *, shades: bool) -> Any:
     """Return the body's mesh: one primitive a surface, the same morph targets on all; ``shades`` turns normals."""
     generic = load_generic()
-    atlas = _texture(gltf, buffer, jpeg_bytes(clone.atlas.rgb), "image/jpeg", "atlas")
+    atlas = add_texture(gltf, buffer, jpeg_bytes(clone.atlas.rgb), "image/jpeg", "atlas")
     normals = surface_normals(clone.vertices_m)
     primitives = []
     for surface in load_surfaces():
         texture, mode = atlas, "OPAQUE"
         if surface.rgba is not None:
-            texture, mode = _texture(gltf, buffer, png_bytes(surface.rgba), "image/png", surface.name), "BLEND"
+            texture, mode = add_texture(gltf, buffer, png_bytes(surface.rgba), "image/png", surface.name), "BLEND"
         attributes = _attributes(
             buffer,
             clone.vertices_m[surface.vertex],
@@ -200,7 +200,7 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, *, shades: 
         primitives[-1].targets = targets_of(buffer, clone, shell.rides)
     if len(clone.triangle_regions):
         # The skin's own material, the first: skin, cloth and shoes shine each in their way. A statue is all of a piece.
-        rough = _texture(gltf, buffer, png_bytes(roughness_map(clone)), "image/png", "roughness")
+        rough = add_texture(gltf, buffer, png_bytes(roughness_map(clone)), "image/png", "roughness")
         # What no photo shows, the mouth, stands in its own dark; without it every reader's sky shines in there.
         whole = bool(clone.atlas.shine.size)
         for surface, primitive in zip(load_surfaces(), primitives, strict=False):
@@ -232,7 +232,7 @@ def _loose(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, kind: str)
 
 def _shell(gltf: Any, buffer: GltfBuffer, bones: Bones, shell: Shell, number: int, shine: tuple[float, float]) -> Any:
     name = shell.kind if number == 0 else f"{shell.kind}_{number}"
-    texture = _texture(gltf, buffer, png_bytes(shell.rgba), "image/png", name)
+    texture = add_texture(gltf, buffer, png_bytes(shell.rgba), "image/png", name)
     normals = welded_normals(shell.vertices_m, shell.triangles)
     carried = bones.carried(shell.skin_joints, shell.skin_weights)
     attributes = _attributes(buffer, shell.vertices_m, normals, shell.uv, carried)
@@ -261,7 +261,8 @@ def _attributes(
     )
 
 
-def _texture(gltf: Any, buffer: GltfBuffer, data: bytes, kind: str, name: str) -> int:
+def add_texture(gltf: Any, buffer: GltfBuffer, data: bytes, kind: str, name: str) -> int:
+    """Add a picture to a glTF document and return its texture's number."""
     gltf.images.append(pygltflib.Image(name=name, mimeType=kind, bufferView=buffer.view(data)))
     gltf.textures.append(pygltflib.Texture(sampler=0, source=len(gltf.images) - 1, name=name))
     return len(gltf.textures) - 1

@@ -18,6 +18,7 @@ _COMPONENT: Final = {
     np.dtype(np.uint32): pygltflib.UNSIGNED_INT,
     np.dtype(np.float32): pygltflib.FLOAT,
 }
+#: glTF's word for rows of so many numbers.
 _KIND: Final = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
 
 

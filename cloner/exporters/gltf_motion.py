@@ -23,13 +23,13 @@ from cloner.records.motions import Motion
 STILL: Final = 1e-4
 
 
-def animation(gltf: Any, buffer: GltfBuffer, clone: Clone, motion: Motion, bones: Bones, mesh: int) -> Any:
+def animation(buffer: GltfBuffer, clone: Clone, motion: Motion, bones: Bones, mesh: int) -> Any:
     """Return a motion as a ``pygltflib.Animation``.
 
     Parameters
     ----------
-    gltf, buffer
-        The file being built.
+    buffer
+        Of the file being built.
     clone : Clone
     motion : Motion
     bones : Bones

@@ -35,6 +35,7 @@ EXTENSION: Final = "KHR_mesh_quantization"
 WEBP: Final = "EXT_texture_webp"
 WEBP_QUALITY: Final = 85  # taste: no difference seen on a face at its pictures' own size
 SMALLEST_OFFSET_M: Final = 1e-4  # what moves less is not seen at a picture's size; a third of the targets' rows
+#: Largest number of 16 bits with a sign.
 FULL: Final = 32767
 HALVED_ABOVE_PX: Final = 512  # smaller pictures stay; taste
 

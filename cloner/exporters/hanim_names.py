@@ -70,6 +70,7 @@ _JOINTS_2: Final = {
     "thumb2": "metacarpophalangeal_1",
     "thumb3": "carpal_interphalangeal_1",
 }
+#: Fingers by their number in H-Anim 2.
 _FINGERS_2: Final = {"index": 2, "middle": 3, "ring": 4, "pinky": 5}
 _KNUCKLES_2: Final = {
     "0": "carpometacarpal",

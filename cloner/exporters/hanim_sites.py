@@ -141,8 +141,7 @@ class _Figure:
 
     def inside(self, *segments: str) -> Ints:
         """Return the rows of the body's vertices that belong to segments."""
-        wanted = [self.generic.segment_names.index(name) for name in segments]
-        return np.flatnonzero(np.isin(self.segment, wanted))
+        return np.flatnonzero(np.isin(self.segment, [self.generic.segment_names.index(name) for name in segments]))
 
     def exit(self, start: Array, direction: Array, *segments: str) -> int:
         """Return the vertex where a ray from inside leaves the skin of segments."""

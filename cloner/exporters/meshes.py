@@ -13,6 +13,7 @@ from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.wedges import welded_normals
 from cloner.records.clones import Clone
 
+#: Rows of a binary PLY file.
 _PLY_VERTEX: Final = np.dtype([("place", "<f4", 3), ("normal", "<f4", 3), ("colour", "u1", 4)])
 _PLY_FACE: Final = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
 _PLY_HEAD: Final = """\

@@ -19,6 +19,7 @@ from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
 
 LARGEST_PX: Final = 1024  # labels are as coarse as triangles: more texels would tell no more
+#: Level of texels that belong to no region.
 NOTHING: Final = 255
 #: Colours of the labels for people who look at the picture.
 _SHOWN: Final = (230, 190, 165, 90, 55, 30, 255, 255, 255, 200, 60, 80, 60, 110, 220, 60, 180, 90, 40, 40, 40)
@@ -53,7 +54,7 @@ def region_texels(clone: Clone, size: int) -> NDArray[np.uint8]:
     return np.append(clone.triangle_regions, NOTHING).astype(np.uint8)[shown]
 
 
-@lru_cache(maxsize=2)  # the same for everybody, and most formats ask
+@lru_cache(maxsize=3)  # the same for everybody, and most formats ask
 def texel_triangles(size: int) -> NDArray[np.int32]:
     """Return the (size, size) triangle that each texel of the atlas shows, -1 outside the charts; read only."""
     atlas = generic_atlas(load_generic(), size)

@@ -40,6 +40,7 @@ from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
+#: Bytes at whose multiples a USDZ's files begin (its specification).
 ALIGNMENT: Final = 64
 _EPOCH: Final = (1980, 1, 1, 0, 0, 0)  # the oldest date that a zip can tell: the same clone gives the same bytes
 _ATLAS, _ROUGH = "_atlas.jpg", "_roughness.png"

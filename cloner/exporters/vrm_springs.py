@@ -139,7 +139,7 @@ def _bodies(clone: Clone, found: Sequence[Tail]) -> dict[str, dict[str, Any]]:
         node = clone.joints_m[generic.joint(joint)]
         first = 0.5 * (scalp.min(axis=0) + scalp.max(axis=0)) if end is None else node
         last = first if end is None else clone.joints_m[generic.joint(end)]
-        skin = scalp if end is None else clone.vertices_m[generic.vertex_part == generic.part_names.index("body")]
+        skin = scalp if end is None else clone.vertices_m[generic.skin]
         radius = min(_thick(skin, first, last), float((_away(points, first, last) - radii).min()))
         if radius < _LEAST_M:
             continue

@@ -64,7 +64,7 @@ def _file(clone: Clone, motion: Motion) -> Any:
     add_skeleton(gltf, buffer, clone, bones)
     gltf.skins = []  # nothing hangs on the bones
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
-    made = animation(gltf, buffer, clone, motion, bones, 0)
+    made = animation(buffer, clone, motion, bones, 0)
     made.channels = [channel for channel in made.channels if channel.target.path != "weights"]
     made.samplers = made.samplers[: len(made.channels)]  # the weights come last
     gltf.animations.append(made)

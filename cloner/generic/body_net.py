@@ -60,6 +60,7 @@ class Landmark:
         return "{" in self.anchor or self.rows[0] == self.rows[1]
 
 
+#: BlazePose's points by their row, left and right.
 LANDMARKS: Final = (
     Landmark("nose", (0, 0), "nose_tip", "nose_tip"),
     Landmark("eye", (2, 5), "pupil_{0}", "pupil_{0}"),

@@ -31,7 +31,7 @@ def standard_camera(clone: Clone, view: str, width_px: int, height_px: int) -> C
     points = np.vstack([clone.vertices_m, *(shell.vertices_m for shell in clone.shells)])
     if view.startswith("face"):
         generic = load_generic()
-        head = clone.vertices_m[generic.vertex_segment == generic.segment_names.index("head")]
+        head = clone.vertices_m[generic.segment("head")]
         points = points[points[:, 1] >= head[:, 1].min()]  # long hair must not shrink the face
         points = points[np.abs(points[:, 0]) <= 1.5 * np.abs(head[:, 0]).max()]  # nor raised shoulders
     return framing_camera(points, AZIMUTH_DEG[side], width_px, height_px)

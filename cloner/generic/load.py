@@ -124,6 +124,20 @@ class GenericHuman:
         """Return the vertices of a part, for example ``"eye_left"``."""
         return np.flatnonzero(self.vertex_part == self.part_names.index(name))
 
+    @property
+    def skin(self) -> BoolArray:
+        """(V,) which vertices are skin: no eyes, teeth, tongue and lashes."""
+        return np.asarray(self.vertex_part == self.part_names.index("body"))
+
+    def segment(self, *names: str) -> BoolArray:
+        """Return (V,) which vertices have one of some segments as their main one."""
+        return np.isin(self.vertex_segment, [self.segment_names.index(name) for name in names])
+
+    def share(self, *names: str) -> npt.NDArray[np.float64]:
+        """Return (V,) how much of each vertex belongs to some segments, about 0..1."""
+        rows = [self.segment_names.index(name) for name in names]
+        return np.asarray(self.segment_weights[:, rows].astype(np.float64).sum(axis=1))
+
     def joint(self, name: str) -> int:
         """Return a joint's row."""
         return self.joint_names.index(name)
@@ -148,6 +162,7 @@ class GenericHuman:
         return self.viseme_index[rows], self.viseme_delta_m[rows]
 
 
+#: What files of older builds lack.
 _EMPTY: dict[str, npt.NDArray[np.generic]] = {
     "fdp_names": np.array([], dtype=np.str_),
     "fdp_vertices": np.zeros(0, dtype=np.int32),

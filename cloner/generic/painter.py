@@ -15,10 +15,12 @@ from numpy.typing import NDArray
 
 from cloner.generic.layers import Layer
 from cloner.geometry.rasters import fragments
+from cloner.geometry.vectors import unit
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
 
+#: The renderer's near plane, metres; nothing of a person comes nearer to a lens.
 NEAR_M: Final = 0.05
 #: Surfaces this much nearer win, share of the depth; float32 depth is good to 1e-7.
 _TIE: Final = 1e-5
@@ -150,7 +152,7 @@ def _shade(
         rgba[:, :3] = 255.0
     if lights:
         normal = np.einsum("nk,nkc->nc", share, layer.normals[corners]) @ camera.camera_from_model[:3, :3].T
-        normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9)
+        normal = unit(normal)
         light = np.full(len(corners), ambient)
         for direction, strength in lights:
             turned = normal @ (direction / np.linalg.norm(direction))

@@ -74,6 +74,14 @@ def load_triangles() -> NDArray[np.int32]:
     return triangles
 
 
+@functools.cache
+def body_triangles() -> NDArray[np.int32]:
+    """Return the (T, 3) triangles of the generic human's skin, without eyes, teeth, tongue and lashes."""
+    generic = load_generic()
+    triangles = generic.triangles()[0]
+    return np.ascontiguousarray(triangles[generic.skin[triangles].all(axis=1)], dtype=np.int32)
+
+
 def surface_normals(vertices_m: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return (V, 3) unit normals of the generic human's vertices moved to ``vertices_m``.
 

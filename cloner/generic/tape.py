@@ -60,11 +60,10 @@ def body_girths(shown_mm: Mapping[str, float], stature_m: float) -> dict[str, Gi
 def tape_rules(generic: GenericHuman) -> TapeRules:
     """Return the tape rules of a generic human; only its skin counts, not eyes and teeth."""
     triangles, _ = generic.triangles()
-    skin = triangles[(generic.vertex_part[triangles] == generic.part_names.index("body")).all(axis=1)]
+    skin = np.asarray(triangles[generic.skin[triangles].all(axis=1)], np.int32)
 
     def touching(*names: str) -> NDArray[np.bool_]:
-        wanted = [generic.segment_names.index(name) for name in names]
-        return np.asarray(np.isin(generic.vertex_segment[skin], wanted).any(axis=1))
+        return np.asarray(generic.segment(*names)[skin].any(axis=1))
 
     arms = touching(*(name for name in generic.segment_names if "arm" in name or "hand" in name))
     right_thigh = tuple(int(generic.mirror[vertex]) for vertex in _LEFT_THIGH)
@@ -101,8 +100,7 @@ def _joints(generic: GenericHuman, *names: str) -> NDArray[np.int32]:
 
 
 def _members(generic: GenericHuman, segment: str) -> NDArray[np.int32]:
-    own = generic.vertex_segment == generic.segment_names.index(segment)
-    return np.flatnonzero(own & (generic.vertex_part == generic.part_names.index("body"))).astype(np.int32)
+    return np.flatnonzero(generic.segment(segment) & generic.skin).astype(np.int32)
 
 
 def _skull(generic: GenericHuman) -> NDArray[np.int32]:

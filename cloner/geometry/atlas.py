@@ -10,8 +10,6 @@ from scipy.sparse import csr_array
 
 from cloner.geometry.rasters import cover
 
-Array = NDArray[np.float64]
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class AtlasMap:

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.geometry.surface import SurfacePoints
+from cloner.geometry.vectors import unit
 
 Array = NDArray[np.float64]
 
@@ -16,7 +17,7 @@ def contour_normals(contour: Array, *, reach: int = 4) -> Array:
     ahead, behind = np.roll(contour, -reach, axis=0), np.roll(contour, reach, axis=0)
     along = ahead - behind
     normal = np.column_stack([along[:, 1], -along[:, 0]])
-    return np.asarray(normal / np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12))
+    return unit(normal, 1e-12)
 
 
 def foremost(points_px: Array, facing: int, *, step_px: float) -> NDArray[np.int64]:

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 from scipy.spatial import cKDTree
 
+from cloner.geometry.vectors import arc_lengths, places_along, unit
+
 Array = NDArray[np.float64]
 
 
@@ -104,15 +106,15 @@ def outline_field(
     points, normals = [], []
     for contour in contours_px:
         closed = np.vstack([contour, contour[:1]])
-        length = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
+        length = arc_lengths(closed)
         count = int(length[-1] // step_px)
         if count < 8:
             continue
         at = np.linspace(0.0, length[-1], count, endpoint=False)
-        sample = np.stack([np.interp(at, length, closed[:, axis]) for axis in (0, 1)], axis=1)
-        along = np.roll(sample, -2, axis=0) - np.roll(sample, 2, axis=0)
-        normal = np.stack([along[:, 1], -along[:, 0]], axis=1)
-        normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9)
+        sample = places_along(closed, length, at)
+        ahead = np.roll(sample, -2, axis=0) - np.roll(sample, 2, axis=0)
+        normal = np.stack([ahead[:, 1], -ahead[:, 0]], axis=1)
+        normal = unit(normal)
         points.append(sample)
         normals.append(normal)
     samples, outward = np.vstack(points), np.vstack(normals)

@@ -16,6 +16,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.geometry.vectors import unit
+
 Array = NDArray[np.float64]
 
 #: Radius of the eyeball, metres, and how far the cornea's middle stands out of it, share of the radius.
@@ -73,9 +75,9 @@ def ball_points(spokes: Array, rim_angle: float) -> Array:
     rim_angle : float
         Angle at which that ball has the iris' rim, radians.
     """
-    unit = spokes / np.linalg.norm(spokes, axis=1, keepdims=True)
-    angle = np.arccos(np.clip(unit[:, 2], -1.0, 1.0))
+    gaze = spokes / np.linalg.norm(spokes, axis=1, keepdims=True)
+    angle = np.arccos(np.clip(gaze[:, 2], -1.0, 1.0))
     wanted = np.interp(angle, [0.0, rim_angle, np.pi], [0.0, IRIS_ANGLE, np.pi])
-    across = unit[:, :2] / np.maximum(np.linalg.norm(unit[:, :2], axis=1, keepdims=True), 1e-12)
+    across = unit(gaze[:, :2], 1e-12)
     around = np.column_stack([np.sin(wanted)[:, None] * across, np.cos(wanted)])
     return np.asarray(BALL_M * (1.0 + cornea(wanted))[:, None] * around)

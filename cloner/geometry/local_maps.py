@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.geometry.sockets import similarity
+from cloner.geometry.alignment import similarity
 
 Array = NDArray[np.float64]
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
+from cloner.geometry.triangles import sides
 from cloner.records.arrays import freeze
 
 Array = NDArray[np.float64]
@@ -96,7 +97,7 @@ def slice_points(vertices_m: Array, triangles: Triangles, point_m: Array, normal
     normal : (3,) the plane's direction, any length
     """
     side = (vertices_m - point_m) @ normal
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    edges = sides(triangles)
     first, second = edges[:, 0], edges[:, 1]
     crossing = (side[first] < 0.0) != (side[second] < 0.0)
     first, second = first[crossing], second[crossing]
@@ -161,7 +162,6 @@ TRUTH_GIRTHS: Final = {
     "calf": "calf_girth",
     "upper_arm": "upper_arm_girth",
 }
-GIRTH_NAMES: Final = tuple(TRUTH_GIRTHS)
 _TRUNK: Final = ("torso", "pelvis", "left_thigh", "right_thigh")
 
 

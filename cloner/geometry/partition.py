@@ -18,6 +18,7 @@ from cloner.geometry.graphs import SurfaceGraph
 Array = NDArray[np.float64]
 
 CRUMB_VERTICES = 40  # taste: a patch of some 6 cm on the body, 2 cm on the face
+#: Mark of what belongs to nobody yet.
 _UNDECIDED = -2
 
 

@@ -13,6 +13,7 @@ from cloner.geometry.skinning import rotation_matrices
 
 Array = NDArray[np.float64]
 
+#: Axes.
 X, Y, Z = 0, 1, 2
 
 
@@ -44,6 +45,7 @@ def _sided(name: str, joint: str, axis: int, degrees: float) -> list[Freedom]:
 _SPINE = ("vl5", "vl3", "vl1", "vt10", "vt6", "vt3")
 _NECK = ("vc7", "vc4", "skullbase")
 
+#: Spreads in degrees are taste, after watching visitors stand.
 FREEDOMS: tuple[Freedom, ...] = (
     *(
         f

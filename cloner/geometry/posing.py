@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.geometry.skinning import joint_transforms, rotation_matrices
+from cloner.geometry.skinning import joint_transforms, posed_joints, rotation_matrices
 
 Array = NDArray[np.float64]
 
@@ -89,8 +89,7 @@ class Chosen:
         transforms = joint_transforms(joints, self.parents, self.rotations(pose))
         own = transforms[self.skin_joints]
         shares = (own[..., :3, :3] @ rest[:, None, :, None])[..., 0] + own[..., :3, 3]
-        posed_joints = np.einsum("jab,jb->ja", transforms[:, :3, :3], joints) + transforms[:, :3, 3]
-        return shares, transforms, posed_joints
+        return shares, transforms, posed_joints(transforms, joints)
 
     def moved(self, shape: Array, pose: Array) -> Moved:
         """Return the posed points with their derivatives by shape and pose."""

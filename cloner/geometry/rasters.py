@@ -19,8 +19,10 @@ CHUNK_CANDIDATES = (
 #: Pixels covered at once, 64 MiB: a whole atlas of 2,048 texels a side, a quarter of one of 4,096.
 BAND_PIXELS: Final = 2048 * 2048
 
+#: Nearest depth that is drawn, metres; nothing of a person comes nearer to a lens.
 _NEAREST_M: Final = 0.01
 _FIELD: Final = math.pi / 2  # half the picture's height seen from one unit away is one unit
+#: No turn; and a hair's breadth aside, px, lest pixel centres lie on edges, where rounding leaves holes.
 _EYE: Final = np.eye(4, dtype=np.float32)
 _ASIDE_PX: Final = (1e-4, 2.3e-4)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,11 @@ from cloner.geometry.resection import projection_derivatives
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
+
+#: Errors beyond this many sigmas lose their weight (Cauchy).
+OUTLIER: Final = 2.5
+#: Controls with which each one bends.
+NEIGHBOURS: Final = 8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,8 +54,6 @@ def solve_relief(
     size_m: float,
     bend_m: float,
     limit_m: float,
-    outlier: float = 2.5,
-    neighbours: int = 8,
 ) -> Array:
     """Return the (K, 3) displacements of the controls, metres.
 
@@ -63,18 +67,16 @@ def solve_relief(
         Expected difference of neighbours' displacements: a wrong point cannot pull alone.
     limit_m : float
         No displacement is longer.
-    outlier : float
-        Errors beyond this many sigmas lose their weight (Cauchy).
     """
     count = len(controls_m)
-    normal_prior = np.kron(_stiffness(controls_m, size_m, bend_m, neighbours), np.eye(3))
+    normal_prior = np.kron(_stiffness(controls_m, size_m, bend_m), np.eye(3))
     blocks = [_linear_rows(item) for item in leftovers]
     moved = np.zeros(3 * count)
     for _ in range(5):
         normal, right = normal_prior.copy(), np.zeros(3 * count)
         for rows, error, group in blocks:
             left = error - rows @ moved
-            weight = 1.0 / (1.0 + (left.reshape(-1, group) ** 2).sum(1) / outlier**2)
+            weight = 1.0 / (1.0 + (left.reshape(-1, group) ** 2).sum(1) / OUTLIER**2)
             weighted = rows.multiply(np.repeat(weight, group)[:, None]).tocsr()
             normal += (weighted.T @ rows).toarray()
             right += np.asarray(weighted.T @ error).ravel()
@@ -85,10 +87,10 @@ def solve_relief(
     return out * np.where(length > 1e-12, limit_m * np.tanh(length / limit_m) / np.maximum(length, 1e-12), 1.0)
 
 
-def _stiffness(controls_m: Array, size_m: float, bend_m: float, neighbours: int) -> Array:
+def _stiffness(controls_m: Array, size_m: float, bend_m: float) -> Array:
     """Return the (K, K) prior: small displacements, alike among neighbours."""
     count = len(controls_m)
-    _, near = cKDTree(controls_m).query(controls_m, k=min(neighbours + 1, count))
+    _, near = cKDTree(controls_m).query(controls_m, k=min(NEIGHBOURS + 1, count))
     matrix = np.eye(count) / size_m**2
     for row, others in enumerate(near[:, 1:]):
         difference = np.zeros(count)

@@ -9,6 +9,8 @@ from numpy.typing import NDArray
 
 from cloner.geometry.rims import triangle_normals
 from cloner.geometry.skin_bends import Place, SkinMetric
+from cloner.geometry.surface import over
+from cloner.geometry.vectors import unit
 
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -39,12 +41,11 @@ class Rim:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Found:
-    """A point of the rim: where it lies on the mesh and in the photo, and whether it bounds the whole body."""
+    """A point of the rim: where it lies on the mesh and in the photo, and its outward normal there."""
 
     place: Place
     pixel: Array
     outward: Array
-    is_border: bool
 
 
 def rim_of(metric: SkinMetric, posed_m: Array, pixels: Array, eye_m: Array) -> Rim:
@@ -65,7 +66,7 @@ def rim_of(metric: SkinMetric, posed_m: Array, pixels: Array, eye_m: Array) -> R
     seen = np.where(turned[rows, 0], metric.beside[rows, 0], metric.beside[rows, 1])
     along = pixels[edges[:, 1]] - pixels[edges[:, 0]]
     normal = np.stack([along[:, 1], -along[:, 0]], axis=1)
-    normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-9)
+    normal = unit(normal)
     inside = pixels[metric.triangles[seen]].mean(axis=1) - pixels[edges].mean(axis=1)
     return Rim(pixels, edges, np.where(np.einsum("na,na->n", normal, inside)[:, None] > 0, -normal, normal))
 
@@ -98,7 +99,7 @@ def nearest_rim_point(
     best = int(order[np.argmin(distance[order] + np.where(border, 0.0, penalty_px))])
     ends = rim.edges[rows[best]]
     place = Place(int(ends[0]), int(ends[1]), float(share[best]))
-    return Found(place, points[best], rim.outward[rows[best]], bool(border[np.flatnonzero(order == best)[0]]))
+    return Found(place, points[best], rim.outward[rows[best]])
 
 
 def outermost(edges: Ints, pixels: Array, target_px: Array, outward: Array) -> tuple[Place, float] | None:
@@ -145,11 +146,4 @@ def covered(points_px: Array, pixels: Array, triangles: NDArray[np.integer]) -> 
     code = outside.sum(axis=1).astype(np.int8)
     # Three corners beyond one and the same side of the box: the triangle misses it.
     near = np.bitwise_and.reduce(code[triangles], axis=1) == 0
-    corner = pixels[triangles[near]]
-    edge1, edge2 = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]
-    area = edge1[:, 0] * edge2[:, 1] - edge1[:, 1] * edge2[:, 0]
-    area = np.where(np.abs(area) < 1e-9, np.inf, area)
-    delta = points_px[:, None] - corner[None, :, 0]
-    u = (delta[..., 0] * edge2[:, 1] - delta[..., 1] * edge2[:, 0]) / area
-    v = (edge1[:, 0] * delta[..., 1] - edge1[:, 1] * delta[..., 0]) / area
-    return np.asarray(((u >= 0) & (v >= 0) & (u + v <= 1)).any(axis=1))
+    return np.asarray(over(points_px, pixels[triangles[near]])[0].any(axis=1))

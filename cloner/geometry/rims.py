@@ -6,6 +6,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.geometry.vectors import unit
+
 Array = NDArray[np.float64]
 Triangles = NDArray[np.integer]
 
@@ -96,7 +98,7 @@ def vertex_normals(vertices_m: Array, triangles: Triangles) -> Array:
     for column in range(3):
         for axis in range(3):
             normals[:, axis] += np.bincount(triangles[:, column], face[:, axis], len(vertices_m))
-    return np.asarray(normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12))
+    return unit(normals, 1e-12)
 
 
 def rim_vertices(

@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
+from cloner.geometry.vectors import arc_lengths, places_along
+
 Array = NDArray[np.float64]
 
 #: Steps along the outline, mm: about two pixels of a photo of a whole person.
@@ -45,9 +47,9 @@ def rumples_mm(contour_px: NDArray[np.floating], mm_per_px: float) -> tuple[Arra
 def _stepped(contour_px: Array, step_px: float) -> Array:
     """Return a closed outline in equal steps of about ``step_px``."""
     closed = np.vstack([contour_px, contour_px[:1]])
-    walked = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(closed, axis=0), axis=1))])
+    walked = arc_lengths(closed)
     at = np.linspace(0.0, walked[-1], int(walked[-1] / step_px), endpoint=False)
-    return np.stack([np.interp(at, walked, closed[:, axis]) for axis in (0, 1)], axis=1)
+    return places_along(closed, walked, at)
 
 
 def _smooth(places: Array, steps: float) -> Array:

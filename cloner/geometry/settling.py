@@ -14,17 +14,21 @@ from numpy.typing import NDArray
 from scipy.sparse.linalg import splu
 
 from cloner.geometry.rims import triangle_normals
+from cloner.geometry.triangles import sides
+from cloner.geometry.vectors import unit
 
 Array = NDArray[np.float64]
 
 #: Rounds in which folds are sought again; each evens the motion half as often.
 UNFOLDING_TURNS = 10
+#: No fit of an outline turns skin farther than this; what does has run through a crease.
+MOST_DEGREES = 60.0
 
 
 @functools.lru_cache(maxsize=4)
 def _averaging(triangles_bytes: bytes, count: int) -> sparse.csr_matrix:
     triangles = np.frombuffer(triangles_bytes, dtype=np.int32).reshape(-1, 3)
-    rows = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    rows = sides(triangles)
     rows = np.concatenate([rows, rows[:, ::-1]])
     links = sparse.coo_matrix((np.ones(len(rows)), (rows[:, 0], rows[:, 1])), shape=(count, count)).tocsr()
     links.data[:] = 1.0
@@ -48,7 +52,7 @@ def smoothed_directions(directions: Array, triangles: NDArray[np.int32], *, turn
     smooth = directions
     for _ in range(turns):
         smooth = 0.5 * smooth + 0.5 * (averaging @ smooth)
-        smooth = smooth / np.maximum(np.linalg.norm(smooth, axis=1, keepdims=True), 1e-9)
+        smooth = unit(smooth)
     return np.asarray(smooth)
 
 
@@ -86,18 +90,16 @@ def settle(
     return np.asarray(splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}).solve(right))
 
 
-def unfolded(before_m: Array, after_m: Array, triangles: NDArray[np.int32], *, most_degrees: float = 60.0) -> Array:
+def unfolded(before_m: Array, after_m: Array, triangles: NDArray[np.int32]) -> Array:
     """Return moved vertices with folds taken out: where a triangle turned too far, the motion is evened.
 
     Parameters
     ----------
     before_m, after_m : (V, 3) vertices before and after the motion
     triangles : (T, 3)
-    most_degrees : float
-        No fit of an outline turns skin farther than this; what does has run through a crease.
     """
     averaging = _averaging(np.ascontiguousarray(triangles, dtype=np.int32).tobytes(), len(before_m))
-    start, least = triangle_normals(before_m, triangles), np.cos(np.deg2rad(most_degrees))
+    start, least = triangle_normals(before_m, triangles), np.cos(np.deg2rad(MOST_DEGREES))
     size = np.linalg.norm(start, axis=1)
     motion = after_m - before_m
     for _ in range(UNFOLDING_TURNS):

@@ -127,7 +127,6 @@ def fit_shape(
     start: ShapeFit,
     gather: Callable[[ShapeFit, int], Sequence[Evidence]],
     *,
-    prior_sigma: Array | float = 1.0,
     at_least: Array | float = -np.inf,
     rarity: Array | float = 0.0,
     turn_sigma: Array | None = None,
@@ -141,8 +140,6 @@ def fit_shape(
     start : ShapeFit
     gather : callable
         ``gather(fit, iteration)`` returns the evidence for the present fit: curves are matched afresh each time.
-    prior_sigma : float or (F,)
-        Expected size of the coefficients around zero.
     at_least : float or (F,)
         No coefficient becomes smaller.
     rarity : float or (F,)
@@ -153,47 +150,51 @@ def fit_shape(
     zoom_sigma : float
         Expected relative error of the cameras' common focal length; 0 keeps it.
     """
-    fit = start
-    count = len(fit.coefficients)
-    prior = 1.0 / np.broadcast_to(np.asarray(prior_sigma, dtype=np.float64), (count,)) ** 2
+    fit, count = start, len(start.coefficients)
     pull = np.zeros((len(fit.cameras), 3)) if turn_sigma is None else 1.0 / turn_sigma**2
     for iteration in range(iterations):
-        size = count + 6 * len(fit.cameras) + 1
-        normal, right = np.zeros((size, size)), np.zeros(size)
-        normal[:count, :count] += np.diag(prior)
-        right[:count] -= prior * fit.coefficients + rarity
-        for index in range(len(fit.cameras)):
-            turn = slice(count + 6 * index, count + 6 * index + 3)
-            held = pull[index] / (1.0 + pull[index] * fit.turned[index] ** 2 / TURN_OUTLIER**2)
-            normal[turn, turn] += np.diag(held)
-            right[turn] -= held * fit.turned[index]
-        normal[-1, -1] += 1.0 / max(zoom_sigma, 1e-6) ** 2
-        right[-1] -= fit.zoomed / max(zoom_sigma, 1e-6) ** 2
+        normal, right = _priors(fit, rarity, pull, zoom_sigma)
         found = gather(fit, iteration)
-        first_of_each = [next(item for item in found if item.camera == k) for k in range(len(fit.cameras))]
         for item in found:
             error, by_shape, by_step, weight = _rows(item, fit.coefficients, fit.cameras[item.camera])
-            columns = np.r_[np.arange(count), count + 6 * item.camera + np.arange(6), size - 1]
+            columns = np.r_[np.arange(count), count + 6 * item.camera + np.arange(6), len(right) - 1]
             rows = np.hstack([by_shape, by_step])
             normal[np.ix_(columns, columns)] += rows.T @ (weight[:, None] * rows)
             right[columns] += rows.T @ (weight * error)
-        normal += 1e-9 * np.diag(np.diag(normal)) + 1e-12 * np.eye(size)
+        normal += 1e-9 * np.diag(np.diag(normal)) + 1e-12 * np.eye(len(right))
         room = np.broadcast_to(at_least, (count,)) - fit.coefficients
-        step = _step(normal, right, np.append(room, np.full(size - count, -np.inf)))
-        step[:count] = np.clip(step[:count], -1.0, 1.0)
-        poses = np.asarray(step[count:-1].reshape(-1, 6), dtype=np.float64)
-        poses[:, :3] = np.clip(poses[:, :3], -0.1, 0.1)
-        zoom = float(np.clip(step[-1], -0.2, 0.2)) if zoom_sigma > 0.0 else 0.0
-        depths = [_depth(item, fit) for item in first_of_each]
-        fit = ShapeFit(
-            fit.coefficients + step[:count],
-            tuple(
-                moved_camera(zoomed_camera(c, zoom, d), p) for c, d, p in zip(fit.cameras, depths, poses, strict=True)
-            ),
-            fit.turned + poses[:, :3],
-            fit.zoomed + zoom,
-        )
+        step = _step(normal, right, np.append(room, np.full(len(right) - count, -np.inf)))
+        step[-1] = step[-1] if zoom_sigma > 0.0 else 0.0
+        fit = _stepped(fit, step, found)
     return fit
+
+
+def _priors(fit: ShapeFit, rarity: Array | float, pull: Array, zoom_sigma: float) -> tuple[Array, Array]:
+    """Return the normal equations of what is expected before any evidence: coefficients, cameras' turns, zoom."""
+    count = len(fit.coefficients)
+    size = count + 6 * len(fit.cameras) + 1
+    normal, right = np.zeros((size, size)), np.zeros(size)
+    normal[:count, :count] += np.eye(count)  # coefficients are spreads
+    right[:count] -= fit.coefficients + rarity
+    for index in range(len(fit.cameras)):
+        turn = slice(count + 6 * index, count + 6 * index + 3)
+        held = pull[index] / (1.0 + pull[index] * fit.turned[index] ** 2 / TURN_OUTLIER**2)
+        normal[turn, turn] += np.diag(held)
+        right[turn] -= held * fit.turned[index]
+    normal[-1, -1] += 1.0 / max(zoom_sigma, 1e-6) ** 2
+    right[-1] -= fit.zoomed / max(zoom_sigma, 1e-6) ** 2
+    return normal, right
+
+
+def _stepped(fit: ShapeFit, step: Array, found: Sequence[Evidence]) -> ShapeFit:
+    """Return the fit after a step of coefficients, poses and zoom, each no longer than the linear model is good."""
+    shape = np.clip(step[: len(fit.coefficients)], -1.0, 1.0)
+    poses = np.array(step[len(shape) : -1].reshape(-1, 6), dtype=np.float64)
+    poses[:, :3] = np.clip(poses[:, :3], -0.1, 0.1)
+    zoom = float(np.clip(step[-1], -0.2, 0.2))
+    depths = [_depth(next(item for item in found if item.camera == k), fit) for k in range(len(fit.cameras))]
+    cameras = (moved_camera(zoomed_camera(c, zoom, d), p) for c, d, p in zip(fit.cameras, depths, poses, strict=True))
+    return ShapeFit(fit.coefficients + shape, tuple(cameras), fit.turned + poses[:, :3], fit.zoomed + zoom)
 
 
 def _step(normal: Array, right: Array, at_least: Array) -> Array:

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from scipy.optimize import nnls
 from scipy.sparse import csr_matrix
 
+from cloner.easing import smoothstep
 from cloner.geometry.graphs import SurfaceGraph
 from cloner.geometry.triangles import areas, paired_edges
 
@@ -94,8 +95,7 @@ def bump(vertices_m: Array, along_m: Array, place: Place, axes: Array, reach_m: 
     squared = (((offset @ axes.T) / reach_m) ** 2).sum(axis=1)
     inside = np.flatnonzero(squared < 1.0)
     around = along_m[inside] - ROUND * np.linalg.norm(offset[inside], axis=1) - SLACK_M
-    part = np.clip(around / FADE_M, 0.0, 1.0)
-    height = (1.0 - squared[inside]) ** 3 * (1.0 - part * part * (3.0 - 2.0 * part))
+    height = (1.0 - squared[inside]) ** 3 * (1.0 - smoothstep(around, 0.0, FADE_M))
     kept = height > 0.0
     return inside[kept], height[kept]
 

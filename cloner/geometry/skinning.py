@@ -55,14 +55,12 @@ def blend_transforms(transforms: Array, skin_joints: NDArray[np.integer], skin_w
     return np.asarray(shares @ transforms[:, :3].reshape(-1, 12)).reshape(count, 3, 4)
 
 
+def posed_joints(transforms: Array, joints_m: Array) -> Array:
+    """Return the (J, 3) places of joints after their `joint_transforms`, metres."""
+    return np.asarray(np.einsum("jab,jb->ja", transforms[:, :3, :3], joints_m) + transforms[:, :3, 3])
+
+
 def skin(vertices_m: Array, transforms: Array, skin_joints: NDArray[np.integer], skin_weights: Array) -> Array:
     """Return (V, 3) posed vertices by linear blend skinning, metres."""
     blended = blend_transforms(transforms, skin_joints, skin_weights)
     return np.asarray(np.einsum("vab,vb->va", blended[:, :, :3], vertices_m) + blended[:, :, 3])
-
-
-def unskin(posed_m: Array, transforms: Array, skin_joints: NDArray[np.integer], skin_weights: Array) -> Array:
-    """Return the (V, 3) rest vertices that :func:`skin` would move to ``posed_m``."""
-    blended = blend_transforms(transforms, skin_joints, skin_weights)
-    rest_m = np.linalg.solve(blended[:, :, :3], (posed_m - blended[:, :, 3])[..., None])[..., 0]
-    return np.asarray(rest_m, dtype=np.float64)

@@ -12,7 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
+from cloner.easing import half_wave
 from cloner.geometry.contours import OutlineField
+from cloner.geometry.vectors import unit
 
 Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
@@ -188,7 +190,7 @@ def rounded(weight: Array) -> Array:
     made wider by front and deeper by the side photo gains only 0.71 of both at its
     diagonals. With the cosine it is scaled as a whole; at the occluding points both agree.
     """
-    return np.asarray(0.5 - 0.5 * np.cos(np.pi * weight))
+    return half_wave(weight)
 
 
 def fine_shift(pairs: SlicePairs, s: Array, theta: Array, *, smooth: float) -> Array:
@@ -240,7 +242,7 @@ def aspect_shift(pairs: SlicePairs, vertices_m: Array, points_m: Array, s: Array
         rows = gaussian_filter1d(rows, smooth, axis=0, mode="nearest")
     along = rows[-1, 1:4] - rows[0, 1:4]
     depth = np.cross(along, rows[:, 4:])
-    rows[:, 4:] = depth / np.maximum(np.linalg.norm(depth, axis=1, keepdims=True), 1e-9)
+    rows[:, 4:] = unit(depth)
     at = np.stack([np.interp(s, pairs.levels[known], column) for column in rows.T], axis=1)
     away = np.einsum("na,na->n", points_m - at[:, 1:4], at[:, 4:])
     return np.asarray(((at[:, 0] - 1.0) * away)[:, None] * at[:, 4:])

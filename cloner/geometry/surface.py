@@ -13,6 +13,8 @@ Indices = NDArray[np.integer]
 
 #: Pairs of pixel and triangle tested at once; keeps memory near 100 MiB.
 CHUNK = 2_000_000
+#: Triangles of less than this are flat: twice their area, in the unit of their corners squared.
+FLAT = 1e-14
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -39,6 +41,23 @@ class SurfacePoints:
         return SurfacePoints(self.corners[rows], self.weights[rows])
 
 
+def over(points: Array, corners: Array) -> tuple[NDArray[np.bool_], Array, Array]:
+    """Return which of points (N, 2) lie over which triangles, (N, T), and their weights on second and third corner.
+
+    Parameters
+    ----------
+    points : (N, 2)
+    corners : (T, 3, 2) of the triangles, in the points' unit; those without area have nothing over them
+    """
+    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    area = first[:, 0] * second[:, 1] - first[:, 1] * second[:, 0]
+    area = np.where(np.abs(area) < FLAT, np.nan, area)
+    away = points[:, None] - corners[None, :, 0]
+    u = (away[..., 0] * second[:, 1] - away[..., 1] * second[:, 0]) / area
+    v = (first[:, 0] * away[..., 1] - first[:, 1] * away[..., 0]) / area
+    return np.asarray((u >= 0.0) & (v >= 0.0) & (u + v <= 1.0)), u, v
+
+
 def first_hits(
     points_px: Array, projected_px: Array, depth_m: Array, triangles: Indices
 ) -> tuple[NDArray[np.int64], Array]:
@@ -57,17 +76,11 @@ def first_hits(
     weights : (N, 3) barycentric in the picture (affine approximation inside one triangle)
     """
     corners = projected_px[triangles]
-    origin, edge1, edge2 = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    area = edge1[:, 0] * edge2[:, 1] - edge1[:, 1] * edge2[:, 0]
-    area = np.where(np.abs(area) < 1e-12, np.inf, area)
     found = np.full(len(points_px), -1, dtype=np.int64)
     weights = np.zeros((len(points_px), 3))
     step = max(1, CHUNK // max(1, len(triangles)))
     for start in range(0, len(points_px), step):
-        delta = points_px[start : start + step, None] - origin[None]
-        u = (delta[..., 0] * edge2[:, 1] - delta[..., 1] * edge2[:, 0]) / area
-        v = (edge1[:, 0] * delta[..., 1] - edge1[:, 1] * delta[..., 0]) / area
-        inside = (u >= 0.0) & (v >= 0.0) & (u + v <= 1.0)
+        inside, u, v = over(points_px[start : start + step], corners)
         row, column = np.nonzero(inside)
         place = np.stack([1.0 - u[row, column] - v[row, column], u[row, column], v[row, column]], axis=1)
         depth = (place * depth_m[triangles[column]]).sum(axis=1)

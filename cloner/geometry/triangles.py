@@ -23,7 +23,7 @@ def areas(points: NDArray[np.floating[Any]], triangles: Index) -> Array:
 
 def edges_of(triangles: Index) -> tuple[Ints, Ints]:
     """Return (E, 2) all edges of triangles (T, 3), each once with the lower vertex first, and (E,) their triangles."""
-    low = np.sort(_sides(triangles).astype(np.int64), axis=1)
+    low = np.sort(sides(triangles).astype(np.int64), axis=1)
     span = int(low.max(initial=0)) + 1
     # One number an edge sorts ten times as fast as two.
     edges, count = np.unique(low[:, 0] * span + low[:, 1], return_counts=True)
@@ -35,13 +35,21 @@ def paired_edges(triangles: Index) -> tuple[Ints, Ints, Ints]:
     corners = np.asarray(triangles, dtype=np.int64)
     across = np.concatenate([corners[:, 2], corners[:, 0], corners[:, 1]])
     owner = np.tile(np.arange(len(corners)), 3)
-    low: Ints = np.sort(_sides(corners), axis=1).astype(np.int64)
+    low: Ints = np.sort(sides(corners), axis=1).astype(np.int64)
     order = np.lexsort((low[:, 1], low[:, 0]))
     same = np.flatnonzero((low[order[1:]] == low[order[:-1]]).all(axis=1))
     pairs = np.stack([order[same], order[same + 1]], axis=1)
     return low[pairs[:, 0]], owner[pairs], across[pairs]
 
 
-def _sides(triangles: Index) -> Index:
+def sides(triangles: NDArray[Any]) -> NDArray[Any]:
     """Return (3 T, 2) the sides of triangles, first all first ones."""
     return np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+
+
+def longest_sides(points_m: Array, triangles: Index) -> Array:
+    """Return (N,) the longest side of the triangles (T, 3) around each vertex (N, 3), zero where there are none."""
+    long = np.linalg.norm(points_m[triangles] - points_m[np.roll(triangles, 1, axis=1)], axis=2).max(axis=1)
+    longest = np.zeros(len(points_m))
+    np.maximum.at(longest, triangles, long[:, None])
+    return longest

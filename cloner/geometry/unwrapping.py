@@ -14,6 +14,7 @@ from cloner.geometry.rasters import fragments
 Array = NDArray[np.float64]
 
 LAYER_GRID_M = 0.0005  # triangles that overlap less than this overlap by less than a texel
+#: Pixels nearer to a triangle's side than this share are nobody's; texels kept free around each island (taste).
 INNER_WEIGHT = 1e-3
 MARGIN_TEXELS = 4
 

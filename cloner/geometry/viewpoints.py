@@ -74,13 +74,3 @@ def framing_cameras(
         distances.append(float((np.abs(inside[:, :2]) * focal / half - inside[:, 2:3]).max()))
     places = [target + max(distances) * outward for outward in outwards]
     return tuple(Camera(width_px, height_px, focal, look_at(place, target)) for place in places)
-
-
-def pose_along(direction: Array) -> Array:
-    """Return a (4, 4) pose whose -z axis points along ``direction``."""
-    z = -direction / np.linalg.norm(direction)
-    x = np.cross([0.0, 1.0, 0.0], z)
-    x /= np.linalg.norm(x)
-    pose = np.eye(4)
-    pose[:3, :3] = np.column_stack([x, np.cross(z, x), z])
-    return pose

@@ -15,12 +15,12 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.body.carriage_sight import placed
-from cloner.body.outlined import body_triangles
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import vertex_normals
 from cloner.hair.views import clean_hair, hairline
-from cloner.paint.sources import person_mask
+from cloner.paint.prepared import person_mask
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
@@ -100,7 +100,7 @@ def hair_fields(
 
 def hairline_rows(generic: GenericHuman, vertices_m: Array) -> NDArray[np.int64]:
     """Return the vertices near the scalp's border, where hairlines run; not those of the ears."""
-    scalp, bare = generic.region("scalp"), generic.vertex_part == generic.part_names.index("body")
+    scalp, bare = generic.region("scalp"), generic.skin
     near_scalp = cKDTree(vertices_m[scalp]).query(vertices_m, distance_upper_bound=BEYOND_M)[0] < BEYOND_M
     near_rest = cKDTree(vertices_m[bare & ~scalp]).query(vertices_m, distance_upper_bound=WITHIN_M)[0] < WITHIN_M
     left_out = generic.region("ear_left") | generic.region("ear_right") | generic.region("mouth_interior")

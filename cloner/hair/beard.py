@@ -22,6 +22,7 @@ from scipy.spatial import cKDTree
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.graphs import surface_graph
 from cloner.geometry.wedges import vertex_normals
 from cloner.hair.cap import Scalp, measure_scalp, settle_shell, surface_mm
@@ -39,7 +40,6 @@ from cloner.hair.volume import (
     cap_mm,
     near_skin,
 )
-from cloner.paint.posed import body_triangles
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.labels import FACE, Label, shows
@@ -96,16 +96,16 @@ def beard_shell(
     rows, zone = beard_rows(generic, joined)
     place = np.full(len(joined.vertices_m), -1, np.int32)
     place[rows] = np.arange(len(rows), dtype=np.int32)
-    own = place[body_triangles(generic)]
+    own = place[body_triangles()]
     own = np.ascontiguousarray(own[(own >= 0).all(axis=1)])
-    normals = vertex_normals(joined.vertices_m, body_triangles(generic))
+    normals = vertex_normals(joined.vertices_m, body_triangles())
     points, ears = joined.vertices_m[rows], generic.region("ear_left")[rows] | generic.region("ear_right")[rows]
     grown = measure_scalp(views, points, normals[rows], own, surface_graph(points, own), zone, ears, None)
     grown = replace(grown, points_m=points)  # the chin was fitted, unlike the skull: it gives way to no beard
     roots = np.flatnonzero(zone & (grown.hairy > 0.5))
     if not roots.size:
         return None
-    skin = generic.vertex_part == generic.part_names.index("body")
+    skin = generic.skin
     field, skin_mm, low = beard_field(views, grown, (joined.vertices_m[skin], normals[skin]), points[zone])
     mesh = mesh_of(field, skin_mm, low, TRIANGLES, SMALLEST_PIECE)
     if mesh is None:
@@ -158,7 +158,7 @@ def beard_rows(generic: GenericHuman, joined: Joined) -> tuple[NDArray[np.int64]
     points = joined.vertices_m
     head = np.zeros(len(points), bool)
     head[generic.head_vertices] = True
-    skin = generic.vertex_part == generic.part_names.index("body")
+    skin = generic.skin
     rows = np.flatnonzero(skin & head & ~generic.region("mouth_interior"))
     top, lobe, ala = (points[generic.feature(name)] for name in ("ear_top_L", "ear_lobe_L", "ala_L"))
     share = np.clip((points[rows, 2] - top[2]) / max(ala[2] - top[2], 1e-6), 0.0, 1.0)

@@ -243,33 +243,27 @@ def settle_shell(
     return vertices_m
 
 
-def outline_drive(
-    views: list[HairView], surface_m: Array, triangles: NDArray[np.int32], furthest_mm: float = FURTHEST_MM
-) -> tuple[Array, Array]:
+def outline_drive(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
     """Return (N,) the sum of what the photos want a surface moved outwards, mm, and of their weights."""
     drive, trust = np.zeros(len(surface_m)), np.zeros(len(surface_m))
-    for gap, weight in _outline_gaps(views, surface_m, triangles, furthest_mm):
+    for gap, weight in _outline_gaps(views, surface_m, triangles):
         drive += weight * gap
         trust += weight
     return drive, trust
 
 
-def _outline_gaps(
-    views: list[HairView], surface_m: Array, triangles: NDArray[np.int32], furthest_mm: float = FURTHEST_MM
-) -> list[tuple[Array, Array]]:
+def _outline_gaps(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> list[tuple[Array, Array]]:
     """Return each photo's gaps (N,) to a surface's outline, mm, and their weights."""
     facing = vertex_normals(surface_m, triangles)
     straight = [view for view in views if view.flip_m is None]
-    gaps = abreast(lambda view: _outline_gap(view, surface_m, facing, triangles, furthest_mm), straight)
+    gaps = abreast(lambda view: _outline_gap(view, surface_m, facing, triangles), straight)
     return [
         (gap, weight * (FACE_PHOTO if view.posed.view.is_face else 1.0))
         for view, (gap, weight) in zip(straight, gaps, strict=True)
     ]
 
 
-def _outline_gap(
-    view: HairView, surface_m: Array, normals: Array, triangles: NDArray[np.int32], furthest_mm: float
-) -> tuple[Array, Array]:
+def _outline_gap(view: HairView, surface_m: Array, normals: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
     """Return (N,) how far the photo's outline lies outside the surface's own, mm, and how much that counts."""
     posed = view.to_view(surface_m)
     camera = view.posed.camera
@@ -282,7 +276,7 @@ def _outline_gap(
     outline, edge = (sample(distance, pixel)[:, 0] * scale for distance in (view.outline_px, view.hair_px))
     gap = outline - inside
     # The photo's outline must be the hair's, and this vertex at the own outline.
-    good = (sample(view.line_px, pixel)[:, 0] > 0.0) & (inside < RIM_MM) & (np.abs(gap) < furthest_mm)
+    good = (sample(view.line_px, pixel)[:, 0] > 0.0) & (inside < RIM_MM) & (np.abs(gap) < FURTHEST_MM)
     good &= np.abs(outline - edge) < SAME_EDGE_MM  # a tail before neck or back ends inside the person
     good &= (pixel > 2.0).all(axis=1) & (pixel < np.array([camera.width_px, camera.height_px]) - 3.0).all(axis=1)
     return gap, np.where(good, np.clip(across, 0.0, 1.0) ** RIM_POWER, 0.0)

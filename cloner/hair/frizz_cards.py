@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.frames import m_from_mm, mm_from_m
+from cloner.geometry.vectors import unit
 from cloner.geometry.wedges import vertex_normals
 from cloner.hair.cap import VOTE_MM, surface_mm
 from cloner.hair.frizz import Frizz
@@ -133,7 +134,7 @@ def _roots(
     bary = np.stack([share[:, 0], share[:, 1] - share[:, 0], 1.0 - share[:, 1]], axis=1)
     normals = np.einsum("nk,nkc->nc", bary, vertex_normals(vertices_m, triangles)[triangles[row]])
     places = np.einsum("nk,nkc->nc", bary, corners[row])
-    return places, normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+    return places, unit(normals)
 
 
 def _texels(hair: Shell, rows: NDArray[np.int64]) -> Array:

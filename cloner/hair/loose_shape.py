@@ -8,9 +8,10 @@ from scipy.ndimage import gaussian_filter1d
 
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
+from cloner.geometry.triangles import sides
 from cloner.geometry.tubes import directions, hull_radii, ring_angles, tube_points
 from cloner.hair.loose_views import LooseView
-from cloner.paint.posed import body_triangles
 from cloner.records.clones import Joined
 
 Array = NDArray[np.float64]
@@ -29,10 +30,10 @@ SMOOTH_COLUMNS, SMOOTH_RINGS = 1.0, 1.0
 def body_sections(generic: GenericHuman, joined: Joined, heights_m: Array, angles: Array) -> tuple[Array, Array]:
     """Return centres (K, 2) and hull radii (K, A) of trunk and legs at rest heights, metres."""
     names = ("torso", "pelvis", *(f"{side}_{part}" for side in ("left", "right") for part in ("thigh", "calf", "foot")))
-    own = np.isin(generic.vertex_segment, [generic.segment_names.index(name) for name in names])
-    triangles = body_triangles(generic)
+    own = generic.segment(*names)
+    triangles = body_triangles()
     triangles = triangles[own[triangles].all(axis=1)]
-    edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
+    edges = sides(triangles)
     edges = edges[edges[:, 0] < edges[:, 1]]
     ends = joined.vertices_m[edges]
     centres, radii = np.zeros((len(heights_m), 2)), np.zeros((len(heights_m), len(angles)))

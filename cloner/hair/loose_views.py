@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.easing import smoothstep
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.skinning import joint_transforms, skin
@@ -64,8 +65,8 @@ class Hanging:
         both; above them the two joints of the spine around its height, as the skin does.
         """
         height = points_m[:, 1]
-        legs = LEG_SHARE * _eased((self.hip_m + FIRST_LEG * self.apart_m - height) / (LEG_RAMP * self.apart_m))
-        left = _eased(0.5 + (points_m[:, 0] - self.middle_m) / self.apart_m)
+        legs = LEG_SHARE * smoothstep((self.hip_m + FIRST_LEG * self.apart_m - height) / (LEG_RAMP * self.apart_m))
+        left = smoothstep(0.5 + (points_m[:, 0] - self.middle_m) / self.apart_m)
         place = np.interp(height, self.levels_m, np.arange(len(self.trunk)))
         lower = np.minimum(place.astype(int), len(self.trunk) - 2)
         upper = place - lower
@@ -74,11 +75,6 @@ class Hanging:
         rest = 1.0 - legs
         weights = np.stack([rest * (1.0 - upper), rest * upper, legs * left, legs * (1.0 - left)], axis=1)
         return joints.astype(np.int32), weights
-
-
-def _eased(value: Array) -> Array:
-    share = np.clip(value, 0.0, 1.0)
-    return np.asarray(share * share * (3.0 - 2.0 * share))
 
 
 @dataclass(frozen=True, slots=True, eq=False)

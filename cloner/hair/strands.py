@@ -9,6 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.easing import smoothstep
 from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.graphs import SurfaceGraph
 
@@ -115,8 +116,7 @@ def _woven(rng: np.random.Generator, cells: int, rows: int, around: Array, down:
     table = rng.standard_normal((rows + 2, cells))
     x, y = (around % 1.0) * cells, np.clip(down, 0.0, 1.0) * rows
     left, top = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
-    across, below = x - left, y - top
-    across, below = across * across * (3.0 - 2.0 * across), below * below * (3.0 - 2.0 * below)
+    across, below = smoothstep(x - left), smoothstep(y - top)
     corner = [table[top + k, (left + j) % cells] for k in (0, 1) for j in (0, 1)]
     upper = corner[0] + (corner[1] - corner[0]) * across
     lower = corner[2] + (corner[3] - corner[2]) * across

@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 from cloner.abreast import abreast
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rasters import nearest_depth
 from cloner.geometry.seeing import depth_at, nearest_of
 from cloner.geometry.skinning import joint_transforms
-from cloner.paint.posed import body_triangles, parents_of, pose
-from cloner.paint.sources import person_mask
+from cloner.paint.posed import parents_of, pose
+from cloner.paint.prepared import person_mask
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import Label, shows
@@ -165,7 +166,7 @@ def hair_views(
     generic: GenericHuman, joined: Joined, proposals: Proposals, silhouettes: SilhouetteSet
 ) -> list[HairView]:
     """Return every photo's evidence; side photos also mirrored for the half they do not show."""
-    triangles, hanger = body_triangles(generic), Hanger.of(generic, joined)
+    triangles, hanger = body_triangles(), Hanger.of(generic, joined)
     middle = float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
 
     def seen(view: ViewId) -> HairView:
@@ -186,7 +187,7 @@ def hair_views(
 
 def views_of(generic: GenericHuman, joined: Joined, views: list[HairView]) -> list[HairView]:
     """Return the evidence with the depth pictures of a person whose vertices were moved; poses are as before."""
-    triangles, shown = body_triangles(generic), {view.posed.view: view.posed for view in views}
+    triangles, shown = body_triangles(), {view.posed.view: view.posed for view in views}
     depths = abreast(
         lambda posed: nearest_of(pose(generic, joined, posed), triangles, posed.camera), list(shown.values())
     )

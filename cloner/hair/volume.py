@@ -10,6 +10,7 @@ from scipy.ndimage import binary_dilation, gaussian_filter, label
 from scipy.spatial import cKDTree
 
 from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.geometry.triangles import longest_sides
 from cloner.geometry.wedges import vertex_normals
 from cloner.hair.cap import FACE_PHOTO, FULL_SHARE, SOFT_MM, Scalp, hairline_mm, surface_mm
 from cloner.hair.rows import across_mm, across_px
@@ -89,14 +90,6 @@ def near_skin(scalp: Scalp, points_m: Array) -> Near:
         (weight * scalp.growth[rows]).sum(axis=1).astype(np.float32),
         np.stack([(weight * vote[rows]).sum(axis=1) for vote in scalp.votes]).astype(np.float32),
     )
-
-
-def longest_sides(points_m: Array, triangles: NDArray[np.int32]) -> Array:
-    """Return (N,) the longest side of the triangles around each vertex, metres, zero where there are none."""
-    sides = np.linalg.norm(points_m[triangles] - points_m[np.roll(triangles, 1, axis=1)], axis=2).max(axis=1)
-    longest = np.zeros(len(points_m))
-    np.maximum.at(longest, triangles, sides[:, None])
-    return longest
 
 
 def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:

@@ -42,7 +42,7 @@ def hair_weights(generic: GenericHuman, joined: Joined, vertices_m: Array, trian
     low = np.flatnonzero(below > 0.0)
     if not low.size:
         return joints, weights
-    skin = np.flatnonzero(generic.vertex_part == generic.part_names.index("body"))
+    skin = np.flatnonzero(generic.skin)
     gap_m, near = cKDTree(joined.vertices_m[skin]).query(vertices_m[low], k=NEAREST)
     lying = np.zeros(len(vertices_m))
     lying[low] = np.clip((LYING_M[1] - gap_m[:, 0]) / (LYING_M[1] - LYING_M[0]), 0.0, 1.0)

@@ -15,24 +15,22 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman
 from cloner.records.points import ViewPoints, expected_face_error
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.ears")
+
 Array = NDArray[np.float64]
 
-#: Spread of an ear's place (aside, up, forward; metres), logarithm of its size, and tip (radians) among heads of one
-#: shape, both ears together, and of one ear against the other (measured on random heads after the fit: 3 to 4 mm).
-ALIKE: Final = (0.0035, 0.004, 0.005, 0.07, 0.10)
-APART: Final = (0.001, 0.0012, 0.0012, 0.015, 0.02)
-#: Skin follows an ear fading over this distance, metres.
-FADE_M: Final = 0.012
-#: How much less points of one ear count than single points: they err together, but by less than is expected of them
-#: (16 random heads, side: 1 to 2 mm where 4 are expected). At 1.7 ears of heads lay 3.1 instead of 2.9 mm off.
-TOGETHER: Final = 1.0
+ALIKE: Final = _CALIBRATED.numbers("alike", "m, rad")
+APART: Final = _CALIBRATED.numbers("apart", "m, rad")
+FADE_M: Final = _CALIBRATED.number("fade_m", "m")
+TOGETHER: Final = _CALIBRATED.number("together", "factor")
 #: Points inside the outline of a side photo that tell the head's turn; in front photos the net tells them.
 INSIDE: Final = ("eye_outer", "ala", "mouth_corner")
-#: Eye distance that turns shares into metres.
-IOD_M: Final = 0.062
+IOD_M: Final = _CALIBRATED.number("iod_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -2,35 +2,34 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.face_net import FaceNet, load_face_net
+from cloner.calibration.loader import calibrated
 from cloner.detectors.profile import front_contour, outline
 from cloner.detectors.taught import taught_net
 from cloner.frames import ViewId, focal_px_from_35mm
-from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.contour_match import contour_normals
-from cloner.geometry.surface import SurfacePoints
 from cloner.head.ears import Spots, read_ears, read_inside
 from cloner.head.flank import Flank
 from cloner.head.inside import Together, read_inside_front
-from cloner.head.jaw import PHOTOS, USUAL_RAD, jaw_way
-from cloner.head.modes import HeadModes, load_head_modes
+from cloner.head.model import Model
 from cloner.head.outline import Outline, read_outline
-from cloner.records.bodies import Phenotype
 from cloner.records.labels import Label, labels_at
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import FacePoints, Proposals, ViewPoints
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.evidence")
+
 Array = NDArray[np.float64]
 
-#: Depth inside the outline at which hair and skin are told apart, share of the face's height.
-SKIN_DEPTH = 0.015
+SKIN_DEPTH = _CALIBRATED.number("skin_depth", "share")
 #: Whose outline is the face's own; no beard's, no cap's, no lock's.
 OWN_OUTLINE = (Label.FACE_SKIN, Label.BODY_SKIN, Label.EYES, Label.MOUTH)
 #: What hides the skin below a net point, which the net then draws on what hides it.
@@ -41,132 +40,38 @@ HIDING = (Label.BEARD, Label.HAIR)
 class Params:
     """Expected errors and sizes.
 
+    Its numbers: ``cloner/calibration/head.toml``, ``[evidence.*]``.
+
     Attributes
     ----------
-    focal_35mm : float
-        Stated default for face photos without EXIF, mm.
-    distance_m, distance_sigma : float
-        How far people stand from the camera of a face photo when nothing tells, and its relative spread. Perspective
-        hardly tells it (six random heads fitted at .75 to 1.26 m stood at .93 to 1.81, in no order), so the spread is
-        less than people's: at .2 a sample visitor at a booth erred by 1.13 instead of .91 mm.
-    presence : float
-        Least presence of a face that is used.
-    net_floor_m : float
-        Error of a net point on a photo beyond its spread on painted heads (measured on the sample visitors).
-    drift, together : float
-        The joint errors of net points on photos against those on painted heads, and how much their own errors grow in
-        the shape fit, where hundreds add up.
-    hidden_net : float
-        How much larger the errors of net points on a beard or on hair are.
-    loose_net : float
-        The same where DFFD follows single net points.
-    named_m, corrected_m : float
-        Expected errors of proposed profile points and of an operator's points.
-    loose_named : float
-        How much the proposed profile points' errors grow once the curve itself is matched.
-    contour_m : float
-        Expected error of the profile contour.
-    flank_m : float
-        Expected error of a place found in the side photo by its look in the front photo (measured: 0.6-2 mm).
     looks : int
         How often the side photo is searched, from an ever better fit.
-    taught : float
-        Share of what corrections tell of the net's errors that is taken out before the fit, which finds the rest
-        itself. None leaves 12 corrections at odds with the rest (boris plain 1.4 -> 3.1 mm), all takes it out twice.
-    yaw, tip : float
-        Expected deviation of the side photo from an exact profile, radians: about the vertical, and sideways, with
-        heavy tails. Cheeks that lie farther back look like a head that is turned, so most of the turn is believed of
-        the person: at .07 without tails a scan-model head photographed at 90 degrees came out turned by 3 to 7.
-    relief_m, bend_m, limit_m : float
-        Prior of the DFFD displacements (see ``solve_relief``).
-    body_scale, own_scale : float
-        Relative errors of the head's size from the body photo, and of the phenotype's own head (nine painted people).
-    scale_limit : float
-        The head's size never departs further from the phenotype's.
     """
 
-    focal_35mm: float = 70.0
-    distance_m: float = 1.1
-    distance_sigma: float = 0.1
-    presence: float = 0.5
-    net_floor_m: float = 0.0013
-    drift: float = 1.0
-    together: float = 1.5
-    hidden_net: float = 4.0
-    loose_net: float = 2.0
-    named_m: float = 0.009
-    corrected_m: float = 0.0008
-    loose_named: float = 3.0
-    contour_m: float = 0.0015
-    flank_m: float = 0.0012
+    focal_35mm: float = _CALIBRATED.number("focal_35mm", "mm")
+    distance_m: float = _CALIBRATED.number("distance_m", "m")
+    distance_sigma: float = _CALIBRATED.number("distance_sigma", "share")
+    presence: float = _CALIBRATED.number("presence", "score")
+    net_floor_m: float = _CALIBRATED.number("net_floor_m", "m")
+    drift: float = _CALIBRATED.number("drift", "factor")
+    together: float = _CALIBRATED.number("together", "factor")
+    hidden_net: float = _CALIBRATED.number("hidden_net", "factor")
+    loose_net: float = _CALIBRATED.number("loose_net", "factor")
+    named_m: float = _CALIBRATED.number("named_m", "m")
+    corrected_m: float = _CALIBRATED.number("corrected_m", "m")
+    loose_named: float = _CALIBRATED.number("loose_named", "factor")
+    contour_m: float = _CALIBRATED.number("contour_m", "m")
+    flank_m: float = _CALIBRATED.number("flank_m", "m")
     looks: int = 3
-    taught: float = 0.5
-    yaw: float = 0.035
-    tip: float = 0.035
-    relief_m: float = 0.004
-    bend_m: float = 0.0012
-    limit_m: float = 0.010
-    body_scale: float = 0.018
-    own_scale: float = 0.045
-    scale_limit: float = 0.12
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Model:
-    """The generic head of the phenotype: rest vertices (V, 3), basis (F + 2, H, 3) and where head rows are.
-
-    ``jaw_m`` (H, 3) is what the usual opening of the jaw does to it.
-
-    ``modes`` tells how the net sees the basis. Its last two directions are the jaws of front and side photo, which move
-    nothing in a head at rest; :meth:`in_photo` gives the head in which one of them does.
-    """
-
-    generic: GenericHuman
-    net: FaceNet
-    modes: HeadModes
-    vertices_m: Array
-    joints_m: Array
-    basis_m: Array
-    jaw_m: Array
-    row: NDArray[np.int64]
-
-    def in_photo(self, number: int) -> Model:
-        """Return the head as the front (0) or the side photo (1) shows it, its jaw moved by a direction of its own."""
-        basis = self.basis_m.copy()
-        basis[len(self.modes.basis_m) + number] = self.jaw_m
-        return replace(self, basis_m=basis)
-
-    def whole_in_photo(self, number: int, coefficients: Array) -> Array:
-        """Return the vertices (V, 3) as the front (0) or the side photo (1) shows them."""
-        own = coefficients[: len(self.basis_m)]
-        return self.whole(self.head(own) + own[len(self.modes.basis_m) + number] * self.jaw_m)
-
-    def jaws_rad(self, coefficients: Array) -> Array:
-        """Return (2,) how far front and side photo show the jaw open."""
-        return np.asarray(USUAL_RAD * coefficients[len(self.modes.basis_m) : len(self.basis_m)])
-
-    def head(self, coefficients: Array) -> Array:
-        """Return the (H, 3) head vertices of some coefficients."""
-        return self.vertices_m[self.generic.head_vertices] + np.tensordot(coefficients, self.basis_m, axes=1)
-
-    def whole(self, head: Array) -> Array:
-        """Return (V, 3) vertices with the head's replaced."""
-        out = self.vertices_m.copy()
-        out[self.generic.head_vertices] = head
-        return out
-
-    def places(self, surface: SurfacePoints) -> tuple[Array, Array]:
-        """Return base (N, 3) and basis (F, N, 3) of surface points."""
-        return self.head_places(SurfacePoints(self.row[surface.corners].astype(np.int32), surface.weights))
-
-    def head_places(self, places: SurfacePoints) -> tuple[Array, Array]:
-        """Return base (N, 3) and basis (F, N, 3) of surface points told in rows of the head."""
-        basis = np.einsum("nk,fnka->fna", places.weights, self.basis_m[:, places.corners])
-        return places.at(self.vertices_m[self.generic.head_vertices]), basis
-
-    def vertex_places(self, vertices: NDArray[np.integer]) -> tuple[Array, Array]:
-        """Return base (N, 3) and basis (F, N, 3) of vertices."""
-        return self.vertices_m[vertices], self.basis_m[:, self.row[vertices]]
+    taught: float = _CALIBRATED.number("taught", "share")
+    yaw: float = _CALIBRATED.number("yaw", "rad")
+    tip: float = _CALIBRATED.number("tip", "rad")
+    relief_m: float = _CALIBRATED.number("relief_m", "m")
+    bend_m: float = _CALIBRATED.number("bend_m", "m")
+    limit_m: float = _CALIBRATED.number("limit_m", "m")
+    body_scale: float = _CALIBRATED.number("body_scale", "share")
+    own_scale: float = _CALIBRATED.number("own_scale", "share")
+    scale_limit: float = _CALIBRATED.number("scale_limit", "share")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -213,20 +118,6 @@ class Log:
 
     residuals: list[Residual] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
-
-
-def make_model(phenotype: Phenotype) -> Model:
-    """Return the phenotype's generic head."""
-    generic = load_generic()
-    vertices, joints = generic.shape(phenotype.coefficients, phenotype.stature_m)
-    row = np.full(len(vertices), -1, dtype=np.int64)
-    row[generic.head_vertices] = np.arange(len(generic.head_vertices))
-    modes, scale = load_head_modes(), phenotype.stature_m / GENERIC_STATURE_M
-    vertices[generic.head_vertices] += scale * modes.mean_m
-    shapes = scale * modes.basis_m
-    basis = np.concatenate([shapes, np.zeros((len(PHOTOS), *shapes.shape[1:]))])
-    jaw = jaw_way(generic, vertices, joints)[generic.head_vertices]
-    return Model(generic, load_face_net(), modes, vertices, joints, basis, jaw, row)
 
 
 def read_front(

@@ -3,40 +3,33 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csr_matrix
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.profile import lay_profile
-from cloner.generic.head_controls import HeadControls
 from cloner.geometry.contour_match import foremost, match
-from cloner.geometry.dffd import deform
-from cloner.geometry.relief import Leftover, solve_relief
 from cloner.geometry.resection import facing_camera, resect
 from cloner.geometry.shape_fit import Evidence, ShapeFit, fit_shape, misfit
-from cloner.geometry.surface import SurfacePoints
 from cloner.head.ears import INSIDE, Spots
-from cloner.head.evidence import Front, Model, Params, Side
+from cloner.head.evidence import Front, Params, Side
 from cloner.head.inside import Together
 from cloner.head.jaw import FRONT, PHOTOS, RARITY, SIDE
+from cloner.head.model import Model
 from cloner.head.rim import HAIR_M, rim_evidence
 from cloner.records.views import Camera
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.fit")
 Array = NDArray[np.float64]
-
 #: Iterations of the joint fit; the profile's curve joins after the named points have found the pose.
 ITERATIONS, CURVE_FROM = 12, 4
-#: A contour point farther than this from the model's profile is none of its; shrinks over the iterations, metres.
-GATES_M = (0.015, 0.006)
-#: Height of the levels of which each gives its foremost vertex to the outline. Rows of the generic's vertices lie up to
-#: 5 mm apart: in finer levels vertices inside the face stand for its outline (true shape and camera of 11 random heads
-#: against their photos' outlines: 1.4 mm rms at 3 mm, 0.3 at 6).
-LEVEL_M = 0.006
-#: The forehead is followed up to this over the glabella, where no hair covers it, metres.
-FOREHEAD_M = 0.045
-#: A profile laid on the contour with a larger trimmed mean distance is not trusted, metres.
-LAID_M = 0.004
+GATES_M = _CALIBRATED.pair("gates_m", "m")
+LEVEL_M = _CALIBRATED.number("level_m", "m")
+FOREHEAD_M = _CALIBRATED.number("forehead_m", "m")
+LAID_M = _CALIBRATED.number("laid_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -57,7 +50,7 @@ def start_front(model: Model, front: Front, size: tuple[int, int, float], params
     return resect(places, front.net_px, first, sigma_px=sigma).camera
 
 
-def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, float], params: Params) -> list[Camera]:
+def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, float]) -> list[Camera]:
     """Return first side cameras, to be tried all: from the named points, and from the head's own profile.
 
     The head (H, 3) is best one already fitted to the front photo, which knows the heights of nose, lips and chin: its
@@ -96,7 +89,7 @@ def profile_candidates(model: Model) -> NDArray[np.int64]:
     high = v[generic.feature("glabella"), 1] + FOREHEAD_M
     inside = generic.region("mouth_interior")
     wanted = (np.abs(v[:, 0]) < 0.025) & (v[:, 1] > low) & (v[:, 1] < high) & ~inside
-    wanted &= (generic.vertex_part == generic.part_names.index("body")) & (model.row >= 0)
+    wanted &= generic.skin & (model.row >= 0)
     wanted &= v[:, 2] > v[generic.feature("eye_outer_L"), 2] - 0.01
     return np.flatnonzero(wanted)
 
@@ -109,7 +102,7 @@ def outline_vertices(whole: Array, candidates: NDArray[np.int64], camera: Camera
     return candidates[np.unique(np.concatenate(found))]
 
 
-def _net_errors_m(model: Model, front: Front, params: Params) -> Array:
+def net_errors_m(model: Model, front: Front, params: Params) -> Array:
     """Return (468,) each net point's own error, metres."""
     own = np.hypot(model.modes.alone_m, params.net_floor_m)
     return np.asarray(np.where(front.hidden, params.hidden_net, 1.0) * own)
@@ -118,7 +111,7 @@ def _net_errors_m(model: Model, front: Front, params: Params) -> Array:
 def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) -> list[Evidence]:
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
     base, basis = model.places(model.net.places)
-    sigma = params.together * _net_errors_m(model, front, params) / metres
+    sigma = params.together * net_errors_m(model, front, params) / metres
     drift = np.concatenate([params.drift * model.modes.drift_m / metres, np.zeros((len(HAIR_M), len(base), 2))])
     skew = np.zeros((len(basis), len(base), 2))
     skew[: len(model.modes.skew_m)] = model.modes.skew_m / metres
@@ -230,73 +223,6 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
     side_camera = fit.cameras[side_index] if side is not None else None
     cost = misfit(fit, gather(fit, CURVE_FROM), turn_sigma)
     return fit.coefficients, Fitted(model.head(fit.coefficients[:shapes]), front_camera, side_camera), cost
-
-
-def _rows(weights: csr_matrix, model: Model, surface: SurfacePoints, movable: NDArray[np.bool_]) -> csr_matrix:
-    """Return the (N, K) weights of surface points on the movable controls."""
-    rows = model.row[surface.corners]
-    point = np.repeat(np.arange(len(rows)), 3)
-    place = csr_matrix((surface.weights.ravel(), (point, rows.ravel())), shape=(len(rows), weights.shape[0]))
-    return csr_matrix((place @ weights)[:, np.flatnonzero(movable)])
-
-
-def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | None, coefficients: Array,
-               controls: HeadControls, params: Params) -> tuple[Fitted, Array]:  # fmt: skip
-    """Return the head after DFFD of what the basis left over, and all controls' displacements (K, 3).
-
-    What the fit (its ``coefficients``) took for errors of the net is no shape: it is not followed.
-    """
-    left: list[Leftover] = []
-    if front is not None and fitted.front is not None:
-        whole = model.whole_in_photo(FRONT, coefficients)
-        net_error_m = net_errors(model, coefficients, fitted.front, params)
-        left += _front_leftovers(model, whole, fitted.front, front, net_error_m, controls, params)
-    if side is not None and fitted.side is not None:
-        whole = model.whole_in_photo(SIDE, coefficients)
-        left += _side_leftovers(model, whole, fitted.side, side, controls, params)
-    moved = np.zeros((len(controls.names), 3))
-    if left:
-        moved[controls.movable] = solve_relief(
-            controls.controls_m[controls.movable], left,
-            size_m=params.relief_m, bend_m=params.bend_m, limit_m=params.limit_m,
-        )  # fmt: skip
-    return replace(fitted, head_m=fitted.head_m + deform(controls.weights, moved)), moved
-
-
-def _front_leftovers(model: Model, whole: Array, camera: Camera, front: Front, net_error_m: Array,
-                     controls: HeadControls, params: Params) -> list[Leftover]:  # fmt: skip
-    metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
-    weights = _rows(controls.weights, model, model.net.places, controls.movable)
-    sigma = params.loose_net * _net_errors_m(model, front, params) / metres
-    target = front.net_px - net_error_m / metres
-    out = [Leftover(camera, model.net.places.at(whole), weights, target, sigma)]
-    if len(front.vertices):
-        rows = csr_matrix(controls.weights[model.row[front.vertices]][:, np.flatnonzero(controls.movable)])
-        sigma = np.full(len(front.vertices), 0.3 * params.corrected_m / metres)
-        out.append(Leftover(camera, whole[front.vertices], rows, front.points_px, sigma))
-    return out
-
-
-def _side_leftovers(model: Model, whole: Array, camera: Camera, side: Side, controls: HeadControls,
-                    params: Params) -> list[Leftover]:  # fmt: skip
-    metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
-    movable = np.flatnonzero(controls.movable)
-    vertices = outline_vertices(whole, profile_candidates(model), camera, side.facing)
-    gate = GATES_M[1] / metres
-    kept, target, normal = match(camera.project(whole[vertices]), side.contour_px, side.normals_px, gate_px=gate)
-    rows = csr_matrix(controls.weights[model.row[vertices[kept]]][:, movable])
-    sigma = np.full(len(kept), 0.5 * params.contour_m / metres)
-    out = [Leftover(camera, whole[vertices[kept]], rows, target, sigma, normal)]
-    if side.flank is not None and len(side.flank.vertices):
-        rows = csr_matrix(controls.weights[model.row[side.flank.vertices]][:, movable])
-        sigma = np.full(rows.shape[0], params.loose_net * params.flank_m / metres)
-        out.append(Leftover(camera, whole[side.flank.vertices], rows, side.flank.points_px, sigma))
-    fixed = side.sigma_m <= params.corrected_m
-    if fixed.any():
-        rows = csr_matrix(controls.weights[model.row[side.vertices[fixed]]][:, movable])
-        sigma = np.full(int(fixed.sum()), 0.3 * params.corrected_m / metres)
-        out.append(Leftover(camera, whole[side.vertices[fixed]], rows, side.points_px[fixed], sigma))
-    return out
 
 
 def scaled(fitted: Fitted, scale: float, pivot: Array) -> Fitted:

@@ -15,11 +15,15 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter, map_coordinates
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.surface import SurfacePoints
 from cloner.geometry.triangles import areas
 from cloner.records.views import Camera
+
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.flank")
 
 Array = NDArray[np.float64]
 
@@ -27,20 +31,20 @@ Array = NDArray[np.float64]
 PLACES: Final = (
     ("eye_outer_L", "eye_outer_R"), ("ala_L", "ala_R"), ("mouth_corner_L", "mouth_corner_R"), ("4.5", "4.6"),
 )  # fmt: skip
-#: Radius of a patch, and the samples spread over it.
-PATCH_M, SAMPLES = 0.013, 300
-#: Search along depth and height, and its step, metres.
-ALONG_M, ACROSS_M, STEP_M = 0.012, 0.009, 0.0008
-#: Skin counts where it turns at least this far towards both cameras (cosine).
-TURNED = 0.15
-#: Detail that is compared: smoothed to the first, without what is wider than the second, metres.
-BAND_M = (0.0008, 0.006)
-#: Least samples, and least correlation, that are believed.
-FEWEST, ALIKE = 40, 0.6
-#: A place whose next best spot, farther than this, is nearly as good is ambiguous; metres and share of correlation.
-APART_M, RIVAL = 0.003, 0.92
-#: Places are looked up within this of the step that fits all best, metres.
-AGREE_M = 0.0055
+PATCH_M = _CALIBRATED.number("patch_m", "m")
+#: Samples spread over a patch (taste).
+SAMPLES = 300
+ALONG_M = _CALIBRATED.number("along_m", "m")
+ACROSS_M = _CALIBRATED.number("across_m", "m")
+STEP_M = _CALIBRATED.number("step_m", "m")
+TURNED = _CALIBRATED.number("turned", "cosine")
+BAND_M = _CALIBRATED.pair("band_m", "m")
+#: Least samples that are believed (taste).
+FEWEST = 40
+ALIKE = _CALIBRATED.number("alike", "factor")
+APART_M = _CALIBRATED.number("apart_m", "m")
+RIVAL = _CALIBRATED.number("rival", "share")
+AGREE_M = _CALIBRATED.number("agree_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -92,7 +96,7 @@ def _skin() -> NDArray[np.integer]:
     """Return the triangles of the outer skin of face and ears."""
     generic = load_generic()
     shown = generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
-    kept = (generic.vertex_part == generic.part_names.index("body")) & shown
+    kept = generic.skin & shown
     kept &= ~generic.region("mouth_interior")
     triangles, _ = generic.triangles()
     return np.asarray(triangles[kept[triangles].all(axis=1)])

@@ -14,17 +14,20 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.cascade import Found, Pose, load_cascades, sided
 from cloner.detectors.face_front_features import find_half
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal, ViewPoints
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.inside")
+
 Array = NDArray[np.float64]
 
 FEATURE: Final = "front_nose"
-#: Errors on photographs against those on painted portraits, and what each point errs by alone, eye distances.
-HARDER: Final = 1.5
-ALONE_IOD: Final = 0.008
+HARDER: Final = _CALIBRATED.number("harder", "factor")
+ALONE_IOD: Final = _CALIBRATED.number("alone_iod", "iod")
 #: Mean length of a normal error in the plane, in its root mean square.
 MEAN_OF_TWO: Final = 0.886
 

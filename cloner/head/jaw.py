@@ -12,8 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
+
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.jaw")
 
 Array = NDArray[np.float64]
 
@@ -21,11 +25,8 @@ JOINT: Final = "temporomandibular"
 #: The photos that have an opening each, in the order of the fit's unknowns.
 PHOTOS: Final = (ViewId.FACE_FRONT, ViewId.FACE_SIDE)
 FRONT, SIDE = range(len(PHOTOS))
-#: What the fit counts the opening in, and its spread where lips are parted, radians (people kit: 4 to 9 degrees).
-USUAL_RAD: Final = float(np.radians(5.0))
-#: A fifth of people part their lips at all, so that few degrees are rather errors (exponential with the mean of all
-#: people, 1.25 degrees; without it shut mouths of the samples come out open by up to 2.5 degrees).
-RARITY: Final = USUAL_RAD / float(np.radians(1.25))
+USUAL_RAD: Final = float(np.radians(_CALIBRATED.number("usual_rad", "deg")))
+RARITY: Final = USUAL_RAD / float(np.radians(_CALIBRATED.number("mean_rad", "deg")))
 
 
 def jaw_way(generic: GenericHuman, vertices_m: Array, joints_m: Array) -> Array:

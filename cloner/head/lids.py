@@ -6,49 +6,42 @@ and give the grid's points (K, N, 3), metres, rings by columns as :class:`cloner
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
+from cloner.easing import smoothstep
 from cloner.generic.face_grids import Grid
 from cloner.geometry.eyeballs import BALL_M, CORNEA, Ball, cornea
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.lids")
+
 Array = NDArray[np.float64]
 
-#: How far rings outside the margin lie over the ball at least, metres: lids are 1 to 2 mm thick, and
-#: their inner edge, the ring behind the margin, touches it.
-OVER_M = np.array([0.8, 1.4, 1.6, 1.7, 1.8, 1.8, 1.8, 1.8, 1.8, 1.8]) / 1000.0
-#: Share of the margin's motion that the rings outside it take; the skin unrolls from the fold (taste).
-SHARE = np.array([1.0, 1.0, 0.92, 0.82, 0.70, 0.56, 0.40, 0.25, 0.11, 0.0])
-#: How deep the rings behind the margin dive under the ball's surface, metres, from the farthest.
-UNDER_M = np.array([0.6, 0.6, 0.15]) / 1000.0
-#: The same of a step in depth at rest.
-DEPTH_SHARE = np.array([1.0, 1.0, 0.85, 0.65, 0.45, 0.3, 0.15, 0.05, 0.0, 0.0])
-#: Where between the edges they meet: 0 at the upper edge, 1 at the lower, which hardly moves.
-MEETING = 0.82
-#: Share of a gaze's turn up or down that the upper and the lower lid take (in life the upper lid nearly keeps its place
-#: beside the iris), and the share of its way to the meeting line that a gaze takes it at most.
-FOLLOWS, FARTHEST = (0.8, 0.25), 0.75
-#: A lid that turns by this much lies on the ball as closely as a shut one, radians.
-DRAPED_RAD = 0.3
-#: Farther ways are not kept off the ball, radians.
-STEEPEST_RAD = 0.8
+#: Millimetres of the rings from the margin on, as metres.
+OVER_M = np.array(_CALIBRATED.numbers("over_mm", "mm")) / 1000.0
+SHARE = np.array(_CALIBRATED.numbers("share", "share"))
+#: Millimetres of the rings behind the margin, as metres.
+UNDER_M = np.array(_CALIBRATED.triple("under_mm", "mm")) / 1000.0
+DEPTH_SHARE = np.array(_CALIBRATED.numbers("depth_share", "share"))
+MEETING = _CALIBRATED.number("meeting", "share")
+FOLLOWS = _CALIBRATED.pair("follows", "share")
+FARTHEST = _CALIBRATED.number("farthest", "share")
+DRAPED_RAD = _CALIBRATED.number("draped_rad", "rad")
+STEEPEST_RAD = _CALIBRATED.number("steepest_rad", "rad")
 #: Rounds in which the margins of a shut eye become one line.
 LINE_TURNS = 3
-#: Clearance of a lid on its way, metres.
-CLEAR_M = 0.0001
-#: Margins that reach as far aside as this, share of the ball, do not lie on it: there the corner's skin bridges.
-REACH = (0.6, 0.9)
-
-
-def _ramp(values: Array, low: float, high: float) -> Array:
-    t = np.clip((values - low) / (high - low), 0.0, 1.0)
-    return np.asarray(t * t * (3.0 - 2.0 * t))
+CLEAR_M = _CALIBRATED.number("clear_m", "m")
+REACH = _CALIBRATED.pair("reach", "share")
 
 
 def reach_of(grid: Grid, points: Array, ball: Ball) -> Array:
     """Return (N,) how surely a column's margin lies on the ball: 1 in the middle, 0 at the corners."""
     away = points[grid.margin] - ball.centre
-    return np.asarray(1.0 - _ramp(np.hypot(away[:, 0], away[:, 1]) / (BALL_M + OVER_M[0]), *REACH))
+    return np.asarray(1.0 - smoothstep(np.hypot(away[:, 0], away[:, 1]) / (BALL_M + OVER_M[0]), *REACH))
 
 
 def depth_of_ball(grid: Grid, points: Array, centre_xy: Array) -> float:
@@ -62,7 +55,7 @@ def depth_of_ball(grid: Grid, points: Array, centre_xy: Array) -> float:
     margin = points[grid.margin]
     across = np.hypot(*(margin[:, :2] - centre_xy).T)
     over = BALL_M + OVER_M[0]
-    weight = 1.0 - _ramp(across / over, 0.6, 0.9)
+    weight = 1.0 - smoothstep(across / over, 0.6, 0.9)
     weight[grid.corners] = 0.0
     depth = margin[:, 2] - np.sqrt(np.maximum(over**2 - across**2, 1e-8))
     return float((weight * depth).sum() / max(float(weight.sum()), 1e-9))

@@ -6,29 +6,31 @@ All functions take and give the grid's points (K, N, 3), metres, rings by column
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid, lips_apart
 from cloner.generic.lip_steps import SHARE
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.lips")
+
 Array = NDArray[np.float64]
 
-#: Share of the step that makes one line of the inner edges which the rings behind the margin take.
-SEAL_SHARE = np.array([0.0, 0.5, 1.0])
-#: Closed lips press on each other by this much, metres: not a slit in sight.
-PRESS_M = 0.0001
+SEAL_SHARE = np.array(_CALIBRATED.triple("seal_share", "share"))
+PRESS_M = _CALIBRATED.number("press_m", "m")
 #: A step moves lips whose columns lie beside each other a little apart again: so many suffice for 0.05 mm.
 TURNS = 3
-#: Teeth within this reach aside hold a lip back, and lips stay so far before them, metres.
-TOOTH_M, BEFORE_M = 0.004, 0.001
-#: An open mouth is an oval: each lip hangs between the corners like ``(1 - u^2)`` to this power, u from the middle to a
-#: corner; a half is an ellipse. What opens a lip by less than the first of these, metres, stays, by the second changes.
-OVAL, OVAL_FROM_M, OVAL_TO_M = 0.45, 0.002, 0.005
-#: An oval is so much flatter than what a face's middle column makes of it (taste).
-BLUNT = 0.96
-#: Rounded lips draw their corners together to this share of their distance (photos of spoken O: as wide as high).
-ROUND = {"mouthFunnel": 0.85, "viseme_O": 0.82}
+TOOTH_M = _CALIBRATED.number("tooth_m", "m")
+BEFORE_M = _CALIBRATED.number("before_m", "m")
+OVAL = _CALIBRATED.number("oval", "factor")
+OVAL_FROM_M = _CALIBRATED.number("oval_from_m", "m")
+OVAL_TO_M = _CALIBRATED.number("oval_to_m", "m")
+BLUNT = _CALIBRATED.number("blunt", "factor")
+ROUND = _CALIBRATED.table("round", "share")
 
 
 def closed(grid: Grid, points: Array) -> Array:

@@ -10,32 +10,34 @@ from __future__ import annotations
 import functools
 import importlib.resources
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.sockets import similarity
+from cloner.geometry.alignment import similarity
 from cloner.head.ears import ear_fields
 from cloner.records.views import Camera
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.modes")
+
 Array = NDArray[np.float64]
 
-#: Reach of one bend and its size along each axis, metres.
-REACH_M, BEND_M = 0.022, 0.0012
-#: How alike the two halves of a face bend.
-ALIKE = 0.85
+REACH_M = _CALIBRATED.number("reach_m", "m")
+BEND_M = _CALIBRATED.number("bend_m", "m")
+ALIKE = _CALIBRATED.number("alike", "factor")
 #: Bends kept along each axis; they hold nine tenths of the variance.
 BENDS = 20
-#: The canonical face's points are believed to this, metres; its scale is not.
-CANONICAL_M = 0.0015
-#: Points farther than this from the middle are the outline of a face in a picture, metres.
-RIM_M = 0.055
-#: How far on the way to the canonical face a face is expected, and the spread; 0 and 1 are the two mean faces.
-TOWARDS, TOWARDS_SPREAD = 0.5, 0.5
+CANONICAL_M = _CALIBRATED.number("canonical_m", "m")
+RIM_M = _CALIBRATED.number("rim_m", "m")
+TOWARDS = _CALIBRATED.number("towards", "factor")
+TOWARDS_SPREAD = _CALIBRATED.number("towards_spread", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -10,12 +10,15 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.body.outlined import masked_field
+from cloner.calibration.loader import calibrated
 from cloner.records.points import Proposal
+
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.outline")
 
 Array = NDArray[np.float64]
 
-#: What lies this near to the picture's border is cut by it, share of the width.
-BORDER: Final = 0.01
+BORDER: Final = _CALIBRATED.number("border", "share")
 #: Fewer samples are no outline.
 FEWEST: Final = 20
 

@@ -3,35 +3,34 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.alignment import similarity
 from cloner.geometry.eyeballs import BALL_M, Ball, ball_points
-from cloner.geometry.sockets import similarity
 from cloner.head import lids, lips, tongue
 from cloner.records.views import Camera
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.parts")
+
 Array = NDArray[np.float64]
 
-#: The pupil's middle lies so much above the middle between the lids' edges, metres (anatomy: 4 mm below the upper edge,
-#: 5.5 mm above the lower one).
-PUPIL_UP_M = 0.0008
-#: A photo's iris moves the ball by no more than this from the middle of the lids, metres: people look aside.
-IRIS_REACH_M = 0.002
+PUPIL_UP_M = _CALIBRATED.number("pupil_up_m", "m")
+IRIS_REACH_M = _CALIBRATED.number("iris_reach_m", "m")
 #: Angle of the generic ball's iris rim from its gaze, radians (cage.py's ring).
 RIM_ANGLE = float(np.radians(23.0))
-#: Lashes are hm08's, shortened: upper and lower, share of their length (taste; hm08's are those of a doll).
-LASH_LENGTH = (0.65, 0.4)
-#: The upper teeth end so far below the line where the lips meet, the lower ones above their edge, metres (anatomy: a
-#: relaxed open mouth shows 2 to 3 mm of the upper teeth, and the upper overlap the lower by 2 mm).
-TEETH_SHOW_M, OVERBITE_M = 0.0028, 0.0015
-#: Teeth stand so far behind the lips' inner side, and the lower ones behind the upper, metres.
-BEHIND_LIPS_M, BEHIND_UPPER_M = 0.003, 0.003
-#: hm08's teeth are wider than people's: 67 mm across the molars instead of 55 to 60 mm; the lower ones stand inside.
-NARROWER = {"teeth_upper": 0.88, "teeth_lower": 0.80}
+LASH_LENGTH = _CALIBRATED.pair("lash_length", "share")
+TEETH_SHOW_M = _CALIBRATED.number("teeth_show_m", "m")
+OVERBITE_M = _CALIBRATED.number("overbite_m", "m")
+BEHIND_LIPS_M = _CALIBRATED.number("behind_lips_m", "m")
+BEHIND_UPPER_M = _CALIBRATED.number("behind_upper_m", "m")
+NARROWER = _CALIBRATED.table("narrower", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

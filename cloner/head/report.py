@@ -7,9 +7,10 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.geometry.contour_match import match
-from cloner.head.evidence import Front, Log, Model, Side
+from cloner.head.evidence import Front, Log, Side
 from cloner.head.fit import Fitted, outline_vertices, profile_candidates
 from cloner.head.jaw import FRONT, SIDE, opened
+from cloner.head.model import Model
 from cloner.records.points import FacePoints, Proposals
 from cloner.records.results import Residual
 

@@ -15,31 +15,33 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.geometry.contour_match import farthest, turning_points
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.shape_fit import Evidence
 from cloner.geometry.surface import SurfacePoints
 from cloner.geometry.triangles import edges_of
-from cloner.head.evidence import Model
+from cloner.geometry.vectors import unit
+from cloner.head.model import Model
 from cloner.head.outline import Outline
 from cloner.records.views import Camera
+
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.rim")
 
 Array = NDArray[np.float64]
 
 #: Numbers of the hair's thickness: everywhere, more on top, more behind, more at the sides; usual and spread, metres.
-HAIR_M: Final = ((0.014, 0.012), (0.0, 0.005), (0.0, 0.005), (0.0, 0.005))
-#: Expected errors of the outline over bare skin, and over the vault by such hair, metres. Points err together: twice as
-#: sure, jaws of random heads come .02 mm nearer, but people in real hair .01 mm farther.
-BARE_M: Final = 0.004
-VAULT_M: Final = 0.012
-#: An outline farther from the model than this is another thing's, metres.
-BARE_GATE_M: Final = 0.0125
-VAULT_GATE_M: Final = 0.025
-#: Width of the sectors around the head of which each gives its farthest point, radians.
-SECTOR: Final = float(np.radians(3.0))
-#: Bare skin is looked for up to this over the glabella, metres.
-FOREHEAD_M: Final = 0.03
+HAIR_M: Final = tuple(
+    zip(_CALIBRATED.numbers("usual_hair_m", "m"), _CALIBRATED.numbers("hair_spread_m", "m"), strict=True)
+)
+BARE_M: Final = _CALIBRATED.number("bare_m", "m")
+VAULT_M: Final = _CALIBRATED.number("vault_m", "m")
+BARE_GATE_M: Final = _CALIBRATED.number("bare_gate_m", "m")
+VAULT_GATE_M: Final = _CALIBRATED.number("vault_gate_m", "m")
+SECTOR: Final = float(np.radians(_CALIBRATED.number("sector", "deg")))
+FOREHEAD_M: Final = _CALIBRATED.number("forehead_m", "m")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -69,7 +71,7 @@ def head_skin() -> Skin:
     generic = load_generic()
     head, mean = generic.head_vertices, generic.vertices_m
     row = np.full(len(mean), -1, dtype=np.int64)
-    outer = (generic.vertex_part == generic.part_names.index("body")) & ~generic.region("mouth_interior")
+    outer = generic.skin & ~generic.region("mouth_interior")
     row[head] = np.where(outer[head], np.arange(len(head)), -1)
     triangles = row[generic.triangles()[0]]
     triangles = triangles[(triangles >= 0).all(axis=1)]
@@ -132,7 +134,7 @@ class _Sight:
     def nearest(self, places: SurfacePoints, away_m: Array) -> tuple[Array, NDArray[np.int64]]:
         """Return how far (N,) metres the outline lies from places pushed outwards (N,) metres, and where on it (N,)."""
         outwards = places.at(self.normals) @ self.camera.camera_from_model[:2, :3].T
-        outwards /= np.maximum(np.linalg.norm(outwards, axis=1, keepdims=True), 1e-9)
+        outwards = unit(outwards)
         seen = self.camera.project(places.at(self.head)) + away_m[:, None] / self.metres * outwards
         gap, which = self.outline.nearest(seen)
         return gap * self.metres, which

@@ -8,25 +8,27 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.resection import resect
 from cloner.geometry.skinning import joint_transforms
-from cloner.head.evidence import Front, Model, Params
+from cloner.head.evidence import Front, Params
 from cloner.head.fit import Fitted
 from cloner.head.jaw import opened
+from cloner.head.model import Model
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.views import Camera
 
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.size")
+
 Array = NDArray[np.float64]
 
-#: Mean of women and men of 1.70 m, metres (ANSUR II 2012: interpupillary breadth, sellion to menton, head length).
-USUAL_M: Final = (0.0627, 0.1175, 0.192)
-#: Head size grows with this power of the stature (their correlation is 0.3 to 0.4, ANSUR II).
-BY_STATURE: Final = 0.35
-#: Error of a net point beyond its spread on painted heads where a body photo shows the face small, metres.
-NET_M: Final = 0.0013
+USUAL_M: Final = _CALIBRATED.triple("usual_m", "m")
+BY_STATURE: Final = _CALIBRATED.number("by_stature", "factor")
+NET_M: Final = _CALIBRATED.number("net_m", "m")
 
 
 def body_camera(model: Model, phenotype: Phenotype) -> Camera | None:

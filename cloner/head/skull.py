@@ -3,28 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt, map_coordinates
 from scipy.optimize import least_squares
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.head_controls import HeadControls
 from cloner.geometry.dffd import deform
-from cloner.head.evidence import Model
+from cloner.head.model import Model
 from cloner.records.views import Camera
+
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.skull")
 
 Array = NDArray[np.float64]
 
-#: Least thickness of skin-tight hair that the outline holds over the skull, metres (taste).
-HAIR_M = 0.003
-#: Expected shrinking of the skull's height, back and width, and the least factor: the phenotype's skull is right to a
-#: few percent, and a flattened head looks worse than hair a little too high.
-EXPECTED, LEAST = np.array([0.035, 0.035, 0.02]), 0.92
-#: Depth outside the outline that counts as one standard deviation, metres.
-OUTSIDE_M = 0.002
-#: Pixels of the distance map a metre of head; finer tells nothing at this tolerance.
-MAP_PX_PER_M = 1000.0
+HAIR_M = _CALIBRATED.number("hair_m", "m")
+EXPECTED = np.array(_CALIBRATED.triple("expected", "share"))
+LEAST = _CALIBRATED.number("least", "factor")
+OUTSIDE_M = _CALIBRATED.number("outside_m", "m")
+MAP_PX_PER_M = _CALIBRATED.number("map_px_per_m", "px/m")
 
 
 def skull_moves(model: Model, controls: HeadControls) -> tuple[Array, NDArray[np.int64]]:

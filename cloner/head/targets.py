@@ -8,34 +8,37 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Iterator
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import eye_grid, eyeball, lashes, mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.alignment import similarity
 from cloner.geometry.eyeballs import Ball
 from cloner.geometry.local_maps import LocalMaps, local_maps
-from cloner.geometry.sockets import similarity
 from cloner.head import lids, lips, tongue
+
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.targets")
 
 Array = NDArray[np.float64]
 Targets = tuple[tuple[str, ...], NDArray[np.int32], NDArray[np.float32], NDArray[np.int32]]
 
-#: Neighbourhood of a local map, metres, and number of maps over the head (taste: an eye's width; more changes nothing).
-REACH_M, ANCHORS = 0.02, 250
-#: Displacements below this are dropped, metres.
-SMALLEST_M = 2e-5
+REACH_M = _CALIBRATED.number("reach_m", "m")
+#: Local maps over the head (taste: more changes nothing).
+ANCHORS = 250
+SMALLEST_M = _CALIBRATED.number("smallest_m", "m")
 #: Targets in which the lips touch.
 CLOSED = ("viseme_sil", "viseme_PP", "mouthPressLeft", "mouthPressRight", "mouthRollLower", "mouthRollUpper")
-#: A mouth wide open: the lower teeth sink by this much, metres; then the tongue lies on the mouth's floor, its back as
-#: much lower as this share of its height (taste).
-WIDE_M, FLAT = 0.025, 0.5
-#: No tongue passes closed lips: one that is out opens the jaw by this share, which lets it through (7 mm).
-TONGUE_OPENS = 0.35
-#: Share of a target that ears and scalp take, and how far outside them skin takes all of it, metres: they hardly move.
-STILL, FADE_M = 0.3, 0.015
+WIDE_M = _CALIBRATED.number("wide_m", "m")
+FLAT = _CALIBRATED.number("flat", "share")
+TONGUE_OPENS = _CALIBRATED.number("tongue_opens", "share")
+STILL = _CALIBRATED.number("still", "share")
+FADE_M = _CALIBRATED.number("fade_m", "m")
 SIDES = ("left", "right")
 
 
@@ -44,7 +47,7 @@ def _head_maps() -> tuple[NDArray[np.int64], LocalMaps]:
     """Return the head's skin vertices and the solver of their local maps."""
     generic = load_generic()
     head = generic.head_vertices
-    rows = head[generic.vertex_part[head] == generic.part_names.index("body")].astype(np.int64)
+    rows = head[generic.skin[head]].astype(np.int64)
     return rows, local_maps(generic.vertices_m[rows].astype(np.float64), reach_m=REACH_M, anchors=ANCHORS)
 
 

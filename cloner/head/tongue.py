@@ -6,27 +6,35 @@ Tongue points are (T, 3) metres, +Y up, +Z front; the tip is the foremost end.
 from __future__ import annotations
 
 import itertools
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid
+from cloner.geometry.vectors import unit
+
+#: What each number is and where it comes from: ``cloner/calibration/head.toml``.
+_CALIBRATED: Final = calibrated("head.tongue")
 
 Array = NDArray[np.float64]
 
-#: hm08's tongue ends as broad as it is: its last part is drawn into half an ellipse of this length, metres, whose
-#: foremost points keep this share of their width; its back has a furrow so deep and wide, metres (all taste).
-TIP_M, BLUNT, FURROW_M, FURROW_WIDE_M = 0.010, 0.4, 0.0012, 0.003
-#: Its tip lies behind the edges of the lower teeth, not at their roots: it is raised by this much over this length.
-RAISED_M, RAISED_FROM_M = 0.0075, 0.03
-#: What comes out is the part in front of this distance from the tip, metres; it ends so far before the lip and hangs so
-#: far below its top (taste: a tongue that greets).
-COMES_M, BEFORE_LIP_M, HANGS_M = 0.048, 0.018, 0.003
-#: Half of its thickness on the lip and at the tip, half its width on the lip, its distance from lip and teeth, metres.
-THICK_M, TIP_THICK_M, WIDE_M, CLEAR_M = 0.0030, 0.0018, 0.0110, 0.0020
-#: Columns of the lips and teeth so near to the middle carry the tongue, metres.
-MIDDLE_M = 0.007
+TIP_M = _CALIBRATED.number("tip_m", "m")
+BLUNT = _CALIBRATED.number("blunt", "share")
+FURROW_M = _CALIBRATED.number("furrow_m", "m")
+FURROW_WIDE_M = _CALIBRATED.number("furrow_wide_m", "m")
+RAISED_M = _CALIBRATED.number("raised_m", "m")
+RAISED_FROM_M = _CALIBRATED.number("raised_from_m", "m")
+COMES_M = _CALIBRATED.number("comes_m", "m")
+BEFORE_LIP_M = _CALIBRATED.number("before_lip_m", "m")
+HANGS_M = _CALIBRATED.number("hangs_m", "m")
+THICK_M = _CALIBRATED.number("thick_m", "m")
+TIP_THICK_M = _CALIBRATED.number("tip_thick_m", "m")
+WIDE_M = _CALIBRATED.number("wide_m", "m")
+CLEAR_M = _CALIBRATED.number("clear_m", "m")
+MIDDLE_M = _CALIBRATED.number("middle_m", "m")
 #: Depths at which the tongue is measured: one every 4 mm, as its rings lie.
 STEPS = 18
 
@@ -94,7 +102,7 @@ def put_out(rest: Array, lying: Array, lips: Array, grid: Grid, teeth: Array) ->
     path, lip_top = _path(lying, comes, lips, grid, teeth, middle)
     bend = PchipInterpolator(path[:, 0], path[:, 1:])
     place, along = bend(comes), bend.derivative()(comes)
-    along /= np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-9)
+    along = unit(along)
     back, half = _back(rest)
     rise = (rest[:, 1] - back) / half
     blend = np.clip(comes / 0.5, 0.0, 1.0)

@@ -7,14 +7,16 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.vision.crops import Crop
 from cloner.vision.head_frame import HeadFrame
 
-#: Sides of the crops the net was taught on (middle of the range drawn in ``generic_models/build/train_labels.py``):
-#: share of the person's larger extent, and of the head from crown to chin.
-PERSON_SHARE: Final = 1.16
-HEAD_SHARE: Final = 1.95
+#: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
+_CALIBRATED: Final = calibrated("labels.crops")
+
+PERSON_SHARE: Final = _CALIBRATED.number("person_share", "share")
+HEAD_SHARE: Final = _CALIBRATED.number("head_share", "share")
 
 
 def person_crop(person: NDArray[np.bool_], view: ViewId) -> Crop:

@@ -16,12 +16,16 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
+
+#: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
+_CALIBRATED: Final = calibrated("labels.decoder")
+
 Floats = NDArray[np.float32]
 
 #: Side of the crop that the nets see and of the scores that come back, px.
 SIDE_PX: Final = 256
-#: Features are cut off at so many standard deviations: some channels of the nets have long tails.
-WIDEST: Final = 6.0
+WIDEST: Final = _CALIBRATED.number("widest", "spreads")
 #: Which features enter at which side of the pyramid, px; 9 and 10 are the person masks of both nets.
 LEVELS: Final = ((16, (3, 8)), (32, (2, 7)), (64, (1, 4, 6)), (128, (0, 5)), (256, (9, 10)))
 

@@ -8,18 +8,19 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.labels.states import State, eyes_span, read_states
 from cloner.records.labels import Label, shows
 from cloner.records.points import Proposal, Proposals
 
+#: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
+_CALIBRATED: Final = calibrated("labels.glasses")
+
 Flags = NDArray[np.bool_]
 
-#: The band around the eyes in which a frame lies, in distances of the outer eye corners: above, below, aside. Frames
-#: are 40 to 60 mm high and up to 150 mm wide, the corners stand 90 mm apart.
-_BAND: Final = (0.35, 0.5, 1.0)
-#: Share of a piece in that band, or of its border on the face's skin, from which it is a frame and no cap or scarf.
-_OWN: Final = 0.6
+_BAND: Final = _CALIBRATED.triple("band", "factor")
+_OWN: Final = _CALIBRATED.number("own", "share")
 
 
 def wears_glasses(proposals: Proposals) -> bool:

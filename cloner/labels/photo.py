@@ -10,6 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.labels.crops import head_crop, person_crop
 from cloner.labels.decoder import SIDE_PX, class_scores
@@ -17,6 +18,9 @@ from cloner.records.labels import Label, shows
 from cloner.vision.crops import Crop, cut, photo_px_from_crop
 from cloner.vision.hair_edge import draw_edge
 from cloner.vision.head_frame import HeadFrame, find_head
+
+#: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
+_CALIBRATED: Final = calibrated("labels.photo")
 
 Photo = NDArray[np.uint8]
 Floats = NDArray[np.float32]
@@ -26,12 +30,9 @@ Features = Callable[[Photo], Sequence[Floats]]
 WORK_PX: Final = 800
 #: The head is decided at this side, px.
 HEAD_PX: Final = 480
-#: Pieces of a label smaller than this are what lies around them, share of a head's height squared (8 mm across). Eyes
-#: and mouths are small by nature.
-SPECK: Final = 0.0012
+SPECK: Final = _CALIBRATED.number("speck", "factor")
 SMALL_BY_NATURE: Final = (Label.EYES, Label.MOUTH)
-#: The rim of the head's crop where the person's crop takes over, share of its side.
-RIM: Final = 0.12
+RIM: Final = _CALIBRATED.number("rim", "share")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

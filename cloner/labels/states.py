@@ -9,18 +9,18 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.records.labels import SKINS, Label, shows
 
-#: Least shares from which a state is told. Of 22 generated people whom nothing was taught on, glasses showed with
-#: shares of .03 to .35 and were missed once (behind hair and a cap), elsewhere the share was 0; beards had .06 to .76,
-#: other faces .012 at most; hats .45 to .88, other heads .04 at most.
-BEARD_SHARE: Final = 0.03
-GLASSES_SHARE: Final = 0.02
-HEADWEAR_SHARE: Final = 0.15
-BALD_SHARE: Final = 0.04
-#: A foot is bare where more than this of what is seen around it is skin.
-BARE_FOOT: Final = 0.6
+#: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
+_CALIBRATED: Final = calibrated("labels.states")
+
+BEARD_SHARE: Final = _CALIBRATED.number("beard_share", "share")
+GLASSES_SHARE: Final = _CALIBRATED.number("glasses_share", "share")
+HEADWEAR_SHARE: Final = _CALIBRATED.number("headwear_share", "share")
+BALD_SHARE: Final = _CALIBRATED.number("bald_share", "share")
+BARE_FOOT: Final = _CALIBRATED.number("bare_foot", "share")
 #: Points of the 468-point face mesh: outer eye corners, and the brows' highest.
 _EYES: Final = (33, 263)
 _BROWS: Final = (105, 334)

@@ -10,8 +10,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import body_triangles
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.seeing import facing, look
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import PosedView
@@ -20,19 +21,20 @@ from cloner.records.labels import CLOTHES, SKINS, labels_at
 from cloner.records.measures import Cover
 from cloner.records.points import Proposals
 
+#: What each number is and where it comes from: ``cloner/calibration/measure.toml``.
+_CALIBRATED: Final = calibrated("measure.covering")
+
 Array = NDArray[np.float64]
 
 #: Slices a segment.
 SLICES: Final = 8
-#: Steeper surfaces mix with what is behind them.
-LEAST_COSINE: Final = 0.35
+LEAST_COSINE: Final = _CALIBRATED.number("least_cosine", "cosine")
 #: Fewer seen vertices tell nothing of a slice.
 LEAST_VERTICES: Final = 4
 #: Limbs with the segment of their own garment, which is taken as covered.
 LIMBS: Final = {("upper_arm", "forearm"): "torso", ("thigh", "calf"): "pelvis"}
-#: Hands, feet and neck are small: skin elsewhere within these shares is the fit's error or a collar's edge.
-CLOTH_SHARE: Final = 0.2
-SKIN_SHARE: Final = 0.4
+CLOTH_SHARE: Final = _CALIBRATED.number("cloth_share", "share")
+SKIN_SHARE: Final = _CALIBRATED.number("skin_share", "share")
 
 
 def covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
@@ -65,7 +67,7 @@ def covers(proposals: Proposals, joined: Joined) -> dict[str, Cover]:
     told["neck"] = _whole(bare[generic.region("neck")])
     for side in ("left", "right"):
         for part in ("hand", "foot"):
-            segment = generic.vertex_segment == generic.segment_names.index(f"{side}_{part}")
+            segment = generic.segment(f"{side}_{part}")
             told[f"{side}_{part}"] = _whole(bare[segment])
     return {name: cover for name, cover in told.items() if any(slice_ is not None for slice_ in cover.covered)}
 
@@ -114,13 +116,13 @@ def _seen_labels(
     triangles = body_triangles()
     sight = look(posed_m, triangles, posed.camera, facing(posed_m, triangles, posed.camera))
     good = (sight.cosine > LEAST_COSINE) & sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
-    rows = np.flatnonzero(good & (generic.vertex_part == generic.part_names.index("body")))
+    rows = np.flatnonzero(good & generic.skin)
     return rows, sight.cosine[rows], labels_at(labels, sight.pixel_px[rows])
 
 
 def _slices(generic: GenericHuman, name: str, bare: Array) -> Array:
     """Return (SLICES,) shares of skin along a segment, NaN where too little was seen."""
-    members = (generic.vertex_segment == generic.segment_names.index(name)) & ~np.isnan(bare)
+    members = generic.segment(name) & ~np.isnan(bare)
     place = np.clip((generic.slice_s * SLICES).astype(int), 0, SLICES - 1)
     shares = np.full(SLICES, np.nan)
     for k in range(SLICES):

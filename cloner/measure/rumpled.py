@@ -10,20 +10,22 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.body.outlined import Outlined, Seen
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.rumples import STEP_MM, rumples_mm
 from cloner.records.measures import Cover
 from cloner.records.silhouettes import SilhouetteSet
 
+#: What each number is and where it comes from: ``cloner/calibration/measure.toml``.
+_CALIBRATED: Final = calibrated("measure.rumpled")
+
 Array = NDArray[np.float64]
 
 #: Segments under what is worn above the waist and below it. The pelvis has the hem of one over the other.
 GARMENTS: Final = (("torso", "pelvis", "upper_arm", "forearm"), ("thigh", "calf"))
-#: Farther from the clone's rim an outline is not that part's: a bag, a hand on the hip.
-NEAR_MM: Final = 25.0
-#: Less outline of a garment tells nothing, mm.
-LEAST_MM: Final = 400.0
+NEAR_MM: Final = _CALIBRATED.number("near_mm", "mm")
+LEAST_MM: Final = _CALIBRATED.number("least_mm", "mm")
 
 
 def garments_rumples_mm(

@@ -9,21 +9,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.outlined import Seen
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measuring import ALL_KEYS, TRUNK_SLICES
 
+#: What each number is and where it comes from: ``cloner/calibration/measure.toml``.
+_CALIBRATED: Final = calibrated("measure.side_arms")
+
 Array = NDArray[np.float64]
 
 TRUNK: Final = ("torso", "pelvis")
-#: An arm's edge that ends this little before the trunk's hides it too: a fit may have drawn the trunk out to it.
-#: Measured on 50 painted people: where more of the trunk showed, none of its depths was off by 20 mm.
-CLEAR_MM: Final = 10.0
-#: Half the height of what is looked at round a level, mm: two rows of vertices.
-BAND_MM: Final = 12.0
-#: Below this place hands hang before the hips, which are wide and little bent: errors there are no larger (measured).
-HANDS: Final = 0.6
+CLEAR_MM: Final = _CALIBRATED.number("clear_mm", "mm")
+BAND_MM: Final = _CALIBRATED.number("band_mm", "mm")
+HANDS: Final = _CALIBRATED.number("hands", "share")
 #: Measures of the trunk with the vertices of `TapeRules` at their level, or their place from armpit (0) to crotch (1).
 LEVELS: Final[Mapping[str, str | float]] = {
     "bust_girth": "chest",

@@ -14,6 +14,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.easing import smoothstep
 from cloner.motion import turns
 from cloner.motion.body import SIDES, Body, below
 from cloner.motion.gait import FRAMES_PER_S, X, Y, aim_limb, follow, idle
@@ -24,6 +25,7 @@ from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
+#: How long each act takes, seconds, and claps in one (taste).
 LOOK_S: Final = 6.0
 POINT_S: Final = 4.0
 PHOTOGRAPH_S: Final = 4.0
@@ -95,8 +97,8 @@ def lift(body: Body) -> Motion:
     motion, world, turn = _standing(body, LIFT_S, "lift")
     hanging = {side: _wrist(body, world, motion, side) for side in SIDES}
     share = turn / (2.0 * np.pi)
-    down = _eased(share, 0.0, 0.3) * (1.0 - _eased(share, 0.4, 0.66))
-    up = _eased(share, 0.42, 0.66) * (1.0 - _eased(share, 0.84, 1.0))
+    down = smoothstep(share, 0.0, 0.3) * (1.0 - smoothstep(share, 0.4, 0.66))
+    up = smoothstep(share, 0.42, 0.66) * (1.0 - smoothstep(share, 0.84, 1.0))
     motion = _bent(body, world, motion, down)
     size = body.joints_m[body.joint("skullbase"), 1] / 1.52  # of somebody of 1.7 m
     for side in SIDES:
@@ -111,11 +113,6 @@ def lift(body: Body) -> Motion:
 ACTS: Final[Mapping[str, Callable[[Body], Motion]]] = MappingProxyType({
     "look": look, "wave": wave, "point": point, "photograph": photograph, "pay": pay, "applaud": applaud, "lift": lift,
 })  # fmt: skip
-
-
-def _eased(share: Array, first: float, last: float) -> Array:
-    at = np.clip((share - first) / (last - first), 0.0, 1.0)
-    return np.asarray(at * at * (3.0 - 2.0 * at))
 
 
 def _wrist(body: Body, world: Array, motion: Motion, side: str) -> Array:

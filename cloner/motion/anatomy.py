@@ -12,12 +12,9 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.motion.bvh import Capture
-
-Array = NDArray[np.float64]
 
 _KNEES: Final = {"knee", "shin", "leg", "loleg", "lowleg", "lowerleg", "calf", "tibia"}
 _ELBOWS: Final = {"elbow", "forearm", "loarm", "lowarm", "lowerarm", "radius"}

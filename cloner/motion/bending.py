@@ -13,6 +13,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
+from cloner.geometry.triangles import sides
 from cloner.motion import turns
 from cloner.motion.body import FOOT, Body, below
 from cloner.motion.gait import X, Z, aim_limb
@@ -142,8 +143,8 @@ def flesh(side: str, joint: str) -> Flesh:
     generic = load_generic()
     reach, segments = _REACH[joint]
     own = [s if s in ("torso", "pelvis") else f"{'left' if side == 'l' else 'right'}_{s}" for s in segments]
-    inside = np.isin(generic.vertex_segment, [generic.segment_names.index(name) for name in own])
-    inside &= generic.vertex_part == generic.part_names.index("body")
+    inside = generic.segment(*own)
+    inside &= generic.skin
     away = np.linalg.norm(generic.vertices_m - generic.joints_m[generic.joint(f"{side}_{joint}")], axis=1)
     inside &= away < reach * GENERIC_STATURE_M / 1.70
     triangles = np.asarray(generic.triangles()[0], dtype=np.int64)
@@ -152,8 +153,8 @@ def flesh(side: str, joint: str) -> Flesh:
     triangles = triangles[piece == np.bincount(piece).argmax()]
     rows, places = np.unique(triangles, return_inverse=True)
     places = np.asarray(places.reshape(-1, 3), dtype=np.int64)
-    sides = np.concatenate([places[:, [0, 1]], places[:, [1, 2]], places[:, [2, 0]]])
-    rim = sides[~np.isin(sides @ [1, len(rows)], sides @ [len(rows), 1])]
+    edges = sides(places)
+    rim = edges[~np.isin(edges @ [1, len(rows)], edges @ [len(rows), 1])]
     _, hole = np.unique(_pieces(rim)[rim[:, 0]], return_inverse=True)
     return Flesh(rows, places, rim, np.asarray(hole.reshape(-1), dtype=np.int64))
 

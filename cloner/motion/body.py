@@ -17,6 +17,7 @@ from cloner.records.motions import Motion
 Array = NDArray[np.float64]
 
 SIDES: Final = ("l", "r")
+#: H-Anim's joints from the hips up.
 SPINE: Final = (*(f"vl{k}" for k in range(5, 0, -1)), *(f"vt{k}" for k in range(12, 0, -1)))
 NECK: Final = (*(f"vc{k}" for k in range(7, 0, -1)), "skullbase")
 #: Joints of a foot that turn as the ankle does; only the toes bend.

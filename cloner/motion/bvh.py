@@ -22,8 +22,10 @@ from cloner.records.arrays import freeze
 Array = NDArray[np.float64]
 
 LARGEST_BYTES: Final = 200_000_000  # taste: an hour of capture at 120 Hz
+#: More is no skeleton but an attack or an error.
 MOST_JOINTS: Final = 1_000
 MOST_ROTATIONS: Final = 30_000_000  # frames times joints, 72 bytes each: that hour with 70 joints
+#: Axes by their letter.
 _AXES: Final = {"X": 0, "Y": 1, "Z": 2}
 _AGAIN: Final = "Export the capture again as BVH"
 

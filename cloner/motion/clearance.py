@@ -77,8 +77,7 @@ def _arm_out(vertices_m: Array, joints_m: Array, side: str) -> float:
 
 def _rows(generic: GenericHuman, names: tuple[str, ...]) -> NDArray[np.int64]:
     """Return the skin's vertices of some segments."""
-    wanted = [generic.segment_names.index(name) for name in names]
-    return np.flatnonzero(np.isin(generic.vertex_segment, wanted) & (generic.vertex_part == 0))
+    return np.flatnonzero(generic.segment(*names) & generic.skin)
 
 
 def _arm(generic: GenericHuman, vertices_m: Array, joints_m: Array, side: str) -> tuple[Array, Array]:

@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.motion import turns
@@ -14,8 +13,6 @@ from cloner.motion.body import Body
 from cloner.motion.contact import runs, standing
 from cloner.motion.planting import planted
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: People take two steps in this time, seconds.
 SHORTEST_S: Final = 0.6

@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from cloner.errors import ClonerError
 
 LONGEST_TEXT: Final = 5000  # letters: some five minutes
+#: Longest that the speaking program may take, seconds (taste).
 PATIENCE_S: Final = 120.0
 _SPEAKS: Final = """
 import base64, ctypes, json, sys

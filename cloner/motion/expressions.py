@@ -18,6 +18,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.easing import half_wave
+
 Array = NDArray[np.float64]
 
 #: The six expressions of MPEG-4 as weights of the face's targets; taste, after the standard's wording.
@@ -52,7 +54,7 @@ class Envelope:
         """Return (F,) strengths 0..1 at times after the beginning, seconds."""
         rising = np.clip(since_s / max(self.attack_s, 1e-6), 0.0, 1.0)
         falling = np.clip((since_s - self.attack_s - self.sustain_s) / max(self.decay_s, 1e-6), 0.0, 1.0)
-        return np.asarray(_smooth(rising) * (1.0 - _smooth(falling)))
+        return np.asarray(half_wave(rising) * (1.0 - half_wave(falling)))
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,10 +74,6 @@ class Beat:
     weights: Mapping[str, float]
     envelope: Envelope = Envelope()
     strength: float = 1.0
-
-
-def _smooth(share: Array) -> Array:
-    return np.asarray(0.5 - 0.5 * np.cos(np.pi * share))
 
 
 def play(beats: Iterable[Beat], times_s: Array) -> dict[str, Array]:

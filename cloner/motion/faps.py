@@ -29,6 +29,7 @@ from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
 
+#: Number of MPEG-4's facial animation parameters.
 COUNT: Final = 68
 _LEFT, _RIGHT, _UP, _DOWN, _AHEAD = (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1)
 #: Parameter -> unit, direction of a positive value, feature point. Turns of eyes and head are not in it.

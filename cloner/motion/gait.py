@@ -29,7 +29,9 @@ from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
+#: Axes.
 X, Y, Z = 0, 1, 2
+#: Frames a second of every cycle.
 FRAMES_PER_S: Final = 30
 #: Feet roll over the ground between two frames of a walk; at half as many they slide by millimetres in between.
 WALK_FRAMES_PER_S: Final = 60

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 FILE: Final = "visemes.npz"
+#: Samples a second; bands of the spectrum and their range, Hz: usual in recognising speech, not tried against others.
 RATE_HZ: Final = 16_000
 SIZE, STEP, SPECTRUM = 400, 160, 512  # samples: 25 ms, 10 ms
 BANDS: Final = 24

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 
+from cloner.geometry.vectors import unit
 from cloner.motion import turns
 from cloner.motion.body import SIDES, Body
 from cloner.motion.contact import Mask, cyclic_runs, runs, standing
@@ -171,10 +172,10 @@ def _legs_reaching(body: Body, world: Array, where: Array, side: str, goal: Arra
     front, bend = (
         vectors - np.einsum("fa,fa->f", vectors, along)[:, None] * along for vectors in (world[:, hip, :, 2], upper)
     )
-    front /= np.maximum(np.linalg.norm(front, axis=1, keepdims=True), 1e-9)
+    front = unit(front)
     behind = AHEAD * first - np.einsum("fa,fa->f", bend, front)
     bend += np.maximum(behind, 0.0)[:, None] * front
-    bend /= np.maximum(np.linalg.norm(bend, axis=1, keepdims=True), 1e-9)
+    bend = unit(bend)
     cosine = np.clip((first**2 + reach**2 - second**2) / (2.0 * first * reach), -1.0, 1.0)
     new_upper = first[:, None] * (cosine[:, None] * along + np.sqrt(1.0 - cosine**2)[:, None] * bend)
     new_lower = reach[:, None] * along - new_upper

@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
-from cloner.geometry.skinning import blend_transforms, joint_transforms, skin
+from cloner.geometry.skinning import blend_transforms, joint_transforms, posed_joints, skin
 from cloner.motion import turns
 from cloner.motion.bending import CLAVICLE_RAD, FLESHED
 from cloner.motion.body import FOOT, SIDES, Body, below, body_of
@@ -62,7 +62,7 @@ def in_pose(clone: Clone, rotations: Array) -> Clone:
     return replace(
         clone,
         vertices_m=vertices + drop,
-        joints_m=np.einsum("jab,jb->ja", transforms[:, :3, :3], clone.joints_m) + transforms[:, :3, 3] + drop,
+        joints_m=posed_joints(transforms, clone.joints_m) + drop,
         morph_delta_m=moved.astype(np.float32),
         shells=tuple(_reposed(shell, transforms, drop) for shell in clone.shells),
         features_m=_carried(clone, blended, drop),

@@ -40,6 +40,7 @@ Array = NDArray[np.float64]
 
 FACE_TRACKS: Final = ("eyes", "brows", "mouth", "emotion")
 HEAD: Final = "head"
+#: Longest score, seconds (taste).
 LONGEST_S: Final = 600.0
 LARGEST_BYTES: Final = 10_000_000  # taste: a thousand times what a person types
 #: Small expressions beside the six of the standard; taste. Any target's own name is one too.

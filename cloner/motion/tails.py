@@ -13,6 +13,7 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.geometry.triangles import edges_of
+from cloner.geometry.vectors import arc_lengths, places_along
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 
@@ -115,12 +116,12 @@ def _chain(places: Array, edges: NDArray[np.integer], rows: Ints, rest: Ints) ->
     slices = np.minimum((along / _SLICE_M).astype(np.int64), int(np.percentile(along, 95) / _SLICE_M))
     course = np.array([places[rows][slices == one].mean(axis=0) for one in np.unique(slices)])
     spread = np.array([np.median(_from_axis(places[rows][slices == one])) for one in np.unique(slices)])
-    length = np.append(0.0, np.cumsum(np.linalg.norm(np.diff(course, axis=0), axis=1)))
+    length = arc_lengths(course)
     if length[-1] < SHORTEST_M:
         return None
     bones = int(np.clip(round(length[-1] / BONE_M), 2, MOST_BONES))
     ends = np.linspace(0.0, length[-1], bones + 1)
-    points = np.column_stack([np.interp(ends, length, course[:, axis]) for axis in range(3)])
+    points = places_along(course, length, ends)
     return points, np.interp(ends, length, spread)
 
 

@@ -18,21 +18,14 @@ from cloner.motion.expressions import Beat, mixed, play
 from cloner.motion.gait import idle
 from cloner.motion.heard import heard_visemes
 from cloner.motion.score import GESTURES, QUICK, SILENT, Score
-from cloner.motion.speech import (
-    LARGEST_BYTES,
-    frame_features,
-    mouth_weights,
-    phoneme_visemes,
-    read_phonemes,
-    read_wav,
-    smoothed,
-    sound_visemes,
-)
+from cloner.motion.sound import frame_features, read_wav, sound_visemes
+from cloner.motion.speech import LARGEST_BYTES, mouth_weights, phoneme_visemes, read_phonemes, smoothed
 from cloner.outside import text_outside
 from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
 
+#: Frames a second of every clip.
 FRAMES_PER_S: Final = 30.0
 #: How much formants and hiss count beside the net, for voices unlike those it was taught with; of one it never heard
 #: (flite's rms) 71 % of the salient phonemes lead at their middle with nothing, 75 with .3, of known voices 3 % less.

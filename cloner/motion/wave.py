@@ -8,6 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.easing import smoothstep
 from cloner.motion import turns
 from cloner.motion.body import Body, below
 from cloner.motion.gait import X, Z, aim_limb, idle, palm_normal
@@ -30,8 +31,7 @@ def wave(body: Body) -> Motion:
     standing = idle(body)
     times = standing.times_s
     world = body.world(standing)
-    share = np.interp(times, UP_S, (0.0, 1.0, 1.0, 0.0))
-    share = share * share * (3.0 - 2.0 * share)
+    share = smoothstep(np.interp(times, UP_S, (0.0, 1.0, 1.0, 0.0)))
     swing = np.sin(2.0 * np.pi * WAVES * (times - UP_S[1]) / (UP_S[2] - UP_S[1])) * share
     hanging = abs(body.arm_aside("r"))
     upper = np.radians(LIFTED_DEG) * share + hanging * (1.0 - share)

@@ -18,13 +18,8 @@ from cloner.geometry.partition import border_shares, partition_surface
 from cloner.paint.baked import Baked, blank
 from cloner.paint.grain import coarse_tiles
 from cloner.paint.materials import Materials, always_bare
-from cloner.paint.sources import (
-    Limits,
-    Source,
-    covered_by_hair,
-    shown_colours,
-    visible_points,
-)
+from cloner.paint.prepared import Limits
+from cloner.paint.sources import Source, covered_by_hair, shown_colours, visible_points
 from cloner.paint.tiles import Tile, cut_tiles
 from cloner.paint.zones import hair_allowed, hair_kept
 from cloner.vision.aligning import sample
@@ -38,6 +33,7 @@ SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden 
 LAST_CHOICE = 0.0005  # beside an inner outline a photo paints only what no other one sees
 OWNER_SMOOTHING = 4  # rounds; borders of 2-3 edge lengths' smoothness
 CLASH = 0.6  # of a full difference between skin and not skin
+#: Share of the weight from which one photo owns a texel (taste).
 OWNER_SHARE = 0.6
 BORDER_KIND = 0.25  # half the range of kinds that is border
 KIND_EDGE = 0.15  # kinds mix where their shares differ by less
@@ -186,7 +182,7 @@ def paint(
 
     A texel's owners first; others are asked only where none of them shows it.
     """
-    skin = generic.vertex_part == generic.part_names.index("body")
+    skin = generic.skin
     outside = skin & ~generic.region("mouth_interior")
     claims, shown = [], np.zeros(atlas.shape[0] * atlas.shape[1], np.float32)
     found: list[Painted] = []

@@ -19,6 +19,7 @@ from cloner.vision.evening import beyond_light, log_levels
 
 Array = NDArray[np.float64]
 
+#: Share of bareness by which two photos call a texel skin and cloth (taste).
 STRANGE_KIND: Final = 0.5
 #: A photo that shows a part of which the surface is less than this shows something that stands before or behind it.
 STRANGER: Final = 0.25

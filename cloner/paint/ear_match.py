@@ -13,6 +13,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.easing import smoothstep
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.geometry.graphs import surface_graph
@@ -28,6 +29,7 @@ LEAST_CONTRAST = 0.45  # share of hair outside less that inside; a covered or a 
 LEAST_GAIN = 0.08  # better than where the head has it by so much
 SHIFT_PENALTY = 0.35  # for the farthest shift
 SIZES = (1.0, 0.9, 0.8, 0.7)  # of the head's ear: outlines do not tell an ear's size
+#: What an ear twice too large costs, and points compared at most (taste).
 SIZE_PENALTY = 0.2
 FADE_M = 0.04  # the shift dies away over this distance along the skin
 MOST_POINTS = 300
@@ -77,9 +79,9 @@ def shift_ear(
         return lookup_px
     size, shift = fit
     graph = surface_graph(posed_m, triangles)
-    share = np.clip(1.0 - graph.distance_from(own, FADE_M) / FADE_M, 0.0, 1.0)
+    share = smoothstep(1.0 - graph.distance_from(own, FADE_M) / FADE_M)
     moved = rings.middle_px + size * (lookup_px - rings.middle_px) + shift
-    return np.asarray(lookup_px + (share * share * (3.0 - 2.0 * share))[:, None] * (moved - lookup_px))
+    return np.asarray(lookup_px + share[:, None] * (moved - lookup_px))
 
 
 def _ear_rings(lookup_px: Array, triangles: NDArray[np.int32], nose_px: Array, width_px: float) -> _Rings | None:

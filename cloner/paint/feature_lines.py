@@ -27,8 +27,6 @@ from cloner.geometry.seeing import DEPTH_SCALE
 from cloner.paint.sources import Source
 from cloner.vision.line_match import LinePicture, Looked, Reach, line_pictures, match_lines
 
-Array = NDArray[np.float64]
-
 SIZE: Final = 384  # texels a side at which photos are compared: 7 mm on the body, 3 mm on the face
 #: How finely faces and bodies are matched; what the fit is wrong by was measured on people of the kit.
 FACE: Final = Reach(blur_m=0.0015, usual_m=0.003, most_m=0.010)

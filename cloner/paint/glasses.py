@@ -59,7 +59,7 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
     view = joined.views[ViewId.FACE_FRONT]
     head = generic.joint_names.index("skullbase")
     posed_from_rest = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)[head]
-    sheet_m, sheet_uv, sheet_triangles = _sheet(generic, joined, view, posed_from_rest, box)
+    sheet_m, sheet_uv, sheet_triangles = _sheet(joined, view, posed_from_rest, box)
     rgba = _texture(photo.rgb, frame, box)
     share = TEMPLE_ROWS / len(rgba)
     sheet_uv[:, 1] *= 1.0 - share
@@ -76,7 +76,7 @@ def glasses_shell(generic: GenericHuman, joined: Joined, photo: Photo, proposal:
 
 
 def _sheet(
-    generic: GenericHuman, joined: Joined, view: PosedView, posed_from_rest: Array, box: tuple[int, int, int, int]
+    joined: Joined, view: PosedView, posed_from_rest: Array, box: tuple[int, int, int, int]
 ) -> tuple[Array, Array, NDArray[np.int64]]:
     """Return rest points (N, 3), uv and triangles of a bent sheet that the camera sees fill a box of the photo."""
     left, top, right, bottom = box

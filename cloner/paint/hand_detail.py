@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 from scipy.spatial import cKDTree
 
+from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.triangles import edges_of
 from cloner.geometry.wedges import vertex_normals
@@ -149,19 +150,19 @@ def _nail(finger: Finger, points_m: Array, normals: Array) -> tuple[Array, Array
     share = ((points_m - last) @ along - begins) / (ends - begins)
     aside = (points_m - last) @ np.cross(along, finger.back) / half
     round_ = (aside**4 + (2.0 * share / NAIL_END - 1.0) ** 4) ** 0.25
-    behind = _step(normals @ finger.back, 0.0, 0.4)
-    plate = behind * (1.0 - _step(round_, 0.88, 1.04))
+    behind = smoothstep(normals @ finger.back, 0.0, 0.4)
+    plate = behind * (1.0 - smoothstep(round_, 0.88, 1.04))
     fold = behind * np.exp(-(((round_ - 1.08) / 0.10) ** 2)) * (share < 0.85)
-    moon = (1.0 - _step(share + 0.12 * aside**2, 0.16, 0.30))[:, None] * LUNULA
-    edge = _step(share + 0.05 * aside**2, 0.82, 0.90)[:, None] * FREE_EDGE
+    moon = (1.0 - smoothstep(share + 0.12 * aside**2, 0.16, 0.30))[:, None] * LUNULA
+    edge = smoothstep(share + 0.05 * aside**2, 0.82, 0.90)[:, None] * FREE_EDGE
     return plate, plate[:, None] * (PLATE + moon + edge) + fold[:, None] * FOLD
 
 
 def _creases(finger: Finger, points_m: Array, normals: Array) -> Array:
     """Return (N, 3) gains of a finger's creases inside, of its wrinkles over the joints, and of its pad."""
     first, second, last, tip = finger.bones_m
-    inside, behind = _step(-(normals @ finger.back), 0.0, 0.5), _step(normals @ finger.back, 0.2, 0.6)
-    gains = (inside * _step((points_m - last) @ (tip - last) / ((tip - last) ** 2).sum(), 0.1, 0.5))[:, None] * PAD
+    inside, behind = smoothstep(-(normals @ finger.back), 0.0, 0.5), smoothstep(normals @ finger.back, 0.2, 0.6)
+    gains = (inside * smoothstep((points_m - last) @ (tip - last) / ((tip - last) ** 2).sum(), 0.1, 0.5))[:, None] * PAD
     joints: list[tuple[Array, Array, Array, tuple[float, ...], tuple[float, ...]]] = [
         (last, tip, last, (0.0,), (-0.0010, 0.0011))
     ]
@@ -192,7 +193,7 @@ def _palm(points_m: Array, normals: Array) -> Array:
     along = middle - wrist - (middle - wrist) @ facing * facing
     length = float(np.linalg.norm(along))
     flat = (points_m - wrist) @ np.stack([np.cross(facing, along / length), along / length]).T
-    inside, gains = _step(normals @ facing, 0.1, 0.5), np.zeros((len(points_m), 3))
+    inside, gains = smoothstep(normals @ facing, 0.1, 0.5), np.zeros((len(points_m), 3))
     for line in LINES:
         knots = np.array(line) * length
         places = CubicSpline(np.arange(len(knots)), knots)(np.linspace(0, len(knots) - 1, 120))
@@ -200,7 +201,7 @@ def _palm(points_m: Array, normals: Array) -> Array:
         near = np.flatnonzero((inside > 0.0) & _within(flat, places.min(axis=0) - reach, places.max(axis=0) + reach))
         distance, nearest = cKDTree(places).query(flat[near], distance_upper_bound=reach)
         share = np.minimum(nearest, 119) / 119.0
-        fading = np.clip(1.6 - 1.2 * share, 0.0, 1.0) * _step(share, 0.0, 0.06)  # lines run out on the palm
+        fading = np.clip(1.6 - 1.2 * share, 0.0, 1.0) * smoothstep(share, 0.0, 0.06)  # lines run out on the palm
         gains[near] += (inside[near] * fading * np.exp(-((distance / CREASE_M) ** 2)))[:, None] * CREASE
     return gains
 
@@ -208,9 +209,3 @@ def _palm(points_m: Array, normals: Array) -> Array:
 def _within(points: Array, low: Array, high: Array) -> NDArray[np.bool_]:
     """Return which of (N, 2) points lie in a box."""
     return np.asarray(((points >= low) & (points <= high)).all(axis=1))
-
-
-def _step(values: Array, low: float, high: float) -> Array:
-    """Return values eased from 0 below ``low`` to 1 above ``high``."""
-    share = np.clip((values - low) / (high - low), 0.0, 1.0)
-    return np.asarray(share * share * (3.0 - 2.0 * share))

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
 from cloner.geometry.atlas import AtlasMap
+from cloner.geometry.vectors import unit
 from cloner.geometry.wedges import vertex_normals
 from cloner.paint.hand_detail import hand_gains
 from cloner.paint.materials import Materials
@@ -105,7 +106,7 @@ def hand_texels(size: int) -> tuple[AtlasMap, Array, Array, Array, NDArray[np.bo
     normals = vertex_normals(vertices, triangles.astype(np.int32))
     points, turned = atlas.interpolate(vertices).astype(np.float64), atlas.interpolate(normals).astype(np.float64)
     to_left = np.where(points[:, :1] < 0.0, [[-1.0, 1.0, 1.0]], 1.0)
-    turned /= np.maximum(np.linalg.norm(turned, axis=1, keepdims=True), 1e-9)
+    turned = unit(turned)
     wrist, knuckle = (generic.joints_m[generic.joint(f"l_{name}")].astype(np.float64) for name in ("wrist", "middle1"))
     way = (points * to_left - wrist) @ (knuckle - wrist) / np.linalg.norm(knuckle - wrist)
     gains, nails = hand_gains(points * to_left, turned * to_left)

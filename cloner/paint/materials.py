@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 
 SQUARE = 0.5  # cosine from which a sight is believed by itself
 KIND_STIFFNESS = 0.4  # an island of one or two edges is outvoted by what surrounds it
+#: Bareness at which a texel begins to be skin and is all skin (taste).
 KIND_STEP = (0.25, 0.75)
 MAJORITY = 0.3  # weight of what most of a body part is, against one square sight
 SURE = 4.0  # a claim of a half decides alone; a grazing one says little beside the neighbours
@@ -65,7 +66,7 @@ def hands_beyond_cuffs(generic: GenericHuman) -> list[NDArray[np.intp]]:
     """Return the vertices of both hands that no cuff reaches."""
     found = []
     for side in ("left", "right"):
-        rows = np.flatnonzero(generic.vertex_segment == generic.segment_names.index(f"{side}_hand"))
+        rows = np.flatnonzero(generic.segment(f"{side}_hand"))
         reach = np.linalg.norm(generic.vertices_m[rows] - generic.joints_m[generic.joint(f"{side[0]}_wrist")], axis=1)
         found.append(rows[reach > CUFF_SHARE * reach.max()])
     return found

@@ -40,7 +40,7 @@ def nostril_texels(size: int) -> tuple[NDArray[np.integer], NDArray[np.floating]
     away[:, 0] = np.abs(away[:, 0])
     distance = np.linalg.norm(away - HOLLOW_M, axis=1)
     inside = np.clip((RADIUS_M + EDGE_M - distance) / EDGE_M, 0.0, 1.0)
-    inside *= generic.vertex_part == generic.part_names.index("body")
+    inside *= generic.skin
     triangles, _ = generic.triangles()
     atlas = generic_atlas(generic, size, wanted=np.asarray((inside > 0.0)[triangles].any(axis=1), np.bool_))
     return atlas.texel, atlas.interpolate(inside)

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
 from cloner.geometry.atlas import AtlasMap
+from cloner.geometry.vectors import unit
 from cloner.vision.painting import LASH_RGB, SCLERA_RGB, paint_eye, paint_plain, paint_teeth, paint_tongue, white_rgb
 
 USUAL_SKIN_RGB = (190.0, 160.0, 145.0)  # taste: for a mesh whose face has no texels
@@ -44,7 +45,7 @@ def paint_parts(
         if name.startswith("eye_"):
             centre, radius = fit_ball(vertices_m[vertices])
             spokes = points - centre.astype(np.float32)
-            spokes /= np.maximum(np.linalg.norm(spokes, axis=1, keepdims=True), 1e-9)
+            spokes = unit(spokes)
             iris = iris_radius_m if iris_radius_m > 0.0 else USUAL_IRIS_M
             angle = float(np.arcsin(np.clip(iris / radius, 0.2, 0.7)))
             colour = paint_eye(spokes, iris_rgb, angle, skin_rgb, white_to_skin, rng)

@@ -20,8 +20,7 @@ Array = NDArray[np.float64]
 def body_triangles(generic: GenericHuman) -> NDArray[np.int32]:
     """Return the (T, 3) triangles of the skin, without eyes, teeth, tongue and lashes."""
     triangles = generic.triangles()[0]
-    part = generic.vertex_part[triangles[:, 0]]
-    return np.asarray(triangles[part == generic.part_names.index("body")], np.int32)
+    return np.asarray(triangles[generic.skin[triangles[:, 0]]], np.int32)
 
 
 def parents_of(generic: GenericHuman) -> NDArray[np.int32]:

@@ -14,31 +14,28 @@ from cloner.generic.face_grids import mouth_grid
 from cloner.generic.lip_steps import SHARE, to_borders
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.seeing import Sight, depth_at
-from cloner.labels.glasses import frame_of, wears_glasses
+from cloner.labels.glasses import wears_glasses
 from cloner.paint.ear_match import shift_ear
-from cloner.paint.posed import Stood, body_triangles, stand
+from cloner.paint.posed import Stood, stand
+from cloner.paint.prepared import PERSON_LEVEL, Limits, make_plate, person_mask, person_skin, without_glasses
 from cloner.paint.zones import hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
-from cloner.records.labels import Label
 from cloner.records.photos import PhotoSet
-from cloner.records.points import Proposal, Proposals
+from cloner.records.points import Proposals
 from cloner.records.results import Residual
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.aligning import outline_shift, sample, shift_points
-from cloner.vision.bare_skin import label_colour
 from cloner.vision.evening import unclipped, unsaturated
 from cloner.vision.open_mouth import own_edges
-from cloner.vision.plates import Plate, prepare_plate
+from cloner.vision.plates import Plate
 from cloner.vision.repair import without_room
-from cloner.vision.skin_colour import SkinColour
 from cloner.vision.strangers import own_colours
 
 Array = NDArray[np.float64]
 
-PERSON_LEVEL = 127  # a net's probability above one half
-_FACED = (ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
 HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
 CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stretched
 UNSAFE_CLAIM = 0.3  # of the usual, beside an inner outline
@@ -47,27 +44,7 @@ SQUARE_COSINE = (0.6, 0.8)  # surfaces that face a photo stay its own: features 
 SHELL_SHARE = 0.012  # of the figure, 2 cm: labels this far from any shell are doubted
 BESIDE_M = 0.01  # what stands out of the fitted body by more is room: its colours are the person's, its place is not
 HAIR_RIM_SHARE = 0.0044  # a fringe's rim may lie this much farther out in the photo than in the shell
-FRAME_RIM_SHARE = 0.012  # of a pair of glasses, 1.6 mm: the label ends inside the frame and its shade
 HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
-
-
-@dataclass(frozen=True, slots=True)
-class Limits:
-    """When a photo may paint a surface.
-
-    Attributes
-    ----------
-    steepest_cosine : float
-        Surfaces turned farther away take no colour (0.14 = 82 degrees).
-    shift_share : float
-        Largest outline shift, share of the figure's height.
-    face_presence : float
-        Trust in the face net from which its eye contours are believed.
-    """
-
-    steepest_cosine: float = 0.14
-    shift_share: float = 0.02
-    face_presence: float = 0.5
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -98,14 +75,6 @@ class Source:
     hair_m: NDArray[np.float32]
     hair: NDArray[np.uint8]
     score: Array
-
-
-def person_mask(view: ViewId, proposal: Proposal, silhouettes: SilhouetteSet) -> NDArray[np.bool_]:
-    """Return the (H, W) person: the extracted outline, or the net's mask where there is none."""
-    silhouette = silhouettes.views.get(view)
-    if silhouette is not None and silhouette.mask.shape == proposal.mask.shape:
-        return silhouette.mask
-    return proposal.mask > PERSON_LEVEL
 
 
 def gather_sources(
@@ -152,60 +121,6 @@ def gather_sources(
     return sources, residuals
 
 
-def person_skin(photos: PhotoSet, proposals: Proposals, silhouettes: SilhouetteSet) -> dict[ViewId, SkinColour]:
-    """Return the colour of the skin in every photo; photos without a face take that of the first with one."""
-    found: dict[ViewId, SkinColour] = {}
-    for view in _FACED:
-        if view in photos.photos and view in proposals.views:
-            mask = person_mask(view, proposals.views[view], silhouettes)
-            colour = label_colour(photos.photos[view].rgb, mask, proposals.views[view].labels)
-            if colour is not None:
-                found[view] = colour
-    if not found:
-        return {}
-    first = next(iter(found.values()))
-    return {view: found.get(view, first) for view in photos.photos}
-
-
-def make_plate(
-    view: ViewId,
-    rgb: NDArray[np.uint8],
-    proposal: Proposal,
-    mask: NDArray[np.bool_],
-    limits: Limits,
-    skin: SkinColour | None,
-) -> Plate:
-    """Return the photo without background; see :func:`prepare_plate`."""
-    frontal = proposal.face_presence >= limits.face_presence and view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT)
-    return prepare_plate(
-        rgb,
-        mask,
-        proposal.labels,
-        proposal.face_px if frontal else None,
-        (proposal.pose_px, proposal.pose_visibility) if view is ViewId.BODY_SIDE else None,
-        skin,
-    )
-
-
-def without_glasses(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[NDArray[np.uint8], Proposal]:
-    """Return a photo (H, W, 3) and its proposal with the frame of glasses replaced by the skin around it.
-
-    Small holes are filled from their rims (A. Telea, An image inpainting technique based on the fast marching method,
-    2004); the frame is drawn on a shell of its own.
-    """
-    frame = frame_of(proposal)
-    rows, columns = np.flatnonzero(frame.any(axis=1)), np.flatnonzero(frame.any(axis=0))
-    if not rows.size:
-        return rgb, proposal
-    around = max(2, int(FRAME_RIM_SHARE * np.ptp(columns)))
-    wide = cv2.dilate(frame.astype(np.uint8), np.ones((2 * around + 1,) * 2, np.uint8))
-    reach = 4 * around
-    box = np.s_[max(rows[0] - reach, 0) : rows[-1] + reach, max(columns[0] - reach, 0) : columns[-1] + reach]
-    filled = rgb.copy()
-    filled[box] = cv2.inpaint(np.ascontiguousarray(rgb[box]), wide[box], 2.0 * around, cv2.INPAINT_TELEA)
-    return filled, replace(proposal, labels=np.where(frame, np.uint8(Label.FACE_SKIN), proposal.labels))
-
-
 def make_source(
     generic: GenericHuman,
     stood: Stood,
@@ -217,7 +132,7 @@ def make_source(
     """Return one photo as a source and the mean gap between outlines before the shift, px."""
     sight = stood.sight
     lookup, gap = align(sight, plate, limits)
-    lookup = shift_ear(generic, stood.posed_m, body_triangles(generic), sight, plate.hair, view, lookup)
+    lookup = shift_ear(generic, stood.posed_m, body_triangles(), sight, plate.hair, view, lookup)
     if plate.lips_px is not None:
         grid = mouth_grid()
         lookup[grid.rings, 1] += SHARE[:, None] * to_borders(grid, lookup[grid.rings], own_edges(plate.lips_px))

@@ -8,14 +8,15 @@ from scipy.spatial import cKDTree
 
 from cloner.frames import m_from_mm
 from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.graphs import surface_graph
 from cloner.geometry.wedges import vertex_normals
-from cloner.paint.posed import body_triangles
 from cloner.records.heads import Shell
 
 Array = NDArray[np.float64]
 
 BELOW_MM = 1.5  # the scalp lies this far below the shell
+#: How deep skin is tucked at most, mm, and neighbours that tell how deep (taste).
 DEEPEST_MM = 25.0
 NEAR_M = 0.022  # shell points farther off say nothing about a vertex
 SAME_WAY = 0.75  # nor do the hairline's walls, which face along the skin
@@ -33,7 +34,7 @@ def tuck_scalp(generic: GenericHuman, vertices_m: Array, shells: tuple[Shell, ..
     """
     hair = tuple(shell for shell in shells if shell.kind == "hair")
     vertices_m = lay_ears(generic, vertices_m, ears_below(generic, vertices_m, hair))
-    triangles = body_triangles(generic)
+    triangles = body_triangles()
     rows = np.flatnonzero(generic.region("scalp"))
     if not shells or rows.size == 0:
         return vertices_m
@@ -78,7 +79,7 @@ def lay_ears(generic: GenericHuman, vertices_m: Array, covered: Array) -> Array:
     vertices_m : (V, 3) float64
     covered : (V,) float64 in 0..1
     """
-    out, triangles = vertices_m, body_triangles(generic)
+    out, triangles = vertices_m, body_triangles()
     for ear in ear_masks(generic):
         if not covered[ear].any():
             continue
@@ -105,7 +106,7 @@ def ears_below(generic: GenericHuman, vertices_m: Array, shells: tuple[Shell, ..
         return covered
     everything = np.any(ear_masks(generic), axis=0).astype(float)
     flat = lay_ears(generic, vertices_m, everything)
-    normals = vertex_normals(flat, body_triangles(generic))
+    normals = vertex_normals(flat, body_triangles())
     rows = np.flatnonzero(everything)
     points = np.concatenate([shell.vertices_m[_opaque(shell)] for shell in shells])
     if not len(points):

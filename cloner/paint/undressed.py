@@ -21,6 +21,7 @@ COLLAR_QUANTILE: Final = 0.9  # of the heights at which cloth is seen beside the
 NECK_SHARE: Final = 1.5  # of the neck's half width: collars stand around it
 SOFT_M: Final = 0.006  # a collar's edge fades over a vertex or two
 KEPT_M, PLAIN_M = 0.02, 0.10  # surfaces go on as seen for 2 cm, beyond 10 cm they are plain
+#: Levels that count as one colour (taste).
 BIN_LEVELS: Final = 16.0
 
 

@@ -25,6 +25,7 @@ _DISK_TROUBLE: Final = {
 _LOCK: Final = ".lock"
 _REPLACED: Final = "replaced"
 _REST: Final = re.compile(r"\.(?P<identifier>.+)\.partial-\d+-\w+")
+#: Times a temporary folder is made anew when a neighbour swept it away (taste).
 _TRIES: Final = 3
 
 

@@ -13,6 +13,7 @@ from cloner.project.locks import lock, release
 
 _SUFFIX: Final = ".claim"
 _LOOKS: Final = 3  # others hold a claim for a moment when they look whether it is one
+#: How often it is looked whether a claim is free, seconds (taste).
 _LOOK_S: Final = 0.05
 
 

@@ -5,9 +5,7 @@ from __future__ import annotations
 import logging
 import os
 import re
-import tomllib
 import unicodedata
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
 
@@ -15,17 +13,15 @@ from cloner.errors import ClonerError
 from cloner.frames import ViewId, cm_from_m, m_from_cm
 from cloner.project import corrections as corrections_json
 from cloner.project.atomic import write_text
-from cloner.project.tape import read_tape
-from cloner.project.texts import check_format, check_own, read_text
+from cloner.project.person_table import person_table, tape_mm_of, terms_of, text_of
+from cloner.project.texts import check_own, read_text
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import Corrections
-from cloner.records.terms import LICENCES, LONGEST_TERM, Terms
+from cloner.records.terms import Terms
 from cloner.vision.pictures import read_picture
 
 log = logging.getLogger(__name__)
-
 SUFFIXES: Final = (".jpg", ".jpeg", ".png", ".webp", ".tif", ".tiff", ".heic", ".heif")
-LONGEST_TOLD_TEXT: Final = 30  # of a word nobody knows; taste
 LARGEST_TOLD: Final = 1e9  # whole numbers in TOML may have more digits than a float holds
 DEFAULT_HEIGHT_CM: Final = 170.0  # taste: near the mean adult; lengths are then marked as unscaled
 SMALLEST_HEIGHT_CM: Final = 60.0  # below the smallest adult ever measured (55 cm), above any typing slip in metres
@@ -33,8 +29,6 @@ LARGEST_HEIGHT_CM: Final = 250.0  # living people stay below; catches millimetre
 LONGEST_IDENTIFIER: Final = 60  # file systems allow 255 bytes; leaves room for our own suffixes
 FEW: Final = 5  # names in a sentence; taste
 PERSON_FILE: Final = "person.toml"
-PERSON_FORMAT: Final = 1  # files without a number are of format 1
-_PERSON_KEYS: Final = {"format", "name", "height_cm", "notes", "measures", "consent", "event", "licence"}
 
 
 def find_photos(folder: Path) -> dict[ViewId, Path]:
@@ -149,21 +143,21 @@ def read_person(folder: Path, height_cm: float | None = None, identifier: str | 
     ClonerError
         If the file is malformed, has unknown keys, or the height or a measure is absurd.
     """
-    data = _person_table(folder / PERSON_FILE)
-    name = _text(data, "name")
-    notes = _text(data, "notes")
+    data = person_table(folder / PERSON_FILE)
+    name = text_of(data, "name")
+    notes = text_of(data, "notes")
     source = "person.toml, height_cm" if height_cm is None else "--height-cm"
     height = height_cm if height_cm is not None else data.get("height_cm")
     known = height is not None
     stature_m = m_from_cm(_checked_height(height, source) if known else DEFAULT_HEIGHT_CM)
-    _terms(data)
+    terms_of(data)
     return Person(
         identifier=safe_identifier(identifier if identifier is not None else folder.resolve().name),
         name=name,
         stature_m=stature_m,
         stature_is_known=known,
         notes=notes,
-        tape_mm=_tape_mm(data, stature_m),
+        tape_mm=tape_mm_of(data, stature_m),
     )
 
 
@@ -175,7 +169,7 @@ def read_consent(folder: Path) -> str:
     ClonerError
         If the file is malformed.
     """
-    return _text(_person_table(folder / PERSON_FILE), "consent")
+    return text_of(person_table(folder / PERSON_FILE), "consent")
 
 
 def read_terms(folder: Path) -> Terms:
@@ -186,7 +180,7 @@ def read_terms(folder: Path) -> Terms:
     ClonerError
         If the file is malformed or names an unknown licence.
     """
-    return _terms(_person_table(folder / PERSON_FILE))
+    return terms_of(person_table(folder / PERSON_FILE))
 
 
 def checked_height_m(height_m: float | None) -> tuple[float, bool]:
@@ -281,50 +275,6 @@ def _view_of(path: Path) -> ViewId | None:
     if path.suffix.lower() not in SUFFIXES or stem not in set(ViewId):
         return None
     return ViewId(stem)
-
-
-def _person_table(path: Path) -> Mapping[str, Any]:
-    """Return the checked table of ``person.toml``; empty when there is none."""
-    if not path.exists():
-        return {}
-    try:
-        data = tomllib.loads(read_text(path))
-    except (ValueError, RecursionError) as error:  # endless numbers and brackets are no TOMLDecodeError
-        raise ClonerError(
-            f"this is not valid TOML ({error})", "Write lines like: height_cm = 172", path.name
-        ) from error
-    check_format(data.get("format", PERSON_FORMAT), PERSON_FORMAT, path.name)
-    unknown = sorted(set(data) - _PERSON_KEYS)
-    if unknown:
-        known = ", ".join(sorted(_PERSON_KEYS))
-        raise ClonerError(f"the key {unknown[0]!r} is not known", f"The keys are {known}", path.name)
-    return data
-
-
-def _text(data: Mapping[str, Any], key: str) -> str:
-    value = data.get(key, "")
-    if not isinstance(value, str):
-        raise ClonerError(f"{key} must be text in quotes", "Put it in quotes", f"person.toml, {key}")
-    return value
-
-
-def _terms(data: Mapping[str, Any]) -> Terms:
-    consent, event, licence = (_text(data, key) for key in ("consent", "event", "licence"))
-    if licence not in ("", *LICENCES):
-        hint = f"The licences are {', '.join(LICENCES)}"
-        raise ClonerError(f"the licence {licence[:LONGEST_TOLD_TEXT]!r} is not known", hint, "person.toml, licence")
-    if not consent:
-        return Terms()
-    return Terms(_text(data, "name").strip()[:LONGEST_TERM], event.strip()[:LONGEST_TERM], licence or LICENCES[0])
-
-
-def _tape_mm(data: Mapping[str, Any], stature_m: float) -> tuple[tuple[str, float], ...]:
-    """Return what ``[measures]`` says, by key of the measures' table, mm."""
-    table = data.get("measures", {})
-    if not isinstance(table, dict):
-        hint = "Write a line [measures], and below it lines like: waist_girth = 70.2"
-        raise ClonerError("measures must be a table of centimetres", hint, "person.toml, measures")
-    return read_tape(table, stature_m, "person.toml, measures")
 
 
 def _checked_height(value: Any, where: str) -> float:

@@ -10,6 +10,7 @@ from cloner.errors import ClonerError
 from cloner.frames import MILLIMETRES_PER_METRE, mm_from_m
 from cloner.records.measures import BY_KEY, MEASURE_KEYS
 
+#: By definition.
 MILLIMETRES_PER_CENTIMETRE: Final = 10.0
 #: Names that tailors use for keys of the table.
 ALIASES: Final = {"chest": "bust_girth", "chest_girth": "bust_girth", "inside_leg": "inside_leg_height"}

@@ -107,17 +107,25 @@ class SkeletonSet:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BodySet:
-    """The paper's two bodies and the consensus used for export (rest pose).
-
-    Attributes
-    ----------
-    views : mapping of ViewId to PosedView
-        Every body photo's pose, found again with the consensus; empty before that.
-    """
+    """The paper's two bodies and their mean (rest pose)."""
 
     front_side: BodyMesh
     back_side: BodyMesh
     consensus: BodyMesh
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FineBody:
+    """The body after its outlines, in rest pose.
+
+    Attributes
+    ----------
+    mesh : BodyMesh
+    views : mapping of ViewId to PosedView
+        Every body photo's pose, found again with the mesh; empty without body photos.
+    """
+
+    mesh: BodyMesh
     views: Mapping[ViewId, PosedView] = field(default_factory=dict)
 
     def __post_init__(self) -> None:

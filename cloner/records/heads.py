@@ -25,9 +25,6 @@ class HeadFit:
         same phenotype and stature; the join places them on the body.
     cameras : mapping of ViewId to Camera
         Face photos (and body_front's face) relative to that rest head.
-    control_names : tuple of str
-    control_m : (K, 3) float64
-        DFFD control points after the fit, same frame as ``vertices_m``.
     iris_rgb : (3,) float64 in 0..255
     iris_radius_m : float
     side_shown : str
@@ -38,8 +35,6 @@ class HeadFit:
 
     vertices_m: NDArray[np.float64]
     cameras: Mapping[ViewId, Camera]
-    control_names: tuple[str, ...]
-    control_m: NDArray[np.float64]
     iris_rgb: NDArray[np.float64]
     iris_radius_m: float
     side_shown: str
@@ -49,7 +44,6 @@ class HeadFit:
         freeze(
             self,
             vertices_m=(np.float64, (None, 3)),
-            control_m=(np.float64, (len(self.control_names), 3)),
             iris_rgb=(np.float64, (3,)),
         )
         for name in ("cameras", "jaws_rad"):

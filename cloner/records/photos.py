@@ -9,7 +9,7 @@ from types import MappingProxyType
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId
+from cloner.frames import BODY_VIEWS, ViewId
 from cloner.records.arrays import freeze
 
 
@@ -62,11 +62,6 @@ class PhotoSet:
     def body_views(self) -> tuple[ViewId, ...]:
         """Body views that are present, in canonical order."""
         return tuple(view for view in BODY_VIEWS if view in self.photos)
-
-    @property
-    def face_views(self) -> tuple[ViewId, ...]:
-        """Face views that are present, in canonical order."""
-        return tuple(view for view in FACE_VIEWS if view in self.photos)
 
 
 @dataclass(frozen=True, slots=True)

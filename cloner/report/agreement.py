@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import cv2
 import numpy as np
@@ -30,9 +30,6 @@ class Agreement:
         Intersection over union of the filled outlines; face photos count above the chin only.
     outline_rms_px, outline_rms_mm : float
         Root mean square distance between the two outlines, both ways.
-    below_head_mm : float
-        The same below the chin: hair says nothing about girths. Equal to
-        ``outline_rms_mm`` for face photos.
     size : float
         Square root of the clone's area over the person's; 1 where they agree.
     """
@@ -40,7 +37,6 @@ class Agreement:
     iou: float
     outline_rms_px: float
     outline_rms_mm: float
-    below_head_mm: float
     size: float = 1.0
 
 
@@ -69,12 +65,8 @@ def agreements(clone: Clone, silhouettes: SilhouetteSet) -> dict[ViewId, Agreeme
 
 def _agreement(clone: Clone, posed: PosedView, drawn: Mask, seen: Mask) -> Agreement:
     """Return the agreement of one photo with the clone as its camera sees it."""
-    row = _chin_row(clone, posed, seen.shape[0])
-    scale = _mm_per_pixel(clone, posed)
-    if posed.view.is_face:
-        return compare(drawn[:row], seen[:row], scale)
-    whole = compare(drawn, seen, scale)
-    return replace(whole, below_head_mm=scale * _outline_rms_px(drawn[row:], seen[row:]))
+    row = _chin_row(clone, posed, seen.shape[0]) if posed.view.is_face else None
+    return compare(drawn[:row], seen[:row], _mm_per_pixel(clone, posed))
 
 
 def compare(drawn: Mask, seen: Mask, mm_per_px: float) -> Agreement:
@@ -83,7 +75,7 @@ def compare(drawn: Mask, seen: Mask, mm_per_px: float) -> Agreement:
     iou = np.count_nonzero(drawn & seen) / union if union else 0.0
     rms_px = _outline_rms_px(drawn, seen)
     size = float(np.sqrt(float(np.count_nonzero(drawn)) / max(float(np.count_nonzero(seen)), 1.0)))
-    return Agreement(float(iou), rms_px, rms_px * mm_per_px, rms_px * mm_per_px, size)
+    return Agreement(float(iou), rms_px, rms_px * mm_per_px, size)
 
 
 def _outline_rms_px(drawn: Mask, seen: Mask) -> float:

@@ -7,6 +7,7 @@ from html import escape
 from typing import Any, Final
 
 from cloner.frames import ViewId
+from cloner.report.details import details, folded, number, table_of, words_of
 from cloner.report.policy import PAGE, policy
 from cloner.report.viewer import FILE as VIEWER
 
@@ -54,13 +55,6 @@ _FILES: Final = {
 }
 
 
-#: What the kinds of corrected points mean.
-CORRECTIONS_CAPTION = (
-    "outline: the skin was bent until the clone's outline passes through the point; pose: the limb was turned in this "
-    "photo until the joint lies there, the body at rest stays; scale: head top and soles set the photo's scale."
-)
-
-
 def page(report: Mapping[str, Any]) -> str:
     """Return the HTML of a report; it loads nothing but the pictures and the viewer beside it."""
     person = report["person"]
@@ -75,12 +69,7 @@ def page(report: Mapping[str, Any]) -> str:
         _body(report),
         "<h2>Details</h2>",
         _overlays(report["files"]),
-        _agreement(report),
-        _corrections(report["corrections"]),
-        _features(report["features"], report["outline_segments"]),
-        _residuals(report["residuals"]),
-        _timings(report["timings"], report["peak_mib"]),
-        _origins(report),
+        details(report),
     ]
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
@@ -111,7 +100,7 @@ def _warnings(warnings: Sequence[str]) -> str:
 def _sentence(text: str) -> str:
     """Return a note as a sentence; stages write some of them as clauses, with the views' names."""
     for view in ViewId:
-        text = text.replace(view, _words(view))
+        text = text.replace(view, words_of(view))
     return f"{text[:1].upper()}{text[1:]}{'' if text.endswith('.') else '.'}"
 
 
@@ -144,7 +133,7 @@ def _overlays(files: Iterable[str]) -> str:
         "<p>Green: the outline found in the photo. Magenta: the clone's outline. Circles: feature points, "
         "yellow where an operator placed them.</p>"
     )
-    return _folded("Points and outlines in the photos", key + _figures(found)) if found else ""
+    return folded("Points and outlines in the photos", key + _figures(found)) if found else ""
 
 
 def _previews(files: Iterable[str]) -> list[str]:
@@ -161,15 +150,11 @@ def _figures(files: Iterable[str]) -> str:
     figures = []
     for file in files:
         stem = _stem(file)
-        words = escape(_CAPTIONS.get(stem, _words(stem)))
+        words = escape(_CAPTIONS.get(stem, words_of(stem)))
         wide = ' class="wide"' if stem in _WIDE else ""
         picture = f'<a href="{escape(file)}"><img src="{escape(file)}" alt="{words}"></a>'
         figures.append(f"<figure{wide}>{picture}<figcaption>{words}</figcaption></figure>")
     return f'<div class="pictures">{"".join(figures)}</div>'
-
-
-def _folded(title: str, content: str) -> str:
-    return f"<details><summary>{escape(title)}</summary>{content}</details>"
 
 
 def _body(report: Mapping[str, Any]) -> str:
@@ -178,133 +163,23 @@ def _body(report: Mapping[str, Any]) -> str:
     girths = [row for row in rows if row[1].endswith("girth")]
     lengths = [row for row in rows if not row[1].endswith("girth")]
     head = ("", "name", "mm", "", "over clothes", "")
-    sides = [f"{_words(view)} shows the {side} side" for view, side in report["side_shown"].items() if side is not None]
+    sides = [
+        f"{words_of(view)} shows the {side} side" for view, side in report["side_shown"].items() if side is not None
+    ]
     shown = f"<p>{escape('; '.join(sides))}.</p>" if sides else ""
     told = "".join(f"<p>{escape(text)}</p>" for text in (*measures["clothes"]["words"], measures["note"]))
-    tables = _table(head, girths, caption="Girths") + _folded("Heights and lengths", _table(head, lengths, caption=""))
+    tables = table_of(head, girths, caption="Girths") + folded(
+        "Heights and lengths", table_of(head, lengths, caption="")
+    )
     return f"<h2>Measures</h2>{tables}{told}{shown}"
 
 
 def _measure_row(name: str, measure: Mapping[str, Any]) -> tuple[str, ...]:
     return (
         measure["words"],
-        _words(name),
-        _number(measure["value"]),
+        words_of(name),
+        number(measure["value"]),
         "" if measure["plus_minus"] is None else f"± {measure['plus_minus']:.0f}",
-        "" if measure["over_clothes"] is None else _number(measure["over_clothes"]),
+        "" if measure["over_clothes"] is None else number(measure["over_clothes"]),
         "by tape" if measure["taped"] else "",
     )
-
-
-def _agreement(report: Mapping[str, Any]) -> str:
-    rows = [
-        (
-            _words(view),
-            f"{iou:.3f}",
-            _number(report["outline_rms"][view]["px"]),
-            _number(report["outline_rms"][view]["mm"]),
-        )
-        for view, iou in report["silhouette_iou"].items()
-    ]
-    caption = "The clone, seen through each photo's camera, against the outline found in that photo"
-    table = _table(("photo", "overlap", "px", "mm"), rows, caption=caption)
-    return _folded("Agreement with the photos", table) if rows else ""
-
-
-def _corrections(corrections: Sequence[Mapping[str, Any]]) -> str:
-    """Return the table of corrected points, empty when nobody corrected any."""
-    rows = [
-        (
-            c["view"],
-            c["name"],
-            c["kind"],
-            f"{c['px_before']:.1f}",
-            f"{c['px_after']:.1f}",
-            f"{c['moved_mm']:.0f}",
-            c["note"],
-        )
-        for c in corrections
-    ]
-    head = ("photo", "point", "kind", "px off before", "px off after", "moved mm", "note")
-    return _folded("Corrected points", _table(head, rows, caption=CORRECTIONS_CAPTION)) if rows else ""
-
-
-#: What won a piece of the outline.
-_OUTLINE_SOURCES = {
-    "edges": "edges linked in the photo",
-    "mask": "border of the person mask: no convincing edges",
-}
-
-
-def _features(features: Mapping[str, Any], segments: Mapping[str, Any]) -> str:
-    parts = []
-    for view, named in features.items():
-        corrected = sum(point["source"] == "corrected" for point in named.values())
-        rows = [
-            (
-                _words(name),
-                _number(point["x_px"]),
-                _number(point["y_px"]),
-                f"{point['confidence']:.2f}",
-                str(point["source"]),
-            )
-            for name, point in named.items()
-        ]
-        title = f"{_words(view)}: {len(named)} points, {corrected} corrected"
-        table = _table(("point", "x px", "y px", "confidence", "source"), rows, caption="")
-        parts.append(_folded(title, table))
-    for view, pieces in segments.items():
-        lines = [
-            (_words(piece["segment"]), _OUTLINE_SOURCES[piece["source"]], f"{piece['goodness']:.2f}")
-            for piece in pieces
-        ]
-        linked = sum(piece["source"] == "edges" for piece in pieces)
-        title = f"{_words(view)}: {linked} of {len(pieces)} outline pieces from edges"
-        table = _table(("piece", "source", "goodness"), lines, caption="")
-        parts.append(_folded(title, table))
-    return _folded("Feature points and outline pieces", "".join(parts)) if parts else ""
-
-
-def _residuals(residuals: Iterable[Mapping[str, Any]]) -> str:
-    rows = [
-        (each["stage"], _words(each["name"]), _words(each["view"] or "all"), _number(each["value"]), each["unit"])
-        for each in residuals
-    ]
-    table = _table(("stage", "what", "photo", "value", "unit"), rows, caption="")
-    return _folded("Residuals of every stage", table) if rows else ""
-
-
-def _timings(timings: Mapping[str, Any], peak_mib: float) -> str:
-    rows = [
-        (stage["stage"], _number(stage["seconds"]), _number(stage["cpu_seconds"]), f"{stage['peak_mib']:.0f}")
-        for stage in timings["stages"]
-    ]
-    rows.append(("all", _number(timings["seconds"]), _number(timings["cpu_seconds"]), f"{peak_mib:.0f}"))
-    return _folded("Time and memory", _table(("stage", "s", "CPU s", "peak MiB"), rows, caption=""))
-
-
-def _origins(report: Mapping[str, Any]) -> str:
-    libraries = _table(("part", "version"), list(report["versions"].items()), caption="")
-    models = [(name, f"{digest[:16]}…") for name, digest in report["models"].items()]
-    table = _table(("model file", "sha256"), models, caption="")
-    return _folded("Versions and models", libraries + table)
-
-
-def _table(head: Sequence[str], rows: Iterable[Sequence[str]], *, caption: str) -> str:
-    top = "".join(f"<th>{escape(cell)}</th>" for cell in head)
-    body = "".join("<tr>" + "".join(_cell(cell) for cell in row) + "</tr>" for row in rows)
-    told = f"<caption>{escape(caption)}</caption>" if caption else ""
-    return f"<table>{told}<thead><tr>{top}</tr></thead><tbody>{body}</tbody></table>"
-
-
-def _cell(text: str) -> str:
-    numeric = text[:1].isdigit() or text[:1] in {"-", "±"}
-    return f"<td{' class=n' if numeric else ''}>{escape(text)}</td>"
-
-
-def _number(value: float) -> str:
-    return f"{value:.0f}" if abs(value) >= 100 else f"{value:.1f}" if abs(value) >= 10 else f"{value:.2f}"
-
-
-def _words(name: str) -> str:
-    return name.replace("_", " ")

@@ -11,7 +11,7 @@ import numpy as np
 from cloner.detectors import pose_rows as net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms
+from cloner.geometry.skinning import joint_transforms, posed_joints
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone
 from cloner.records.points import Proposal, Proposals
@@ -54,7 +54,7 @@ def azimuth_degrees(posed: PosedView) -> float:
 def _arms(clone: Clone, side: PosedView, proposal: Proposal) -> Iterator[str]:
     generic = load_generic()
     transforms = joint_transforms(clone.joints_m, generic.joint_parents.astype(np.int32), side.rotations)
-    placed = np.einsum("jab,jb->ja", transforms[:, :3, :3], clone.joints_m) + transforms[:, :3, 3]
+    placed = posed_joints(transforms, clone.joints_m)
     for number, name in enumerate(net.SIDES):
         away = []
         for joint, pair in (("elbow", net.ELBOWS), ("wrist", net.WRISTS)):

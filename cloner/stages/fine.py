@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,20 +18,26 @@ from numpy.typing import NDArray
 from cloner.body.feet import Params as FeetParams
 from cloner.body.feet import shaped_feet, sized_feet
 from cloner.body.hands import SPREAD, USUAL, sized_hands
-from cloner.body.outlined import Outlined, body_triangles, coverage, gaps_mm, outlined_photos, see, views_of
+from cloner.body.outlined import Outlined, coverage, gaps_mm, outlined_photos, see, views_of
 from cloner.body.stances import Params as StanceParams
 from cloner.body.stances import fit_stances
 from cloner.body.tape_fit import taped_body
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.settling import bending_matrix, settle, smoothed_directions, unfolded
-from cloner.records.bodies import BodyMesh, BodySet, Phenotype
+from cloner.geometry.vectors import unit
+from cloner.records.bodies import BodyMesh, BodySet, FineBody, Phenotype
 from cloner.records.photos import Person
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.stages.rough import shape_slices
+
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.fine")
 
 Array = NDArray[np.float64]
 
@@ -39,41 +46,37 @@ Array = NDArray[np.float64]
 class Params:
     """How finely slices are cut and how softly the skin settles.
 
+    Its numbers: ``cloner/calibration/stages.toml``, ``[fine.*]``.
+
     Attributes
     ----------
     slices : int
         Slices a segment; 8, 16 or 32 hardly matter (facts.md, measured).
-    smooth : float
-        Smoothing along the segment, in slices.
-    reach_mm : tuple of float
-        Farthest believed silhouette pixel for slices and, falling, for the settling rounds.
-    stiffness, anchor : float
-        Resistance of the settling to bending and to moving at all (taste: pictures).
     direction_turns : int
         How often the directions in which skin settles are averaged, over some 25 mm (measured: crossing triangle pairs
         of four people fell from 128, 40, 25, 21 to 6, 0, 0, 0 and no overlap changed).
     """
 
     slices: int = 16
-    smooth: float = 0.8
-    slice_reach_mm: float = 35.0
-    settle_reach_mm: tuple[float, ...] = (45.0, 30.0, 20.0)
-    stiffness: float = 1.0
-    anchor: float = 0.002
+    smooth: float = _CALIBRATED.number("smooth", "factor")
+    slice_reach_mm: float = _CALIBRATED.number("slice_reach_mm", "mm")
+    settle_reach_mm: tuple[float, ...] = _CALIBRATED.triple("settle_reach_mm", "mm")
+    stiffness: float = _CALIBRATED.number("stiffness", "factor")
+    anchor: float = _CALIBRATED.number("anchor", "factor")
     direction_turns: int = 20
 
 
 def rim_trust() -> Array:
     """Return (V,) how far the outline moves each vertex when the skin settles: not the head, little the fingers."""
     generic = load_generic()
-    trust = np.where(generic.vertex_part == generic.part_names.index("body"), 1.0, 0.0)
+    trust = np.where(generic.skin, 1.0, 0.0)
     for side in ("left", "right"):
-        trust[generic.vertex_segment == generic.segment_names.index(f"{side}_hand")] = 0.05
-        trust[generic.vertex_segment == generic.segment_names.index(f"{side}_foot")] = 0.0
+        trust[generic.segment(f"{side}_hand")] = 0.05
+        trust[generic.segment(f"{side}_foot")] = 0.0
     if len(generic.head_blend):
         trust *= 1.0 - np.clip(generic.head_blend.astype(np.float64) * 2.0, 0.0, 1.0)
     else:
-        trust[generic.vertex_segment == generic.segment_names.index("head")] = 0.0
+        trust[generic.segment("head")] = 0.0
     return trust
 
 
@@ -85,7 +88,7 @@ def beyond_cloth(photo: Outlined, pixels: Array) -> NDArray[np.bool_]:
 def neck_trust() -> Array:
     """Return (V,) how far the outline moves each vertex of the neck of a joined person; everything else stays."""
     generic = load_generic()
-    return np.where(generic.region("neck") & (generic.vertex_part == generic.part_names.index("body")), 1.0, 0.0)
+    return np.where(generic.region("neck") & generic.skin, 1.0, 0.0)
 
 
 def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, params: Params, trust: Array) -> BodyMesh:
@@ -108,7 +111,7 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         across = turned @ camera.camera_from_model[:3, :3].T
         moving = np.einsum("vab,vb->va", seen.blended[rim, :, :3], ways[rim]) @ camera.camera_from_model[:3, :3].T
         per_m = 1.0 / np.linalg.norm(seen.body.lift[rim, :, 0], axis=1)
-        flat = across[:, :2] / np.maximum(np.linalg.norm(across[:, :2], axis=1, keepdims=True), 1e-9)
+        flat = unit(across[:, :2])
         reach_px = reach_mm / seen.mm_per_px
         nearest, distance = photo.field.nearest_rim(seen.body.pixels[rim], flat, reach_px)
         keep = distance < reach_px * np.where(trust[rim[nearest]] > 0.5, 1.0, 0.35)
@@ -173,11 +176,11 @@ def run(
     tick: Callable[[float], None],
     rng: np.random.Generator,
 ) -> StageResult:
-    """Give the bodies after slices and settling; the consensus is settled on all photos at once."""
+    """Give the body: two after slices, front and back with the side, and their mean settled on all photos at once."""
     params = Params()
     photos = outlined_photos(phenotype, silhouettes, proposals)
     if not photos:
-        return StageResult({"bodies": rough_bodies})
+        return StageResult({"body": FineBody(rough_bodies.consensus)})
     levels = (np.arange(params.slices) + 0.5) / params.slices
     sliced = []
     for main, body in ((ViewId.BODY_FRONT, rough_bodies.front_side), (ViewId.BODY_BACK, rough_bodies.back_side)):
@@ -191,6 +194,6 @@ def run(
         tick(0.4 + 0.6 * (number + 1) / len(params.settle_reach_mm))
     consensus = taped_body(consensus, dict(person.tape_mm), side_seen=ViewId.BODY_SIDE in photos)
     return StageResult(
-        {"bodies": BodySet(sliced[0], sliced[1], consensus, {view: photo.posed for view, photo in photos.items()})},
+        {"body": FineBody(consensus, {view: photo.posed for view, photo in photos.items()})},
         residuals_of(consensus, photos),
     )

@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.head_controls import load_head_controls
 from cloner.geometry.eyeballs import IRIS_M
 from cloner.geometry.iris import sample_iris
-from cloner.head.evidence import Front, Log, Model, Params, Side, focal_px, make_model, read_front, read_side
+from cloner.head.evidence import Front, Log, Params, Side, focal_px, read_front, read_side
 from cloner.head.fit import (
     Fitted,
-    add_relief,
     fit_basis,
     scaled,
     start_front,
@@ -23,22 +24,26 @@ from cloner.head.fit import (
 )
 from cloner.head.flank import find_flank
 from cloner.head.jaw import FRONT, PHOTOS, SIDE
+from cloner.head.model import Model, make_model
 from cloner.head.parts import Sight, seat_parts
+from cloner.head.relief import add_relief
 from cloner.head.report import report_front, report_side, warn_missing
 from cloner.head.size import body_camera, head_scale
 from cloner.head.skull import fit_skull
 from cloner.records.bodies import Phenotype
 from cloner.records.heads import HeadFit
-from cloner.records.photos import Person, PhotoSet
+from cloner.records.photos import PhotoSet
 from cloner.records.points import FacePoints, Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
 
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.head")
+
 Array = NDArray[np.float64]
 
-#: Colour used when no photo shows the irises, sRGB levels.
-BROWN = np.array([92.0, 64.0, 45.0])
+BROWN = np.array(_CALIBRATED.triple("brown", "grey"))
 #: Iterations after each look into the side photo.
 LOOK_TURNS = 6
 
@@ -63,7 +68,6 @@ def run(
     face_points: FacePoints,
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
-    person: Person,
     tick: Callable[[float], None],
     rng: np.random.Generator,
 ) -> StageResult:
@@ -101,8 +105,6 @@ def run(
     value = HeadFit(
         head,
         _cameras(model, fitted, front, side, phenotype),
-        controls.names,
-        pivot + scale * (_controls_before(model, controls.controls_m, phenotype) + moved - pivot),
         _iris(photos, model, fitted, front),
         IRIS_M,
         "" if side is None else ("right" if side.facing > 0 else "left"),
@@ -147,7 +149,7 @@ def _fit(model: Model, front: Front | None, side: Side | None, sizes: dict[str, 
         return coefficients, fitted
     tried = [
         fit_basis(model, front, side, (fitted.front, beside), params, coefficients, zoom_sigma=zoom_sigma)
-        for beside in start_side(model, fitted.head_m, side, sizes["side"], params)
+        for beside in start_side(model, fitted.head_m, side, sizes["side"])
     ]
     coefficients, fitted, _ = min(tried, key=lambda t: t[2])
     return coefficients, fitted
@@ -178,12 +180,6 @@ def _masks(fitted: Fitted, front: Front | None, proposals: Proposals) -> list[tu
     if fitted.side is not None:
         out.append((fitted.side, proposals.views[ViewId.FACE_SIDE].mask))
     return out
-
-
-def _controls_before(model: Model, controls_m: Array, phenotype: Phenotype) -> Array:
-    """Return the controls of the mean head at the phenotype's stature."""
-    middle = model.generic.vertices_m[model.generic.feature("nasion")].astype(np.float64)
-    return np.asarray(controls_m - middle + model.vertices_m[model.generic.feature("nasion")])
 
 
 def _sizes(photos: PhotoSet, phenotype: Phenotype, front: Front | None, side: Side | None, params: Params, log: Log

@@ -9,6 +9,11 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
+
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.hidden")
+
 Picture = NDArray[np.uint8]
 Bools = NDArray[np.bool_]
 
@@ -16,18 +21,11 @@ Bools = NDArray[np.bool_]
 _LONG_PX: Final = 240
 #: Colours that stand for a person and for a room.
 _PERSON_COLOURS, _ROOM_COLOURS = 16, 8
-#: Lamps change lightness most: it counts half.
-_WEIGHTS: Final = (0.5, 1.0, 1.0)
-#: A pixel farther than this from all of a person's colours, in 8-bit Lab so weighed, is not his (taste).
-_ALIKE: Final = 16.0
-#: Part of the picture in which a portrait's head and shoulders lie: rows from, columns from and to.
-_MIDDLE: Final = (0.25, 0.3, 0.7)
-#: Part of the top and the sides that is room about a portrait.
-_BORDER: Final = 0.06
-#: Share of the middle in the person's colours and not in the room's from which somebody is there.
-#: (8 side photos, six of them with faces that hair, hoods or caps hide: 0.49 to 0.93; 17 pictures of rooms, landscapes
-#: and things against 8 people: 130 of 136 below).
-SOMEBODY: Final = 0.47
+_WEIGHTS: Final = _CALIBRATED.triple("weights", "factor")
+_ALIKE: Final = _CALIBRATED.number("alike", "lab")
+_MIDDLE: Final = _CALIBRATED.triple("middle", "share")
+_BORDER: Final = _CALIBRATED.number("border", "share")
+SOMEBODY: Final = _CALIBRATED.number("somebody", "share")
 
 
 def shares_colours(rgb: Picture, others: Iterable[tuple[Picture, Bools]]) -> float:

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,9 @@ from cloner.body.carriage import carry_heads
 from cloner.body.carriage_looks import look_up
 from cloner.body.carriage_sight import NECK
 from cloner.body.outlined import Outlined, masked_field, outlined_photos
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
+from cloner.easing import smoothstep
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.face_grids import eyeball
 from cloner.generic.features import named_features
@@ -27,7 +30,7 @@ from cloner.hair.agreement import hair_fields
 from cloner.head.jaw import jaw_in, jaw_rotations, opened
 from cloner.head.modes import load_head_modes
 from cloner.head.targets import face_targets
-from cloner.records.bodies import BodyMesh, BodySet, Phenotype, PosedView
+from cloner.records.bodies import BodyMesh, FineBody, Phenotype, PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import HeadFit
 from cloner.records.photos import PhotoSet
@@ -39,15 +42,14 @@ from cloner.stages.fine import Params as FineParams
 from cloner.stages.fine import neck_trust, settled
 from cloner.stages.points import for_fitting
 
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.join")
+
 Array = NDArray[np.float64]
 
-#: Parts of the sole that stand no higher than this touch the floor; higher ones are the toe's spring and the arch.
-TREAD_M = 0.003
-#: Share of what lacks to the stature that lifts the whole head: how high the head sits is no surer than how high its
-#: vault is (faces 7 mm wrong in height with none, 4 mm with this or all; crowns in face photos worse with all).
-LIFTED = 0.5
-#: Farthest outline that the joined neck believes, in two rounds.
-NECK_REACH_MM = (25.0, 15.0)
+TREAD_M = _CALIBRATED.number("tread_m", "m")
+LIFTED = _CALIBRATED.number("lifted", "share")
+NECK_REACH_MM = _CALIBRATED.pair("neck_reach_mm", "mm")
 
 
 def blend_head(generic: GenericHuman, body: BodyMesh, head: HeadFit) -> Array:
@@ -90,9 +92,9 @@ def to_stature(generic: GenericHuman, mesh: BodyMesh, stature_m: float) -> tuple
     """
     vertices, joints = mesh.vertices_m.copy(), mesh.joints_m.copy()
     top, eyes = vertices[generic.feature("head_top"), 1], vertices[generic.feature("glabella"), 1]
-    share = np.clip((vertices[:, 1] - eyes) / max(float(top - eyes), 1e-3), 0.0, 1.0) * (generic.head_blend > 0)
+    share = smoothstep(vertices[:, 1] - eyes, 0.0, max(float(top - eyes), 1e-3)) * (generic.head_blend > 0)
     lift = LIFTED * float(stature_m - top)
-    vertices[:, 1] += lift * generic.head_blend + share**2 * (3.0 - 2.0 * share) * (stature_m - top - lift)
+    vertices[:, 1] += lift * generic.head_blend + share * (stature_m - top - lift)
     joints[:, 1] += lift * neck_shares(generic)
     return BodyMesh(vertices, joints), lift
 
@@ -150,7 +152,7 @@ def run(
     proposals: Proposals,
     body_points: BodyPoints,
     silhouettes: SilhouetteSet,
-    bodies: BodySet,
+    body: FineBody,
     head: HeadFit,
     phenotype: Phenotype,
     tick: Callable[[float], None],
@@ -162,15 +164,14 @@ def run(
     are blended, before blending.
     """
     generic = load_generic()
-    body = bodies.consensus
     border = generic.head_vertices[
         (generic.head_blend[generic.head_vertices] > 0.2) & (generic.head_blend[generic.head_vertices] < 0.8)
     ]
     place = np.searchsorted(generic.head_vertices, border)
-    apart = np.linalg.norm(head.vertices_m[place] - body.vertices_m[border], axis=1)
-    vertices = flat_soles(generic, blend_head(generic, body, head), phenotype.sole_m)
-    mesh, risen = to_stature(generic, BodyMesh(vertices, body.joints_m), phenotype.stature_m)
-    outlined = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
+    apart = np.linalg.norm(head.vertices_m[place] - body.mesh.vertices_m[border], axis=1)
+    vertices = flat_soles(generic, blend_head(generic, body.mesh, head), phenotype.sole_m)
+    mesh, risen = to_stature(generic, BodyMesh(vertices, body.mesh.joints_m), phenotype.stature_m)
+    outlined = outlined_photos(phenotype, silhouettes, proposals, body.views)
     seen = {view: for_fitting(points) for view, points in body_points.views.items()}
     faces = {view: proposals.views[view].face_px for view in outlined if proposals.views[view].face_presence > 0.0}
     near = near_photos(head, proposals, risen)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.outlined import gaps_mm, outlined_photos, see
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
@@ -18,7 +19,7 @@ from cloner.geometry.under_clothes import NINE_IN_TEN, Estimate, Evidence, Measu
 from cloner.measure.covering import covers
 from cloner.measure.rumpled import garments_rumples_mm
 from cloner.measure.side_arms import hidden_rows
-from cloner.records.bodies import BodySet, Phenotype
+from cloner.records.bodies import FineBody, Phenotype
 from cloner.records.clones import Joined
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.measures import BY_KEY, FITS, MEASURE_KEYS, Cover, Measure, MeasureSet
@@ -27,19 +28,19 @@ from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.measures")
+
 Array = NDArray[np.float64]
 
-#: Spread of adult stature when none was given, one standard deviation over both sexes, metres (ANSUR II: 0.09).
-UNKNOWN_STATURE_M: Final = 0.09
-#: Half of nine in ten errors of a tape, mm.
-TAPE_ERROR_MM: Final = 5.0
+UNKNOWN_STATURE_M: Final = _CALIBRATED.number("unknown_stature_m", "m")
+TAPE_ERROR_MM: Final = _CALIBRATED.number("tape_error_mm", "mm")
 #: No clothes were seen.
 NO_RUMPLE_MM: Final = np.full(2, np.nan)
 NOT_HIDDEN: Final = np.zeros(len(ALL_KEYS), dtype=bool)
 #: Girths that the depth in the side photo decides most.
 WAISTS: Final = ("narrowest_waist_girth", "waist_girth", "navel_girth")
-#: A tape this many of its ± away from what the photos tell is asked about.
-STRANGE: Final = 2.0
+STRANGE: Final = _CALIBRATED.number("strange", "factor")
 
 
 def measured(
@@ -129,7 +130,7 @@ def run(
     proposals: Proposals,
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
-    bodies: BodySet,
+    body: FineBody,
     joined: Joined,
     person: Person,
     tick: Callable[[float], None],
@@ -138,19 +139,19 @@ def run(
     """Give the measures of the joined person. Residual: how far the body's rim is from the outlines."""
     prior = load_measure_prior()
     shown = measures_mm(joined.vertices_m, joined.joints_m, load_tape_rules(), joined.sole_m)
-    outlined = outlined_photos(phenotype, silhouettes, proposals, bodies.views)
+    outlined = outlined_photos(phenotype, silhouettes, proposals, body.views)
     if not outlined:
         return StageResult({"measures": unseen(shown)})
     tick(0.4)
     regions = [region for silhouette in silhouettes.views.values() for region in silhouette.loose]
     if any(region.name == AROUND_LEGS for region in regions):
         shown = {key: value for key, value in shown.items() if key not in LOOSE_KEYS}
-    seen = {view: see(bodies.consensus, photo) for view, photo in outlined.items()}
+    seen = {view: see(body.mesh, photo) for view, photo in outlined.items()}
     gap = float(np.mean([gaps_mm(seen[view], photo)[""] for view, photo in outlined.items()]))
     tick(0.7)
     cover = covers(proposals, joined)
     rumple = garments_rumples_mm(seen, outlined, silhouettes, cover)
     noise = max(1.0, gap / prior.gap_mm)
-    hidden = hidden_rows(bodies.consensus.vertices_m, seen)
+    hidden = hidden_rows(body.mesh.vertices_m, seen)
     found, warnings = measured(shown, person, cover, noise=noise, rumple_mm=rumple, hidden=hidden)
     return StageResult({"measures": found}, (Residual("gap of the body's rim", gap, "mm"),), warnings)

@@ -95,9 +95,7 @@ def _scale(joined: Joined, posed: PosedView, name: str, point_px: Array) -> Obey
     """Return what is told of a head top or sole: how much higher or lower the person's own is in the photo."""
     generic = load_generic()
     part = "head" if name == ENDS[0] else f"{name.removeprefix('sole_')}_foot"
-    own = scene_of(joined.vertices_m, joined.joints_m, posed).pixels[
-        generic.vertex_segment == generic.segment_names.index(part), 1
-    ]
+    own = scene_of(joined.vertices_m, joined.joints_m, posed).pixels[generic.segment(part), 1]
     edge = float(own.min() - 0.5 if name == ENDS[0] else own.max() + 0.5)
     away = abs(edge - float(point_px[1]))
     return ObeyedPoint(posed.view, name, "scale", away, away, 0.0, SCALE_NOTE)

@@ -14,6 +14,7 @@ from typing import Final
 
 import numpy as np
 
+from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
 from cloner.detectors.face_side import find_side_face
 from cloner.detectors.table import DETECTORS
@@ -23,20 +24,16 @@ from cloner.records.labels import Label, shows
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 
-#: Where the nose lies between the ears, 0..1 (samples and generated people: front 0.34-0.53; heads turned by 45 degrees
-#: -0.9 to 0; profiles below -6 or above 1.6).
-FRONTAL: Final = (0.1, 0.9)
-PROFILE: Final = (-0.3, 1.3)
-#: Distance of the ears over the photo's height below which no close-up is shown (samples: face front 0.23, body 0.06).
-CLOSE_UP: Final = 0.10
-#: A body's lowest rows are the picture's when this share of them is the person.
-CUT_BELOW: Final = 0.1
-#: Faces that the face net sees turned by less are seen from the front, degrees (generated people turned by 45: 29-51).
-TURNED: Final = 25.0
-#: Share of face skin in a head from which the pose net is believed wholly, and how much it is without any (taste: a
-#: back's odds of -5 still outweigh the photo's name).
-USUAL_FACE: Final = 0.2
-LEAST_BELIEF: Final = 0.4
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.photo_checks")
+
+FRONTAL: Final = _CALIBRATED.pair("frontal", "share")
+PROFILE: Final = _CALIBRATED.pair("profile", "share")
+CLOSE_UP: Final = _CALIBRATED.number("close_up", "share")
+CUT_BELOW: Final = _CALIBRATED.number("cut_below", "share")
+TURNED: Final = _CALIBRATED.number("turned", "deg")
+USUAL_FACE: Final = _CALIBRATED.number("usual_face", "share")
+LEAST_BELIEF: Final = _CALIBRATED.number("least_belief", "factor")
 # BlazePose numbering
 _NOSE, _EARS, _SHOULDERS, _HIPS, _KNEES, _ANKLES = 0, (7, 8), (11, 12), (23, 24), (25, 26), (27, 28)
 _HEELS, _TOES = (29, 30), (31, 32)
@@ -126,10 +123,9 @@ def front_odds(proposal: Proposal) -> float:
     return (2.0 if left > right else -2.0) + weight(lead, 0.08, 0.08, 2.0)
 
 
-#: Hair, hoods and sunglasses hide faces, but nothing at the back of a head looks like one.
-_FACE, _NO_FACE = 4.0, -1.5
-#: What is added to the second when the set's front photo shows the face.
-_SEEN_IN_FRONT: Final = -2.0
+_FACE = _CALIBRATED.number("face", "score")
+_NO_FACE = _CALIBRATED.number("no_face", "score")
+_SEEN_IN_FRONT: Final = _CALIBRATED.number("seen_in_front", "score")
 
 
 def _sees_face(photo: Photo) -> bool:

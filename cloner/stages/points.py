@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
-from typing import cast
+from typing import Final, cast
 
 import numpy as np
 
 from cloner.abreast import abreast
 from cloner.body.bone_checks import check_bones
+from cloner.calibration.loader import calibrated
 from cloner.detectors.body_points import ENDS
 from cloner.detectors.table import DETECTORS
 from cloner.detectors.taught import taught
@@ -31,19 +32,17 @@ from cloner.records.results import Residual, StageResult
 from cloner.stages.photo_checks import check_photos
 from cloner.vision.loose_outline import find_loose
 
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.points")
+
 #: A point that all faces have, and no body.
 FACE_MARK = "nose_tip"
-#: A correction farther than this share of the figure's height from the proposal says that the proposal was wrong:
-#: two spreads of the pose net's joints (facts.md: 5-40 px in 1,800 px).
-FAR = 0.035
+FAR = _CALIBRATED.number("far", "figure")
 #: Value of a mask (0..255) above which a pixel shows the person.
 EDGE_LEVEL = 127
-#: Distance from loose clothing within which an outline is the clothing's, figure heights.
-CLOTH_MARGIN = 0.01
-#: What is left of the confidence in a point of the body on the outline of loose clothing.
-CLOTH_TRUST = 0.1
-#: A profile whose nose tip is trusted less is none: hair or a hood hides it.
-LEAST_NOSE_TRUST = 0.05
+CLOTH_MARGIN = _CALIBRATED.number("cloth_margin", "figure")
+CLOTH_TRUST = _CALIBRATED.number("cloth_trust", "factor")
+LEAST_NOSE_TRUST = _CALIBRATED.number("least_nose_trust", "factor")
 
 
 def corrected(points: ViewPoints, corrections: Mapping[str, Correction], photo: Photo) -> ViewPoints:

@@ -7,11 +7,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import in_two_steps
+from cloner.calibration.loader import calibrated
 from cloner.detectors.portraits import is_cut_below
 from cloner.detectors.profile_cut import free_profile
 from cloner.detectors.table import DETECTORS
@@ -25,15 +27,14 @@ from cloner.records.results import StageResult
 from cloner.stages.hidden import SOMEBODY, shares_colours
 from cloner.vision.masks import refine_mask
 
-#: A face-mesh presence below this is no face (the net's own score, measured on the sample visitors: 1.0).
-FACE_PRESENCE = 0.5
-#: A photo in which less than this share of pixels is the person is refused.
-LEAST_PERSON = 0.01
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.proposals")
+
+FACE_PRESENCE = _CALIBRATED.number("face_presence", "score")
+LEAST_PERSON = _CALIBRATED.number("least_person", "share")
 
 
-#: A portrait's mask with more pixels between "person" and "room" than this share of the person's is a guess (by the
-#: label net, four generated people whose faces hair or hoods hide: 0.05 to 0.28; a cat 0.23, a cup 0.45, a rocket 1.5).
-MOST_UNSURE = 0.2
+MOST_UNSURE = _CALIBRATED.number("most_unsure", "share")
 
 HIDDEN = (
     "nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face"

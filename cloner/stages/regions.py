@@ -22,12 +22,16 @@ from scipy.sparse.csgraph import connected_components
 from scipy.sparse.linalg import splu
 from skimage.color import rgb2lab
 
+from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.triangles import areas, paired_edges
 from cloner.records.clones import Clone
 from cloner.records.labels import SURFACES
 from cloner.records.regions import REGIONS
 from cloner.records.results import Residual, StageResult
+
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.regions")
 
 Array = NDArray[np.float64]
 
@@ -45,29 +49,21 @@ _USUAL: Final[Mapping[str, tuple[float, ...]]] = MappingProxyType({
     "calf": (0.35, 0.0, 0.0, 0.55, 0.1),
     "foot": (0.1, 0.0, 0.0, 0.06, 0.84),
 })  # fmt: skip
-#: Weight of what is usual against what the photos show.
-_UNTOLD: Final = 0.05
+_UNTOLD: Final = _CALIBRATED.number("untold", "factor")
 
-#: A walker that ends on one label this often is sure of it.
-SURE: Final = 0.9
-#: Smaller patches apart from the rest of their label are prints and creases, not garments; taste.
-ISLAND: Final = 0.04
+SURE: Final = _CALIBRATED.number("sure", "share")
+ISLAND: Final = _CALIBRATED.number("island", "share")
 
 
 @dataclass(frozen=True, slots=True)
 class Params:
     """Settings of the regions.
 
-    Attributes
-    ----------
-    contrast : float
-        CIELAB distance of neighbouring triangles over which a border is likely (taste).
-    trust : float
-        Weight of a triangle's own colour and place against one neighbour of the same colour (taste).
+    Its numbers: ``cloner/calibration/stages.toml``, ``[regions.*]``.
     """
 
-    contrast: float = 6.0
-    trust: float = 0.02
+    contrast: float = _CALIBRATED.number("contrast", "lab")
+    trust: float = _CALIBRATED.number("trust", "factor")
 
 
 def run(

@@ -11,29 +11,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.clothes import clothed_body
-from cloner.body.outlined import (
-    GRID_SEGMENTS,
-    Outlined,
-    body_triangles,
-    gap_mm,
-    outlined_photos,
-    see,
-    slice_pairs,
-    views_of,
-)
+from cloner.body.outlined import GRID_SEGMENTS, Outlined, gap_mm, outlined_photos, see, slice_pairs, views_of
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.settling import unfolded
 from cloner.geometry.slices import aspect_shift, fine_shift
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
+
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.rough")
 
 Array = NDArray[np.float64]
 
@@ -42,16 +39,11 @@ Array = NDArray[np.float64]
 class Params:
     """Where the end slices of a part lie, and how far its outline may be.
 
-    Attributes
-    ----------
-    end_levels : tuple of float
-        Top and bottom slice, 0..1 along the part; a little inside, where no neighbour hides them.
-    reach_mm : float
-        Farthest silhouette pixel that is believed.
+    Its numbers: ``cloner/calibration/stages.toml``, ``[rough.*]``.
     """
 
-    end_levels: tuple[float, float] = (0.2, 0.8)
-    reach_mm: float = 45.0
+    end_levels: tuple[float, float] = _CALIBRATED.pair("end_levels", "share")
+    reach_mm: float = _CALIBRATED.number("reach_mm", "mm")
 
 
 def follow_joints(vertices_m: Array, old_m: Array, new_m: Array) -> Array:
@@ -115,8 +107,7 @@ def shape_slices(
         for name in GRID_SEGMENTS:
             if photo.view is ViewId.BODY_SIDE and name.endswith("arm"):
                 continue
-            row = generic.segment_names.index(name)
-            weight = generic.segment_weights[:, row].astype(np.float64)
+            weight = generic.share(name)
             near = np.flatnonzero(weight > 0)
             pairs = slice_pairs(seen, photo, name, levels, reach_mm)
             s = np.clip(generic.slice_s[near].astype(np.float64), 0.0, 1.0)

@@ -10,18 +10,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.body.clothes import clothed_body
 from cloner.body.outlined import Outlined, Seen, outlined_photos, see, slice_pairs, views_of
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.bodies import BodyMesh, Phenotype, Skeleton, SkeletonSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
+
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.skeleton")
 
 Array = NDArray[np.float64]
 
@@ -30,16 +35,11 @@ Array = NDArray[np.float64]
 class Params:
     """Limits of the key joints' motion.
 
-    Attributes
-    ----------
-    reach_mm : float
-        Farthest outline pixel that is believed.
-    most_mm : float
-        A joint centre is never moved farther than this from the phenotype's (taste).
+    Its numbers: ``cloner/calibration/stages.toml``, ``[skeleton.*]``.
     """
 
-    reach_mm: float = 40.0
-    most_mm: float = 15.0
+    reach_mm: float = _CALIBRATED.number("reach_mm", "mm")
+    most_mm: float = _CALIBRATED.number("most_mm", "mm")
 
 
 #: Key joints: the grid segments that meet there, with the slice nearest to the joint.

@@ -9,14 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.abreast import abreast
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.atlas import AtlasMap
 from cloner.geometry.iris import white_to_skin
 from cloner.geometry.wedges import vertex_normals
@@ -38,8 +41,8 @@ from cloner.paint.lid_skin import clean_lids
 from cloner.paint.materials import Materials, find_materials
 from cloner.paint.nostrils import darken_nostrils
 from cloner.paint.parts import paint_parts
-from cloner.paint.posed import body_triangles
-from cloner.paint.sources import Limits, Source, gather_sources
+from cloner.paint.prepared import Limits
+from cloner.paint.sources import Source, gather_sources
 from cloner.paint.tiles import Tile, cut_tiles
 from cloner.paint.tucking import tuck_scalp
 from cloner.paint.undressed import dress_unseen, near_sight, only_faces, plain_beyond
@@ -53,6 +56,9 @@ from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.noise import quieted
 from cloner.vision.repair import spread_nearest
 
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.textures")
+
 Array = NDArray[np.float64]
 
 
@@ -60,19 +66,19 @@ Array = NDArray[np.float64]
 class Params:
     """Settings of the texture stage.
 
+    Its numbers: ``cloner/calibration/stages.toml``, ``[textures.*]``.
+
     Attributes
     ----------
     size : int
         Side of the atlas, texels.
-    band_m, head_band_m : float
-        Half width L of the mixing band between two photos on body and head, metres (taste).
     limits : Limits
         When a photo may paint a surface.
     """
 
     size: int = 2048
-    band_m: float = 0.012
-    head_band_m: float = 0.008
+    band_m: float = _CALIBRATED.number("band_m", "m")
+    head_band_m: float = _CALIBRATED.number("head_band_m", "m")
     limits: Limits = field(default_factory=Limits)
 
 
@@ -191,7 +197,7 @@ def share_photos(
     sources = meet_lines(generic, sources)
     tick(0.4)
     graph = person_graph(generic, joined.vertices_m)
-    normals = vertex_normals(joined.vertices_m, body_triangles(generic))
+    normals = vertex_normals(joined.vertices_m, body_triangles())
     colours = vertex_colours(sources)
     kinds = find_materials(generic, sources, graph)
     if only_faces(sources):
@@ -211,7 +217,7 @@ def share_photos(
 
 def parts_atlas(generic: GenericHuman, size: int) -> AtlasMap:
     """Return the atlas of what is painted and not photographed: eyes, mouth and lashes."""
-    body = generic.vertex_part[generic.triangles()[0][:, 0]] == generic.part_names.index("body")
+    body = generic.skin[generic.triangles()[0][:, 0]]
     return generic_atlas(generic, size, wanted=~body)
 
 

@@ -9,15 +9,20 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import BodyPoints, ViewPoints
 from cloner.records.results import StageResult
 from cloner.records.views import Camera, View, ViewSet
+
+#: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
+_CALIBRATED: Final = calibrated("stages.views")
 
 Array = NDArray[np.float64]
 
@@ -29,21 +34,14 @@ FRONT = np.diag([1.0, -1.0, -1.0])
 class Params:
     """Assumptions about cameras that the photos do not tell.
 
-    Attributes
-    ----------
-    body_focal_35mm, face_focal_35mm : float
-        Stated default focal lengths without EXIF, mm (ordinary zoom of a compact camera or phone).
-    camera_height_m : float
-        Usual height of a hand-held or tripod camera for a standing person.
-    hair_m, sole_m : float
-        Usual height of hair above the skull and of shoe soles below the foot.
+    Its numbers: ``cloner/calibration/stages.toml``, ``[views.*]``.
     """
 
-    body_focal_35mm: float = 55.0
-    face_focal_35mm: float = 75.0
-    camera_height_m: float = 1.2
-    hair_m: float = 0.012
-    sole_m: float = 0.022
+    body_focal_35mm: float = _CALIBRATED.number("body_focal_35mm", "mm")
+    face_focal_35mm: float = _CALIBRATED.number("face_focal_35mm", "mm")
+    camera_height_m: float = _CALIBRATED.number("camera_height_m", "m")
+    hair_m: float = _CALIBRATED.number("hair_m", "m")
+    sole_m: float = _CALIBRATED.number("sole_m", "m")
 
 
 def heading(azimuth: float) -> Array:

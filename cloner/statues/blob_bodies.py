@@ -45,7 +45,7 @@ def clone_of_blobs(clone: Clone, blobs: Sequence[Blob]) -> tuple[Clone, Envelope
     """
     generic, rules = load_generic(), load_tape_rules()
     found = enveloped(clone.vertices_m, clone.joints_m, field_of(blobs, clone.joints_m))
-    skin = np.flatnonzero(generic.vertex_part == generic.part_names.index("body"))
+    skin = np.flatnonzero(generic.skin)
     if found.missed > MOST_MISSED * found.asked:
         hint = "cloner statue blobs CLONE --out body.json writes blobs to begin with"
         raise ClonerError("the blobs lie nowhere near most of the body", hint, "blobs")

@@ -75,7 +75,7 @@ def statue_of(clone: Clone, material: str) -> Clone:
         generic_atlas(generic, size), np.asarray(generic.uv, np.float64), uv_triangles.astype(np.int32),
         clone.vertices_m, clone.atlas.rgb,
     )  # fmt: skip
-    body = generic.vertex_part == generic.part_names.index("body")
+    body = generic.skin
     hollow = np.where(body, hollows(clone.vertices_m, triangles.astype(np.int32)), 0.0)
     hollow[generic.region("mouth_interior")] = 1.0
     rgb, shine = _cut(block, material, charts, hollow, body.astype(np.float64), _light(generic, clone, charts.atlas))

@@ -90,9 +90,7 @@ class _Sight:
         return np.asarray(weight * sample(self.own, small)[:, 0], np.float32), pixel
 
 
-def laid_photo(
-    mesh: Mesh, vertices_m: Array, camera: Camera, photo: Pixels, size: int, near: Array, seed: int = 0
-) -> Laid:
+def laid_photo(mesh: Mesh, vertices_m: Array, camera: Camera, photo: Pixels, size: int, near: Array) -> Laid:
     """Return the texture of a mesh that a photo shows.
 
     Texels take the photo where it shows them squarely, or their twins' where the mesh knows twins. From there the tone
@@ -109,7 +107,6 @@ def laid_photo(
         Side, texels.
     near : (V,)
         How far the photo is to be believed at all, 0..1; :func:`trusted`.
-    seed : int
     """
     atlas = map_atlas(mesh.uv, mesh.uv_triangles, mesh.triangles, size)
     normals = vertex_normals(vertices_m, mesh.triangles)
@@ -126,7 +123,7 @@ def laid_photo(
     laid = weight[:, None] * texels + (1.0 - weight)[:, None] * atlas.interpolate(tone)
     rgb[atlas.texel] = np.clip(np.rint(laid), 0, 255)
     rows = np.flatnonzero(weight < 1.0)
-    gain = grain_by_example(rgb.reshape(size, size, 3), atlas, rows, seen >= SEEN, np.random.default_rng(seed))
+    gain = grain_by_example(rgb.reshape(size, size, 3), atlas, rows, seen >= SEEN, np.random.default_rng(0))
     share = (1.0 - weight[rows])[:, None]
     rgb[atlas.texel[rows]] = np.clip(np.rint(laid[rows] * np.exp(share * gain)), 0, 255)
     shown = np.zeros(size * size, np.uint8)

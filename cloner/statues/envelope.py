@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from cloner.generic.charts import person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import load_triangles
+from cloner.geometry.vectors import unit
 from cloner.geometry.wedges import vertex_normals
 from cloner.statues.blobs import LEVEL, Field
 
@@ -55,9 +56,9 @@ def enveloped(vertices_m: Array, joints_m: Array, field: Field) -> Envelope:
     """Return a body (V, 3) with joints (94, 3) laid on the surface of blobs; head, hands and feet stay attached."""
     generic, graph = load_generic(), person_graph(load_generic(), vertices_m)
     kept, bone = _kept(generic), vertices_m - _axes(generic, vertices_m, joints_m)
-    body = (generic.vertex_part == generic.part_names.index("body")) & (kept < 1.0)
+    body = generic.skin & (kept < 1.0)
     normals = graph.smooth(vertex_normals(vertices_m, load_triangles()), ROUNDS)
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
+    normals = unit(normals)
     away = np.maximum(np.linalg.norm(bone, axis=1), 1e-6)
     depth = DEPTH * away * np.maximum(np.einsum("va,va->v", bone, normals) / away, LEANING)
     rows, shift = np.flatnonzero(body), np.full(len(vertices_m), np.nan)
@@ -72,9 +73,7 @@ def enveloped(vertices_m: Array, joints_m: Array, field: Field) -> Envelope:
 
 def _kept(generic: GenericHuman) -> Array:
     """Return (V,) how much of each vertex belongs to parts that stay as they are."""
-    rows = [generic.segment_names.index(name) for name in KEPT[1:]]
-    share = generic.segment_weights[:, rows].sum(axis=1).astype(np.float64)
-    return np.asarray(np.clip(np.maximum(share, generic.head_blend), 0.0, 1.0))
+    return np.asarray(np.clip(np.maximum(generic.share(*KEPT[1:]), generic.head_blend), 0.0, 1.0))
 
 
 def _axes(generic: GenericHuman, vertices_m: Array, joints_m: Array) -> Array:

@@ -24,6 +24,14 @@ from cloner.statues.listed import read_listed
 FORMAT: Final = 1
 #: More are a mesh of their own.
 MOST: Final = 400
+#: Markers to begin with: what nets find in a face, and MPEG-4's points on cheeks, brow and crown between them.
+MARKED: Final = (
+    "glabella", "nasion", "nose_tip", "subnasale", "lip_top", "lip_bottom", "chin_front", "chin_bottom", "eye_inner_L",
+    "eye_inner_R", "eye_outer_L", "eye_outer_R", "eye_upper_L", "eye_upper_R", "eye_lower_L", "eye_lower_R",
+    "mouth_corner_L", "mouth_corner_R", "ala_L", "ala_R", "ear_top_L", "ear_top_R", "ear_lobe_L", "ear_lobe_R",
+    "fdp_4.1", "fdp_4.2", "fdp_4.3", "fdp_4.4", "fdp_4.5", "fdp_4.6", "fdp_2.13", "fdp_2.14", "fdp_5.1", "fdp_5.2",
+    "fdp_5.3", "fdp_5.4", "fdp_10.7", "fdp_10.8", "fdp_11.1", "fdp_2.2",
+)  # fmt: skip
 _HINT: Final = 'Write {"format": 1, "markers": [{"at": "nose_tip", "px": [612, 800]}, ...]}'
 
 

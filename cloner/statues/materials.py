@@ -14,6 +14,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.easing import smoothstep
 from cloner.statues.noise import Block
 
 Array = NDArray[np.float64]
@@ -108,5 +109,4 @@ def _mixed(rgb: Values, other: tuple[float, float, float], share: Values) -> Val
 
 def _step(values: Values, low: float, high: float) -> Values:
     """Return a smooth step from 0 at `low` to 1 at `high`."""
-    share = np.clip((values - low) / (high - low), 0.0, 1.0)
-    return np.asarray(share * share * (3.0 - 2.0 * share), np.float32)
+    return smoothstep(values, low, high).astype(np.float32)

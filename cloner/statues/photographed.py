@@ -66,7 +66,7 @@ def photographed(clone: Clone, fitted: PhotoFit) -> Clone:
     """
     generic = load_generic()
     vertices = seat_parts(clone.vertices_m, fitted.fit.vertices_m, None)
-    skin = np.flatnonzero(generic.vertex_part == generic.part_names.index("body"))
+    skin = np.flatnonzero(generic.skin)
     shift = (vertices - clone.vertices_m)[skin]
     names, index, delta, start = face_targets(vertices)
     return replace(
@@ -124,21 +124,14 @@ def photo_folder(
     check_formats(formats)
     check_texture_size(texture_size)
     foreign = onto is not None and onto.suffix.lower() == OBJ
-    if material:
-        check_material(material)
-        if foreign:
-            raise ClonerError("a mesh from elsewhere keeps the photo's colours", "Leave --material out", "--material")
+    _check_material(material, foreign=foreign)
     progress("photos", 0.0)
     told, picture, name = read_markers(markers), read_picture(photo), safe_identifier(identifier)
-    source = onto if onto is not None and not foreign else None
-    clone = clone_of_measures(USUAL, texture_size) if onto is None else clone_of(onto) if not foreign else None
+    source = None if foreign else onto
+    clone = None if foreign else clone_of(onto) if onto is not None else clone_of_measures(USUAL, texture_size)
     mesh = mesh_of(clone) if clone is not None else read_obj(Path(str(onto)))
     progress("textures", 0.2)
-    height, width = picture.rgb.shape[:2]
-    fitted = fit_photo(
-        mesh, told.vertices(named=not foreign), _at_size(told.px, picture), picture.rgb,
-        focal_px=focal_px_of(width, height, picture.focal_35mm), size=texture_size,
-    )  # fmt: skip
+    fitted = _fitted(mesh, told.vertices(named=not foreign), _at_size(told.px, picture), picture, texture_size)
     stamp = stamp_text(0, texture_size, [picture.digest])
     with result_folder(out, name) as folder:
         progress("export", 0.6)
@@ -147,12 +140,22 @@ def photo_folder(
             _write_manifest(folder, stamp, picture, photo)
         else:
             made = _made(clone, fitted, material, photo, source, stamp)
-            manifest = manifest_of(made, "photo on a mesh", {"material": material}, source)
-            manifest["stamp"]["photos"] = {**manifest["stamp"]["photos"], "photo": picture.digest}
-            manifest["source"] = manifest["source"] or place_digest(photo.parent)
-            write_result(made, folder, f"Statue {name}", formats, manifest)
+            write_result(made, folder, f"Statue {name}", formats, _manifest(made, material, source, photo, picture))
     progress("done", 1.0)
     return out / name, _said(fitted.fit)
+
+
+def _fitted(mesh: Mesh, vertices: NDArray[np.int32], places_px: Array, picture: Picture, size: int) -> PhotoFit:
+    height, width = picture.rgb.shape[:2]
+    focal_px = focal_px_of(width, height, picture.focal_35mm)
+    return fit_photo(mesh, vertices, places_px, picture.rgb, focal_px=focal_px, size=size)
+
+
+def _check_material(material: str, *, foreign: bool) -> None:
+    if material:
+        check_material(material)
+    if material and foreign:
+        raise ClonerError("a mesh from elsewhere keeps the photo's colours", "Leave --material out", "--material")
 
 
 def _at_size(markers_px: Array, picture: Picture) -> Array:
@@ -171,6 +174,14 @@ def _made(clone: Clone, fitted: PhotoFit, material: str, photo: Path, source: Pa
         stamp=(stamp if source is None else f"{clone.stamp}, then {stamp}")[:400],
     )
     return statue_of(made, material) if material else made
+
+
+def _manifest(made: Clone, material: str, source: Path | None, photo: Path, picture: Picture) -> dict[str, Any]:
+    """Return the manifest of a clone, with the photo that lies on it."""
+    manifest = manifest_of(made, "photo on a mesh", {"material": material}, source)
+    manifest["stamp"]["photos"] = {**manifest["stamp"]["photos"], "photo": picture.digest}
+    manifest["source"] = manifest["source"] or place_digest(photo.parent)
+    return manifest
 
 
 def _write_manifest(folder: Path, stamp: str, picture: Picture, photo: Path) -> None:

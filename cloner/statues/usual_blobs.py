@@ -45,8 +45,8 @@ def usual_blobs(vertices_m: Array, joints_m: Array) -> tuple[Blob, ...]:
     """Return the blobs whose surface is nearest to a body (V, 3) with joints (94, 3), the same on both sides."""
     generic = load_generic()
     begin = _begin(float(vertices_m[:, 1].max()) / 1.7)
-    kept = generic.segment_weights[:, [generic.segment_names.index(name) for name in KEPT]].sum(axis=1) > 0.0
-    body = (generic.vertex_part == generic.part_names.index("body")) & ~kept & (generic.head_blend == 0.0)
+    kept = generic.share(*KEPT) > 0.0
+    body = generic.skin & ~kept & (generic.head_blend == 0.0)
     points = vertices_m[np.flatnonzero(body)[::EVERY]]
     owner = np.repeat(np.arange(len(begin)), [len(_numbers(blob)) for blob in begin])
     start = np.concatenate([_numbers(blob) for blob in begin])

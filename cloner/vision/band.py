@@ -8,6 +8,7 @@ Lee, Gu and Magnenat-Thalmann 2000, section 3.5; method note section 4, step 2.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Final
 
 import cv2
 import numpy as np
@@ -15,11 +16,15 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 from scipy.spatial import cKDTree
 
+from cloner.calibration.loader import calibrated
 from cloner.vision.edges import EdgeMap, refine_subpixel, sample
 from cloner.vision.linking import FEWEST_POINTS, split_curves, walk_curves
 from cloner.vision.loops import MaskLoop
 from cloner.vision.seen_edges import SeenEdges
 from cloner.vision.sides import colour_model, side_evidence
+
+#: What each number is and where it comes from: ``cloner/calibration/vision.toml``.
+_CALIBRATED: Final = calibrated("vision.band")
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.intp]
@@ -70,22 +75,22 @@ class LinkParams:
         Share of a feature segment on edges for its source to be called ``'edges'``.
     """
 
-    smoothing: float = 0.0008
-    least_band: float = 0.0025
-    band: float = 0.010
-    margin: float = 0.040
-    doubt: float = 1.0
-    segment: float = 0.008
-    bridge: float = 0.025
-    spacing: float = 0.15
-    corner_scale: float = 0.004
-    along: float = 0.4
-    end_along: float = 0.8
-    least_evidence: float = 0.3
-    fade: float = 0.02
-    strength_cap: float = 4.0
-    least_goodness: float = 4.0
-    edges_share: float = 0.5
+    smoothing: float = _CALIBRATED.number("smoothing", "figure")
+    least_band: float = _CALIBRATED.number("least_band", "figure")
+    band: float = _CALIBRATED.number("band", "figure")
+    margin: float = _CALIBRATED.number("margin", "figure")
+    doubt: float = _CALIBRATED.number("doubt", "factor")
+    segment: float = _CALIBRATED.number("segment", "figure")
+    bridge: float = _CALIBRATED.number("bridge", "figure")
+    spacing: float = _CALIBRATED.number("spacing", "figure")
+    corner_scale: float = _CALIBRATED.number("corner_scale", "figure")
+    along: float = _CALIBRATED.number("along", "cosine")
+    end_along: float = _CALIBRATED.number("end_along", "cosine")
+    least_evidence: float = _CALIBRATED.number("least_evidence", "score")
+    fade: float = _CALIBRATED.number("fade", "figure")
+    strength_cap: float = _CALIBRATED.number("strength_cap", "factor")
+    least_goodness: float = _CALIBRATED.number("least_goodness", "factor")
+    edges_share: float = _CALIBRATED.number("edges_share", "share")
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+#: Directions and side of a cell, px, of histograms of gradients (Dalal and Triggs 2005).
 _BINS: Final = 9
 _CELL_PX: Final = 8
 #: Keeps histograms of flat places near zero: the gradient of noise, grey levels a pixel times the cell's pixels.

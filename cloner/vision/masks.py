@@ -9,9 +9,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
 from cloner.vision.colours import colour_ratio, make_palette
 from cloner.vision.crops import shrink_to
 from cloner.vision.limbs import add_feet, finger_zone
+
+#: What each number is and where it comes from: ``cloner/calibration/vision.toml``.
+_CALIBRATED: Final = calibrated("vision.masks")
 
 __all__ = ["MaskParams", "refine_mask"]
 
@@ -20,23 +24,15 @@ Bools = NDArray[np.bool_]
 Picture = NDArray[np.uint8]
 
 WORK_SIDE_PX: Final = 1000  # measured: 900 to 1300 give the same overlap
-#: Weights of the given log-odds, the colours of the whole photo, the colours nearby, and one. Fitted by logistic
-#: regression on the uncertain pixels of 36 photos of painted people and 30 of the sample visitors.
-WEIGHTS: Final = (0.70, 0.27, 0.40, 0.08)
-#: The same where fingers may be: a mask net draws mittens, so colours count more.
-FINGER_WEIGHTS: Final = (0.25, 0.20, 0.65, -0.90)
-#: Steps across the outline below the photo's lowest quarter are as likely texture: share of it that halts spreading.
-STEP_SHARE: Final = 0.1
-#: Bounds of that step, grey levels: below the noise of any camera; above what a lens smears.
-LEAST_STEP, MOST_STEP = 0.5, 4.0
-#: How deep inside a face photo's person colours are learned, share of the long side. A mask net errs by that much, and
-#: few pixels of a wall that is surely behind nowhere nearby made it the person's. Not where hands are shown: it costs
-#: fingers (measured: 12 % less wall in face masks; in bodies' as well, but a fifth more of the person lost).
-FACE_DEEP: Final = 0.006
-#: Limbs thinner than twice that teach from this share of their half thickness on.
-DEEP_SHARE: Final = 0.5
-#: Log-odds a pixel passes on, and keeps, at most.
-PASSED_ON, KEPT = 4.0, 6.0
+WEIGHTS: Final = _CALIBRATED.numbers("weights", "factor")
+FINGER_WEIGHTS: Final = _CALIBRATED.numbers("finger_weights", "factor")
+STEP_SHARE: Final = _CALIBRATED.number("step_share", "share")
+LEAST_STEP = _CALIBRATED.number("least_step", "grey")
+MOST_STEP = _CALIBRATED.number("most_step", "grey")
+FACE_DEEP: Final = _CALIBRATED.number("face_deep", "share")
+DEEP_SHARE: Final = _CALIBRATED.number("deep_share", "share")
+PASSED_ON = _CALIBRATED.number("passed_on", "score")
+KEPT = _CALIBRATED.number("kept", "score")
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,14 +59,14 @@ class MaskParams:
         Weight of what spreads against a pixel's own evidence.
     """
 
-    window: float = 0.018
-    sure: float = 0.9
-    open_band: float = 0.02
-    around: float = 0.012
-    teachers: float = 0.05
-    deep: float = 0.0
-    spreading: float = 400.0
-    trust: float = 3.0
+    window: float = _CALIBRATED.number("window", "share")
+    sure: float = _CALIBRATED.number("sure", "score")
+    open_band: float = _CALIBRATED.number("open_band", "score")
+    around: float = _CALIBRATED.number("around", "share")
+    teachers: float = _CALIBRATED.number("teachers", "share")
+    deep: float = _CALIBRATED.number("deep", "share")
+    spreading: float = _CALIBRATED.number("spreading", "factor")
+    trust: float = _CALIBRATED.number("trust", "factor")
 
 
 def refine_mask(

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.easing import smoothstep
+
 Image = NDArray[np.float32]
 
 SCLERA_RGB = (214.0, 204.0, 197.0)  # taste: never white, else the clone stares
@@ -28,8 +30,7 @@ PUPIL_SHARE = 0.36  # of the iris radius: 4 mm in 11.7 mm, indoor light
 
 def _ramp(values: Image, low: float, high: float) -> Image:
     """Return a smooth step from 0 at ``low`` to 1 at ``high``."""
-    t = np.clip((values - low) / (high - low), 0.0, 1.0)
-    return np.asarray(t * t * (3.0 - 2.0 * t), np.float32)
+    return smoothstep(values, low, high).astype(np.float32)
 
 
 def _mix(a: Image, b: NDArray[np.floating] | tuple[float, ...], share: Image) -> Image:

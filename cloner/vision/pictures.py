@@ -36,6 +36,7 @@ _FORMATS: Final = ("JPEG", "MPO", "PNG", "WEBP", "TIFF", "BMP", "GIF", "HEIF", "
 _RETAKE: Final = "Copy the photo from the camera again, or retake it"
 _SMALLER: Final = "Save it smaller, 12 megapixels are plenty"
 Image.MAX_IMAGE_PIXELS = LARGEST_PIXELS  # pillow's own guard, raised to ours
+#: EXIF's orientations as quarter turns and mirrors.
 _TURNS: Final = {
     2: Image.Transpose.FLIP_LEFT_RIGHT,
     3: Image.Transpose.ROTATE_180,

@@ -14,16 +14,18 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.calibration.loader import calibrated
+
+#: What each number is and where it comes from: ``cloner/calibration/vision.toml``.
+_CALIBRATED: Final = calibrated("vision.snake")
+
 Array = NDArray[np.float64]
 Picture = NDArray[np.float32]
 Sign = Literal["any", "rising", "falling", "line"]
 
-#: Steps along a normal at which the picture is looked at, pixels of the snake's own picture.
-_STEP_PX: Final = 0.5
-#: Gradient at which an edge is half believed, grey levels a pixel of the snake's own picture (noise makes about 1).
-_HALF_GRADIENT: Final = 4.0
-#: How near other edges must be to the best one's score to make it doubtful.
-_RIVAL: Final = 0.8
+_STEP_PX: Final = _CALIBRATED.number("step_px", "px")
+_HALF_GRADIENT: Final = _CALIBRATED.number("half_gradient", "grey")
+_RIVAL: Final = _CALIBRATED.number("rival", "factor")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -62,7 +64,7 @@ class SnakeParams:
     """
 
     reach_px: float
-    spring: float = 1.5
+    spring: float = _CALIBRATED.number("spring", "factor")
     turns: int = 4
 
 

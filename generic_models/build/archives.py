@@ -1,4 +1,4 @@
-"""Write the shipped arrays so that a rebuild gives the same bytes."""
+"""Write the shipped arrays so that a rebuild gives the same bytes, and tell by how much they moved."""
 
 import io
 import zipfile
@@ -8,7 +8,9 @@ import numpy as np
 
 
 def save(path: Path, arrays: dict[str, np.ndarray]) -> None:
-    """Write a compressed .npz whose bytes depend on the arrays alone (no dates)."""
+    """Write a compressed .npz whose bytes depend on the arrays alone (no dates); print by how much they moved."""
+    for line in moved(path, arrays):
+        print(line)
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for name, array in arrays.items():
             buffer = io.BytesIO()
@@ -16,3 +18,26 @@ def save(path: Path, arrays: dict[str, np.ndarray]) -> None:
             entry = zipfile.ZipInfo(f"{name}.npy", date_time=(1980, 1, 1, 0, 0, 0))
             entry.compress_type = zipfile.ZIP_DEFLATED
             archive.writestr(entry, buffer.getvalue())
+
+
+def moved(path: Path, arrays: dict[str, np.ndarray]) -> list[str]:
+    """Return a line an array that differs from the file's: root mean square of the change over that of the old."""
+    if not path.exists():
+        return [f"{path.name} is new"]
+    lines = []
+    with np.load(path) as old:
+        lines += [f"{path.name}: {name} is gone" for name in old.files if name not in arrays]
+        for name, array in arrays.items():
+            if name not in old.files:
+                lines.append(f"{path.name}: {name} is new")
+            elif np.shape(array) != old[name].shape or not np.issubdtype(old[name].dtype, np.number):
+                if not np.array_equal(array, old[name]):
+                    lines.append(f"{path.name}: {name} is another: {old[name].shape} is now {np.shape(array)}")
+            elif (
+                change := float(np.sqrt(np.mean((np.asarray(array, float) - old[name]) ** 2)))
+                if np.size(array)
+                else 0.0
+            ):
+                size = float(np.sqrt(np.mean(np.asarray(old[name], float) ** 2)))
+                lines.append(f"{path.name}: {name} moved by {change / size if size else np.inf:.2%} of its size")
+    return lines

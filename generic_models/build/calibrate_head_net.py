@@ -23,7 +23,7 @@ from cloner.detectors import litert
 from cloner.detectors.face_net import load_face_net
 from cloner.detectors.table import DETECTORS
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.sockets import similarity
+from cloner.geometry.alignment import similarity
 from cloner.head.modes import bent_shapes, head_shapes, turned_from
 from cloner.records.views import Camera
 

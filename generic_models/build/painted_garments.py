@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_matrix, csr_matrix
 from scipy.spatial import ConvexHull
 
+from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman
 from cloner.geometry.skinning import blend_transforms, joint_transforms
 from cloner.geometry.tubes import hull_radii, ring_angles, tube_mesh, tube_points
@@ -22,7 +23,6 @@ from cloner.geometry.tubes import hull_radii, ring_angles, tube_mesh, tube_point
 Array = NDArray[np.float64]
 Kind = Literal["short skirt", "long skirt", "coat", "bag"]
 
-KINDS: Final[tuple[Kind, ...]] = ("short skirt", "long skirt", "coat", "bag")
 COLUMNS, RINGS = 144, 72
 EASE_M: Final = 0.006
 #: Share of hip to ankle where each garment ends.
@@ -122,10 +122,10 @@ def hanging(generic: GenericHuman, vertices_m: Array, joints_m: Array, points_m:
     }
     hip, waist = (float(joints_m[generic.joint(name), 1]) for name in ("l_hip", "vl3"))
     chest = float(joints_m[generic.joint("vt6"), 1])
-    legs = 0.92 * _eased((hip + 0.06 - points_m[:, 1]) / 0.28)
-    left = _eased(0.5 + points_m[:, 0] / 0.24)
-    trunk = _eased((points_m[:, 1] - hip) / (waist - hip))
-    upper = _eased((points_m[:, 1] - waist) / (chest - waist))
+    legs = 0.92 * smoothstep((hip + 0.06 - points_m[:, 1]) / 0.28)
+    left = smoothstep(0.5 + points_m[:, 0] / 0.24)
+    trunk = smoothstep((points_m[:, 1] - hip) / (waist - hip))
+    upper = smoothstep((points_m[:, 1] - waist) / (chest - waist))
     shares = {
         "l_hip": legs * left,
         "r_hip": legs * (1.0 - left),
@@ -210,8 +210,3 @@ def _cloth(points_m: Array, angles: Array, rng: np.random.Generator) -> Array:
     ]
     shade = 1.0 + 0.05 * np.cos(13 * angles)
     return np.clip(np.where(chosen[:, None], other, base) * shade[:, None], 0.0, 1.0)
-
-
-def _eased(value: Array) -> Array:
-    share = np.clip(value, 0.0, 1.0)
-    return np.asarray(share * share * (3.0 - 2.0 * share))

@@ -15,7 +15,6 @@ import trimesh  # noqa: E402
 from numpy.typing import NDArray  # noqa: E402
 from scipy.sparse import coo_matrix, csr_matrix, identity  # noqa: E402
 
-from cloner.frames import focal_px_from_35mm  # noqa: E402
 from cloner.generic.load import GenericHuman  # noqa: E402
 from cloner.geometry.rims import vertex_normals  # noqa: E402
 from cloner.records.views import Camera  # noqa: E402
@@ -175,20 +174,6 @@ def _guess_scalp(generic: GenericHuman, v: Array) -> NDArray[np.bool_]:
     top, glabella = v[generic.feature("vertex_top")], v[generic.feature("glabella")]
     line = glabella[1] + 0.05 - np.clip(glabella[2] - 0.03 - v[:, 2], 0.0, 0.16) * 0.8
     return (v[:, 1] > line) & (np.abs(v[:, 0]) < 0.09) & (v[:, 1] <= top[1] + 0.01)
-
-
-def random_camera(generic: GenericHuman, vertices_m: Array, rng: np.random.Generator) -> Camera:
-    """Return a camera about 1.1 m in front of the face, turned and tipped a little."""
-    target = vertices_m[[generic.feature(n) for n in ("nasion", "chin_front")]].mean(axis=0) - [0, 0.02, 0.06]
-    yaw, pitch, roll = np.radians(rng.uniform([-9, -9, -4], [9, 9, 4]))
-    cy, sy, cp, sp = np.cos(yaw), np.sin(yaw), np.cos(pitch), np.sin(pitch)
-    turn = np.array([[cy, 0, sy], [0, 1, 0], [-sy, 0, cy]]) @ np.array([[1, 0, 0], [0, cp, -sp], [0, sp, cp]])
-    tilt = np.array([[np.cos(roll), -np.sin(roll), 0], [np.sin(roll), np.cos(roll), 0], [0, 0, 1]])
-    rotation = np.diag([1.0, -1.0, -1.0]) @ (turn @ tilt).T
-    pose = np.eye(4)
-    pose[:3, :3] = rotation
-    pose[:3, 3] = -rotation @ target + [rng.uniform(-0.03, 0.03), rng.uniform(-0.03, 0.03), rng.uniform(0.9, 1.3)]
-    return Camera(WIDTH, HEIGHT, focal_px_from_35mm(rng.uniform(62, 85), WIDTH, HEIGHT), pose)
 
 
 def random_lights(rng: np.random.Generator) -> list[tuple[float, Array]]:

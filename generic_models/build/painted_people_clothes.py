@@ -29,6 +29,7 @@ from painted_people_wardrobe import (
 )
 from scipy.sparse import coo_matrix, csr_matrix, diags, vstack
 
+from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.rims import vertex_normals
 
@@ -106,7 +107,7 @@ def dress(body: RandomBody, wardrobe: Wardrobe, rng: np.random.Generator, *, spl
         hairy = scalp > 0.5
         kind[hairy & (kind == SKIN)] = HAIR
         curls = 1.0 + rng.uniform(0.03, 0.16) * waves(fine[hairy], (0.01, 0.04), 16, rng)
-        away[hairy] += (wardrobe.hair_m * _eased(scalp[hairy]) * curls)[:, None] * fine_normals[hairy]
+        away[hairy] += (wardrobe.hair_m * smoothstep(scalp[hairy], 0.4) * curls)[:, None] * fine_normals[hairy]
     meshes = [(fine + away, painter.fine, kind, colours, painter.matrix)]
     meshes += shoes(generic, body, normals, wardrobe, rng)
     if wardrobe.hair == "long":
@@ -204,8 +205,3 @@ def _colours(
         worn = cloth_colours(fine, base, rng, patterns=("plain",) if plain else PATTERNS)
         colours += covered[name][:, None] * (worn - colours)
     return np.clip(colours, 0.0, 1.0)
-
-
-def _eased(mask: Array) -> Array:
-    share = np.clip((mask - 0.4) / 0.6, 0.0, 1.0)
-    return np.asarray(share * share * (3.0 - 2.0 * share))

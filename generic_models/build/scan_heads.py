@@ -20,8 +20,8 @@ from scipy.sparse import coo_matrix, csr_matrix, diags, identity
 from scipy.sparse.linalg import splu
 
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.alignment import similarity
 from cloner.geometry.rims import vertex_normals
-from cloner.geometry.sockets import similarity
 from cloner.geometry.surface import SurfacePoints, nearest_points
 from cloner.geometry.triangles import edges_of
 

@@ -32,7 +32,8 @@ from cloner.motion.acclaim import read_acclaim
 from cloner.motion.bvh import read_bvh
 from cloner.motion.faps import read_fap
 from cloner.motion.score import read_score
-from cloner.motion.speech import frame_features, phoneme_visemes, read_phonemes, read_wav
+from cloner.motion.sound import frame_features, read_wav
+from cloner.motion.speech import phoneme_visemes, read_phonemes
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.project.folder import read_corrections, read_person
 from cloner.project.manifest import find_visitors

@@ -26,14 +26,6 @@ def lengths_mm(vertices_m, joints_m):
     }
 
 
-def vertex_errors_mm(found_m, true_m, *, chosen=None):
-    """Return mean and 95th percentile of corresponding vertices' distances after removing the mean shift, mm."""
-    rows = slice(None) if chosen is None else chosen
-    difference = np.asarray(found_m)[rows] - np.asarray(true_m)[rows]
-    away = 1000 * np.linalg.norm(difference - difference.mean(axis=0), axis=1)
-    return float(away.mean()), float(np.percentile(away, 95))
-
-
 def describe(found, known):
     """Return one line that names every length with its error, for failure messages."""
     return ", ".join(f"{name} {found[name]:.0f} ({found[name] - known[name]:+.1f})" for name in known)

@@ -105,31 +105,3 @@ def exact_points(vertices_m, joints_m, view, seen_by):
     pixels = seen_by.project(np.array([vertices_m[generic.feature(name)] for name in names]))
     joints = seen_by.project(np.array([joints_m[generic.joint(name)] for name in _JOINTS]))
     return dict(zip((*names, *_JOINTS), np.vstack([pixels, joints]), strict=True))
-
-
-def capsule_person(stature_m=1.74):
-    """Return vertices, triangles and known lengths (mm) of a person made of capsules, outside the family."""
-    s = stature_m
-    parts = [_capsule([0, 0.60 * s, 0], [0, 0.76 * s, 0], 0.082 * s), _ball([0, 0.935 * s, 0.01], 0.065 * s)]
-    parts += [_capsule([0, 0.80 * s, 0], [0, 0.90 * s, 0], 0.033 * s), _ball([0, 0.53 * s, 0], 0.092 * s)]
-    for sign in (-1, 1):
-        parts += [
-            _capsule([sign * 0.055 * s, 0.50 * s, 0], [sign * 0.07 * s, 0.05 * s, 0], 0.038 * s),
-            _capsule([sign * 0.11 * s, 0.79 * s, 0], [sign * 0.20 * s, 0.62 * s, 0], 0.027 * s),
-            _capsule([sign * 0.20 * s, 0.62 * s, 0], [sign * 0.25 * s, 0.47 * s, 0.02 * s], 0.022 * s),
-            _capsule([sign * 0.07 * s, 0.022 * s, -0.02 * s], [sign * 0.075 * s, 0.022 * s, 0.09 * s], 0.022 * s),
-        ]
-    whole = trimesh.util.concatenate(parts)
-    lengths = {"stature": 1000 * s, "waist_width": 164 * s, "waist_depth": 164 * s}
-    return np.asarray(whole.vertices), np.asarray(whole.faces), lengths
-
-
-def _capsule(start, end, radius):
-    start, end = np.array(start, float), np.array(end, float)
-    mesh = trimesh.creation.capsule(height=np.linalg.norm(end - start), radius=radius, count=[16, 24])
-    mesh.apply_transform(trimesh.geometry.align_vectors([0, 0, 1], end - start))  # trimesh centres some versions only
-    return mesh.apply_translation((start + end) / 2 - mesh.bounds.mean(axis=0))
-
-
-def _ball(centre, radius):
-    return trimesh.creation.icosphere(subdivisions=3, radius=radius).apply_translation(centre)

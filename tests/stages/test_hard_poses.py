@@ -53,7 +53,7 @@ def fitted(name):
     }
     stages = tuple(stage for stage in pipeline.STAGES if stage.name in ("skeleton", "rough", "fine"))
     found, _ = pipeline.run(values, stages=stages)
-    return person, generic.shape(0.6 * person.coefficients, STATURE_M)[0], found["bodies"].consensus
+    return person, generic.shape(0.6 * person.coefficients, STATURE_M)[0], found["body"].mesh
 
 
 @pytest.mark.parametrize("name", POSES)

@@ -16,11 +16,11 @@ from cloner.evaluate import face_motion
 from cloner.frames import ViewId
 from cloner.generic.face_grids import eye_grid, eyeball
 from cloner.generic.load import load_generic
-from cloner.geometry.sockets import similarity
+from cloner.geometry.alignment import similarity
 from cloner.head.ears import ear_fields
 from cloner.head.modes import load_head_modes
 from cloner.records.bodies import Phenotype
-from cloner.records.photos import Person, Photo, PhotoSet
+from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import PointSet, Proposal, Proposals, ViewPoints
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import Camera
@@ -100,7 +100,7 @@ def photographed(vertices: np.ndarray, *, noise_px: float = 0.0, side: bool = Tr
 def fit(photos, proposals, points, *, stature_m=STATURE_M):
     return head.run(
         photos=photos, proposals=proposals, face_points=points, silhouettes=SilhouetteSet({}),
-        phenotype=Phenotype(np.zeros(1), stature_m, 0.02, {}, {}), person=Person("x", "x", stature_m),
+        phenotype=Phenotype(np.zeros(1), stature_m, 0.02, {}, {}),
         tick=lambda fraction: None, rng=np.random.default_rng(0),
     )  # fmt: skip
 

@@ -62,7 +62,7 @@ def fit(values, stature_m):
     stages = tuple(stage for stage in pipeline.STAGES if stage.name in BODY_STAGES)
     person = Person("known", "", stature_m)
     known, _ = pipeline.run({**values, "person": person}, stages=stages)
-    body = known["bodies"].consensus
+    body = known["body"].mesh
     return compare.lengths_mm(body.vertices_m, body.joints_m)
 
 

@@ -20,7 +20,7 @@ CLOTH = (40, 60, 190)
 
 
 def eyes():
-    return HeadFit(np.zeros((1, 3)), {}, (), np.zeros((0, 3)), np.array([70.0, 90.0, 60.0]), 0.0058, "right")
+    return HeadFit(np.zeros((1, 3)), {}, np.array([70.0, 90.0, 60.0]), 0.0058, "right")
 
 
 def bake(fit, colours, *, believed=None, exposure=None):

@@ -9,7 +9,7 @@ import trimesh
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measures import (
-    GIRTH_NAMES,
+    TRUTH_GIRTHS,
     girth_mm,
     girths_mm,
     slice_points,
@@ -50,8 +50,8 @@ def test_girths_of_the_generic_human_are_human_and_scale_with_it() -> None:
     generic = load_generic()
     rules = load_tape_rules()
     small, large = (girths_mm(*generic.shape(np.zeros(0), stature_m), rules) for stature_m in (1.5, 1.8))
-    assert tuple(small) == GIRTH_NAMES
-    for name in GIRTH_NAMES:
+    assert tuple(small) == tuple(TRUTH_GIRTHS)
+    for name in TRUTH_GIRTHS:
         assert large[name] == pytest.approx(small[name] * 1.2, rel=0.01), name
     bounds = {
         "neck": (280, 450),

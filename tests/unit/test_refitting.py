@@ -18,7 +18,7 @@ from cloner.refitting import moved_points, still_true
 FRONT = ViewId.BODY_FRONT
 PERSON = Person("someone", "", 1.7)
 #: Values that the stages give from the body's fit on.
-FIT = {"views", "silhouettes", "phenotype", "skeletons", "rough_bodies", "bodies"}
+FIT = {"views", "silhouettes", "phenotype", "skeletons", "rough_bodies", "body"}
 PLACES = {
     "head_top": (200.0, 50.0), "sole_left": (220.0, 950.0), "sole_right": (180.0, 950.0), "l_knee": (215.0, 700.0),
     "waist_left": (250.0, 400.0), "nose_tip": (200.0, 120.0),

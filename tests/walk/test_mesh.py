@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from cloner.cloning import CloneOutcome
+from cloner.evaluate.crossings import buried_depths, self_crossings
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, load_triangles
-from cloner.geometry.crossings import buried_depths, self_crossings
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.geometry.triangles import areas, edges_of
 from cloner.motion.body import body_of

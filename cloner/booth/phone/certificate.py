@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import importlib.util
 import ipaddress
-import os
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Final
 
+from cloner.cluster_keys import write_keys
 from cloner.errors import ClonerError
 
 CERTIFICATE_FILE: Final = ".phone-certificate.pem"
@@ -50,12 +50,5 @@ def own_certificate(root: Path, address: str) -> tuple[Path, Path]:
         CERTIFICATE_FILE: made.public_bytes(told.Encoding.PEM),
         KEY_FILE: key.private_bytes(told.Encoding.PEM, told.PrivateFormat.PKCS8, told.NoEncryption()),
     }
-    try:
-        for file, content in contents.items():
-            (root / file).unlink(missing_ok=True)
-            descriptor = os.open(root / file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-            with os.fdopen(descriptor, "wb") as stream:
-                stream.write(content)
-    except OSError as error:
-        raise ClonerError("the keys cannot be written", "Check permissions and space", root.name) from error
-    return root / CERTIFICATE_FILE, root / KEY_FILE
+    certificate, own_key = write_keys(root, contents)
+    return certificate, own_key

@@ -20,6 +20,7 @@ from cloner.project.clone_file import CLONE_FILE, load_clone
 FOLDER: Final = "phone"
 SIDES: Final = 24  # pictures of a whole turn: 15 degrees each still look like turning
 SIZE_PX: Final = (480, 720)  # a telephone's width at double density, and small enough for a booth's radio
+#: Width and height of the parcel's large picture, px, and its grey (taste).
 LARGE_PX: Final = (1080, 1620)
 FILM_MS: Final = 110  # for each side: a turn in less than three seconds
 _BACKGROUND: Final = (236, 238, 241)

@@ -23,6 +23,7 @@ from cloner.booth.phone.tickets import read_ticket, visitor_of
 from cloner.errors import ClonerError
 from cloner.outside import read_outside
 
+#: Usual second port of web servers, and the largest file that is handed out, bytes (taste).
 PORT: Final = 8080
 ABREAST: Final = 32  # requests at a time; others wait or are refused by their telephone
 SLOWEST_S: Final = 20.0  # a telephone that says nothing for so long is let go

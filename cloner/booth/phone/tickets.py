@@ -65,11 +65,6 @@ def give_ticket(folder: Path, now: datetime, hours: int) -> Ticket:
     return made
 
 
-def take_ticket(folder: Path) -> None:
-    """Make a visitor's link lead nowhere."""
-    (folder / TICKET_FILE).unlink(missing_ok=True)
-
-
 def visitor_of(token: str, folders: Iterable[Path], now: datetime) -> Path | None:
     """Return whose ticket a token is, None for one that is nobody's or has expired.
 

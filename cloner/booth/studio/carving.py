@@ -26,7 +26,7 @@ from cloner.stages.proposals import propose, settle_hidden
 from cloner.statues.blob_bodies import blob_folder, clone_of_blobs
 from cloner.statues.blobs import Blob, written_blobs
 from cloner.statues.carved import statue_of
-from cloner.statues.markers import FORMAT, known_points
+from cloner.statues.markers import FORMAT, MARKED, known_points
 from cloner.statues.photo_fit import fit_markers, fit_photo, focal_px_of, mark
 from cloner.statues.photographed import USUAL, mesh_of, photo_folder, photographed
 from cloner.statues.poses import standing
@@ -36,14 +36,6 @@ from cloner.vision.pictures import read_picture
 
 #: Side of the texture that the usual man is shown in, texels.
 _SHOWN_TEXELS: Final = 1024
-#: Markers to begin with: what nets find in a face, and MPEG-4's points on cheeks, brow and crown between them.
-MARKED: Final = (
-    "glabella", "nasion", "nose_tip", "subnasale", "lip_top", "lip_bottom", "chin_front", "chin_bottom", "eye_inner_L",
-    "eye_inner_R", "eye_outer_L", "eye_outer_R", "eye_upper_L", "eye_upper_R", "eye_lower_L", "eye_lower_R",
-    "mouth_corner_L", "mouth_corner_R", "ala_L", "ala_R", "ear_top_L", "ear_top_R", "ear_lobe_L", "ear_lobe_R",
-    "fdp_4.1", "fdp_4.2", "fdp_4.3", "fdp_4.4", "fdp_4.5", "fdp_4.6", "fdp_2.13", "fdp_2.14", "fdp_5.1", "fdp_5.2",
-    "fdp_5.3", "fdp_5.4", "fdp_10.7", "fdp_10.8", "fdp_11.1", "fdp_2.2",
-)  # fmt: skip
 #: A face of which nothing is known is as high as this share of its photo.
 _FACE_SHARE: Final = 0.5
 
@@ -170,7 +162,7 @@ def _placed(clone: Clone, found: dict[str, Array], size_px: tuple[int, int], foc
         )
         places, camera = fit.vertices_m, fit.camera
     except ClonerError:
-        head = clone.vertices_m[generic.vertex_segment == generic.segment_names.index("head")]
+        head = clone.vertices_m[generic.segment("head")]
         high, (width, height) = _FACE_SHARE * size_px[1], size_px
         corners = np.array([[0.0, 1.0], [0.0, -1.0], [0.5, 0.0], [-0.5, 0.0]]) * high / 2.0 + (width / 2, height / 2)
         ends = np.array([head[head[:, 1].argmin()], head[head[:, 1].argmax()], head[head[:, 0].argmax()],

@@ -15,7 +15,7 @@ def test_stages_that_change_the_body_give_its_shape_and_others_none():
     fitted = generic.shape(np.full(4, 0.7), 1.63)[0]
     values = {
         "phenotype": SimpleNamespace(coefficients=np.full(4, 0.7), stature_m=1.63),
-        "bodies": SimpleNamespace(consensus=SimpleNamespace(vertices_m=fitted + 0.01)),
+        "body": SimpleNamespace(mesh=SimpleNamespace(vertices_m=fitted + 0.01)),
         "joined": SimpleNamespace(vertices_m=fitted + 0.02),
         "silhouettes": None,
     }

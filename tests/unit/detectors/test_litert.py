@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from skimage import data
 
-from cloner.detectors.litert import POSE_NAMES, detect_face, detect_people, detect_pose
+from cloner.detectors.litert import detect_face, detect_pose
+from cloner.detectors.people import detect_people
 from cloner.detectors.placing import same_body, same_crop
-from cloner.detectors.results import Box
+from cloner.detectors.results import POSE_NAMES, Box
 from cloner.vision.crops import Crop
 from kit.visitors import NAMES, overlap, photo, truth_mask, visitor_folder
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.detectors.litert import detect_people, detect_pose
+from cloner.detectors.litert import detect_pose
+from cloner.detectors.people import detect_people
 from cloner.detectors.portraits import is_cut_below
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from cloner.geometry.skinning import blend_transforms, joint_transforms, rotation_matrices, skin, unskin
+from cloner.geometry.skinning import blend_transforms, joint_transforms, rotation_matrices, skin
 
 #: A root at the origin, an elbow one metre to the left, a wrist two metres to the left.
 CHAIN = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]])
@@ -58,14 +58,3 @@ def test_a_vertex_between_two_joints_goes_half_way():
     placed = skin(vertex, transforms, np.array([[0, 1]]), np.array([[0.5, 0.5]]))
     assert placed[0] == pytest.approx([1.25, 0.25, 0.0])
     assert blend_transforms(transforms, np.array([[0, 1]]), np.array([[1.0, 0.0]]))[0] == pytest.approx(np.eye(4)[:3])
-
-
-def test_unskin_undoes_skin():
-    rng = np.random.default_rng(7)
-    transforms = turned(root=[0.2, -0.3, 0.1], elbow=[0.4, 0.2, -0.5], wrist=[0.0, 0.7, 0.1])
-    vertices = rng.normal(size=(50, 3))
-    joints = rng.integers(0, 3, size=(50, 2))
-    weights = rng.dirichlet([1.0, 1.0], size=50)
-    posed = skin(vertices, transforms, joints, weights)
-    assert np.abs(posed - vertices).max() > 0.1
-    assert unskin(posed, transforms, joints, weights) == pytest.approx(vertices, abs=1e-9)

@@ -8,8 +8,8 @@ from cloner.evaluate.skins import skin_triangles
 from cloner.evaluate.surfaces import sample_surface
 from cloner.generic.load import load_generic
 from cloner.geometry.resection import facing_camera
-from cloner.head.evidence import make_model
 from cloner.head.fit import outline_vertices, profile_candidates
+from cloner.head.model import make_model
 from cloner.records.bodies import Phenotype
 
 SAMPLES = 60_000

@@ -13,7 +13,7 @@ from cloner.geometry.contour_match import turning_points
 from cloner.geometry.resection import facing_camera
 from cloner.geometry.rims import vertex_normals
 from cloner.geometry.shape_fit import ShapeFit, fit_shape
-from cloner.head.evidence import make_model
+from cloner.head.model import make_model
 from cloner.head.outline import Outline
 from cloner.head.rim import HAIR_M, head_skin, rim_evidence
 from cloner.records.bodies import Phenotype

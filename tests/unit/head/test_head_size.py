@@ -7,7 +7,7 @@ import pytest
 
 from cloner.geometry.resection import facing_camera
 from cloner.geometry.skinning import rotation_matrices
-from cloner.head.evidence import make_model
+from cloner.head.model import make_model
 from cloner.head.size import seen_scale
 from cloner.records.bodies import Phenotype
 

@@ -12,9 +12,10 @@ from cloner.generic.face_grids import mouth_grid
 from cloner.generic.load import load_generic
 from cloner.geometry.resection import facing_camera
 from cloner.head.ears import Spots
-from cloner.head.evidence import Front, Model, Params, make_model
+from cloner.head.evidence import Front, Params
 from cloner.head.fit import fit_basis
 from cloner.head.jaw import JOINT, jaw_in, jaw_rotations, opened
+from cloner.head.model import Model, make_model
 from cloner.records.bodies import Phenotype
 from cloner.records.views import Camera
 from cloner.vision.open_mouth import INNER_LIPS

@@ -5,9 +5,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from cloner.evaluate.crossings import buried_depths, self_crossings
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
-from cloner.geometry.crossings import buried_depths, self_crossings
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.motion.body import body_of
 from cloner.motion.clearance import LEAST_DEG, MOST_DEG

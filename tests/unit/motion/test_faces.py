@@ -12,6 +12,7 @@ from scipy.signal import lfilter
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.motion import faps, speech
+from cloner.motion import sound as sound_file
 from cloner.motion.body import body_of
 from cloner.motion.expressions import EXPRESSIONS, Beat, Envelope, mixed, play
 from cloner.motion.score import SILENT, emotion_score, read_score
@@ -19,7 +20,7 @@ from cloner.motion.talk import scored, spoken_visemes, talk
 from kit.clones import toy_clone
 
 SPEECH = Path(__file__).resolve().parents[2] / "kit" / "speech"
-RATE = speech.RATE_HZ
+RATE = sound_file.RATE_HZ
 
 
 @pytest.fixture(scope="module")
@@ -47,8 +48,8 @@ def voiced(formants: tuple[float, ...], seconds: float = 0.4, pitch_hz: float = 
 )  # fmt: skip
 @pytest.mark.parametrize("pitch_hz", [110.0, 210.0])
 def test_vowels_made_of_known_resonances_are_told(viseme, formants, pitch_hz) -> None:
-    frames = speech.frame_features(voiced(formants, pitch_hz=pitch_hz))
-    shares = speech.sound_visemes(frames)[5:-5]
+    frames = sound_file.frame_features(voiced(formants, pitch_hz=pitch_hz))
+    shares = sound_file.sound_visemes(frames)[5:-5]
     assert speech.VISEMES[shares.mean(axis=0).argmax()] == viseme
     assert np.median(frames.pitch_hz[5:-5]) == pytest.approx(pitch_hz, rel=0.03)
 
@@ -60,7 +61,7 @@ def test_hiss_silence_and_closures_are_told() -> None:
     sharp = np.diff(np.diff(noise, prepend=0.0), prepend=0.0)
     quiet = np.zeros(int(0.5 * RATE))
     sound = np.concatenate([quiet, vowel, np.zeros(int(0.08 * RATE)), vowel, 0.4 * sharp / np.abs(sharp).max(), quiet])
-    shares = speech.sound_visemes(speech.frame_features(sound))
+    shares = sound_file.sound_visemes(sound_file.frame_features(sound))
     named = [speech.VISEMES[row] for row in shares.argmax(axis=1)]
     assert named[10] == named[-10] == "sil"
     assert named[int((0.5 + 0.2) * 100)] == "aa"
@@ -100,7 +101,7 @@ def test_broken_sounds_are_refused_in_words(content, tmp_path: Path) -> None:
     path = tmp_path / "broken.wav"
     path.write_bytes(content)
     with pytest.raises(ClonerError) as caught:
-        speech.read_wav(path)
+        sound_file.read_wav(path)
     assert caught.value.where == "broken.wav"
 
 

@@ -13,7 +13,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.labels.glasses import frame_of, wears_glasses
 from cloner.paint.glasses import BEFORE_M, GRID, glasses_shell
-from cloner.paint.sources import without_glasses
+from cloner.paint.prepared import without_glasses
 from cloner.records.bodies import PosedView
 from cloner.records.labels import Label
 from cloner.records.points import Proposals

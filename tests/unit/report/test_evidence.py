@@ -19,7 +19,7 @@ from cloner.report.weak import weaknesses
 from kit import studio
 
 FRONT, SIDE, BACK, FACE, FACE_SIDE = ViewId
-GOOD = Agreement(0.97, 2.0, 3.0, 3.0, 1.01)
+GOOD = Agreement(0.97, 2.0, 3.0, 1.01)
 RED = np.full((40, 30, 3), (200, 30, 30), np.uint8)
 
 

@@ -54,7 +54,7 @@ def values(clone: Clone) -> dict[str, object]:
     covers = {f"{side}_forearm": Cover((False,) * 8, 0.9) for side in ("left", "right")}
     shown = measures_mm(clone.vertices_m, clone.joints_m, load_tape_rules())
     measures, _ = measured({**shown, "waist_girth": 760.0}, person, covers)
-    head = HeadFit(np.zeros((1, 3)), {}, (), np.zeros((0, 3)), np.zeros(3), 0.006, "")
+    head = HeadFit(np.zeros((1, 3)), {}, np.zeros(3), 0.006, "")
     return {
         "person": person,
         "measures": measures,
@@ -204,7 +204,7 @@ def test_weak_face_photos_are_said(values: dict, eyes_px: float, lips_px: float,
 
 
 def test_a_badly_covered_outline_is_said() -> None:
-    bad, fine = Agreement(0.82, 9.0, 9.0, 9.0), Agreement(0.97, 1.0, 1.0, 1.0)
+    bad, fine = Agreement(0.82, 9.0, 9.0), Agreement(0.97, 1.0, 1.0)
     told = weaknesses(PhotoSet({}), Proposals({}), {ViewId.BODY_SIDE: bad, ViewId.BODY_BACK: fine})
     assert [each for each in told if "outline" in each] == [
         "body_side: the clone covers the person's outline only to 82 percent"

@@ -25,7 +25,7 @@ def body(generic):
 
 def head_moved(generic, body, shift):
     vertices = body.vertices_m[generic.head_vertices] + shift
-    return HeadFit(vertices, {}, (), np.zeros((0, 3)), np.zeros(3), 0.006, "")
+    return HeadFit(vertices, {}, np.zeros(3), 0.006, "")
 
 
 def test_a_head_of_the_bodys_own_changes_nothing(generic, body):

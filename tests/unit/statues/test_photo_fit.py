@@ -14,25 +14,18 @@ from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.geometry.viewpoints import framing_camera
 from cloner.render import draw
-from cloner.statues.markers import known_points
+from cloner.statues.markers import MARKED, known_points
 from cloner.statues.photo_fit import fit_markers, fit_photo, focal_px_of, mark
 from cloner.statues.photographed import mesh_of, photographed
 from kit.clones import toy_clone
 
 WIDE, HIGH = 600, 800
 MAGENTA = (255, 0, 255)
-NAMES = (
-    "glabella", "nasion", "nose_tip", "subnasale", "lip_top", "lip_bottom", "chin_front", "chin_bottom", "eye_inner_L",
-    "eye_inner_R", "eye_outer_L", "eye_outer_R", "eye_upper_L", "eye_upper_R", "eye_lower_L", "eye_lower_R",
-    "mouth_corner_L", "mouth_corner_R", "ala_L", "ala_R", "ear_top_L", "ear_top_R", "ear_lobe_L", "ear_lobe_R",
-    "fdp_4.1", "fdp_4.2", "fdp_4.3", "fdp_4.4", "fdp_4.5", "fdp_4.6", "fdp_2.13", "fdp_2.14", "fdp_5.1", "fdp_5.2",
-    "fdp_5.3", "fdp_5.4", "fdp_10.7", "fdp_10.8", "fdp_11.1", "fdp_2.2",
-)  # fmt: skip
 
 
 @pytest.fixture(scope="module")
 def vertex() -> np.ndarray:
-    return np.array([known_points()[name] for name in NAMES])
+    return np.array([known_points()[name] for name in MARKED])
 
 
 @pytest.fixture(scope="module")
@@ -106,10 +99,10 @@ def test_one_dragged_marker_moves_its_neighbourhood_and_hardly_the_camera(sitter
     person, camera, _ = sitter
     marked, markers = mark(mesh_of(person), vertex), camera.project(person.vertices_m[vertex])
     before = fit_markers(marked, markers, (WIDE, HIGH), camera.focal_px)
-    markers[NAMES.index("nose_tip")] += (25.0, 0.0)
+    markers[MARKED.index("nose_tip")] += (25.0, 0.0)
     after = fit_markers(marked, markers, (WIDE, HIGH), camera.focal_px, before)
     places = person.vertices_m[vertex]
-    ears = [NAMES.index(name) for name in ("ear_top_L", "ear_top_R")]
+    ears = [MARKED.index(name) for name in ("ear_top_L", "ear_top_R")]
     assert np.abs((after.camera.project(places) - before.camera.project(places))[ears]).max() < 6.0
     nose = known_points()["nose_tip"]
     moved = np.linalg.norm(after.vertices_m - before.vertices_m, axis=1)

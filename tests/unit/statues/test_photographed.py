@@ -20,7 +20,7 @@ from cloner.statues.obj_files import read_obj, wrapped
 from cloner.statues.photographed import photo_folder
 from kit.clones import toy_clone
 from kit.crowds import dressed_toy, saved
-from unit.statues.test_photo_fit import NAMES
+from unit.statues.test_photo_fit import MARKED
 
 
 @pytest.fixture(scope="module")
@@ -105,7 +105,7 @@ def portrait(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
     from cloner.render import render
 
     Image.fromarray(render(clone, camera)).save(folder / "statue.png")
-    told = [{"at": name, "px": camera.project(clone.vertices_m[[points[name]]])[0].tolist()} for name in NAMES]
+    told = [{"at": name, "px": camera.project(clone.vertices_m[[points[name]]])[0].tolist()} for name in MARKED]
     (folder / "markers.json").write_text(json.dumps({"format": 1, "markers": told}), encoding="utf-8")
     return folder / "statue.png", folder / "markers.json"
 

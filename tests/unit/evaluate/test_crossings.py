@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from cloner.geometry.crossings import buried_depths, crossings_between, seen_triangles, self_crossings, windings
+from cloner.evaluate.crossings import buried_depths, crossings_between, seen_triangles, self_crossings, windings
 from cloner.geometry.viewpoints import framing_camera
 
 

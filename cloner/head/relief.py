@@ -1,0 +1,89 @@
+"""What the shape basis left over in the photos, taken up by the head's DFFD controls."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_matrix
+
+from cloner.generic.head_controls import HeadControls
+from cloner.geometry.contour_match import match
+from cloner.geometry.dffd import deform
+from cloner.geometry.relief import Leftover, solve_relief
+from cloner.geometry.surface import SurfacePoints
+from cloner.head.evidence import Front, Params, Side
+from cloner.head.fit import GATES_M, Fitted, net_errors, net_errors_m, outline_vertices, profile_candidates
+from cloner.head.jaw import FRONT, SIDE
+from cloner.head.model import Model
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+
+def _rows(weights: csr_matrix, model: Model, surface: SurfacePoints, movable: NDArray[np.bool_]) -> csr_matrix:
+    """Return the (N, K) weights of surface points on the movable controls."""
+    rows = model.row[surface.corners]
+    point = np.repeat(np.arange(len(rows)), 3)
+    place = csr_matrix((surface.weights.ravel(), (point, rows.ravel())), shape=(len(rows), weights.shape[0]))
+    return csr_matrix((place @ weights)[:, np.flatnonzero(movable)])
+
+
+def add_relief(model: Model, fitted: Fitted, front: Front | None, side: Side | None, coefficients: Array,
+               controls: HeadControls, params: Params) -> tuple[Fitted, Array]:  # fmt: skip
+    """Return the head after DFFD of what the basis left over, and all controls' displacements (K, 3).
+
+    What the fit (its ``coefficients``) took for errors of the net is no shape: it is not followed.
+    """
+    left: list[Leftover] = []
+    if front is not None and fitted.front is not None:
+        whole = model.whole_in_photo(FRONT, coefficients)
+        net_error_m = net_errors(model, coefficients, fitted.front, params)
+        left += _front_leftovers(model, whole, fitted.front, front, net_error_m, controls, params)
+    if side is not None and fitted.side is not None:
+        whole = model.whole_in_photo(SIDE, coefficients)
+        left += _side_leftovers(model, whole, fitted.side, side, controls, params)
+    moved = np.zeros((len(controls.names), 3))
+    if left:
+        moved[controls.movable] = solve_relief(
+            controls.controls_m[controls.movable], left,
+            size_m=params.relief_m, bend_m=params.bend_m, limit_m=params.limit_m,
+        )  # fmt: skip
+    return replace(fitted, head_m=fitted.head_m + deform(controls.weights, moved)), moved
+
+
+def _front_leftovers(model: Model, whole: Array, camera: Camera, front: Front, net_error_m: Array,
+                     controls: HeadControls, params: Params) -> list[Leftover]:  # fmt: skip
+    metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
+    weights = _rows(controls.weights, model, model.net.places, controls.movable)
+    sigma = params.loose_net * net_errors_m(model, front, params) / metres
+    target = front.net_px - net_error_m / metres
+    out = [Leftover(camera, model.net.places.at(whole), weights, target, sigma)]
+    if len(front.vertices):
+        rows = csr_matrix(controls.weights[model.row[front.vertices]][:, np.flatnonzero(controls.movable)])
+        sigma = np.full(len(front.vertices), 0.3 * params.corrected_m / metres)
+        out.append(Leftover(camera, whole[front.vertices], rows, front.points_px, sigma))
+    return out
+
+
+def _side_leftovers(model: Model, whole: Array, camera: Camera, side: Side, controls: HeadControls,
+                    params: Params) -> list[Leftover]:  # fmt: skip
+    metres = camera.metres_per_pixel(whole[model.generic.feature("nasion")])
+    movable = np.flatnonzero(controls.movable)
+    vertices = outline_vertices(whole, profile_candidates(model), camera, side.facing)
+    gate = GATES_M[1] / metres
+    kept, target, normal = match(camera.project(whole[vertices]), side.contour_px, side.normals_px, gate_px=gate)
+    rows = csr_matrix(controls.weights[model.row[vertices[kept]]][:, movable])
+    sigma = np.full(len(kept), 0.5 * params.contour_m / metres)
+    out = [Leftover(camera, whole[vertices[kept]], rows, target, sigma, normal)]
+    if side.flank is not None and len(side.flank.vertices):
+        rows = csr_matrix(controls.weights[model.row[side.flank.vertices]][:, movable])
+        sigma = np.full(rows.shape[0], params.loose_net * params.flank_m / metres)
+        out.append(Leftover(camera, whole[side.flank.vertices], rows, side.flank.points_px, sigma))
+    fixed = side.sigma_m <= params.corrected_m
+    if fixed.any():
+        rows = csr_matrix(controls.weights[model.row[side.vertices[fixed]]][:, movable])
+        sigma = np.full(int(fixed.sum()), 0.3 * params.corrected_m / metres)
+        out.append(Leftover(camera, whole[side.vertices[fixed]], rows, side.points_px[fixed], sigma))
+    return out
