@@ -18,6 +18,7 @@ from cloner.frames import ViewId
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import (
+    FAR,
     Correction,
     Corrections,
     PhotoState,
@@ -33,9 +34,6 @@ from cloner.vision.loose_outline import find_loose
 
 #: A point that all faces have, and no body.
 FACE_MARK = "nose_tip"
-#: A correction farther than this share of the figure's height from the proposal says that the proposal was wrong:
-#: two spreads of the pose net's joints (facts.md: 5-40 px in 1,800 px).
-FAR = 0.035
 #: Value of a mask (0..255) above which a pixel shows the person.
 EDGE_LEVEL = 127
 #: Distance from loose clothing within which an outline is the clothing's, figure heights.
