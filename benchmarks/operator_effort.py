@@ -5,9 +5,9 @@ operator's eye and nothing else: a point that lies near enough (``SEEN_FACE``, `
 for Tab costs no drag; any other one is put on its true place. Face features and joints have known places; a point on
 the outline belongs on the true outline, at the place nearest to it; head top and soles are left as they are.
 
-The six sample sets, and random painted heads (two face photos, seeds that nothing was calibrated on): after 0, 6, 12, 20
-drags and with all true features the head is fitted again and measured against the truth with the rulers of goals.md.
-Every case is one JSON in the folder, so a kill loses nothing; ``--page`` turns what is there into
+The six sample sets, and random painted heads (two face photos, seeds that nothing was calibrated on): after 0, 6, 12,
+20 drags and with all true features the head is fitted again and measured against the truth with the rulers of
+goals.md. Every case is one JSON in the folder, so a kill loses nothing; ``--page`` turns what is there into
 ``docs/operator_effort.md``. Body points are dragged in their turn, but the body is not measured: outline points lie on
 the outline already, and joints dragged to their true centres make the body's surface worse (6.5 -> 7.1 mm).
 """

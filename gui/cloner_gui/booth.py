@@ -175,11 +175,10 @@ class Booth(Desk):
         settle(self)
         services = self.session.services
         self.opening = folder
-        self._opening = Task(lambda progress: services.open(folder), self)
+        self._opening = Task(lambda progress: services.open(folder))
         self._opening.succeeded.connect(self._take)
         self._opening.failed.connect(self._opened)
         self._opening.failed.connect(self.failed)
-        self._opening.finished.connect(self._opening.deleteLater)
         self._opening.start()
         self.opening_changed.emit()
 
