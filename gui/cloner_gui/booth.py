@@ -69,6 +69,7 @@ class Booth(Desk):
         session.failed.connect(self.failed)
         session.queue.changed.connect(self.visits_changed)
         session.queue.failed.connect(self._tell_failed)
+        session.queue.finished.connect(self._tell_ready)
 
     # --- the event ----------------------------------------------------------
 
@@ -256,3 +257,8 @@ class Booth(Desk):
             self.failed.emit(
                 ClonerError(error.message, error.hint, f"{self.name_of(folder)}, {told_where(error.where)}")
             )
+
+    def _tell_ready(self, folder: Path) -> None:
+        """Tell of a clone that is ready while another visitor is open; the open one's is seen."""
+        if folder != self.session.folder:
+            self.told.emit(translate("window", "{name}: the clone is ready.").format(name=self.name_of(folder)))
