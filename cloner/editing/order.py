@@ -7,15 +7,17 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.taught import HAND, FaceErrors, Frame, axes_of, errors_of, frame_of
 from cloner.frames import ViewId
-from cloner.records.points import ViewPoints, expected_error, expected_face_error
+from cloner.records.points import FAR, ViewPoints, expected_error, expected_face_error
 
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
 _CALIBRATED: Final = calibrated("editing.order")
 
+Array = NDArray[np.float64]
 
 BODY_SHARE: Final = _CALIBRATED.number("body_share", "share")
 #: What the likeness of a face is judged by (goals: landmarks in 3-D); other points count by what they tell of these.
@@ -31,12 +33,12 @@ def worth_first(points: Mapping[ViewId, ViewPoints]) -> list[tuple[ViewId, str]]
     """Return the proposed points of all photos, the one first whose true place mends most; placed ones come last.
 
     A face's point mends its neighbours too (``detectors/taught.py``), and counts for so much less once they are known.
-    The face in the body's front photo is left out where the face has a photo of its own, which says the same larger.
+    The face in a body photo is left out where the face has a photo of its own, which says the same larger.
     """
     large = set(points[ViewId.FACE_FRONT].names) if ViewId.FACE_FRONT in points else set()
     queues, placed = [], []
     for number, (view, one) in enumerate(points.items()):
-        wanted = [name for name in one.names if view is not ViewId.BODY_FRONT or name not in large]
+        wanted = [name for name in one.names if view.is_face or name not in large]
         placed += [(view, name) for name in wanted if one.corrected[one.names.index(name)]]
         queues.append([(-gain, number, view, name) for name, gain in gains(one) if name in wanted])
     return [(view, name) for *_, view, name in heapq.merge(*queues)] + placed
@@ -51,11 +53,26 @@ def gains(points: ViewPoints) -> list[tuple[str, float]]:
         known = [] if frame is None else [(points.names[row], gain) for row, gain in _greedy(errors, frame)]
         away = IOD_M * expected_face_error(points.confidence) * (frame is None)  # a hairline bends no face
     else:
-        away = BODY_SHARE * FIGURE_M * expected_error(points.confidence)
+        expected = expected_error(points.confidence)
+        away = BODY_SHARE * FIGURE_M * expected * np.where(_joints(points), np.sqrt(_far_chance(expected)), 1.0)
     told = dict(known)
     alone = {name: float(far**2) for name, far in zip(points.names, away, strict=True) if name not in told}
     rows = [*told.items(), *alone.items()]
     return sorted((row for row in rows if not points.corrected[points.names.index(row[0])]), key=lambda row: -row[1])
+
+
+def _joints(points: ViewPoints) -> NDArray[np.bool_]:
+    """Return (N,) which of a body photo's points are joints, inside the limbs."""
+    return np.array([name.startswith(("l_", "r_")) for name in points.names], dtype=np.bool_)
+
+
+def _far_chance(expected: Array) -> Array:
+    """Return the chance (N,) that joints with expected errors (N,), figure heights, lie so far off that the fit asks.
+
+    Nearer, a joint's correction turns a limb in its own photo and shapes nothing (``stages/points.py``, for_fitting).
+    Errors are normal along both axes of a photo, so their lengths are Rayleigh's.
+    """
+    return np.asarray(np.exp(-np.pi / 4.0 * (FAR / np.maximum(expected, 1e-6)) ** 2))
 
 
 def _greedy(errors: FaceErrors, frame: Frame) -> list[tuple[int, float]]:

@@ -30,6 +30,7 @@ GATES_M = _CALIBRATED.pair("gates_m", "m")
 LEVEL_M = _CALIBRATED.number("level_m", "m")
 FOREHEAD_M = _CALIBRATED.number("forehead_m", "m")
 LAID_M = _CALIBRATED.number("laid_m", "m")
+PLACED_OUTLIER: Final = _CALIBRATED.number("placed_outlier", "spreads")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -120,8 +121,8 @@ def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) 
     if len(front.vertices):
         base, basis = model.vertex_places(front.vertices)
         sigma = np.full(len(front.vertices), params.corrected_m / metres)
-        out.append(Evidence(0, base, basis, front.points_px, sigma, outlier=8.0))
-    return out + _spot_evidence(model, front.ears, 0, metres) + [_together(model, one) for one in front.inside]
+        out.append(Evidence(0, base, basis, front.points_px, sigma, outlier=PLACED_OUTLIER))
+    return out + _spot_evidence(model, front.ears, 0, metres, params) + [_together(model, one) for one in front.inside]
 
 
 def _together(model: Model, group: Together) -> Evidence:
@@ -129,11 +130,22 @@ def _together(model: Model, group: Together) -> Evidence:
     return Evidence(0, base, basis, group.points_px, np.ones(len(base)), outlier=2.0, whiten=group.whiten)
 
 
-def _spot_evidence(model: Model, spots: Spots, index: int, metres: float) -> list[Evidence]:
-    if not len(spots.vertices):
-        return []
-    base, basis = model.vertex_places(spots.vertices)
-    return [Evidence(index, base, basis, spots.points_px, spots.sigma_m / metres, outlier=2.0)]
+def _spot_evidence(model: Model, spots: Spots, index: int, metres: float, params: Params) -> list[Evidence]:
+    return _by_trust(model, spots, index, metres, params.corrected_m, outlier=2.0)
+
+
+def _by_trust(
+    model: Model, spots: Spots, index: int, metres: float, corrected_m: float, *, outlier: float
+) -> list[Evidence]:
+    """Return proposed points, which may be beside their places altogether, and placed ones, which are not."""
+    found = []
+    placed = spots.sigma_m <= corrected_m
+    for rows, beyond in ((~placed, outlier), (placed, PLACED_OUTLIER)):
+        if rows.any():
+            base, basis = model.vertex_places(spots.vertices[rows])
+            sigma = spots.sigma_m[rows] / metres
+            found.append(Evidence(index, base, basis, spots.points_px[rows], sigma, outlier=beyond))
+    return found
 
 
 def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, index: int, params: Params,
@@ -141,11 +153,11 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
     camera = fit.cameras[index]
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
     named = np.array([not name.startswith(("ear", *INSIDE)) for name in side.names])
-    base, basis = model.vertex_places(side.vertices[named])
-    sigma = side.sigma_m[named] / metres
     loose = np.where(side.sigma_m[named] > params.corrected_m, params.loose_named if curve else 1.0, 1.0)
-    out = [Evidence(index, base, basis, side.points_px[named], loose * sigma, outlier=1.5)]
-    out += _spot_evidence(model, side.ears, index, metres) + _spot_evidence(model, side.inside, index, metres)
+    spots = Spots(side.vertices[named], side.points_px[named], loose * side.sigma_m[named])
+    out = _by_trust(model, spots, index, metres, params.corrected_m, outlier=1.5)
+    for spots in (side.ears, side.inside):
+        out += _spot_evidence(model, spots, index, metres, params)
     if curve:
         whole = model.whole(model.head(fit.coefficients[: len(model.basis_m)]))
         vertices = outline_vertices(whole, candidates, camera, side.facing)

@@ -25,10 +25,9 @@ from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
-from cloner.records.points import ANCHOR, BodyPoints, ObeyedPoint
+from cloner.records.points import ANCHOR, FAR, BodyPoints, ObeyedPoint
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
-from cloner.stages.points import FAR
 from cloner.stages.silhouettes import ON_OUTLINE
 from cloner.vision.fixed_points import bend_through
 from cloner.vision.loops import fill_polygon

@@ -19,6 +19,7 @@ from cloner.frames import ViewId
 from cloner.records.loose import LooseRegion
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import (
+    FAR,
     Correction,
     Corrections,
     PhotoState,
@@ -37,7 +38,6 @@ _CALIBRATED: Final = calibrated("stages.points")
 
 #: A point that all faces have, and no body.
 FACE_MARK = "nose_tip"
-FAR = _CALIBRATED.number("far", "figure")
 #: Value of a mask (0..255) above which a pixel shows the person.
 EDGE_LEVEL = 127
 CLOTH_MARGIN = _CALIBRATED.number("cloth_margin", "figure")

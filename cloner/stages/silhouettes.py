@@ -13,10 +13,10 @@ from cloner.abreast import abreast
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.photos import Photo, PhotoSet
-from cloner.records.points import ANCHOR, BodyPoints, Proposal, Proposals, ViewPoints
+from cloner.records.points import ANCHOR, FAR, BodyPoints, Proposal, Proposals, ViewPoints
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
-from cloner.stages.points import FAR, figure_height_px, for_fitting, shows_crotch
+from cloner.stages.points import figure_height_px, for_fitting, shows_crotch
 from cloner.vision.loose_outline import find_loose
 from cloner.vision.outlines import Outline, OutlineLoop, extract_outline
 

@@ -69,6 +69,7 @@ class Booth(Desk):
         session.failed.connect(self.failed)
         session.queue.changed.connect(self.visits_changed)
         session.queue.failed.connect(self._tell_failed)
+        session.queue.finished.connect(self._tell_ready)
 
     # --- the event ----------------------------------------------------------
 
@@ -175,11 +176,10 @@ class Booth(Desk):
         settle(self)
         services = self.session.services
         self.opening = folder
-        self._opening = Task(lambda progress: services.open(folder), self)
+        self._opening = Task(lambda progress: services.open(folder))
         self._opening.succeeded.connect(self._take)
         self._opening.failed.connect(self._opened)
         self._opening.failed.connect(self.failed)
-        self._opening.finished.connect(self._opening.deleteLater)
         self._opening.start()
         self.opening_changed.emit()
 
@@ -257,3 +257,8 @@ class Booth(Desk):
             self.failed.emit(
                 ClonerError(error.message, error.hint, f"{self.name_of(folder)}, {told_where(error.where)}")
             )
+
+    def _tell_ready(self, folder: Path) -> None:
+        """Tell of a clone that is ready while another visitor is open; the open one's is seen."""
+        if folder != self.session.folder:
+            self.told.emit(translate("window", "{name}: the clone is ready.").format(name=self.name_of(folder)))

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from datetime import UTC, datetime
 from pathlib import Path
 
-from PySide6.QtCore import QObject, Qt, Signal
+from PySide6.QtCore import QObject, Signal
 
 from cloner.booth import line
 from cloner.booth.growing import Shape
@@ -49,7 +49,6 @@ class CloneQueue(QObject):
     failed = Signal(Path, object)
     grown = Signal(Path)
     """The body of the visitor who is cloned just now has another :attr:`shape`."""
-    _shown = Signal(object)
 
     def __init__(self, services: Services, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -61,7 +60,6 @@ class CloneQueue(QObject):
         self._at_work: Path | None = None
         self._fraction, self._since = 0.0, 0.0
         self.shape: Shape | None = None
-        self._shown.connect(self._grow, Qt.ConnectionType.QueuedConnection)  # jobs show from their own thread
 
     @property
     def at_work(self) -> Path | None:
@@ -118,8 +116,9 @@ class CloneQueue(QObject):
         if self._task is None and self._waiting:
             folder = self._waiting.pop(0)
             self._at_work, self._fraction, self._since = folder, 0.0, time.monotonic()
-            task = Task(lambda progress: self._services.clone(folder, self.formats, progress, self._shown.emit), self)
+            task = Task(lambda progress: self._services.clone(folder, self.formats, progress, task.show))
             self._task, self.shape = task, None
+            task.shown.connect(self._grow)
             task.progressed.connect(self._tell)
             task.succeeded.connect(self._take)
             task.failed.connect(self._complain)
@@ -158,8 +157,6 @@ class CloneQueue(QObject):
             self.failed.emit(folder, error)
 
     def _done(self) -> None:
-        if self._task is not None:
-            self._task.deleteLater()
         self._task = None
         self._let_go()
         self._next()

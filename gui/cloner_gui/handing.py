@@ -53,7 +53,7 @@ class Handing(QObject):
         if self.busy or outcome is None:
             return
         services, result = self._session.services, outcome.folder
-        self._task = Task(lambda progress: services.hand_over(result, target, formats, progress), self)
+        self._task = Task(lambda progress: services.hand_over(result, target, formats, progress))
         self.step, self.fraction, self.target, self._stopped = "", 0.0, None, False
         self._task.stopped.connect(self._note_stop)
         self._task.progressed.connect(self._tell)
@@ -90,7 +90,5 @@ class Handing(QObject):
         self._stopped = True
 
     def _done(self) -> None:
-        if self._task is not None:
-            self._task.deleteLater()
         self._task = None
         self.changed.emit()

@@ -185,16 +185,20 @@ class Intake(QObject):
         folder = self._session.folder
         if folder is None or not photos:
             return
-        task = Task(lambda _: _stored(folder, photos, self.failed.emit), self)
+        task = Task(lambda _: _stored(folder, photos))
         self._storing[task] = folder, len(photos)
-        task.succeeded.connect(lambda paths: self._judge_all(folder, paths))
+        task.succeeded.connect(partial(self._take_stored, folder))
         task.finished.connect(partial(self._end_storing, task))
         task.start()
         self.busy_changed.emit()
 
+    def _take_stored(self, folder: Path, stored: tuple[list[Path], list[ClonerError]]) -> None:
+        for error in stored[1]:
+            self.failed.emit(error)
+        self._judge_all(folder, stored[0])
+
     def _end_storing(self, task: Task) -> None:
         self._storing.pop(task, None)
-        task.deleteLater()
         if self.camera_folder is not None and not self._storing:
             self.arrivals_stored.emit(dict(self._known))
         self.busy_changed.emit()
@@ -210,7 +214,7 @@ class Intake(QObject):
     def _next(self) -> None:
         if self._task is None and self._waiting and not self._ended:
             self._folder, work = self._waiting.popleft()
-            self._task = Task(work, self)
+            self._task = Task(work)
             self._task.succeeded.connect(self._take)
             self._task.failed.connect(self.failed)
             self._task.finished.connect(self._done)
@@ -223,20 +227,18 @@ class Intake(QObject):
             self._session.take(opened)
 
     def _done(self) -> None:
-        if self._task is not None:
-            self._task.deleteLater()
         self._task = None
         self._next()
 
 
-def _stored(folder: Path, photos: Sequence[Incoming], tell: Callable[[ClonerError], None]) -> list[Path]:
-    """Store photos and return where they lie; one that cannot be read is told and does not stop the others."""
-    found = []
+def _stored(folder: Path, photos: Sequence[Incoming]) -> tuple[list[Path], list[ClonerError]]:
+    """Store photos and return where they lie, and what is wrong with those that could not be read."""
+    found, wrong = [], []
     for photo in photos:
         try:
             found.append(store_photo(folder, photo.data(), photo.suffix, photo.meant))
         except ClonerError as error:
-            tell(error)
+            wrong.append(error)
             if error.where == "Consent":
                 break  # said once
-    return found
+    return found, wrong

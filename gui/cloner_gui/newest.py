@@ -40,12 +40,13 @@ class _Wish:
 class Newest(QObject):
     """A thread and what it is asked for."""
 
-    _answered = Signal(object)
+    _answered = Signal()  # the answers lie in a queue: nothing that Qt counts by itself changes threads
 
     def __init__(self) -> None:
         super().__init__()
         self._wishes: dict[tuple[int, str], _Wish] = {}
         self._begun: deque[_Wish] = deque()  # their owners: a widget's last reference must not go on the other thread
+        self._answers: deque[Any] = deque()
         self._told = threading.Condition()
         self._ends = False
         self._thread: threading.Thread | None = None
@@ -106,11 +107,12 @@ class Newest(QObject):
                     return
                 self._begun.append(self._wishes.pop(next(iter(self._wishes))))
                 work = self._begun[-1].work
-            self._answered.emit(_done(work))
-            del work
+            self._answers.append(_done(work))
+            del work  # the last reference to what it holds goes with the wish, on the window's thread
+            self._answered.emit()
 
-    def _hand_back(self, answer: Any) -> None:
-        wish = self._begun.popleft()
+    def _hand_back(self) -> None:
+        wish, answer = self._begun.popleft(), self._answers.popleft()
         if shiboken6.isValid(wish.owner):
             (wish.failed if isinstance(answer, ClonerError) else wish.then)(answer)
 

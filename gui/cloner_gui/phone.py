@@ -99,7 +99,7 @@ class Phone(QObject):
             self.changed.emit()
             return
         services = session.services
-        task = Task(lambda progress: services.pack(folder, outcome.folder, progress), self)
+        task = Task(lambda progress: services.pack(folder, outcome.folder, progress))
         self._packing, self._packed_for = task, folder
         task.failed.connect(self._booth.failed)
         task.finished.connect(self._packed)
@@ -114,8 +114,6 @@ class Phone(QObject):
             self._server = None
 
     def _packed(self) -> None:
-        if self._packing is not None:
-            self._packing.deleteLater()
         self._packing = None
         self.changed.emit()
         session = self._booth.session

@@ -221,7 +221,7 @@ class Session(QObject):
         folder, photos = self.folder, self.photos
         if self.busy or self.proposed or folder is None or not photos.photos:
             return
-        task = Task(lambda progress: self.services.propose(folder, photos, progress), self)
+        task = Task(lambda progress: self.services.propose(folder, photos, progress))
         self._task = task
         task.progressed.connect(self._tell_step)
         task.succeeded.connect(self._take_proposed)
@@ -292,5 +292,4 @@ class Session(QObject):
         if isinstance(task, Task):
             self._left = [one for one in self._left if one is not task]
             self._task = None if task is self._task else self._task
-            task.deleteLater()
         self.busy_changed.emit()

@@ -144,7 +144,7 @@ class StickRow(QWidget):
         stick = self.stick
         if stick is None or self._ejecting is not None:
             return
-        self._ejecting = Task(lambda _: eject(stick), self)
+        self._ejecting = Task(lambda _: eject(stick))
         gone = translate("stick", "{stick} can be pulled out.").format(stick=stick.label)
         self._ejecting.succeeded.connect(lambda _: self._say(gone))
         self._ejecting.failed.connect(self.failed)
@@ -153,8 +153,6 @@ class StickRow(QWidget):
         self._say("")
 
     def _ejected(self) -> None:
-        if self._ejecting is not None:
-            self._ejecting.deleteLater()
         self._ejecting = None
         self._known = None  # what is mounted has changed
         said = self._said

@@ -9,7 +9,7 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from PySide6.QtCore import QObject, QRectF, Qt, QThread, QTimer, Signal
+from PySide6.QtCore import QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QColor, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QComboBox, QDialog, QVBoxLayout, QWidget
 
@@ -22,6 +22,7 @@ from cloner_gui.canvas.poses import pose_outline as pose_outline
 from cloner_gui.flow import Flow
 from cloner_gui.pieces import button, label, name
 from cloner_gui.words import VIEW_TITLES, translate
+from cloner_gui.worker import Kept
 
 #: Time between button and photo, seconds, so that the operator can look at the visitor again (taste).
 COUNTDOWN_S: Final = 3
@@ -30,17 +31,16 @@ _COUNT_SHARE: Final = 0.5  # of the picture's height; 10 cm on a small screen ar
 _PAUSE_S: Final = 0.04  # 25 pictures a second are smooth, more only warm the machine
 
 
-class Grabber(QThread):
+class Grabber(Kept):
     """Reads a camera off the window's thread; only the newest picture counts."""
 
     seen = Signal()
     shot = Signal(bytes)
     failed = Signal(object)
 
-    def __init__(self, make: Callable[[], Camera], parent: QObject | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, make: Callable[[], Camera]) -> None:
+        super().__init__()
         self._make = make
-        self._stopped = threading.Event()
         self._shown, self._wanted = threading.Event(), threading.Event()
         self._shown.set()
         self.newest: NDArray[np.uint8] | None = None
@@ -54,7 +54,7 @@ class Grabber(QThread):
             self.failed.emit(error)
             return
         try:
-            while not self._stopped.is_set():
+            while not self._cancelled.is_set():
                 if self._wanted.is_set():
                     self._wanted.clear()
                     self.shot.emit(camera.shoot())
@@ -82,7 +82,7 @@ class Grabber(QThread):
 
     def stop(self) -> None:
         """End, and wait for it."""
-        self._stopped.set()
+        self.cancel()
         self.wait()
 
 
@@ -171,16 +171,16 @@ class WebcamDialog(QDialog):
         self._grabber.start()
 
     def _grab(self, make: Callable[[], Camera]) -> Grabber:
-        grabber = Grabber(make, self)
+        grabber = Grabber(make)
         grabber.seen.connect(self._show)
         grabber.shot.connect(self._take)
         grabber.failed.connect(self._fail)
+        self.destroyed.connect(grabber.cancel)  # also where a window around it goes without closing it
         return grabber
 
     def _change_source(self, number: int) -> None:
         """Look through the other camera."""
         self._grabber.stop()
-        self._grabber.deleteLater()
         self.live.picture = None
         self._grabber = self._grab(self._makers[number])
         self._grabber.start()

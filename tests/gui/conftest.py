@@ -1,5 +1,6 @@
-"""One window on a copy of a sample visitor, with stand-ins for the long jobs."""
+"""Windows with stand-ins for the long jobs: on a copy of a sample visitor, and with the studio's own jobs."""
 
+import dataclasses
 import gc
 import shutil
 import threading
@@ -19,6 +20,7 @@ from cloner.records.points import ViewPoints
 from cloner_gui.main_window import MainWindow
 from cloner_gui.services import Services
 from cloner_gui.session import Session
+from kit.studio_window import Studio
 
 NAMES = ("nose_tip", "eye_inner_L", "shoulder_end_left")
 PLACES = np.array([[600.0, 300.0], [650.0, 400.0], [700.0, 700.0]])
@@ -111,5 +113,31 @@ def window(qtbot, jobs, folder):
     with qtbot.waitSignal(window.booth.page_wanted, timeout=30000):
         window.booth.open(folder)
     qtbot.waitUntil(lambda: window.booth.intake.pending() == 0, timeout=30000)
+    yield window
+    window.booth.close()
+
+
+@pytest.fixture(scope="module")
+def kept_studio():
+    """The studio's process of one file of tests: what it has read and made stays in its memory."""
+    return Studio()
+
+
+@pytest.fixture
+def studio(kept_studio):
+    """The studio's jobs; a file of tests that steers them gives its own."""
+    return kept_studio
+
+
+@pytest.fixture
+def studio_window(qtbot, jobs, studio, tmp_path):
+    """The window on an empty event, with the studio's jobs on the caller's thread; results are one GLB."""
+    root = tmp_path / "fair"
+    root.mkdir()
+    window = MainWindow(Session(dataclasses.replace(jobs.services(), studio=studio)))
+    qtbot.addWidget(window)
+    window.show()
+    window.booth.open(root)
+    window.booth.change(formats=("glb",))
     yield window
     window.booth.close()

@@ -220,6 +220,7 @@ def test_one_visitor_is_cloned_while_the_next_is_photographed(event, jobs, qtbot
     qtbot.waitUntil(lambda: event.session.queue.size() == 0, timeout=20000)
     assert [read_visit(folder).state for folder in (*folders, third)] == [State.CLONED, State.CLONED, State.NONE]
     assert event.session.outcome is None, "another visitor's clone is not shown"
+    assert event.notice.messages == ("Visitor 2: the clone is ready.", "Visitor 1: the clone is ready.")
 
 
 def test_cancel_stops_and_tells_nothing(window, jobs, qtbot, folder):

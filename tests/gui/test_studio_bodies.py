@@ -1,46 +1,28 @@
 """Bodies from a tape in the window: sliders, what follows, what is refused, what is written."""
 
-import dataclasses
-
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from cloner.bodies.made import clone_of_measures
 from cloner.bodies.ruler import read
 from cloner.bodies.telling import Told
-from cloner.booth.studio.jobs import StudioJobs
 from cloner.generic.tape import load_tape_rules
 from cloner.picture import clone_of
-from cloner.project.clone_file import save_clone
-from cloner_gui.main_window import MainWindow
-from cloner_gui.session import Session
 from cloner_gui.studio.bodies import CLONE, NINE, BodiesWindow
 from cloner_gui.studio.measure_row import STATURE
+from kit.studio_window import TEXELS, tape_clone
 
 pytestmark = pytest.mark.gui
 
 
 @pytest.fixture
-def bodies(qtbot, jobs, tmp_path, monkeypatch):
-    monkeypatch.setattr("cloner_gui.studio.bodies._TEXELS", 512)
-    monkeypatch.setattr("cloner.booth.studio.shaping._SHOWN_TEXELS", 512)
-    made = StudioJobs()
-
-    def studio(method, arguments, progress, show):
-        return getattr(made, method)(*arguments, progress=progress)
-
-    root = tmp_path / "fair"
-    root.mkdir()
-    window = MainWindow(Session(dataclasses.replace(jobs.services(), studio=studio)))
-    qtbot.addWidget(window)
-    window.booth.open(root)
-    window.booth.change(formats=("glb",))
-    shown = BodiesWindow(window.booth, window)
+def bodies(studio_window, monkeypatch):
+    monkeypatch.setattr("cloner_gui.studio.bodies._TEXELS", TEXELS)
+    monkeypatch.setattr("cloner.booth.studio.shaping._SHOWN_TEXELS", TEXELS)
+    shown = BodiesWindow(studio_window.booth, studio_window)
     shown.show()
     yield shown
     shown.close()
-    window.booth.close()
 
 
 def rested(qtbot, window):
@@ -117,10 +99,8 @@ def test_a_body_is_saved_like_any_clone(bodies, qtbot, monkeypatch, tmp_path):
 
 
 def test_a_clone_that_is_told_new_measures_lies_beside_the_old_one(bodies, qtbot, tmp_path):
-    clone = clone_of_measures(Told("m", 1.8, {}), 512)
-    folder = tmp_path / "clones" / "tom"
-    folder.mkdir(parents=True)
-    save_clone(clone, folder / "clone.npz")
+    folder = tape_clone(tmp_path / "clones" / "tom", Told("m", 1.8, {}))
+    clone = clone_of(folder)
     rested(qtbot, bodies)
     bodies.kind.setCurrentIndex(bodies.kind.findData(CLONE))
     bodies.kind.activated.emit(2)

@@ -1,68 +1,39 @@
 """Statues in the window: a clone in stone, a photograph laid by dragged markers, a body of blobs."""
 
-import dataclasses
 import json
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
-from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
 from cloner.booth.studio.carving import MARKED
-from cloner.booth.studio.jobs import StudioJobs
 from cloner.picture import clone_of
-from cloner.project.clone_file import save_clone
 from cloner.statues.markers import known_points
-from cloner_gui.main_window import MainWindow
-from cloner_gui.session import Session
 from cloner_gui.studio.blob_scene import blob_meshes
 from cloner_gui.studio.blobs import BlobsWindow
 from cloner_gui.studio.photo_scene import LaidScene
 from cloner_gui.studio.photograph import PhotographWindow
 from cloner_gui.studio.statues import StoneWindow
+from kit.studio_window import TEXELS, press, tape_clone
 
 pytestmark = pytest.mark.gui
 
 
 @pytest.fixture(scope="module")
 def tom(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("tom") / "tom"
-    folder.mkdir()
-    save_clone(clone_of_measures(Told("m", 1.78, {}), 512), folder / "clone.npz")
-    return folder
-
-
-@pytest.fixture(scope="module")
-def made():
-    return StudioJobs()
+    return tape_clone(tmp_path_factory.mktemp("tom") / "tom", Told("m", 1.78, {}))
 
 
 @pytest.fixture
-def booth(qtbot, jobs, made, tmp_path, monkeypatch):
-    monkeypatch.setattr("cloner_gui.studio.statues._TEXELS", 512)
-    monkeypatch.setattr("cloner.booth.studio.carving._SHOWN_TEXELS", 512)
-
-    def studio(method, arguments, progress, show):
-        return getattr(made, method)(*arguments, progress=progress)
-
-    root = tmp_path / "fair"
-    root.mkdir()
-    window = MainWindow(Session(dataclasses.replace(jobs.services(), studio=studio)))
-    qtbot.addWidget(window)
-    window.booth.open(root)
-    window.booth.change(formats=("glb",))
-    yield window.booth
-    window.booth.close()
+def booth(studio_window, monkeypatch):
+    monkeypatch.setattr("cloner_gui.studio.statues._TEXELS", TEXELS)
+    monkeypatch.setattr("cloner.booth.studio.carving._SHOWN_TEXELS", TEXELS)
+    return studio_window.booth
 
 
 def rested(qtbot, window):
     qtbot.waitUntil(lambda: not window.busy, timeout=60000)
-
-
-def press(qtbot, button):
-    qtbot.waitUntil(button.isEnabled, timeout=60000)
-    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
 def test_a_clone_is_cut_from_bronze_and_lies_beside_it(booth, qtbot, tom):

@@ -1,6 +1,5 @@
 """A clone is dressed in the window: arranged, sewn, hung, walked in, saved; nobody is undressed unasked."""
 
-import dataclasses
 import shutil
 import threading
 
@@ -9,68 +8,45 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QMessageBox
 
-from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
 from cloner.booth.studio.jobs import StudioJobs
 from cloner.cloth import dressing
 from cloner.errors import Cancelled
-from cloner.project.clone_file import save_clone
-from cloner_gui.main_window import MainWindow
-from cloner_gui.session import Session
 from cloner_gui.studio.wearing import ANIMATE, ARRANGE, EXPORT, FABRIC, SEW, WearingWindow
+from kit.studio_window import Studio, press, tape_clone
 
 pytestmark = pytest.mark.gui
 
 
 @pytest.fixture(scope="module")
 def eva(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("eva") / "eva"
-    folder.mkdir()
-    save_clone(clone_of_measures(Told("f", 1.68, {"waist_girth": 740.0}), 512), folder / "clone.npz")
-    return folder
+    return tape_clone(tmp_path_factory.mktemp("eva") / "eva", Told("f", 1.68, {"waist_girth": 740.0}))
 
 
-class Studio:
-    """The studio's jobs on the caller's thread, steered: coarse cloth, few cycles."""
+class SteeredStudio(Studio):
+    """The studio's jobs, held up where a test wants that."""
 
-    def __init__(self):
-        self.calls, self.hold = [], None
-        self._jobs = {}
+    hold = None
 
     def __call__(self, method, arguments, progress, show):
-        self.calls.append((method, *arguments))
         while self.hold is not None and not self.hold.wait(0.01):
             progress(method, 0.5)
-        jobs = self._jobs.setdefault("one", StudioJobs(lambda value: self._show(value)))
-        self._show = show
-        return getattr(jobs, method)(*arguments, progress=progress)
+        return super().__call__(method, arguments, progress, show)
 
 
 @pytest.fixture
 def studio(monkeypatch):
     monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", {"cycles": 4, "step_m": 0.05, "under": None})
-    return Studio()
+    return SteeredStudio()
 
 
 @pytest.fixture
-def wearing(qtbot, jobs, studio, eva, tmp_path):
-    root = tmp_path / "fair"
-    root.mkdir()
-    window = MainWindow(Session(dataclasses.replace(jobs.services(), studio=studio)))
-    qtbot.addWidget(window)
-    window.show()
-    window.booth.open(root)
-    made = WearingWindow(window.booth, window)
+def wearing(studio_window, eva):
+    made = WearingWindow(studio_window.booth, studio_window)
     made.show()
     made.subject.choose(eva)
     yield made
     made.close()
-    window.booth.close()
-
-
-def press(qtbot, button):
-    qtbot.waitUntil(button.isEnabled, timeout=30000)
-    qtbot.mouseClick(button, Qt.MouseButton.LeftButton)
 
 
 def on(qtbot, window, step):

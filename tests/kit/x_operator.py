@@ -134,8 +134,7 @@ class Walk:
     def picture(self, name: str) -> None:
         """Keep what is seen."""
         if self.pictures is not None and self.how == "files":
-            screen = self.app.primaryScreen().size()
-            self.window.grab().save(str(self.pictures / f"{screen.width()}_{name}.png"))
+            self.window.grab().save(str(self.pictures / f"{_pixels(self.app)}_{name}.png"))
 
     def _picture_the_rest(self, language: str) -> None:
         """Keep what this walk did not pass: points, and every window beside."""
@@ -147,15 +146,20 @@ class Walk:
         window.go(2)
         self.hands.settle(1.0)
         self.picture(f"{language}_3")
-        screen = self.app.primaryScreen().size()
         for number, kind in enumerate((GalleryWindow, SettingsWindow, StageWindow), start=6):
             one = kind(window.booth, window)
             one.show()
             self.hands.settle(0.8)
-            one.grab().save(str(self.pictures / f"{screen.width()}_{language}_{number}.png"))
+            one.grab().save(str(self.pictures / f"{_pixels(self.app)}_{language}_{number}.png"))
             one.close()
         window.go(4)
         self.hands.settle()
+
+
+def _pixels(app: Any) -> int:
+    """Return the screen's width in its own pixels: two screens of one width in points are two pictures."""
+    screen = app.primaryScreen()
+    return round(screen.size().width() * screen.devicePixelRatio())
 
 
 def main() -> None:

@@ -57,7 +57,6 @@ class LiveOutlines(QObject):
         task = Task(lambda progress: ready_outlines(folder, photos, proposed, progress))
         self._task = task
         task.succeeded.connect(self.take)
-        task.finished.connect(task.deleteLater)
         task.start()
 
     def take(self, ready: Outlines) -> None:

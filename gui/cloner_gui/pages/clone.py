@@ -219,7 +219,6 @@ class ClonePage(QWidget):
         self._measuring = task
         task.succeeded.connect(self._take_gaps)
         task.failed.connect(self._tell_failed)
-        task.finished.connect(task.deleteLater)
         task.start()
 
     def _take_gaps(self, gaps_mm: NDArray[np.float64]) -> None:

@@ -27,7 +27,6 @@ class Bench(QDialog):
     """A window of the studio; ``controls`` takes its fields, ``stage`` its picture, ``deeds`` its buttons."""
 
     busy_changed = Signal()
-    _shown = Signal(object)
 
     def __init__(self, booth: Booth, title: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -47,7 +46,6 @@ class Bench(QDialog):
         self.whole = QWidget()
         self._lay_out()
         self.notice = Notice(self.whole)
-        self._shown.connect(self._see, Qt.ConnectionType.QueuedConnection)  # jobs show from their own thread
         self.cancel_button.clicked.connect(self.cancel)
         self._tell_busy()
 
@@ -105,9 +103,9 @@ class Bench(QDialog):
         if self._task is not None:
             return False
         studio = self.booth.session.services.studio
-        work = functools.partial(studio, method, arguments, show=self._shown.emit)
-        self._show_work = shows or _unseen
-        self._task = Task(work, self)
+        task = Task(lambda progress: studio(method, arguments, progress, task.show))
+        self._task, self._show_work = task, shows or _unseen
+        self._task.shown.connect(self._see)
         self._task.progressed.connect(self._tell)
         self._task.succeeded.connect(functools.partial(self._take, then))
         self._task.failed.connect(failed or self.notice.tell)
@@ -137,8 +135,6 @@ class Bench(QDialog):
         self.status.setText(spoken_step(step) if step else "")
 
     def _done(self) -> None:
-        if self._task is not None:
-            self._task.deleteLater()
         self._task = None
         self._tell_busy()
 

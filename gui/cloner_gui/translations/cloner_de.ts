@@ -4125,6 +4125,7 @@
     <name>webcam</name>
     <message>
         <source>Webcam</source>
+        <extracomment>Time between button and photo, seconds, so that the operator can look at the visitor again (taste).</extracomment>
         <translation>Webcam</translation>
     </message>
     <message>
@@ -4202,6 +4203,10 @@
     <message>
         <source>{name} lies in the trash for {n} days.</source>
         <translation>{name} liegt {n} Tage im Papierkorb.</translation>
+    </message>
+    <message>
+        <source>{name}: the clone is ready.</source>
+        <translation>{name}: Der Klon ist fertig.</translation>
     </message>
 </context>
 <context>

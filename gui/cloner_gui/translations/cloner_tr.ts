@@ -4124,6 +4124,7 @@
     <name>webcam</name>
     <message>
         <source>Webcam</source>
+        <extracomment>Time between button and photo, seconds, so that the operator can look at the visitor again (taste).</extracomment>
         <translation>Web kamerası</translation>
     </message>
     <message>
@@ -4201,6 +4202,10 @@
     <message>
         <source>{name} lies in the trash for {n} days.</source>
         <translation>{name} {n} gün çöpte kalır.</translation>
+    </message>
+    <message>
+        <source>{name}: the clone is ready.</source>
+        <translation>{name}: klon hazır.</translation>
     </message>
 </context>
 <context>

@@ -1,11 +1,16 @@
-"""Which outline of a side photo is the face's own."""
+"""Which outline of a side photo is the face's own, and how far a point is believed."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from cloner.head.evidence import _of_the_face
+from cloner.geometry.shape_fit import _rows
+from cloner.head.ears import Spots
+from cloner.head.evidence import Params, _of_the_face, make_model
+from cloner.head.fit import _by_trust
+from cloner.records.bodies import Phenotype
 from cloner.records.labels import Label
+from cloner.records.views import Camera
 
 HEIGHT, WIDTH = 200, 120
 
@@ -42,3 +47,20 @@ def test_a_beards_outline_is_not_the_chins() -> None:
 def test_under_a_cap_or_a_fringe_the_face_begins_below() -> None:
     assert rows_kept(labels(hair=(30, 60))).min() > 60.0, "what lies above hair is hidden by it"
     assert not np.isin(np.arange(0, 50), rows_kept(labels(accessory=(0, 50)))).any()
+
+
+def test_a_point_dragged_far_keeps_its_weight_where_a_proposed_one_is_doubted() -> None:
+    """The first drag in a side photo is farthest off all else: doubted for that, it told next to nothing."""
+    model = make_model(Phenotype(np.zeros(1), 1.7, 0.02, {}, {}))
+    pose = np.diag([1.0, -1.0, -1.0, 1.0])
+    pose[:3, 3] = [0.0, 1.55, 1.2]
+    seen = Camera(900, 1200, 2600.0, pose)
+    lobe = np.array([model.generic.feature("ear_lobe_R")] * 2)
+    metres = seen.metres_per_pixel(model.vertices_m[lobe[0]])
+    away = seen.project(model.vertices_m[lobe]) + [0.0, 0.005 / metres]
+    placed_m = Params().corrected_m
+    spots = Spots(lobe, away, np.array([0.0025, placed_m]))
+    proposed, placed = _by_trust(model, spots, 0, metres, placed_m, outlier=1.5)
+    weights = [_rows(one, np.zeros(len(model.basis_m)), seen)[3].min() for one in (proposed, placed)]
+    assert weights[0] < 0.4
+    assert weights[1] > 0.6
