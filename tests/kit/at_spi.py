@@ -1,13 +1,14 @@
 """The window as screen readers meet it: what hangs on the accessibility bus, read with the desktop's own ``gdbus``.
 
-``dbus-run-session -- python -m kit.at_spi EVENT`` prints a JSON list of (role, name) of all that is there.
-``--window`` alone opens the window, prints "ready" and ends with its standard input.
+``dbus-run-session -- python -m kit.at_spi EVENT`` prints a JSON list for each page: (role, name) of all that is there.
+``--window`` alone opens the window, prints "ready", shows the page of each line that it reads, and ends with its input.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import queue
 import re
 import subprocess
 import sys
@@ -15,16 +16,19 @@ import threading
 from pathlib import Path
 
 ACCESSIBLE = "org.a11y.atspi.Accessible"
+PAGES = 5
+SETTLES_MS = 1500
 
 
-def tree(address: str) -> list[tuple[str, str]]:
-    """Return (role, name) of everything that programs show on the bus."""
+def tree(address: str, *, menus: bool) -> list[tuple[str, str]]:
+    """Return (role, name) of everything that programs show on the bus; without what lies in menus if they are known."""
     found, waiting = [], [("org.a11y.atspi.Registry", "/org/a11y/atspi/accessible/root")]
     while waiting:
         place = waiting.pop()
-        children = _ask(address, place, f"{ACCESSIBLE}.GetChildren")
-        waiting += re.findall(r"'(:[\d.]+)', (?:objectpath )?'([^']+)'", children)
         role = re.search(r"'(.*)'", _ask(address, place, f"{ACCESSIBLE}.GetRoleName"))
+        if menus or role is None or role.group(1) != "menu bar":
+            children = _ask(address, place, f"{ACCESSIBLE}.GetChildren")
+            waiting += re.findall(r"'(:[\d.]+)', (?:objectpath )?'([^']+)'", children)
         name = _ask(address, place, "org.freedesktop.DBus.Properties.Get", ACCESSIBLE, "Name")
         said = re.search(r"<['\"](.*)['\"]>", name)
         found.append((role.group(1) if role else "", said.group(1) if said else ""))
@@ -47,8 +51,13 @@ def main() -> None:
     environment = {**os.environ, "QT_LINUX_ACCESSIBILITY_ALWAYS_ON": "1", "QT_QPA_PLATFORM": "xcb"}
     command = [sys.executable, "-m", "kit.at_spi", "--window", sys.argv[1]]
     window = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
-    window.stdout.readline()
-    sys.stdout.write(json.dumps(tree(found.group(1))))
+    pages = []
+    for number in range(PAGES):
+        window.stdout.readline()
+        pages.append(tree(found.group(1), menus=number == 0))
+        window.stdin.write(f"{number + 1}\n" if number + 1 < PAGES else "")
+        window.stdin.flush()
+    sys.stdout.write(json.dumps(pages))
     window.stdin.close()
     window.wait(20)
 
@@ -67,12 +76,30 @@ def show(event: Path) -> None:
     window.show()
     window.booth.open(event)
     window.booth.new_visitor()
-    ended = threading.Event()
-    threading.Thread(target=lambda: (sys.stdin.read(), ended.set()), daemon=True).start()
+    said = queue.SimpleQueue()  # what the other thread reads: a page's number, "" at the end
+
+    def read() -> None:
+        line = "before the first"
+        while line:
+            line = sys.stdin.readline()
+            said.put(line)
+
+    threading.Thread(target=read, daemon=True).start()
+
+    def ready() -> None:
+        sys.stdout.write("ready\n")
+        sys.stdout.flush()
+
+    def look() -> None:
+        if not said.empty():
+            line = said.get()
+            window.go(int(line)) if line else app.quit()
+            QTimer.singleShot(SETTLES_MS, ready)
+
     looker = QTimer(interval=50)
-    looker.timeout.connect(lambda: app.quit() if ended.is_set() else None)
+    looker.timeout.connect(look)
     looker.start()
-    QTimer.singleShot(1500, lambda: (sys.stdout.write("ready\n"), sys.stdout.flush()))
+    QTimer.singleShot(SETTLES_MS, ready)
     app.exec()
     window.close()
 

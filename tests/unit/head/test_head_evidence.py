@@ -6,8 +6,9 @@ import numpy as np
 
 from cloner.geometry.shape_fit import _rows
 from cloner.head.ears import Spots
-from cloner.head.evidence import Params, _of_the_face, make_model
+from cloner.head.evidence import Params, _of_the_face
 from cloner.head.fit import _by_trust
+from cloner.head.model import make_model
 from cloner.records.bodies import Phenotype
 from cloner.records.labels import Label
 from cloner.records.views import Camera
