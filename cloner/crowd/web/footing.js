@@ -72,14 +72,16 @@ function putPose(row, i, x, z, heading, clip, frame, other, second, share) {
 
 // Everybody of a pack that acts a scenario: `arrays` are those of acted.bin, `clones` how many there are.
 function actedOf(arrays, clones) {
-  const { footings, starts, people, touches, clips } = arrays, count = starts.length - 1, kinds = clips.length / 2 / clones;
-  const current = Uint32Array.from(starts.subarray(0, count)), known = new Int32Array(count).fill(-1), parts = [];
+  const { starts, people } = arrays, count = starts.length - 1, kinds = arrays.clips.length / 2 / clones;
+  let { footings, touches, clips } = arrays;
+  const begins = Uint32Array.from(starts.subarray(0, count)), ends = Uint32Array.from(starts.subarray(1));
+  const current = begins.slice(), known = new Int32Array(count).fill(-1), parts = [], before = new Map();
 
   function fill(who, now, rows) {
     const i = who * 4 * PERSON_TEXELS;
     let k = current[who];
-    if (now < footings[k * FOOTING + FROM]) k = starts[who];
-    while (k + 1 < starts[who + 1] && now >= footings[(k + 1) * FOOTING + FROM]) k++;
+    if (now < footings[k * FOOTING + FROM]) k = begins[who];
+    while (k + 1 < ends[who] && now >= footings[(k + 1) * FOOTING + FROM]) k++;
     current[who] = k;
     const at = k * FOOTING, clone = rows[i + 6], scale = rows[i + 7], clip = footings[at + CLIP];
     if (now < footings[at + FROM] || now >= footings[at + UNTIL]) { rows[i] = GONE; return; }
@@ -115,5 +117,33 @@ function actedOf(arrays, clones) {
   }
 
   const walks = (who) => footings[current[who] * FOOTING + LAST] >= 0;
-  return { count, people, current, walks, at(now, rows, time = () => now) { for (let who = 0; who < count; who++) fill(who, time(who), rows); } };
+  const long = (list, more) => { const grown = new Float32Array(more); grown.set(list.subarray(0, more)); return grown; };
+  return {
+    count, people, current, walks,
+    at(now, rows, time = () => now) { for (let who = 0; who < count; who++) fill(who, time(who), rows); },
+    // A clone that was not there at first, as the next one or in another's stead.
+    dress(clone, own_touches, own_clips) {
+      if ((clone + 1) * own_touches.length > touches.length) touches = long(touches, (clone + 1) * own_touches.length);
+      if ((clone + 1) * own_clips.length > clips.length) clips = long(clips, (clone + 1) * own_clips.length);
+      touches.set(own_touches, clone * own_touches.length);
+      clips.set(own_clips, clone * own_clips.length);
+    },
+    // Somebody's part is taken by who has footings and a row of his own.
+    take(who, own, row) {
+      const at = who * 4 * PERSON_TEXELS, first = footings.length / FOOTING;
+      if (!before.has(who)) before.set(who, people.slice(at, at + 4 * PERSON_TEXELS));
+      footings = long(footings, footings.length + own.length);
+      footings.set(own, first * FOOTING);
+      begins[who] = current[who] = first;
+      ends[who] = footings.length / FOOTING;
+      people.set(row, at);
+    },
+    // And given back.
+    give(who) {
+      begins[who] = current[who] = starts[who];
+      ends[who] = starts[who + 1];
+      people.set(before.get(who), who * 4 * PERSON_TEXELS);
+      before.delete(who);
+    },
+  };
 }
