@@ -82,10 +82,13 @@ def _film(
 def _serve(
     built: Annotated[Path, typer.Argument(metavar="SCENE", help="What scene build wrote.")],
     clones: Annotated[Path, typer.Option("--clones", help="An event's folder, or a folder of results.")],
-    port: Annotated[int, typer.Option("--port", help="Of this machine only; any free one by default.")] = 0,
+    host: Annotated[
+        str, typer.Option("--host", help="This machine's address in a network whose machines may show it too.")
+    ] = "127.0.0.1",
+    port: Annotated[int, typer.Option("--port", help="Any free one by default.")] = 0,
 ) -> None:
     """Show a built scene in a browser of this machine; finished clones come into it. Ctrl+C ends it."""
     from cloner.booth.inhabiting import finished_clones, number_asked
     from cloner.scenes.serving import serve_folder
 
-    serve_folder(built, finished_clones(clones), number_asked(clones), port=port, said=at_once)
+    serve_folder(built, finished_clones(clones), number_asked(clones), host=host, port=port, said=at_once)

@@ -144,9 +144,12 @@ function setScene(name, count) {
   bin();
 }
 
-// Everybody where the scenario has them now; when it is over it begins again.
+// When it is in what is acted: over and over, or on and on where that is told.
+function actedNow() { return facts.live ? state.now : state.now - Math.floor(state.now / facts.acted.seconds) * facts.acted.seconds; }
+
+// Everybody where the scenario has them now.
 function act() {
-  const long = facts.acted.seconds, now = state.now - Math.floor(state.now / long) * long;
+  const now = actedNow();
   acted.at(now, walkers.rows, staging ? (who) => staging.time(who, now) : undefined);
   if (staging) {
     staging.dress(walkers.rows, now);
@@ -358,7 +361,7 @@ function resize() {
 
 // The film's own camera, caption and curtain, now.
 function direct() {
-  const long = facts.acted.seconds, now = state.now - Math.floor(state.now / long) * long;
+  const now = actedNow();
   const { place: at, target, fov } = staging.camera(walkers.rows, now);
   camera.fov = fov;
   camera.updateProjectionMatrix();
@@ -495,6 +498,7 @@ function buildKnobs() {
   slider.value = (100 * (Math.log10(state.people) - 1)) / 3.78;
   slider.addEventListener("input", () => setScene(state.scene, whole(Number(slider.value))));
   if (!live) document.querySelector("#knobs").append(slider);
+  if (live) knob("order", () => { const order = window.prompt("Order, as in a scenario: school goes to door"); if (order) live.order(order); });
   if (!live) knob("pause", (made) => { state.paused = !state.paused; made.setAttribute("aria-pressed", state.paused); });
   knob("tiers", (made) => { state.debug = 1 - state.debug; made.setAttribute("aria-pressed", Boolean(state.debug)); });
   if (acted) knob("sound", async (made) => {

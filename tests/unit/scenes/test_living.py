@@ -1,23 +1,22 @@
-"""Clones that come into a scene while it is shown: within seconds, with consent, and gone without a rest."""
+"""A scene that goes on while it is shown: clones come with consent, within seconds, and are gone without a rest."""
 
 from __future__ import annotations
 
-import http.client
 import json
 import os
-import socket
+import shutil
 import threading
 import time
 from functools import partial
 from pathlib import Path
-from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
 
-from cloner.crowd.footing import Acted, rows_at
-from cloner.crowd.levels import body_levels
-from cloner.crowd.people import Found
+from cloner.behaviour.language import read_text
+from cloner.behaviour.loop import guide
+from cloner.behaviour.world import world_of
+from cloner.crowd.footing import FROM, UNTIL, Acted, rows_at
 from cloner.crowd.reading import read_acted, read_facts
 from cloner.errors import ClonerError
 from cloner.holdings import find_holding, holdings
@@ -25,9 +24,10 @@ from cloner.privacy import forget
 from cloner.project.results import RESULT_MARK, file_digest
 from cloner.scenes import living
 from cloner.scenes.inhabited import build_folder
-from cloner.scenes.living import Living, finished_in
-from cloner.scenes.newcomers import footings_for, newcomer_of, part_for, parts_in
-from cloner.scenes.serving import HOST, serve_folder, served
+from cloner.scenes.living import Living
+from cloner.scenes.minds import HEAD_S, Look, Minds, minds_of
+from cloner.scenes.newcomers import Newcomer, finished_in
+from cloner.scenes.serving import going_on, serve_folder, served
 from kit.browser import CHROMIUM, browser
 from kit.crowds import dressed_toy, saved
 
@@ -36,6 +36,7 @@ SECONDS = 30.0
 SCENARIO = """floor 0, 0 to 8, 6
 point a at 1.5, 3 region 2 x 4
 point b at 6.5, 3 region 2 x 4
+point out at 4, 1 region 2 x 1
 group walkers: 3 people, visits a > b again, starts at a, adapts to space
 group watchers: 2 people, visits b, starts at b
 """
@@ -68,37 +69,74 @@ def shown(built: Path, hot: Path) -> tuple[Living, list[str]]:
     return Living(built, partial(finished_in, hot), said.append), said
 
 
-def heard(scene: Living) -> list[tuple[str, dict]]:
-    """What a page that opens now is told at once."""
-    events = []
-    for event in scene.told(0.01):
-        if event is None:
-            break
-        events.append(event)
-    return events
-
-
-def test_a_newcomer_walks_a_walkers_way_with_steps_of_its_own(built: Path, hot: Path) -> None:
+def minds_in(built: Path) -> Minds:
     facts = read_facts(built)
-    acted = read_acted(built, facts)
-    own = newcomer_of(Found("eve", finished(hot, "eve")), facts, body_levels())
-    parts = parts_in(acted, SECONDS)
-    who = part_for(parts, 2.0, frozenset())
+    return minds_of(
+        world_of(read_text(facts["scenario"]["text"]), 1), read_acted(built, facts), facts["people"][0]["clips"]
+    )
+
+
+def walked(minds: Minds, times: np.ndarray) -> list[np.ndarray]:
+    """Everybody's footings as a page gathers them."""
+    ways = [np.zeros((0, 12), np.float32) for _ in minds.walkers]
+    for now in times:
+        for who, rows in minds.go_on(float(now)).items():
+            ways[who] = np.concatenate([ways[who][ways[who][:, FROM] < rows[0, FROM]], rows])
+    return ways
+
+
+def hello_of(scene: Living) -> dict:
+    kind, hello = next(scene.told(0.01))
+    assert kind == "hello"
+    return hello
+
+
+def test_who_goes_on_takes_the_very_steps_that_were_baked(built: Path) -> None:
+    acted = read_acted(built, read_facts(built))
+    for times in (np.arange(0, SECONDS - HEAD_S, 0.5), np.array([0.0, 0.07, 3.3, 3.4, 7.0])):
+        ways = walked(minds_in(built), times)
+        for who, way in enumerate(ways):
+            baked = acted.footings[acted.starts[who] : acted.starts[who + 1]]
+            assert len(way) > 4
+            assert np.array_equal(way[:-1], baked[: len(way) - 1])
+            assert way[-1, UNTIL] >= times[-1] + 1.9, "feet are ahead of what is shown"
+
+
+def test_who_leaves_is_gone_when_the_feet_have_left_and_no_part_is_free_then(built: Path) -> None:
+    minds = minds_in(built)
+    guide(minds.world, "everybody leaves by out")
+    ways = walked(minds, np.arange(0, 25.0, 0.5))
+    assert minds.over()
+    for who, way in enumerate(ways):
+        assert way[-1, UNTIL] == pytest.approx(minds.gone_s[who], abs=1.0)
+    with pytest.raises(ClonerError, match="nobody's part is free"):
+        minds.goes(frozenset())
+
+
+def test_a_newcomer_walks_on_with_its_own_feet_where_another_walked(built: Path) -> None:
+    facts = read_facts(built)
+    acted, minds = read_acted(built, facts), minds_in(built)
+    ways = walked(minds, np.arange(0, 8.0, 0.5))
+    who = minds.goes(frozenset())
     assert who < 3, "a walker's part, not a watcher's"
-    assert part_for(parts, 2.0, frozenset({who})) not in (who, 3, 4)
-    footings = footings_for(own, acted, who)
-    alone = Acted(
-        footings, np.array([0, len(footings)], np.uint32), acted.people[who : who + 1].copy(), own.touches[None],
-        own.clips[None],
-    )  # fmt: skip
-    alone.people[0, 1, 2:4] = 0.0, 1.0
-    times = np.arange(1.0, SECONDS - 1.0, 0.5)
-    mine = np.array([rows_at(alone, t)[0, 0, 1:3] for t in times])
-    theirs = np.array([rows_at(acted, t)[who, 0, 1:3] for t in times])
-    away = np.linalg.norm(mine - theirs, axis=1)
-    assert away.mean() < 0.35
-    assert away.max() < 1.2
-    assert np.linalg.norm(np.diff(mine, axis=0), axis=1).sum() > 5.0
+    other = 1 - int(acted.people[who, 1, 2])
+    at = minds.dress(who, Look(acted.touches[other], acted.clips[other], 1.0))
+    assert 8.0 < at + 0.5 < 8.0 + HEAD_S
+    more = walked(minds, np.arange(8.0, 25.0, 0.5))[who]
+    way = np.concatenate([ways[who][ways[who][:, FROM] < more[0, FROM]], more])
+
+    def places(clone: int, times: np.ndarray) -> np.ndarray:
+        rows = acted.people[who : who + 1].copy()
+        rows[0, 1, 2:4] = clone, 1.0
+        alone = Acted(way, np.array([0, len(way)], np.uint32), rows, acted.touches, acted.clips)
+        return np.array([rows_at(alone, t)[0, 0, 1:3] for t in times])
+
+    mine, theirs = places(other, np.arange(at, 24.0, 0.02)), np.arange(at, 24.0, 0.02)
+    baked = np.array([rows_at(acted, t)[who, 0, 1:3] for t in theirs[::10]])
+    steps = np.linalg.norm(np.diff(mine, axis=0), axis=1)
+    assert steps.max() < 0.06, "nobody jumps"
+    assert steps.sum() > 5.0
+    assert np.linalg.norm(mine[::10] - baked, axis=1).mean() < 0.35
 
 
 def test_who_agreed_comes_and_who_did_not_is_told_and_stays_away(built: Path, hot: Path) -> None:
@@ -112,14 +150,11 @@ def test_who_agreed_comes_and_who_did_not_is_told_and_stays_away(built: Path, ho
     assert len(said) == 2
     assert "eve is in the scene" in said
     assert sum("no consent" in one and "ann" in one for one in said) == 1
-    (kind, hello), *rest = heard(scene)
-    assert kind == "hello"
-    assert not rest
+    hello = hello_of(scene)
     (eve,) = hello["newcomers"]
     assert "eve" not in json.dumps(hello), "pages are told no name"
-    assert set(eve) == {"key", "row", "fresh"}
-    part = json.loads(scene.file(eve["key"], "part.json") or b"")
-    assert part["who"] < 3
+    assert set(eve) == {"key", "row", "fresh", "who", "at"}
+    assert scene.file(eve["key"], "numbers.bin")
     assert scene.file(eve["key"], "../crowd.json") is None
     assert scene.file("other", "numbers.bin") is None
 
@@ -128,7 +163,7 @@ def test_who_is_forgotten_leaves_no_file_and_gives_the_part_back(built: Path, ho
     scene, said = shown(built, hot)
     finished(hot, "eve")
     scene.look()
-    key = heard(scene)[0][1]["newcomers"][0]["key"]
+    key = hello_of(scene)["newcomers"][0]["key"]
     assert scene.file(key, "atlas.webp")
     told = scene.told(0.01)
     next(told)
@@ -136,13 +171,14 @@ def test_who_is_forgotten_leaves_no_file_and_gives_the_part_back(built: Path, ho
     scene.look()
     assert next(told) == ("gone", {"key": key})
     assert scene.file(key, "atlas.webp") is None
-    assert scene.file(key, "part.json") is None
-    assert heard(scene)[0][1]["newcomers"] == []
+    assert hello_of(scene)["newcomers"] == []
     assert said[-1] == "somebody has left the scene"
 
 
 def test_the_newest_stay_and_a_clone_made_anew_comes_again(built: Path, hot: Path, monkeypatch) -> None:
-    monkeypatch.setattr(living, "newcomer_of", lambda found, *_: type("One", (), {"row": {}, "files": {}})())
+    own = read_acted(built, read_facts(built))
+    one = Newcomer({}, {}, own.touches[0], own.clips[0])
+    monkeypatch.setattr(living, "newcomer_of", lambda *_: one)
     monkeypatch.setattr(living, "MOST", 2)
     scene, said = shown(built, hot)
     for number, name in enumerate("abc"):
@@ -157,8 +193,6 @@ def test_the_newest_stay_and_a_clone_made_anew_comes_again(built: Path, hot: Pat
 
 
 def test_a_scene_that_is_taken_away_ends_everywhere(built: Path, hot: Path, tmp_path: Path) -> None:
-    import shutil
-
     pack = tmp_path / "scene"
     shutil.copytree(built, pack)
     scene, _ = shown(pack, hot)
@@ -174,34 +208,40 @@ def test_a_scene_that_is_taken_away_ends_everywhere(built: Path, hot: Path, tmp_
     assert scene.file(key, "atlas.webp") is None
 
 
-def asked(url: str, path: str = "", method: str = "GET", body: str | None = None, **headers: str) -> int:
-    place = urlsplit(url)
-    line = http.client.HTTPConnection(place.hostname, place.port, timeout=10)
-    line.request(method, path if path.startswith("/") else place.path + path, body, headers)
-    code = line.getresponse().status
-    line.close()
-    return code
-
-
-def test_only_who_knows_the_address_is_answered_and_only_this_machine(built: Path, hot: Path) -> None:
+def test_orders_are_obeyed_and_a_scene_that_everybody_has_left_begins_again(
+    built: Path, hot: Path, monkeypatch
+) -> None:
     scene, _ = shown(built, hot)
-    with served(scene, lambda number: number == "42") as url:
-        assert urlsplit(url).hostname == HOST
-        assert len(urlsplit(url).path) > 30
-        assert asked(url) == 200
-        assert asked(url, "/") == 404
-        assert asked(url, "/guess/") == 404
-        assert asked(url, "crowd.json") == 404
-        assert asked(url, "newcomers/../crowd.json") == 404
-        assert asked(url, Host="evil.example") == 404, "a foreign page that calls this machine by another name"
-        assert asked(url, "staff", "POST", "42") == 200
-        assert asked(url, "staff", "POST", "41") == 403
-        assert asked(url, "staff", "POST", "4" * 1000) == 404
-        port = urlsplit(url).port
-        with pytest.raises(ClonerError, match="cannot be had"), served(shown(built, hot)[0], bool, port):
-            pass
-    with pytest.raises(OSError, match="efused"):
-        socket.create_connection((HOST, port), 1.0)
+    finished(hot, "eve")
+    scene.look()
+    told = scene.told(0.01)
+    (eve,) = next(told)[1]["newcomers"]
+    with pytest.raises(ClonerError, match="column"):
+        scene.order("walkers fly to moon")
+    scene.order("walkers leaves by out")
+    clock, kinds = [time.monotonic()], []
+    monkeypatch.setattr(living.time, "monotonic", lambda: clock[0])
+    for _ in range(120):
+        clock[0] += 0.5
+        scene.go_on()
+        kinds.append(next(told)[0])
+        if kinds[-1] == "plays":
+            scene.order("everybody leaves by out")
+        if kinds[-1] == "hello":
+            break
+    assert set(kinds) == {"steps", "plays", "hello"}, "who plays a part that leaves gets another, until all have left"
+    assert scene.file(eve["key"], "atlas.webp")
+    assert [one["key"] for one in hello_of(scene)["newcomers"]] == [eve["key"]]
+
+
+def test_a_page_that_takes_nothing_is_let_go_and_memory_does_not_grow(built: Path, hot: Path) -> None:
+    scene, _ = shown(built, hot)
+    slow = scene.told(0.01)
+    next(slow)
+    for _ in range(living.KEPT_EVENTS + 5):
+        scene.go_on()
+    assert list(slow) == [], "it may ask anew"
+    assert len(scene._events) == living.KEPT_EVENTS
 
 
 def test_what_cannot_be_shown_is_one_sentence(built: Path, lively: Path, hot: Path) -> None:
@@ -213,20 +253,24 @@ def test_what_cannot_be_shown_is_one_sentence(built: Path, lively: Path, hot: Pa
         serve_folder(hot, hot, said=str)
 
 
+def in_page(page, url: str) -> None:
+    page._ask("Emulation.setDeviceMetricsOverride", width=320, height=180, deviceScaleFactor=1, mobile=False)
+    page._ask("Page.navigate", url=url)
+    page.wait_for("document.body?.dataset.ready === 'yes' && live.rejoined !== null", 120)
+
+
+def watched(scene: Living, over: threading.Event) -> None:
+    while not over.wait(0.2) and not scene.over:
+        scene.look()
+
+
 @pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
 def test_the_camera_finds_who_has_come_and_who_is_forgotten_is_gone(built: Path, hot: Path, tmp_path: Path) -> None:
     scene, _ = shown(built, hot)
     over = threading.Event()
-
-    def watch() -> None:
-        while not over.wait(0.2) and not scene.over:
-            scene.look()
-
-    threading.Thread(target=watch, daemon=True).start()
-    with served(scene, lambda number: number == "42") as url, browser(tmp_path / "profile") as page:
-        page._ask("Emulation.setDeviceMetricsOverride", width=320, height=180, deviceScaleFactor=1, mobile=False)
-        page._ask("Page.navigate", url=url)
-        page.wait_for("document.body?.dataset.ready === 'yes'", 120)
+    threading.Thread(target=watched, args=(scene, over), daemon=True).start()
+    with served(scene, "42".__eq__) as url, going_on(scene), browser(tmp_path / "profile") as page:
+        in_page(page, url)
         assert page.value("[state.camera, document.querySelector('#knobs').style.display]") == ["live", "none"]
         before = page.value("[stage.people.length, acted.people.length]")
         finished(hot, "eve")
@@ -250,12 +294,49 @@ def test_the_camera_finds_who_has_come_and_who_is_forgotten_is_gone(built: Path,
         assert not page.value("live.staff")
         page.value("window.prompt = () => '42'; dispatchEvent(new KeyboardEvent('keydown', KEY))".replace("KEY", KEY))
         page.wait_for("live.staff && document.querySelector('#knobs').style.display === ''", 20)
-        page.wait_for("state.camera === 'live' && !live.staff", 60)
-        assert all("403" in one for one in page.complaints())
+        page.value("window.prompt = () => 'watchers goes to a'")
+        page.value("live.order('watchers goes to a')")
+        page.value("window.alert = (text) => { window.said = text; }")
+        page.value("live.order('watchers goes to moon')")
+        page.wait_for("!live.staff || window.said?.includes('moon')", 20)
+        assert not page.complaints()
         assert all(one.startswith(url) for one in page.requests())
+        page.wait_for("state.camera === 'live' && !live.staff", 60)
         over.set()
         scene.stop()
         page.wait_for("document.querySelector('#status').textContent.includes('no longer')", 20)
+
+
+SEEN = """(() => { const rows = acted.people.slice(); acted.at(AT, rows); return Array.from(rows); })()"""
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
+def test_two_browsers_see_the_same_people_and_one_that_was_cut_off_is_back(built: Path, hot: Path, tmp_path) -> None:
+    scene, _ = shown(built, hot)
+    finished(hot, "eve")
+    scene.look()
+    with (
+        served(scene, bool) as url, going_on(scene),
+        browser(tmp_path / "one") as first, browser(tmp_path / "two") as second,
+    ):  # fmt: skip
+        for page in (first, second):
+            in_page(page, url)
+            page.wait_for("live.newcomers.size === 1 && live.settled", 60)
+        scene.order("watchers goes to a")
+        second.value("live.cut()")
+        second.wait_for("live.rejoined === null", 10)
+        second.wait_for("live.rejoined !== null", 10)
+        assert second.value("live.rejoined") < 3.0
+        for _ in range(3):
+            time.sleep(1.0)
+            at = f"{scene.now() - 0.5:.3f}"
+            seen = [np.array(page.value(SEEN.replace("AT", at)), np.float32) for page in (first, second)]
+            assert np.array_equal(seen[0], seen[1])
+            rows = seen[0].reshape(-1, 5, 4)
+            assert (rows[:, 0, 0] == 3.0).all(), "everybody is there"
+            eve = rows[hello_of(scene)["newcomers"][0]["who"]]
+            assert eve[1, 2] == 2.0, "the third clone, in both"
+        assert not (first.complaints() + [one for one in second.complaints() if "live" not in one])
 
 
 KEY = "{ key: 'K', ctrlKey: true, shiftKey: true, bubbles: true }"
