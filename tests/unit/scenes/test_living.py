@@ -5,9 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import threading
 import time
-from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -21,52 +19,14 @@ from cloner.crowd.reading import read_acted, read_facts
 from cloner.errors import ClonerError
 from cloner.holdings import find_holding, holdings
 from cloner.privacy import forget
-from cloner.project.results import RESULT_MARK, file_digest
 from cloner.scenes import living
-from cloner.scenes.inhabited import build_folder
-from cloner.scenes.living import Living
 from cloner.scenes.minds import HEAD_S, Look, Minds, minds_of
-from cloner.scenes.newcomers import Newcomer, finished_in
-from cloner.scenes.serving import going_on, serve_folder, served
-from kit.browser import CHROMIUM, browser
+from cloner.scenes.newcomers import Newcomer
+from cloner.scenes.serving import serve_folder
 from kit.crowds import dressed_toy, saved
+from kit.living import SECONDS, finished, hello_of, shown
 
 pytestmark = [pytest.mark.gl, pytest.mark.slow]
-SECONDS = 30.0
-SCENARIO = """floor 0, 0 to 8, 6
-point a at 1.5, 3 region 2 x 4
-point b at 6.5, 3 region 2 x 4
-point out at 4, 1 region 2 x 1
-group walkers: 3 people, visits a > b again, starts at a, adapts to space
-group watchers: 2 people, visits b, starts at b
-"""
-
-
-@pytest.fixture(scope="module")
-def built(lit_folder: Path, lively: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("served")
-    (folder / "walk.crowd").write_text(SCENARIO)
-    build_folder(lit_folder, folder / "walk.crowd", lively, folder / "scene", seconds=SECONDS, seed=1)
-    return folder / "scene"
-
-
-@pytest.fixture
-def hot(tmp_path: Path) -> Path:
-    (tmp_path / "clones").mkdir()
-    return tmp_path / "clones"
-
-
-def finished(folder: Path, name: str, **told: object) -> Path:
-    """A clone that appears whole, as a result does."""
-    aside = saved(folder / f".{name}", dressed_toy(1.60, shift=-40, **told))
-    listed = {"clone.npz": file_digest(aside / "clone.npz")}
-    (aside / RESULT_MARK).write_text(json.dumps({"format": 3, "stamp": {}, "outputs": listed}))
-    return aside.rename(folder / name)
-
-
-def shown(built: Path, hot: Path) -> tuple[Living, list[str]]:
-    said: list[str] = []
-    return Living(built, partial(finished_in, hot), said.append), said
 
 
 def minds_in(built: Path) -> Minds:
@@ -83,12 +43,6 @@ def walked(minds: Minds, times: np.ndarray) -> list[np.ndarray]:
         for who, rows in minds.go_on(float(now)).items():
             ways[who] = np.concatenate([ways[who][ways[who][:, FROM] < rows[0, FROM]], rows])
     return ways
-
-
-def hello_of(scene: Living) -> dict:
-    kind, hello = next(scene.told(0.01))
-    assert kind == "hello"
-    return hello
 
 
 def test_who_goes_on_takes_the_very_steps_that_were_baked(built: Path) -> None:
@@ -251,92 +205,3 @@ def test_what_cannot_be_shown_is_one_sentence(built: Path, lively: Path, hot: Pa
         serve_folder(built, hot / "none", said=str)
     with pytest.raises(ClonerError, match="no crowd"):
         serve_folder(hot, hot, said=str)
-
-
-def in_page(page, url: str) -> None:
-    page._ask("Emulation.setDeviceMetricsOverride", width=320, height=180, deviceScaleFactor=1, mobile=False)
-    page._ask("Page.navigate", url=url)
-    page.wait_for("document.body?.dataset.ready === 'yes' && live.rejoined !== null", 120)
-
-
-def watched(scene: Living, over: threading.Event) -> None:
-    while not over.wait(0.2) and not scene.over:
-        scene.look()
-
-
-@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
-def test_the_camera_finds_who_has_come_and_who_is_forgotten_is_gone(built: Path, hot: Path, tmp_path: Path) -> None:
-    scene, _ = shown(built, hot)
-    over = threading.Event()
-    threading.Thread(target=watched, args=(scene, over), daemon=True).start()
-    with served(scene, "42".__eq__) as url, going_on(scene), browser(tmp_path / "profile") as page:
-        in_page(page, url)
-        assert page.value("[state.camera, document.querySelector('#knobs').style.display]") == ["live", "none"]
-        before = page.value("[stage.people.length, acted.people.length]")
-        finished(hot, "eve")
-        done = time.time()
-        page.wait_for("live.history.length && live.history[0].step", 60)
-        assert page.value("live.history[0].step") - done < 30.0, "10 s on a machine that does nothing else"
-        assert page.value("live.followed") == page.value("live.history[0].who")
-        assert page.value("document.querySelector('#caption').textContent") == "You are in the cell"
-        assert page.value("walkers.rows[live.followed * 20 + 6]") == 2, "the third clone, after the pack's two"
-        page.wait_for(
-            "Math.hypot(camera.position.x - walkers.x[live.followed], camera.position.z - walkers.z[live.followed]) < 5"
-        )
-        assert forget(find_holding("eve", holdings(None, hot)), None, hot) == ()
-        page.wait_for("live.newcomers.size === 0", 30)
-        assert page.value("stage.people[2] === stage.people[0] && live.parts.size === 0")
-        assert page.value("acted.people.length") == before[1]
-        page.value("canvas.dispatchEvent(new PointerEvent('pointerdown', { bubbles: true, pointerId: 1 }))")
-        assert page.value("state.camera") == "orbit"
-        page.value("window.prompt = () => '41'; dispatchEvent(new KeyboardEvent('keydown', KEY))".replace("KEY", KEY))
-        time.sleep(1.0)
-        assert not page.value("live.staff")
-        page.value("window.prompt = () => '42'; dispatchEvent(new KeyboardEvent('keydown', KEY))".replace("KEY", KEY))
-        page.wait_for("live.staff && document.querySelector('#knobs').style.display === ''", 20)
-        page.value("window.prompt = () => 'watchers goes to a'")
-        page.value("live.order('watchers goes to a')")
-        page.value("window.alert = (text) => { window.said = text; }")
-        page.value("live.order('watchers goes to moon')")
-        page.wait_for("!live.staff || window.said?.includes('moon')", 20)
-        assert not page.complaints()
-        assert all(one.startswith(url) for one in page.requests())
-        page.wait_for("state.camera === 'live' && !live.staff", 60)
-        over.set()
-        scene.stop()
-        page.wait_for("document.querySelector('#status').textContent.includes('no longer')", 20)
-
-
-SEEN = """(() => { const rows = acted.people.slice(); acted.at(AT, rows); return Array.from(rows); })()"""
-
-
-@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
-def test_two_browsers_see_the_same_people_and_one_that_was_cut_off_is_back(built: Path, hot: Path, tmp_path) -> None:
-    scene, _ = shown(built, hot)
-    finished(hot, "eve")
-    scene.look()
-    with (
-        served(scene, bool) as url, going_on(scene),
-        browser(tmp_path / "one") as first, browser(tmp_path / "two") as second,
-    ):  # fmt: skip
-        for page in (first, second):
-            in_page(page, url)
-            page.wait_for("live.newcomers.size === 1 && live.settled", 60)
-        scene.order("watchers goes to a")
-        second.value("live.cut()")
-        second.wait_for("live.rejoined === null", 10)
-        second.wait_for("live.rejoined !== null", 10)
-        assert second.value("live.rejoined") < 3.0
-        for _ in range(3):
-            time.sleep(1.0)
-            at = f"{scene.now() - 0.5:.3f}"
-            seen = [np.array(page.value(SEEN.replace("AT", at)), np.float32) for page in (first, second)]
-            assert np.array_equal(seen[0], seen[1])
-            rows = seen[0].reshape(-1, 5, 4)
-            assert (rows[:, 0, 0] == 3.0).all(), "everybody is there"
-            eve = rows[hello_of(scene)["newcomers"][0]["who"]]
-            assert eve[1, 2] == 2.0, "the third clone, in both"
-        assert not (first.complaints() + [one for one in second.complaints() if "live" not in one])
-
-
-KEY = "{ key: 'K', ctrlKey: true, shiftKey: true, bubbles: true }"
