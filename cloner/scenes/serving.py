@@ -234,7 +234,8 @@ def _message(said: str | bytes) -> tuple[str, str] | None:
     if not isinstance(found, dict) or len(found) != 1:
         return None
     [(kind, text)] = found.items()
-    return (kind, text) if kind in ("number", "order") and isinstance(text, str) else None
+    said_plainly = isinstance(text, str) and text.isprintable()  # halves of letters cannot be written
+    return (kind, text) if kind in ("number", "order") and said_plainly else None
 
 
 def _asked(state: _State, staff: bool, said: tuple[str, str]) -> tuple[bool, dict[str, Any]]:

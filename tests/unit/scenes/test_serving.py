@@ -107,7 +107,7 @@ def test_only_the_operator_is_obeyed(open_scene) -> None:
     [
         "", "{", "[]", "null", '"order"', '{"order": 1}', '{"order": "a", "number": "42"}', '{"hello": "a"}',
         b"\xff\x00",
-        "[" * 900, "x" * (LONGEST_BYTES + 1), '{"order": "' + "a" * 2 * LONGEST_BYTES + '"}',
+        '{"number": "\\ud800"}', "[" * 900, "x" * (LONGEST_BYTES + 1), '{"order": "' + "a" * 2 * LONGEST_BYTES + '"}',
     ],
 )  # fmt: skip
 def test_what_is_no_message_ends_that_page_and_the_scene_goes_on(open_scene, said: str | bytes) -> None:
