@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -15,7 +14,7 @@ from PIL.PngImagePlugin import PngInfo
 
 from cloner.errors import ClonerError
 from cloner.geometry.viewpoints import framing_cameras
-from cloner.project.atomic import safe_output
+from cloner.project.atomic import appears, safe_output
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.records.clones import Clone
 from cloner.render import clone_layers, draw, render, standard_camera
@@ -55,19 +54,13 @@ def draw_file(clone_path: Path, view: str, out: Path, size: str = "800x1200") ->
         raise ClonerError("a turntable is a film", f"Give --out one of {', '.join(FORMATS)}", out.name)
     safe_output(out)
     clone = clone_of(clone_path)
-    temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
-    try:
+    with appears(out) as temporary:
         if view == TURNTABLE:
             write_film(turntable(clone, width, height), TURN_FRAMES / TURN_SECONDS, temporary)
         else:
             told = PngInfo()
             told.add_text("Software", clone.stamp)  # as every other output: what made it, and of which photos
             Image.fromarray(_still(clone, view, width, height)).save(temporary, format="PNG", pnginfo=told)
-        temporary.replace(out)
-    except OSError as error:
-        raise ClonerError("the picture cannot be written", "Choose another --out file", out.name) from error
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 def clone_of(path: Path) -> Clone:

@@ -1,7 +1,8 @@
 """What is held of a visitor, handed out or forgotten.
 
 Of a visitor there are the photo folder (with what was typed and corrected), the result folders, what killed runs left
-of them, and a row in each batch summary. Nothing else is ever written: no cache, no log file, no copy of a photo.
+of them, and a row in each batch summary. Packs of crowds, and films of them, show them
+too (`cloner.crowd.held`). Nothing else is ever written: no cache, no log file, no copy of a photo.
 Photos and results belong together by what a result's manifest says it was made from, whatever they are called.
 """
 
@@ -19,7 +20,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.crowd.held import pack_of
+from cloner.crowd.held import films_below, pack_of
 from cloner.errors import ClonerError
 from cloner.holdings import Holding, photo_digests
 from cloner.leftovers import Traces, left_of
@@ -89,7 +90,7 @@ def forget(holding: Holding, photos_root: Path | None, out: Path | None) -> tupl
     with contextlib.ExitStack() as stack:
         if out is not None and not all(stack.enter_context(claimed(out, name)) for name in holding.names):
             raise _busy(holding)
-        left = list(_delete(holding, roots, out))
+        left = [*_delete(holding, roots, out), *_delete_films(roots, traces)]
     told = {one.partition(" (")[0] for one in left}
     left += [one for one in left_of(traces, roots) if one not in told]
     return tuple(dict.fromkeys(left))
@@ -113,6 +114,15 @@ def _delete(holding: Holding, roots: Sequence[Path], out: Path | None) -> Iterat
             yield from _forget_lines(path, holding.names)
     if out is not None:
         yield from _forget_rows(out, holding.names)
+
+
+def _delete_films(roots: Sequence[Path], traces: Traces) -> Iterator[str]:
+    """Delete the films and pictures of packs that show a visitor; yield what stays."""
+    for path in [path for root in roots for path in films_below(root, set(traces.tokens))]:
+        try:
+            path.unlink(missing_ok=True)
+        except OSError as error:
+            yield _stays(path, error)
 
 
 def _delete_result(folder: Path) -> Iterator[str]:

@@ -43,6 +43,8 @@ TURN_RAD: Final = 1.7
 TURN_S: Final = 0.45
 #: Who stands looks again after this time, seconds: the trajectory's own.
 WAIT_S: Final = 0.1
+#: So far beyond a footing's begin the trajectory is looked at, seconds: `AHEAD_S`, and the second after it.
+SEEN_S: Final = 2.0
 #: The trajectory has come to rest if it goes no farther than this in the second after the next half, metres.
 REST_M: Final = 0.15
 
@@ -97,15 +99,31 @@ class Walker:
 
     def footings(self) -> Array:
         """Return (n, COLUMNS) all footings from the track's begin to its end."""
-        self._stand(IDLE, WAIT_S)
         end = float(self.track.times_s[-1])
-        while self.now < end:
+        self._go_on(end)
+        self.rows[-1][1] = max(self.rows[-1][1], end)
+        return np.array(self.rows).reshape(-1, COLUMNS)
+
+    def more(self, until: float) -> NDArray[np.float32]:
+        """Return (n, COLUMNS) the footings that were added until a time, and the last one before if it goes on.
+
+        The track is one that reaches `SEEN_S` beyond, or as far as there is any. Only the last footing is kept.
+        """
+        told = self.rows[-1][1] if self.rows else -1.0
+        self._go_on(until)
+        new = self.rows if not self.rows or self.rows[0][1] != told else self.rows[1:]
+        found = np.array(new, np.float32).reshape(-1, COLUMNS)
+        del self.rows[:-1]
+        return found
+
+    def _go_on(self, until: float) -> None:
+        if not self.rows and self.now < until:
+            self._stand(IDLE, WAIT_S)
+        while self.now < until:
             if self.share:
                 self._walk()
             else:
                 self._wait()
-        self.rows[-1][1] = max(self.rows[-1][1], end)
-        return np.array(self.rows).reshape(-1, COLUMNS)
 
     def _wait(self) -> None:
         """Go on from standing: begin to walk, turn, or do what is to be done."""
@@ -194,14 +212,8 @@ class Walker:
             step = step + self._end_of(other, other + MIDDLE, (SHORTEST, 0.0), 0.0)
             stop = np.hypot(*(halt - later[1])) <= np.hypot(*(step - later[1]))
         if stop:
-            self._go(
-                self.clip,
-                base,
-                base + MIDDLE,
-                self._seconds(self.clip, MIDDLE + LIFT_PARTS, max(rate, 0.8)),
-                (self.share, 0.0),
-                0.0,
-            )
+            seconds = self._seconds(self.clip, MIDDLE + LIFT_PARTS, max(rate, 0.8))
+            self._go(self.clip, base, base + MIDDLE, seconds, (self.share, 0.0), 0.0)
         else:
             over = walk != self.clip and self.share == 1.0  # one goes over to another walk in whole steps alone
             self._go(walk if over else self.clip, base, base + RIGHT - LEFT, seconds, (self.share, share), turn,

@@ -80,11 +80,10 @@ def bake_file(
         acted = replace(acted, blocks=acted.blocks[:0])
     seconds = (len(walk.place) - 1) / RATE_HZ
     views = room.views if room else views_of(walk.place.min(axis=(0, 1)), walk.place.max(axis=(0, 1)))
+    staging = None
     if room and room.statues and "statues" in facts:
         acted, staging = room.statues(walk, acted, facts, pack, seconds)
-        size = write_acted(pack, facts, out, acted, seconds, views, room, staging)
-    else:
-        size = write_acted(pack, facts, out, acted, seconds, views, room)
+    size = write_acted(pack, facts, out, acted, seconds, views, room, staging, _scenario(source, seed))
     spent = len(walk.groups) * max(seconds, 1.0 / RATE_HZ)
     lines.append(
         f"{len(walk.groups)} people, {seconds:g} s, {len(acted.footings)} footings, "
@@ -95,7 +94,7 @@ def bake_file(
 
 def write_acted(
     pack: Path, facts: dict[str, Any], out: Path, acted: Acted, seconds: float, views: Mapping[str, Any],
-    room: RoomParts | None = None, staging: Mapping[str, Any] | None = None,
+    room: RoomParts | None = None, staging: Mapping[str, Any] | None = None, scenario: Mapping[str, Any] | None = None,
 ) -> int:  # fmt: skip
     """Write a pack whose clones act in a folder of its own; return the bytes of what they act.
 
@@ -109,6 +108,8 @@ def write_acted(
     views : eye and target of the page's views
     room, staging
         What stands around them, and how it is staged; see :mod:`cloner.crowd.staging`.
+    scenario : mapping, optional
+        The text and seed by which it can go on for ever (`cloner.scenes.minds`).
     """
     arrays: dict[str, NDArray[Any]] = {
         "footings": acted.footings, "starts": acted.starts, "people": acted.people, "touches": acted.touches,
@@ -117,11 +118,13 @@ def write_acted(
     data, told = packed(arrays)
     kept = {name: own for name, own in facts["files"].items() if name not in (ACTED_FILE, *ROOM_FILES, ECHO_FILE)}
     files = {ACTED_FILE: data, **(room.files if room else {})}
-    made = {key: value for key, value in facts.items() if key not in ("room", "staging")} | {
+    made = {key: value for key, value in facts.items() if key not in ("room", "staging", "scenario")} | {
         "scene": ACTED, "people_count": len(acted.people),
         "files": kept | {name: digest(own) for name, own in files.items()},
         "acted": {"seconds": seconds, "people": len(acted.people), "arrays": told, "views": dict(views)},
     }  # fmt: skip
+    if scenario:
+        made["scenario"] = dict(scenario)
     if room:
         made["room"] = room.facts
     if staging:
@@ -160,6 +163,12 @@ def things_of(source: Path) -> tuple[str, ...]:
     if begins == MAGIC:
         return read_trajectories(source).things
     return tuple(str(one.name) for one in read_scenario(source).things)
+
+
+def _scenario(source: Path, seed: int) -> dict[str, Any] | None:
+    """Return a scenario's text and seed, None for trajectories."""
+    data = read_outside(source, LARGEST_SCENARIO_BYTES)
+    return None if data.startswith(MAGIC) else {"text": data.decode("utf-8"), "seed": seed}
 
 
 def _trajectories(source: Path, seconds: float, seed: int, progress: Progress) -> Trajectories:

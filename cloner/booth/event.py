@@ -68,6 +68,8 @@ class Event:
         Exporters whose files visitors take away.
     camera_folder : str
         Where a tethered camera drops its photos; "" for none.
+    scene : str
+        What visitors call the scene that their clones may walk in ("museum"); "" where there is none.
     link : str
         Address that the take-away code holds, "{id}" standing for the visitor; "" for none.
     phone, phone_https : bool
@@ -98,6 +100,7 @@ class Event:
     licence: str = LICENCES[0]
     formats: tuple[str, ...] = ("glb", "wrl")
     camera_folder: str = ""
+    scene: str = ""
     link: str = ""
     phone: bool = False
     phone_https: bool = False

@@ -15,10 +15,19 @@ from cloner.project.folder import safe_identifier
 
 def shown_clones(visits: Mapping[Path, Visit]) -> tuple[Path, ...]:
     """Return the visitors whose finished clones may be seen: who agreed to that, the newest first."""
+    return _cloned({folder: visit for folder, visit in visits.items() if visit.shown})
+
+
+def inhabiting_clones(visits: Mapping[Path, Visit]) -> tuple[Path, ...]:
+    """Return the visitors whose finished clones may walk in the event's scene: who agreed to it, the newest first."""
+    return _cloned({folder: visit for folder, visit in visits.items() if visit.inhabits})
+
+
+def _cloned(visits: Mapping[Path, Visit]) -> tuple[Path, ...]:
     those = [
         (visit.queued, folder)
         for folder, visit in visits.items()
-        if visit.shown and visit.state is State.CLONED and has_result(result_of(folder))
+        if visit.state is State.CLONED and has_result(result_of(folder))
     ]
     return tuple(folder for _, folder in sorted(those, reverse=True))
 

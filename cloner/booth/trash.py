@@ -26,7 +26,8 @@ def throw_away(folder: Path, now: datetime) -> Path:
     to = folder.parent / TRASH / folder.name
     try:
         to.parent.mkdir(exist_ok=True)
-        write_visit(folder, replace(read_visit(folder), trashed=now.isoformat(timespec="seconds"), shown=False))
+        when = now.isoformat(timespec="seconds")
+        write_visit(folder, replace(read_visit(folder), trashed=when, shown=False, inhabits=False))
         return folder.rename(to)
     except OSError as error:
         raise ClonerError("the visitor cannot be moved", "Check permissions and space", folder.name) from error

@@ -54,6 +54,8 @@ class Visit:
         When the visitor was thrown away, ISO 8601; "" for who was not.
     shown : bool
         Whether the visitor agreed to be seen, by first name, on the screen for visitors.
+    inhabits : bool
+        Whether the visitor agreed to walk in the event's scene.
     finished : str
         When the clone was finished, ISO 8601; "" while there is none.
     """
@@ -71,6 +73,7 @@ class Visit:
     drags: int = 0
     declined: bool = False
     shown: bool = False
+    inhabits: bool = False
     trashed: str = ""
     finished: str = ""
 

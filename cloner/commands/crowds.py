@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 from functools import partial
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
-from cloner.commands.options import say
+from cloner.commands.options import at_once, say
 from cloner.terminal import ProgressLine
 
 behaves = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Crowds with a mind: scenarios.")
@@ -90,14 +89,8 @@ def _behave_guide(
     """Let a scenario's people walk by the clock, guided by other programs of this machine."""
     from cloner.behaviour.written import guide_file
 
-    for line in guide_file(scenario, out, seconds=seconds, seed=seed, port=port, told=_at_once):
+    for line in guide_file(scenario, out, seconds=seconds, seed=seed, port=port, told=at_once):
         typer.echo(line)
-
-
-def _at_once(line: str) -> None:
-    """Print a line that another program may be waiting for."""
-    typer.echo(line)
-    sys.stdout.flush()
 
 
 @behaves.command("bake")

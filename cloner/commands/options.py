@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Annotated, Final
@@ -32,3 +33,9 @@ def say(lines: Iterable[str]) -> None:
     """Print lines."""
     for line in lines:
         typer.echo(line)
+
+
+def at_once(line: str) -> None:
+    """Print a line that another program may be waiting for."""
+    typer.echo(line)
+    sys.stdout.flush()

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from cloner.commands.options import say
+from cloner.commands.options import at_once, say
 from cloner.terminal import ProgressLine
 
 scenes = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="Rooms to walk in: from plans, lit, inhabited.")
@@ -76,3 +76,19 @@ def _film(
     with ProgressLine() as progress:
         lines = film_file(sequence, room, pack, out, page, progress)
     say(lines)
+
+
+@scenes.command("serve")
+def _serve(
+    built: Annotated[Path, typer.Argument(metavar="SCENE", help="What scene build wrote.")],
+    clones: Annotated[Path, typer.Option("--clones", help="An event's folder, or a folder of results.")],
+    host: Annotated[
+        str, typer.Option("--host", help="This machine's address in a network whose machines may show it too.")
+    ] = "127.0.0.1",
+    port: Annotated[int, typer.Option("--port", help="Any free one by default.")] = 0,
+) -> None:
+    """Show a built scene in a browser of this machine; finished clones come into it. Ctrl+C ends it."""
+    from cloner.booth.inhabiting import finished_clones, number_asked
+    from cloner.scenes.serving import serve_folder
+
+    serve_folder(built, finished_clones(clones), number_asked(clones), host=host, port=port, said=at_once)

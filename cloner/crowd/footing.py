@@ -175,7 +175,7 @@ def rows_at(acted: Acted, times: float | Array) -> NDArray[np.float32]:
     for who, now in enumerate(np.broadcast_to(times, len(rows)).tolist()):
         own = acted.footings[acted.starts[who] : acted.starts[who + 1]]
         k = int(np.searchsorted(own[:, FROM], now, side="right")) - 1
-        if k < 0 or now >= own[k, UNTIL]:
+        if k < 0 or now >= float(own[k, UNTIL]):  # a float32 would be compared as one
             rows[who, 0, 0] = GONE
             continue
         _fill(rows[who], own[k].astype(np.float64), acted, now)

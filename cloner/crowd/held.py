@@ -6,16 +6,24 @@ of it by hand. So whoever is forgotten takes the pack along: it is deleted, and 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import mmap
+import re
+from collections.abc import Iterable, Iterator, Mapping, Set
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 from cloner.errors import ClonerError
+from cloner.outside import open_outside
 
 #: The file that makes a folder a pack.
 MARK: Final = "crowd.json"
 #: Where a pack keeps what is one person's.
 PEOPLE = "people"
+#: How a film or picture of a pack begins to tell of whose photos the clones in it are, and the files that may.
+FILMED: Final = "Cloner shows people of photos"
+FILMS: Final = (".mp4", ".webp", ".gif", ".png")
+_TOKEN: Final = re.compile(r"photos ([0-9a-f]{32})")
+_TOKENS: Final = re.compile(FILMED.encode() + rb"((?: [0-9a-f]{32})*)")
 
 
 def packs_below(root: Path) -> Iterator[Path]:
@@ -52,3 +60,31 @@ def folders_of(identifier: str, root: Path) -> tuple[Path, ...]:
 def pack_of(folder: Path) -> Path:
     """Return the pack of a person's folder: it goes whole when the person is forgotten."""
     return folder.parent.parent
+
+
+def filmed(people: Iterable[Mapping[str, Any]]) -> str:
+    """Return what a film or picture of a pack's clones tells of whom it shows: enough to find it, no name.
+
+    Parameters
+    ----------
+    people : rows of ``people`` in ``crowd.json``
+    """
+    tokens = {token for row in people for token in _TOKEN.findall(str(row["stamp"]))}
+    return " ".join((FILMED, *sorted(tokens)))
+
+
+def films_below(root: Path, tokens: Set[str]) -> Iterator[Path]:
+    """Yield the films and pictures of packs below a folder that show clones of photos; see `photos_token`."""
+    for path in sorted(root.rglob("*")):
+        if path.suffix.lower() in FILMS and not path.is_symlink() and not tokens.isdisjoint(_filmed_in(path)):
+            yield path
+
+
+def _filmed_in(path: Path) -> list[str]:
+    """Return the tokens that a film or picture tells; none of what cannot be read."""
+    try:
+        with open_outside(path) as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
+            found = _TOKENS.search(content)
+            return found[1].decode("ascii").split() if found else []
+    except (OSError, ValueError):  # an empty file cannot be mapped
+        return []

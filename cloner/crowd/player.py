@@ -27,11 +27,14 @@ _SCRIPTS: Final = (
     "room.js",
     "staging.js",
     "sound.js",
+    "live.js",
     "player.js",
 )
 _POLICY: Final = (
     "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src 'none'"
 )
+#: A page that is served may ask its own server, and nobody else.
+_LIVE_POLICY: Final = _POLICY.replace("connect-src 'none'", "connect-src 'self'")
 
 
 def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
@@ -41,7 +44,7 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
     ----------
     folder : Path
     facts : mapping
-        What ``crowd.json`` will hold.
+        What ``crowd.json`` will hold; with ``live`` the page asks its server who comes (`web/live.js`).
     """
     web = importlib.resources.files("cloner.crowd") / "web"
     own = (*HELD, *(STONES if facts.get("statues") else ()))
@@ -59,7 +62,7 @@ def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
     told = {key: value for key, value in facts.items() if key != "files"}
     page = (web / "player.html").read_text(encoding="utf-8")
     parts = {
-        "POLICY": _POLICY,
+        "POLICY": _LIVE_POLICY if facts.get("live") else _POLICY,
         "STYLE": (web / "player.css").read_text(encoding="utf-8"),
         "FACTS": _inside_script({"facts": told, "shaders": shaders}),
         "HELD": held,

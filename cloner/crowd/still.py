@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,13 +15,15 @@ from cloner.crowd.daylight import CAST_PX, DAY, Hour, room_values
 from cloner.crowd.eye import Eye
 from cloner.crowd.files import MARK
 from cloner.crowd.footing import GONE, Acted, rows_at
+from cloner.crowd.held import filmed
 from cloner.crowd.reading import casting_from, read_acted, read_facts, read_room, read_stock
 from cloner.crowd.rooms import LitRoom, glow_of
 from cloner.crowd.scene import ACTED, SCENES, Scene, places, scene_of
 from cloner.crowd.staging import UP, Staging, finished, staging_of
 from cloner.crowd.theatre import Theatre
 from cloner.errors import ClonerError
-from cloner.vision.films import FORMATS, write_film
+from cloner.project.atomic import appears
+from cloner.vision.films import FORMATS, told_png, write_film
 
 Pixels = NDArray[np.uint8]
 
@@ -85,21 +86,18 @@ def draw_pack(pack: Path, view: str, out: Path, size: str) -> None:
     casting = casting_from(facts)
     made = read_acted(pack, facts) if name == ACTED else scene_of(name, int(facts["people_count"]), casting)
     theatre = Theatre(read_stock(pack, facts))
-    temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
     try:
         staging = staging_of(facts) if name == ACTED else None
         painter = Painter(
             theatre, facts, made, (width, height), read_room(pack, facts) if name == ACTED else None, staging
         )
-        if out.suffix.lower() in FORMATS:
-            write_film(_film(painter, views[view]), FRAMES_PER_S, temporary)
-        else:
-            Image.fromarray(painter.picture(views[view], STARTED_S)).save(temporary, format="PNG")
-        temporary.replace(out)
-    except OSError as error:
-        raise ClonerError("the picture cannot be written", "Choose another --out file", out.name) from error
+        with appears(out) as temporary:
+            if out.suffix.lower() in FORMATS:
+                write_film(_film(painter, views[view]), FRAMES_PER_S, temporary, filmed(facts["people"]))
+            else:
+                shown = Image.fromarray(painter.picture(views[view], STARTED_S))
+                shown.save(temporary, format="PNG", pnginfo=told_png(filmed(facts["people"])))
     finally:
-        temporary.unlink(missing_ok=True)
         theatre.close()
 
 

@@ -49,6 +49,25 @@ def write_text(path: Path, text: str) -> None:
 
 
 @contextlib.contextmanager
+def appears(out: Path) -> Iterator[Path]:
+    """Give a temporary neighbour, of the same suffix, that becomes the file ``out`` when the block ends well.
+
+    Raises
+    ------
+    ClonerError
+        If the disk refuses.
+    """
+    temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
+    try:
+        yield temporary
+        temporary.replace(out)
+    except OSError as error:
+        raise ClonerError("the file cannot be written", "Check the folder's permissions and space", out.name) from error
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+@contextlib.contextmanager
 def result_folder(out: Path, identifier: str, photos: Path | None = None) -> Iterator[Path]:
     """Give a temporary folder that becomes ``out/identifier`` when the block ends well.
 

@@ -12,18 +12,19 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from cloner.acting.written import write_acted
+from cloner.crowd.held import filmed
 from cloner.crowd.reading import read_acted, read_facts, read_room, read_stock
 from cloner.crowd.staging import staging_of
 from cloner.crowd.still import Painter
 from cloner.crowd.theatre import Theatre
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, quiet
-from cloner.project.atomic import result_folder, safe_output
+from cloner.project.atomic import appears, result_folder, safe_output
 from cloner.scenes.inhabited import room_parts, sounding, views_in
 from cloner.scenes.sequence import read_sequence
 from cloner.scenes.staged import acted_by
 from cloner.scenes.written import light_in, room_in, sound_in
-from cloner.vision.films import FORMATS, write_film
+from cloner.vision.films import FORMATS, told_png, write_film
 
 Pixels = NDArray[np.uint8]
 
@@ -94,19 +95,15 @@ def _draw(pack: Path, out: Path, progress: Progress) -> None:
         )
         pictures = _pictures(painter, told, progress)
         if out.suffix.lower() in FORMATS:
-            temporary = out.with_name(f".{out.stem}.partial{out.suffix}")
-            try:
+            with appears(out) as temporary:
                 out.parent.mkdir(parents=True, exist_ok=True)
-                write_film(pictures, told["rate_hz"], temporary)
-                temporary.replace(out)
-            finally:
-                temporary.unlink(missing_ok=True)
+                write_film(pictures, told["rate_hz"], temporary, filmed(facts["people"]))
         else:
             with result_folder(out.parent, out.name) as folder:
                 for number, shown in enumerate(pictures, start=1):
-                    Image.fromarray(shown).save(folder / f"{number:0{DIGITS}}.png")
-    except OSError as error:
-        raise ClonerError("the film cannot be written", "Choose another --out", out.name) from error
+                    Image.fromarray(shown).save(
+                        folder / f"{number:0{DIGITS}}.png", pnginfo=told_png(filmed(facts["people"]))
+                    )
     finally:
         theatre.close()
 

@@ -145,7 +145,8 @@ def _with_statues(
         heading = np.arctan2(0.0, -away[1]) if along else np.arctan2(away[0], 0.0)
         wakes = next((when for when, what in walk.told if what == f"{name} awakens"), NEVER_S)
         rows.append((block.at[0], -block.at[1], block.low, float(heading), wakes))
-    return with_statues(acted, read_stock(pack, facts), rows, seconds)
+    staged, told = with_statues(acted, read_stock(pack, facts), rows, seconds)
+    return staged, {**told, "things": list(blocks)}
 
 
 def views_in(plan: Plan) -> dict[str, list[list[float]]]:

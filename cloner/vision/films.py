@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Iterable
 from itertools import chain
 from pathlib import Path
@@ -11,6 +12,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
+from PIL.PngImagePlugin import PngInfo
 
 Pixels = NDArray[np.uint8]
 
@@ -18,7 +20,7 @@ FORMATS: Final = (".gif", ".webp", ".mp4")
 WEBP_QUALITY: Final = 80  # taste
 
 
-def write_film(pictures: Iterable[Pixels], per_second: float, path: Path) -> None:
+def write_film(pictures: Iterable[Pixels], per_second: float, path: Path, told: str = "") -> None:
     """Write pictures as a film; GIF and WebP repeat for ever.
 
     Parameters
@@ -28,6 +30,8 @@ def write_film(pictures: Iterable[Pixels], per_second: float, path: Path) -> Non
     per_second : float
     path : Path
         Its suffix is one of `FORMATS`.
+    told : str
+        What the file says of itself, ASCII: a GIF's comment, a WebP's XMP, a free box behind an MPEG-4.
 
     Raises
     ------
@@ -36,6 +40,9 @@ def write_film(pictures: Iterable[Pixels], per_second: float, path: Path) -> Non
     """
     if path.suffix.lower() == ".mp4":
         _write_mp4(pictures, per_second, path)
+        if told:
+            with path.open("ab") as stream:  # ISO 14496-12, 8.1.2: a free box may stand anywhere, and is skipped
+                stream.write(struct.pack(">I4s", 8 + len(told), b"free") + told.encode("ascii"))
         return
     frames = [Image.fromarray(picture) for picture in pictures]
     if path.suffix.lower() == ".gif":
@@ -44,8 +51,17 @@ def write_film(pictures: Iterable[Pixels], per_second: float, path: Path) -> Non
         palette = Image.fromarray(sheet).quantize(256, dither=Image.Dither.NONE)
         frames = [frame.quantize(palette=palette, dither=Image.Dither.FLOYDSTEINBERG) for frame in frames]
     options: dict[str, Any] = {"quality": WEBP_QUALITY} if path.suffix.lower() == ".webp" else {}
+    if told:
+        options["xmp" if path.suffix.lower() == ".webp" else "comment"] = told.encode("ascii")
     rest = frames[1:]
     frames[0].save(path, save_all=True, append_images=rest, duration=round(1000 / per_second), loop=0, **options)
+
+
+def told_png(told: str) -> PngInfo:
+    """Return what a picture says of itself, for Pillow."""
+    info = PngInfo()
+    info.add_text("Software", told)
+    return info
 
 
 def _write_mp4(pictures: Iterable[Pixels], per_second: float, path: Path) -> None:

@@ -123,6 +123,13 @@ class Desk(QObject):
             self._guard(lambda: update_visit(folder, lambda visit: replace(visit, shown=shown)))
             self.visits_changed.emit()
 
+    def set_inhabits(self, inhabits: bool) -> None:
+        """Record whether the visitor agrees to walk in the event's scene."""
+        folder = self.session.folder
+        if folder is not None and read_visit(folder).inhabits != inhabits:
+            self._guard(lambda: update_visit(folder, lambda visit: replace(visit, inhabits=inhabits)))
+            self.visits_changed.emit()
+
     def _guard(self, work: Any) -> Any:
         """Do something that may fail, and tell it if it does."""
         try:

@@ -105,6 +105,23 @@ def test_the_screen_for_visitors_shows_who_agreed_and_forgets_who_goes(event, qt
     stage.close()
 
 
+def test_who_may_walk_in_the_scene_is_asked_apart_and_only_where_there_is_one(event, qtbot):  # noqa: F811
+    folder = begin(event, qtbot)
+    form = event.visitor.form
+    assert form.inhabits_box.isHidden()
+    event.booth.change(scene="museum")
+    assert not form.inhabits_box.isHidden()
+    assert "museum" in form.inhabits_words.text()
+    assert not read_visit(folder).inhabits, "nobody walks there unasked"
+    qtbot.mouseClick(form.inhabits_box, LEFT)
+    assert read_visit(folder).inhabits
+    with_result(folder, inhabits=True)
+    event.booth.visits_changed.emit()
+    assert "museum" in event.takeaway.held_label.text()
+    form._take_consent(False)
+    assert not read_visit(folder).inhabits
+
+
 def test_the_page_for_telephones_is_off_until_it_is_switched_on_and_takes_its_copies_along(
     event,  # noqa: F811
     qtbot,

@@ -4,6 +4,7 @@
 const [FROM, UNTIL, CLIP, OTHER, FIRST, LAST, SHARE, SHARE_LAST, AT_X, AT_Z, HEADING, HEADING_LAST] = [...Array(12).keys()];
 const FOOTING = 12, LEFT = 3, RIGHT = 27, ALONE = 2, SHARED = 21, LIFT_PARTS = 8, TURN_PARTS = 28, BLEND_S = 0.4;
 const WALK_FRAMES = 48, TOUCH = 6, BY_FOOTINGS = 3, GONE = 4, CLIP_STEP = 1024, ACTED = "scenario";
+const PAST_S = 20; // footings over for so long are not kept
 
 function smooth(share) {
   const s = Math.min(Math.max(share, 0), 1);
@@ -72,48 +73,77 @@ function putPose(row, i, x, z, heading, clip, frame, other, second, share) {
 
 // Everybody of a pack that acts a scenario: `arrays` are those of acted.bin, `clones` how many there are.
 function actedOf(arrays, clones) {
-  const { footings, starts, people, touches, clips } = arrays, count = starts.length - 1, kinds = clips.length / 2 / clones;
-  const current = Uint32Array.from(starts.subarray(0, count)), known = new Int32Array(count).fill(-1), parts = [];
+  const { starts, people } = arrays, count = starts.length - 1, kinds = arrays.clips.length / 2 / clones;
+  let { touches, clips } = arrays;
+  const ways = Array.from({ length: count }, (_, who) => arrays.footings.subarray(FOOTING * starts[who], FOOTING * starts[who + 1]));
+  const current = new Uint32Array(count), gone = new Uint32Array(count), known = new Int32Array(count).fill(-1), parts = [];
 
   function fill(who, now, rows) {
-    const i = who * 4 * PERSON_TEXELS;
-    let k = current[who];
-    if (now < footings[k * FOOTING + FROM]) k = starts[who];
-    while (k + 1 < starts[who + 1] && now >= footings[(k + 1) * FOOTING + FROM]) k++;
-    current[who] = k;
-    const at = k * FOOTING, clone = rows[i + 6], scale = rows[i + 7], clip = footings[at + CLIP];
-    if (now < footings[at + FROM] || now >= footings[at + UNTIL]) { rows[i] = GONE; return; }
+    const i = who * 4 * PERSON_TEXELS, own = ways[who], many = own.length / FOOTING;
+    let k = current[who] - gone[who];
+    if (k < 0 || k >= many || now < own[k * FOOTING + FROM]) k = 0;
+    while (k + 1 < many && now >= own[(k + 1) * FOOTING + FROM]) k++;
+    current[who] = gone[who] + k;
+    const at = k * FOOTING, clone = rows[i + 6], scale = rows[i + 7], clip = own[at + CLIP];
+    if (!many || now < own[at + FROM] || now >= own[at + UNTIL]) { rows[i] = GONE; return; }
     const length = clips[2 * (clone * kinds + clip)], seconds = clips[2 * (clone * kinds + clip) + 1];
-    const since = now - footings[at + FROM], heading = footings[at + HEADING];
-    if (footings[at + LAST] < 0) {
-      const whole = footings[at + FIRST] + since / seconds, place = (whole - Math.floor(whole)) * length;
+    const since = now - own[at + FROM], heading = own[at + HEADING];
+    if (own[at + LAST] < 0) {
+      const whole = own[at + FIRST] + since / seconds, place = (whole - Math.floor(whole)) * length;
       const frame = Math.min(Math.floor(place), length - 1);
-      let x = footings[at + AT_X], z = footings[at + AT_Z];
-      if (footings[at + OTHER] >= 0 && since < BLEND_S) {
+      let x = own[at + AT_X], z = own[at + AT_Z];
+      if (own[at + OTHER] >= 0 && since < BLEND_S) {
         const share = 1 - smooth(since / BLEND_S);
-        x += (footings[at + SHARE] - x) * share;
-        z += (footings[at + SHARE_LAST] - z) * share;
-        putPose(rows, i, x, z, heading, clip, frame, footings[at + OTHER], -1 - footings[at + LAST], share);
+        x += (own[at + SHARE] - x) * share;
+        z += (own[at + SHARE_LAST] - z) * share;
+        putPose(rows, i, x, z, heading, clip, frame, own[at + OTHER], -1 - own[at + LAST], share);
       } else putPose(rows, i, x, z, heading, clip, frame, clip, (frame + 1) % length, place - frame);
       return;
     }
-    if (known[who] !== k) {
-      parts[who] = partsOf(footings, at, touches, clone * kinds * WALK_FRAMES * TOUCH, scale);
-      known[who] = k;
+    if (known[who] !== current[who]) {
+      parts[who] = partsOf(own, at, touches, clone * kinds * WALK_FRAMES * TOUCH, scale);
+      known[who] = current[who];
     }
-    const own = parts[who], last = own.length / 5 - 1;
-    const place = (since / (footings[at + UNTIL] - footings[at + FROM])) * last, n = Math.min(Math.floor(place), last - 1);
-    const p = 5 * n, frame = own[p] % length;
-    if (own[p + 1] >= 1 && own[p + 6] >= 1) {
-      const share = place - n, between = (k) => own[p + k] + (own[p + 5 + k] - own[p + k]) * share;
+    const found = parts[who], last = found.length / 5 - 1;
+    const place = (since / (own[at + UNTIL] - own[at + FROM])) * last, n = Math.min(Math.floor(place), last - 1);
+    const p = 5 * n, frame = found[p] % length;
+    if (found[p + 1] >= 1 && found[p + 6] >= 1) {
+      const share = place - n, between = (k) => found[p + k] + (found[p + 5 + k] - found[p + k]) * share;
       putPose(rows, i, between(3), between(4), between(2), clip, frame, clip, (frame + 1) % length,
-              own[p + 5] > own[p] ? share : 0);
+              found[p + 5] > found[p] ? share : 0);
     } else {
-      const other = footings[at + OTHER], [rest, second] = other >= 0 ? [IDLE, other] : [-1 - other, frame];
-      putPose(rows, i, own[p + 3], own[p + 4], own[p + 2], clip, frame, rest, second, 1 - own[p + 1]);
+      const other = own[at + OTHER], [rest, second] = other >= 0 ? [IDLE, other] : [-1 - other, frame];
+      putPose(rows, i, found[p + 3], found[p + 4], found[p + 2], clip, frame, rest, second, 1 - found[p + 1]);
     }
   }
 
-  const walks = (who) => footings[current[who] * FOOTING + LAST] >= 0;
-  return { count, people, current, walks, at(now, rows, time = () => now) { for (let who = 0; who < count; who++) fill(who, time(who), rows); } };
+  const long = (list, more) => { const grown = new Float32Array(more); grown.set(list); return grown; };
+  return {
+    count, people, current,
+    walks: (who) => ways[who][(current[who] - gone[who]) * FOOTING + LAST] >= 0,
+    at(now, rows, time = () => now) { for (let who = 0; who < count; who++) fill(who, time(who), rows); },
+    // A clone that was not there at first, as the next one or in another's stead.
+    dress(clone, own_touches, own_clips) {
+      if ((clone + 1) * own_touches.length > touches.length) touches = long(touches, (clone + 1) * own_touches.length);
+      if ((clone + 1) * own_clips.length > clips.length) clips = long(clips, (clone + 1) * own_clips.length);
+      touches.set(own_touches, clone * own_touches.length);
+      clips.set(own_clips, clone * own_clips.length);
+    },
+    // Somebody is somebody else now: what was worked out for the other one's feet is not kept.
+    turn(who, row) { people.set(row, who * 4 * PERSON_TEXELS); known[who] = -1; },
+    // Somebody's footings from now on.
+    begin(who, own) { ways[who] = own; gone[who] = current[who] = 0; known[who] = -1; },
+    // More footings; the last one may have become longer. What is over for long is not kept.
+    go_on(who, own, now) {
+      const past = ways[who], many = past.length / FOOTING;
+      let first = 0, last = many;
+      while (first < many && past[first * FOOTING + UNTIL] < now - PAST_S) first++;
+      while (last > first && past[(last - 1) * FOOTING + FROM] >= own[FROM]) last--;
+      const kept = past.subarray(first * FOOTING, last * FOOTING), grown = long(kept, kept.length + own.length);
+      grown.set(own, kept.length);
+      ways[who] = grown;
+      gone[who] += first;
+    },
+    first: (who) => ways[who].slice(0, FOOTING),
+  };
 }

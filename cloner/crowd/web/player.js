@@ -12,7 +12,7 @@ const state = {
   stats: {}, still: 0, hour: DAY,
 };
 const canvas = document.querySelector("canvas");
-let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null;
+let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null, live = null;
 let renderer, stage, uniforms, world, camera, controls, tiers, walkers, keys = new Set(), fly = { yaw: 0, pitch: 0 };
 
 function open() {
@@ -57,6 +57,7 @@ async function start(context) {
   }
   setScene(state.scene, state.people);
   if (directed()) setCamera("film");
+  if (facts.live) live = liveOf();
   buildKnobs();
   resize();
   view("overview");
@@ -143,9 +144,12 @@ function setScene(name, count) {
   bin();
 }
 
-// Everybody where the scenario has them now; when it is over it begins again.
+// When it is in what is acted: over and over, or on and on where that is told.
+function actedNow() { return facts.live ? state.now : state.now - Math.floor(state.now / facts.acted.seconds) * facts.acted.seconds; }
+
+// Everybody where the scenario has them now.
 function act() {
-  const long = facts.acted.seconds, now = state.now - Math.floor(state.now / long) * long;
+  const now = actedNow();
   acted.at(now, walkers.rows, staging ? (who) => staging.time(who, now) : undefined);
   if (staging) {
     staging.dress(walkers.rows, now);
@@ -261,7 +265,7 @@ function choose() {
     if (!boxSeen(x0, cells.low[c] - 0.1, z0, x1, cells.high[c] + 2.2, z1)) continue;
     const dx = Math.max(x0 - eye.x, 0, eye.x - x1), dz = Math.max(z0 - eye.z, 0, eye.z - z1);
     const dy = Math.max(cells.low[c] - eye.y, 0, eye.y - cells.high[c] - 2);
-    if (dx * dx + dy * dy + dz * dz > far * far) {
+    if (!live && dx * dx + dy * dy + dz * dz > far * far) {
       arrays[IMPOSTOR].set(pairs.subarray(2 * from, 2 * to), 2 * counts[IMPOSTOR]);
       arrays[shadows].set(pairs.subarray(2 * from, 2 * to), 2 * counts[shadows]);
       counts[IMPOSTOR] += to - from;
@@ -275,6 +279,7 @@ function choose() {
       let wanted = IMPOSTOR;
       for (let t = 0; t < LEVELS; t++)
         if (d < limits[t] * (1 + (tier[i] <= t ? HYSTERESIS : -HYSTERESIS))) { wanted = t; break; }
+      if (wanted === IMPOSTOR && live && live.parts.has(i)) wanted = LEVELS - 1; // newcomers have no impostors
       if (tier[i] === HIDDEN) { tier[i] = before[i] = wanted; since[i] = -9; }
       if (wanted !== tier[i]) { before[i] = tier[i]; tier[i] = wanted; since[i] = now; }
       const fade = (now - since[i]) / FADE_S;
@@ -301,7 +306,8 @@ function frame(time) {
   const step = Math.min(time - last, 0.1);
   last = time;
   resize();
-  if (!state.paused) state.now += step;
+  if (live) live.frame();
+  else if (!state.paused) state.now += step;
   steer(step);
   draw();
   frames++;
@@ -355,7 +361,7 @@ function resize() {
 
 // The film's own camera, caption and curtain, now.
 function direct() {
-  const long = facts.acted.seconds, now = state.now - Math.floor(state.now / long) * long;
+  const now = actedNow();
   const { place: at, target, fov } = staging.camera(walkers.rows, now);
   camera.fov = fov;
   camera.updateProjectionMatrix();
@@ -396,7 +402,7 @@ function look(place, target) {
 }
 
 function steer(step) {
-  if (state.camera === "film") return;
+  if (state.camera === "film" || state.camera === "live") return;
   if (state.camera === "orbit") { if (controls.enabled) controls.update(); return; }
   const inside = room && uniforms.roomed.value && state.camera === "walk along", { x: from_x, z: from_z } = camera.position;
   const fast = inside ? (keys.has("shift") ? 4 : 1.6) : keys.has("shift") ? 12 : 4, ahead = (keys.has("w") || keys.has("arrowup") ? 1 : 0) - (keys.has("s") || keys.has("arrowdown") ? 1 : 0);
@@ -482,17 +488,18 @@ function echoHeard(x, z) {
 function directed() { return Boolean(staging && staging.film && state.scene === ACTED); }
 
 function buildKnobs() {
-  select("scene", [...(acted ? [ACTED] : []), ...Object.keys(SCENES)], state.scene, (name) => { setScene(name, state.people); view("overview"); });
-  select("camera", [...(directed() ? ["film"] : []), "orbit", "fly", "walk along"], state.camera, (kind) => setCamera(kind));
-  for (const name of Object.keys(VIEWS)) knob(name, () => { if (state.camera === "film") setCamera("orbit"); view(name); });
+  if (!live) select("scene", [...(acted ? [ACTED] : []), ...Object.keys(SCENES)], state.scene, (name) => { setScene(name, state.people); view("overview"); });
+  select("camera", [...(directed() ? ["film"] : []), ...(live ? ["live"] : []), "orbit", "fly", "walk along"], state.camera, (kind) => setCamera(kind));
+  for (const name of Object.keys(VIEWS)) knob(name, () => { if (["film", "live"].includes(state.camera)) setCamera("orbit"); view(name); });
   const slider = document.createElement("input");
   Object.assign(slider, { type: "range", min: 0, max: 100, step: 1 });
   slider.setAttribute("aria-label", "people");
   const whole = (value) => Math.round(10 ** (1 + (value / 100) * 3.78)); // 10 to 60,000
   slider.value = (100 * (Math.log10(state.people) - 1)) / 3.78;
   slider.addEventListener("input", () => setScene(state.scene, whole(Number(slider.value))));
-  document.querySelector("#knobs").append(slider);
-  knob("pause", (made) => { state.paused = !state.paused; made.setAttribute("aria-pressed", state.paused); });
+  if (!live) document.querySelector("#knobs").append(slider);
+  if (live) knob("order", () => { const order = window.prompt("Order, as in a scenario: school goes to door"); if (order) live.order(order); });
+  if (!live) knob("pause", (made) => { state.paused = !state.paused; made.setAttribute("aria-pressed", state.paused); });
   knob("tiers", (made) => { state.debug = 1 - state.debug; made.setAttribute("aria-pressed", Boolean(state.debug)); });
   if (acted) knob("sound", async (made) => {
     if (!sound) sound = await soundOf(echo, echoHeard);

@@ -28,7 +28,13 @@ async function loadRoom(told, shaders, uniforms) {
   mesh.frustumCulled = false;
   const outside = uniforms.sunWay.value.clone(), [levels, deep, wide] = told.shape, [x0, , z0] = told.low;
   const heights = told.heights, grid = deep * wide;
+  const [rows, columns] = told.arrays.walkable.shape, [gx, gz] = told.ground_low;
   let data = null;
+
+  function free(px, pz) {
+    const c = Math.floor((px - gx) / told.ground_step), r = Math.floor((pz - gz) / told.ground_step);
+    return c >= 0 && r >= 0 && c < columns && r < rows && held.walkable[r * columns + c] > 0;
+  }
 
   // Sixteen numbers into a list: the light straight between the eight probes around the chest of somebody who stands so high.
   function lightInto(list, to, px, pz, high = 0) {
@@ -52,13 +58,14 @@ async function loadRoom(told, shaders, uniforms) {
   const asked = new Float64Array(16), lightAt = (x, z) => lightInto(asked, 0, x, z);
   return {
     mesh, told, sunny: told.sun_light.some((one) => one > 0),
+    // Whether one could walk straight from one place to another.
+    open(x, z, to_x, to_z) {
+      const steps = Math.max(1, Math.ceil(Math.hypot(to_x - x, to_z - z) / told.ground_step));
+      for (let k = 0; k <= steps; k++) if (!free(x + ((to_x - x) * k) / steps, z + ((to_z - z) * k) / steps)) return false;
+      return true;
+    },
     // Where somebody gets who wants to go from one place to another: along walls, not through them.
     walk(x, z, wanted_x, wanted_z) {
-      const [rows, columns] = told.arrays.walkable.shape, [gx, gz] = told.ground_low;
-      const free = (px, pz) => {
-        const c = Math.floor((px - gx) / told.ground_step), r = Math.floor((pz - gz) / told.ground_step);
-        return c >= 0 && r >= 0 && c < columns && r < rows && held.walkable[r * columns + c] > 0;
-      };
       if (!free(x, z)) {  // who comes from the air goes to the nearest floor
         let best = Infinity, found = [x, z];
         for (let k = 0; k < held.walkable.length; k++) {

@@ -28,8 +28,8 @@ async function arraysOf(bytes, told) {
   return found;
 }
 
-async function pixelsOf(name) {
-  const blob = new Blob([bytesOf(name)], { type: "image/webp" });
+async function pixelsIn(bytes) {
+  const blob = new Blob([bytes], { type: "image/webp" });
   const image = await createImageBitmap(blob, { colorSpaceConversion: "none" });
   const canvas = document.createElement("canvas");
   canvas.width = image.width;
@@ -39,6 +39,8 @@ async function pixelsOf(name) {
   image.close();
   return pen.getImageData(0, 0, canvas.width, canvas.height);
 }
+
+const pixelsOf = (name) => pixelsIn(bytesOf(name));
 
 function arrayTexture(data, width, height, layers, options = {}) {
   const texture = new THREE.DataArrayTexture(data, width, height, layers);
@@ -90,13 +92,25 @@ async function loadStage(facts, told) {
     people.push({ row, numbers, colours, shapes, covers, atlas, codes, shell, stone, stoneShell });
     told(people.length, facts.people.length);
   }
+  const textures = { ...bodyTextures(people), ...farTextures(people) };
+  return { body, people, textures };
+}
+
+// Everybody's shape, motion and look: made anew when somebody comes or goes.
+function bodyTextures(people) {
   const of = (name) => people.map((one) => one.numbers[name]);
   const bones = of("bones"), frames = bones.map((one) => one.length / (94 * 3 * 4));
   const allBones = new Int16Array(bones.reduce((sum, one) => sum + one.length, 0));
-  let at = 0;
-  for (const one of bones) { allBones.set(one, at); at += one.length; }
   const tables = of("table"), columns = tables[0].length / 4, table = new Float32Array(people.length * columns * 4);
-  tables.forEach((one, k) => table.set(one, k * columns * 4));
+  let at = 0, first = 0;
+  tables.forEach((one, k) => {
+    allBones.set(bones[k], at);
+    at += bones[k].length;
+    table.set(one, k * columns * 4);
+    const clips = facts.people[0].clips.length, own = k * columns * 4;
+    for (let c = 1; c <= clips; c++) table[own + 4 * c] += first - one[4]; // frames lie after those of who is before
+    first += frames[k];
+  });
   const tiles = of("tiles"), tileWide = Math.max(...tiles.map((one) => one.length / 4));
   const allTiles = new Float32Array(people.length * tileWide * 4);
   tiles.forEach((one, k) => allTiles.set(one, k * tileWide * 4));
@@ -105,31 +119,40 @@ async function loadStage(facts, told) {
     loose: arrayTexture(...layered(of("loose"), 4, 2 * WIDE, Uint16Array), WHOLE),
     corners: arrayTexture(...layered(of("corners"), 1, CORNERS_WIDE, Uint16Array),
       { format: THREE.RedIntegerFormat, type: THREE.UnsignedShortType, internalFormat: "R16UI" }),
-    bones: flatTexture(allBones, 94 * 3, frames.reduce((a, b) => a + b, 0),
+    bones: flatTexture(allBones, 94 * 3, first,
       { format: THREE.RGBAIntegerFormat, type: THREE.ShortType, internalFormat: "RGBA16I" }),
     clones: flatTexture(table, columns, people.length, FLOATS),
     tiles: flatTexture(allTiles, tileWide, people.length, FLOATS),
     atlases: arrayTexture(...filled(people.map((one) => one.atlas), () => 0), MIPPED),
     shells: arrayTexture(...filled(people.map((one) => ({ width: one.shell.width, height: one.shell.height / 2 })),
       () => 0), MIPPED),
+  };
+  people.forEach((one, k) => fillLooks(one, k, textures));
+  return textures;
+}
+
+// What is seen of those who are far, or of stone.
+function farTextures(people) {
+  const textures = {
     colours: arrayTexture(...filled(people.map((one) => one.colours), () => 0), MIPPED),
     shapes: arrayTexture(...filled(people.map((one) => ({ width: one.shapes.width, height: one.shapes.height / 3 })),
       () => 0), SMOOTH),
   };
-  people.forEach((one, k) => fillLayers(one, k, textures));
+  people.forEach((one, k) => fillFar(one, k, textures));
   for (const [name, key] of [["stones", "stone"], ["stoneShells", "stoneShell"]]) {
     const put = (one, layer) => layer.set(one.data), none = { width: 1, height: 1, data: new Uint8Array(4) };
     textures[name] = arrayTexture(...filled(people.map((one) => one[key] || none), put), facts.statues ? MIPPED : {});
   }
-  return { body, people, textures, table };
+  return textures;
 }
 
-function fillLayers(one, k, textures) {
-  const layer = (name) => {
-    const { data, width, height } = textures[name].image;
-    return data.subarray(k * width * height * 4, (k + 1) * width * height * 4);
-  };
-  const atlas = layer("atlases"), shell = layer("shells"), colours = layer("colours"), shapes = layer("shapes");
+function layerOf(textures, name, k) {
+  const { data, width, height } = textures[name].image;
+  return data.subarray(k * width * height * 4, (k + 1) * width * height * 4);
+}
+
+function fillLooks(one, k, textures) {
+  const atlas = layerOf(textures, "atlases", k), shell = layerOf(textures, "shells", k);
   for (let p = 0; p < one.atlas.data.length; p += 4) {
     atlas.set(one.atlas.data.subarray(p, p + 3), p);
     atlas[p + 3] = one.codes.data[p];
@@ -139,6 +162,10 @@ function fillLayers(one, k, textures) {
     shell.set(one.shell.data.subarray(p, p + 3), p);
     shell[p + 3] = one.shell.data[half + p];
   }
+}
+
+function fillFar(one, k, textures) {
+  const colours = layerOf(textures, "colours", k), shapes = layerOf(textures, "shapes", k);
   for (let p = 0; p < one.colours.data.length; p += 4) {
     colours.set(one.colours.data.subarray(p, p + 3), p);
     colours[p + 3] = one.covers.data[p];
@@ -156,7 +183,7 @@ function fillLayers(one, k, textures) {
 // Attributes and indices of a level, as cloner/crowd/stock.py makes them.
 function levelGeometry(facts, body, level, instances) {
   const loose = facts.numbers.loose, all = body.uv.length / 2, own = facts.tiers[level].vertices;
-  const most = Math.max(...facts.people.map((row) => row.loose_triangles[level]));
+  const most = facts.live ? facts.numbers.loose[level] : Math.max(...facts.people.map((row) => row.loose_triangles[level]));
   const corners = 3 * most, total = own + corners;
   const which = new Float32Array(total), uv = new Float32Array(total * 2);
   const joints = new Float32Array(total * 4), weights = new Float32Array(total * 4);

@@ -18,6 +18,7 @@ function stagingOf(told, statures) {
   const wakes = new Map(told.wakes), hardens = new Map(told.hardens);
   const tall = (rows, i) => statures[Math.round(rows[i + 6])] * rows[i + 7];
   return {
+    wakes,
     // When somebody is seen in what is acted: a statue not before it wakes.
     time(who, now) {
       const from = wakes.has(who) ? Math.max(now, wakes.get(who)) : now;

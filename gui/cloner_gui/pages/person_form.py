@@ -41,6 +41,7 @@ class PersonForm(Card):
         self.language = QComboBox()
         self.consent_text, self.consent_box, self.consent_note = label(), QCheckBox(), label("dim")
         self.shown_box, self.agree_button = QCheckBox(), button("main")
+        self.inhabits_box, self.inhabits_words = QCheckBox(), label()
         self.name_why, self.shown_why = label("dim"), label("dim")
         self.consent_words, self.shown_words = label(), label()
         self.name_label, self.height_label, self.language_label, self.licence_label = (
@@ -59,6 +60,7 @@ class PersonForm(Card):
         self.language.currentIndexChanged.connect(self._show_consent)
         self.consent_box.clicked.connect(self._take_consent)
         self.shown_box.clicked.connect(booth.set_shown)
+        self.inhabits_box.clicked.connect(booth.set_inhabits)
         self.agree_button.clicked.connect(self._agree_and_go)
         booth.leaving.connect(self.save)
         booth.session.opened.connect(self._show)
@@ -113,6 +115,7 @@ class PersonForm(Card):
         self.column.addWidget(self.consent_note)
         self.column.addLayout(beside(self.shown_box, self.shown_words))
         self.column.addWidget(self.shown_why)
+        self.column.addLayout(beside(self.inhabits_box, self.inhabits_words))
         self.column.addWidget(self.agree_button)
 
     def changeEvent(self, event: QEvent) -> None:
@@ -174,12 +177,24 @@ class PersonForm(Card):
         self.consent_box.setChecked(bool(consent))
         self.shown_box.setChecked(folder is not None and read_visit(folder).shown)
         self.shown_box.setEnabled(bool(consent))
+        self._show_scene(folder, bool(consent))
         self.agree_button.setVisible(not consent)
         self.language.setEnabled(not consent)  # what was agreed to is shown as it was read
         recorded = translate("visitor", "Recorded: {text}")
         self.consent_note.setText(recorded.format(text=consent_when(consent)) if consent else "")
         self.consent_note.setVisible(bool(consent))
         self.changed.emit()
+
+    def _show_scene(self, folder: Path | None, consents: bool) -> None:
+        """Ask whether the clone may walk in the event's scene, where there is one."""
+        scene = self._booth.settings.scene
+        told = translate("visitor", "The clone may &walk in the scene “{scene}”")
+        self.inhabits_words.setText(told.format(scene=scene.replace("&", "&&")))
+        name(self.inhabits_box, told.replace("&", "").format(scene=scene))
+        self.inhabits_box.setChecked(folder is not None and read_visit(folder).inhabits)
+        self.inhabits_box.setEnabled(consents)
+        for one in (self.inhabits_box, self.inhabits_words):
+            one.setVisible(bool(scene))
 
     def _show_licence(self) -> None:
         """Ask who may use the files, as far as the event asks for more than nobody else; or show what was agreed."""
@@ -203,6 +218,7 @@ class PersonForm(Card):
         else:
             self._booth.withdraw_consent()
             self._booth.set_shown(False)
+            self._booth.set_inhabits(False)
         self._show_consent()
 
     def _agree_and_go(self) -> None:

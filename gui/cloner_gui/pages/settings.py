@@ -39,7 +39,7 @@ class SettingsWindow(QDialog):
         self.setWindowTitle(translate("settings", "This event"))
         roomy(self, 640, 620)
         self.title, self.consent, self.language = QLineEdit(settings.title), QPlainTextEdit(), QComboBox()
-        self.logo = LogoField(settings.logo)
+        self.logo, self.scene = LogoField(settings.logo), QLineEdit(settings.scene)
         self.days, self.trash, self.licence = QSpinBox(), QSpinBox(), LicenceField()
         self.calm = QCheckBox(translate("settings", "Nothing &moves by itself"))
         self.hours, self.https = QSpinBox(), QCheckBox(translate("settings", "&Encrypt the page for telephones"))
@@ -75,6 +75,7 @@ class SettingsWindow(QDialog):
         self.pin.setEchoMode(QLineEdit.EchoMode.Password)
         self.asks.setChecked(bool(settings.pin))
         self.pin.setPlaceholderText(translate("settings", "unchanged") if settings.pin else "")
+        self.scene.setPlaceholderText(translate("settings", "none; for example: museum"))
         self.pin.textEdited.connect(lambda: self.asks.setChecked(True))
         self._note.setText(translate("settings", "{days} in the text stands for the days that visitors are kept."))
 
@@ -91,6 +92,7 @@ class SettingsWindow(QDialog):
         form.addRow(translate("settings", "Visitors may let &use the files"), self.licence)
         form.addRow(translate("settings", "Links for &telephones work for"), self.hours)
         form.addRow("", self.https)
+        form.addRow(translate("settings", "&Scene that clones may walk in"), self.scene)
         form.addRow("", self.calm)
         form.addRow("", self.asks)
         form.addRow(translate("settings", "N&umber of the operator"), self.pin)
@@ -99,6 +101,7 @@ class SettingsWindow(QDialog):
             (self.days, translate("settings", "Days that visitors are kept")),
             (self.trash, translate("settings", "Days that thrown away visitors can be brought back")),
             (self.hours, translate("settings", "Hours that links for telephones work")),
+            (self.scene, translate("settings", "Scene that clones may walk in")),
             (self.language, translate("settings", "Language of the text")),
             (self.licence.choice, translate("settings", "Who visitors may let use the files, at the most")),
             (self.pin, translate("settings", "Number of the operator")),
@@ -141,6 +144,7 @@ class SettingsWindow(QDialog):
             trash_days=self.trash.value(),
             consents={code: text for code, text in self._consents.items() if text},
             logo=self.logo.path,
+            scene=self.scene.text().strip(),
             licence=self.licence.chosen(),
             phone_hours=self.hours.value(),
             phone_https=self.https.isChecked(),

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from cloner.booth.person_file import consent_when
+from cloner.booth.stage import inhabiting_clones
 from cloner.booth.sticks import Stick
 from cloner.booth.takeaway import code_modules, free_name, link_text
 from cloner.errors import ClonerError
@@ -194,7 +195,7 @@ class TakeawayPage(QWidget):
             consent = translate("takeaway", "Consent: {when}.").format(when=consent_when(session.consent))
         days = settings.retention_days
         kept = translate("takeaway", "Kept for {n} days.").format(n=days) if days else translate("takeaway", "Kept.")
-        self.held_label.setText(f"{consent}\n{kept}" if session.folder is not None else "")
+        self.held_label.setText("\n".join([consent, kept, *self._told_scene()]) if session.folder is not None else "")
         self._show_code()
         self.changed.emit()
 
@@ -215,6 +216,13 @@ class TakeawayPage(QWidget):
         folder = self._booth.session.folder
         own = link_text(self.link.text().strip(), "" if folder is None else folder.name)
         return self._phone.link() or own
+
+    def _told_scene(self) -> tuple[str, ...]:
+        """Return in which scene the visitor's clone is, if it may be in one."""
+        scene, folder = self._booth.settings.scene, self._booth.session.folder
+        if not scene or folder is None or folder not in inhabiting_clones(self._booth.visits()):
+            return ()
+        return (translate("takeaway", "In the scene “{scene}”, within seconds.").format(scene=scene),)
 
     def _told_phone(self) -> str:
         """Say who can see the page, and for how long."""

@@ -1627,6 +1627,10 @@
         <translation>unverändert</translation>
     </message>
     <message>
+        <source>none; for example: museum</source>
+        <translation>keine; zum Beispiel: Museum</translation>
+    </message>
+    <message>
         <source>{days} in the text stands for the days that visitors are kept.</source>
         <translation>{days} im Text steht für die Tage, die Besucher aufbewahrt werden.</translation>
     </message>
@@ -1655,6 +1659,10 @@
         <translation>Links für &amp;Telefone gelten</translation>
     </message>
     <message>
+        <source>&amp;Scene that clones may walk in</source>
+        <translation>&amp;Szene, in der Klone gehen dürfen</translation>
+    </message>
+    <message>
         <source>N&amp;umber of the operator</source>
         <translation>N&amp;ummer des Bedieners</translation>
     </message>
@@ -1673,6 +1681,10 @@
     <message>
         <source>Hours that links for telephones work</source>
         <translation>Stunden, die Links für Telefone gelten</translation>
+    </message>
+    <message>
+        <source>Scene that clones may walk in</source>
+        <translation>Szene, in der Klone gehen dürfen</translation>
     </message>
     <message>
         <source>Language of the text</source>
@@ -2425,6 +2437,10 @@
     <message>
         <source>Switch the page for telephones on, or type the address of a page of your own.</source>
         <translation>Schalten Sie die Seite für Telefone ein, oder tippen Sie die Adresse einer eigenen Seite.</translation>
+    </message>
+    <message>
+        <source>In the scene “{scene}”, within seconds.</source>
+        <translation>In der Szene „{scene}“, binnen Sekunden.</translation>
     </message>
     <message>
         <source>Off: nothing leaves this computer.</source>
@@ -4059,6 +4075,10 @@
     <message>
         <source>Recorded: {text}</source>
         <translation>Vermerkt: {text}</translation>
+    </message>
+    <message>
+        <source>The clone may &amp;walk in the scene “{scene}”</source>
+        <translation>Der Klon darf in der Szene „{scene}“ &amp;gehen</translation>
     </message>
     <message>
         <source>Visitor</source>

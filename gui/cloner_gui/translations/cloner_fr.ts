@@ -1627,6 +1627,10 @@
         <translation>inchangé</translation>
     </message>
     <message>
+        <source>none; for example: museum</source>
+        <translation>aucune ; par exemple : musée</translation>
+    </message>
+    <message>
         <source>{days} in the text stands for the days that visitors are kept.</source>
         <translation>{days} dans le texte est remplacé par le nombre de jours de conservation.</translation>
     </message>
@@ -1655,6 +1659,10 @@
         <translation>Liens pour &amp;téléphones valables</translation>
     </message>
     <message>
+        <source>&amp;Scene that clones may walk in</source>
+        <translation>&amp;Scène où les clones peuvent marcher</translation>
+    </message>
+    <message>
         <source>N&amp;umber of the operator</source>
         <translation>N&amp;uméro de l’opérateur</translation>
     </message>
@@ -1673,6 +1681,10 @@
     <message>
         <source>Hours that links for telephones work</source>
         <translation>Heures de validité des liens pour téléphones</translation>
+    </message>
+    <message>
+        <source>Scene that clones may walk in</source>
+        <translation>Scène où les clones peuvent marcher</translation>
     </message>
     <message>
         <source>Language of the text</source>
@@ -2425,6 +2437,10 @@
     <message>
         <source>Switch the page for telephones on, or type the address of a page of your own.</source>
         <translation>Activez la page pour téléphones, ou tapez l’adresse d’une page à vous.</translation>
+    </message>
+    <message>
+        <source>In the scene “{scene}”, within seconds.</source>
+        <translation>Dans la scène « {scene} », en quelques secondes.</translation>
     </message>
     <message>
         <source>Off: nothing leaves this computer.</source>
@@ -4059,6 +4075,10 @@
     <message>
         <source>Recorded: {text}</source>
         <translation>Noté : {text}</translation>
+    </message>
+    <message>
+        <source>The clone may &amp;walk in the scene “{scene}”</source>
+        <translation>Le clone peut &amp;marcher dans la scène « {scene} »</translation>
     </message>
     <message>
         <source>Visitor</source>

@@ -1626,6 +1626,10 @@
         <translation>değişmedi</translation>
     </message>
     <message>
+        <source>none; for example: museum</source>
+        <translation>yok; örneğin: müze</translation>
+    </message>
+    <message>
         <source>{days} in the text stands for the days that visitors are kept.</source>
         <translation>Metindeki {days}, ziyaretçilerin saklandığı gün sayısıdır.</translation>
     </message>
@@ -1654,6 +1658,10 @@
         <translation>Telefon &amp;bağlantılarının süresi</translation>
     </message>
     <message>
+        <source>&amp;Scene that clones may walk in</source>
+        <translation>Klonların yürüyebileceği &amp;sahne</translation>
+    </message>
+    <message>
         <source>N&amp;umber of the operator</source>
         <translation>Görevlinin n&amp;umarası</translation>
     </message>
@@ -1672,6 +1680,10 @@
     <message>
         <source>Hours that links for telephones work</source>
         <translation>Telefon bağlantılarının geçerli olduğu saat</translation>
+    </message>
+    <message>
+        <source>Scene that clones may walk in</source>
+        <translation>Klonların yürüyebileceği sahne</translation>
     </message>
     <message>
         <source>Language of the text</source>
@@ -2424,6 +2436,10 @@
     <message>
         <source>Switch the page for telephones on, or type the address of a page of your own.</source>
         <translation>Telefon sayfasını açın ya da kendi sayfanızın adresini yazın.</translation>
+    </message>
+    <message>
+        <source>In the scene “{scene}”, within seconds.</source>
+        <translation>“{scene}” sahnesinde, saniyeler içinde.</translation>
     </message>
     <message>
         <source>Off: nothing leaves this computer.</source>
@@ -4058,6 +4074,10 @@
     <message>
         <source>Recorded: {text}</source>
         <translation>Kaydedildi: {text}</translation>
+    </message>
+    <message>
+        <source>The clone may &amp;walk in the scene “{scene}”</source>
+        <translation>Klon “{scene}” sahnesinde &amp;yürüyebilir</translation>
     </message>
     <message>
         <source>Visitor</source>

@@ -6,8 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from cloner.scenes.inhabited import build_folder
 from cloner.scenes.written import light_folder, make_folder
 from kit.crowds import lively_pack, two_results
+from kit.living import SCENARIO as WALKERS
+from kit.living import SECONDS
 
 PLAN = """name = "cell"
 [sun]
@@ -74,3 +77,17 @@ def scenario(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("scenario") / "cell.crowd"
     path.write_text(SCENARIO)
     return path
+
+
+@pytest.fixture(scope="session")
+def built(lit_folder: Path, lively: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("served")
+    (folder / "walk.crowd").write_text(WALKERS)
+    build_folder(lit_folder, folder / "walk.crowd", lively, folder / "scene", seconds=SECONDS, seed=1)
+    return folder / "scene"
+
+
+@pytest.fixture
+def hot(tmp_path: Path) -> Path:
+    (tmp_path / "clones").mkdir()
+    return tmp_path / "clones"

@@ -1,0 +1,39 @@
+"""An event's visitors in a scene: whose finished clones come into it, and which number the staff types."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from cloner.booth.event import EVENT_FILE, read_event, visits
+from cloner.booth.pin import Door
+from cloner.booth.stage import inhabiting_clones, result_of
+
+
+def finished_clones(folder: Path) -> Path | Callable[[], tuple[Path, ...]]:
+    """Return what finds the clones that may be shown: of an event those of visitors who agreed to it.
+
+    A folder of results is returned as it is; who has recorded no consent is left out later.
+    """
+    if not (folder / EVENT_FILE).is_file():
+        return folder
+    return lambda: tuple(result_of(one) for one in inhabiting_clones(visits(folder)))
+
+
+def number_asked(folder: Path) -> Callable[[str], bool] | None:
+    """Return what says whether a number is the event's, None where it has none.
+
+    Raises
+    ------
+    ClonerError
+        If the event's settings cannot be read.
+    """
+    if not (folder / EVENT_FILE).is_file():
+        return None
+    kept = read_event(folder).pin
+    return partial(_opens, Door(), kept) if kept else None
+
+
+def _opens(door: Door, kept: str, number: str) -> bool:
+    return door.opens(number, kept)

@@ -1,0 +1,275 @@
+"use strict";
+// A page that is served: the scene goes on, and clones come and go while it is shown. The camera finds who has come and
+// walks along; when nobody comes it shows the scene by turns; who touches the page looks around; all ends again when
+// nobody does. A lost link is taken up again, and then everything is told anew.
+
+const FOLLOW_S = 45, SHOT_S = 14, IDLE_S = 30, LOST_S = 10, AGAIN_S = 0.5, PULL = 1.6, TURN_RAD_S = 0.02, LOOK_M = 1.15, EYE_M = 1.6; // taste
+const ASIDE = [0.5, -0.5, 1.1, -1.1, 1.8, -1.8, 2.6, -2.6], AWAY_M = [3.4, 2.6, 1.9], BESIDE_M = 0.55, NEAR_M = 1.2, LOOKS_S = 1.5; // taste
+const OFF_S = 0.25, AWAKENS_S = 4, NEVER_S = 1e9; // a clock so far off is put right; a statue awakes in so long
+
+function liveOf() {
+  const clock = () => performance.now() / 1000;
+  const own = facts.people.length, slots = [], newcomers = new Map(), parts = new Set(), turns = [];
+  const before = acted.people.slice(), gone = new Set(), history = [], shots = Object.keys(VIEWS);
+  let offset = -clock(), staff = false, touched = -IDLE_S, lost = clock(), line = Promise.resolve(), link = null, ended = false, rejoined = null;
+  let followed = null, until = 0, shot = -1, shotUntil = 0, aside = ASIDE[0], away = AWAY_M[0], looked = -1, eye = null, target = null, drawn = clock();
+  async function read(key, name) {
+    const answer = await fetch(`newcomers/${key}/${name}`);
+    if (!answer.ok) throw new Error("gone");
+    return new Uint8Array(await answer.arrayBuffer());
+  }
+
+  // ---- people ----
+
+  const rowOf = (who) => before.slice(who * 4 * PERSON_TEXELS, (who + 1) * 4 * PERSON_TEXELS);
+  function turn(who, row) {
+    acted.turn(who, row);
+    walkers.rows.set(row, who * 4 * PERSON_TEXELS);
+  }
+
+  async function come(told) {
+    if (newcomers.has(told.key)) return play(told);
+    const [numbers, ...pictures] = await Promise.all([
+      read(told.key, "numbers.bin").then((bytes) => arraysOf(bytes, told.row.arrays)),
+      ...["atlas", "codes", "shell"].map((name) => read(told.key, `${name}.webp`).then(pixelsIn))]);
+    if (gone.has(told.key)) return;
+    let slot = slots.indexOf(null);
+    if (slot < 0) slot = slots.push(null) - 1;
+    slots[slot] = told.key;
+    const clone = own + slot, [atlas, codes, shell] = pictures;
+    stage.people[clone] = { numbers, atlas, codes, shell };
+    dressAgain();
+    acted.dress(clone, numbers.touches, numbers.clips);
+    const one = { who: -1, clone, slot, told: clock(), from: null, step: null };
+    newcomers.set(told.key, one);
+    history.push(one);
+    play(told);
+  }
+
+  // A newcomer plays somebody's part from a time on.
+  function play({ key, who, at, fresh }) {
+    const one = newcomers.get(key);
+    if (!one || one.who === who) return;
+    if (one.who >= 0) giveBack(one);
+    one.who = who;
+    const row = rowOf(who);
+    row.set([0, 0, one.clone, 1, one.clone, one.clone, one.clone], 4); // its own size, its own clothes
+    row.fill(-1, 12, 16);
+    parts.add(who);
+    turns.push({ who, row, at, fresh });
+  }
+
+  function giveBack(one) {
+    for (let k = turns.length - 1; k >= 0; k--) if (turns[k].who === one.who) turns.splice(k, 1);
+    parts.delete(one.who);
+    turn(one.who, rowOf(one.who));
+    if (followed === one.who) until = 0;
+  }
+
+  function leave(key) {
+    const one = newcomers.get(key);
+    gone.add(key);
+    if (!one) return;
+    newcomers.delete(key);
+    giveBack(one);
+    slots[one.slot] = null;
+    stage.people[one.clone] = stage.people[0]; // nothing of who has gone is kept
+    dressAgain();
+  }
+
+  function dressAgain() {
+    for (const [name, texture] of Object.entries(bodyTextures(stage.people))) {
+      uniforms[name].value.dispose();
+      uniforms[name].value = texture;
+    }
+  }
+
+  // ---- what is told ----
+
+  // One after another: textures are made anew each time.
+  const queue = (what) => { line = line.then(what).catch((error) => console.warn(String(error))); };
+
+  function steps(told, put) {
+    const all = new Float32Array(Uint8Array.from(atob(told.data), (one) => one.charCodeAt(0)).buffer);
+    let at = 0;
+    for (const [who, many] of told.of) {
+      put(who, all.subarray(at * FOOTING, (at + many) * FOOTING));
+      at += many;
+    }
+    if (Math.abs(told.now - clock() - offset) > OFF_S) offset = told.now - clock();
+  }
+
+  const heard = {
+    hello(told) {
+      for (let who = 0; who < acted.count; who++) if (!things.has(who)) acted.begin(who, new Float32Array(0));
+      steps(told, acted.begin);
+      sleep();
+      for (const one of told.awake) heard.awakes(one);
+      const there = new Set(told.newcomers.map((one) => one.key));
+      for (const key of newcomers.keys()) if (!there.has(key)) queue(() => leave(key));
+      for (const one of told.newcomers) { gone.delete(one.key); queue(() => come(one)); }
+      if (lost !== null) rejoined = clock() - lost;
+      lost = null;
+    },
+    steps: (told) => steps(told, (who, own) => acted.go_on(who, own, told.now)),
+    come: (told) => queue(() => come(told)),
+    plays: (told) => queue(() => play(told)),
+    gone({ key }) { gone.add(key); queue(() => leave(key)); },
+    awakes({ name, at }) {
+      const k = staging ? facts.staging.things.indexOf(name) : -1;
+      if (k < 0) return;
+      const who = facts.staging.stone[k][0];
+      staging.wakes.set(who, at);
+      facts.staging.stone[k][1] = [[at, 1], [at + AWAKENS_S, 0]];
+    },
+    answer(told) {
+      if (told.staff) { staff = true; knobs.style.display = stats.style.display = ""; }
+      if (told.error) window.alert(told.error);
+    },
+    over({ text }) {
+      ended = true;
+      renderer.setAnimationLoop(null);
+      for (const key of [...newcomers.keys()]) leave(key);
+      canvas.remove();
+      say(text);
+    },
+  };
+
+  // Statues of the scenario sleep until it is told that they awake.
+  const things = new Set(staging ? facts.staging.stone.map(([who]) => who) : []);
+  function sleep() {
+    if (!staging) return;
+    for (const one of facts.staging.stone) {
+      const still = new Float32Array(FOOTING);
+      still.set(start[one[0]]);
+      still[UNTIL] = Infinity;
+      acted.begin(one[0], still);
+      staging.wakes.set(one[0], NEVER_S);
+      one[1] = [[0, 1]];
+    }
+  }
+  const start = Object.fromEntries([...things].map((who) => [who, acted.first(who)]));
+
+  function join() {
+    link = new WebSocket(`${location.href.replace("http", "ws")}live`);
+    link.onmessage = (event) => { const told = JSON.parse(event.data); heard[told.kind](told); };
+    link.onclose = () => { if (ended) return; lost ??= clock(); setTimeout(join, AGAIN_S * 1000); };
+  }
+  const tell = (what) => { if (link.readyState === WebSocket.OPEN) link.send(JSON.stringify(what)); };
+
+  // ---- camera ----
+
+  function follow(who, end, fresh) {
+    followed = who;
+    until = end;
+    looked = -1;
+    document.querySelector("#caption").textContent = fresh ? `You are in the ${facts.room ? facts.room.name : "scene"}` : "";
+    if (state.camera === "live" || (fresh && !staff)) setCamera("live");
+  }
+
+  const present = (who) => walkers.rows[who * 4 * PERSON_TEXELS] < GONE;
+  const sees = (x, z, px, pz) => !room || room.open(x, z, px, pz);
+
+  // Where the eye may stand to see somebody: nothing between, nobody in the way.
+  function standing(who) {
+    const x = walkers.x[who], z = walkers.z[who], heading = walkers.rows[who * 4 * PERSON_TEXELS + 3];
+    let best = null, least = Infinity;
+    for (const far of AWAY_M) for (const turn of ASIDE) {
+      const dx = Math.sin(heading + turn), dz = Math.cos(heading + turn);
+      if (!sees(x, z, x + far * dx, z + far * dz)) continue;
+      let cost = Math.abs(turn) * 0.4 + (AWAY_M[0] - far) * 0.6 + (turn === aside && far === away ? -0.6 : 0);
+      for (let i = 0; i < walkers.count; i++) {
+        if (i === who || !present(i)) continue;
+        const ox = walkers.x[i] - x, oz = walkers.z[i] - z, along = ox * dx + oz * dz;
+        if (along > 0.3 && along < far + 0.5 && Math.abs(ox * dz - oz * dx) < BESIDE_M) cost += 0.7;
+      }
+      if (cost < least) { least = cost; best = [turn, far]; }
+    }
+    return best || [aside, AWAY_M[AWAY_M.length - 1]];
+  }
+
+  function somebody() {
+    const choice = [...newcomers.values()].map((one) => one.who).filter(present);
+    for (let k = 0; choice.length < 2 && k < walkers.count; k++) {
+      const i = (k * 37 + Math.floor(clock())) % walkers.count;
+      if (present(i) && acted.walks(i) && walkers.rows[i * 4 * PERSON_TEXELS + STONE] === 0) choice.push(i);
+    }
+    return choice.length ? choice[Math.floor(clock()) % choice.length] : null;
+  }
+
+  function next() {
+    shot++;
+    shotUntil = clock() + SHOT_S;
+    const who = shot % 2 ? somebody() : null;
+    followed = null;
+    if (who === null) { view(shots[(shot >> 1) % shots.length]); eye = target = null; }
+    else follow(who, shotUntil, false);
+  }
+
+  // Where the eye goes, a frame long.
+  function direct(step) {
+    if (followed !== null && (clock() > until || !present(followed))) { followed = null; document.querySelector("#caption").textContent = ""; shotUntil = 0; }
+    if (followed === null && clock() > shotUntil) next();
+    if (followed === null) {
+      const turn = TURN_RAD_S * step, [px, pz] = [camera.position.x - controls.target.x, camera.position.z - controls.target.z];
+      look([controls.target.x + px * Math.cos(turn) - pz * Math.sin(turn), camera.position.y,
+            controls.target.z + px * Math.sin(turn) + pz * Math.cos(turn)], controls.target.toArray());
+      return;
+    }
+    const x = walkers.x[followed], z = walkers.z[followed], high = walkers.y[followed];
+    const heading = walkers.rows[followed * 4 * PERSON_TEXELS + 3];
+    if (clock() > looked) { [aside, away] = standing(followed); looked = clock() + LOOKS_S; }
+    const wanted = [x + away * Math.sin(heading + aside), high + EYE_M, z + away * Math.cos(heading + aside)];
+    if (!eye || Math.hypot(eye[0] - x, eye[2] - z) < NEAR_M || !sees(eye[0], eye[2], wanted[0], wanted[2])) { eye = wanted.slice(); target = [x, high + LOOK_M, z]; }
+    const pull = 1 - Math.exp(-PULL * step), at = [x, high + LOOK_M, z];
+    for (let k = 0; k < 3; k++) { eye[k] += (wanted[k] - eye[k]) * pull; target[k] += (at[k] - target[k]) * Math.min(1, 2.5 * pull); }
+    look(eye, target);
+  }
+
+  function frame() {
+    const now = clock(), step = Math.min(now - drawn, 1);
+    drawn = now;
+    state.now = now + offset;
+    if (lost !== null && now - lost > LOST_S) for (const key of [...newcomers.keys()]) leave(key); // nobody could tell that they are to go
+    if (state.camera !== "live" && !keys.size && now - touched > IDLE_S) { shut(); setCamera("live"); eye = null; }
+    for (const one of turns.filter((each) => each.at <= state.now)) {
+      turns.splice(turns.indexOf(one), 1);
+      turn(one.who, one.row);
+      if (one.fresh) follow(one.who, clock() + FOLLOW_S, true);
+    }
+    if (state.camera === "live") direct(step);
+    for (const one of newcomers.values()) {
+      if (one.step !== null || turns.some((each) => each.who === one.who)) continue;
+      const at = [walkers.x[one.who], walkers.z[one.who]];
+      one.from ||= at;
+      if (acted.walks(one.who) && Math.hypot(at[0] - one.from[0], at[1] - one.from[1]) > 0.1) one.step = Date.now() / 1000;
+    }
+  }
+
+  // ---- hands ----
+
+  const knobs = document.querySelector("#knobs"), stats = document.querySelector("#stats");
+  function shut() { staff = false; knobs.style.display = stats.style.display = "none"; }
+  const hand = () => { touched = clock(); };
+  for (const name of ["pointerdown", "pointermove", "wheel", "keydown"]) window.addEventListener(name, hand);
+  canvas.addEventListener("pointerdown", () => {
+    if (state.camera !== "live") return;
+    const at = followed !== null ? target.slice() : null;
+    setCamera("orbit");
+    document.querySelector("#caption").textContent = "";
+    if (at) controls.target.set(...at);
+  });
+  window.addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey && event.shiftKey && event.key.toLowerCase() === "k")) return;
+    event.preventDefault();
+    keys.clear();
+    if (staff) return shut();
+    const number = window.prompt("Number of the operator") || "";
+    hand();
+    if (number) tell({ number });
+  });
+  shut();
+  state.camera = "live";
+  join();
+  return { order: (order) => tell({ order }), get rejoined() { return rejoined; }, cut: () => { rejoined = null; link.close(); }, get settled() { return !turns.length; }, frame, parts, newcomers, history, get followed() { return followed; }, get staff() { return staff; } };
+}
