@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.detectors.face_net import load_face_net
-from cloner.detectors.face_side import WRONG, find_side_face
+from cloner.detectors.face_side import WRONG, side_face_of
 from cloner.detectors.profile_fit import Laid
 from cloner.detectors.profile_search import ProfileModel, normals_of
 from cloner.records.photos import Photo
@@ -50,7 +50,7 @@ def free_profile(photo: Photo, proposal: Proposal) -> Proposal:
         Of the same photo.
     """
     model = load_face_net().profile
-    found = find_side_face(proposal, model)
+    found = side_face_of(proposal)
     if found is None or found.laid.cost > WRONG:  # it may lie anywhere
         return proposal
     wall = wall_before(photo.rgb, proposal.mask, model, found.laid)
