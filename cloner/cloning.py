@@ -143,8 +143,8 @@ def _run_believing(
         base = {name: given[name] for name in ("photos", "person", "corrections")}
         base["proposals"] = cast(Proposals, values["proposals"]).without(unlike)
         again, fresh = pipeline.run(base, seed=seed, progress=progress, found=found, stages=stages)
-        again["agreements"] = _seen_whole(again)
-        if is_better(seen, again["agreements"]):
+        again["agreements"] = fresh_seen = _seen_whole(again)
+        if is_better(seen, fresh_seen):
             first = [report for report in reports if report.name == "proposals"]
             return again, [*first, *fresh]
     return values, reports

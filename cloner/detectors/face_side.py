@@ -106,7 +106,7 @@ def pose_hints(proposal: Proposal) -> Hints | None:
 
 @once_each
 def side_face_of(proposal: Proposal) -> SideFace | None:
-    """Return the profile of a side photo with the shipped model: its mask is freed by it, then points are told by it."""
+    """Return the profile of a side photo with the shipped model: its mask is freed by it, its points are told by it."""
     return find_side_face(proposal, load_face_net().profile)
 
 

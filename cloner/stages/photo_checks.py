@@ -14,7 +14,6 @@ from typing import Final
 
 import numpy as np
 
-from cloner.detectors.face_net import load_face_net
 from cloner.detectors.face_side import side_face_of
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
