@@ -130,17 +130,21 @@ def clone_photos(
 def _run_believing(
     values: Mapping[str, Any], seed: int, progress: Progress, found: pipeline.Found, stages: tuple[Stage, ...]
 ) -> tuple[dict[str, Any], list[StageReport]]:
-    """Run the stages; when the clone contradicts a photo that it can do without, run them again without it."""
+    """Run the stages; when the clone contradicts a photo that it can do without, run them again without it.
+
+    How well the clone covers the person is among the values, as "agreements".
+    """
     given = dict(values)
     values, reports = pipeline.run(given, seed=seed, progress=progress, found=found, stages=stages)
-    seen = _seen_whole(values)
+    values["agreements"] = seen = _seen_whole(values)
     unlike = contradicted(seen)
     if unlike:
         log.info("made again without %s", ", ".join(unlike))
         base = {name: given[name] for name in ("photos", "person", "corrections")}
         base["proposals"] = cast(Proposals, values["proposals"]).without(unlike)
         again, fresh = pipeline.run(base, seed=seed, progress=progress, found=found, stages=stages)
-        if is_better(seen, _seen_whole(again)):
+        again["agreements"] = fresh_seen = _seen_whole(again)
+        if is_better(seen, fresh_seen):
             first = [report for report in reports if report.name == "proposals"]
             return again, [*first, *fresh]
     return values, reports
@@ -218,12 +222,12 @@ def clone_folder(
             progress=lambda step, fraction: progress("export" if step == "done" else step, PIPELINE_SHARE * fraction),
         )
         values["clone"] = replace(values["clone"], consent=consent, terms=terms)
-        seen = _write_clone(values, formats, folder, progress)
+        _write_clone(values, formats, folder, progress)
         if (folder / GLB_FILE).is_file():
             write_viewer(f"Clone of {person.name or person.identifier}", folder / GLB_FILE)
         run = _run_since(begun, stages, seed=seed, formats=tuple(formats), warnings=warnings)
         progress("report", 0.97)
-        report = build_report(values, run, seen, sorted({*_files(folder), RESULT_MARK})) | {
+        report = build_report(values, run, values["agreements"], sorted({*_files(folder), RESULT_MARK})) | {
             "made_by": values["clone"].stamp,
             "stamp": stamp_of(
                 {str(view): photo.digest for view, photo in photos.photos.items()},
@@ -310,10 +314,8 @@ def _stages(texture_size: int) -> tuple[Stage, ...]:
     )
 
 
-def _write_clone(
-    values: Mapping[str, Any], formats: Sequence[str], folder: Path, progress: Progress
-) -> dict[ViewId, Agreement]:
-    """Write the clone's own file, the exports and the previews; return how well the clone covers the person."""
+def _write_clone(values: Mapping[str, Any], formats: Sequence[str], folder: Path, progress: Progress) -> None:
+    """Write the clone's own file, the exports and the previews."""
     clone = values["clone"]
     keep = partial(save_clone, clone, folder / CLONE_FILE)
     writers = (keep, *(partial(_export, name, clone, folder) for name in formats))
@@ -321,7 +323,6 @@ def _write_clone(
     shown = (values["photos"], values["proposals"], (values["body_points"], values["face_points"]))
     with beside(lambda: list(abreast(lambda write: write(), writers))):  # drawing stays on this thread, as GL wants it
         write_previews(clone, *shown, values["obeyed_silhouettes"], folder)
-        return agreements(clone, values["obeyed_silhouettes"])
 
 
 def _export(name: str, clone: Clone, folder: Path) -> None:

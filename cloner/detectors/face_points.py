@@ -12,7 +12,7 @@ from cloner.calibration.loader import calibrated
 from cloner.detectors.cascade import FEATURES, Found, find_feature, load_cascades
 from cloner.detectors.face_front_features import HALVES, find_halves, front_pose
 from cloner.detectors.face_net import FaceNet, load_face_net
-from cloner.detectors.face_side import WRONG_ERROR, doubt_of, find_side_face
+from cloner.detectors.face_side import WRONG_ERROR, doubt_of, side_face_of
 from cloner.detectors.face_side_features import EAR, EAR_PATCH, INNER, LOST_EAR, covered, find_inside
 from cloner.detectors.hairline import trace_hairline
 from cloner.frames import ViewId
@@ -108,7 +108,7 @@ def _pupils(net: FaceNet, points: Array, irises_px: Array) -> Array:
 
 def _side_points(photo: Photo, proposal: Proposal) -> ViewPoints:
     model = load_face_net().profile
-    found = find_side_face(proposal, model)
+    found = side_face_of(proposal)
     if found is None:
         return _none(photo.view)
     doubt = WRONG_ERROR * doubt_of(photo.rgb, model, found.laid)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
+from cloner.detectors.face_net import load_face_net
 from cloner.detectors.profile import front_contour, outline
 from cloner.detectors.profile_fit import Laid, find_laid, named_px
 from cloner.detectors.profile_search import ProfileModel, normals_of
@@ -17,6 +18,7 @@ from cloner.detectors.results import POSE_NAMES
 from cloner.geometry.contour_match import contour_normals
 from cloner.records.labels import FACE, shows
 from cloner.records.points import Proposal
+from cloner.remembered import once_each
 from cloner.vision.snake import look_along, normals, snake_picture
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
@@ -91,6 +93,12 @@ def pose_hints(proposal: Proposal) -> Hints | None:
     ahead = float(points[nose, 0] - points[ears, 0].mean())
     hints = Hints(1 if ahead > 0 else -1, points[nose], points[eyes].mean(axis=0), points[mouth].mean(axis=0))
     return hints if np.linalg.norm(hints.mouth_px - hints.eye_px) >= 3.0 else None
+
+
+@once_each
+def side_face_of(proposal: Proposal) -> SideFace | None:
+    """Return the profile of a side photo with the shipped model: its mask is freed by it, its points are told by it."""
+    return find_side_face(proposal, load_face_net().profile)
 
 
 def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:

@@ -16,7 +16,7 @@ from scipy.spatial import cKDTree
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face_net import load_face_net
-from cloner.detectors.face_side import WRONG, find_side_face
+from cloner.detectors.face_side import WRONG, side_face_of
 from cloner.detectors.profile_fit import Laid
 from cloner.detectors.profile_search import ProfileModel, normals_of
 from cloner.records.photos import Photo
@@ -51,7 +51,7 @@ def free_profile(photo: Photo, proposal: Proposal) -> Proposal:
         Of the same photo.
     """
     model = load_face_net().profile
-    found = find_side_face(proposal, model)
+    found = side_face_of(proposal)
     if found is None or found.laid.cost > WRONG:  # it may lie anywhere
         return proposal
     wall = wall_before(photo.rgb, proposal.mask, model, found.laid)

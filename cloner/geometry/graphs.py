@@ -72,7 +72,7 @@ class SurfaceGraph:
         anchor = 1e-6  # keeps parts without data solvable; far below any real weight
         system = (diags(weight + anchor) + stiffness * laplacian).tocsc()
         right = weight[:, None] * values + anchor * mean
-        symmetric = splu(system, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True})
+        symmetric = splu(system, permc_spec="MMD_AT_PLUS_A", panel_size=4, options={"SymmetricMode": True})
         return np.asarray(symmetric.solve(right))
 
 

@@ -87,7 +87,9 @@ def settle(
     data = np.bincount(rows, weight * slope * slope, count)
     right = np.bincount(rows, weight * slope * gap, count)
     matrix = (stiffness * bending + sparse.diags(data + anchor)).tocsc()
-    return np.asarray(splu(matrix, permc_spec="MMD_AT_PLUS_A", options={"SymmetricMode": True}).solve(right))
+    return np.asarray(
+        splu(matrix, permc_spec="MMD_AT_PLUS_A", panel_size=4, options={"SymmetricMode": True}).solve(right)
+    )
 
 
 def unfolded(before_m: Array, after_m: Array, triangles: NDArray[np.int32]) -> Array:

@@ -23,6 +23,7 @@ from cloner.records.labels import Label, shows
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.aligning import sample
+from cloner.vision.pieces import pieces_of
 from cloner.vision.repair import signed_distance
 
 Array = NDArray[np.float64]
@@ -226,12 +227,13 @@ def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool
     """Return (H, W) pixels of hair, or of a cap on it: labelled so, on the person, in pieces of some size."""
     hair = ((proposal.labels == Label.HAIR) | headwear(proposal.labels)) & person
     small = cv2.morphologyEx(hair.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
-    count, pieces, stats, _ = cv2.connectedComponentsWithStats(small, connectivity=8)
-    if count < 2:
-        return np.zeros_like(hair)
-    area = stats[:, cv2.CC_STAT_AREA].astype(float)
+    box, pieces, figures = pieces_of(small)
+    area = figures[:, cv2.CC_STAT_AREA].astype(float)
     area[0] = 0.0
-    return np.isin(pieces, np.flatnonzero(area >= SMALLEST_PIECE * area.max()))
+    kept = np.zeros(hair.shape, np.bool_)
+    if area.any():
+        kept[box] = (area >= SMALLEST_PIECE * area.max())[pieces]
+    return kept
 
 
 def headwear(labels: NDArray[np.uint8]) -> NDArray[np.bool_]:

@@ -18,6 +18,7 @@ from cloner.records.labels import Label, shows
 from cloner.vision.crops import Crop, cut, photo_px_from_crop
 from cloner.vision.hair_edge import draw_edge
 from cloner.vision.head_frame import HeadFrame, find_head
+from cloner.vision.pieces import pieces_of
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
 _CALIBRATED: Final = calibrated("labels.photo")
@@ -243,11 +244,11 @@ def without_collars(labels: NDArray[np.uint8], chin_px: float) -> NDArray[np.uin
         Row of the chin.
     """
     # a band or a scarf may cross a tail, a beard may join it
-    joined = shows(labels, Label.HAIR, Label.ACCESSORY, Label.BEARD).astype(np.uint8)
-    _, pieces, stats, _ = cv2.connectedComponentsWithStats(joined, connectivity=8)
-    low = stats[:, cv2.CC_STAT_TOP] > chin_px
+    box, pieces, figures = pieces_of(shows(labels, Label.HAIR, Label.ACCESSORY, Label.BEARD))
+    low = figures[:, cv2.CC_STAT_TOP] > chin_px
     low[0] = False
-    collar = low[pieces] & (labels == Label.HAIR)
+    collar = np.zeros(labels.shape, np.bool_)
+    collar[box] = low[pieces] & (labels[box] == Label.HAIR)
     if not collar.any():
         return labels
     cleaned = labels.copy()
@@ -269,10 +270,10 @@ def without_specks(labels: NDArray[np.uint8], least_px: float) -> NDArray[np.uin
     for label in np.unique(labels):
         if label == Label.BACKGROUND or label in SMALL_BY_NATURE:
             continue
-        _, pieces, stats, _ = cv2.connectedComponentsWithStats((labels == label).astype(np.uint8), connectivity=8)
-        few = stats[:, cv2.CC_STAT_AREA] < least_px
+        box, pieces, figures = pieces_of(labels == label)
+        few = figures[:, cv2.CC_STAT_AREA] < least_px
         few[0] = False
-        small |= few[pieces]
+        small[box] |= few[pieces]
     if not small.any():
         return labels
     cleaned = labels.copy()

@@ -147,7 +147,7 @@ BodyPoints = PointSet
 FacePoints = PointSet
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True, eq=False, weakref_slot=True)  # a profile found in it is remembered with it
 class Proposal:
     """What nets and colours say about one photo, before any correction.
 

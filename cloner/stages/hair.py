@@ -145,14 +145,14 @@ def grow_hair(
     used, triangles, inside_mm = shown_part(views, settled, mesh[1])
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
-    vertices, skin, headwear = settled[used], skin_of(generic, joined, scalp), worn_views(views, proposals)
-    free_mm = np.where(under_headwear(headwear, vertices), 0.0, inside_mm)
-    frizz = measure_frizz(views, photos.photos, scalp.points_m)
+    vertices, frizz = settled[used], measure_frizz(views, photos.photos, scalp.points_m)
     if frizz is not None:
+        skin = skin_of(generic, joined, scalp)
+        free_mm = np.where(under_headwear(worn_views(views, proposals), vertices), 0.0, inside_mm)
         vertices, frizz = make_room(frizz, vertices, triangles, free_mm, skin)
     surface = with_peak(generic, joined, views, proposals, scalp, (vertices, triangles, inside_mm))
     peaked = np.arange(len(surface[1])) >= len(triangles)
-    worn = (peaked, headwear) if peaked.any() else None
+    worn = (peaked, worn_views(views, proposals)) if peaked.any() else None
     hung = Hanger.of(generic, joined).weights(surface[0])
     strands = 1.0 if all(view.posed.view in FRONTS for view in views) else 0.0
     carried = hair_weights(generic, joined, *surface[:2])

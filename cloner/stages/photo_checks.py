@@ -15,8 +15,7 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face_net import load_face_net
-from cloner.detectors.face_side import find_side_face
+from cloner.detectors.face_side import side_face_of
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -197,7 +196,7 @@ def _outline_odds(proposal: Proposal) -> float:
 
     It costs 0.08-0.43 on profiles, median 0.22; 0.25-0.49 on fronts and backs, median 0.4.
     """
-    found = find_side_face(proposal, load_face_net().profile)
+    found = side_face_of(proposal)
     return -2.0 if found is None else max(-weight(found.laid.cost, 0.32, 0.03, 3.0), -2.0)
 
 

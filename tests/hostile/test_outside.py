@@ -185,10 +185,10 @@ def test_the_stamp_tells_of_the_photo_that_was_decoded(tmp_path: Path, monkeypat
 
     def replaced_meanwhile(*_: Any, **__: Any) -> tuple[dict[str, Any], list[Any]]:
         Image.new("RGB", (80, 120), (9, 9, 9)).save(photo)
-        return {"clone": toy_clone()}, []
+        return {"clone": toy_clone(), "agreements": {}}, []
 
     monkeypatch.setattr(cloning, "clone_photos", replaced_meanwhile)
-    monkeypatch.setattr(cloning, "_write_clone", lambda values, formats, folder, progress: {})
+    monkeypatch.setattr(cloning, "_write_clone", lambda values, formats, folder, progress: None)
     monkeypatch.setattr(cloning, "build_report", lambda *_: {"warnings": []})
     monkeypatch.setattr(cloning, "write_page", lambda *_: None)
     outcome = clone_folder(photo.parent, tmp_path / "out")

@@ -1,0 +1,34 @@
+"""Connected pieces of a mask, counted in the box around it only: a photo is mostly something else."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Ints = NDArray[np.int32]
+Box = tuple[slice, slice]
+
+
+def pieces_of(mask: NDArray[np.bool_] | NDArray[np.uint8]) -> tuple[Box, Ints, Ints]:
+    """Return the box around a mask (H, W), its 8-connected pieces there and their figures.
+
+    Returns
+    -------
+    box : pair of slices
+        Rows and columns of the mask; without any pixel an empty box.
+    pieces : (h, w) int32
+        Number of each pixel's piece in the box, 0 outside the mask.
+    figures : (N + 1, 5) int32
+        A row a piece as OpenCV orders them (``cv2.CC_STAT_AREA`` and others), left and top counted in the whole mask;
+        the first row is what is outside.
+    """
+    shown = mask.view(np.uint8)
+    left, top, width, height = cv2.boundingRect(shown)
+    box = np.s_[top : top + height, left : left + width]
+    if not width:
+        return box, np.zeros((0, 0), np.int32), np.zeros((1, 5), np.int32)
+    _, pieces, figures, _ = cv2.connectedComponentsWithStats(shown[box], connectivity=8)
+    figures[:, cv2.CC_STAT_LEFT] += left
+    figures[:, cv2.CC_STAT_TOP] += top
+    return box, np.asarray(pieces, np.int32), np.asarray(figures, np.int32)
