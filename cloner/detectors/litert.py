@@ -32,7 +32,6 @@ from cloner.detectors.placing import (
     mirror_crop,
     mirror_order,
     nearby,
-    owns,
     same_place,
     whole_photo,
 )  # fmt: skip
