@@ -52,6 +52,7 @@ class Params:
     pitch_degrees: float = _CALIBRATED.number("pitch_degrees", "deg")
     roll_degrees: float = _CALIBRATED.number("roll_degrees", "deg")
     same_pose: float = _CALIBRATED.number("same_pose", "factor")
+    same_sides: float = _CALIBRATED.number("same_sides", "factor")
     shapes: tuple[int, ...] = (6, 12, 24, 30, 30)
     reach_mm: tuple[float, ...] = _CALIBRATED.numbers("reach_mm", "mm")
     turns_per_round: int = 3

@@ -19,7 +19,7 @@ from cloner.body.evidence import Evidence, Params
 from cloner.body.model import OWN, WORN, Family, draw
 from cloner.body.terms import GroundTerm, OutlineTerm, PointTerm, Term
 from cloner.frames import ViewId
-from cloner.geometry.poses import FREEDOMS, SIGMAS, standing_pose
+from cloner.geometry.poses import FREEDOMS, SIGMAS, mirrored_freedoms, standing_pose
 from cloner.geometry.tripods import AZIMUTH, FACING, HEIGHT, PITCH, ROLL, STAND_NAMES, placed_camera, stand_of
 from cloner.records.views import Camera
 
@@ -62,16 +62,23 @@ class _Normal:
         self.matrix[columns, columns] += weight
         self.right[columns] -= weight * away
 
-    def tie(self, first: NDArray[np.integer], second: NDArray[np.integer], apart: Array, spread: Array | float) -> None:
-        """Add heavy-tailed ties (Cauchy, two spreads): pairs of unknowns that usually agree."""
+    def tie(
+        self,
+        first: NDArray[np.integer],
+        second: NDArray[np.integer],
+        apart: Array,
+        spread: Array | float,
+        sign: Array | float = 1.0,
+    ) -> None:
+        """Add heavy-tailed ties (Cauchy, two spreads): pairs of unknowns that usually agree but for a ``sign``."""
         spread = np.broadcast_to(np.asarray(spread, dtype=np.float64), apart.shape)
         weight = 1.0 / spread**2 / (1.0 + (apart / (2.0 * spread)) ** 2)
         self.matrix[first, first] += weight
         self.matrix[second, second] += weight
-        self.matrix[first, second] -= weight
-        self.matrix[second, first] -= weight
+        self.matrix[first, second] -= weight * sign
+        self.matrix[second, first] -= weight * sign
         self.right[first] -= weight * apart
-        self.right[second] += weight * apart
+        self.right[second] += weight * sign * apart
 
 
 def wrapped(angle: float) -> float:
@@ -102,6 +109,9 @@ def _priors(normal: _Normal, state: State, evidence: dict[ViewId, Evidence], mea
         normal.tie(np.array([start + HEIGHT]), height, apart, params.same_height_m)
         own = start + len(STAND_NAMES) + np.arange(poses)
         normal.tie(own, usual, state.poses[view] - state.usual_pose, params.same_pose * SIGMAS)
+        left, right, sign = mirrored_freedoms()
+        away = state.poses[view][left] - sign * state.poses[view][right]
+        normal.tie(own[left], own[right], away, params.same_sides * SIGMAS[left], sign)
 
 
 def _turn(

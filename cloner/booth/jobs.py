@@ -31,8 +31,9 @@ from cloner.stages.proposals import NobodySeen, propose, settle_hidden
 
 #: Proposals of so many photos are remembered: two visitors and some retakes, 4 MB each.
 REMEMBERED: Final = 16
-#: Values of a clone that lie elsewhere: photos and corrections as files, the clone as ``clone.npz``.
-_ELSEWHERE: Final = {"photos", "person", "corrections", "painted", "surfaces", "clone"}
+#: Values of a clone that lie elsewhere: photos and corrections as files, the clone as ``clone.npz``, how well it covers
+#: the person in its report.
+_ELSEWHERE: Final = {"photos", "person", "corrections", "painted", "surfaces", "clone", "agreements"}
 
 
 class Jobs:

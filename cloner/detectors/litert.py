@@ -32,7 +32,6 @@ from cloner.detectors.placing import (
     mirror_crop,
     mirror_order,
     nearby,
-    owns,
     same_place,
     whole_photo,
 )  # fmt: skip
@@ -209,14 +208,14 @@ def _mean_mesh(photo: Photo, crop: Crop) -> tuple[Floats, float]:
     return (straight + mirrored) / 2, min(presence, other)
 
 
-def detect_face(rgb: Photo, box: Box | None = None) -> FaceResult | None:
+def detect_face(rgb: Photo) -> FaceResult | None:
     """Find the 468 points of the largest face, near or in a whole-body photo.
+
+    What the detectors take for a face need not be one (knees, a pattern on a shirt): the mesh net decides.
 
     Parameters
     ----------
     rgb : (H, W, 3) uint8
-    box : Box, optional
-        Where to look, from `detect_people`; found when not given.
 
     Returns
     -------
@@ -224,14 +223,14 @@ def detect_face(rgb: Photo, box: Box | None = None) -> FaceResult | None:
         None where no face is seen, as on backs. On profiles the far half is invented
         and `presence` does not tell; look at `turn_deg`.
     """
-    if box is None or box.kind != "face":
-        found = find_faces(rgb, 0.3)
-        if box is not None:
-            found = [f for f in found if owns(box, f)]
-        likely = [f for f in found if f.score > 0.6] or found
-        box = max(likely, key=lambda f: f.width_px, default=None)
-    if box is None:
-        return None
+    found = find_faces(rgb, 0.3)
+    likely = [box for box in found if box.score > 0.6] or found
+    largest_first = sorted(likely, key=lambda box: -box.width_px)
+    return next((face for box in largest_first if (face := _face_at(rgb, box)) is not None), None)
+
+
+def _face_at(rgb: Photo, box: Box) -> FaceResult | None:
+    """Return the face that the mesh net sees in a detected box, or None."""
     box = _look_closer(rgb, box)
     points, presence = face_mesh(rgb, face_crop(box))
     if presence < 0.5:

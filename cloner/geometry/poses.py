@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -65,6 +66,15 @@ FREEDOMS: tuple[Freedom, ...] = (
 )
 
 SIGMAS: Array = np.array([freedom.sigma for freedom in FREEDOMS])
+
+
+@functools.cache
+def mirrored_freedoms() -> tuple[NDArray[np.int64], NDArray[np.int64], Array]:
+    """Return the columns of left limbs' angles (N,), of the right ones' (N,), and the sign (N,) that mirrors them."""
+    column = {freedom.name: place for place, freedom in enumerate(FREEDOMS)}
+    left = np.array([place for name, place in column.items() if name.startswith("l_")], dtype=np.int64)
+    right = np.array([column[f"r_{FREEDOMS[place].name[2:]}"] for place in left], dtype=np.int64)
+    return left, right, np.where([FREEDOMS[place].axis == X for place in left], 1.0, -1.0)
 
 
 def pose_matrix(joint_names: Sequence[str]) -> Array:

@@ -173,6 +173,14 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
     return out
 
 
+def off_profile(camera: Camera, facing: int) -> Array:
+    """Return (3,) how far a camera is turned from an exact profile, radians in its own axes: sideways and about the
+    vertical. A nod is none.
+    """
+    across = camera.camera_from_model[:3, 0]
+    return np.array([-facing * across[1], facing * across[0], 0.0])
+
+
 def net_errors(model: Model, coefficients: Array, camera: Camera, params: Params) -> Array:
     """Return the errors (468, 2), metres, that the net's points make: by a face's shape and turn, and in this photo."""
     modes, shapes = model.modes, len(model.basis_m)
@@ -221,7 +229,10 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
             found += rim_evidence(seen, fit.coefficients, fit.cameras, outlines, len(model.modes.drift_m))
         return found
 
-    begin = ShapeFit(np.zeros(shapes + drifts) if start is None else start, present, np.zeros((len(present), 3)))
+    turned = np.zeros((len(present), 3))
+    if side is not None:
+        turned[side_index] = off_profile(present[side_index], side.facing)
+    begin = ShapeFit(np.zeros(shapes + drifts) if start is None else start, present, turned)
     fit = fit_shape(
         begin,
         gather,

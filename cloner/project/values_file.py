@@ -104,6 +104,8 @@ def _made(told: Any, arrays: list[NDArray[Any]]) -> Any:
 
 
 def _name(kind: type) -> str:
+    if not kind.__module__.startswith(_HOMES):
+        raise TypeError(f"a {kind.__name__} cannot be kept")  # it could not be read again
     return f"{kind.__module__}:{kind.__qualname__}"
 
 

@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 from skimage import data
 
+from cloner.detectors import litert
 from cloner.detectors.litert import detect_face, detect_pose
 from cloner.detectors.people import detect_people
-from cloner.detectors.placing import same_body, same_crop
+from cloner.detectors.placing import same_body, same_crop, same_place
 from cloner.detectors.results import POSE_NAMES, Box
 from cloner.vision.crops import Crop
 from kit.visitors import NAMES, overlap, photo, truth_mask, visitor_folder
@@ -75,6 +76,16 @@ def test_face_mesh_finds_the_mouth_corners(name: str, view: str) -> None:
         true_px = camera["fx"] * seen[:2] / seen[2] + [camera["cx"], camera["cy"]]
         error = np.hypot(*(face.points_px[index] - true_px)) / eye_gap_px(face.points_px)
         assert error < 0.09, f"{name} {view} {key} {error:.3f} of the eye gap"
+
+
+def test_what_is_no_face_does_not_hide_a_smaller_one(monkeypatch: pytest.MonkeyPatch) -> None:
+    rgb = photo("anna", "plain", "body_front").rgb
+    faces, hips = litert.find_faces, np.array([[320.0, 700.0], [380.0, 700.0], [350.0, 730.0]])
+    no_face = Box("face", 250.0, 600.0, 450.0, 800.0, 0.7, hips)
+    monkeypatch.setattr(litert, "find_faces", lambda rgb, least: [*faces(rgb, least), no_face])
+    found = detect_face(rgb)
+    assert found is not None
+    assert same_place(found.box, faces(rgb, 0.3)[0], 0.3)
 
 
 def test_backs_and_empty_pictures_have_no_face() -> None:

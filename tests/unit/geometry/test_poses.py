@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from cloner.generic.load import load_generic
-from cloner.geometry.poses import FREEDOMS, SIGMAS, pose_matrix, standing_pose
+from cloner.geometry.poses import FREEDOMS, SIGMAS, mirrored_freedoms, pose_matrix, standing_pose
 from cloner.geometry.skinning import joint_transforms
 
 
@@ -35,6 +35,21 @@ def test_the_spine_shares_its_angle_in_equal_parts():
     found = rotations(spine_y=0.6)
     assert found.sum(axis=0) == pytest.approx([0.0, 0.6, 0.0])
     assert np.unique(found[found[:, 1] != 0, 1]) == pytest.approx([0.1])
+
+
+def test_a_mirrored_pose_places_the_joints_of_the_other_side():
+    generic = load_generic()
+    left, right, sign = mirrored_freedoms()
+    pose = np.zeros(len(FREEDOMS))
+    pose[left] = np.random.default_rng(3).normal(0.0, 0.2, len(left))
+    pose[right] = sign * pose[left]
+    joints = np.asarray(generic.joints_m, dtype=np.float64)
+    turned = (pose_matrix(generic.joint_names) @ pose).reshape(-1, 3)
+    moved = joint_transforms(joints, generic.joint_parents, turned)
+    placed = np.einsum("jab,jb->ja", moved[:, :3, :3], joints) + moved[:, :3, 3]
+    for name in ("elbow", "wrist", "knee", "ankle", "metatarsal"):
+        ours, theirs = (placed[generic.joint(f"{side}_{name}")] for side in "lr")
+        assert ours == pytest.approx(theirs * [-1.0, 1.0, 1.0], abs=1e-3), name
 
 
 def test_a_skeleton_without_a_needed_joint_is_refused():

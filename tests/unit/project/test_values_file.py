@@ -8,6 +8,7 @@ import pytest
 from cloner.frames import ViewId
 from cloner.project.values_file import load_values, save_values
 from cloner.records.points import PhotoState, PointSet, StateKind, ViewPoints
+from cloner.report.agreement import Agreement
 
 
 def some_points():
@@ -72,3 +73,8 @@ def test_pickles_are_never_read(tmp_path):
 def test_what_cannot_be_kept_is_a_programmers_mistake(tmp_path):
     with pytest.raises(TypeError, match="cannot be kept"):
         save_values({"a": object()}, tmp_path / "v.npz")
+
+
+def test_a_record_that_could_not_be_read_again_is_not_kept(tmp_path):
+    with pytest.raises(TypeError, match="Agreement cannot be kept"):
+        save_values({"seen": Agreement(0.9, 1.0, 2.0, 3.0)}, tmp_path / "work" / "values.npz")
