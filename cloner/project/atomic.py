@@ -30,22 +30,15 @@ _TRIES: Final = 3
 
 
 def write_text(path: Path, text: str) -> None:
-    """Write a small file in one step: a temporary neighbour, then ``os.replace``.
+    """Write a small file in one step; see :func:`appears`.
 
     Raises
     ------
     ClonerError
         If the folder cannot be written.
     """
-    temporary = path.with_name(f".{path.name}.partial-{os.getpid()}")
-    try:
+    with appears(path) as temporary:
         temporary.write_text(text, encoding="utf-8")
-        temporary.replace(path)
-    except OSError as error:
-        temporary.unlink(missing_ok=True)
-        raise ClonerError(
-            "the file cannot be written", "Check the folder's permissions and space", path.name
-        ) from error
 
 
 @contextlib.contextmanager
