@@ -63,7 +63,7 @@ class Evidence:
 class ShapeFit:
     """Coefficients (F,) or with drifts (F + M,), cameras, and what they moved.
 
-    ``turned`` is each turn from its starting pose (radians, (K, 3)), ``zoomed`` the logarithm of the common change of
+    ``turned`` is each turn from its expected pose (radians, (K, 3)), ``zoomed`` the logarithm of the common change of
     their focal lengths, with distances that keep the head's size in the photos.
     """
 
@@ -145,7 +145,7 @@ def fit_shape(
     rarity : float or (F,)
         Decline of the expected coefficients' logarithm beside the normal prior: for what is mostly absent.
     turn_sigma : (K, 3), optional
-        Expected turn of each camera from its start, radians, with heavy tails (Cauchy beyond ``TURN_OUTLIER``);
+        Expected turn of each camera (``ShapeFit.turned``), radians, with heavy tails (Cauchy beyond ``TURN_OUTLIER``);
         infinite where the evidence alone decides.
     zoom_sigma : float
         Expected relative error of the cameras' common focal length; 0 keeps it.

@@ -122,7 +122,7 @@ def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) 
         base, basis = model.vertex_places(front.vertices)
         sigma = np.full(len(front.vertices), params.corrected_m / metres)
         out.append(Evidence(0, base, basis, front.points_px, sigma, outlier=PLACED_OUTLIER))
-    return out + _spot_evidence(model, front.ears, 0, metres, params) + [_together(model, one) for one in front.inside]
+    return out + _by_trust(model, front.ears, 0, metres, params) + [_together(model, one) for one in front.inside]
 
 
 def _together(model: Model, group: Together) -> Evidence:
@@ -130,16 +130,12 @@ def _together(model: Model, group: Together) -> Evidence:
     return Evidence(0, base, basis, group.points_px, np.ones(len(base)), outlier=2.0, whiten=group.whiten)
 
 
-def _spot_evidence(model: Model, spots: Spots, index: int, metres: float, params: Params) -> list[Evidence]:
-    return _by_trust(model, spots, index, metres, params.corrected_m, outlier=2.0)
-
-
 def _by_trust(
-    model: Model, spots: Spots, index: int, metres: float, corrected_m: float, *, outlier: float
+    model: Model, spots: Spots, index: int, metres: float, params: Params, *, outlier: float = 2.0
 ) -> list[Evidence]:
     """Return proposed points, which may be beside their places altogether, and placed ones, which are not."""
     found = []
-    placed = spots.sigma_m <= corrected_m
+    placed = spots.sigma_m <= params.corrected_m
     for rows, beyond in ((~placed, outlier), (placed, PLACED_OUTLIER)):
         if rows.any():
             base, basis = model.vertex_places(spots.vertices[rows])
@@ -155,9 +151,9 @@ def _side_evidence(model: Model, side: Side, fit: ShapeFit, iteration: int, inde
     named = np.array([not name.startswith(("ear", *INSIDE)) for name in side.names])
     loose = np.where(side.sigma_m[named] > params.corrected_m, params.loose_named if curve else 1.0, 1.0)
     spots = Spots(side.vertices[named], side.points_px[named], loose * side.sigma_m[named])
-    out = _by_trust(model, spots, index, metres, params.corrected_m, outlier=1.5)
+    out = _by_trust(model, spots, index, metres, params, outlier=1.5)
     for spots in (side.ears, side.inside):
-        out += _spot_evidence(model, spots, index, metres, params)
+        out += _by_trust(model, spots, index, metres, params)
     if curve:
         whole = model.whole(model.head(fit.coefficients[: len(model.basis_m)]))
         vertices = outline_vertices(whole, candidates, camera, side.facing)

@@ -59,9 +59,9 @@ def test_a_point_dragged_far_keeps_its_weight_where_a_proposed_one_is_doubted() 
     lobe = np.array([model.generic.feature("ear_lobe_R")] * 2)
     metres = seen.metres_per_pixel(model.vertices_m[lobe[0]])
     away = seen.project(model.vertices_m[lobe]) + [0.0, 0.005 / metres]
-    placed_m = Params().corrected_m
-    spots = Spots(lobe, away, np.array([0.0025, placed_m]))
-    proposed, placed = _by_trust(model, spots, 0, metres, placed_m, outlier=1.5)
+    params = Params()
+    spots = Spots(lobe, away, np.array([0.0025, params.corrected_m]))
+    proposed, placed = _by_trust(model, spots, 0, metres, params, outlier=1.5)
     weights = [_rows(one, np.zeros(len(model.basis_m)), seen)[3].min() for one in (proposed, placed)]
     assert weights[0] < 0.4
     assert weights[1] > 0.6
