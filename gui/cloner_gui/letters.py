@@ -37,6 +37,16 @@ def assign(texts: Sequence[str], taken: Iterable[str] = ()) -> list[str]:
     return given
 
 
+def literal(text: str) -> str:
+    """Return a text, as a folder's name, so that a control shows it as it is, with no letter underlined."""
+    return text.replace("&", "&&")
+
+
+def unmarked(text: str) -> str:
+    """Return a control's text without the mark of its letter, as it is read aloud."""
+    return text.replace("&", "")
+
+
 def letter_of(text: str) -> str:
     """Return the underlined letter of a text, "" where there is none."""
     at = text.replace("&&", "  ").find("&")

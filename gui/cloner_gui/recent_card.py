@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 from cloner.booth.event import read_event
 from cloner.booth.recent import note_recent, recent_events
 from cloner.errors import ClonerError
+from cloner_gui.letters import literal
 from cloner_gui.pieces import Card, button, label, name
 from cloner_gui.words import translate
 
@@ -49,7 +50,7 @@ class RecentCard(Card):
         self._buttons = []
         for folder in folders:
             one = button()
-            one.setText(_title(folder).replace("&", "&&"))
+            one.setText(literal(_title(folder)))
             name(one, _title(folder), str(folder))
             one.clicked.connect(functools.partial(self.chosen.emit, folder))
             self.column.addWidget(one)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QComboBox, QVBoxLayout, QWidget
 
 from cloner.booth.sticks import Stick, eject, plugged_in
 from cloner.errors import ClonerError
+from cloner_gui.letters import literal
 from cloner_gui.newest import newest
 from cloner_gui.pieces import GAP, button, label, name
 from cloner_gui.words import translate
@@ -129,8 +130,8 @@ class StickRow(QWidget):
         self.eject_button.setEnabled(not self.busy and stick is not None)
         waits = translate("stick", "No stick is plugged in: it is found by itself.")
         if stick is not None:
-            self.copy_button.setText(translate("stick", "&Copy to {stick}").format(stick=_plain(stick.label)))
-            self.eject_button.setText(translate("stick", "E&ject {stick}").format(stick=_plain(stick.label)))
+            self.copy_button.setText(translate("stick", "&Copy to {stick}").format(stick=literal(stick.label)))
+            self.eject_button.setText(translate("stick", "E&ject {stick}").format(stick=literal(stick.label)))
             free_gb = f"{stick.free_bytes / 1e9:.1f}"
             waits = translate("stick", "{n} GB are free.").format(n=free_gb)
             if stick.read_only:
@@ -158,8 +159,3 @@ class StickRow(QWidget):
         said = self._said
         self.look()
         self._say(said)
-
-
-def _plain(text: str) -> str:
-    """Return a text in which no letter is underlined."""
-    return text.replace("&", "&&")

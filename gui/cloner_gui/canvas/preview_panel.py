@@ -13,6 +13,7 @@ from cloner.records.photos import Photo
 from cloner_gui.canvas.acting import GAP_COLOURS, GAP_SHOWN_MM, MODES, MOTIONS, OUTLINE
 from cloner_gui.canvas.preview import Preview
 from cloner_gui.flow import Flow
+from cloner_gui.letters import unmarked
 from cloner_gui.pieces import button, name
 from cloner_gui.words import VIEW_TITLES, translate
 
@@ -126,7 +127,7 @@ class PreviewPanel(QWidget):
         )
         for widget, text in says:
             self._labels[widget].setText(text)
-            name(widget, text.replace("&", ""))
+            name(widget, unmarked(text))
         self.body_button.setText(translate("preview", "Whole pe&rson"))
         self.face_button.setText(translate("preview", "&Face"))
         self.scale.setText(_scale_text())

@@ -16,6 +16,7 @@ from cloner.records.terms import LICENCES
 from cloner_gui.booth import Booth
 from cloner_gui.height_field import HeightField
 from cloner_gui.languages import LANGUAGE_NAMES, consent_text
+from cloner_gui.letters import literal, unmarked
 from cloner_gui.licence_field import LicenceField
 from cloner_gui.pieces import GAP, Card, beside, button, label, name
 from cloner_gui.words import translate
@@ -189,8 +190,8 @@ class PersonForm(Card):
         """Ask whether the clone may walk in the event's scene, where there is one."""
         scene = self._booth.settings.scene
         told = translate("visitor", "The clone may &walk in the scene “{scene}”")
-        self.inhabits_words.setText(told.format(scene=scene.replace("&", "&&")))
-        name(self.inhabits_box, told.replace("&", "").format(scene=scene))
+        self.inhabits_words.setText(told.format(scene=literal(scene)))
+        name(self.inhabits_box, unmarked(told).format(scene=scene))
         self.inhabits_box.setChecked(folder is not None and read_visit(folder).inhabits)
         self.inhabits_box.setEnabled(consents)
         for one in (self.inhabits_box, self.inhabits_words):

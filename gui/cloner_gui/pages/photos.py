@@ -17,6 +17,7 @@ from cloner_gui.booth import Booth
 from cloner_gui.canvas.whole_photo import WholePhoto
 from cloner_gui.flow import Flow
 from cloner_gui.leaving import has_front
+from cloner_gui.letters import literal, unmarked
 from cloner_gui.photo_card import PhotoCard, TrayCard
 from cloner_gui.pieces import GAP, button, label, name, scrolled
 from cloner_gui.told import told as told_text
@@ -114,12 +115,12 @@ class PhotosPage(QWidget):
         self.paste_button.setText(translate("photos", "&Paste"))
         watched = translate("photos", "Camera folder: {name}").format(name=Path(camera).name)
         wanted = translate("photos", "&Camera folder…")
-        self.watch_button.setText(watched.replace("&", "&&") if camera else wanted)
+        self.watch_button.setText(literal(watched) if camera else wanted)
         self.webcam_button.setText(translate("photos", "&Webcam…"))
         told = translate("photos", "Photos that appear in this folder are taken at once")
         self.unwatch_button.setVisible(bool(camera))
         name(self.unwatch_button, translate("photos", "Watch no camera folder any more"))
-        name(self.watch_button, watched if camera else wanted.replace("&", ""), told)
+        name(self.watch_button, watched if camera else unmarked(wanted), told)
         self.tray_label.setText(translate("photos", "Photos without a place"))
         self._show()
 

@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QProgre
 
 from cloner.errors import ClonerError
 from cloner_gui.booth import Booth
-from cloner_gui.letters import settle_dialog
+from cloner_gui.letters import settle_dialog, unmarked
 from cloner_gui.notice import Notice
 from cloner_gui.pieces import GAP, Scrolled, button, label, name, roomy
 from cloner_gui.words import spoken_step, translate
@@ -168,7 +168,7 @@ class Bench(QDialog):
         """Put a field with its label under the others."""
         above = QLabel(text)
         above.setBuddy(widget)
-        name(widget, text.replace("&", ""), told)
+        name(widget, unmarked(text), told)
         self.controls.addWidget(above)
         self.controls.addWidget(widget)
 
