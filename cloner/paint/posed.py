@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.seeing import Sight, look, nearest_of
 from cloner.geometry.skinning import joint_transforms, skin
 from cloner.records.bodies import PosedView
@@ -15,12 +16,6 @@ from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 
 Array = NDArray[np.float64]
-
-
-def body_triangles(generic: GenericHuman) -> NDArray[np.int32]:
-    """Return the (T, 3) triangles of the skin, without eyes, teeth, tongue and lashes."""
-    triangles = generic.triangles()[0]
-    return np.asarray(triangles[generic.skin[triangles[:, 0]]], np.int32)
 
 
 def parents_of(generic: GenericHuman) -> NDArray[np.int32]:
@@ -66,7 +61,7 @@ class Stood:
 def stand(generic: GenericHuman, joined: Joined, shells: tuple[Shell, ...], view: PosedView) -> Stood:
     """Return the person as one photo's camera sees body and shells."""
     posed = pose(generic, joined, view)
-    sight = look(posed, body_triangles(generic), view.camera)
+    sight = look(posed, body_triangles(), view.camera)
     hair_m = np.full_like(sight.nearest_m, np.inf)
     for shell in shells:
         shape = pose_shell(generic, joined, view, shell)

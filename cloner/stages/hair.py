@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.surfaces import body_triangles
 from cloner.geometry.graphs import surface_graph
 from cloner.geometry.wedges import vertex_normals
 from cloner.hair.beard import beard_shell
@@ -34,7 +35,6 @@ from cloner.hair.volume import FILM_MM, hair_field
 from cloner.hair.weights import hair_weights
 from cloner.labels.glasses import wears_glasses
 from cloner.paint.glasses import glasses_shell
-from cloner.paint.posed import body_triangles
 from cloner.paint.tucking import ear_masks, lay_ears, whole_ears
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
@@ -93,7 +93,7 @@ def run(
     """
     generic, photos = load_generic(), quieted(photos)
     views = hair_views(generic, joined, proposals, silhouettes)
-    body, on_scalp = body_triangles(generic), generic.region("scalp")
+    body, on_scalp = body_triangles(), generic.region("scalp")
     scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]
     views = with_whole_coverings(views, photos.photos, proposals, *scalp)
     hair = grow_hair(photos, proposals, views, joined, tick, params or Params())
@@ -126,7 +126,7 @@ def grow_hair(
     if not any(view.hair.any() for view in views):
         return StageResult({"shells": ()}, (), ("No hair was found in the photos: the head stays bare",))
     joined, views = with_ears_laid(generic, joined, views)
-    body, on_scalp = body_triangles(generic), generic.region("scalp")
+    body, on_scalp = body_triangles(), generic.region("scalp")
     normals = vertex_normals(joined.vertices_m, body)
     views = without_hoods(views, joined.vertices_m, normals, body[on_scalp[body].all(axis=1)])
     tick(0.2)
@@ -194,7 +194,7 @@ def with_peak(
 def with_ears_laid(generic: GenericHuman, joined: Joined, views: list[HairView]) -> tuple[Joined, list[HairView]]:
     """Return the person with ears laid on the head where the photos show hair over them, and the evidence anew."""
     ears = np.flatnonzero(np.any(ear_masks(generic), axis=0))
-    normals = vertex_normals(joined.vertices_m, body_triangles(generic))
+    normals = vertex_normals(joined.vertices_m, body_triangles())
     covered = np.zeros(len(joined.vertices_m))
     covered[ears] = covered_share(views, joined.vertices_m[ears], normals[ears])
     laid = lay_ears(generic, joined.vertices_m, whole_ears(generic, covered))
@@ -219,7 +219,7 @@ def middle_of(generic: GenericHuman, joined: Joined) -> float:
 def scan_scalp(generic: GenericHuman, joined: Joined, views: list[HairView]) -> Scalp:
     """Return the hair measured on the head's vertices."""
     rows = head_rows(generic)
-    triangles = body_triangles(generic)
+    triangles = body_triangles()
     normals = vertex_normals(joined.vertices_m, triangles)
     graph = surface_graph(joined.vertices_m, triangles)
     lengths = graph.lengths[rows][:, rows]
@@ -237,7 +237,7 @@ def skin_of(generic: GenericHuman, joined: Joined, scalp: Scalp) -> tuple[Array,
     """Return vertices (M, 3) of the whole body's skin, the scalp's tucked in, and their normals."""
     skin, tucked = generic.vertex_part == generic.part_names.index("body"), joined.vertices_m.copy()
     tucked[head_rows(generic)] = scalp.points_m
-    return tucked[skin], vertex_normals(tucked, body_triangles(generic))[skin]
+    return tucked[skin], vertex_normals(tucked, body_triangles())[skin]
 
 
 def hair_mesh(

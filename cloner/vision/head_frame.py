@@ -12,11 +12,7 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-# Face oval, eyes with brows, and lips of the 468-point mesh
-_OVAL: Final = (
-    10, 338, 297, 332, 284, 251, 389, 356, 454, 323, 361, 288, 397, 365, 379, 378, 400, 377,
-    152, 148, 176, 149, 150, 136, 172, 58, 132, 93, 234, 127, 162, 21, 54, 103, 67, 109,
-)  # fmt: skip
+# Eyes with brows, and lips of the 468-point mesh
 _EYES: Final = ((70, 63, 105, 66, 107, 133, 153, 145, 163, 33), (300, 293, 334, 296, 336, 362, 380, 374, 390, 263))
 _LIPS: Final = (61, 39, 0, 269, 291, 405, 17, 181)
 
@@ -74,17 +70,6 @@ def find_head(person: Flags, face_points: Floats | None, view: str, pose_points:
     band = person[int(top + 0.2 * head) : int(top + 0.8 * head)]
     x = float(np.nonzero(band)[1].mean())
     return HeadFrame(top, top + head, x, top + 0.55 * head, 0.0)
-
-
-def face_area(face: Floats, shape: tuple[int, int]) -> tuple[Flags, Flags]:
-    """Return the face inside its oval, and the part of it that is bare skin."""
-    oval = np.zeros(shape, np.uint8)
-    cv2.fillPoly(oval, [np.round(face[list(_OVAL)]).astype(np.int32)], 1)
-    bare = cv2.erode(oval, np.ones((5, 5), np.uint8))
-    for ring in (*_EYES, _LIPS):
-        cv2.fillPoly(bare, [cv2.convexHull(np.round(face[list(ring)]).astype(np.int32))], 0)
-    bare[: int(max(face[[105, 334], 1].min(), 0))] = 0  # a fringe may cover the forehead
-    return oval > 0, bare > 0
 
 
 def face_organs(face: Floats, shape: tuple[int, int]) -> Flags:
