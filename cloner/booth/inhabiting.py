@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from pathlib import Path
 
 from cloner.booth.event import EVENT_FILE, read_event, visits
@@ -31,9 +30,5 @@ def number_asked(folder: Path) -> Callable[[str], bool] | None:
     """
     if not (folder / EVENT_FILE).is_file():
         return None
-    kept = read_event(folder).pin
-    return partial(_opens, Door(), kept) if kept else None
-
-
-def _opens(door: Door, kept: str, number: str) -> bool:
-    return door.opens(number, kept)
+    door, kept = Door(), read_event(folder).pin
+    return (lambda number: door.opens(number, kept)) if kept else None

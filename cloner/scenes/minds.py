@@ -57,7 +57,7 @@ class Minds:
     def go_on(self, shown_s: float) -> dict[int, NDArray[np.float32]]:
         """Let time pass until minds are `HEAD_S` ahead of what is shown; return everybody's new footings.
 
-            A footing that goes on where the last one was is told again, longer: it begins at the same time. Between two
+        A footing that goes on where the last one was is told again, longer: it begins at the same time. Between two
         calls at most `HEAD_S` may pass.
         """
         if not self.frames:
