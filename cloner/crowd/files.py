@@ -9,7 +9,6 @@ import io
 import math
 import os
 import shutil
-import tempfile
 import zlib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
@@ -22,6 +21,7 @@ from PIL import Image
 from cloner.crowd.held import MARK as MARK
 from cloner.crowd.impostors import Tiles
 from cloner.errors import ClonerError
+from cloner.project.atomic import partial_path
 
 Pixels = NDArray[np.uint8]
 
@@ -151,12 +151,12 @@ def pack_folder(out: Path) -> Iterator[Path]:
     """
     if out.is_symlink() or (out.exists() and not ((out / MARK).is_file() or (out.is_dir() and not any(out.iterdir())))):
         raise ClonerError("something that is no crowd is in the way", "Choose another --out folder", out.name)
-    partial: Path | None = None
+    partial = partial_path(out.parent, out.name)
     made = [folder for folder in (out.parent, *out.parent.parents) if not folder.exists()]
     try:
         out.parent.mkdir(parents=True, exist_ok=True)
         _sweep(out)
-        partial = Path(tempfile.mkdtemp(prefix=f".{out.name}.partial-{os.getpid()}-", dir=out.parent))
+        partial.mkdir(mode=0o700)
         inside = partial / "pack"
         inside.mkdir()
         yield inside
@@ -174,8 +174,7 @@ def pack_folder(out: Path) -> Iterator[Path]:
             raise ClonerError("the crowd cannot be written there", hint, out.name) from error
         raise
     finally:
-        if partial is not None:
-            shutil.rmtree(partial, ignore_errors=True)
+        shutil.rmtree(partial, ignore_errors=True)
         for folder in made:
             with contextlib.suppress(OSError):
                 folder.rmdir()

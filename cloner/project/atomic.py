@@ -7,6 +7,7 @@ import errno
 import logging
 import os
 import re
+import secrets
 import shutil
 import tempfile
 from collections.abc import Iterator
@@ -27,6 +28,8 @@ _REPLACED: Final = "replaced"
 _REST: Final = re.compile(r"\.(?P<identifier>.+)\.partial-\d+-\w+")
 #: Times a temporary folder is made anew when a neighbour swept it away (taste).
 _TRIES: Final = 3
+#: Random part of a temporary folder's name (taste): nobody on a shared disk has it already.
+_NAME_BYTES: Final = 4
 
 
 def write_text(path: Path, text: str) -> None:
@@ -83,15 +86,16 @@ def result_folder(out: Path, identifier: str, photos: Path | None = None) -> Ite
     ClonerError
         If ``out`` cannot be written, or holds of that name anything but a whole result.
     """
-    made = _make_folders(out)
+    made = _missing(out)
+    partial = partial_path(out, identifier)
     final = out / identifier
     held = -1
-    partial: Path | None = None
     try:
+        _make_folder(out)
         sweep(out)
         check_replaceable(final, photos)
-        partial, held = _partial_folder(out, identifier)
-        inside = partial / identifier  # mkdtemp is private (0700); the result gets ordinary permissions
+        held = _make_locked(partial)
+        inside = partial / identifier  # the temporary folder is private (0700); the result gets ordinary permissions
         inside.mkdir()
         yield inside
         _swap_in(inside, final, photos)
@@ -100,9 +104,9 @@ def result_folder(out: Path, identifier: str, photos: Path | None = None) -> Ite
             raise unwritable(out) from error
         raise
     finally:
-        if partial is not None:
+        if held >= 0:
             os.close(held)
-            shutil.rmtree(partial, ignore_errors=True)
+        shutil.rmtree(partial, ignore_errors=True)
         _remove_empty(made)
 
 
@@ -114,7 +118,11 @@ def check_writable(out: Path) -> None:
     ClonerError
         If it cannot be made or written.
     """
-    _remove_empty(_make_folders(out))
+    made = _missing(out)
+    try:
+        _make_folder(out)
+    finally:
+        _remove_empty(made)
 
 
 def unwritable(out: Path) -> ClonerError:
@@ -123,17 +131,19 @@ def unwritable(out: Path) -> ClonerError:
     return ClonerError("the results cannot be written there", hint, out.name or "output folder")
 
 
-def _make_folders(out: Path) -> list[Path]:
-    """Create ``out`` and return the folders that were missing, outermost first."""
-    missing = [folder for folder in (out, *out.parents) if not folder.exists()][::-1]
+def _missing(out: Path) -> list[Path]:
+    """Return the folders that must be made for ``out`` to be there, outermost first."""
+    return [folder for folder in (out, *out.parents) if not folder.exists()][::-1]
+
+
+def _make_folder(out: Path) -> None:
+    """Make ``out`` and see that it can be written."""
     try:
         out.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=out):
             pass  # permission bits do not tell the whole truth (read-only mounts, root): try
     except OSError as error:
-        _remove_empty(missing)
         raise unwritable(out) from error
-    return missing
 
 
 def _remove_empty(folders: list[Path]) -> None:
@@ -143,20 +153,23 @@ def _remove_empty(folders: list[Path]) -> None:
             folder.rmdir()
 
 
-def _partial_folder(out: Path, identifier: str) -> tuple[Path, int]:
-    """Return a new temporary folder and the descriptor of its lock."""
+def _make_locked(partial: Path) -> int:
+    """Make a temporary folder and return the descriptor of its lock."""
     for _ in range(_TRIES):  # a neighbour that sweeps may take an unlocked folder for a dead one
-        partial = Path(tempfile.mkdtemp(prefix=partial_prefix(identifier) + f"{os.getpid()}-", dir=out))
+        partial.mkdir(mode=0o700, exist_ok=True)
         with contextlib.suppress(FileNotFoundError):
             held = lock(partial / _LOCK)
             if held is not None:
-                return partial, held
+                return held
     raise OSError(errno.EIO, "temporary folders vanish")
 
 
-def partial_prefix(identifier: str) -> str:
-    """Return how the temporary folders of a result begin."""
-    return f".{identifier}.partial-"
+def partial_path(out: Path, identifier: str) -> Path:
+    """Return a new name for a temporary folder of a result, which says whose process makes it.
+
+    Named before it is made: a request to end may come between any two lines, and what has no name stays.
+    """
+    return out / f".{identifier}.partial-{os.getpid()}-{secrets.token_hex(_NAME_BYTES)}"
 
 
 def rests(out: Path) -> dict[Path, str]:

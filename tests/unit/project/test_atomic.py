@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from cloner.errors import ClonerError
+from cloner.project import atomic
 from cloner.project.atomic import result_folder, safe_output, write_text
 from cloner.project.stamps import output_digests
 
@@ -44,6 +45,25 @@ def test_failure_leaves_nothing_not_even_the_folder_it_made(tmp_path: Path, erro
     out = tmp_path / "deep" / "out"
     with pytest.raises(type(error)), result_folder(out, "anna") as folder:
         fail_half_way(folder, error)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("call", ["mkdir", "sweep", "lock"])
+def test_a_request_to_end_while_the_folder_is_made_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: str
+) -> None:
+    """Just after each of the calls that make it, where a signal reached a clone in CI."""
+    owner = Path if call == "mkdir" else atomic
+    done = getattr(owner, call)
+
+    def ended_after(path: Path, *arguments: object, **named: object) -> None:
+        done(path, *arguments, **named)
+        if call != "mkdir" or "partial" in path.name:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr(owner, call, ended_after)
+    with pytest.raises(KeyboardInterrupt), result_folder(tmp_path / "deep" / "out", "anna"):
+        pass
     assert list(tmp_path.iterdir()) == []
 
 
