@@ -23,7 +23,7 @@ from cloner.records.clones import Joined
 from cloner.records.photos import Photo
 from cloner.vision.aligning import sample
 from cloner.vision.blending import Layer, blend_pyramids, push_pull
-from cloner.vision.evening import REFERENCE_HOLD, apply_light, even_light, light_basis
+from cloner.vision.evening import REFERENCE_HOLD, apply_light, common_balance, even_light, light_basis
 from cloner.vision.repair import own_pixels, repair_bleeding
 
 Array = NDArray[np.float64]
@@ -95,8 +95,9 @@ def paint_shell(
     sights = list(looked)
     seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
     claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
-    first = max(range(len(usable)), key=lambda k: claims[k].sum() if usable[k].flip_m is None else 0.0)
-    light, evened = _evened(pictures, sights, seen, normals, first)
+    own = np.array([view.flip_m is None for view in usable])
+    first = int(np.argmax(claims.sum(axis=1) * own))
+    light, evened = _evened(pictures, sights, seen, normals, first, own)
     shown = [_Shown(*each) for each in zip(pictures, sights, claims, light, strict=True)]
     ground, weight = _plain(atlas.shape, claims, evened)
     if strands is not None:
@@ -146,7 +147,12 @@ def _claim(view: ShellView, sight: Sight) -> Array:
 
 
 def _evened(
-    pictures: Sequence[NDArray[np.uint8]], sights: Sequence[Sight], seen: Sequence[Array], normals: Array, first: int
+    pictures: Sequence[NDArray[np.uint8]],
+    sights: Sequence[Sight],
+    seen: Sequence[Array],
+    normals: Array,
+    first: int,
+    own: NDArray[np.bool_],
 ) -> tuple[list[Array], Array]:
     """Return each photo's log gains (N, 3) that even light and exposure out, and (K, N, 3) colours with them.
 
@@ -158,8 +164,9 @@ def _evened(
     trusts = np.stack([np.where(claim > 0.0, part, 0.0) for claim, part in zip(seen, square, strict=True)])
     hold = np.where(np.arange(len(pictures)) == first, REFERENCE_HOLD, 1.0)
     basis = light_basis(normals)
-    light = [basis @ gain for gain in even_light(colours, trusts, normals, hold)]
-    return light, np.stack([apply_light(colour, gain) for colour, gain in zip(colours, light, strict=True)])
+    light = np.stack([basis @ gain for gain in even_light(colours, trusts, normals, hold)])
+    light += common_balance(colours, light, trusts, own)
+    return list(light), np.stack([apply_light(colour, gain) for colour, gain in zip(colours, light, strict=True)])
 
 
 def _plain(shape: tuple[int, int], claims: Array, evened: Array) -> tuple[NDArray[np.float32], NDArray[np.float32]]:

@@ -18,6 +18,7 @@ from cloner.vision.evening import (
     REFERENCE_HOLD,
     apply_light,
     beyond_light,
+    common_balance,
     even_light,
     light_basis,
     log_levels,
@@ -118,7 +119,9 @@ def _even_kind(sources: list[Source], colours: Array, normals: Array, trust: Arr
         trust = np.concatenate([trust, prior * trust.max(axis=0, keepdims=True)])
         hold = np.append(hold, REFERENCE_HOLD)
     gains = even_light(level, trust, normals, hold)[: len(sources)]
-    return np.asarray(own + np.einsum("vb,kbc->kvc", light_basis(normals), gains))
+    light = own + np.einsum("vb,kbc->kvc", light_basis(normals), gains)
+    photos = np.array([not source.mirrored for source in sources])
+    return np.asarray(light + common_balance(colours, light, trust[: len(sources)], photos))
 
 
 def _first_of(sources: list[Source], references: tuple[ViewId, ...]) -> int:

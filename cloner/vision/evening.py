@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
+LUMA = np.array([0.299, 0.587, 0.114])  # ITU-R BT.601
 LEVEL_OFFSET = 8.0  # grey levels; keeps the logarithm of dark cloth finite and its noise small
 ROUNDS = 8  # reweighted least squares settles after 6-8 rounds (measured)
 HUBER_LOG = 0.15  # differences above 15 % are mostly other things than light: cloth moved, a limb in the way
@@ -89,6 +90,32 @@ def even_light(
             right[second] -= drive
         result = np.asarray(np.linalg.solve(system, right), np.float64).reshape(count, 4, 3)
     return _without_harm(result, logs, weights, basis)
+
+
+def common_balance(colours: Array, light: Array, weights: Array, own: NDArray[np.bool_]) -> Array:
+    """Return the log gains (3,) that put the white balance of all photos in place of the reference's.
+
+    Every camera guesses the colour of its room's light anew; the mean of its guesses is nearer to the truth than any
+    single one.  A guess counts by how bright it shows the surface: veils and noise take the colour out of what is dark.
+    The gains leave luma (ITU-R BT.601) as it is.
+
+    Parameters
+    ----------
+    colours : (K, V, 3) levels
+    light : (K, V, 3) log gains that bring the photos to their reference
+    weights : (K, V) >= 0, 0 = not seen
+    own : (K,) the photos that count, each once
+    """
+    counted = own & (weights.sum(axis=1) > 0.0)
+    if not counted.any():
+        return np.zeros(3)
+    casts, bright = [], []
+    for seen, gain, weight in zip(colours[counted], light[counted], weights[counted], strict=True):
+        away = np.log((seen + 1.0) / (apply_light(seen, gain) + 1.0))
+        share = weight / weight.sum() * (seen @ LUMA)
+        casts.append(share @ (away - (away @ LUMA)[:, None]))
+        bright.append(share.sum())
+    return np.asarray(np.sum(casts, axis=0) / max(np.sum(bright), 1.0))
 
 
 def beyond_light(gap: NDArray[np.floating]) -> NDArray[np.floating]:
