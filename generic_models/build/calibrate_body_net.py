@@ -25,13 +25,13 @@ from painted_people_bodies import RandomBody
 from painted_people_clothes import TIGHTNESSES
 from painted_people_pictures import BACKGROUNDS
 
-from cloner.detectors import litert
-from cloner.evaluate.kit import KitTruth, kit_people, read_kit
-from cloner.evaluate.posing import JOINTS
-from cloner.evaluate.rulers import fit_similarity
+from cloner.detectors.nets import litert
+from cloner.evaluate.measures.posing import JOINTS
+from cloner.evaluate.measures.rulers import fit_similarity
+from cloner.evaluate.truths.kit import KitTruth, kit_people, read_kit
 from cloner.generic.body_net import LANDMARKS, SIDES, base_place
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.skinning import blend_transforms, joint_transforms
+from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
@@ -107,20 +107,16 @@ def painted(shot: Shot, body: RandomBody, direction: str, generic: GenericHuman)
 def generated(kit: KitTruth, view: str, generic: GenericHuman) -> Photographed:
     """Return a photo of a generated person; what its truth does not name lies where its part of the body carries it."""
     truth, body = kit.truth.views[view], kit.bodies_m[view]
-    rest, told = generic.vertices_m[: len(body)], {ours: name for name, ours in JOINTS.items()}
+    rest, head = generic.vertices_m[: len(body)], generic.joint("skullbase")
+    told = {ours: truth.joints_m[name] for name, ours in JOINTS.items()} | dict(truth.points_m)
     owner = generic.skin_joints[np.arange(len(body)), generic.skin_weights[: len(body)].argmax(axis=1)]
 
     def found(base: str) -> tuple[Array, Array]:
-        of_joint = base in generic.joint_names
-        joint = generic.joint(base) if of_joint else owner[generic.feature(base)]
+        joint = generic.joint(base) if base in generic.joint_names else head
         skin = owner == joint
         motion = fit_similarity(rest[skin].astype(np.float64), body[skin], scale=True)
         turn = motion[:3, :3] / np.cbrt(np.linalg.det(motion[:3, :3]))
-        if base in told:
-            return truth.joints_m[told[base]], turn
-        if of_joint:
-            return motion[:3, :3] @ generic.joints_m[joint] + motion[:3, 3], turn
-        return body[generic.feature(base)], turn
+        return told[base] if base in told else motion[:3, :3] @ generic.joints_m[joint] + motion[:3, 3], turn
 
     sides = truth.camera.camera_from_model[:3, :3] @ (truth.joints_m["shoulder_L"] - truth.joints_m["shoulder_R"])
     direction = {"body_front": "front", "body_back": "back"}.get(view, "left" if sides[2] < 0.0 else "right")

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from cloner.vision.aligning import outline_shift, shift_points
-from cloner.vision.evening import apply_light, even_light, light_basis
-from cloner.vision.repair import own_pixels, repair_bleeding, signed_distance
+from cloner.vision.retouching.aligning import outline_shift, shift_points
+from cloner.vision.retouching.evening import LUMA, apply_light, common_balance, even_light, light_basis
+from cloner.vision.retouching.repair import own_pixels, repair_bleeding, signed_distance
 
 
 def _disc(centre, radius, size=200):
@@ -81,3 +81,18 @@ def test_a_wall_shining_through_strands_is_not_hair():
     assert not own[25:95, 84:86].any()
     assert not own[42:58, 90:93].any()
     assert own[15:105, 34:80].all()
+
+
+def test_white_balance_is_that_of_all_photos_and_exposure_the_reference_s():
+    rng = np.random.default_rng(3)
+    truth = rng.uniform(80, 160, (500, 3))
+    casts = np.array([[0.12, 0.0, -0.12], [-0.06, 0.0, 0.06], [-0.06, 0.0, 0.06]])  # they are 0 in the mean
+    photos = truth * np.exp(casts)[:, None]
+    light = np.broadcast_to((casts[0] - casts)[:, None], photos.shape)  # all like the first
+    weights = np.ones((3, 500))
+    gain = common_balance(photos, light, weights, np.ones(3, bool))
+    assert np.abs(photos[0] * np.exp(gain) / truth - 1.0).max() < np.abs(photos[0] / truth - 1.0).max() / 3.0
+    assert abs(gain @ LUMA) < 1e-9
+    mirrored = common_balance(photos, light, weights, np.array([True, False, False]))
+    assert np.abs(mirrored).max() < 1e-9
+    assert np.abs(common_balance(photos, light, 0.0 * weights, np.ones(3, bool))).max() == 0.0
