@@ -1,9 +1,10 @@
-"""Learn where body features lie: ``python generic_models/build/calibrate_body_levels.py [--people 180]``.
+"""Learn where body features lie: ``python generic_models/build/calibrate_body_levels.py PEOPLE [--painted 180]``.
 
-Random painted people are photographed from the front, behind and the side and shown to the pose net. The levels of
-the net's joints, of the contour's extremes and of the true features go into one Gaussian a view, and with them the
-errors of the net's points and the width of legs; all to ``cloner_models/body_levels.npz`` (see
-``cloner.detectors.body.levels``).
+People of two families are photographed from the front, behind and the side and shown to the pose net: painted here, and
+from PEOPLE, folders of the generator of photographed synthetic people (its seeds 7001 and on, far from those that
+benchmarks draw). The levels of the net's joints, of the contour's extremes and of the true features go into one
+Gaussian a view, and with them the errors of the net's points and the width of legs; all to
+``cloner_models/body_levels.npz`` (see ``cloner.detectors.body.levels``).
 """
 
 from __future__ import annotations
@@ -29,8 +30,11 @@ from cloner.detectors.body.pose_order import in_order
 from cloner.detectors.body.side_cues import body_axis, find_profile, foot_ends, side_cues
 from cloner.detectors.body.side_features import look_from_side, profile_joints
 from cloner.detectors.nets import litert
+from cloner.evaluate.measures.posing import JOINTS
+from cloner.evaluate.truths.kit import kit_people, read_kit
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.records.labels import Label
 from cloner.vision.segmentation.outline_walk import Figure, figure_of
 
 Array = NDArray[np.float64]
@@ -80,6 +84,29 @@ def photographs(people: int, view: str) -> Iterator[Seen]:
         if pose is not None:
             hair = hair_of(shot, dressed.kind == HAIR)
             yield Seen(soft(shot.mask), np.asarray(pose.points_px), hair, *truth(generic, shot), azimuth)
+
+
+def generated(people: Path, view: str) -> Iterator[Seen]:
+    """Yield photographs of generated people from one direction; people whom the net does not find are left out."""
+    generic = load_generic()
+    features = {n: generic.feature(n) for n in generic.feature_names}
+    for person in kit_people([people]):
+        kit = read_kit(person)
+        known, shown = kit.truth.views[VIEWS[view].value], kit.whole_m(VIEWS[view].value)
+        pose = litert.detect_pose(known.photo)
+        if pose is None:
+            continue
+        for eye in ("pupil_L", "pupil_R"):  # the naked body's vertices end at the sockets
+            shown[features[eye]] = known.points_m[eye]
+        places = known.camera.project(shown[list(features.values())])
+        joints = {ours: known.camera.project(known.joints_m[name][None])[0] for name, ours in JOINTS.items()}
+        beside = known.camera.to_camera(np.stack([known.joints_m["shoulder_L"], known.joints_m["shoulder_R"]]))
+        azimuth = (90.0 if beside[0, 2] < beside[1, 2] else -90.0) if view == "side" else AZIMUTHS[view][0]
+        labels = kit.labels[VIEWS[view].value]
+        yield Seen(
+            soft(labels > 0), np.asarray(pose.points_px), labels == Label.HAIR,
+            dict(zip(features, places, strict=True)), joints, azimuth,
+        )  # fmt: skip
 
 
 def put_in_order(seen: Seen, view: ViewId) -> Seen:
@@ -265,9 +292,10 @@ def learn(shown: Mapping[str, list[Seen]]) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--people", type=int, default=180)
+    parser.add_argument("people", type=Path, help="folders of generated people")
+    parser.add_argument("--painted", type=int, default=180, help="people painted here")
     chosen = parser.parse_args()
-    learn({view: list(photographs(chosen.people, view)) for view in AZIMUTHS})
+    learn({v: [*photographs(chosen.painted, v), *generated(chosen.people, v)] for v in AZIMUTHS})
 
 
 if __name__ == "__main__":
