@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.vision.crops import Crop, cut, paste, photo_px_from_crop
+from cloner.vision.photographs.crops import Crop, cut, paste, photo_px_from_crop
 
 HEIGHT, WIDTH = 403, 307
 
