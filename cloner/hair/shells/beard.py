@@ -141,9 +141,9 @@ def bearded(view: HairView, labels: NDArray[np.uint8]) -> HairView | None:
 
 
 def _without_specks(beard: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    count, pieces, stats, _ = cv2.connectedComponentsWithStats(beard.astype(np.uint8), connectivity=8)
-    if count < 2:
+    if not beard.any():
         return beard
+    _, pieces, stats, _ = cv2.connectedComponentsWithStats(beard.astype(np.uint8), connectivity=8)
     area = stats[:, cv2.CC_STAT_AREA].astype(float)
     area[0] = 0.0
     return np.asarray(np.isin(pieces, np.flatnonzero(area >= SMALLEST_PIECE * area.max())))
