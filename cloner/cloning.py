@@ -17,7 +17,7 @@ from cloner.exporters.table import EXPORTERS
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.interactive.refitting import still_true
-from cloner.memory import check_room, peak_mib
+from cloner.memory import check_room, keep_one_heap, peak_mib
 from cloner.pipeline import Progress, Stage, StageReport, quiet
 from cloner.previews import write_previews
 from cloner.project.atomic import result_folder
@@ -200,6 +200,7 @@ def clone_folder(
     """
     begun = time.perf_counter(), time.process_time()
     check_room()
+    keep_one_heap()
     check_formats(formats)
     check_texture_size(texture_size)
     progress("photos", 0.0)

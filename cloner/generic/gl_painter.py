@@ -32,29 +32,40 @@ _WIRE_EDGE: Final = (0.12, 0.22, 0.42)
 #: The libraries by the names that run-time packages give them.
 _EGL: Final[Any] = {"backend": "egl", "libgl": "libGL.so.1", "libegl": "libEGL.so.1"}
 INSTALL: Final = "Install it with: sudo apt-get install -y libegl1 libgl1 libgl1-mesa-dri"
-_VERTEX_SHADER: Final = """
-#version 330
+_VERTEX: Final = """
 uniform mat4 clip_from_model;
+in vec3 place; in vec2 uv;
+out vec2 at;
+#ifndef PLAIN
 uniform mat3 camera_from_model;
-in vec3 place; in vec3 normal; in vec2 uv;
-out vec3 towards; out vec2 at;
+in vec3 normal;
+out vec3 towards;
+#endif
 void main() {
     gl_Position = clip_from_model * vec4(place, 1.0);
+#ifndef PLAIN
     towards = camera_from_model * normal;
+#endif
     at = uv;
 }"""
 #: As ``cloner.generic.painter`` shades: light adds up in linear colour, two-sided faces take it from both sides.
-_FRAGMENT_SHADER: Final = """
-#version 330
+_FRAGMENT: Final = """
 uniform sampler2D picture;
-uniform bool textured; uniform bool two_sided; uniform bool white;
-uniform vec3 colour; uniform float ambient; uniform vec4 lights[3]; uniform vec2 alphas;
-in vec3 towards; in vec2 at;
+uniform bool textured; uniform bool white;
+uniform vec3 colour; uniform vec2 alphas;
+in vec2 at;
 out vec4 shown;
+#ifndef PLAIN
+uniform bool two_sided; uniform float ambient; uniform vec4 lights[3];
+in vec3 towards;
+#endif
 void main() {
     vec4 texel = textured ? texture(picture, at) : vec4(colour, 1.0);
     if (texel.a < alphas.x || texel.a >= alphas.y) discard;
     if (white) texel.rgb = vec3(1.0);
+#ifdef PLAIN
+    shown = texel;
+#else
     float light = ambient;
     vec3 n = normalize(towards);
     for (int k = 0; k < 3; k++) {
@@ -63,6 +74,7 @@ void main() {
     }
     vec3 lit = light == 1.0 ? texel.rgb : pow(clip_(pow(texel.rgb, vec3(2.2)) * light), vec3(1.0 / 2.2));
     shown = vec4(lit, texel.a);
+#endif
 }""".replace("clip_(", "min(vec3(1.0), ")
 
 
@@ -89,6 +101,11 @@ class Frame:
     ambient: float
     wire: bool
 
+    @property
+    def plain(self) -> bool:
+        """Whether everything shows in its own colour."""
+        return self.ambient == 1.0 and not self.lights
+
 
 def new_context() -> moderngl.Context:
     """Return a context that draws without a screen, on this thread.
@@ -109,7 +126,7 @@ class Stage:
 
     def __init__(self, context: moderngl.Context) -> None:
         self._gl = context
-        self._program: Any = context.program(vertex_shader=_VERTEX_SHADER, fragment_shader=_FRAGMENT_SHADER)
+        self._programs: dict[bool, Any] = {}
         self._target: Any = None
         self._textures: dict[int, tuple[Image, Any]] = {}
 
@@ -130,7 +147,7 @@ class Stage:
         return np.frombuffer(pixels, np.uint8).reshape(height, width, 3)
 
     def _begin(self, frame: Frame) -> None:
-        gl, program, camera = self._gl, self._program, frame.camera
+        gl, program, camera = self._gl, self._program_of(frame), frame.camera
         if self._target is None or self._target.size != frame.size_px:
             self._forget_target()
             self._target = gl.framebuffer([gl.renderbuffer(frame.size_px)], gl.depth_renderbuffer(frame.size_px))
@@ -140,10 +157,18 @@ class Stage:
         # pictures are drawn top row first, so what faces us turns the other way round
         gl.front_face, gl.depth_func = "cw", "<="
         program["clip_from_model"].write(_column_major(_lens(camera) @ camera.camera_from_model))
-        program["camera_from_model"].write(_column_major(camera.camera_from_model[:3, :3]))
-        program["ambient"].value = frame.ambient
-        lights = [(*direction, strength) for direction, strength in frame.lights]
-        program["lights"].value = [*lights, *[(0.0, 0.0, 1.0, 0.0)] * LIGHTS][:LIGHTS]
+        if not frame.plain:
+            program["camera_from_model"].write(_column_major(camera.camera_from_model[:3, :3]))
+            program["ambient"].value = frame.ambient
+            lights = [(*direction, strength) for direction, strength in frame.lights]
+            program["lights"].value = [*lights, *[(0.0, 0.0, 1.0, 0.0)] * LIGHTS][:LIGHTS]
+
+    def _program_of(self, frame: Frame) -> Any:
+        """Return the shader for a picture: one without light is drawn in half the time by one that knows no light."""
+        if frame.plain not in self._programs:
+            vertex, fragment = (f"#version 330\n{'#define PLAIN' * frame.plain}{text}" for text in (_VERTEX, _FRAGMENT))
+            self._programs[frame.plain] = self._gl.program(vertex_shader=vertex, fragment_shader=fragment)
+        return self._programs[frame.plain]
 
     def _forget_target(self) -> None:
         if self._target is not None:
@@ -151,14 +176,17 @@ class Stage:
                 part.release()
 
     def _draw(self, layer: Layer, frame: Frame, alphas: tuple[float, float]) -> None:
-        gl, program = self._gl, self._program
+        gl, program = self._gl, self._program_of(frame)
         uv = np.zeros((len(layer.vertices_m), 2)) if layer.uv is None else layer.uv
         corners = gl.buffer(np.hstack([layer.vertices_m, layer.normals, uv]).astype(np.float32).tobytes())
         triangles = _back_to_front(layer, frame.camera) if _blends(layer) else layer.triangles
         indices = gl.buffer(np.ascontiguousarray(triangles, dtype=np.int32).tobytes())
-        mesh = gl.vertex_array(program, [(corners, "3f 3f 2f", "place", "normal", "uv")], indices)
+        parts = ("3f 3x4 2f", "place", "uv") if frame.plain else ("3f 3f 2f", "place", "normal", "uv")
+        mesh = gl.vertex_array(program, [(corners, *parts)], indices)
         textured = layer.texture is not None and layer.uv is not None and not frame.wire
-        program["textured"].value, program["two_sided"].value = textured, layer.two_sided
+        program["textured"].value = textured
+        if not frame.plain:
+            program["two_sided"].value = layer.two_sided
         program["white"].value, program["alphas"].value = layer.white, alphas
         program["colour"].value = _WIRE_FACE if frame.wire else layer.colour
         texture = self._texture(layer.texture) if textured and layer.texture is not None else None

@@ -13,7 +13,8 @@ from scipy.spatial import cKDTree
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.toes import closed_toe_normals
 from cloner.geometry.meshes.wedges import split_seams, triangulate, vertex_normals
-from cloner.records.arrays import freeze
+from cloner.records.arrays import freeze, is_frozen
+from cloner.remembered import once_each
 
 #: Share of a tooth normal's part along the tooth that is taken away (taste).
 _TOOTH_FRONT: Final = 0.8
@@ -83,11 +84,17 @@ def body_triangles() -> NDArray[np.int32]:
 
 
 def surface_normals(vertices_m: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Return (V, 3) unit normals of the generic human's vertices moved to ``vertices_m``.
+    """Return (V, 3) unit normals, read-only, of the generic human's vertices moved to ``vertices_m``.
+
+    Those of a record's vertices are found once for all pictures and formats.
 
     Teeth are lit as their fronts are: the smooth normal of a biting edge points along the tooth, and all that shows of
     the upper ones between two lips would be as grey as their undersides. Toes in shoes are lit as the shoe's tip is.
     """
+    return _records_normals(vertices_m) if is_frozen(vertices_m) else _normals(vertices_m)
+
+
+def _normals(vertices_m: NDArray[np.float64]) -> NDArray[np.float64]:
     normals, generic = closed_toe_normals(vertices_m, vertex_normals(vertices_m, load_triangles())), load_generic()
     for part in ("teeth_upper", "teeth_lower"):
         rows = generic.part(part)
@@ -95,7 +102,11 @@ def surface_normals(vertices_m: NDArray[np.float64]) -> NDArray[np.float64]:
         own = normals[rows]
         own -= _TOOTH_FRONT * (own @ along)[:, None] * along
         normals[rows] = own / np.linalg.norm(own, axis=1, keepdims=True)
+    normals.setflags(write=False)
     return normals
+
+
+_records_normals = once_each(_normals)
 
 
 def surfaces(generic: GenericHuman) -> tuple[Surface, ...]:

@@ -109,9 +109,12 @@ def net_errors_m(model: Model, front: Front, params: Params) -> Array:
     return np.asarray(np.where(front.hidden, params.hidden_net, 1.0) * own)
 
 
-def _front_evidence(model: Model, front: Front, camera: Camera, params: Params) -> list[Evidence]:
+def _front_evidence(
+    model: Model, net: tuple[Array, Array], front: Front, camera: Camera, params: Params
+) -> list[Evidence]:
+    """Return what a front photo tells; ``net`` are base and basis of the net's points on the model."""
     metres = camera.metres_per_pixel(model.vertices_m[model.generic.feature("nasion")])
-    base, basis = model.places(model.net.places)
+    base, basis = net
     sigma = params.together * net_errors_m(model, front, params) / metres
     drift = np.concatenate([params.drift * model.modes.drift_m / metres, np.zeros((len(HAIR_M), len(base), 2))])
     skew = np.zeros((len(basis), len(base), 2))
@@ -207,6 +210,7 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
     candidates = profile_candidates(model)
     outlines = [one.outline for one in (front, side) if one is not None]
     before_front, before_side = model.in_photo(FRONT), model.in_photo(SIDE)
+    net = before_front.places(model.net.places)
     seen = [who for who, one in ((before_front, front), (before_side, side)) if one is not None]
     at_least, rarity = np.full(shapes + drifts, -np.inf), np.zeros(shapes + drifts)
     at_least[shapes - len(PHOTOS) : shapes] = 0.0  # a jaw does not close beyond shut
@@ -215,7 +219,7 @@ def fit_basis(model: Model, front: Front | None, side: Side | None, cameras: tup
     def gather(fit: ShapeFit, iteration: int) -> list[Evidence]:
         found: list[Evidence] = []
         if front is not None:
-            found += _front_evidence(before_front, front, fit.cameras[0], params)
+            found += _front_evidence(before_front, net, front, fit.cameras[0], params)
         if side is not None:
             # After a fit to the front the profile lies well already; alone, the named points must find the pose first.
             found += _side_evidence(before_side, side, fit, iteration, side_index, params, candidates,

@@ -11,9 +11,10 @@ import functools
 from dataclasses import dataclass
 from typing import Final
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter, map_coordinates
+from scipy.ndimage import map_coordinates
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
@@ -64,7 +65,7 @@ def _detail(rgb: NDArray[np.uint8], camera: Camera, points: Array) -> tuple[Arra
     low = np.clip(np.floor(seen.min(axis=0) - room), 0, [camera.width_px - 2, camera.height_px - 2]).astype(int)
     high = np.clip(np.ceil(seen.max(axis=0) + room), low + 2, [camera.width_px, camera.height_px]).astype(int)
     grey = rgb[low[1] : high[1], low[0] : high[0]].astype(np.float32).mean(axis=2)
-    fine, wide = (gaussian_filter(grey, band / metres, mode="nearest") for band in BAND_M)
+    fine, wide = (cv2.GaussianBlur(grey, (0, 0), band / metres, borderType=cv2.BORDER_REPLICATE) for band in BAND_M)
     return np.asarray(fine - wide, dtype=np.float64), low.astype(np.float64)
 
 

@@ -16,6 +16,7 @@ from cloner.abreast import in_two_steps
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.profile_cut import free_profile
 from cloner.detectors.nets.portraits import is_cut_below
+from cloner.detectors.nets.results import Box
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -54,8 +55,8 @@ def nobody_in(photo: Photo) -> NobodySeen:
     return NobodySeen("no person found in this photo", "Take it again with one person in full view", photo.name)
 
 
-def check_people(photo: Photo) -> None:
-    """Refuse photos without exactly one person.
+def check_people(photo: Photo) -> Box:
+    """Return the one person, or face, in a photo; refuse it without exactly one.
 
     Raises
     ------
@@ -64,13 +65,14 @@ def check_people(photo: Photo) -> None:
     ClonerError
         If more than one person is found.
     """
-    people = DETECTORS.get("people")(photo.rgb)
+    people: list[Box] = DETECTORS.get("people")(photo.rgb)
     if not people:
         raise nobody_in(photo)
     if len(people) > 1:
         raise ClonerError(
             f"{len(people)} people found in this photo", "Take it again with one person alone in view", photo.name
         )
+    return people[0]
 
 
 def face_in(photo: Photo) -> Face:
@@ -114,8 +116,7 @@ def find_figure(photo: Photo) -> Figure:
     ClonerError
         If the photo does not show exactly one person.
     """
-    check_people(photo)
-    pose = DETECTORS.get("pose")(photo.rgb)
+    pose = DETECTORS.get("pose")(photo.rgb, check_people(photo))
     if pose is None:
         raise nobody_in(photo)
     if float((pose.mask > 0.5).mean()) < LEAST_PERSON:

@@ -25,7 +25,7 @@ from cloner.detectors.nets.inner_tensors import with_outputs
 from cloner.detectors.nets.mask_crops import body_mask, portrait_mask
 from cloner.detectors.nets.placing import (
     around,
-    circle_crop,
+    around_body,
     distinct,
     face_crop,
     mesh_crop,
@@ -35,7 +35,7 @@ from cloner.detectors.nets.placing import (
     same_place,
     whole_photo,
 )  # fmt: skip
-from cloner.detectors.nets.pose_passes import POSE_SIDE, hips_inside, look_at_portrait, look_twice
+from cloner.detectors.nets.pose_passes import POSE_SIDE, Pass, hips_inside, look, look_at_portrait, look_twice
 from cloner.detectors.nets.results import Box, FaceResult, PoseResult
 from cloner.vision.photographs.crops import Crop, cut, move_points, photo_px_from_crop
 
@@ -121,17 +121,19 @@ def pose_net(photo: Photo, crop: Crop) -> dict[int, NDArray[np.float32]]:
     return {out.size: out for out in _run("pose_landmark_heavy.tflite", image, low=0.0)}
 
 
-def detect_pose(rgb: Photo) -> PoseResult | None:
+def detect_pose(rgb: Photo, person: Box | None = None) -> PoseResult | None:
     """Find the person's 33 points and mask.
 
     Two passes: the detector's circle gives first points, these give a better circle. Where the
     lower edge cuts the person, the circle follows from the mask when the detector's pose does not fit.
-    The mask of a whole body is the mean of four crops, one pair of them mirrored; that
+    The mask of a whole body is the mean of three answers (``body_mask``); that
     of a portrait comes from the selfie net, which sees the half body larger.
 
     Parameters
     ----------
     rgb : (H, W, 3) uint8
+    person : Box, optional
+        Whom :func:`cloner.detectors.nets.people.detect_people` found: the look that confirmed a body is the first pass.
 
     Returns
     -------
@@ -144,9 +146,12 @@ def detect_pose(rgb: Photo) -> PoseResult | None:
     right as a rule, on pure side views the hidden limbs are guesses and the two sides
     may be exchanged. Use `visibility`.
     """
-    boxes = detect("pose_detection", rgb, whole_photo(rgb), "person", 0.3)
-    circles = [circle_crop(box.keypoints_px[0], box.keypoints_px[1], 1.25) for box in boxes[:1]]
-    found = look_twice(rgb, circles[0], pose_net) if circles else None
+    found: Pass | None = None
+    if person is not None and person.kind == "person":
+        found = look(rgb, around_body(person), pose_net)
+    else:
+        boxes = detect("pose_detection", rgb, whole_photo(rgb), "person", 0.3)
+        found = look_twice(rgb, around_body(boxes[0]), pose_net) if boxes else None
     if found is None or hips_inside(found, rgb):
         found = look_at_portrait(rgb, pose_net, selfie_net, found)
     if found is None:

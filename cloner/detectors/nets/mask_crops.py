@@ -27,11 +27,12 @@ def mean_mask(photo: Photo, crop: Crop, run: Callable[[Photo, Crop], NDArray[np.
 def body_mask(photo: Photo, crop: Crop, run: MaskNet) -> NDArray[np.float32]:
     """Return the mask of a whole body.
 
-    Measured mean overlap on 18 photos: one crop 0.963, the closer 0.85 crop 0.967, that
-    and the widened one, both mirrored, 0.974.
+    The mean of three answers: of a close crop, and of a narrower one around what that shows with its mirror image.
+    Measured mean overlap on 18 photos: one crop 0.963, the closer 0.85 crop 0.967, that and the narrower one, both
+    mirrored, 0.974. On 24 of generated people both mirrored and these three give 0.969 and 0.970, refined 0.981 both.
     """
     close = Crop(crop.x_px, crop.y_px, 0.85 * crop.width_px, 0.85 * crop.height_px, crop.angle_rad)
-    first = mean_mask(photo, close, run)
+    first = paste(run(photo, close).astype(np.float32), close, shape=(photo.shape[0], photo.shape[1]))
     rows, columns = np.nonzero(first > 0.5)
     if not len(rows):
         return first
@@ -40,7 +41,7 @@ def body_mask(photo: Photo, crop: Crop, run: MaskNet) -> NDArray[np.float32]:
     width = max(float(np.ptp(columns)) * 1.2, 0.68 * height)
     middle = (float(columns.min() + columns.max()) / 2, float(rows.min() + rows.max()) / 2)
     second = mean_mask(photo, Crop(*middle, width, height), run)
-    return (first + second) * np.float32(0.5)
+    return np.asarray((first + 2.0 * second) / 3.0, np.float32)
 
 
 def portrait_mask(photo: Photo, run: MaskNet) -> NDArray[np.float32]:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.nets.litert import detect, face_mesh, find_faces, pose_net, selfie_net
 from cloner.detectors.nets.placing import (
-    circle_crop,
+    around_body,
     face_crop,
     owns,
     same_body,
@@ -60,7 +60,7 @@ def _confirmed(photo: Photo, boxes: Sequence[Box], least: float) -> list[Box]:
     people: list[Box] = []
     confirmed: list[Crop] = []
     for box in boxes:
-        crop = circle_crop(box.keypoints_px[0], box.keypoints_px[1], 1.25)
+        crop = around_body(box)
         if any(same_crop(other, crop) for other in confirmed):  # as most tiles find the person: a third of the looks
             continue
         seen = look(photo, crop, pose_net)

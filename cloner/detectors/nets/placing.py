@@ -42,6 +42,11 @@ def circle_crop(middle: Floats, rim: Floats, scale: float) -> Crop:
     return Crop(float(middle[0]), float(middle[1]), side, side, math.atan2(across, -down))
 
 
+def around_body(body: Box) -> Crop:
+    """Return the square the pose net wants, from a detected body or from the net's own points."""
+    return circle_crop(body.keypoints_px[0], body.keypoints_px[1], 1.25)
+
+
 def same_crop(first: Crop, second: Crop) -> bool:
     """Whether two crops around bodies show one person alike: hips nearer than a hand is wide, of one height.
 

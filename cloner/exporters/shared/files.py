@@ -5,10 +5,10 @@ from __future__ import annotations
 import io
 import os
 import tempfile
-import zlib
 from pathlib import Path
 from typing import Final
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
@@ -18,6 +18,13 @@ from cloner.records.arrays import is_frozen
 from cloner.remembered import once_each
 
 JPEG_QUALITY: Final = 92  # taste: no visible blocks on skin, a tenth of the PNG's size
+_PNG: Final = (
+    cv2.IMWRITE_PNG_COMPRESSION, 1,
+    cv2.IMWRITE_PNG_STRATEGY, cv2.IMWRITE_PNG_STRATEGY_RLE,
+    cv2.IMWRITE_PNG_FILTER, cv2.IMWRITE_PNG_FILTER_PAETH,
+)  # fmt: skip
+#: By a picture's channels, how OpenCV wants them.
+_SWAPPED: Final = {3: cv2.COLOR_RGB2BGR, 4: cv2.COLOR_RGBA2BGRA}
 
 
 def write_bytes(path: Path, data: bytes) -> None:
@@ -65,16 +72,16 @@ def _jpeg(rgb: NDArray[np.uint8], quality: int) -> bytes:
 def png_bytes(pixels: NDArray[np.uint8]) -> bytes:
     """Return an (H, W), (H, W, 3) or (H, W, 4) picture as PNG.
 
-    Packed by run lengths and frequencies: photographs repeat nothing else, a twentieth smaller in half the time. A
+    Packed by run lengths and frequencies: photographs repeat nothing else, a twentieth smaller in half the time. One
+    filter for all rows, Paeth's, packs them as small as the best of five tried for each, in two thirds of that time. A
     record's picture is packed once for all formats.
     """
     return _records_png(pixels) if is_frozen(pixels) else _png(pixels)
 
 
 def _png(pixels: NDArray[np.uint8]) -> bytes:
-    stream = io.BytesIO()
-    Image.fromarray(pixels).save(stream, "PNG", compress_level=1, compress_type=zlib.Z_RLE)
-    return stream.getvalue()
+    swapped = pixels if pixels.ndim == 2 else cv2.cvtColor(pixels, _SWAPPED[pixels.shape[2]])
+    return cv2.imencode(".png", swapped, _PNG)[1].tobytes()
 
 
 _records_png = once_each(_png)

@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from cloner.geometry.meshes.vectors import cross
+
 Array = NDArray[np.float64]
 
 
@@ -49,5 +51,5 @@ def skin_dual(
 def _product(first: Array, second: Array) -> Array:
     """Return products (N, 4) of quaternions x, y, z, w."""
     a, b = first[:, :3], second[:, :3]
-    imaginary = first[:, 3:] * b + second[:, 3:] * a + np.cross(a, b)
+    imaginary = first[:, 3:] * b + second[:, 3:] * a + cross(a, b)
     return np.column_stack([imaginary, first[:, 3] * second[:, 3] - np.einsum("na,na->n", a, b)])

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, rotation_matrices
+from cloner.geometry.meshes.vectors import cross
 
 Array = NDArray[np.float64]
 
@@ -122,7 +123,7 @@ class Chosen:
         used, at = np.unique(rows // 3, return_inverse=True)
         hangs = below[used][:, self.skin_joints] * self.skin_weights  # (U, N, K)
         arms = np.einsum("unk,nka->una", hangs, shares) - hangs.sum(axis=2)[..., None] * joints[used, None]
-        by_row = np.cross(axes[:, None], arms[at])
+        by_row = cross(axes[:, None], arms[at])
         return np.asarray(np.einsum("rna,rd->nad", by_row, self.pose[rows], optimize=True))
 
 

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
+from cloner.geometry.meshes.vectors import cross
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
@@ -43,7 +44,7 @@ def turned_motion(posed_m: Array, pivot_m: Array, axes: Array, share: Array) -> 
     skinning bends the others by nearly their share.
     """
     arm = (posed_m - pivot_m) * share[:, None]
-    return np.asarray(np.stack([np.cross(axis, arm) for axis in axes], axis=2))
+    return np.asarray(np.stack([cross(axis, arm) for axis in axes], axis=2))
 
 
 def pixel_slope(camera: Camera, points_m: Array) -> Array:

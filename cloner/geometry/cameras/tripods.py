@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.geometry.cameras.resection import pixels_by_inside
+from cloner.geometry.meshes.vectors import cross
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]
@@ -78,12 +79,12 @@ def projected(stand: Array, like: Camera, points_m: Array) -> tuple[Array, Array
         np.array([math.sin(azimuth), 0.0, math.cos(azimuth)]),
         np.array([math.cos(azimuth), 0.0, -math.sin(azimuth)]),
     )
-    turned = np.cross((roll @ tilt)[:, 1], inside)  # the model's up axis, as heading parts leave it upside down
+    turned = cross((roll @ tilt)[:, 1], inside)  # the model's up axis, as heading parts leave it upside down
     by_stand = np.empty((len(points_m), 3, 6))
     by_stand[:, :, AZIMUTH] = turned - distance * (rotation @ aside)
     by_stand[:, :, HEIGHT] = -rotation[:, 1]
     by_stand[:, :, DISTANCE] = -rotation @ away
     by_stand[:, :, FACING] = turned
-    by_stand[:, :, PITCH] = np.cross(roll[:, 0], inside)
-    by_stand[:, :, ROLL] = np.cross([0.0, 0.0, 1.0], inside)
+    by_stand[:, :, PITCH] = cross(roll[:, 0], inside)
+    by_stand[:, :, ROLL] = cross(np.array([0.0, 0.0, 1.0]), inside)
     return camera.project(points_m), by_inside @ rotation, by_inside @ by_stand

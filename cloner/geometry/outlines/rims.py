@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.geometry.meshes.vectors import unit
+from cloner.geometry.meshes.vectors import cross, unit
 
 Array = NDArray[np.float64]
 Triangles = NDArray[np.integer]
@@ -32,10 +32,10 @@ def fill_triangles(
     the viewer is filled, by its winding number, instead of triangle after triangle.
     """
     fixed = np.round(np.clip(points_px, -8000, 8000) * 16).astype(np.int32)
-    corners = fixed[triangles]
-    first, second = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
-    area = first[:, 0].astype(np.int64) * second[:, 1] - first[:, 1].astype(np.int64) * second[:, 0]
-    drawn = area > 0 if (area > 0).sum() > (area < 0).sum() else area < 0
+    (x, y), (a, b, c) = fixed.T.astype(np.int64), triangles.T
+    ax, ay = x.take(a), y.take(a)
+    area = (x.take(b) - ax) * (y.take(c) - ay) - (y.take(b) - ay) * (x.take(c) - ax)
+    drawn = area > 0 if np.count_nonzero(area > 0) > np.count_nonzero(area < 0) else area < 0
     beyond = _beyond(fixed, np.array([[0, 0], size[::-1]]) if box is None else box)[triangles]
     drawn &= (beyond[:, 0] & beyond[:, 1] & beyond[:, 2]) == 0
     starts, ends, times = _contour(triangles[drawn])
@@ -50,9 +50,11 @@ def _contour(triangles: Triangles) -> tuple[NDArray[np.int64], NDArray[np.int64]
     tail, head = triangles.ravel(), np.roll(triangles, -1, axis=1).ravel()
     count = int(triangles.max(initial=0)) + 1
     edges = np.minimum(tail, head).astype(np.int64) * count + np.maximum(tail, head)
-    key, which = np.unique(edges, return_inverse=True)
-    times = np.bincount(which, np.where(tail < head, 1, -1), len(key)).astype(np.int64)
-    kept = times != 0
+    both = np.sort(2 * edges + (tail < head))  # the last bit tells which way an edge is gone
+    first = np.flatnonzero(np.diff(both >> 1, prepend=-1))
+    ways = np.concatenate([[0], np.cumsum(2 * (both & 1) - 1)])
+    times = ways[np.append(first[1:], len(both))] - ways[first] if len(first) else first
+    key, kept = both[first] >> 1, times != 0
     return key[kept] // count, key[kept] % count, times[kept]
 
 
@@ -87,17 +89,17 @@ def borders_px(picture: NDArray[np.uint8]) -> tuple[Array, ...]:
 
 def triangle_normals(vertices_m: Array, triangles: Triangles) -> Array:
     """Return (T, 3) area-weighted triangle normals."""
-    corner = vertices_m[triangles]
-    return np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    a, b, c = (vertices_m.take(triangles[:, corner], axis=0) for corner in range(3))
+    return cross(b - a, c - a)
 
 
 def vertex_normals(vertices_m: Array, triangles: Triangles) -> Array:
     """Return (V, 3) unit vertex normals."""
     face = triangle_normals(vertices_m, triangles)
     normals = np.zeros_like(vertices_m)
-    for column in range(3):
+    for column in triangles.T.astype(np.intp):
         for axis in range(3):
-            normals[:, axis] += np.bincount(triangles[:, column], face[:, axis], len(vertices_m))
+            normals[:, axis] += np.bincount(column, face[:, axis], len(vertices_m))
     return unit(normals, 1e-12)
 
 

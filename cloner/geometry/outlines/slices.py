@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from cloner.easing import half_wave
-from cloner.geometry.meshes.vectors import unit
+from cloner.geometry.meshes.vectors import cross, unit
 from cloner.geometry.outlines.contours import OutlineField
 
 Array = NDArray[np.float64]
@@ -78,7 +78,7 @@ def rest_lift(blended: Array, camera_rotation: Array, metres_per_px: Array) -> A
     """
     first, second, third = (blended[:, row, :3] for row in range(3))
     # columns of the inverse are cross products of the rows over the determinant: five times as fast as inv
-    columns = np.stack([np.cross(second, third), np.cross(third, first), np.cross(first, second)], axis=2)
+    columns = np.stack([cross(second, third), cross(third, first), cross(first, second)], axis=2)
     columns /= np.einsum("va,va->v", first, columns[:, :, 0])[:, None, None]
     return np.asarray(np.einsum("vab,cb->vac", columns, camera_rotation[:2]) * metres_per_px[:, None, None])
 

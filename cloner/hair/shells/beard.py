@@ -89,8 +89,8 @@ def beard_shell(
     views : list of HairView
         What every photo says of hair.
     """
-    views = [bearded(view, proposals.views[view.posed.view].labels) for view in views if _shows_face(view)]
-    views = [view for view in views if view.hair.any()]
+    asked = (bearded(view, proposals.views[view.posed.view].labels) for view in views if _shows_face(view))
+    views = [view for view in asked if view is not None]
     if not any(view.posed.view.is_face for view in views):
         return None
     rows, zone = beard_rows(generic, joined)
@@ -125,25 +125,25 @@ def _shows_face(view: HairView) -> bool:
     return view.posed.view is not ViewId.BODY_BACK
 
 
-def bearded(view: HairView, labels: NDArray[np.uint8]) -> HairView:
+def bearded(view: HairView, labels: NDArray[np.uint8]) -> HairView | None:
     """Return what a photo says of the beard in the words of hair: its outline is the face's, and the skull carries it.
+    None where it shows no beard.
 
     Below a beard that hangs before neck and clothes the face ends; there its outline tells how thick it is.
     """
-    face = shows(labels, *FACE, Label.HAIR)
     beard = _without_specks(labels == Label.BEARD)
-    if view.posed.view.is_face and beard.sum() < LEAST_SHARE * shows(labels, *FACE).sum():
-        beard = np.zeros_like(beard)
+    if not beard.any() or (view.posed.view.is_face and beard.sum() < LEAST_SHARE * shows(labels, *FACE).sum()):
+        return None
     hair, to_beard, to_line, _ = distances_px(beard, labels != Label.BACKGROUND)
-    to_face = distances_px(beard, face | beard)[3]
+    to_face = distances_px(beard, shows(labels, *FACE, Label.HAIR) | beard)[3]
     skull = Hanger(view.hanger.joints, view.hanger.heights_m - ALL_SKULL_M)
     return replace(view, hair=hair, hair_px=to_beard, line_px=to_line, outline_px=to_face, hanger=skull)
 
 
 def _without_specks(beard: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    count, pieces, stats, _ = cv2.connectedComponentsWithStats(beard.astype(np.uint8), connectivity=8)
-    if count < 2:
+    if not beard.any():
         return beard
+    _, pieces, stats, _ = cv2.connectedComponentsWithStats(beard.astype(np.uint8), connectivity=8)
     area = stats[:, cv2.CC_STAT_AREA].astype(float)
     area[0] = 0.0
     return np.asarray(np.isin(pieces, np.flatnonzero(area >= SMALLEST_PIECE * area.max())))

@@ -127,7 +127,9 @@ def free_hair(view: HairView, head: NDArray[np.bool_], cap_m: Array) -> NDArray[
     _, pieces, stats, _ = cv2.connectedComponentsWithStats(free, connectivity=8)
     area = stats[:, cv2.CC_STAT_AREA] * pixel_mm**2
     away = np.zeros(len(stats))
-    np.maximum.at(away, pieces, cv2.distanceTransform((~head).astype(np.uint8), cv2.DIST_L2, 5) * pixel_mm)
+    there = pieces > 0
+    to_head = cv2.distanceTransform((~head).astype(np.uint8), cv2.DIST_L2, 5)[there]
+    np.maximum.at(away, pieces[there], to_head * pixel_mm)
     hangs = (area >= SMALLEST_TAIL_MM2) & (away >= FREE_MM)
     hangs[0] = False
     return np.asarray(hangs[pieces], np.bool_)

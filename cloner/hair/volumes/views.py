@@ -64,13 +64,18 @@ class Hanger:
         Hair below the skull's base follows the chest by half at most: it hangs
         from the head but lies on the back.
         """
+        shares = self.shares(points_m)
+        weights = np.stack([*shares, np.zeros_like(shares[0])], axis=1)
+        return np.tile(self.joints, (len(points_m), 1)), weights
+
+    def shares(self, points_m: Array) -> tuple[Array, Array, Array]:
+        """Return the weights (N,) of skull, neck and chest at rest points."""
         top, middle, bottom = self.heights_m
         down = np.clip((top - points_m[:, 1]) / max(top - bottom, 1e-6), 0.0, 1.0)
         half = max((top - middle) / max(top - bottom, 1e-6), 1e-6)
         neck = 0.5 * np.clip(np.minimum(down / half, (1.0 - down) / max(1.0 - half, 1e-6)), 0.0, 1.0)
         chest = 0.5 * np.clip((down - half) / max(1.0 - half, 1e-6), 0.0, 1.0)
-        weights = np.stack([1.0 - neck - chest, neck, chest, np.zeros_like(neck)], axis=1)
-        return np.tile(self.joints, (len(points_m), 1)), weights
+        return 1.0 - neck - chest, neck, chest
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -119,12 +124,13 @@ class HairView:
 
     def _hung(self, points_m: Array) -> Array:
         """Return (N, 3) rest points carried by skull, neck and chest: skinning by three joints only."""
-        weights = self.hanger.weights(points_m)[1]
         found = np.zeros_like(points_m)
-        for place, joint in enumerate(self.hanger.joints[:3]):
-            if weights[:, place].any():
-                turned = points_m @ self.transforms[joint, :3, :3].T + self.transforms[joint, :3, 3]
-                found += weights[:, place, None] * turned
+        for weight, joint in zip(self.hanger.shares(points_m), self.hanger.joints[:3], strict=True):
+            if weight.any():
+                turned = points_m @ self.transforms[joint, :3, :3].T
+                turned += self.transforms[joint, :3, 3]
+                turned *= weight[:, None]
+                found += turned
         return found
 
     def to_rest(self, posed_m: Array) -> Array:
@@ -241,10 +247,12 @@ def headwear(labels: NDArray[np.uint8]) -> NDArray[np.bool_]:
 
     Its pieces lie above nearly all of the face, or above the middle of the hair where a photo shows no face.
     """
+    worn: NDArray[np.bool_] = labels == Label.ACCESSORY
+    if not worn.any():
+        return worn
     face, hair = (np.nonzero(labels == label)[0] for label in (Label.FACE_SKIN, Label.HAIR))
     rows, share = (face, CAP_OVER_FACE) if len(face) else (hair, CAP_OVER_HAIR)
-    worn = labels == Label.ACCESSORY
-    if not len(rows) or not worn.any():
+    if not len(rows):
         return np.zeros(labels.shape, np.bool_)
     count, pieces, _, middles = cv2.connectedComponentsWithStats(worn.astype(np.uint8), connectivity=8)
     high = [piece for piece in range(1, count) if middles[piece, 1] < np.quantile(rows, share)]

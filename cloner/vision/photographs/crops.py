@@ -54,15 +54,18 @@ def cut(image: NDArray[np.uint8], crop: Crop, *, width: int, height: int, fill: 
         Grey level outside the photo.
     """
     photo_from_crop = photo_px_from_crop(crop, width=width, height=height)
-    shrink = min(crop.width_px / width, crop.height_px / height)
+    factor = int(min(crop.width_px / width, crop.height_px / height))
     source = image
-    if shrink > 2.0:  # a bilinear warp reads four pixels only: average first
-        factor = int(shrink)
-        size = (max(1, image.shape[1] // factor), max(1, image.shape[0] // factor))
-        source = cv2.resize(image, size, interpolation=cv2.INTER_AREA).astype(np.uint8)
-        ratio = np.array([size[0] / image.shape[1], size[1] / image.shape[0]])
-        photo_from_crop[:, 2] += 0.5
-        photo_from_crop *= ratio[:, None]
+    if factor > 1:  # a bilinear warp reads four pixels only: average first, no more than it reads
+        corner, end = _reached(photo_from_crop, (width, height), image.shape)
+        corner -= corner % factor
+        part = image[corner[1] : end[1], corner[0] : end[0]]
+        down, across = (-side % factor for side in part.shape[:2])
+        part = cv2.copyMakeBorder(part, 0, down, 0, across, cv2.BORDER_REPLICATE)
+        size = (part.shape[1] // factor, part.shape[0] // factor)
+        source = np.asarray(cv2.resize(part, size, interpolation=cv2.INTER_AREA), np.uint8)
+        photo_from_crop[:, 2] += 0.5 - corner
+        photo_from_crop /= factor
         photo_from_crop[:, 2] -= 0.5
     warped = cv2.warpAffine(
         source,
@@ -75,20 +78,38 @@ def cut(image: NDArray[np.uint8], crop: Crop, *, width: int, height: int, fill: 
     return np.asarray(warped, np.uint8)
 
 
+def _reached(
+    photo_from_crop: NDArray[np.float64], size: tuple[int, int], shape: tuple[int, ...]
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Return first and end of the photo's columns and rows that a crop (width, height) reaches, at least one each.
+
+    Two crop pixels around it belong to it: interpolation reads them.
+    """
+    width, height = size
+    corners = np.array([[-2.0, -2.0], [width + 1, -2.0], [-2.0, height + 1], [width + 1, height + 1]])
+    places, sides = move_points(corners, photo_from_crop), np.array([shape[1], shape[0]])
+    first = np.clip(np.floor(places.min(axis=0)), 0, sides - 1).astype(np.int64)
+    return first, np.clip(np.ceil(places.max(axis=0)) + 1, first + 1, sides).astype(np.int64)
+
+
 def paste(values: NDArray[np.float32], crop: Crop, *, shape: tuple[int, int]) -> NDArray[np.float32]:
     """Lay a crop's (h, w) values back into a photo of `shape` (H, W); zero elsewhere."""
     height, width = values.shape
     photo_from_crop = photo_px_from_crop(crop, width=width, height=height)
     flags = cv2.INTER_CUBIC if crop.width_px > width else cv2.INTER_LINEAR
-    out = cv2.warpAffine(
+    corner, end = _reached(photo_from_crop, (width, height), shape)
+    photo_from_crop[:, 2] -= corner
+    part = cv2.warpAffine(
         values,
         photo_from_crop,
-        (shape[1], shape[0]),
+        (end - corner).tolist(),
         flags=flags,
         borderMode=cv2.BORDER_CONSTANT,
         borderValue=0.0,
     )
-    return np.clip(np.asarray(out, np.float32), 0.0, 1.0)
+    out = np.zeros(shape, np.float32)
+    out[corner[1] : end[1], corner[0] : end[0]] = np.clip(part, 0.0, 1.0)
+    return out
 
 
 def move_points(points: NDArray[np.float64], photo_from_crop: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -105,7 +105,7 @@ def line_pictures(
     kind = SURFACE_OF[_shrunk(own, min(2.0 * finest, 1.0), cv2.INTER_NEAREST)]
     grey = cv2.cvtColor(rgb, cv2.COLOR_RGB2GRAY)
     told = (kind >= 0).astype(np.float32)
-    code = _CODES[kind] * told[..., None]
+    code = _CODES.take(kind, axis=0, mode="wrap")  # nothing is the last row: zeros
     found = []
     for scale in SCALES[::-1]:
         per_px = min(finest / scale, 1.0)

@@ -8,6 +8,7 @@ shirt before a poster.
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 from typing import Final
 
@@ -125,8 +126,9 @@ def _log_shares(palette: Palette, sure: Bools, cell: int, sigma: float) -> tuple
     return np.log(share).astype(np.float32), np.log(near, out=near)
 
 
+@functools.lru_cache(maxsize=8)
 def _gaussian(size: int, sigma: float) -> Floats:
-    """Return the (size, size) matrix that sums under a Gaussian of height one."""
+    """Return the (size, size) matrix, never written to, that sums under a Gaussian of height one."""
     gap = np.arange(size)[:, None] - np.arange(size)[None]
     return np.exp(-0.5 * (gap / sigma) ** 2).astype(np.float32)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.geometry.meshes.vectors import arc_lengths, places_along, unit
+from cloner.geometry.meshes.vectors import arc_lengths, cross, places_along, unit
 
 CORNER = np.array([[0.0, 0.0], [3.0, 0.0], [3.0, 4.0]])
 
@@ -20,3 +20,10 @@ def test_places_lie_their_length_along() -> None:
     lengths = arc_lengths(CORNER)
     assert lengths.tolist() == [0.0, 3.0, 7.0]
     assert places_along(CORNER, lengths, np.array([1.5, 3.0, 5.0])).tolist() == [[1.5, 0.0], [3.0, 0.0], [3.0, 2.0]]
+
+
+def test_cross_is_numpys_to_the_last_bit():
+    rng = np.random.default_rng(7)
+    first, second = rng.standard_normal((2, 50, 4, 3))
+    assert (cross(first, second) == np.cross(first, second)).all()
+    assert (cross(first[0, 0], second) == np.cross(first[0, 0], second)).all()
