@@ -69,15 +69,14 @@ def rows(gltf, number: int) -> np.ndarray:
         data = np.frombuffer(gltf.binary_blob(), np.uint8, stride * count, start)
         return np.ascontiguousarray(data.reshape(count, stride)[:, : kind.itemsize * width]).view(kind)
 
+    values = np.zeros((accessor.count, width), kind)
     if accessor.bufferView is not None:
-        values = packed(accessor.bufferView, kind, accessor.count, width, accessor.byteOffset)
-    else:
-        values = np.zeros((accessor.count, width), kind)
-        if accessor.sparse is not None:
-            sparse = accessor.sparse
-            at, new = sparse.indices, sparse.values
-            index = packed(at.bufferView, np.dtype(KINDS[at.componentType]), sparse.count, 1, at.byteOffset)
-            values[index[:, 0]] = packed(new.bufferView, kind, sparse.count, width, new.byteOffset)
+        values = packed(accessor.bufferView, kind, accessor.count, width, accessor.byteOffset).copy()
+    if accessor.sparse is not None:
+        sparse = accessor.sparse
+        at, new = sparse.indices, sparse.values
+        index = packed(at.bufferView, np.dtype(KINDS[at.componentType]), sparse.count, 1, at.byteOffset)
+        values[index[:, 0]] = packed(new.bufferView, kind, sparse.count, width, new.byteOffset)
     if not accessor.normalized:
         return values.astype(float)
     return np.maximum(values.astype(float) / np.iinfo(kind).max, -1.0)
