@@ -10,7 +10,7 @@ from cloner.body.feet import closed_toes
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles, surface_normals
 from cloner.generic.toes import evened_tips
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.bodies import BodyMesh
 
 

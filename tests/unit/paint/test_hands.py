@@ -8,8 +8,8 @@ import pytest
 from cloner.body.feet import closed_toes
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
-from cloner.paint.hand_detail import fingers
-from cloner.paint.hands import UNDER, finish_hands, finish_soles, foot_texels, hand_texels
+from cloner.paint.details.hand_detail import fingers
+from cloner.paint.details.hands import UNDER, finish_hands, finish_soles, foot_texels, hand_texels
 from cloner.records.bodies import BodyMesh
 
 GENERIC = load_generic()
