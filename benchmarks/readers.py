@@ -57,7 +57,8 @@ COUNTING: Final[tuple[tuple[str, Callable[[Path], Mapping[str, Any]], Callable[[
           ("pygltflib", f"{GLTF} clone_small.glb"),
           ("pxr", "clone.usdz"),
       )),
-    ("Godot 3", readers.godot, lambda: readers.GODOT is not None, "clone.glb clone_unity.glb"),
+    ("Godot 3", readers.godot, lambda: readers.GODOT is not None,
+     "clone.glb clone_mixamo.glb clone_unity.glb clone_unreal.glb"),
 )  # fmt: skip
 PACKED: Final = "its reader knows no packed numbers (KHR_mesh_quantization, EXT_meshopt_compression); give it clone.glb"
 REASONS: Final[Mapping[tuple[str, str], str]] = {
@@ -66,8 +67,6 @@ REASONS: Final[Mapping[tuple[str, str], str]] = {
     ("trimesh", "clone_small.glb"): PACKED,
     ("Blender", "clone_small.glb"): PACKED,
     ("Blender", "clone.ply"): "PLY has no upward axis and Blender takes Z: turn it by 90 degrees",
-    ("Godot 3", "clone.glb"): "3.2 takes a sparse accessor's missing view for the first one, so faces do not move",
-    ("Godot 3", "clone_unity.glb"): "as clone.glb; bones, clips and skin are whole",
     ("three-vrm", "clone.vrm"): "its humanoid lifts an arm here, so it is taller than at rest",
 }
 ASKED: Final = ("meshes", "joints", "clips", "targets", "height_m")
@@ -124,6 +123,14 @@ def _tell(
         told["targets"] = max(told.pop("shapes") - 1, 0)  # Blender counts the rest too
     if "maximum_y" in told:
         told["height_m"] = told["maximum_y"] - told["minimum_y"]
+    if "moves_mm" in told:
+        told["height_m"] = told["high"] - told["low"]
+        astray = [
+            name
+            for name, most_mm in told.pop("moves_mm").items()
+            if name in clone.morph_names and abs(most_mm - _farthest_mm(clone, name)) > 0.5
+        ]
+        told |= {"error": f"{len(astray)} targets move otherwise, {astray[0]} first"} if astray else {}
     if program == "Assimp":  # its bones are those of all meshes, its nodes name ours; it counts no targets
         told = {name: value for name, value in told.items() if name in ("meshes", "clips", "height_m")}
     if path.suffix not in (".glb", ".vrm", ".usdz"):
@@ -146,7 +153,7 @@ def _tell(
         wrong.append(str(told["error"]))
     wrong += [f"{len(told['warnings'])} warnings"] if told.get("warnings") else []
     reason = REASONS.get((program, path.name))
-    verdict = "green" if not wrong and program != "Godot 3" else reason or f"RED: {', '.join(wrong)[:120]}"
+    verdict = "green" if not wrong else reason or f"RED: {', '.join(wrong)[:120]}"
     values = [f"{told[name]:.4g}" if name in told else "" for name in ASKED]
     _row(program, path.name, *values, {True: "yes", False: "no", None: ""}[upright], f"{spent_s:.0f}", verdict)
     return verdict.startswith("RED")
@@ -169,6 +176,13 @@ def _held(path: Path, clone: Clone) -> dict[str, float]:
     if path.suffix == ".usdz":
         held |= {"joints": len(load_generic().joint_names), "clips": len(own_motions(clone)[:1])}
     return held
+
+
+def _farthest_mm(clone: Clone, name: str) -> float:
+    """Return how far a face target moves the vertex that it moves farthest."""
+    number = clone.morph_names.index(name)
+    rows = slice(int(clone.morph_start[number]), int(clone.morph_start[number + 1]))
+    return 1000.0 * float(np.linalg.norm(clone.morph_delta_m[rows], axis=1).max(initial=0.0))
 
 
 def _upright(picture: np.ndarray) -> bool:

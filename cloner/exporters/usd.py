@@ -25,6 +25,7 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.exporters.gltf.gltf_motion import quaternions
+from cloner.exporters.gltf.gltf_targets import turned_wedges
 from cloner.exporters.hanim.hanim_names import identifier, node_name
 from cloner.exporters.shared.credits import CREDITS
 from cloner.exporters.shared.files import png_bytes, write_bytes
@@ -205,13 +206,22 @@ def _mesh(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh, name: str) -> None
 
 
 def _targets(pxr: Any, stage: Any, clone: Clone, mesh: SkinMesh, name: str, binding: Any) -> None:
-    names, paths = [], []
-    for target, moved, own in moved_wedges(clone, mesh.vertex, SMALLEST_OFFSET_M):
+    """Define the targets that move a mesh and turn its normals."""
+    names, paths, vec3 = [], [], pxr.Vt.Vec3fArray.FromNumpy
+    for (target, moved, offsets_m), (turned, differences) in zip(
+        moved_wedges(clone, mesh.vertex, SMALLEST_OFFSET_M), turned_wedges(clone, mesh.vertex), strict=True
+    ):
         if len(moved):
             path = f"{_ROOT}/{name}/{identifier(target)}"
-            shape = pxr.UsdSkel.BlendShape.Define(stage, path)
-            shape.CreateOffsetsAttr(pxr.Vt.Vec3fArray.FromNumpy(np.ascontiguousarray(own, dtype=np.float32)))
-            shape.CreatePointIndicesAttr(pxr.Vt.IntArray.FromNumpy(moved.astype(np.int32)))
+            shape, rows = pxr.UsdSkel.BlendShape.Define(stage, path), np.union1d(moved, turned)
+            for create, at, values in (
+                (shape.CreateOffsetsAttr, moved, offsets_m),
+                (shape.CreateNormalOffsetsAttr, turned, differences),
+            ):
+                laid = np.zeros((len(rows), 3), np.float32)
+                laid[np.searchsorted(rows, at)] = values
+                create(vec3(laid))
+            shape.CreatePointIndicesAttr(pxr.Vt.IntArray.FromNumpy(rows.astype(np.int32)))
             names.append(target)
             paths.append(pxr.Sdf.Path(path))
     if names:

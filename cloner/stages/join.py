@@ -26,6 +26,7 @@ from cloner.frames import ViewId, mm_from_m
 from cloner.generic.face_grids import eyeball
 from cloner.generic.features import named_features
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.toes import evened_tips
 from cloner.hair.volumes.agreement import hair_fields
 from cloner.head.jaw import jaw_in, jaw_rotations, opened
 from cloner.head.modes import load_head_modes
@@ -169,7 +170,7 @@ def run(
     ]
     place = np.searchsorted(generic.head_vertices, border)
     apart = np.linalg.norm(head.vertices_m[place] - body.mesh.vertices_m[border], axis=1)
-    vertices = flat_soles(generic, blend_head(generic, body.mesh, head), phenotype.sole_m)
+    vertices = evened_tips(flat_soles(generic, blend_head(generic, body.mesh, head), phenotype.sole_m))
     mesh, risen = to_stature(generic, BodyMesh(vertices, body.mesh.joints_m), phenotype.stature_m)
     outlined = outlined_photos(phenotype, silhouettes, proposals, body.views)
     seen = {view: for_fitting(points) for view, points in body_points.views.items()}

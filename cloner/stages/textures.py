@@ -176,7 +176,7 @@ def lay_photos(
     del shared  # its pictures would be the larger part of the memory from here on
     give_back()
     baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
-    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb))), kinds.surfaces, residuals
+    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb, joined.vertices_m))), kinds.surfaces, residuals
 
 
 def share_photos(

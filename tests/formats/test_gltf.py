@@ -58,9 +58,9 @@ def _read(gltf, accessor: int) -> np.ndarray:
         start = gltf.bufferViews[view].byteOffset or 0
         return np.frombuffer(blob, kinds[kind], count * wide, start).reshape(count, wide)
 
-    if row.bufferView is not None:
-        return rows(row.bufferView, row.componentType, row.count, width)
     filled = np.zeros((row.count, width), kinds[row.componentType])
+    if row.bufferView is not None:
+        filled = rows(row.bufferView, row.componentType, row.count, width).copy()
     if row.sparse is not None:
         index = rows(row.sparse.indices.bufferView, row.sparse.indices.componentType, row.sparse.count, 1)[:, 0]
         filled[index] = rows(row.sparse.values.bufferView, row.componentType, row.sparse.count, width)

@@ -55,7 +55,7 @@ def test_the_file_stores_them_where_they_turn_and_nowhere_else(clone, gltf) -> N
             assert stored == max(turned, 1), "one row of zeros where nothing turns: some readers want it"
 
 
-def test_correctives_and_the_other_files_keep_their_normals(clone, gltf) -> None:
+def test_correctives_and_small_files_keep_their_normals(clone, gltf) -> None:
     names = gltf.meshes[0].extras["targetNames"]
     bent = [target["NORMAL"] for name, target in zip(names, gltf.meshes[0].primitives[0].targets, strict=True)
             if name.startswith("corrective_")]  # fmt: skip

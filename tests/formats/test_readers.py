@@ -23,6 +23,7 @@ BLENDER = pytest.mark.skipif(
     not readers.HAS_BLENDER,
     reason="Blender is not here (CI leaves out its 500 MB); run: apt-get install blender, or set CLONER_BLENDER_PYTHON",
 )
+GODOT = pytest.mark.skipif(readers.GODOT is None, reason="Godot is not here; run: apt-get install godot3-server")
 VIEW3DSCENE = pytest.mark.skipif(
     not readers.HAS_VIEW3DSCENE, reason="view3dscene is not here; run: sudo apt-get install -y view3dscene xvfb"
 )
@@ -92,3 +93,16 @@ def test_view3dscene_s_own_h_anim_nodes_take_our_joints_and_walk(folder: Path) -
     upright(first)
     changed = np.abs(first.astype(int) - second.astype(int)).max(axis=2) > 24
     assert changed.sum() > 0.1 * person(first).sum(), "it stands still"
+
+
+@GODOT
+def test_godot_moves_faces_as_far_as_they_move(folder: Path) -> None:
+    """Godot 3 takes a sparse accessor without a view for the first view of the file; faces flew metres away."""
+    clone, told = toy_clone(STATURE_M), readers.godot(folder / "clone.glb")
+    assert told.get("error") is None
+    assert (told["joints"], told["clips"]) == (94, 2)
+    assert told["high"] - told["low"] == pytest.approx(STATURE_M + 0.01, abs=0.05)
+    for number, name in enumerate(clone.morph_names):
+        rows = slice(int(clone.morph_start[number]), int(clone.morph_start[number + 1]))
+        most_mm = 1000.0 * np.linalg.norm(clone.morph_delta_m[rows], axis=1).max(initial=0.0)
+        assert told["moves_mm"][name] == pytest.approx(most_mm, abs=0.1), name

@@ -26,6 +26,7 @@ from cloner.exporters.gltf.gltf import build
 from cloner.exporters.vrml import vrml_flat
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.meshes.wedges import welded_normals
 from cloner.motion.flesh.rest import in_t_pose
 from cloner.motion.limbs.body import body_of
 from cloner.motion.limbs.rig import centred
@@ -72,15 +73,14 @@ def rows(gltf, number: int) -> np.ndarray:
         data = np.frombuffer(gltf.binary_blob(), np.uint8, stride * count, start)
         return np.ascontiguousarray(data.reshape(count, stride)[:, : kind.itemsize * width]).view(kind)
 
+    values = np.zeros((accessor.count, width), kind)
     if accessor.bufferView is not None:
-        values = packed(accessor.bufferView, kind, accessor.count, width, accessor.byteOffset)
-    else:
-        values = np.zeros((accessor.count, width), kind)
-        if accessor.sparse is not None:
-            sparse = accessor.sparse
-            at, new = sparse.indices, sparse.values
-            index = packed(at.bufferView, np.dtype(KINDS[at.componentType]), sparse.count, 1, at.byteOffset)
-            values[index[:, 0]] = packed(new.bufferView, kind, sparse.count, width, new.byteOffset)
+        values = packed(accessor.bufferView, kind, accessor.count, width, accessor.byteOffset).copy()
+    if accessor.sparse is not None:
+        sparse = accessor.sparse
+        at, new = sparse.indices, sparse.values
+        index = packed(at.bufferView, np.dtype(KINDS[at.componentType]), sparse.count, 1, at.byteOffset)
+        values[index[:, 0]] = packed(new.bufferView, kind, sparse.count, width, new.byteOffset)
     if not accessor.normalized:
         return values.astype(float)
     return np.maximum(values.astype(float) / np.iinfo(kind).max, -1.0)
@@ -248,6 +248,30 @@ def test_collarbones_rise_under_level_arms(clone: Clone) -> None:
         assert angles[1] - angles[0] == pytest.approx(12.0, abs=0.5)
         arm = after[joint["wrist"]] - after[joint["shoulder"]]
         assert abs(arm[1]) < 0.03 * out * arm[0]
+
+
+def test_a_smile_turns_normals_in_usd(clone: Clone, tmp_path: Path) -> None:
+    pxr_usd = pytest.importorskip("pxr.Usd", reason="usd-core is not here; run: pip install photo-cloner[usd]")
+    from pxr import UsdGeom, UsdSkel
+
+    (path,) = usd.export(clone, tmp_path)
+    stage = pxr_usd.Stage.Open(str(path))
+    shape = next(UsdSkel.BlendShape(prim) for prim in stage.Traverse() if prim.GetName() == "mouthSmileLeft")
+    mesh = UsdGeom.Mesh(shape.GetPrim().GetParent())
+    points, normals = (np.array(attribute.Get(), float) for attribute in (mesh.GetPointsAttr(), mesh.GetNormalsAttr()))
+    rows = np.array(shape.GetPointIndicesAttr().Get())
+    moved, turned = points.copy(), normals.copy()
+    moved[rows] += np.array(shape.GetOffsetsAttr().Get())
+    turned[rows] += np.array(shape.GetNormalOffsetsAttr().Get())
+    turned /= np.linalg.norm(turned, axis=1, keepdims=True)
+    triangles = np.array(mesh.GetFaceVertexIndicesAttr().Get()).reshape(-1, 3).astype(np.int32)
+    truth = welded_normals(moved, triangles)
+    lit = np.intersect1d(rows, np.flatnonzero((welded_normals(points, triangles) * normals).sum(axis=1) > 0.999))
+    off, was = (np.degrees(np.arccos(np.clip(np.einsum("ij,ij->i", own[lit], truth[lit]), -1.0, 1.0)))
+                for own in (turned, normals))  # fmt: skip
+    assert was.max() > 10.0, "the smile turns normals"
+    assert np.percentile(off, 99) < 4.0, "but where lips meet, whose vertices lie at one place"
+    assert np.percentile(was, 99) > 2.0 * np.percentile(off, 99)
 
 
 def test_usd_is_as_rough_as_its_regions(clone: Clone, tmp_path: Path) -> None:

@@ -84,5 +84,5 @@ def export_unreal(clone: Clone, folder: Path, *, name: str = "clone", moves: Mov
 
 
 def _written(clone: Clone, path: Path, bones: Bones, moves: Moves) -> tuple[Path, ...]:
-    write_bytes(path, glb_bytes(build(clone, moves=moves, bones=bones, corrects=True)))
+    write_bytes(path, glb_bytes(build(clone, moves=moves, bones=bones, corrects=True, shades=True)))
     return (path,)

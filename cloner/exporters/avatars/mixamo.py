@@ -56,6 +56,6 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
         If the folder cannot be written to.
     """
     path = folder / f"{name}_mixamo.glb"
-    made = build(in_t_pose(centred(clone)), moves=moves, bones=mixamo_bones(), corrects=True)
+    made = build(in_t_pose(centred(clone)), moves=moves, bones=mixamo_bones(), corrects=True, shades=True)
     write_bytes(path, glb_bytes(made))
     return (path,)

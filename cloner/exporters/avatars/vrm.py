@@ -76,7 +76,7 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
         If the folder cannot be written to.
     """
     posed = in_t_pose(centred(clone))
-    gltf = build(posed, moves=moves)
+    gltf = build(posed, moves=moves, shades=True)
     gltf.extensionsUsed = [*gltf.extensionsUsed, EXTENSION]
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
     gltf.extensions = {EXTENSION: _vrm(posed, nodes, name)}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Final
+from typing import Any, ClassVar, Final
 
 import numpy as np
 import pygltflib
@@ -23,16 +23,27 @@ _KIND: Final = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
 
 
 class GltfBuffer:
-    """Collects arrays for one ``pygltflib.GLTF2`` and keeps its accessor table in step."""
+    """Collects arrays for one ``pygltflib.GLTF2`` and keeps its accessor table in step.
+
+    Sparse accessors stand on one view of zeros. The specification does without it, but readers do not: Godot up to 4.0,
+    SharpGLTF and UnityGLTF take the first view instead or refuse the file.
+    """
+
+    #: Whether sparse accessors stand on a view of zeros.
+    founded: ClassVar[bool] = True
 
     def __init__(self, gltf: Any, box_m: Array) -> None:
         self._gltf = gltf
         self._box_m = box_m
         self._chunks: list[bytes] = []
         self._length = 0
+        self._ground: int | None = None
+        self._ground_bytes = 0
 
     def data(self) -> bytes:
-        """Return everything added so far."""
+        """Return everything that was added; to be asked once, at the end."""
+        if self._ground is not None:
+            self.fill(self._ground, bytes(self._ground_bytes))
         return b"".join(self._chunks)
 
     def view(self, data: bytes, target: int | None = None, stride: int | None = None) -> int:
@@ -131,6 +142,7 @@ class GltfBuffer:
             index, values = np.zeros(1, dtype=np.int64), np.zeros((1, 3), dtype=values.dtype)
         rows = index.astype(np.uint16 if count < 65535 else np.uint32)
         accessor = pygltflib.Accessor(
+            bufferView=self._zeros(count * 3 * values.itemsize) if self.founded else None,
             byteOffset=None,
             componentType=_COMPONENT[values.dtype],
             normalized=values.dtype.kind == "i",
@@ -143,6 +155,13 @@ class GltfBuffer:
         accessor.sparse = pygltflib.Sparse(count=len(rows), indices=indices, values=changed)
         self._gltf.accessors.append(accessor)
         return len(self._gltf.accessors) - 1
+
+    def _zeros(self, size: int) -> int:
+        """Return the view of zeros, which will hold at least so many bytes."""
+        if self._ground is None:
+            self._ground = self.view(b"", pygltflib.ARRAY_BUFFER, stride=12)
+        self._ground_bytes = max(self._ground_bytes, size)
+        return self._ground
 
     def stored(self, rows: NDArray[Any], values: NDArray[Any]) -> tuple[Any, Any]:
         """Add rows and values of a sparse accessor and return where they lie, as its two parts."""

@@ -41,7 +41,12 @@ HALVED_ABOVE_PX: Final = 512  # smaller pictures stay; taste
 
 
 class QuantisedBuffer(GltfBuffer):
-    """Stores normalised integers; what turns positions back into metres lies in the bind matrices."""
+    """Stores normalised integers; what turns positions back into metres lies in the bind matrices.
+
+    Who reads this reads sparse accessors without a view as well.
+    """
+
+    founded = False
 
     def __init__(self, gltf: Any, box_m: Array) -> None:
         super().__init__(gltf, box_m)

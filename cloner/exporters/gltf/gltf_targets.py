@@ -1,7 +1,9 @@
 """Morph targets of a glTF: how far vertices move, and how their normals turn with them.
 
 Without the second the light stays where it lay on the resting face: a smile lifts no cheek. Only what turns by more
-than is seen is stored, of the face's own targets; correctives keep the flesh of limbs, whose normals the bones turn.
+than is seen is stored, of the face's own targets; correctives keep the flesh of limbs, whose normals the bones turn:
+those of the resting shape with a corrective are farther from the bent surface's (by 7-35 degrees in the mean of twelve
+bends of anna) than those without (5-16).
 
 References
 ----------
@@ -49,7 +51,7 @@ def targets_of(
     """
     found = [{"POSITION": number} for number in _sparse(buffer, len(vertex), _moved(clone, vertex))]
     if normals:
-        turned = _sparse(buffer, len(vertex), _turned(clone, vertex), plain=True)
+        turned = _sparse(buffer, len(vertex), turned_wedges(clone, vertex), plain=True)
         for target, number in zip(found, turned, strict=True):
             target["NORMAL"] = number
     return found
@@ -60,7 +62,11 @@ def _moved(clone: Clone, vertex: NDArray[np.int32]) -> Iterator[tuple[NDArray[np
         yield moved, own
 
 
-def _turned(clone: Clone, vertex: NDArray[np.int32]) -> Iterator[tuple[NDArray[np.int64], NDArray[np.float32]]]:
+def turned_wedges(clone: Clone, vertex: NDArray[np.integer]) -> Iterator[tuple[NDArray[np.int64], NDArray[np.float32]]]:
+    """Yield for every morph target the wedges (M,) whose normals it turns, ascending, and the differences (M, 3).
+
+    ``vertex`` (N,) is the generic human's vertex of every wedge.
+    """
     row = np.full(len(clone.vertices_m) + 1, -1, np.int32)
     for turned, difference in normal_turns(clone):
         row[turned] = np.arange(len(turned), dtype=np.int32)

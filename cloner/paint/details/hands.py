@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
+from cloner.generic.surfaces import surface_normals
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.meshes.wedges import vertex_normals
@@ -65,9 +66,17 @@ def finish_hands(rgb: Image, claim: Array, kinds: Materials) -> Image:
     return out
 
 
-def finish_soles(rgb: Image) -> Image:
-    """Return the atlas (S, S, 3) with soles of their commonest colour: toes and carpets had run on to them."""
-    atlas, under = sole_texels(len(rgb))
+def finish_soles(rgb: Image, vertices_m: Array) -> Image:
+    """Return the atlas (S, S, 3) with soles of their commonest colour: toes and carpets had run on to them.
+
+    Parameters
+    ----------
+    vertices_m : (V, 3)
+        The standing person: the undersides of toes lie all around a shoe's tip, where they are no soles.
+    """
+    atlas = foot_texels(len(rgb))
+    down = atlas.interpolate(surface_normals(vertices_m)[:, 1]).astype(np.float64)
+    under = np.clip((down - UNDER[0]) / (UNDER[1] - UNDER[0]), 0.0, 1.0)
     out = rgb.copy()
     flat = out.reshape(-1, 3)
     levels = np.log(flat[atlas.texel].astype(np.float64) + DARK)
@@ -114,12 +123,8 @@ def hand_texels(size: int) -> tuple[AtlasMap, Array, Array, Array, NDArray[np.bo
 
 
 @functools.lru_cache(maxsize=2)
-def sole_texels(size: int) -> tuple[AtlasMap, Array]:
-    """Return the feet's texels of an atlas, and (N,) which part of them is sole, 0..1."""
+def foot_texels(size: int) -> AtlasMap:
+    """Return the feet's texels of an atlas."""
     generic = load_generic()
-    triangles, _ = generic.triangles()
     feet = generic.region("foot_left") | generic.region("foot_right")
-    atlas = generic_atlas(generic, size, wanted=np.asarray(feet[triangles].all(axis=1), np.bool_))
-    normals = vertex_normals(generic.vertices_m.astype(np.float64), triangles.astype(np.int32))
-    down = atlas.interpolate(normals[:, 1]).astype(np.float64)
-    return atlas, np.clip((down - UNDER[0]) / (UNDER[1] - UNDER[0]), 0.0, 1.0)
+    return generic_atlas(generic, size, wanted=np.asarray(feet[generic.triangles()[0]].all(axis=1), np.bool_))

@@ -5,10 +5,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from cloner.body.feet import closed_toes
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
 from cloner.paint.details.hand_detail import fingers
-from cloner.paint.details.hands import finish_hands, finish_soles, hand_texels, sole_texels
+from cloner.paint.details.hands import UNDER, finish_hands, finish_soles, foot_texels, hand_texels
+from cloner.records.bodies import BodyMesh
 
 GENERIC = load_generic()
 SIZE = 1024
@@ -62,16 +64,33 @@ def test_gloves_and_the_rest_of_the_atlas_stay_as_they_are(plain: np.ndarray) ->
     assert np.median(np.abs(out.reshape(-1, 3)[own].astype(int) - SKIN)) <= 4, "most skin keeps its colour"
 
 
+def _down(points: np.ndarray) -> np.ndarray:
+    """Return how far the surface faces up in every texel of the feet, -1..1."""
+    return foot_texels(SIZE).interpolate(surface_normals(points)[:, 1])
+
+
 def test_a_toes_colour_does_not_run_on_to_the_sole(plain: np.ndarray) -> None:
-    atlas, under = sole_texels(SIZE)
+    points = GENERIC.vertices_m.astype(float)
+    atlas, up = foot_texels(SIZE), _down(points)
     rgb = plain.copy()
     rgb.reshape(-1, 3)[atlas.texel] = (40, 40, 40)
-    spot = atlas.texel[np.flatnonzero(under == 1.0)[:200]]
-    upper = atlas.texel[under == 0.0]
+    spot, upper = atlas.texel[np.flatnonzero(up < UNDER[1])[:200]], atlas.texel[up > UNDER[0]]
     rgb.reshape(-1, 3)[np.concatenate([spot, upper])] = (230, 230, 230)
-    out = finish_soles(rgb).reshape(-1, 3)
+    out = finish_soles(rgb, points).reshape(-1, 3)
     assert np.abs(out[spot].astype(int) - 40).max() < 15, "levels"
     assert (out[upper] == 230).all(), "the shoe keeps its colour"
+
+
+def test_the_undersides_of_toes_are_no_soles_on_a_shoes_tip(plain: np.ndarray) -> None:
+    bare = BodyMesh(GENERIC.vertices_m.astype(float), GENERIC.joints_m.astype(float))
+    shod = closed_toes(bare).vertices_m
+    atlas = foot_texels(SIZE)
+    front = (_down(bare.vertices_m) < UNDER[1]) & (_down(shod) > UNDER[0])
+    assert front.sum() > 30, "texels that hang under toes and lie before a shoe"
+    rgb = plain.copy()
+    rgb.reshape(-1, 3)[atlas.texel] = (40, 40, 40)
+    rgb.reshape(-1, 3)[atlas.texel[front]] = (230, 230, 230)
+    assert (finish_soles(rgb, shod).reshape(-1, 3)[atlas.texel[front]] == 230).all()
 
 
 def test_trousers_painted_on_to_fingertips_go(plain: np.ndarray) -> None:
