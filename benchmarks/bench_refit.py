@@ -1,9 +1,9 @@
 """What one drag costs, and what it moves: 30 drags of body points on the values of one whole run.
 
 Every drag moves one proposed outline point by 10 or 30 px outward or inward, or a joint or face point by 10 px, each on
-the unmoved values. Printed: CPU and wall milliseconds of ``cloner.refitting.refit`` (median and worst), how far the
-clone's outline, joint or face is from the point (worst), the largest motion of skin out of the bend's reach, and with
---whole whether a whole run with the last drag's correction gives the same body.
+the unmoved values. Printed: CPU and wall milliseconds of ``cloner.interactive.refitting.refit`` (median and worst), how
+far the clone's outline, joint or face is from the point (worst), the largest motion of skin out of the bend's reach,
+and with --whole whether a whole run with the last drag's correction gives the same body.
 """
 
 from __future__ import annotations
@@ -19,10 +19,10 @@ import numpy as np
 
 from cloner import pipeline
 from cloner.frames import ViewId
+from cloner.interactive.refitting import Refitted, refit
 from cloner.project.corrections import move_point, no_corrections
 from cloner.project.folder import load_photos, read_person
 from cloner.records.points import Corrections
-from cloner.refitting import Refitted, refit
 from cloner.stages.silhouettes import ON_OUTLINE
 
 SAMPLE = Path(__file__).resolve().parents[1] / "samples" / "anna" / "plain"

@@ -11,12 +11,12 @@ from body_scores import HELD_OUT, KnownTruth
 from foreign import foreign_camera, foreign_surface, told_of
 from numpy.typing import NDArray
 
-from cloner.evaluate.truth import TruthView
+from cloner.evaluate.truths.truth import TruthView
 from cloner.frames import ViewId
 from cloner.project.folder import load_photos
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.views import Camera
-from cloner.vision.pictures import read_picture
+from cloner.vision.photographs.pictures import read_picture
 
 SURFACE_POINTS: Final = 100_000
 _HELD_FILE: Final = "body_45"

@@ -9,11 +9,11 @@ from numpy.typing import NDArray
 from scipy.optimize import least_squares
 from scipy.spatial import cKDTree
 
-from cloner.evaluate.skins import skin_triangles
-from cloner.evaluate.truth import TruthSurface
+from cloner.evaluate.figures.skins import skin_triangles
+from cloner.evaluate.truths.truth import TruthSurface
 from cloner.generic.load import GenericHuman
-from cloner.geometry.poses import SIGMAS, pose_matrix
-from cloner.geometry.skinning import joint_transforms, rotation_matrices, skin
+from cloner.geometry.articulation.poses import SIGMAS, pose_matrix
+from cloner.geometry.articulation.skinning import joint_transforms, rotation_matrices, skin
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]

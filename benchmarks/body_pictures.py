@@ -11,11 +11,11 @@ import numpy as np
 from body_truth import KnownPerson
 from numpy.typing import NDArray
 
-from cloner.evaluate import likeness
-from cloner.evaluate.posing import rotations_towards
+from cloner.evaluate.figures import likeness
+from cloner.evaluate.measures.posing import rotations_towards
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.clones import Clone
 from cloner.render import Layer, clone_layers, draw, render_mask
 

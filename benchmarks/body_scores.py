@@ -11,8 +11,9 @@ import numpy as np
 from body_foreign_pose import rotations_by_surface
 from numpy.typing import NDArray
 
-from cloner.evaluate import rulers, skins
-from cloner.evaluate.posing import (
+from cloner.evaluate.figures import skins
+from cloner.evaluate.measures import rulers
+from cloner.evaluate.measures.posing import (
     Posed,
     joints_by_truth_name,
     moved_camera,
@@ -21,10 +22,10 @@ from cloner.evaluate.posing import (
     truth_from_body,
     truth_from_points,
 )
-from cloner.evaluate.truth import TruthSurface, TruthView
+from cloner.evaluate.truths.truth import TruthSurface, TruthView
 from cloner.frames import MILLIMETRES_PER_METRE, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
-from cloner.geometry.measures import TRUTH_GIRTHS
+from cloner.geometry.measurement.measures import TRUTH_GIRTHS
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.measures import MeasureSet

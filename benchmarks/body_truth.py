@@ -11,12 +11,12 @@ import numpy as np
 from body_scores import HELD_OUT, KnownTruth
 from numpy.typing import NDArray
 
-from cloner.evaluate.posing import JOINTS, hand_vertices
-from cloner.evaluate.surfaces import sample_surface
-from cloner.evaluate.truth import TruthSurface, TruthView
+from cloner.evaluate.measures.posing import JOINTS, hand_vertices
+from cloner.evaluate.measures.surfaces import sample_surface
+from cloner.evaluate.truths.truth import TruthSurface, TruthView
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import girths_mm
+from cloner.geometry.measurement.measures import girths_mm
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "generic_models" / "build"))
 from painted_people import KnownPerson, Shot, photograph_person

@@ -57,13 +57,13 @@ def reopen(world: object) -> None:
     """Open the event again, as the operator does, and let it settle."""
     from PySide6.QtWidgets import QApplication
 
-    import cloner_gui.phone
+    import cloner_gui.event.phone
+    from cloner_gui.event.session import Session
     from cloner_gui.main_window import MainWindow
-    from cloner_gui.session import Session
     from kit.outside_walk import services
 
-    cloner_gui.phone.own_addresses = lambda: ("127.0.0.1",)
-    cloner_gui.phone.PORT = 0
+    cloner_gui.event.phone.own_addresses = lambda: ("127.0.0.1",)
+    cloner_gui.event.phone.PORT = 0
     window = MainWindow(Session(services()))
     window.booth.open(world.event)
     intake = window.booth.intake

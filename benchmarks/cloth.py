@@ -14,15 +14,15 @@ from scipy.spatial import cKDTree
 
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
-from cloner.cloth.blocks import BLOCKS, draft
+from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.dressing import STEP_M, Dressed, pictures
-from cloner.cloth.fabrics import FABRICS
-from cloner.cloth.loop import best_loop
-from cloner.cloth.moving import Worn, put_on, simulate
-from cloner.cloth.placing import body_ring
-from cloner.cloth.solver import strains
-from cloner.motion.own import own_motions
-from cloner.motion.rig import centred
+from cloner.cloth.simulation.fabrics import FABRICS
+from cloner.cloth.simulation.loop import best_loop
+from cloner.cloth.simulation.moving import Worn, put_on, simulate
+from cloner.cloth.simulation.placing import body_ring
+from cloner.cloth.simulation.solver import strains
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 
 DOCS = Path(__file__).resolve().parents[1] / "docs"
 Array = np.ndarray

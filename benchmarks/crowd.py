@@ -18,17 +18,17 @@ from pathlib import Path
 import numpy as np
 from skimage.metrics import structural_similarity
 
-from cloner.crowd import stock
-from cloner.crowd.cast import Cast, cast_of
-from cloner.crowd.check import check_pack, gpu_bytes
-from cloner.crowd.eye import Eye
-from cloner.crowd.impostors import TEXELS_PER_M, TEXELS_PER_PX, Bake, bake, with_tiles
-from cloner.crowd.levels import LOOSE, body_levels
-from cloner.crowd.pack import LARGEST_PX, stock_of
-from cloner.crowd.reading import read_facts, read_stock
-from cloner.crowd.stock import Stock
-from cloner.crowd.theatre import Theatre
-from cloner.motion.rig import centred
+from cloner.crowd.clones import stock
+from cloner.crowd.clones.cast import Cast, cast_of
+from cloner.crowd.clones.levels import LOOSE, body_levels
+from cloner.crowd.clones.stock import Stock
+from cloner.crowd.drawing.impostors import TEXELS_PER_M, TEXELS_PER_PX, Bake, bake, with_tiles
+from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.packs.check import check_pack, gpu_bytes
+from cloner.crowd.packs.pack import LARGEST_PX, stock_of
+from cloner.crowd.packs.reading import read_facts, read_stock
+from cloner.crowd.staged.eye import Eye
+from cloner.motion.limbs.rig import centred
 from cloner.project.clone_file import CLONE_FILE, load_clone
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "crowd_benchmark.md"

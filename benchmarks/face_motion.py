@@ -17,12 +17,12 @@ from typing import Final
 import numpy as np
 from head_people import random_face
 
-from cloner.evaluate.baselines import generic_clone
-from cloner.evaluate.face_motion import FaceFigures, face_figures, mixture_figures, target_figures
+from cloner.evaluate.measures.face_motion import FaceFigures, face_figures, mixture_figures, target_figures
+from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.load import load_generic
 from cloner.head.parts import seat_parts
 from cloner.head.targets import face_targets
-from cloner.motion.limits import limited
+from cloner.motion.face.limits import limited
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 

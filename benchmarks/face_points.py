@@ -25,11 +25,11 @@ sys.path.append(str(ROOT / "generic_models" / "build"))
 from painted_faces import EXTRAS, make_sitter, photograph_face  # noqa: E402
 from painted_people_pictures import BACKGROUNDS  # noqa: E402
 
-from cloner.detectors import litert  # noqa: E402
-from cloner.detectors.face_net import load_face_net  # noqa: E402
-from cloner.detectors.face_points import propose_face_points  # noqa: E402
+from cloner.detectors.face.face_net import load_face_net  # noqa: E402
+from cloner.detectors.face.face_points import propose_face_points  # noqa: E402
+from cloner.detectors.nets import litert  # noqa: E402
 from cloner.errors import ClonerError  # noqa: E402
-from cloner.evaluate.truth import SETS, read_truth  # noqa: E402
+from cloner.evaluate.truths.truth import SETS, read_truth  # noqa: E402
 from cloner.frames import FACE_VIEWS, ViewId  # noqa: E402
 from cloner.project.folder import load_photos  # noqa: E402
 from cloner.records.photos import Photo  # noqa: E402

@@ -2,8 +2,8 @@
 
 PACK is what ``cloner crowd --feelings`` wrote, WALK what ``cloner behave run`` wrote. First each clone walks each
 feeling's walk on straight and bent ways, faster and slower than its own; then the walk is baked and every ninth person
-is measured. Slides are the strict ruler's (`cloner.motion.slide`), millimetres a step, mean / worst; how far bodies are
-from where the trajectories have them, metres.
+is measured. Slides are the strict ruler's (`cloner.motion.moves.slide`), millimetres a step, mean / worst; how far
+bodies are from where the trajectories have them, metres.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ import numpy as np
 from cloner.acting.walkers import Track, Walker
 from cloner.acting.written import acted_by
 from cloner.behaviour.trajectories import RATE_HZ, Trajectories, read_trajectories
-from cloner.crowd.footing import BY_FOOTINGS, Acted, rows_at, touches_of
-from cloner.crowd.reading import read_facts, read_stock
-from cloner.crowd.scene import IDLE
+from cloner.crowd.packs.reading import read_facts, read_stock
+from cloner.crowd.staged.footing import BY_FOOTINGS, Acted, rows_at, touches_of
+from cloner.crowd.staged.scene import IDLE
 from kit.feet import Soles
 
 #: Share of the walk's own speed, and radians a second.

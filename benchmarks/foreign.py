@@ -14,8 +14,8 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from cloner.errors import ClonerError
-from cloner.evaluate.surfaces import sample_surface
-from cloner.evaluate.truth import TruthSurface
+from cloner.evaluate.measures.surfaces import sample_surface
+from cloner.evaluate.truths.truth import TruthSurface
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]

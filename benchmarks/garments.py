@@ -15,19 +15,19 @@ from scipy.spatial import cKDTree
 
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
-from cloner.cloth.cut import Cloth
+from cloner.cloth.drafting.cut import Cloth
+from cloner.cloth.drafting.pattern import check_pattern, length_m
 from cloner.cloth.dressing import GARMENTS, Dressed, dressed, pattern_of
-from cloner.cloth.fabrics import FABRICS
-from cloner.cloth.moving import SETTLE, Worn, put_on, simulate
-from cloner.cloth.pattern import check_pattern, length_m
-from cloner.cloth.placing import body_ring
-from cloner.cloth.solver import strains
+from cloner.cloth.simulation.fabrics import FABRICS
+from cloner.cloth.simulation.moving import SETTLE, Worn, put_on, simulate
+from cloner.cloth.simulation.placing import body_ring
+from cloner.cloth.simulation.solver import strains
 from cloner.errors import ClonerError
 from cloner.generic.layers import Layer, clone_layers
-from cloner.geometry.viewpoints import framing_camera
-from cloner.geometry.wedges import vertex_normals
-from cloner.motion.own import own_motions
-from cloner.motion.rig import centred
+from cloner.geometry.cameras.viewpoints import framing_camera
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
 from cloner.render import draw
 

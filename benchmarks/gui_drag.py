@@ -27,16 +27,16 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from cloner import pipeline
-from cloner.booth.kept import WORK
 from cloner.booth.opened import Cloned, read_cloned
-from cloner.booth.photo_files import placed_photos
+from cloner.booth.photos.photo_files import placed_photos
+from cloner.booth.visitors.kept import WORK
 from cloner.frames import ViewId
+from cloner.interactive.relinking import live_outline
 from cloner.project.corrections import no_corrections
 from cloner.project.folder import load_photos, read_person
-from cloner.relinking import live_outline
+from cloner_gui.event.services import Services, nothing, points_by_view
+from cloner_gui.event.session import Session
 from cloner_gui.pages.points import PointsPage
-from cloner_gui.services import Services, nothing, points_by_view
-from cloner_gui.session import Session
 
 SAMPLE = Path(__file__).resolve().parents[1] / "samples" / "anna" / "plain"
 DRAGS = 200

@@ -68,9 +68,9 @@ def cloning(event: Path) -> dict[str, float]:
     from PySide6.QtWidgets import QApplication
 
     from cloner_gui.app import load_the_rest
+    from cloner_gui.event.services import process_services
+    from cloner_gui.event.session import Session
     from cloner_gui.main_window import MainWindow
-    from cloner_gui.services import process_services
-    from cloner_gui.session import Session
 
     app = QApplication.instance() or QApplication([])
     window = MainWindow(Session(process_services()))

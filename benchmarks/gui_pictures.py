@@ -79,9 +79,9 @@ def inside(out: Path, event: Path, tag: str, screen: str, scale: str, looks: str
     from PySide6.QtCore import Qt
     from PySide6.QtWidgets import QApplication
 
+    from cloner_gui.event.services import process_services
+    from cloner_gui.event.session import Session
     from cloner_gui.main_window import MainWindow
-    from cloner_gui.services import process_services
-    from cloner_gui.session import Session
 
     app = QApplication([])
     if tag == "rtl":

@@ -27,7 +27,7 @@ from cloner.errors import ClonerError
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, m_from_mm, mm_from_m
 from cloner.generic.layers import Layer, clone_layers
 from cloner.generic.load import load_generic
-from cloner.paint.tucking import tuck_scalp
+from cloner.paint.details.tucking import tuck_scalp
 from cloner.project.corrections import no_corrections
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.labels import Label

@@ -26,13 +26,13 @@ from hair_people import HairCase
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.evaluate.kit import KitTruth, kit_people, read_kit
-from cloner.evaluate.posing import moved_camera
-from cloner.evaluate.rulers import fit_similarity
+from cloner.evaluate.measures.posing import moved_camera
+from cloner.evaluate.measures.rulers import fit_similarity
+from cloner.evaluate.truths.kit import KitTruth, kit_people, read_kit
 from cloner.generic.layers import Layer, clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
-from cloner.hair.views import headwear
+from cloner.hair.volumes.views import headwear
 from cloner.project.folder import load_photos, read_person
 from cloner.records.clones import Clone
 from cloner.records.labels import FACE, Label, shows

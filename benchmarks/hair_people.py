@@ -17,11 +17,11 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix, vstack
 
 from cloner.errors import ClonerError
-from cloner.evaluate.truth import read_truth
+from cloner.evaluate.truths.truth import read_truth
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId
 from cloner.generic.layers import Layer
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.rims import vertex_normals
+from cloner.geometry.outlines.rims import vertex_normals
 from cloner.project.folder import load_photos
 from cloner.records.bodies import PosedView
 from cloner.records.photos import Person, Photo, PhotoSet

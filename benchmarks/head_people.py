@@ -14,12 +14,12 @@ from numpy.typing import NDArray
 from scipy.spatial.distance import cdist
 
 import cloner_models
-from cloner.detectors.face_net import load_face_net
-from cloner.evaluate.surfaces import sample_surface
-from cloner.evaluate.truth import TruthSurface
+from cloner.detectors.face.face_net import load_face_net
+from cloner.evaluate.measures.surfaces import sample_surface
+from cloner.evaluate.truths.truth import TruthSurface
 from cloner.frames import FILM_LONG_SIDE_MM, ViewId
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
-from cloner.geometry.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.views import Camera
 
@@ -213,7 +213,7 @@ def _painted() -> Any:
 
 def family_truth(generic: GenericHuman, vertices: Array, rng: np.random.Generator) -> TruthSurface:
     """Return the rulers' truth of a head in the generic's own topology."""
-    from cloner.evaluate.skins import skin_triangles
+    from cloner.evaluate.figures.skins import skin_triangles
 
     skin = skin_triangles(generic)
     tip = vertices[generic.feature("nose_tip")]

@@ -13,8 +13,8 @@ from head_people import FILLED, HEIGHT, KnownHead, towards
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.evaluate.surfaces import sample_surface
-from cloner.evaluate.truth import TruthSurface
+from cloner.evaluate.measures.surfaces import sample_surface
+from cloner.evaluate.truths.truth import TruthSurface
 from cloner.frames import FILM_LONG_SIDE_MM, ViewId
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.records.photos import Person, Photo, PhotoSet

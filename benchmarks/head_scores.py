@@ -11,11 +11,11 @@ import numpy as np
 from head_people import WITHIN_M
 from numpy.typing import NDArray
 
-from cloner.evaluate.posing import LANDMARKS
-from cloner.evaluate.rulers import Surface, align_by_nearest, apply, fit_similarity, inverse
-from cloner.evaluate.skins import EARS, in_face, skin_triangles
-from cloner.evaluate.surfaces import PointSurface, TriangleSurface, sample_surface, seen_from_outside
-from cloner.evaluate.truth import TruthSurface
+from cloner.evaluate.figures.skins import EARS, in_face, skin_triangles
+from cloner.evaluate.measures.posing import LANDMARKS
+from cloner.evaluate.measures.rulers import Surface, align_by_nearest, apply, fit_similarity, inverse
+from cloner.evaluate.measures.surfaces import PointSurface, TriangleSurface, sample_surface, seen_from_outside
+from cloner.evaluate.truths.truth import TruthSurface
 from cloner.generic.load import GenericHuman, load_generic
 
 Array = NDArray[np.float64]

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
-from cloner.geometry.viewpoints import FOCAL_PER_LONG_SIDE, look_at
+from cloner.geometry.cameras.viewpoints import FOCAL_PER_LONG_SIDE, look_at
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner.records.views import Camera

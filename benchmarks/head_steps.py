@@ -16,12 +16,12 @@ from scipy.interpolate import RBFInterpolator
 
 from cloner import pipeline
 from cloner.errors import ClonerError
-from cloner.evaluate.posing import LANDMARKS
-from cloner.evaluate.rulers import fit_similarity
+from cloner.evaluate.measures.posing import LANDMARKS
+from cloner.evaluate.measures.rulers import fit_similarity
 from cloner.frames import ViewId
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.dffd import deform
+from cloner.geometry.deformation.dffd import deform
 from cloner.head.evidence import Log, Params, read_front, read_side
 from cloner.head.model import make_model
 from cloner.head.modes import load_head_modes
@@ -88,7 +88,7 @@ def true_net_px(vertices: Array, camera: Camera) -> Array:
     """Return where the net draws a face (V, 3) of the generic's topology on the average, (468, 2) px."""
     from calibrate_head_net import coefficients_of, fitted_shapes, rest_camera
 
-    from cloner.detectors.face_net import load_face_net
+    from cloner.detectors.face.face_net import load_face_net
 
     net, generic = load_face_net(), load_generic()
     metres = camera.metres_per_pixel(vertices[generic.feature("nasion")])

@@ -23,16 +23,16 @@ from numpy.typing import NDArray
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.geometry.viewpoints import framing_cameras
-from cloner.motion.bending import BENDS, FLESHED, Bend, bent, flesh
-from cloner.motion.body import SIDES, body_of
-from cloner.motion.bvh import read_bvh
-from cloner.motion.correctives import corrected, driven
-from cloner.motion.own import own_motions
-from cloner.motion.rest import in_t_pose
-from cloner.motion.retarget import retarget
-from cloner.motion.rig import centred
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.cameras.viewpoints import framing_cameras
+from cloner.motion.captures.bvh import read_bvh
+from cloner.motion.captures.retarget import retarget
+from cloner.motion.flesh.bending import BENDS, FLESHED, Bend, bent, flesh
+from cloner.motion.flesh.correctives import corrected, driven
+from cloner.motion.flesh.rest import in_t_pose
+from cloner.motion.limbs.body import SIDES, body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
@@ -162,9 +162,10 @@ def main() -> None:
 HEAD: Final = """# What joints keep when they bend
 
 `python benchmarks/joint_volume.py RESULT...` prints this page. What the skin around a joint holds, per cent of what it
-holds at rest: linear skinning alone, and with the corrective targets of `clone.glb` (`cloner/motion/correctives.py`) as
-their drivers weigh them, both sides, the worse one told. Bar: within 3 %. Motions: least and most over all frames, both
-sides, before → after. Pictures: above linear skinning alone, below with targets.
+holds at rest: linear skinning alone, and with the corrective targets of `clone.glb`
+(`cloner/motion/flesh/correctives.py`) as their drivers weigh them, both sides, the worse one told. Bar: within 3 %.
+Motions: least and most over all frames, both sides, before → after. Pictures: above linear skinning alone, below with
+targets.
 """
 
 

@@ -21,9 +21,9 @@ from head_steps import Values, before_head, finished, true_net_px, true_points
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.evaluate.kit import KitTruth, kit_people, read_kit
-from cloner.evaluate.posing import LANDMARKS
-from cloner.evaluate.rulers import fit_similarity
+from cloner.evaluate.measures.posing import LANDMARKS
+from cloner.evaluate.measures.rulers import fit_similarity
+from cloner.evaluate.truths.kit import KitTruth, kit_people, read_kit
 from cloner.frames import FACE_VIEWS, ViewId
 from cloner.generic.load import load_generic
 from cloner.project.folder import load_photos, read_person

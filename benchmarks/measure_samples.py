@@ -26,11 +26,11 @@ from painted_people_bodies import random_body
 from cloner import pipeline
 from cloner.body.outlined import gaps_mm, outlined_photos, see
 from cloner.errors import ClonerError
-from cloner.evaluate.kit import kit_people
-from cloner.evaluate.rulers import apply, fit_similarity
+from cloner.evaluate.measures.rulers import apply, fit_similarity
+from cloner.evaluate.truths.kit import kit_people
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measuring import measures_mm
+from cloner.geometry.measurement.measuring import measures_mm
 from cloner.measure.covering import covers
 from cloner.measure.rumpled import garments_rumples_mm
 from cloner.measure.side_arms import hidden_rows

@@ -19,8 +19,8 @@ import numpy as np
 
 from cloner.generic.load import load_generic
 from cloner.generic.measure_prior import FILE, load_measure_prior
-from cloner.geometry.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows
-from cloner.geometry.under_clothes import (
+from cloner.geometry.measurement.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows
+from cloner.geometry.measurement.under_clothes import (
     LOWER,
     NINE_IN_TEN,
     UPPER,

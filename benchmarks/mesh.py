@@ -23,20 +23,26 @@ from numpy.typing import NDArray
 from rig import arms_up, sitting
 
 from cloner.errors import ClonerError
-from cloner.evaluate.crossings import Crossings, buried_depths, crossings_between, seen_triangles, self_crossings
+from cloner.evaluate.measures.crossings import (
+    Crossings,
+    buried_depths,
+    crossings_between,
+    seen_triangles,
+    self_crossings,
+)
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, load_triangles
-from cloner.geometry.rasters import fragments
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.geometry.triangles import areas, edges_of
-from cloner.geometry.viewpoints import framing_cameras, look_at
-from cloner.geometry.wedges import triangulate
-from cloner.motion.body import body_of
-from cloner.motion.gait import walk
-from cloner.motion.rest import t_pose
-from cloner.motion.rig import centred
-from cloner.motion.twist import shared_twist
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.cameras.viewpoints import framing_cameras, look_at
+from cloner.geometry.meshes.rasters import fragments
+from cloner.geometry.meshes.triangles import areas, edges_of
+from cloner.geometry.meshes.wedges import triangulate
+from cloner.motion.flesh.rest import t_pose
+from cloner.motion.limbs.body import body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.twist import shared_twist
+from cloner.motion.moves.gait import walk
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner.records.views import Camera

@@ -6,7 +6,7 @@ RESULT is a result's folder or its clone.npz; besides them random bodies of the 
 a child of 1.10 m. Captures are .bvh or .amc files (their .asf beside them); without any, those of ../shared/mocap.
 
 Walk: how far the first frame lies from the last one (joints, mm), how far soles slide a step by the strict ruler
-(`cloner.motion.slide`: whatever is below 4 mm, however fast, at 60 Hz; mm, mean and worst), the
+(`cloner.motion.moves.slide`: whatever is below 4 mm, however fast, at 60 Hz; mm, mean and worst), the
 least bend of a knee (degrees; below zero it would bend forwards), speed. Captures: the same slides, and the
 angle between the captured bone and ours (upper arm, forearm, thigh, shin, all frames).
 """
@@ -23,14 +23,14 @@ from numpy.typing import NDArray
 
 from cloner.animating import CAPTURES
 from cloner.generic.load import load_generic
-from cloner.motion.anatomy import find_anatomy
-from cloner.motion.body import SIDES, Body, body_of
-from cloner.motion.bvh import Capture
-from cloner.motion.gait import walk
-from cloner.motion.retarget import captured_directions, retarget
-from cloner.motion.rig import centred
-from cloner.motion.slide import step_slides_m
-from cloner.motion.styles import REGULAR, STYLES, Style
+from cloner.motion.captures.anatomy import find_anatomy
+from cloner.motion.captures.bvh import Capture
+from cloner.motion.captures.retarget import captured_directions, retarget
+from cloner.motion.limbs.body import SIDES, Body, body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.gait import walk
+from cloner.motion.moves.slide import step_slides_m
+from cloner.motion.moves.styles import REGULAR, STYLES, Style
 from cloner.picture import clone_of
 from cloner.records.motions import Motion
 

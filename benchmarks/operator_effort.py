@@ -32,19 +32,19 @@ from numpy.typing import NDArray
 from operator_page import write_page
 
 from cloner import pipeline
-from cloner.detectors.body_points import ENDS
+from cloner.detectors.body.body_points import ENDS
 from cloner.errors import ClonerError
-from cloner.evaluate import rulers
-from cloner.evaluate.truth import SETS, TruthView, read_truth
+from cloner.evaluate.measures import rulers
+from cloner.evaluate.truths.truth import SETS, TruthView, read_truth
 from cloner.frames import FACE_VIEWS, ViewId
 from cloner.generic.load import load_generic
+from cloner.interactive.refitting import moved_points
 from cloner.project.corrections import move_point, no_corrections
 from cloner.project.folder import load_photos, read_person
 from cloner.records.points import Corrections, ViewPoints
-from cloner.refitting import moved_points
 from cloner.stages.points import corrected, figure_height_px
-from cloner_gui.canvas.picking import worst_first
-from cloner_gui.services import points_by_view
+from cloner_gui.canvas.photos.picking import worst_first
+from cloner_gui.event.services import points_by_view
 
 SAMPLES = Path(__file__).resolve().parents[1] / "samples"
 DEFAULT_FOLDER = Path("/tmp/cloner_operator_effort")

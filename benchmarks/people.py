@@ -21,10 +21,10 @@ from typing import Any, Final
 import numpy as np
 from PIL import Image, ImageDraw
 
-from cloner.evaluate.kit import kit_people
 from cloner.evaluate.kit_scores import clone_person, score_person
 from cloner.evaluate.measuring import CloneRun
 from cloner.evaluate.rows import Row
+from cloner.evaluate.truths.kit import kit_people
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.records.labels import LABELS
 

@@ -25,8 +25,8 @@ import pygltflib
 
 from cloner.exporters.table import EXPORTERS
 from cloner.generic.load import load_generic
-from cloner.motion.own import own_motions
-from cloner.motion.rig import centred
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from kit import readers

@@ -19,14 +19,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.layers import clone_layers
-from cloner.geometry.skinning import joint_transforms
-from cloner.geometry.viewpoints import framing_cameras
-from cloner.motion import turns
-from cloner.motion.body import SIDES, Body, below, body_of
-from cloner.motion.gait import FINGERS, aim_limb, palm_normal
-from cloner.motion.rest import t_pose
-from cloner.motion.rig import centred
-from cloner.motion.twist import shared_twist
+from cloner.geometry.articulation.skinning import joint_transforms
+from cloner.geometry.cameras.viewpoints import framing_cameras
+from cloner.motion.flesh.rest import t_pose
+from cloner.motion.limbs import turns
+from cloner.motion.limbs.body import SIDES, Body, below, body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.twist import shared_twist
+from cloner.motion.moves.gait import FINGERS, aim_limb, palm_normal
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner.render import draw

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, skin
 
 Array = NDArray[np.float64]
 

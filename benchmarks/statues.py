@@ -18,10 +18,10 @@ import numpy as np
 
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
-from cloner.exporters.gltf import export
+from cloner.exporters.gltf.gltf import export
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
-from cloner.geometry.viewpoints import framing_camera
+from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner.render import draw

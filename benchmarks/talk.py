@@ -20,10 +20,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.framing import standard_camera
-from cloner.motion.body import body_of
-from cloner.motion.rig import centred
-from cloner.motion.speech import VISEMES, mouth_weights, read_phonemes, viseme_of
-from cloner.motion.talk import FRAMES_PER_S, spoken_visemes, talk
+from cloner.motion.face.speech import VISEMES, mouth_weights, read_phonemes, viseme_of
+from cloner.motion.face.talk import FRAMES_PER_S, spoken_visemes, talk
+from cloner.motion.limbs.body import body_of
+from cloner.motion.limbs.rig import centred
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner.render import render

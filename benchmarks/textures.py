@@ -18,9 +18,9 @@ from numpy.typing import NDArray
 from skimage.color import deltaE_ciede2000, rgb2lab
 
 from cloner.cloning import clone_photos
-from cloner.evaluate.likeness import held_out_likeness
-from cloner.evaluate.seams import seam_ratios
-from cloner.evaluate.truth import THREE_QUARTER, Truth, read_truth
+from cloner.evaluate.figures.likeness import held_out_likeness
+from cloner.evaluate.figures.seams import seam_ratios
+from cloner.evaluate.truths.truth import THREE_QUARTER, Truth, read_truth
 from cloner.frames import BODY_VIEWS
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic

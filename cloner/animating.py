@@ -10,20 +10,20 @@ from typing import Final
 import numpy as np
 
 from cloner.errors import ClonerError
-from cloner.exporters.files import write_bytes
+from cloner.exporters.shared.files import write_bytes
 from cloner.exporters.table import EXPORTERS
-from cloner.motion.acclaim import read_acclaim
-from cloner.motion.body import Body, body_of
-from cloner.motion.bvh import read_bvh
-from cloner.motion.cycle import walk_cycle
-from cloner.motion.faps import fap_text, read_fap, rotations_of, stream_of, weights_of
-from cloner.motion.limits import limited
-from cloner.motion.own import own_motions
-from cloner.motion.retarget import retarget
-from cloner.motion.rig import centred
-from cloner.motion.score import SILENT, Score, emotion_score, read_score
-from cloner.motion.speech import STEP_S
-from cloner.motion.talk import FRAMES_PER_S, scored, spoken_visemes, talk
+from cloner.motion.captures.acclaim import read_acclaim
+from cloner.motion.captures.bvh import read_bvh
+from cloner.motion.captures.retarget import retarget
+from cloner.motion.face.faps import fap_text, read_fap, rotations_of, stream_of, weights_of
+from cloner.motion.face.limits import limited
+from cloner.motion.face.score import SILENT, Score, emotion_score, read_score
+from cloner.motion.face.speech import STEP_S
+from cloner.motion.face.talk import FRAMES_PER_S, scored, spoken_visemes, talk
+from cloner.motion.limbs.body import Body, body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.cycle import walk_cycle
+from cloner.motion.moves.own import own_motions
 from cloner.picture import clone_of
 from cloner.project.atomic import safe_output
 from cloner.records.clones import Clone

@@ -13,7 +13,7 @@ from cloner.project.corrections import no_corrections
 from cloner.project.folder import checked_height_m, load_photos, read_corrections, read_person
 from cloner.records.clones import Clone
 from cloner.records.photos import Person, Photo, PhotoSet
-from cloner.vision.pictures import read_picture
+from cloner.vision.photographs.pictures import read_picture
 
 
 def clone(

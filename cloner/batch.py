@@ -20,7 +20,7 @@ from cloner.cloning import (
     stamp_options,
 )
 from cloner.errors import Cancelled, ClonerError
-from cloner.farm import Task, run_tasks, watchdog
+from cloner.machines.farm import Task, run_tasks, watchdog
 from cloner.project.atomic import check_writable, sweep
 from cloner.project.claims import claimed
 from cloner.project.manifest import Visitor, find_visitors, shard
@@ -51,7 +51,7 @@ class BatchOptions:
     scheduler : str
         Address of a Dask cluster that clones instead; its workers must see photos and results under the same paths.
     cluster_keys : Path or None
-        Folder of the cluster's certificates; see `cloner.cluster_keys`.
+        Folder of the cluster's certificates; see `cloner.machines.cluster_keys`.
     unprotected : bool
         Whether the cluster may be one to which anybody on its network can speak.
     shard : str
@@ -129,7 +129,7 @@ def _results(tasks: Sequence[Task], options: BatchOptions) -> Iterator[tuple[str
     if not options.scheduler:
         yield from run_tasks(tasks, options.workers, options.retries)
         return
-    from cloner.cluster import cluster, run_on
+    from cloner.machines.cluster import cluster, run_on
 
     with cluster(
         options.scheduler, options.retries, keys=options.cluster_keys, unprotected=options.unprotected

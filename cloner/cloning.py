@@ -16,6 +16,7 @@ from cloner.errors import ClonerError
 from cloner.exporters.table import EXPORTERS
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
+from cloner.interactive.refitting import still_true
 from cloner.memory import check_room, peak_mib
 from cloner.pipeline import Progress, Stage, StageReport, quiet
 from cloner.previews import write_previews
@@ -38,7 +39,6 @@ from cloner.records.measures import MeasureSet
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections, Proposals
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.refitting import still_true
 from cloner.report.agreement import Agreement, agreements
 from cloner.report.build import Run, build_report, warnings_of
 from cloner.report.evidence import contradicted, is_better

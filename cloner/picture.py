@@ -13,12 +13,12 @@ from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
 from cloner.errors import ClonerError
-from cloner.geometry.viewpoints import framing_cameras
+from cloner.geometry.cameras.viewpoints import framing_cameras
 from cloner.project.atomic import appears, safe_output
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.records.clones import Clone
 from cloner.render import clone_layers, draw, render, standard_camera
-from cloner.vision.films import FORMATS, write_film
+from cloner.vision.photographs.films import FORMATS, write_film
 
 LARGEST_PX: Final = 4096  # the renderer draws at twice this size
 TURNTABLE: Final = "turntable"

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image, ImageDraw
 
-from cloner.exporters.files import jpeg_bytes, write_bytes
+from cloner.exporters.shared.files import jpeg_bytes, write_bytes
 from cloner.frames import ViewId
 from cloner.generic.layers import clone_layers
 from cloner.records.bodies import PosedView

@@ -16,7 +16,7 @@ from cloner.generic.framing import standard_camera
 from cloner.generic.gl_painter import Frame, Stage, new_context
 from cloner.generic.layers import Layer, clone_layers, whitened
 from cloner.generic.painter import mean_of_samples, paint
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
 

@@ -1,7 +1,8 @@
 """Draw the sample people's clones for the visitors' screen: python gui/build_attract.py anna=RESULT boris=RESULT.
 
 Each RESULT is the folder of a clone that `cloner clone samples/NAME/plain` made. Writes one sheet a person, the sides
-of a whole turn beside and below each other, into ``cloner_gui/pictures``; `cloner_gui.canvas.attract` shows them.
+of a whole turn beside and below each other, into ``cloner_gui/pictures``; `cloner_gui.canvas.clones.attract` shows
+them.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from cloner.generic.framing import standard_camera
 from cloner.generic.layers import clone_layers
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from cloner.render import draw
-from cloner_gui.canvas.attract import ACROSS, DOWN, PICTURES, SIDE_PX
+from cloner_gui.canvas.clones.attract import ACROSS, DOWN, PICTURES, SIDE_PX
 
 _BACKGROUND = (226, 228, 232)  # as the preview's
 _QUALITY = 80

@@ -12,9 +12,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.crowd.clips import WALK_FRAMES
-from cloner.crowd.footing import BLEND_S, COLUMNS, LEFT, LIFT_PARTS, MIDDLE, RIGHT, parts_of, turned_by
-from cloner.crowd.scene import IDLE
+from cloner.crowd.clones.clips import WALK_FRAMES
+from cloner.crowd.staged.footing import BLEND_S, COLUMNS, LEFT, LIFT_PARTS, MIDDLE, RIGHT, parts_of, turned_by
+from cloner.crowd.staged.scene import IDLE
 
 Array = NDArray[np.float64]
 
@@ -72,7 +72,7 @@ class Track:
 class Walker:
     """One clone on the way.
 
-    ``touches`` (K, WALK_FRAMES, 6) and ``clips`` (K, 2) are the clone's (`crowd.footing.Acted`), ``scale`` the
+    ``touches`` (K, WALK_FRAMES, 6) and ``clips`` (K, 2) are the clone's (`crowd.staged.footing.Acted`), ``scale`` the
     person's, ``phase`` that of the idle at first, 0..1, ``run`` the clip of running (-1: none).
     """
 

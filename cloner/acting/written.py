@@ -17,12 +17,12 @@ from cloner.behaviour.language import read_scenario
 from cloner.behaviour.trajectories import MAGIC, RATE_HZ, Trajectories, read_trajectories
 from cloner.behaviour.world import world_of
 from cloner.behaviour.written import recorded
-from cloner.crowd.files import MARK, digest, pack_folder, packed
-from cloner.crowd.footing import COLUMNS, Acted, touches_of
-from cloner.crowd.player import ACTED_FILE, player_page
-from cloner.crowd.reading import casting_from, checked, read_facts, read_stock
-from cloner.crowd.rooms import ECHO_FILE, ROOM_FILES
-from cloner.crowd.scene import ACTED, IDLE, WALK, Casting, Dice, look_of, scale_of
+from cloner.crowd.drawing.player import ACTED_FILE, player_page
+from cloner.crowd.packs.files import MARK, digest, pack_folder, packed
+from cloner.crowd.packs.reading import casting_from, checked, read_facts, read_stock
+from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
+from cloner.crowd.staged.rooms import ECHO_FILE, ROOM_FILES
+from cloner.crowd.staged.scene import ACTED, IDLE, WALK, Casting, Dice, look_of, scale_of
 from cloner.errors import ClonerError
 from cloner.outside import UnfitFile, read_outside
 from cloner.pipeline import Progress, quiet
@@ -107,9 +107,9 @@ def write_acted(
     seconds : how long
     views : eye and target of the page's views
     room, staging
-        What stands around them, and how it is staged; see :mod:`cloner.crowd.staging`.
+        What stands around them, and how it is staged; see :mod:`cloner.crowd.staged.staging`.
     scenario : mapping, optional
-        The text and seed by which it can go on for ever (`cloner.scenes.minds`).
+        The text and seed by which it can go on for ever (`cloner.scenes.served.minds`).
     """
     arrays: dict[str, NDArray[Any]] = {
         "footings": acted.footings, "starts": acted.starts, "people": acted.people, "touches": acted.touches,

@@ -18,10 +18,10 @@ from cloner.behaviour.plan import Plan
 from cloner.behaviour.trajectories import RATE_HZ, Recorder, Trajectories, pack
 from cloner.behaviour.world import World, world_of
 from cloner.errors import ClonerError
-from cloner.exporters.files import png_bytes, write_bytes
+from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import safe_output
-from cloner.vision.films import FORMATS, write_film
+from cloner.vision.photographs.films import FORMATS, write_film
 
 #: Longer than an opening day.
 LONGEST_S: Final = 86_400.0

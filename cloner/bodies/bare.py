@@ -12,9 +12,9 @@ from scipy.sparse.csgraph import connected_components
 from cloner.errors import ClonerError
 from cloner.generic.charts import person_graph
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.graphs import SurfaceGraph
-from cloner.geometry.triangles import areas
-from cloner.paint.materials import always_bare
+from cloner.geometry.meshes.graphs import SurfaceGraph
+from cloner.geometry.meshes.triangles import areas
+from cloner.paint.lookups.materials import always_bare
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
 

@@ -12,8 +12,8 @@ from cloner.bodies.bare import HEAD, NAPE, usual_skin, vertex_rgb
 from cloner.bodies.skin import draw_underwear, grain
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.atlas import AtlasMap
-from cloner.geometry.graphs import SurfaceGraph
+from cloner.geometry.charts.atlas import AtlasMap
+from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.stages.textures import pad_charts
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
-from cloner.geometry.triangles import edges_of
+from cloner.geometry.meshes.triangles import edges_of
 from cloner.records.bodies import BodyMesh
 
 Array = NDArray[np.float64]

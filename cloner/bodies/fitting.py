@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.bodies.family import Family
 from cloner.bodies.ruler import Reading, girth_slopes, length_slopes, level_slopes, read
-from cloner.geometry.measures import TapeRules
+from cloner.geometry.measurement.measures import TapeRules
 from cloner.records.bodies import BodyMesh
 
 Array = NDArray[np.float64]

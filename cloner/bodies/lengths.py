@@ -13,7 +13,7 @@ from cloner.bodies.carried import joints_follow
 from cloner.bodies.ruler import read
 from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.measures import TapeRules
+from cloner.geometry.measurement.measures import TapeRules
 from cloner.records.bodies import BodyMesh
 
 Array = NDArray[np.float64]

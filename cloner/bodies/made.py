@@ -14,7 +14,7 @@ from cloner.bodies.telling import Told, check_told
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measuring import measures_mm
+from cloner.geometry.measurement.measuring import measures_mm
 from cloner.head.targets import face_targets
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import Clone

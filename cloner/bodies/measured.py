@@ -11,7 +11,7 @@ from cloner.bodies.regions import met
 from cloner.bodies.ruler import read
 from cloner.bodies.telling import GIRTHS, LENGTHS, Told, refused, untold_mm
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import TapeRules
+from cloner.geometry.measurement.measures import TapeRules
 from cloner.records.bodies import BodyMesh
 
 #: What is given to nobody: farther than this from what was told, mm.

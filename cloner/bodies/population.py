@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.measure_prior import load_measure_prior
-from cloner.geometry.measuring import ALL_KEYS
+from cloner.geometry.measurement.measuring import ALL_KEYS
 
 Array = NDArray[np.float64]
 

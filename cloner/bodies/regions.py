@@ -12,7 +12,7 @@ from cloner.bodies import sections
 from cloner.bodies.carried import joints_follow
 from cloner.bodies.ruler import girth_slopes, level_slopes, tapes
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.measures import Plane, TapeRules, read_mm, slice_points
+from cloner.geometry.measurement.measures import Plane, TapeRules, read_mm, slice_points
 from cloner.records.bodies import BodyMesh
 
 Array = NDArray[np.float64]

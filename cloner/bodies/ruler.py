@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
 from cloner.generic.load import load_generic
-from cloner.geometry.lengths import lengths_mm
-from cloner.geometry.measures import UP, Plane, TapeRules, girth_planes, read_mm
-from cloner.geometry.triangles import sides
+from cloner.geometry.measurement.lengths import lengths_mm
+from cloner.geometry.measurement.measures import UP, Plane, TapeRules, girth_planes, read_mm
+from cloner.geometry.meshes.triangles import sides
 
 Array = NDArray[np.float64]
 Modes = NDArray[np.floating]
@@ -60,7 +60,7 @@ def read(
     *,
     seat: bool = False,
 ) -> Reading:
-    """Return girths and lengths of a body, as :func:`cloner.geometry.measuring.measures_mm` gives them.
+    """Return girths and lengths of a body, as :func:`cloner.geometry.measurement.measuring.measures_mm` gives them.
 
     Parameters
     ----------

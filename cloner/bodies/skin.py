@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.atlas import AtlasMap
-from cloner.paint.parts import paint_parts
+from cloner.geometry.charts.atlas import AtlasMap
+from cloner.paint.details.parts import paint_parts
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import TextureAtlas
 from cloner.records.regions import REGIONS

@@ -10,7 +10,7 @@ import numpy as np
 
 from cloner.bodies.population import SEXES, STATURE_MM, people
 from cloner.errors import ClonerError
-from cloner.geometry.measuring import ALL_KEYS
+from cloner.geometry.measurement.measuring import ALL_KEYS
 from cloner.records.measures import BY_KEY
 
 #: Girths and lengths that can be told; the head is kept, and the others follow.

@@ -16,8 +16,8 @@ from cloner.bodies.telling import GIRTHS
 from cloner.generic.charts import person_graph
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.graphs import SurfaceGraph
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.graphs import SurfaceGraph
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.bodies import BodyMesh
 
 Array = NDArray[np.float64]

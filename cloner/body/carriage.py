@@ -22,7 +22,7 @@ from cloner.body.carriage_sight import HAIR, Head, Params, Sight, angles_of, sig
 from cloner.body.outlined import Outlined
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
-from cloner.hair.agreement import HairField, agreement
+from cloner.hair.volumes.agreement import HairField, agreement
 from cloner.head.flank import Flank
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from cloner.body.outlined import Outlined, see
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.rims import vertex_normals
-from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.outlines.rims import vertex_normals
 from cloner.head.flank import Flank
 from cloner.head.modes import load_head_modes
 from cloner.head.rim import HAIR_M, thickening

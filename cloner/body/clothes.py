@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.rims import vertex_normals
-from cloner.geometry.settling import smoothed_directions
+from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.settling import smoothed_directions
 from cloner.records.bodies import Phenotype
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.

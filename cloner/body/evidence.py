@@ -9,10 +9,10 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body_points import ENDS
+from cloner.detectors.body.body_points import ENDS
 from cloner.frames import mm_from_m
 from cloner.generic.body_net import NetPoints, net_points
-from cloner.geometry.contours import OutlineField, outline_field
+from cloner.geometry.outlines.contours import OutlineField, outline_field
 from cloner.records.labels import Label
 from cloner.records.points import Proposal, ViewPoints
 from cloner.records.silhouettes import Silhouette

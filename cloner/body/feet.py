@@ -14,8 +14,8 @@ from scipy.spatial import ConvexHull
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
-from cloner.geometry.discs import even_disc
-from cloner.geometry.triangles import areas, edges_of
+from cloner.geometry.charts.discs import even_disc
+from cloner.geometry.meshes.triangles import areas, edges_of
 from cloner.records.bodies import BodyMesh
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.

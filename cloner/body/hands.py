@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
-from cloner.geometry.turning import below
+from cloner.geometry.articulation.turning import below
 from cloner.records.bodies import BodyMesh
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 from cloner.body.clothes import EASES, eased
 from cloner.body.footwear import BAREFOOT, FOOTWEAR, SHOES, Footwear, shod
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
-from cloner.geometry.poses import FREEDOMS, pose_matrix
-from cloner.geometry.posing import Chosen
-from cloner.geometry.tripods import STAND_NAMES, projected
+from cloner.geometry.articulation.poses import FREEDOMS, pose_matrix
+from cloner.geometry.articulation.posing import Chosen
+from cloner.geometry.cameras.tripods import STAND_NAMES, projected
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.contours import OutlineField, outline_field
-from cloner.geometry.rims import borders_px, rim_vertices
-from cloner.geometry.skinning import blend_transforms, joint_transforms, posed_joints
-from cloner.geometry.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
+from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms, posed_joints
+from cloner.geometry.outlines.contours import OutlineField, outline_field
+from cloner.geometry.outlines.rims import borders_px, rim_vertices
+from cloner.geometry.outlines.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.labels import Label, shows
 from cloner.records.points import Proposal, Proposals

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.generic.load import GenericHuman
 from cloner.records.points import Proposal, Proposals

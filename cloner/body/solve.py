@@ -19,8 +19,8 @@ from cloner.body.evidence import Evidence, Params
 from cloner.body.model import OWN, WORN, Family, draw
 from cloner.body.terms import GroundTerm, OutlineTerm, PointTerm, Term
 from cloner.frames import ViewId
-from cloner.geometry.poses import FREEDOMS, SIGMAS, mirrored_freedoms, standing_pose
-from cloner.geometry.tripods import AZIMUTH, FACING, HEIGHT, PITCH, ROLL, STAND_NAMES, placed_camera, stand_of
+from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, mirrored_freedoms, standing_pose
+from cloner.geometry.cameras.tripods import AZIMUTH, FACING, HEIGHT, PITCH, ROLL, STAND_NAMES, placed_camera, stand_of
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]

@@ -22,11 +22,11 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.posing import moved_camera
-from cloner.geometry.rims import vertex_normals
-from cloner.geometry.skinning import joint_transforms
-from cloner.geometry.turning import carried_share, pixel_slope, turned_motion, turned_rotation
-from cloner.geometry.vectors import unit
+from cloner.geometry.articulation.posing import moved_camera
+from cloner.geometry.articulation.skinning import joint_transforms
+from cloner.geometry.articulation.turning import carried_share, pixel_slope, turned_motion, turned_rotation
+from cloner.geometry.meshes.vectors import unit
+from cloner.geometry.outlines.rims import vertex_normals
 from cloner.records.bodies import BodyMesh, PosedView
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.

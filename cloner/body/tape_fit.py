@@ -15,8 +15,8 @@ import numpy as np
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import TapeRules, girth_planes
-from cloner.geometry.stretching import CLOSE_MM, Loop, fields, grown, zone_m
+from cloner.geometry.measurement.measures import TapeRules, girth_planes
+from cloner.geometry.measurement.stretching import CLOSE_MM, Loop, fields, grown, zone_m
 from cloner.records.bodies import BodyMesh
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.

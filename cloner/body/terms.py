@@ -15,14 +15,14 @@ from numpy.typing import NDArray
 
 from cloner.body.evidence import Evidence, Params
 from cloner.body.model import Drawn, Family
-from cloner.detectors.body_points import ENDS
+from cloner.detectors.body.body_points import ENDS
 from cloner.frames import mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.posing import Chosen
-from cloner.geometry.rims import rim_vertices, vertex_normals
-from cloner.geometry.tripods import placed_camera
-from cloner.geometry.vectors import unit
+from cloner.geometry.articulation.posing import Chosen
+from cloner.geometry.cameras.tripods import placed_camera
+from cloner.geometry.meshes.vectors import unit
+from cloner.geometry.outlines.rims import rim_vertices, vertex_normals
 
 Array = NDArray[np.float64]
 Rows = tuple[Array, Array]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
-from cloner.booth.event import EVENT_FILE, read_event, visits
-from cloner.booth.pin import Door
+from cloner.booth.events.event import EVENT_FILE, read_event, visits
+from cloner.booth.events.pin import Door
 from cloner.booth.stage import inhabiting_clones, result_of
 
 

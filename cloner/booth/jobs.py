@@ -10,12 +10,12 @@ from typing import Final, cast
 
 from cloner import pipeline
 from cloner.booth.growing import shape_after
-from cloner.booth.handing import hand_over
-from cloner.booth.kept import PROPOSED_FILE, RESULTS, VALUES_FILE, WORK, digests, known_values
-from cloner.booth.looking import look
-from cloner.booth.looking_table import Look
+from cloner.booth.handover.handing import hand_over
 from cloner.booth.phone.parcel import pack
-from cloner.booth.photo_files import placed_photos
+from cloner.booth.photos.looking import look
+from cloner.booth.photos.looking_table import Look
+from cloner.booth.photos.photo_files import placed_photos
+from cloner.booth.visitors.kept import PROPOSED_FILE, RESULTS, VALUES_FILE, WORK, digests, known_values
 from cloner.booth.worker import not_shown
 from cloner.cloning import clone_folder
 from cloner.errors import ClonerError
@@ -113,7 +113,7 @@ class Jobs:
         return time.monotonic() - start
 
     def hand_over(self, result: Path, target: Path, formats: Sequence[str], progress: Progress) -> Path:
-        """Write what a visitor takes home into a folder or a zip file; see `cloner.booth.handing.hand_over`."""
+        """Write what a visitor takes home into a folder or a zip file: `cloner.booth.handover.handing.hand_over`."""
         return hand_over(result, target, formats, progress)
 
     def pack(self, folder: Path, result: Path, progress: Progress) -> Path:

@@ -14,13 +14,13 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.booth.kept import CLONE_FILE, RESULTS, digests, known_values, proposed_points
-from cloner.booth.looking_table import Look
-from cloner.booth.looks import read_looks
-from cloner.booth.mending import mend_visitor
-from cloner.booth.person_file import person_facts
-from cloner.booth.photo_files import placed_photos, tray_photos
-from cloner.booth.takeaway import has_result
+from cloner.booth.handover.takeaway import has_result
+from cloner.booth.photos.looking_table import Look
+from cloner.booth.photos.looks import read_looks
+from cloner.booth.photos.photo_files import placed_photos, tray_photos
+from cloner.booth.visitors.kept import CLONE_FILE, RESULTS, digests, known_values, proposed_points
+from cloner.booth.visitors.mending import mend_visitor
+from cloner.booth.visitors.person_file import person_facts
 from cloner.errors import ClonerError
 from cloner.frames import ViewId, cm_from_m
 from cloner.project.clone_file import load_clone
@@ -31,7 +31,7 @@ from cloner.project.results import RESULT_MARK, file_digest
 from cloner.project.texts import read_text
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import Corrections
-from cloner.vision.pictures import read_picture
+from cloner.vision.photographs.pictures import read_picture
 
 log = logging.getLogger(__name__)
 

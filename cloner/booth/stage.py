@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from pathlib import Path
 
-from cloner.booth import line
-from cloner.booth.kept import RESULTS
-from cloner.booth.names import first_name, number_of
-from cloner.booth.takeaway import has_result
-from cloner.booth.visits import State, Visit
+from cloner.booth.handover.takeaway import has_result
+from cloner.booth.visitors import line
+from cloner.booth.visitors.kept import RESULTS
+from cloner.booth.visitors.names import first_name, number_of
+from cloner.booth.visitors.visits import State, Visit
 from cloner.project.folder import safe_identifier
 
 

@@ -17,7 +17,7 @@ from multiprocessing.connection import Connection
 from typing import Any, Final
 
 from cloner.errors import ClonerError
-from cloner.farm import end_with_parent
+from cloner.machines.farm import end_with_parent
 
 log = logging.getLogger(__name__)
 

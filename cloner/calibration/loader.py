@@ -149,7 +149,7 @@ class Calibrated:
 
 
 def calibrated(module: str) -> Calibrated:
-    """Return the numbers of a module, "room.module": table ``[module]`` of ``room.toml``.
+    """Return the numbers of a module, "room.module" whatever its sub-room: table ``[module]`` of ``room.toml``.
 
     Raises
     ------

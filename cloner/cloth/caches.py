@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.cloth.dressing import Dressed
-from cloner.cloth.wearer import FRAMES_PER_S
+from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.exporters.usd import usd_library
 
 

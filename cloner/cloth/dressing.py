@@ -10,25 +10,25 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.cloth.blocks import BLOCKS, draft
-from cloner.cloth.drawn import read_drawing
-from cloner.cloth.fabrics import FABRICS, Fabric
-from cloner.cloth.layered import Under
-from cloner.cloth.loop import Loop, best_loop
-from cloner.cloth.moving import BLEND, SETTLE, Worn, put_on, simulate
-from cloner.cloth.pattern import Pattern, read_pattern
-from cloner.cloth.placing import Ring, body_ring
-from cloner.cloth.sections import sections
-from cloner.cloth.tailored import TAILORED, TROUSERS, tailored
+from cloner.cloth.drafting.blocks import BLOCKS, draft
+from cloner.cloth.drafting.drawn import read_drawing
+from cloner.cloth.drafting.pattern import Pattern, read_pattern
+from cloner.cloth.drafting.sections import sections
+from cloner.cloth.drafting.tailored import TAILORED, TROUSERS, tailored
+from cloner.cloth.simulation.fabrics import FABRICS, Fabric
+from cloner.cloth.simulation.layered import Under
+from cloner.cloth.simulation.loop import Loop, best_loop
+from cloner.cloth.simulation.moving import BLEND, SETTLE, Worn, put_on, simulate
+from cloner.cloth.simulation.placing import Ring, body_ring
 from cloner.errors import ClonerError
 from cloner.generic.layers import Layer, clone_layers
-from cloner.geometry.viewpoints import framing_camera
-from cloner.geometry.wedges import vertex_normals
-from cloner.motion.body import body_of
-from cloner.motion.bvh import read_bvh
-from cloner.motion.cycle import walk_cycle
-from cloner.motion.own import own_motions
-from cloner.motion.retarget import retarget
+from cloner.geometry.cameras.viewpoints import framing_camera
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.motion.captures.bvh import read_bvh
+from cloner.motion.captures.retarget import retarget
+from cloner.motion.limbs.body import body_of
+from cloner.motion.moves.cycle import walk_cycle
+from cloner.motion.moves.own import own_motions
 from cloner.pipeline import Progress, quiet
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion

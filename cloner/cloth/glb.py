@@ -8,13 +8,13 @@ import numpy as np
 import pygltflib
 from numpy.typing import NDArray
 
-from cloner.cloth.covered import covered
 from cloner.cloth.dressing import Dressed
-from cloner.exporters.glb_file import glb_bytes
-from cloner.exporters.gltf import build
-from cloner.exporters.gltf_buffer import GltfBuffer
+from cloner.cloth.simulation.covered import covered
+from cloner.exporters.gltf.glb_file import glb_bytes
+from cloner.exporters.gltf.gltf import build
+from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.generic.surfaces import load_surfaces
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.wedges import vertex_normals
 
 #: Material of cloth; taste.
 ROUGHNESS: Final = 0.9

@@ -12,15 +12,15 @@ from typing import Final
 from cloner.cloth.caches import obj, pc2, usd
 from cloner.cloth.dressing import WALK, Dressed, dressed, fabric_named, motion_of, pattern_of, pictures
 from cloner.cloth.glb import glb
-from cloner.cloth.wearer import FRAMES_PER_S
+from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.errors import ClonerError
-from cloner.exporters.files import write_bytes
-from cloner.motion.rig import centred
+from cloner.exporters.shared.files import write_bytes
+from cloner.motion.limbs.rig import centred
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import safe_output
-from cloner.vision.films import FORMATS as FILMS
-from cloner.vision.films import write_film
+from cloner.vision.photographs.films import FORMATS as FILMS
+from cloner.vision.photographs.films import write_film
 
 PC2: Final = ".pc2"
 #: How the name of a film that is not finished goes on.

@@ -112,7 +112,7 @@ def render(
     size: Annotated[str, typer.Option("--size", help="Width x height in pixels.")] = "800x1200",
 ) -> None:
     """Draw a finished clone, or a crowd from its pack."""
-    from cloner.crowd.still import draw_pack, is_pack
+    from cloner.crowd.packs.still import draw_pack, is_pack
     from cloner.picture import draw_file
 
     (draw_pack if is_pack(clone_path) else draw_file)(clone_path, view, out, size)

@@ -31,7 +31,7 @@ def crowd(
     statues: Annotated[str, typer.Option("--statues", help="Everybody in this material too: stone, clay ...")] = "",
 ) -> None:
     """Make a crowd of finished clones: a page for browsers, levels and impostors for engines."""
-    from cloner.crowd.pack import Wanted, make_pack, rings_of
+    from cloner.crowd.packs.pack import Wanted, make_pack, rings_of
 
     carved = None
     if statues:
@@ -48,7 +48,7 @@ def crowd(
 
 def crowd_check(pack: Annotated[Path, typer.Argument(metavar="PACK", help="Folder that cloner crowd wrote.")]) -> None:
     """Say whether a crowd's pack is whole, and what is in it."""
-    from cloner.crowd.check import check_pack
+    from cloner.crowd.packs.check import check_pack
 
     say(check_pack(pack))
 

@@ -18,7 +18,7 @@ ResultsOption = Annotated[Path | None, typer.Option("--out", help="Folder that h
 
 def list_held(photos: PhotosRootOption = None, out: ResultsOption = None) -> None:
     """Say what is held of whom."""
-    from cloner.holdings import holdings, table
+    from cloner.personal_data.holdings import holdings, table
 
     typer.echo(table(holdings(photos, out)))
 
@@ -30,8 +30,8 @@ def export_data(
     out: ResultsOption = None,
 ) -> None:
     """Hand out everything that is held of a visitor."""
-    from cloner.holdings import find_holding, holdings
-    from cloner.privacy import export_data
+    from cloner.personal_data.holdings import find_holding, holdings
+    from cloner.personal_data.privacy import export_data
 
     typer.echo(str(export_data(find_holding(identifier, holdings(photos, out)), to)))
 
@@ -45,8 +45,8 @@ def forget_some(
     out: ResultsOption = None,
 ) -> None:
     """Delete photos, results and batch rows of visitors, for good."""
-    from cloner.holdings import find_holding, holdings, older_than
-    from cloner.privacy import forget
+    from cloner.personal_data.holdings import find_holding, holdings, older_than
+    from cloner.personal_data.privacy import forget
 
     held = holdings(photos, out)
     gone = [find_holding(name, held) for name in identifiers or []]

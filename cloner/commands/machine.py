@@ -17,7 +17,7 @@ clusters = typer.Typer(no_args_is_help=True, rich_markup_mode=None, help="What a
 @clusters.command("keys")
 def _cluster_keys(folder: Annotated[Path, typer.Argument(help="New folder for certificates and settings.")]) -> None:
     """Make certificates: only who holds them speaks with scheduler and workers, and encrypted."""
-    from cloner.cluster_keys import DAYS, SETTINGS, make_keys
+    from cloner.machines.cluster_keys import DAYS, SETTINGS, make_keys
 
     settings = next(path for path in make_keys(folder) if path.name == SETTINGS)
     typer.echo(f"{folder}: certificates for {DAYS} days. Copy the folder to the same place on every machine, then:")
@@ -47,8 +47,8 @@ def doctor(
     ] = None,
 ) -> None:
     """Say what is missing on this machine and the line that fixes it."""
-    from cloner.doctor import examine
-    from cloner.permissions import examine_folder
+    from cloner.machines.doctor import examine
+    from cloner.machines.permissions import examine_folder
 
     findings = (*examine(), *(finding for folder in folders or () for finding in examine_folder(folder)))
     for finding in findings:
@@ -71,7 +71,7 @@ def evaluate(
 ) -> None:
     """Score clones of visitors whose truth is known."""
     from cloner.evaluate import evaluate_visitors, format_table
-    from cloner.evaluate.truth import SETS
+    from cloner.evaluate.truths.truth import SETS
 
     sentences: list[str] = []
     with ProgressLine() as progress:

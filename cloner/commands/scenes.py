@@ -89,6 +89,6 @@ def _serve(
 ) -> None:
     """Show a built scene in a browser of this machine; finished clones come into it. Ctrl+C ends it."""
     from cloner.booth.inhabiting import finished_clones, number_asked
-    from cloner.scenes.serving import serve_folder
+    from cloner.scenes.served.serving import serve_folder
 
     serve_folder(built, finished_clones(clones), number_asked(clones), host=host, port=port, said=at_once)

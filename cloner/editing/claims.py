@@ -18,9 +18,9 @@ from cloner.editing.places import LEAST_FREE, distance_from, free_skin, generic_
 from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
-from cloner.geometry.rim_search import Found, nearest_rim_point, rim_of
-from cloner.geometry.skin_bends import Place
-from cloner.geometry.skinning import blend_transforms, joint_transforms
+from cloner.geometry.articulation.skin_bends import Place
+from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
+from cloner.geometry.outlines.rim_search import Found, nearest_rim_point, rim_of
 from cloner.records.bodies import PosedView
 from cloner.records.points import ANCHOR
 from cloner.records.views import Camera

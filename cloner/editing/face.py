@@ -18,7 +18,7 @@ from cloner.frames import ViewId, mm_from_m
 from cloner.generic.features import named_features
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import load_generic
-from cloner.geometry.dffd import deform
+from cloner.geometry.deformation.dffd import deform
 from cloner.records.clones import Joined
 from cloner.records.points import FacePoints, ObeyedPoint
 from cloner.records.views import Camera

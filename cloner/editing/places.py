@@ -12,7 +12,7 @@ from cloner.calibration.loader import calibrated
 from cloner.easing import smoothstep
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.skin_bends import Place, SkinMetric, skin_metric
+from cloner.geometry.articulation.skin_bends import Place, SkinMetric, skin_metric
 
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
 _CALIBRATED: Final = calibrated("editing.places")

@@ -18,8 +18,8 @@ from cloner.calibration.loader import calibrated
 from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
-from cloner.geometry.poses import FREEDOMS, SIGMAS, pose_matrix
-from cloner.geometry.skinning import joint_transforms
+from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, pose_matrix
+from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.records.bodies import PosedView
 from cloner.records.points import ObeyedPoint
 

@@ -19,9 +19,9 @@ from cloner.editing.places import distance_from, free_skin, generic_metric, half
 from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
-from cloner.geometry.rim_search import outermost
-from cloner.geometry.rims import triangle_normals
-from cloner.geometry.skin_bends import Place, bump, smallest_step
+from cloner.geometry.articulation.skin_bends import Place, bump, smallest_step
+from cloner.geometry.outlines.rim_search import outermost
+from cloner.geometry.outlines.rims import triangle_normals
 from cloner.records.bodies import PosedView
 from cloner.records.points import ObeyedPoint
 

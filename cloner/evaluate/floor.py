@@ -15,7 +15,7 @@ from PIL import Image
 
 from cloner.abreast import abreast
 from cloner.detectors.table import DETECTORS
-from cloner.exporters.files import jpeg_bytes, png_bytes
+from cloner.exporters.shared.files import jpeg_bytes, png_bytes
 from cloner.generic.surfaces import load_surfaces
 from cloner.previews import FOLDER
 from cloner.records.clones import Clone

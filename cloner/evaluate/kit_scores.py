@@ -12,17 +12,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.evaluate import likeness, skins
-from cloner.evaluate.baselines import generic_clone
-from cloner.evaluate.kit import KIT_SET, KitTruth, is_kit_person, photos_alone, read_kit
-from cloner.evaluate.labels import label_ious
+from cloner.evaluate.figures import likeness, skins
+from cloner.evaluate.figures.parts import wrong_part_share
+from cloner.evaluate.figures.seams import seam_ratios
+from cloner.evaluate.measures.posing import JOINTS, joints_by_truth_name, pose_clone
 from cloner.evaluate.measuring import CloneRun, clone_apart
-from cloner.evaluate.parts import wrong_part_share
-from cloner.evaluate.posing import JOINTS, joints_by_truth_name, pose_clone
 from cloner.evaluate.rows import Row, rows_of, save_held_out
 from cloner.evaluate.scores import Score, girth_scores, held_out_scores, landmark_scores, leak_scores, score_run
-from cloner.evaluate.seams import seam_ratios
-from cloner.evaluate.truth import told_height_m
+from cloner.evaluate.truths.baselines import generic_clone
+from cloner.evaluate.truths.kit import KIT_SET, KitTruth, is_kit_person, photos_alone, read_kit
+from cloner.evaluate.truths.labels import label_ious
+from cloner.evaluate.truths.truth import told_height_m
 from cloner.frames import BODY_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.clones import Clone

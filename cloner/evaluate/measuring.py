@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.cloning import clone_folder
+from cloner.evaluate.figures.origins import Origins, texel_origins
 from cloner.evaluate.floor import ask_nets, encode_pictures
-from cloner.evaluate.labels import photo_labels
-from cloner.evaluate.origins import Origins, texel_origins
+from cloner.evaluate.truths.labels import photo_labels
 from cloner.memory import peak_mib
 from cloner.project.folder import load_photos
 from cloner.records.clones import Clone

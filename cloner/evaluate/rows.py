@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.evaluate.scores import Score
-from cloner.evaluate.truth import Truth
-from cloner.exporters.files import jpeg_bytes, write_bytes
+from cloner.evaluate.truths.truth import Truth
+from cloner.exporters.shared.files import jpeg_bytes, write_bytes
 
 Row = dict[str, Any]
 Figures = Mapping[str, Mapping[tuple[str, str], Score]]

@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.evaluate.baselines import generic_clone
-from cloner.evaluate.kit import is_kit_person, kit_people
 from cloner.evaluate.kit_scores import evaluate_people
 from cloner.evaluate.measuring import CloneRun, clone_apart
 from cloner.evaluate.rows import Row, rows_of, save_held_out
 from cloner.evaluate.scores import Score, score_run, score_subject
-from cloner.evaluate.truth import SETS, read_truth, told_height_m
+from cloner.evaluate.truths.baselines import generic_clone
+from cloner.evaluate.truths.kit import is_kit_person, kit_people
+from cloner.evaluate.truths.truth import SETS, read_truth, told_height_m
 from cloner.generic.load import load_generic
 from cloner.project.atomic import write_text
 from cloner.records.clones import Clone

@@ -8,10 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.evaluate import likeness, rulers, skins
-from cloner.evaluate.leaks import background_texels
-from cloner.evaluate.measuring import CloneRun
-from cloner.evaluate.posing import (
+from cloner.evaluate.figures import likeness, skins
+from cloner.evaluate.figures.leaks import background_texels
+from cloner.evaluate.figures.regions import region_agreement
+from cloner.evaluate.figures.seams import seam_ratios
+from cloner.evaluate.measures import rulers
+from cloner.evaluate.measures.posing import (
     LANDMARKS,
     Posed,
     landmarks,
@@ -19,14 +21,13 @@ from cloner.evaluate.posing import (
     rotations_towards,
     truth_from_body,
 )
-from cloner.evaluate.regions import region_agreement
-from cloner.evaluate.seams import seam_ratios
-from cloner.evaluate.truth import THREE_QUARTER, Truth, TruthView
+from cloner.evaluate.measuring import CloneRun
+from cloner.evaluate.truths.truth import THREE_QUARTER, Truth, TruthView
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.generic.tape import body_girths, load_tape_rules
-from cloner.geometry.measures import TRUTH_GIRTHS, girths_mm
-from cloner.geometry.measuring import measures_mm
+from cloner.geometry.measurement.measures import TRUTH_GIRTHS, girths_mm
+from cloner.geometry.measurement.measuring import measures_mm
 from cloner.records.clones import Clone
 from cloner.records.measures import MeasureSet
 from cloner.records.points import PointSet

@@ -8,9 +8,9 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.exporters.files import jpeg_bytes, png_bytes, write_bytes
+from cloner.exporters.shared.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.generic.surfaces import load_surfaces, surface_normals
-from cloner.geometry.wedges import welded_normals
+from cloner.geometry.meshes.wedges import welded_normals
 from cloner.records.clones import Clone
 
 #: Rows of a binary PLY file.

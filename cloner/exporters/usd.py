@@ -24,17 +24,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.exporters.credits import CREDITS
-from cloner.exporters.files import png_bytes, write_bytes
-from cloner.exporters.gltf_motion import quaternions
-from cloner.exporters.hanim_names import identifier, node_name
-from cloner.exporters.pictures import picture_bytes
-from cloner.exporters.roughness import roughness_map, shell_shine
-from cloner.exporters.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, skin_meshes
+from cloner.exporters.gltf.gltf_motion import quaternions
+from cloner.exporters.hanim.hanim_names import identifier, node_name
+from cloner.exporters.shared.credits import CREDITS
+from cloner.exporters.shared.files import png_bytes, write_bytes
+from cloner.exporters.shared.pictures import picture_bytes
+from cloner.exporters.shared.roughness import roughness_map, shell_shine
+from cloner.exporters.vrml.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, skin_meshes
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import moved_wedges
-from cloner.motion.own import Moves, own_motions
-from cloner.motion.rig import centred
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import Moves, own_motions
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 

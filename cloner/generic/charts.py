@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
-from cloner.geometry.atlas import AtlasMap, Window, map_atlas
-from cloner.geometry.graphs import SurfaceGraph, surface_graph
+from cloner.geometry.charts.atlas import AtlasMap, Window, map_atlas
+from cloner.geometry.meshes.graphs import SurfaceGraph, surface_graph
 
 
 def generic_atlas(

@@ -14,7 +14,7 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.eyeballs import CORNEA, Ball
+from cloner.geometry.meshes.eyeballs import CORNEA, Ball
 from cloner.records.arrays import freeze
 
 Array = NDArray[np.float64]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from cloner.generic.load import load_generic
-from cloner.geometry.viewpoints import AZIMUTH_DEG, framing_camera
+from cloner.geometry.cameras.viewpoints import AZIMUTH_DEG, framing_camera
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, surface_normals
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.geometry.wedges import welded_normals
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.meshes.wedges import welded_normals
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 

@@ -11,8 +11,8 @@ from dataclasses import fields
 
 import numpy as np
 
-from cloner.geometry.measuring import ALL_KEYS
-from cloner.geometry.under_clothes import MeasurePrior
+from cloner.geometry.measurement.measuring import ALL_KEYS
+from cloner.geometry.measurement.under_clothes import MeasurePrior
 
 FILE = "measures.npz"
 

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.layers import Layer
-from cloner.geometry.rasters import fragments
-from cloner.geometry.vectors import unit
+from cloner.geometry.meshes.rasters import fragments
+from cloner.geometry.meshes.vectors import unit
 from cloner.records.views import Camera
 
 Array = NDArray[np.float64]

@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.toes import closed_toe_normals
-from cloner.geometry.wedges import split_seams, triangulate, vertex_normals
+from cloner.geometry.meshes.wedges import split_seams, triangulate, vertex_normals
 from cloner.records.arrays import freeze
 
 #: Share of a tooth normal's part along the tooth that is taken away (taste).

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.measure_prior import load_measure_prior
-from cloner.geometry.lengths import FINGER
-from cloner.geometry.measures import TRUTH_GIRTHS, Girth, TapeRules
-from cloner.geometry.measuring import ALL_KEYS
-from cloner.geometry.under_clothes import Evidence, estimate
+from cloner.geometry.measurement.lengths import FINGER
+from cloner.geometry.measurement.measures import TRUTH_GIRTHS, Girth, TapeRules
+from cloner.geometry.measurement.measuring import ALL_KEYS
+from cloner.geometry.measurement.under_clothes import Evidence, estimate
 
 #: Body vertices (their mirror twins are added) whose mean height is the level. Chosen where both sample
 #: visitors' ruler loops pass: there they meet the true girths within 2.3 mm on the true bodies.

@@ -16,7 +16,7 @@ from scipy.sparse import coo_matrix, csr_matrix, diags
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
-from cloner.geometry.triangles import edges_of
+from cloner.geometry.meshes.triangles import edges_of
 
 Array = NDArray[np.float64]
 

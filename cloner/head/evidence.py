@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.profile import front_contour, outline
+from cloner.detectors.face.profile import front_contour, outline
 from cloner.detectors.taught import taught_net
 from cloner.frames import ViewId, focal_px_from_35mm
-from cloner.geometry.contour_match import contour_normals
+from cloner.geometry.outlines.contour_match import contour_normals
 from cloner.head.ears import Spots, read_ears, read_inside
 from cloner.head.flank import Flank
 from cloner.head.inside import Together, read_inside_front

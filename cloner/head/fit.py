@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.profile import lay_profile
-from cloner.geometry.contour_match import foremost, match
-from cloner.geometry.resection import facing_camera, resect
-from cloner.geometry.shape_fit import Evidence, ShapeFit, fit_shape, misfit
+from cloner.detectors.face.profile import lay_profile
+from cloner.geometry.cameras.resection import facing_camera, resect
+from cloner.geometry.deformation.shape_fit import Evidence, ShapeFit, fit_shape, misfit
+from cloner.geometry.outlines.contour_match import foremost, match
 from cloner.head.ears import INSIDE, Spots
 from cloner.head.evidence import Front, Params, Side
 from cloner.head.inside import Together

@@ -17,9 +17,9 @@ from scipy.ndimage import gaussian_filter, map_coordinates
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.rims import vertex_normals
-from cloner.geometry.surface import SurfacePoints
-from cloner.geometry.triangles import areas
+from cloner.geometry.meshes.surface import SurfacePoints
+from cloner.geometry.meshes.triangles import areas
+from cloner.geometry.outlines.rims import vertex_normals
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.cascade import Found, Pose, load_cascades, sided
-from cloner.detectors.face_front_features import find_half
+from cloner.detectors.face.cascade import Found, Pose, load_cascades, sided
+from cloner.detectors.face.face_front_features import find_half
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal, ViewPoints
 

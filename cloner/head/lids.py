@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.easing import smoothstep
 from cloner.generic.face_grids import Grid
-from cloner.geometry.eyeballs import BALL_M, CORNEA, Ball, cornea
+from cloner.geometry.meshes.eyeballs import BALL_M, CORNEA, Ball, cornea
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.lids")

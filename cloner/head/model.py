@@ -7,9 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.face_net import FaceNet, load_face_net
+from cloner.detectors.face.face_net import FaceNet, load_face_net
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
-from cloner.geometry.surface import SurfacePoints
+from cloner.geometry.meshes.surface import SurfacePoints
 from cloner.head.jaw import PHOTOS, USUAL_RAD, jaw_way
 from cloner.head.modes import HeadModes, load_head_modes
 from cloner.records.bodies import Phenotype

@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity
 from cloner.head.ears import ear_fields
 from cloner.records.views import Camera
 

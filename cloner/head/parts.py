@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.alignment import similarity
-from cloner.geometry.eyeballs import BALL_M, Ball, ball_points
+from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.eyeballs import BALL_M, Ball, ball_points
 from cloner.head import lids, lips, tongue
 from cloner.records.views import Camera
 
@@ -51,7 +51,8 @@ class Sight:
 def seat_parts(before_m: Array, fitted_m: Array, sight: Sight | None) -> Array:
     """Return the vertices (V, 3) with lids laid on eyeballs of real size, lips met, teeth and tongue in the mouth.
 
-    Lips meet, whatever the photo shows: what it paints on them is looked up where it has them (``paint/sources.py``).
+    Lips meet, whatever the photo shows: what it paints on them is looked up where it has them
+    (``paint/lookups/sources.py``).
 
     Parameters
     ----------

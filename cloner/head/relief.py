@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
 from cloner.generic.head_controls import HeadControls
-from cloner.geometry.contour_match import match
-from cloner.geometry.dffd import deform
-from cloner.geometry.relief import Leftover, solve_relief
-from cloner.geometry.surface import SurfacePoints
+from cloner.geometry.deformation.dffd import deform
+from cloner.geometry.deformation.relief import Leftover, solve_relief
+from cloner.geometry.meshes.surface import SurfacePoints
+from cloner.geometry.outlines.contour_match import match
 from cloner.head.evidence import Front, Params, Side
 from cloner.head.fit import GATES_M, Fitted, net_errors, net_errors_m, outline_vertices, profile_candidates
 from cloner.head.jaw import FRONT, SIDE

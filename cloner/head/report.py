@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
-from cloner.geometry.contour_match import match
+from cloner.geometry.outlines.contour_match import match
 from cloner.head.evidence import Front, Log, Side
 from cloner.head.fit import Fitted, outline_vertices, profile_candidates
 from cloner.head.jaw import FRONT, SIDE, opened

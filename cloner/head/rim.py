@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
-from cloner.geometry.contour_match import farthest, turning_points
-from cloner.geometry.rims import vertex_normals
-from cloner.geometry.shape_fit import Evidence
-from cloner.geometry.surface import SurfacePoints
-from cloner.geometry.triangles import edges_of
-from cloner.geometry.vectors import unit
+from cloner.geometry.deformation.shape_fit import Evidence
+from cloner.geometry.meshes.surface import SurfacePoints
+from cloner.geometry.meshes.triangles import edges_of
+from cloner.geometry.meshes.vectors import unit
+from cloner.geometry.outlines.contour_match import farthest, turning_points
+from cloner.geometry.outlines.rims import vertex_normals
 from cloner.head.model import Model
 from cloner.head.outline import Outline
 from cloner.records.views import Camera

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
-from cloner.geometry.resection import resect
-from cloner.geometry.skinning import joint_transforms
+from cloner.geometry.articulation.skinning import joint_transforms
+from cloner.geometry.cameras.resection import resect
 from cloner.head.evidence import Front, Params
 from cloner.head.fit import Fitted
 from cloner.head.jaw import opened

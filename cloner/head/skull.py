@@ -12,7 +12,7 @@ from scipy.optimize import least_squares
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.head_controls import HeadControls
-from cloner.geometry.dffd import deform
+from cloner.geometry.deformation.dffd import deform
 from cloner.head.model import Model
 from cloner.records.views import Camera
 

@@ -17,9 +17,9 @@ from scipy.spatial import cKDTree
 from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import eye_grid, eyeball, lashes, mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.alignment import similarity
-from cloner.geometry.eyeballs import Ball
-from cloner.geometry.local_maps import LocalMaps, local_maps
+from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.eyeballs import Ball
+from cloner.geometry.meshes.local_maps import LocalMaps, local_maps
 from cloner.head import lids, lips, tongue
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.

@@ -14,7 +14,7 @@ from scipy.interpolate import PchipInterpolator
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid
-from cloner.geometry.vectors import unit
+from cloner.geometry.meshes.vectors import unit
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.tongue")

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
-from cloner.vision.crops import Crop
-from cloner.vision.head_frame import HeadFrame
+from cloner.vision.photographs.crops import Crop
+from cloner.vision.photographs.head_frame import HeadFrame
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
 _CALIBRATED: Final = calibrated("labels.crops")

@@ -43,7 +43,7 @@ def class_scores(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Floats:
     Parameters
     ----------
     features : sequence of 11 (h, w, C) float32
-        Inner tensors and masks as ``cloner.detectors.litert.label_features`` gives them.
+        Inner tensors and masks as ``cloner.detectors.nets.litert.label_features`` gives them.
     rgb : (256, 256, 3) uint8
         The crop.
 

@@ -15,10 +15,10 @@ from cloner.frames import ViewId
 from cloner.labels.crops import head_crop, person_crop
 from cloner.labels.decoder import SIDE_PX, class_scores
 from cloner.records.labels import Label, shows
-from cloner.vision.crops import Crop, cut, photo_px_from_crop
-from cloner.vision.hair_edge import draw_edge
-from cloner.vision.head_frame import HeadFrame, find_head
-from cloner.vision.pieces import pieces_of
+from cloner.vision.photographs.crops import Crop, cut, photo_px_from_crop
+from cloner.vision.photographs.head_frame import HeadFrame, find_head
+from cloner.vision.segmentation.hair_edge import draw_edge
+from cloner.vision.segmentation.pieces import pieces_of
 
 #: What each number is and where it comes from: ``cloner/calibration/labels.toml``.
 _CALIBRATED: Final = calibrated("labels.photo")

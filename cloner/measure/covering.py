@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.seeing import facing, look
-from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.cameras.seeing import facing, look
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import CLOTHES, SKINS, labels_at

@@ -13,7 +13,7 @@ from cloner.body.outlined import Outlined, Seen
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.rumples import STEP_MM, rumples_mm
+from cloner.geometry.outlines.rumples import STEP_MM, rumples_mm
 from cloner.records.measures import Cover
 from cloner.records.silhouettes import SilhouetteSet
 

@@ -13,7 +13,7 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measuring import ALL_KEYS, TRUNK_SLICES
+from cloner.geometry.measurement.measuring import ALL_KEYS, TRUNK_SLICES
 
 #: What each number is and where it comes from: ``cloner/calibration/measure.toml``.
 _CALIBRATED: Final = calibrated("measure.side_arms")

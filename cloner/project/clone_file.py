@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from cloner.errors import ClonerError
-from cloner.exporters.files import png_bytes, write_bytes
+from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.project.archives import BROKEN, opened

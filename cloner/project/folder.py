@@ -18,7 +18,7 @@ from cloner.project.texts import check_own, read_text
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import Corrections
 from cloner.records.terms import Terms
-from cloner.vision.pictures import read_picture
+from cloner.vision.photographs.pictures import read_picture
 
 log = logging.getLogger(__name__)
 SUFFIXES: Final = (".jpg", ".jpeg", ".png", ".webp", ".tif", ".tiff", ".heic", ".heif")
@@ -104,7 +104,7 @@ def load_photos(folder: Path) -> PhotoSet:
     Raises
     ------
     ClonerError
-        As :func:`find_photos` and :func:`cloner.vision.pictures.read_picture`.
+        As :func:`find_photos` and :func:`cloner.vision.photographs.pictures.read_picture`.
     """
     return PhotoSet({view: load_photo(path, view) for view, path in find_photos(folder).items()})
 
@@ -115,7 +115,7 @@ def load_photo(path: Path, view: ViewId) -> Photo:
     Raises
     ------
     ClonerError
-        As :func:`cloner.vision.pictures.read_picture`.
+        As :func:`cloner.vision.photographs.pictures.read_picture`.
     """
     picture = read_picture(path)
     return Photo(view=view, rgb=picture.rgb, focal_35mm=picture.focal_35mm, digest=picture.digest, name=path.name)

@@ -75,7 +75,7 @@ def _checked_cm(name: str, key: str, value: Any, stature_m: float, where: str) -
 def _usual_cm(key: str, stature_m: float) -> float:
     """Return the measure of the average adult of a height."""
     from cloner.generic.measure_prior import load_measure_prior  # with scipy: only where somebody gave a measure
-    from cloner.geometry.measuring import ALL_KEYS
+    from cloner.geometry.measurement.measuring import ALL_KEYS
 
     share = load_measure_prior().means.mean(axis=0)[ALL_KEYS.index(key)] / MILLIMETRES_PER_METRE
     return float(mm_from_m(stature_m * share)) / MILLIMETRES_PER_CENTIMETRE

@@ -11,7 +11,7 @@ from typing import Any, Final
 import cloner
 from cloner.frames import ViewId
 from cloner.generic.fdp import fdp_names
-from cloner.geometry.under_clothes import NINE_IN_TEN
+from cloner.geometry.measurement.under_clothes import NINE_IN_TEN
 from cloner.pipeline import StageReport
 from cloner.project.stamps import model_digests
 from cloner.records.clones import Clone

@@ -8,10 +8,10 @@ from typing import Final
 
 import numpy as np
 
-from cloner.detectors import pose_rows as net
+from cloner.detectors.body import pose_rows as net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms, posed_joints
+from cloner.geometry.articulation.skinning import joint_transforms, posed_joints
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone
 from cloner.records.points import Proposal, Proposals

@@ -8,7 +8,7 @@ from html import escape
 from pathlib import Path
 from typing import Final
 
-from cloner.exporters.files import write_bytes
+from cloner.exporters.shared.files import write_bytes
 from cloner.report.policy import VIEWER, policy
 
 FILE: Final = "viewer.html"

@@ -12,7 +12,7 @@ from cloner.labels.states import State, read_states
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.report.agreement import Agreement
-from cloner.vision.open_mouth import open_borders
+from cloner.vision.retouching.open_mouth import open_borders
 
 #: Face-mesh points: outer eye corners, inner edges of the lips, mouth corners (numbering of Google's face mesh).
 _EYES: Final = (33, 263)

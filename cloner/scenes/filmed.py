@@ -12,19 +12,19 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from cloner.acting.written import write_acted
-from cloner.crowd.held import filmed
-from cloner.crowd.reading import read_acted, read_facts, read_room, read_stock
-from cloner.crowd.staging import staging_of
-from cloner.crowd.still import Painter
-from cloner.crowd.theatre import Theatre
+from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.packs.held import filmed
+from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_stock
+from cloner.crowd.packs.still import Painter
+from cloner.crowd.staged.staging import staging_of
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import appears, result_folder, safe_output
+from cloner.scenes.films.sequence import read_sequence
+from cloner.scenes.films.staged import acted_by
 from cloner.scenes.inhabited import room_parts, sounding, views_in
-from cloner.scenes.sequence import read_sequence
-from cloner.scenes.staged import acted_by
 from cloner.scenes.written import light_in, room_in, sound_in
-from cloner.vision.films import FORMATS, told_png, write_film
+from cloner.vision.photographs.films import FORMATS, told_png, write_film
 
 Pixels = NDArray[np.uint8]
 

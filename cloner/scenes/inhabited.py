@@ -15,21 +15,21 @@ from PIL import Image
 
 from cloner.acting.written import RoomParts, bake_file, things_of
 from cloner.behaviour.trajectories import Trajectories
-from cloner.crowd.files import packed, webp
-from cloner.crowd.footing import Acted
-from cloner.crowd.reading import read_facts, read_stock
-from cloner.crowd.rooms import ECHO_FILE, LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, Probes
+from cloner.crowd.packs.files import packed, webp
+from cloner.crowd.packs.reading import read_facts, read_stock
+from cloner.crowd.staged.footing import Acted
+from cloner.crowd.staged.rooms import ECHO_FILE, LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, Probes
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, quiet
-from cloner.scenes import looks
-from cloner.scenes.charts import charts_of
-from cloner.scenes.direct import sun_way
-from cloner.scenes.gltf import meshes_of
-from cloner.scenes.pieces import plain_of
-from cloner.scenes.plan import Block, Plan
-from cloner.scenes.solids import Panel, Room
-from cloner.scenes.staged import with_statues
-from cloner.scenes.walkable import walkable_of
+from cloner.scenes.building import looks
+from cloner.scenes.building.charts import charts_of
+from cloner.scenes.building.gltf import meshes_of
+from cloner.scenes.building.pieces import plain_of
+from cloner.scenes.building.plan import Block, Plan
+from cloner.scenes.building.solids import Panel, Room
+from cloner.scenes.building.walkable import walkable_of
+from cloner.scenes.films.staged import with_statues
+from cloner.scenes.lighting.direct import sun_way
 from cloner.scenes.written import light_in, room_in, sound_in
 
 #: How the page's textures are kept: taste, no blocks at arm's length.

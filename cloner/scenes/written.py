@@ -9,21 +9,21 @@ from typing import Final
 
 import numpy as np
 
-from cloner.crowd.rooms import Probes
+from cloner.crowd.staged.rooms import Probes
 from cloner.errors import ClonerError
-from cloner.exporters.files import png_bytes, write_bytes
+from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.outside import UnfitFile, read_outside
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import safe_output
-from cloner.scenes.charts import charts_of
-from cloner.scenes.echoes import EAR_M, echo_at, wav_bytes
-from cloner.scenes.gltf import meshes_of, room_glb, to_bytes
-from cloner.scenes.light import lit_room
-from cloner.scenes.pieces import plan_place
-from cloner.scenes.plan import read_plan
-from cloner.scenes.probes import probes_of
-from cloner.scenes.solids import Room, room_of
-from cloner.scenes.x3d import room_x3d
+from cloner.scenes.building.charts import charts_of
+from cloner.scenes.building.gltf import meshes_of, room_glb, to_bytes
+from cloner.scenes.building.pieces import plan_place
+from cloner.scenes.building.plan import read_plan
+from cloner.scenes.building.solids import Room, room_of
+from cloner.scenes.building.x3d import room_x3d
+from cloner.scenes.lighting.echoes import EAR_M, echo_at, wav_bytes
+from cloner.scenes.lighting.light import lit_room
+from cloner.scenes.lighting.probes import probes_of
 
 PLAN_FILE, ROOM_FILE, LIGHT_FILE, PROBES_FILE = "plan.toml", "room.glb", "light.png", "probes.npz"
 #: What the page asks for: in colours all light but the sun's own, in alpha how much of the sun is there.

@@ -26,9 +26,9 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.rims import vertex_normals
-from cloner.geometry.settling import bending_matrix, settle, smoothed_directions, unfolded
-from cloner.geometry.vectors import unit
+from cloner.geometry.meshes.vectors import unit
+from cloner.geometry.outlines.rims import vertex_normals
+from cloner.geometry.outlines.settling import bending_matrix, settle, smoothed_directions, unfolded
 from cloner.records.bodies import BodyMesh, BodySet, FineBody, Phenotype
 from cloner.records.photos import Person
 from cloner.records.points import Proposals

@@ -17,33 +17,33 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.graphs import surface_graph
-from cloner.geometry.wedges import vertex_normals
-from cloner.hair.beard import beard_shell
-from cloner.hair.cap import VOTE_MM, Scalp, covered_share, measure_scalp, settle_shell
-from cloner.hair.coverings import with_whole_coverings
-from cloner.hair.crowns import with_one_crown
-from cloner.hair.frizz import measure_frizz
-from cloner.hair.frizz_cards import frizz_shell, make_room
-from cloner.hair.hoods import without_hoods
-from cloner.hair.loose_clothes import SAID, loose_shells
-from cloner.hair.mesh import lowest_m, mesh_of
-from cloner.hair.peaks import find_peak, peak_mesh, under_headwear, worn_views
-from cloner.hair.shell import dress_shell, shown_part
-from cloner.hair.tail import find_tail
-from cloner.hair.views import HairView, Hanger, hair_views, views_of
-from cloner.hair.volume import FILM_MM, hair_field
-from cloner.hair.weights import hair_weights
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.hair.clothing.coverings import with_whole_coverings
+from cloner.hair.clothing.hoods import without_hoods
+from cloner.hair.clothing.loose_clothes import SAID, loose_shells
+from cloner.hair.clothing.peaks import find_peak, peak_mesh, under_headwear, worn_views
+from cloner.hair.shells.beard import beard_shell
+from cloner.hair.shells.frizz import measure_frizz
+from cloner.hair.shells.frizz_cards import frizz_shell, make_room
+from cloner.hair.shells.mesh import lowest_m, mesh_of
+from cloner.hair.shells.shell import dress_shell, shown_part
+from cloner.hair.volumes.cap import VOTE_MM, Scalp, covered_share, measure_scalp, settle_shell
+from cloner.hair.volumes.crowns import with_one_crown
+from cloner.hair.volumes.tail import find_tail
+from cloner.hair.volumes.views import HairView, Hanger, hair_views, views_of
+from cloner.hair.volumes.volume import FILM_MM, hair_field
+from cloner.hair.volumes.weights import hair_weights
 from cloner.labels.glasses import wears_glasses
-from cloner.paint.glasses import glasses_shell
-from cloner.paint.tucking import ear_masks, lay_ears, whole_ears
+from cloner.paint.details.glasses import glasses_shell
+from cloner.paint.details.tucking import ear_masks, lay_ears, whole_ears
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.vision.noise import quieted
+from cloner.vision.photographs.noise import quieted
 
 Array = NDArray[np.float64]
 

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.head_controls import load_head_controls
-from cloner.geometry.eyeballs import IRIS_M
-from cloner.geometry.iris import sample_iris
+from cloner.geometry.charts.iris import sample_iris
+from cloner.geometry.meshes.eyeballs import IRIS_M
 from cloner.head.evidence import Front, Log, Params, Side, focal_px, read_front, read_side
 from cloner.head.fit import (
     Fitted,

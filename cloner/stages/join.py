@@ -20,13 +20,13 @@ from cloner.body.carriage_looks import look_up
 from cloner.body.carriage_sight import NECK
 from cloner.body.outlined import Outlined, masked_field, outlined_photos
 from cloner.calibration.loader import calibrated
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.easing import smoothstep
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.face_grids import eyeball
 from cloner.generic.features import named_features
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.hair.agreement import hair_fields
+from cloner.hair.volumes.agreement import hair_fields
 from cloner.head.jaw import jaw_in, jaw_rotations, opened
 from cloner.head.modes import load_head_modes
 from cloner.head.targets import face_targets

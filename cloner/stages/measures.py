@@ -14,8 +14,8 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows, measures_mm
-from cloner.geometry.under_clothes import NINE_IN_TEN, Estimate, Evidence, MeasurePrior, estimate
+from cloner.geometry.measurement.measuring import ALL_KEYS, LOOSE_KEYS, bare_rows, measures_mm
+from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, Estimate, Evidence, MeasurePrior, estimate
 from cloner.measure.covering import covers
 from cloner.measure.rumpled import garments_rumples_mm
 from cloner.measure.side_arms import hidden_rows

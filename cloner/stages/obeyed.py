@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.detectors.body_points import ENDS
+from cloner.detectors.body.body_points import ENDS
 from cloner.editing.claims import scene_of
 from cloner.editing.pose import obey_pose
 from cloner.editing.skin import obey_skin
@@ -29,8 +29,8 @@ from cloner.records.points import ANCHOR, FAR, BodyPoints, ObeyedPoint
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.silhouettes import ON_OUTLINE
-from cloner.vision.fixed_points import bend_through
-from cloner.vision.loops import fill_polygon
+from cloner.vision.contours.fixed_points import bend_through
+from cloner.vision.contours.loops import fill_polygon
 
 Array = NDArray[np.float64]
 

@@ -11,7 +11,7 @@ import numpy as np
 from cloner.abreast import abreast
 from cloner.body.bone_checks import check_bones
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body_points import ENDS
+from cloner.detectors.body.body_points import ENDS
 from cloner.detectors.table import DETECTORS
 from cloner.detectors.taught import taught
 from cloner.errors import ClonerError
@@ -31,7 +31,7 @@ from cloner.records.points import (
 )
 from cloner.records.results import Residual, StageResult
 from cloner.stages.photo_checks import check_photos
-from cloner.vision.loose_outline import find_loose
+from cloner.vision.segmentation.loose_outline import find_loose
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.points")

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from cloner.abreast import in_two_steps
 from cloner.calibration.loader import calibrated
-from cloner.detectors.portraits import is_cut_below
-from cloner.detectors.profile_cut import free_profile
+from cloner.detectors.face.profile_cut import free_profile
+from cloner.detectors.nets.portraits import is_cut_below
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -25,7 +25,7 @@ from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.results import StageResult
 from cloner.stages.hidden import SOMEBODY, shares_colours
-from cloner.vision.masks import refine_mask
+from cloner.vision.segmentation.masks import refine_mask
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.proposals")

@@ -24,7 +24,7 @@ from skimage.color import rgb2lab
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.triangles import areas, paired_edges
+from cloner.geometry.meshes.triangles import areas, paired_edges
 from cloner.records.clones import Clone
 from cloner.records.labels import SURFACES
 from cloner.records.regions import REGIONS

@@ -22,8 +22,8 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.settling import unfolded
-from cloner.geometry.slices import aspect_shift, fine_shift
+from cloner.geometry.outlines.settling import unfolded
+from cloner.geometry.outlines.slices import aspect_shift, fine_shift
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult

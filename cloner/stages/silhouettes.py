@@ -17,8 +17,8 @@ from cloner.records.points import ANCHOR, FAR, BodyPoints, Proposal, Proposals, 
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.points import figure_height_px, for_fitting, shows_crotch
-from cloner.vision.loose_outline import find_loose
-from cloner.vision.outlines import Outline, OutlineLoop, extract_outline
+from cloner.vision.contours.outlines import Outline, OutlineLoop, extract_outline
+from cloner.vision.segmentation.loose_outline import find_loose
 
 #: Named points that lie on the outline and so bound feature segments.
 ON_OUTLINE = (

@@ -20,14 +20,21 @@ from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.atlas import AtlasMap
-from cloner.geometry.iris import white_to_skin
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.charts.atlas import AtlasMap
+from cloner.geometry.charts.iris import white_to_skin
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.memory import give_back
-from cloner.paint.baked import Baked, unpainted
-from cloner.paint.compose import bake, blend_levels, share_surface
-from cloner.paint.doubted import doubt_grazing, doubt_slanted, doubt_strangers
-from cloner.paint.evened import (
+from cloner.paint.composing.baked import Baked, unpainted
+from cloner.paint.composing.compose import bake, blend_levels, share_surface
+from cloner.paint.composing.tiles import Tile, cut_tiles
+from cloner.paint.details.hands import finish_hands, finish_soles
+from cloner.paint.details.lid_skin import clean_lids
+from cloner.paint.details.nostrils import darken_nostrils
+from cloner.paint.details.parts import paint_parts
+from cloner.paint.details.tucking import tuck_scalp
+from cloner.paint.details.undressed import dress_unseen, near_sight, only_faces, plain_beyond
+from cloner.paint.lookups.doubted import doubt_grazing, doubt_slanted, doubt_strangers
+from cloner.paint.lookups.evened import (
     compare_photos,
     even_photos,
     evened_colours,
@@ -35,17 +42,10 @@ from cloner.paint.evened import (
     level_photos,
     vertex_colours,
 )
-from cloner.paint.feature_lines import meet_lines
-from cloner.paint.hands import finish_hands, finish_soles
-from cloner.paint.lid_skin import clean_lids
-from cloner.paint.materials import Materials, find_materials
-from cloner.paint.nostrils import darken_nostrils
-from cloner.paint.parts import paint_parts
-from cloner.paint.prepared import Limits
-from cloner.paint.sources import Source, gather_sources
-from cloner.paint.tiles import Tile, cut_tiles
-from cloner.paint.tucking import tuck_scalp
-from cloner.paint.undressed import dress_unseen, near_sight, only_faces, plain_beyond
+from cloner.paint.lookups.feature_lines import meet_lines
+from cloner.paint.lookups.materials import Materials, find_materials
+from cloner.paint.lookups.prepared import Limits
+from cloner.paint.lookups.sources import Source, gather_sources
 from cloner.records.clones import Clone, Joined, TextureAtlas
 from cloner.records.heads import HeadFit, Shell
 from cloner.records.labels import SURFACES
@@ -53,8 +53,8 @@ from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.vision.noise import quieted
-from cloner.vision.repair import spread_nearest
+from cloner.vision.photographs.noise import quieted
+from cloner.vision.retouching.repair import spread_nearest
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.textures")

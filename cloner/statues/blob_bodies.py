@@ -14,11 +14,11 @@ from cloner.bodies.made import clone_of_measures
 from cloner.bodies.written import manifest_of, write_result
 from cloner.cloning import check_formats, check_texture_size
 from cloner.errors import ClonerError
-from cloner.exporters.files import write_bytes
+from cloner.exporters.shared.files import write_bytes
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measuring import measures_mm
+from cloner.geometry.measurement.measuring import measures_mm
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder, safe_output

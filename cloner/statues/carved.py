@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cloner.errors import ClonerError
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.atlas import AtlasMap, map_atlas
+from cloner.geometry.charts.atlas import AtlasMap, map_atlas
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.heads import Shell
 from cloner.records.regions import REGIONS

@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.geometry.graphs import surface_graph
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.arrays import freeze
 from cloner.statues.obj_files import wrapped
 from cloner.statues.photo_fit import Mesh

@@ -11,13 +11,13 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.bodies.bared import grain_by_example
-from cloner.geometry.atlas import AtlasMap, map_atlas
-from cloner.geometry.graphs import surface_graph
-from cloner.geometry.rasters import nearest_depth
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.charts.atlas import AtlasMap, map_atlas
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.geometry.meshes.rasters import nearest_depth
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.views import Camera
 from cloner.stages.textures import pad_charts
-from cloner.vision.aligning import sample
+from cloner.vision.retouching.aligning import sample
 
 if TYPE_CHECKING:
     from cloner.statues.photo_fit import Mesh

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from cloner.generic.charts import person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import load_triangles
-from cloner.geometry.vectors import unit
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.vectors import unit
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.statues.blobs import LEVEL, Field
 
 Array = NDArray[np.float64]

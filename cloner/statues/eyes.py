@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
-from cloner.paint.parts import USUAL_IRIS_M, fit_ball
+from cloner.paint.details.parts import USUAL_IRIS_M, fit_ball
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.exporters.files import png_bytes, write_bytes
+from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.outside import text_outside
 from cloner.statues.photo_fit import Mesh
 

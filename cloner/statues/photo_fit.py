@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
 from cloner.errors import ClonerError
-from cloner.geometry.dffd import deform, enclosing_points, sibson_weights
-from cloner.geometry.resection import facing_camera, resect
+from cloner.geometry.cameras.resection import facing_camera, resect
+from cloner.geometry.deformation.dffd import deform, enclosing_points, sibson_weights
 from cloner.records.arrays import freeze
 from cloner.records.views import Camera
 from cloner.statues.continued import Laid, laid_photo, trusted

@@ -34,7 +34,7 @@ from cloner.statues.carved import check_material, statue_of
 from cloner.statues.markers import read_markers
 from cloner.statues.obj_files import read_obj, write_obj
 from cloner.statues.photo_fit import Fit, Mesh, PhotoFit, fit_photo, focal_px_of
-from cloner.vision.pictures import Picture, read_picture
+from cloner.vision.photographs.pictures import Picture, read_picture
 
 Array = NDArray[np.float64]
 

@@ -10,12 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
-from cloner.motion import turns
-from cloner.motion.body import SIDES, Body, body_of
-from cloner.motion.gait import aim_limb, follow
-from cloner.motion.rest import hanging_pose, in_pose
-from cloner.motion.rig import centred
-from cloner.motion.twist import shared_twist
+from cloner.motion.flesh.rest import hanging_pose, in_pose
+from cloner.motion.limbs import turns
+from cloner.motion.limbs.body import SIDES, Body, body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.twist import shared_twist
+from cloner.motion.moves.gait import aim_limb, follow
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
-from cloner.geometry.atlas import AtlasMap
-from cloner.geometry.graphs import surface_graph
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.charts.atlas import AtlasMap
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.geometry.meshes.wedges import vertex_normals
 
 Array = NDArray[np.float64]
 Values = NDArray[np.float32]

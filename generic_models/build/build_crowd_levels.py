@@ -23,7 +23,7 @@ import numpy as np
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import load_surfaces, surface_normals
-from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, skin
 
 DATA = Path(__file__).resolve().parents[2] / "cloner" / "crowd" / "data"
 SURFACES = ("body", "eyes")  # lips and lids cover the rest at the sizes of a crowd

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 from scipy.spatial import cKDTree
 
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.dffd import enclosing_points, sibson_weights
+from cloner.geometry.deformation.dffd import enclosing_points, sibson_weights
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "head_controls.npz"

@@ -3,7 +3,7 @@
 Random painted people are photographed from the front, behind and the side and shown to the pose net. The levels of
 the net's joints, of the contour's extremes and of the true features go into one Gaussian a view, and with them the
 errors of the net's points and the width of legs; all to ``cloner_models/body_levels.npz`` (see
-``cloner.detectors.levels``).
+``cloner.detectors.body.levels``).
 """
 
 from __future__ import annotations
@@ -21,17 +21,17 @@ from numpy.typing import NDArray
 from painted_people import BACKGROUNDS, TIGHTNESSES, Shot, photograph_once
 from painted_people_clothes import HAIR
 
-from cloner.detectors import litert
-from cloner.detectors import pose_rows as net
-from cloner.detectors.flanks import columns_at, find_flank, outwards_of
-from cloner.detectors.front_cues import arm_cues, front_cues, level_of
-from cloner.detectors.front_features import foot_end, joint_places, look_along
-from cloner.detectors.pose_order import in_order
-from cloner.detectors.side_cues import body_axis, find_profile, foot_ends, side_cues
-from cloner.detectors.side_features import look_from_side, profile_joints
+from cloner.detectors.body import pose_rows as net
+from cloner.detectors.body.flanks import columns_at, find_flank, outwards_of
+from cloner.detectors.body.front_cues import arm_cues, front_cues, level_of
+from cloner.detectors.body.front_features import foot_end, joint_places, look_along
+from cloner.detectors.body.pose_order import in_order
+from cloner.detectors.body.side_cues import body_axis, find_profile, foot_ends, side_cues
+from cloner.detectors.body.side_features import look_from_side, profile_joints
+from cloner.detectors.nets import litert
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.vision.outline_walk import Figure, figure_of
+from cloner.vision.segmentation.outline_walk import Figure, figure_of
 
 Array = NDArray[np.float64]
 Samples = dict[str, list[dict[str, float]]]

@@ -22,10 +22,10 @@ from painted_people_bodies import RandomBody
 from painted_people_clothes import TIGHTNESSES
 from painted_people_pictures import BACKGROUNDS
 
-from cloner.detectors import litert
+from cloner.detectors.nets import litert
 from cloner.generic.body_net import LANDMARKS, SIDES, base_place
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.skinning import blend_transforms, joint_transforms
+from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "body_net.npz"

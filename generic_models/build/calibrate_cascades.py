@@ -25,11 +25,11 @@ from photographed_heads import Head, photographed
 from portrait_canvas import canvas
 from scipy.spatial import cKDTree
 
-from cloner.detectors.cascade import FEATURES, Cascade, Picture, Pose, find_feature, look, prepare, sided
-from cloner.detectors.face_front_features import front_pose
-from cloner.detectors.face_net import load_face_net
-from cloner.detectors.face_points import PROFILE
-from cloner.detectors.face_side import IOD_M
+from cloner.detectors.face.cascade import FEATURES, Cascade, Picture, Pose, find_feature, look, prepare, sided
+from cloner.detectors.face.face_front_features import front_pose
+from cloner.detectors.face.face_net import load_face_net
+from cloner.detectors.face.face_points import PROFILE
+from cloner.detectors.face.face_side import IOD_M
 from cloner.generic.load import load_generic
 
 Array = NDArray[np.float64]

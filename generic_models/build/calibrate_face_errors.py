@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from painted_faces import EXTRAS, KnownFace, make_sitter, photograph_face
 from painted_people_pictures import BACKGROUNDS
 
-from cloner.detectors.face_net import load_face_net
-from cloner.detectors.face_points import propose_face_points
+from cloner.detectors.face.face_net import load_face_net
+from cloner.detectors.face.face_points import propose_face_points
 from cloner.detectors.taught import LEAST, MOST
 from cloner.errors import ClonerError
 from cloner.frames import FACE_VIEWS, ViewId

@@ -21,14 +21,14 @@ from painted_people_pictures import BACKGROUNDS
 from profile_shapes import NAMES as PROFILE
 from profile_shapes import joint_model, profile_shapes
 
-from cloner.detectors import litert
+from cloner.detectors.nets import litert
 from cloner.frames import ViewId
 from cloner.generic.face_grids import mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.rims import vertex_normals
-from cloner.geometry.surface import SurfacePoints, first_hits, nearest_points
+from cloner.geometry.meshes.surface import SurfacePoints, first_hits, nearest_points
+from cloner.geometry.outlines.rims import vertex_normals
 from cloner.records.views import Camera
-from cloner.vision.open_mouth import INNER_LIPS
+from cloner.vision.retouching.open_mouth import INNER_LIPS
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "face_net.npz"

@@ -19,11 +19,11 @@ import numpy as np
 from archives import save
 from numpy.typing import NDArray
 
-from cloner.detectors import litert
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
+from cloner.detectors.nets import litert
 from cloner.detectors.table import DETECTORS
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity
 from cloner.head.modes import bent_shapes, head_shapes, turned_from
 from cloner.records.views import Camera
 

@@ -19,8 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from cloner.detectors.litert import label_features
-from cloner.vision.crops import Crop, cut, photo_px_from_crop
+from cloner.detectors.nets.litert import label_features
+from cloner.vision.photographs.crops import Crop, cut, photo_px_from_crop
 
 #: First seed of the people that teach; benchmarks judge on 5000 to 5999, other judges on 9000 to 9999.
 FIRST_SEED = 20000

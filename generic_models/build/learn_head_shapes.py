@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from scan_heads import laid_generic, outer_skin, read_family, twin_vertices
 
 from cloner.generic.load import load_generic
-from cloner.geometry.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity
 from cloner.head.modes import family_parameters, parameter_fields
 
 Array = NDArray[np.float64]

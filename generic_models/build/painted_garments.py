@@ -17,8 +17,8 @@ from scipy.spatial import ConvexHull
 
 from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman
-from cloner.geometry.skinning import blend_transforms, joint_transforms
-from cloner.geometry.tubes import hull_radii, ring_angles, tube_mesh, tube_points
+from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
+from cloner.geometry.charts.tubes import hull_radii, ring_angles, tube_mesh, tube_points
 
 Array = NDArray[np.float64]
 Kind = Literal["short skirt", "long skirt", "coat", "bag"]

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from painted_portraits import segmented
 
 from cloner.errors import ClonerError
-from cloner.evaluate.kit import kit_people, read_kit
+from cloner.evaluate.truths.kit import kit_people, read_kit
 from cloner.generic.load import load_generic
 from cloner.records.labels import Label
-from cloner.vision.pictures import read_picture
+from cloner.vision.photographs.pictures import read_picture
 
 Array = NDArray[np.float64]
 

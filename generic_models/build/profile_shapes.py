@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from painted_people_bodies import waves
 
 from cloner.generic.load import GenericHuman
-from cloner.geometry.rims import vertex_normals
+from cloner.geometry.outlines.rims import vertex_normals
 
 Array = NDArray[np.float64]
 

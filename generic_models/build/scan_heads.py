@@ -20,10 +20,10 @@ from scipy.sparse import coo_matrix, csr_matrix, diags, identity
 from scipy.sparse.linalg import splu
 
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.alignment import similarity
-from cloner.geometry.rims import vertex_normals
-from cloner.geometry.surface import SurfacePoints, nearest_points
-from cloner.geometry.triangles import edges_of
+from cloner.geometry.meshes.alignment import similarity
+from cloner.geometry.meshes.surface import SurfacePoints, nearest_points
+from cloner.geometry.meshes.triangles import edges_of
+from cloner.geometry.outlines.rims import vertex_normals
 
 Array = NDArray[np.float64]
 

@@ -10,7 +10,7 @@ FOLDER holds ``mediapipe-<name>-<version>/package``. Every output is named, with
 package, version, sha256 and licence, in ``nets/PROVENANCE.json``.
 ``face_landmark_with_attention.tflite`` needs custom operators that ai-edge-litert 2.3
 does not have (measured), so it is cut into the part before and the part after them;
-``cloner/detectors/face_regions.py`` does what lay between.
+``cloner/detectors/nets/face_regions.py`` does what lay between.
 """
 
 from __future__ import annotations

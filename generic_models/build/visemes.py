@@ -22,9 +22,9 @@ import numpy as np
 from scipy.io import wavfile
 from scipy.signal import resample_poly
 
-from cloner.motion.espeak import spoken
-from cloner.motion.heard import RATE_HZ, around, bands
-from cloner.motion.speech import VISEMES, viseme_of
+from cloner.motion.face.espeak import spoken
+from cloner.motion.face.heard import RATE_HZ, around, bands
+from cloner.motion.face.speech import VISEMES, viseme_of
 
 VARIANTS: Final = ("", "", "+m1", "+m2", "+m3", "+m4", "+m5", "+m6", "+m7", "+f1", "+f2", "+f3", "+f4", "+klatt")
 FLITE: Final = ("awb", "kal16", "slt")

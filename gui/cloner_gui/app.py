@@ -13,17 +13,17 @@ from typing import Final
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QStandardPaths, QTimer
 from PySide6.QtWidgets import QApplication
 
-from cloner.booth.event import Event
-from cloner.booth.recent import RECENT_FILE
+from cloner.booth.events.event import Event
+from cloner.booth.events.recent import RECENT_FILE
+from cloner_gui.background.newest import newest
+from cloner_gui.background.tidying import Tidier
+from cloner_gui.background.worker import stop_all_tasks
 from cloner_gui.dialogs import catch_everything
-from cloner_gui.effort import ClickCounter
+from cloner_gui.event.effort import ClickCounter
+from cloner_gui.event.services import Services, process_services
+from cloner_gui.event.session import Session
 from cloner_gui.main_window import MainWindow
-from cloner_gui.newest import newest
-from cloner_gui.services import Services, process_services
-from cloner_gui.session import Session
 from cloner_gui.theme import dress
-from cloner_gui.tidying import Tidier
-from cloner_gui.worker import stop_all_tasks
 
 #: Exit code of a program that was asked to end, 128 + SIGINT as shells have it.
 STOPPED: Final = 130
@@ -97,8 +97,8 @@ def load_the_rest() -> None:
     for module in (
         "cloner_gui.pages.points",
         "cloner_gui.pages.clone",
-        "cloner_gui.canvas.greeting",
-        "cloner.refitting",
+        "cloner_gui.canvas.clones.greeting",
+        "cloner.interactive.refitting",
     ):
         importlib.import_module(module)
 

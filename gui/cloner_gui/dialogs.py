@@ -12,10 +12,10 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from cloner.errors import ClonerError
-from cloner.holdings import holding_of
-from cloner.privacy import export_data
-from cloner_gui.booth import Booth
-from cloner_gui.words import translate
+from cloner.personal_data.holdings import holding_of
+from cloner.personal_data.privacy import export_data
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.words import translate
 
 log = logging.getLogger(__name__)
 

@@ -8,8 +8,8 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QInputDialog, QLineEdit, QWidget
 
-from cloner.booth.pin import Door
-from cloner_gui.words import translate
+from cloner.booth.events.pin import Door
+from cloner_gui.language.words import translate
 
 if TYPE_CHECKING:
     from cloner_gui.main_window import MainWindow

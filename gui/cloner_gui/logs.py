@@ -7,7 +7,7 @@ from logging.handlers import RotatingFileHandler
 from pathlib import Path
 from typing import Final
 
-from cloner.booth.event import LOG_FILE
+from cloner.booth.events.event import LOG_FILE
 
 _BYTES: Final = 500_000
 _OLD: Final = 2

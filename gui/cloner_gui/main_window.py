@@ -9,25 +9,25 @@ from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QKeyEvent
 from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QMainWindow, QVBoxLayout, QWidget
 
-from cloner.holdings import Holding
-from cloner_gui.booth import Booth
+from cloner.personal_data.holdings import Holding
+from cloner_gui.background.newest import newest
 from cloner_gui.dialogs import ask_to_forget
+from cloner_gui.event.booth import Booth
+from cloner_gui.event.phone import Phone
+from cloner_gui.event.queue_bar import QueueBar
+from cloner_gui.event.session import Session
 from cloner_gui.kiosk import Kiosk
-from cloner_gui.letters import settle
+from cloner_gui.language.words import translate
 from cloner_gui.logs import log_to
 from cloner_gui.menus import Menus
-from cloner_gui.newest import newest
-from cloner_gui.notice import Notice
 from cloner_gui.pages.photos import PhotosPage
 from cloner_gui.pages.takeaway import TakeawayPage
 from cloner_gui.pages.visitor import VisitorPage
-from cloner_gui.phone import Phone
-from cloner_gui.pieces import GAP, button, label
-from cloner_gui.queue_bar import QueueBar
-from cloner_gui.session import Session
 from cloner_gui.shelf import Page, Shelf
-from cloner_gui.step_bar import StepBar, step_titles
-from cloner_gui.words import translate
+from cloner_gui.widgets.letters import settle
+from cloner_gui.widgets.notice import Notice
+from cloner_gui.widgets.pieces import GAP, button, label
+from cloner_gui.widgets.step_bar import StepBar, step_titles
 
 if TYPE_CHECKING:
     from cloner_gui.pages.clone import ClonePage

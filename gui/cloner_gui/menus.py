@@ -10,9 +10,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 from PySide6.QtWidgets import QApplication, QDialog, QMenu
 
-from cloner_gui.languages import LANGUAGE_NAMES, speak
+from cloner_gui.language.languages import LANGUAGE_NAMES, speak
+from cloner_gui.language.words import translate
 from cloner_gui.theme import dress
-from cloner_gui.words import translate
 
 if TYPE_CHECKING:
     from cloner_gui.main_window import MainWindow

@@ -9,8 +9,8 @@ import pygltflib
 import pytest
 
 from cloner.errors import ClonerError
-from cloner.exporters import gltf
-from cloner.exporters.vrml_segments import skin_meshes
+from cloner.exporters.gltf import gltf
+from cloner.exporters.vrml.vrml_segments import skin_meshes
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import load_clone, save_clone
 from kit.beards import bearded_clone

@@ -13,8 +13,8 @@ import pygltflib
 import pytest
 import trimesh
 
-from cloner.exporters.engines import export_unity, export_unreal
-from cloner.motion.rig import centred
+from cloner.exporters.avatars.engines import export_unity, export_unreal
+from cloner.motion.limbs.rig import centred
 from kit import readers
 from kit.clones import toy_clone
 

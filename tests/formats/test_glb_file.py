@@ -7,8 +7,8 @@ import json
 import numpy as np
 import pygltflib
 
-from cloner.exporters.glb_file import glb_bytes
-from cloner.exporters.gltf import build
+from cloner.exporters.gltf.glb_file import glb_bytes
+from cloner.exporters.gltf.gltf import build
 from kit.clones import toy_clone
 
 

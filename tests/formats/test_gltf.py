@@ -16,12 +16,12 @@ import trimesh
 from scipy.spatial.transform import Rotation
 
 from cloner.errors import ClonerError
-from cloner.exporters.gltf import export
+from cloner.exporters.gltf.gltf import export
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.motion.bending import flesh
-from cloner.motion.body import body_of
-from cloner.motion.rig import centred
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.motion.flesh.bending import flesh
+from cloner.motion.limbs.body import body_of
+from cloner.motion.limbs.rig import centred
 from cloner.records.clones import Clone
 from kit.clones import RED_LEFT_HAND, toy_clone
 from kit.compare_clones import snapshot

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.exporters.gltf import build
-from cloner.exporters.gltf_targets import SMALLEST_TURN, normal_turns
+from cloner.exporters.gltf.gltf import build
+from cloner.exporters.gltf.gltf_targets import SMALLEST_TURN, normal_turns
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import load_surfaces, surface_normals
-from cloner.motion.rig import centred
+from cloner.motion.limbs.rig import centred
 from kit.clones import toy_clone
 
 

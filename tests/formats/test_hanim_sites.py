@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from cloner.exporters import vrml97, vrml_hanim, x3d
-from cloner.exporters.hanim_limits import hanging_limits, limits_of
-from cloner.exporters.hanim_sites import name_2, placed_sites, standard_sites
+from cloner.exporters.hanim.hanim_limits import hanging_limits, limits_of
+from cloner.exporters.hanim.hanim_sites import name_2, placed_sites, standard_sites
+from cloner.exporters.vrml import vrml97, vrml_hanim, x3d
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
-from cloner.motion.body import body_of
-from cloner.motion.own import own_motions
-from cloner.motion.rest import hanging_pose, in_hanging_pose
-from cloner.motion.rig import centred
+from cloner.motion.flesh.rest import hanging_pose, in_hanging_pose
+from cloner.motion.limbs.body import body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 from kit.clones import toy_clone
 
 #: Heights of the standard's own figure (stature 1.7504 m), as shares of it.

@@ -14,9 +14,9 @@ import numpy as np
 import pygltflib
 import pytest
 
-from cloner.crowd import lods
-from cloner.crowd.levels import LOOSE
-from cloner.exporters import gltf
+from cloner.crowd.clones import lods
+from cloner.crowd.clones.levels import LOOSE
+from cloner.exporters.gltf import gltf
 from kit import readers
 from kit.beards import bearded_clone
 from kit.clones import toy_clone

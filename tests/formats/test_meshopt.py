@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.exporters import meshopt
+from cloner.exporters.gltf import meshopt
 
 MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node"))
 pytestmark = pytest.mark.skipif(shutil.which("node") is None or not MODULES.is_dir(), reason="needs node and three")

@@ -13,10 +13,10 @@ import pygltflib
 import pytest
 import trimesh
 
-from cloner.scenes.charts import charts_of
-from cloner.scenes.gltf import LIGHT_MAP, room_glb
-from cloner.scenes.plan import SHIPPED, read_plan
-from cloner.scenes.solids import room_of
+from cloner.scenes.building.charts import charts_of
+from cloner.scenes.building.gltf import LIGHT_MAP, room_glb
+from cloner.scenes.building.plan import SHIPPED, read_plan
+from cloner.scenes.building.solids import room_of
 from kit import readers
 
 MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node"))

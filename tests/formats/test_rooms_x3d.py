@@ -12,11 +12,11 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.scenes.charts import charts_of
-from cloner.scenes.gltf import meshes_of
-from cloner.scenes.plan import read_plan
-from cloner.scenes.solids import room_of
-from cloner.scenes.x3d import room_x3d
+from cloner.scenes.building.charts import charts_of
+from cloner.scenes.building.gltf import meshes_of
+from cloner.scenes.building.plan import read_plan
+from cloner.scenes.building.solids import room_of
+from cloner.scenes.building.x3d import room_x3d
 from kit import readers
 from kit.browser import CHROMIUM, browser
 

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.exporters.gltf import build
-from cloner.exporters.roughness import ROUGHNESS, SIZE, mouth_light
+from cloner.exporters.gltf.gltf import build
+from cloner.exporters.shared.roughness import ROUGHNESS, SIZE, mouth_light
 from cloner.generic.load import load_generic
 from cloner.records.regions import REGIONS
 from kit.clones import toy_clone

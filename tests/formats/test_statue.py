@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from cloner.exporters.gltf import export
+from cloner.exporters.gltf.gltf import export
 from cloner.exporters.usd import export as export_usd
 from cloner.records.clones import Clone
 from cloner.statues.carved import statue_of

@@ -19,15 +19,18 @@ import pytest
 from PIL import Image
 
 from cloner.errors import ClonerError
-from cloner.exporters import gltf_small, mixamo, usd, vrml_flat
-from cloner.exporters.gltf import build
+from cloner.exporters import usd
+from cloner.exporters.avatars import mixamo
+from cloner.exporters.gltf import gltf_small
+from cloner.exporters.gltf.gltf import build
+from cloner.exporters.vrml import vrml_flat
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.motion.body import body_of
-from cloner.motion.gait import idle, walk
-from cloner.motion.rest import in_t_pose
-from cloner.motion.rig import centred
-from cloner.motion.turns import places, world_from_local
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.motion.flesh.rest import in_t_pose
+from cloner.motion.limbs.body import body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.limbs.turns import places, world_from_local
+from cloner.motion.moves.gait import idle, walk
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
 from kit.clones import toy_clone

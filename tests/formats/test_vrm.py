@@ -14,10 +14,10 @@ import pygltflib
 import pytest
 from PIL import Image
 
-from cloner.exporters.vrm import EXPRESSIONS, export, human_bones
-from cloner.exporters.vrm_terms import vrm_meta
+from cloner.exporters.avatars.vrm import EXPRESSIONS, export, human_bones
+from cloner.exporters.avatars.vrm_terms import vrm_meta
 from cloner.generic.load import load_generic
-from cloner.motion.rest import in_t_pose
+from cloner.motion.flesh.rest import in_t_pose
 from cloner.records.terms import Terms
 from kit.browser import CHROMIUM, browser
 from kit.clones import toy_clone

@@ -14,9 +14,9 @@ import pygltflib
 import pytest
 import trimesh
 
-from cloner.exporters import vrma
-from cloner.motion.body import body_of
-from cloner.motion.gait import idle, walk
+from cloner.exporters.avatars import vrma
+from cloner.motion.limbs.body import body_of
+from cloner.motion.moves.gait import idle, walk
 from kit.clones import toy_clone
 
 MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node"))

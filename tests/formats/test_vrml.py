@@ -12,13 +12,13 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.exporters.hanim_names import segment_name
-from cloner.exporters.partition import partition
-from cloner.exporters.vrml_hanim import export
+from cloner.exporters.hanim.hanim_names import segment_name
+from cloner.exporters.hanim.partition import partition
+from cloner.exporters.vrml.vrml_hanim import export
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
-from cloner.motion.rest import in_hanging_pose
-from cloner.motion.rig import centred
+from cloner.motion.flesh.rest import in_hanging_pose
+from cloner.motion.limbs.rig import centred
 from cloner.records.clones import Clone
 from kit.clones import toy_clone
 from kit.compare_clones import snapshot

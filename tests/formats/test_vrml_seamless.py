@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.exporters.vrml97 import export
+from cloner.exporters.vrml.vrml97 import export
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.motion.own import own_motions
-from cloner.motion.rig import centred
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
 from formats.test_vrml import READER, SYSTEM_PYTHON, needs_coin
 from kit.clones import toy_clone

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.exporters.x3d import export
+from cloner.exporters.vrml.x3d import export
 from cloner.generic.load import load_generic
 from kit.browser import CHROMIUM, browser
 from kit.clones import toy_clone

@@ -75,9 +75,9 @@ def guided(name: str, seconds: int) -> None:
         import tomllib  # noqa: F401
     from fuzz import targets
 
-    for module in ("project.folder", "project.corrections", "project.manifest", "project.tape", "motion.bvh",
-                   "motion.faps", "motion.speech", "project.stamps", "crowd.reading",
-                   "crowd.told"):  # fmt: skip
+    for module in ("project.folder", "project.corrections", "project.manifest", "project.tape", "motion.captures.bvh",
+                   "motion.face.faps", "motion.face.speech", "project.stamps", "crowd.packs.reading",
+                   "crowd.packs.told"):  # fmt: skip
         for value in list(vars(sys.modules[f"cloner.{module}"]).values()):
             if getattr(value, "__module__", "") == f"cloner.{module}" and hasattr(value, "__code__"):
                 atheris.instrument_func(value)

@@ -20,20 +20,20 @@ from cloner.behaviour.language import read_text
 from cloner.behaviour.trajectories import pack, read_trajectories
 from cloner.behaviour.world import world_of
 from cloner.behaviour.written import recorded
-from cloner.booth.event import Event, read_event, write_event
-from cloner.booth.looks import read_looks
-from cloner.booth.visits import read_visit
-from cloner.crowd.reading import casting_from, read_facts
-from cloner.crowd.scene import scene_of
+from cloner.booth.events.event import Event, read_event, write_event
+from cloner.booth.photos.looks import read_looks
+from cloner.booth.visitors.visits import read_visit
+from cloner.crowd.packs.reading import casting_from, read_facts
+from cloner.crowd.staged.scene import scene_of
 from cloner.errors import ClonerError, plain
 from cloner.frames import ViewId
-from cloner.leftovers import Traces, tells
-from cloner.motion.acclaim import read_acclaim
-from cloner.motion.bvh import read_bvh
-from cloner.motion.faps import read_fap
-from cloner.motion.score import read_score
-from cloner.motion.sound import frame_features, read_wav
-from cloner.motion.speech import phoneme_visemes, read_phonemes
+from cloner.motion.captures.acclaim import read_acclaim
+from cloner.motion.captures.bvh import read_bvh
+from cloner.motion.face.faps import read_fap
+from cloner.motion.face.score import read_score
+from cloner.motion.face.sound import frame_features, read_wav
+from cloner.motion.face.speech import phoneme_visemes, read_phonemes
+from cloner.personal_data.leftovers import Traces, tells
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.project.folder import read_corrections, read_person
 from cloner.project.manifest import find_visitors
@@ -41,12 +41,12 @@ from cloner.project.results import foreign_files
 from cloner.project.stamps import why_not_current
 from cloner.project.values_file import load_values, save_values
 from cloner.records.points import Correction, Corrections
-from cloner.scenes.plan import read_plan
-from cloner.scenes.solids import room_of
+from cloner.scenes.building.plan import read_plan
+from cloner.scenes.building.solids import room_of
 from cloner.statues.blobs import field_of, read_blobs
 from cloner.statues.markers import read_markers
 from cloner.statues.obj_files import read_obj
-from cloner.vision.pictures import read_picture
+from cloner.vision.photographs.pictures import read_picture
 from hostile import cases_motion, cases_photos
 from kit.clones import toy_clone
 

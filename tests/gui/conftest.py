@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 
 from cloner.booth.growing import Shape
-from cloner.booth.looking_table import Look
 from cloner.booth.opened import Cloned
-from cloner.booth.photo_files import decoded
-from cloner.evaluate.baselines import generic_clone
+from cloner.booth.photos.looking_table import Look
+from cloner.booth.photos.photo_files import decoded
+from cloner.evaluate.truths.baselines import generic_clone
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.points import ViewPoints
+from cloner_gui.event.services import Services
+from cloner_gui.event.session import Session
 from cloner_gui.main_window import MainWindow
-from cloner_gui.services import Services
-from cloner_gui.session import Session
 from kit.studio_window import Studio
 
 NAMES = ("nose_tip", "eye_inner_L", "shoulder_end_left")
@@ -84,7 +84,7 @@ class Jobs:
 
 @pytest.fixture(autouse=True)
 def _garbage_on_the_main_thread():
-    """Widgets of earlier tests must not die on a worker's thread: see `cloner_gui.tidying`."""
+    """Widgets of earlier tests must not die on a worker's thread: see `cloner_gui.background.tidying`."""
     gc.disable()
     yield
     gc.collect()

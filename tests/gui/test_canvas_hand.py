@@ -7,10 +7,10 @@ from PySide6.QtGui import QPointingDevice
 from PySide6.QtTest import QTest
 
 from cloner.frames import BODY_VIEWS, ViewId
+from cloner.interactive.relinking import LiveOutline
 from cloner.records.photos import Photo, PhotoSet
-from cloner.relinking import LiveOutline
-from cloner.vision.outlines import extract_outline
-from cloner.vision.stretches import make_linkable
+from cloner.vision.contours.outlines import extract_outline
+from cloner.vision.contours.stretches import make_linkable
 from kit.drawn import AXES, CENTRE, photograph, rough_mask
 
 from .test_points_page import VIEW, canvas, drag, place_of  # noqa: F401 - the fixture is used by name

@@ -4,8 +4,8 @@ import threading
 
 import pytest
 
-from cloner_gui.canvas.live import LiveOutlines
-from cloner_gui.worker import Task, stop_all_tasks
+from cloner_gui.background.worker import Task, stop_all_tasks
+from cloner_gui.canvas.photos.live import LiveOutlines
 
 pytestmark = pytest.mark.gui
 
@@ -30,7 +30,7 @@ def test_outlines_of_a_visitor_who_has_gone_are_not_shown(qtbot, tmp_path, monke
         waits.wait(5)
         return {"front": "outline of the one who left"}
 
-    monkeypatch.setattr("cloner_gui.canvas.live.ready_outlines", slow)
+    monkeypatch.setattr("cloner_gui.canvas.photos.live.ready_outlines", slow)
     told = []
     outlines.changed.connect(lambda: told.append(dict(outlines._ready)))
     outlines.prepare(tmp_path, None, {})

@@ -5,8 +5,8 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints
-from cloner_gui.canvas.hints import hint
-from cloner_gui.canvas.picking import nearest_on_outline, next_of, partner, partner_place, worst_first
+from cloner_gui.canvas.photos.hints import hint
+from cloner_gui.canvas.photos.picking import nearest_on_outline, next_of, partner, partner_place, worst_first
 
 FRONT, SIDE = ViewId.BODY_FRONT, ViewId.BODY_SIDE
 

@@ -8,14 +8,13 @@ import pytest
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QApplication, QDialog, QHeaderView
 
-from cloner.booth.event import LANGUAGES
-from cloner.booth.visits import State, Visit, write_visit
+from cloner.booth.events.event import LANGUAGES
+from cloner.booth.visitors.visits import State, Visit, write_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.results import file_digest
-from cloner_gui.canvas.whole_photo import WholePhoto
+from cloner_gui.canvas.photos.whole_photo import WholePhoto
 from cloner_gui.dialogs import ask_to_forget
-from cloner_gui.letters import assign, letter_of, lettered_in
 from cloner_gui.main_window import CLONE, TAKEAWAY
 from cloner_gui.menus import studio_entries
 from cloner_gui.pages.gallery import TRASHED, GalleryWindow
@@ -24,7 +23,8 @@ from cloner_gui.pages.settings import SettingsWindow
 from cloner_gui.pages.stage import StageWindow
 from cloner_gui.pages.statistics import StatisticsWindow
 from cloner_gui.studio.windows import window_of
-from cloner_gui.webcam import WebcamDialog
+from cloner_gui.widgets.letters import assign, letter_of, lettered_in
+from cloner_gui.widgets.webcam import WebcamDialog
 from kit.fitting import beyond_screen, cut_texts
 from kit.odd_programs import install
 
@@ -44,14 +44,14 @@ TEXTS = ((100, False), (150, True), (200, False))
 def busy_event(event, qtbot, jobs, samples, monkeypatch, tmp_path):  # noqa: F811
     """Everything that can be said at once: troubled photos, one without a place, a stale clone, a stick, a telephone's
     page, files on their way, somebody who failed and somebody in the trash."""
-    from cloner.booth.looking_table import Trouble
+    from cloner.booth.photos.looking_table import Trouble
 
-    monkeypatch.setattr("cloner_gui.phone.own_addresses", lambda: ("127.0.0.1",))
-    monkeypatch.setattr("cloner_gui.phone.PORT", 0)
+    monkeypatch.setattr("cloner_gui.event.phone.own_addresses", lambda: ("127.0.0.1",))
+    monkeypatch.setattr("cloner_gui.event.phone.PORT", 0)
     monkeypatch.setattr("cloner.booth.phone.parcel.SIZE_PX", (24, 36))
     monkeypatch.setattr("cloner.booth.phone.parcel.LARGE_PX", (24, 36))
     (tmp_path / "mountinfo").write_text("one")
-    monkeypatch.setattr("cloner_gui.stick_row.MOUNTS", tmp_path / "mountinfo")
+    monkeypatch.setattr("cloner_gui.widgets.stick_row.MOUNTS", tmp_path / "mountinfo")
     install(tmp_path, monkeypatch, lsblk=lsblk(tmp_path))
     event.booth.change(licence="everyone")
     failed = begin(event, qtbot)

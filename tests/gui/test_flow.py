@@ -9,14 +9,14 @@ import pytest
 from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 
-from cloner.booth.looking_table import Trouble
-from cloner.booth.visits import State, read_visit
+from cloner.booth.photos.looking_table import Trouble
+from cloner.booth.visitors.visits import State, read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.folder import read_consent, read_person, view_files
 from cloner.project.results import file_digest
+from cloner_gui.event.session import Session
 from cloner_gui.main_window import MainWindow
-from cloner_gui.session import Session
 
 pytestmark = pytest.mark.gui
 

@@ -8,11 +8,11 @@ from PySide6.QtCore import QMimeData, Qt, QUrl
 from PySide6.QtGui import QAccessible, QColor, QGuiApplication
 from PySide6.QtWidgets import QApplication, QDialogButtonBox, QLabel, QPushButton, QWidget
 
-from cloner.booth.event import LANGUAGES
+from cloner.booth.events.event import LANGUAGES
 from cloner.frames import ViewId
-from cloner_gui.languages import FOLDER, consent_text, speak
+from cloner_gui.event.session import Session
+from cloner_gui.language.languages import FOLDER, consent_text, speak
 from cloner_gui.main_window import MainWindow
-from cloner_gui.session import Session
 from cloner_gui.theme import CONTRAST, DARK, LIGHT, dress
 
 from .test_flow import begin, settled

@@ -15,8 +15,8 @@ from pathlib import Path
 import cv2
 import pytest
 
+from cloner_gui.event.session import Session
 from cloner_gui.main_window import MainWindow
-from cloner_gui.session import Session
 from kit import walker
 
 pytestmark = [pytest.mark.gui, pytest.mark.slow]

@@ -5,8 +5,8 @@
 
 import pytest
 
+from cloner_gui.event.session import Session
 from cloner_gui.main_window import MainWindow
-from cloner_gui.session import Session
 from kit.outside_kills import World, lost
 from kit.outside_walk import services
 
@@ -16,8 +16,8 @@ pytestmark = [pytest.mark.gui, pytest.mark.slow]
 @pytest.fixture
 def reopen(qtbot, monkeypatch):
     """Open the event again, as the operator does, and let it settle."""
-    monkeypatch.setattr("cloner_gui.phone.own_addresses", lambda: ("127.0.0.1",))
-    monkeypatch.setattr("cloner_gui.phone.PORT", 0)
+    monkeypatch.setattr("cloner_gui.event.phone.own_addresses", lambda: ("127.0.0.1",))
+    monkeypatch.setattr("cloner_gui.event.phone.PORT", 0)
 
     def again(world):
         window = MainWindow(Session(services()))

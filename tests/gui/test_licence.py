@@ -4,7 +4,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QDialogButtonBox
 
-from cloner.booth.event import LANGUAGES, read_event
+from cloner.booth.events.event import LANGUAGES, read_event
 from cloner.project.folder import read_terms
 from cloner_gui.pages.settings import SettingsWindow
 

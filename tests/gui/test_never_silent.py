@@ -8,9 +8,9 @@ import pytest
 from PIL import Image
 from PySide6.QtCore import Qt
 
-from cloner.booth.looking_table import Look, Trouble
-from cloner.booth.looks import keep_look
-from cloner.booth.visits import State, Visit, write_visit
+from cloner.booth.photos.looking_table import Look, Trouble
+from cloner.booth.photos.looks import keep_look
+from cloner.booth.visitors.visits import State, Visit, write_visit
 from cloner.frames import ViewId
 from cloner_gui.main_window import CLONE, PHOTOS, POINTS, TAKEAWAY, VISITOR
 from cloner_gui.pages.gallery import TRASHED, GalleryWindow

@@ -7,18 +7,18 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QApplication, QMessageBox
 
-from cloner.booth import arrivals
-from cloner.booth.event import open_event, read_event
-from cloner.booth.looking_table import Trouble
-from cloner.booth.person_file import person_facts
-from cloner.booth.photo_files import new_photos
-from cloner.booth.visits import State, read_visit
+from cloner.booth.events.event import open_event, read_event
+from cloner.booth.photos import arrivals
+from cloner.booth.photos.looking_table import Trouble
+from cloner.booth.photos.photo_files import new_photos
+from cloner.booth.visitors.person_file import person_facts
+from cloner.booth.visitors.visits import State, read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.folder import read_corrections, view_files
 from cloner.project.results import file_digest
+from cloner_gui.event.session import Session
 from cloner_gui.main_window import CLONE, PHOTOS, POINTS, VISITOR, MainWindow
-from cloner_gui.session import Session
 
 from .test_flow import begin, drop, event, settled  # noqa: F401  (event is a fixture)
 
@@ -295,7 +295,7 @@ def test_a_read_only_folder_is_told_at_opening(event, tmp_path, monkeypatch):  #
     def refuse(dir):  # noqa: A002  (nothing is read-only for root)
         raise PermissionError(dir)
 
-    monkeypatch.setattr("cloner.booth.event.tempfile.TemporaryFile", refuse)
+    monkeypatch.setattr("cloner.booth.events.event.tempfile.TemporaryFile", refuse)
     event.booth.open(fixed)
     assert event.booth.root != fixed
     assert "nothing can be written" in event.notice.text.text()
@@ -335,7 +335,7 @@ def test_the_first_tab_goes_to_the_worst_point_and_the_last_one_says_so(window, 
 
 
 def test_a_doubtful_point_is_told_by_its_shape_too():
-    from cloner_gui.canvas.painting import point_shape
+    from cloner_gui.canvas.photos.painting import point_shape
 
     assert [point_shape(0.1, False), point_shape(0.9, False), point_shape(0.1, True)] == ["triangle", "ring", "square"]
 
@@ -374,7 +374,7 @@ def test_an_empty_card_shows_how_to_stand_at_every_size(event, qtbot):  # noqa: 
 
 
 def test_a_double_click_shows_the_photo_at_its_full_size(window, qtbot):
-    from cloner_gui.canvas.whole_photo import WholePhoto
+    from cloner_gui.canvas.photos.whole_photo import WholePhoto
 
     qtbot.mouseDClick(window.photos.cards[FRONT], LEFT, pos=QPoint(60, 100))
     (whole,) = window.findChildren(WholePhoto)

@@ -10,17 +10,17 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDialog, QFileDialog, QMessageBox, QPushButton
 
-from cloner.booth.event import new_visitor, read_event
-from cloner.booth.person_file import write_person
-from cloner.booth.recent import recent_events
+from cloner.booth.events.event import new_visitor, read_event
+from cloner.booth.events.recent import recent_events
+from cloner.booth.visitors.person_file import write_person
 from cloner.errors import ClonerError
-from cloner_gui.effort import ClickCounter
+from cloner_gui.event.effort import ClickCounter
+from cloner_gui.event.session import Session
 from cloner_gui.logs import log_to
 from cloner_gui.main_window import MainWindow
 from cloner_gui.pages.held import HeldWindow
 from cloner_gui.pages.settings import SettingsWindow
 from cloner_gui.pages.statistics import StatisticsWindow
-from cloner_gui.session import Session
 
 from .test_flow import _box
 
@@ -113,7 +113,9 @@ def test_the_logo_is_a_picture_that_is_chosen_and_taken_away_again(window, root,
     QImage(40, 20, QImage.Format.Format_RGB32).save(str(tmp_path / "fair.png"))
     for file, seen in (("no.png", ""), ("fair.png", str(tmp_path / "fair.png"))):
         place = str(tmp_path / file)
-        monkeypatch.setattr("cloner_gui.logo_field.QFileDialog.getOpenFileName", lambda *_, place=place: (place, ""))
+        monkeypatch.setattr(
+            "cloner_gui.widgets.logo_field.QFileDialog.getOpenFileName", lambda *_, place=place: (place, "")
+        )
         qtbot.mouseClick(dialog.logo.choose_button, Qt.MouseButton.LeftButton)
         assert dialog.logo.path == seen
     assert dialog.logo.seen.pixmap().size().toTuple() == (96, 48)

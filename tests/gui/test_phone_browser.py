@@ -27,8 +27,8 @@ LEFT = Qt.MouseButton.LeftButton
 @pytest.fixture
 def served(event, qtbot, monkeypatch, samples):  # noqa: F811
     """A window that serves two visitors' pages on this computer alone, and their links."""
-    monkeypatch.setattr("cloner_gui.phone.own_addresses", lambda: ("127.0.0.1",))
-    monkeypatch.setattr("cloner_gui.phone.PORT", 0)
+    monkeypatch.setattr("cloner_gui.event.phone.own_addresses", lambda: ("127.0.0.1",))
+    monkeypatch.setattr("cloner_gui.event.phone.PORT", 0)
     monkeypatch.setattr(parcel, "SIZE_PX", (80, 120))
     monkeypatch.setattr(parcel, "LARGE_PX", (80, 120))
     tokens = []
@@ -124,11 +124,11 @@ import sys
 from pathlib import Path
 from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
-import cloner_gui.phone
-cloner_gui.phone.own_addresses = lambda: ("127.0.0.1",)
-cloner_gui.phone.PORT = 0
+import cloner_gui.event.phone
+cloner_gui.event.phone.own_addresses = lambda: ("127.0.0.1",)
+cloner_gui.event.phone.PORT = 0
 from cloner_gui.main_window import MainWindow
-from cloner_gui.session import Session
+from cloner_gui.event.session import Session
 from kit.walker import services
 app = QApplication([])
 window = MainWindow(Session(services()))

@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QMenu
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner_gui.canvas.painting import CORRECTED, point_colour
-from cloner_gui.canvas.picking import nearest_point
+from cloner_gui.canvas.photos.painting import CORRECTED, point_colour
+from cloner_gui.canvas.photos.picking import nearest_point
 
 from .conftest import NAMES, PLACES
 

@@ -7,15 +7,15 @@ from PySide6.QtGui import QWheelEvent
 
 from cloner.booth.growing import Shape, plain_clone
 from cloner.frames import ViewId
-from cloner.geometry.viewpoints import look_at
+from cloner.geometry.cameras.viewpoints import look_at
 from cloner.records.bodies import PosedView
 from cloner.records.photos import Photo
 from cloner.records.views import Camera
-from cloner_gui.canvas.acting import MODES, MOTIONS, acted, dressed, motion_of
-from cloner_gui.canvas.growth import Growth
-from cloner_gui.canvas.preview import Preview
-from cloner_gui.canvas.preview_panel import PreviewPanel
-from cloner_gui.newest import newest
+from cloner_gui.background.newest import newest
+from cloner_gui.canvas.clones.acting import MODES, MOTIONS, acted, dressed, motion_of
+from cloner_gui.canvas.clones.growth import Growth
+from cloner_gui.canvas.clones.preview import Preview
+from cloner_gui.canvas.clones.preview_panel import PreviewPanel
 from kit.clones import toy_clone
 
 pytestmark = [pytest.mark.gui, pytest.mark.gl]

@@ -8,18 +8,18 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QAccessible, QColor, QPalette
 from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEdit, QScrollArea, QWidget
 
-from cloner.booth.event import LANGUAGES
+from cloner.booth.events.event import LANGUAGES
 from cloner.frames import ViewId
-from cloner_gui.languages import speak
+from cloner_gui.language.languages import speak
 from cloner_gui.main_window import CLONE, TAKEAWAY
 from cloner_gui.pages.gallery import GalleryWindow
 from cloner_gui.pages.held import HeldWindow
 from cloner_gui.pages.settings import SettingsWindow
 from cloner_gui.pages.stage import StageWindow
 from cloner_gui.pages.statistics import StatisticsWindow
-from cloner_gui.pieces import Card
 from cloner_gui.theme import CONTRAST, DARK, LIGHT, dress, palette_of
-from cloner_gui.webcam import WebcamDialog
+from cloner_gui.widgets.pieces import Card
+from cloner_gui.widgets.webcam import WebcamDialog
 
 from .test_flow import event  # noqa: F401  (a fixture)
 from .test_hands import contrast

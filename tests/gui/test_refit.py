@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner.booth.opened import Cloned
-from cloner.evaluate.baselines import generic_clone
+from cloner.evaluate.truths.baselines import generic_clone
 from cloner.frames import BODY_VIEWS, ViewId
 from cloner.generic.load import load_generic
 from cloner.records.photos import Photo, PhotoSet

@@ -12,11 +12,11 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
-from cloner.booth.visits import Visit, write_visit
-from cloner_gui.letters import letter_of, lettered_in
+from cloner.booth.visitors.visits import Visit, write_visit
+from cloner_gui.background.newest import newest
 from cloner_gui.main_window import TAKEAWAY
-from cloner_gui.newest import newest
-from cloner_gui.printed_card import card_image
+from cloner_gui.widgets.letters import letter_of, lettered_in
+from cloner_gui.widgets.printed_card import card_image
 from kit.odd_programs import install
 
 from .test_flow import event  # noqa: F401  (a fixture)
@@ -49,7 +49,7 @@ def said_in(image):
 
 
 def saved_as(monkeypatch, path):
-    monkeypatch.setattr("cloner_gui.keepsakes.QFileDialog.getSaveFileName", lambda *_: (str(path), ""))
+    monkeypatch.setattr("cloner_gui.event.keepsakes.QFileDialog.getSaveFileName", lambda *_: (str(path), ""))
 
 
 def test_the_card_says_what_the_visitor_agreed_to_and_its_code_can_be_scanned(taken):
@@ -130,7 +130,7 @@ def test_a_stick_is_found_by_itself_written_read_back_and_let_go(taken, qtbot, t
     stick.mkdir()
     mounts = tmp_path / "mountinfo"
     mounts.write_text("nothing yet")
-    monkeypatch.setattr("cloner_gui.stick_row.MOUNTS", mounts)
+    monkeypatch.setattr("cloner_gui.widgets.stick_row.MOUNTS", mounts)
     install(tmp_path, monkeypatch, lsblk="echo '{}'", udisksctl=f'echo "$*" >> {log}')
     row = taken.takeaway.sticks
     row.look()
@@ -187,7 +187,7 @@ def test_where_sticks_cannot_be_found_it_is_said(taken, qtbot, tmp_path, monkeyp
     row._known = None
     row.look()
     qtbot.waitUntil(lambda: "does not tell" in row.note.text(), timeout=10000)
-    monkeypatch.setattr("cloner_gui.stick_row.MOUNTS", tmp_path / "none")
+    monkeypatch.setattr("cloner_gui.widgets.stick_row.MOUNTS", tmp_path / "none")
     row.look()
     assert "Linux only" in row.note.text()
     assert taken.takeaway.folder_button.isEnabled(), "by hand as ever"

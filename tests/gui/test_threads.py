@@ -8,8 +8,8 @@ import pytest
 from PySide6.QtCore import QObject, Qt
 
 from cloner.errors import ClonerError
-from cloner_gui.newest import newest
-from cloner_gui.worker import Task, stop_all_tasks
+from cloner_gui.background.newest import newest
+from cloner_gui.background.worker import Task, stop_all_tasks
 
 pytestmark = pytest.mark.gui
 
@@ -20,8 +20,8 @@ import numpy as np
 import shiboken6
 from PySide6.QtWidgets import QApplication, QWidget
 from cloner.frames import ViewId
-from cloner_gui.webcam import WebcamDialog
-from cloner_gui.worker import Task, stop_all_tasks
+from cloner_gui.widgets.webcam import WebcamDialog
+from cloner_gui.background.worker import Task, stop_all_tasks
 
 class Still:
     closed = threading.Event()

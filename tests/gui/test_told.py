@@ -5,9 +5,9 @@ from PySide6.QtWidgets import QApplication
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner_gui.languages import speak, translator_of
-from cloner_gui.point_names import NAMES, is_point, spoken
-from cloner_gui.told import template_of, told, told_error
+from cloner_gui.language.languages import speak, translator_of
+from cloner_gui.language.point_names import NAMES, is_point, spoken
+from cloner_gui.language.told import template_of, told, told_error
 from kit.sentences import PLACE, ROOT, sentences
 
 pytestmark = pytest.mark.gui
@@ -15,8 +15,8 @@ pytestmark = pytest.mark.gui
 #: What no operator of the window can meet: other ways in, files that people write by hand, and motion files.
 ELSEWHERE = (
     "cloner/animating.py", "cloner/api.py", "cloner/batch.py", "cloner/cli.py", "cloner/commands/", "cloner/evaluate/",
-    "cloner/farm.py",
-    "cloner/behaviour/", "cloner/cluster", "cloner/crowd/", "cloner/outside.py", "cloner/acting/", "cloner/scenes/",
+    "cloner/machines/farm.py", "cloner/machines/cluster", "cloner/behaviour/", "cloner/crowd/", "cloner/outside.py",
+    "cloner/acting/", "cloner/scenes/",
     "cloner/statues/carved.py", "cloner/statues/clay_heads.py", "cloner/statues/markers.py",
     "cloner/statues/obj_files.py", "cloner/statues/poses.py", "cloner/terminal.py",
     "cloner/motion/", "cloner/picture.py", "cloner/project/manifest.py", "cloner/project/tape.py",
@@ -43,12 +43,12 @@ def test_every_error_on_the_booths_path_has_its_translation():
     said = list(on_the_path())
     assert len(said) > 120, "the sources are read"
     unknown = [f"{name}:{line}: {text}" for name, line, text in said if template_of(text.replace(PLACE, "X7")) is None]
-    assert not unknown, "add them to SENTENCES in cloner_gui/told.py:\n" + "\n".join(unknown)
+    assert not unknown, "add them to SENTENCES in cloner_gui/language/told.py:\n" + "\n".join(unknown)
 
 
 @pytest.mark.parametrize("code", ["de", "fr", "tr"])
 def test_every_sentence_and_point_is_said_in_every_language(qtbot, code):
-    from cloner_gui.told import SENTENCES
+    from cloner_gui.language.told import SENTENCES
 
     translator = translator_of(code)
     for context, texts in (("told", SENTENCES), ("names", [NAMES._words[key] for key in NAMES])):

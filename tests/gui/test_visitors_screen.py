@@ -6,9 +6,9 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
-from cloner.booth.looking_table import Look, Trouble
-from cloner.booth.looks import keep_look
-from cloner_gui.canvas import attract
+from cloner.booth.photos.looking_table import Look, Trouble
+from cloner.booth.photos.looks import keep_look
+from cloner_gui.canvas.clones import attract
 from cloner_gui.main_window import CLONE
 from cloner_gui.pages.gallery import GalleryWindow
 from cloner_gui.pages.stage import StageWindow
@@ -96,7 +96,9 @@ def test_the_gallery_tells_the_numbers_of_the_day_and_saves_them(event, qtbot, t
     assert "2 visitors, 2 clones" in told
     assert "3.0 minutes in the middle, 3.0 at most" in told
     assert "Refused: 1 × It is blurred." in told
-    monkeypatch.setattr("cloner_gui.day_label.QFileDialog.getSaveFileName", lambda *_: (str(tmp_path / "n.csv"), ""))
+    monkeypatch.setattr(
+        "cloner_gui.event.day_label.QFileDialog.getSaveFileName", lambda *_: (str(tmp_path / "n.csv"), "")
+    )
     qtbot.mouseClick(gallery.numbers_button, LEFT)
     rows = list(csv.reader((tmp_path / "n.csv").open()))
     assert ["visitors", "", "2"] in [row[1:] for row in rows]

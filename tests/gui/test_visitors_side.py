@@ -7,15 +7,15 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication
 
-from cloner.booth import trash
+from cloner.booth.events import trash
+from cloner.booth.events.pin import Door, kept_pin
 from cloner.booth.phone import parcel
-from cloner.booth.pin import Door, kept_pin
-from cloner.booth.visits import State, Visit, read_visit, write_visit
-from cloner.evaluate.baselines import generic_clone
+from cloner.booth.visitors.visits import State, Visit, read_visit, write_visit
+from cloner.evaluate.truths.baselines import generic_clone
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import save_clone
-from cloner_gui.canvas.reveal import ACTS
+from cloner_gui.canvas.clones.reveal import ACTS
 from cloner_gui.main_window import CLONE, TAKEAWAY
 from cloner_gui.pages.gallery import CLONED, TRASHED, GalleryWindow
 from cloner_gui.pages.stage import StageWindow
@@ -69,8 +69,8 @@ def test_a_new_clone_turns_walks_waves_and_smiles_until_a_hand_takes_it(event, q
 
 
 def test_the_waving_hand_is_above_the_shoulder_and_the_circle_is_closed():
-    from cloner.motion.body import body_of
-    from cloner.motion.wave import UP_S, wave
+    from cloner.motion.limbs.body import body_of
+    from cloner.motion.moves.wave import UP_S, wave
 
     body = body_of(generic_clone(load_generic(), 1.7))
     motion = wave(body)
@@ -128,8 +128,8 @@ def test_the_page_for_telephones_is_off_until_it_is_switched_on_and_takes_its_co
     samples,
     monkeypatch,
 ):
-    monkeypatch.setattr("cloner_gui.phone.own_addresses", lambda: ("127.0.0.1",))
-    monkeypatch.setattr("cloner_gui.phone.PORT", 0)
+    monkeypatch.setattr("cloner_gui.event.phone.own_addresses", lambda: ("127.0.0.1",))
+    monkeypatch.setattr("cloner_gui.event.phone.PORT", 0)
     monkeypatch.setattr(parcel, "SIZE_PX", (24, 36))
     monkeypatch.setattr(parcel, "LARGE_PX", (24, 36))
     folder = cloned(event, qtbot, samples)
@@ -197,7 +197,7 @@ def items(gallery):
 
 def test_from_a_new_visitor_to_the_take_away_in_a_few_clicks(event, jobs, qtbot, samples, tmp_path):  # noqa: F811
     """Counted as the operator's effort is: with a camera's folder four, with files four and the file dialog's three."""
-    from cloner_gui.effort import ClickCounter
+    from cloner_gui.event.effort import ClickCounter
 
     camera = tmp_path / "camera"
     camera.mkdir()

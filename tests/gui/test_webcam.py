@@ -10,10 +10,10 @@ from PIL import Image
 from PySide6.QtCore import QRectF, Qt
 from shiboken6 import isValid
 
-from cloner.booth.camera import jpeg_bytes
+from cloner.booth.photos.camera import jpeg_bytes
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner_gui.webcam import WebcamDialog, pose_outline
+from cloner_gui.widgets.webcam import WebcamDialog, pose_outline
 
 pytestmark = pytest.mark.gui
 
@@ -82,7 +82,7 @@ def test_a_camera_s_photo_goes_whole_to_the_visitor(window, qtbot, samples, tmp_
         writer.write(photo)
     writer.release()
     opened = cv2.VideoCapture
-    monkeypatch.setattr("cloner.booth.camera.cv2.VideoCapture", lambda number: opened(str(film)))
+    monkeypatch.setattr("cloner.booth.photos.camera.cv2.VideoCapture", lambda number: opened(str(film)))
     window.booth.agree("I agree", "en")
     before = window.session.photos.photos[ViewId.BODY_FRONT].digest
     window.show_page(window.photos)

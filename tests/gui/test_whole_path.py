@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 
-from cloner.booth.visits import State, read_visit
+from cloner.booth.visitors.visits import State, read_visit
 from cloner.frames import ViewId
 from cloner.project.folder import read_corrections
+from cloner_gui.event.services import process_services
+from cloner_gui.event.session import Session
 from cloner_gui.main_window import MainWindow
-from cloner_gui.services import process_services
-from cloner_gui.session import Session
 
 from .test_flow import _box, begin, drop
 

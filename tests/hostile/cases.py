@@ -8,11 +8,11 @@ from pathlib import Path
 from typing import Any
 
 from cloner.cloning import point_names
-from cloner.holdings import holdings
-from cloner.motion.bvh import read_bvh
-from cloner.motion.faps import read_fap
-from cloner.motion.sound import read_wav
-from cloner.motion.speech import phoneme_visemes, read_phonemes
+from cloner.motion.captures.bvh import read_bvh
+from cloner.motion.face.faps import read_fap
+from cloner.motion.face.sound import read_wav
+from cloner.motion.face.speech import phoneme_visemes, read_phonemes
+from cloner.personal_data.holdings import holdings
 from cloner.picture import clone_of
 from cloner.project.corrections import check_against
 from cloner.project.folder import load_photos, read_corrections, read_person

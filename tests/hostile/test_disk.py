@@ -19,7 +19,8 @@ SAVE = """
 import sys
 from pathlib import Path
 from cloner.errors import ClonerError
-from cloner.exporters import gltf, vrml97
+from cloner.exporters.gltf import gltf
+from cloner.exporters.vrml import vrml97
 from cloner.project.atomic import result_folder
 from cloner.project.clone_file import save_clone
 from kit.clones import toy_clone

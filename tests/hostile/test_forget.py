@@ -16,9 +16,9 @@ import pytest
 from PIL import Image
 
 from cloner.errors import ClonerError
-from cloner.exporters import gltf
-from cloner.holdings import find_holding, holdings, table
-from cloner.privacy import export_data, forget
+from cloner.exporters.gltf import gltf
+from cloner.personal_data.holdings import find_holding, holdings, table
+from cloner.personal_data.privacy import export_data, forget
 from cloner.project.atomic import result_folder, sweep
 from cloner.project.claims import claimed
 from cloner.project.manifest import find_visitors

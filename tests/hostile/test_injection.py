@@ -14,9 +14,11 @@ import pygltflib
 import pytest
 
 from cloner.cloning import CloneOutcome
-from cloner.exporters import gltf, meshes, vrml97, x3d
-from cloner.motion.faps import COUNT, FapStream, fap_text
-from cloner.motion.own import own_motions
+from cloner.exporters import meshes
+from cloner.exporters.gltf import gltf
+from cloner.exporters.vrml import vrml97, x3d
+from cloner.motion.face.faps import COUNT, FapStream, fap_text
+from cloner.motion.moves.own import own_motions
 from cloner.project.manifest import find_visitors
 from cloner.records.batches import CLONED, FAILED, BatchRow
 from cloner.report.batch import write_summary

@@ -14,10 +14,11 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
-from cloner import batch, cluster
+from cloner import batch
 from cloner.batch import BatchOptions, batch_folder
-from cloner.cluster_keys import make_keys
 from cloner.errors import ClonerError
+from cloner.machines import cluster
+from cloner.machines.cluster_keys import make_keys
 from kit import farming
 
 NOBODY = 65534

@@ -27,7 +27,7 @@ from cloner.outside import UnfitFile, read_outside
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.project.results import file_digest
 from cloner.project.stamps import input_stamp, why_not_current
-from cloner.vision.pictures import read_picture
+from cloner.vision.photographs.pictures import read_picture
 from hostile.cases_photos import JPEG
 from kit.clones import toy_clone
 from stages.test_head import fit, photographed, true_person

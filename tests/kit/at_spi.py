@@ -67,8 +67,8 @@ def show(event: Path) -> None:
     from PySide6.QtCore import QTimer
     from PySide6.QtWidgets import QApplication
 
+    from cloner_gui.event.session import Session
     from cloner_gui.main_window import MainWindow
-    from cloner_gui.session import Session
     from kit.walker import services
 
     app = QApplication([])

@@ -8,7 +8,7 @@ from PIL import Image, ImageDraw
 
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.geometry.viewpoints import framing_camera
+from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.heads import Shell

@@ -4,7 +4,7 @@ import numpy as np
 
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import slice_points
+from cloner.geometry.measurement.measures import slice_points
 
 
 def lengths_mm(vertices_m, joints_m):

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.vision.loops import fill_polygon
+from cloner.vision.contours.loops import fill_polygon
 
 HEIGHT, WIDTH = 600, 400
 CENTRE, AXES = np.array([200.3, 300.6]), np.array([110.0, 240.0])

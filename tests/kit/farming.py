@@ -18,7 +18,7 @@ from typing import Any
 from cloner import batch
 from cloner.batch import BatchOptions
 from cloner.cloning import CloneOutcome, stamp_options
-from cloner.farm import watchdog
+from cloner.machines.farm import watchdog
 from cloner.project.atomic import result_folder
 from cloner.project.manifest import Visitor
 from cloner.project.stamps import input_stamp, output_digests

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
-from cloner.crowd.footing import BY_FOOTINGS, CLIP_STEP, Acted, rows_at, sole_places, turned_by
-from cloner.crowd.reading import read_facts, read_stock
-from cloner.motion.slide import RULER_HZ, foot_slides_m
+from cloner.crowd.packs.reading import read_facts, read_stock
+from cloner.crowd.staged.footing import BY_FOOTINGS, CLIP_STEP, Acted, rows_at, sole_places, turned_by
+from cloner.motion.moves.slide import RULER_HZ, foot_slides_m
 from cloner.records.motions import Motion
 
 

@@ -9,8 +9,8 @@ import numpy as np
 from cloner.frames import BODY_VIEWS
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
-from cloner.geometry.rims import fill_triangles
-from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.outlines.rims import fill_triangles
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.points import PointSet, ViewPoints

@@ -7,8 +7,8 @@ from functools import partial
 from pathlib import Path
 
 from cloner.project.results import RESULT_MARK, file_digest
-from cloner.scenes.living import Living
-from cloner.scenes.newcomers import finished_in
+from cloner.scenes.served.living import Living
+from cloner.scenes.served.newcomers import finished_in
 from kit.crowds import dressed_toy, saved
 
 SECONDS = 30.0

@@ -17,12 +17,12 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from cloner.booth.event import Event, write_event
-from cloner.booth.person_file import person_facts
+from cloner.booth.events.event import Event, write_event
+from cloner.booth.handover.takeaway import has_result
 from cloner.booth.phone.parcel import FILES
 from cloner.booth.phone.tickets import read_ticket
 from cloner.booth.stage import result_of
-from cloner.booth.takeaway import has_result
+from cloner.booth.visitors.person_file import person_facts
 from cloner.frames import ViewId
 from cloner.project.folder import read_corrections
 from kit import outside_walk, walker

@@ -25,8 +25,8 @@ def say(what: str, visitor: str = "", value: object = None) -> None:
 
 def services():
     """Return the walker's stand-ins, with the real handing over, slowed as a stick is."""
-    from cloner.booth.handing import hand_over
-    from cloner.booth.looking_table import Look
+    from cloner.booth.handover.handing import hand_over
+    from cloner.booth.photos.looking_table import Look
     from cloner.frames import ViewId
     from cloner.project.folder import view_files
     from kit import walker
@@ -108,13 +108,13 @@ def main() -> None:
     """Walk, in the process that is killed."""
     from PySide6.QtWidgets import QApplication
 
-    import cloner_gui.phone
+    import cloner_gui.event.phone
     from cloner.booth.phone import parcel
+    from cloner_gui.event.session import Session
     from cloner_gui.main_window import MainWindow
-    from cloner_gui.session import Session
 
-    cloner_gui.phone.own_addresses = lambda: ("127.0.0.1",)
-    cloner_gui.phone.PORT = 0
+    cloner_gui.event.phone.own_addresses = lambda: ("127.0.0.1",)
+    cloner_gui.event.phone.PORT = 0
     parcel.SIZE_PX = parcel.LARGE_PX = (24, 36)
     app = QApplication([])
 

@@ -5,7 +5,7 @@ import numpy as np
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from kit import people, studio

@@ -6,8 +6,8 @@ import numpy as np
 import trimesh
 
 from cloner.generic.load import load_generic
-from cloner.geometry.poses import SIGMAS, pose_matrix, standing_pose
-from cloner.geometry.skinning import joint_transforms, skin
+from cloner.geometry.articulation.poses import SIGMAS, pose_matrix, standing_pose
+from cloner.geometry.articulation.skinning import joint_transforms, skin
 
 SOLE_M = 0.022
 HAIR_M = 0.012

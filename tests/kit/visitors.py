@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.vision.pictures import Picture, read_picture
+from cloner.vision.photographs.pictures import Picture, read_picture
 
 SAMPLES = Path(__file__).resolve().parents[2] / "samples"
 NAMES = ("anna", "boris")

@@ -20,10 +20,10 @@ VIEWS = ("body_front", "body_side", "face_front")
 
 def services():
     """Return fast stand-ins that write what the real jobs write."""
-    from cloner.booth.looking_table import Look
     from cloner.booth.opened import read_cloned
-    from cloner.booth.photo_files import meant_view
-    from cloner.evaluate.baselines import generic_clone
+    from cloner.booth.photos.looking_table import Look
+    from cloner.booth.photos.photo_files import meant_view
+    from cloner.evaluate.truths.baselines import generic_clone
     from cloner.frames import ViewId
     from cloner.generic.load import load_generic
     from cloner.project.atomic import result_folder
@@ -33,7 +33,7 @@ def services():
     from cloner.project.results import file_digest
     from cloner.records.photos import PhotoSet
     from cloner.records.points import ViewPoints
-    from cloner_gui.services import Services
+    from cloner_gui.event.services import Services
 
     def look(path, wanted, progress):
         digest = hashlib.sha256(path.read_bytes()).hexdigest()
@@ -129,8 +129,8 @@ def steps(window, photos: Path, wait) -> Iterator[str]:
 def main() -> None:
     from PySide6.QtWidgets import QApplication
 
+    from cloner_gui.event.session import Session
     from cloner_gui.main_window import MainWindow
-    from cloner_gui.session import Session
 
     app = QApplication([])
 

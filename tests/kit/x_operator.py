@@ -24,7 +24,7 @@ def services() -> Any:
     """Return the stand-ins of the killed walks, without their slowness."""
     from dataclasses import replace
 
-    from cloner.booth.handing import hand_over
+    from cloner.booth.handover.handing import hand_over
     from kit import outside_walk
 
     def light(result: Path, target: Path, formats: Any, progress: Any) -> Path:
@@ -39,10 +39,10 @@ class Walk:
     def __init__(self, room: Path, pictures: Path | None, *, real: bool) -> None:
         from PySide6.QtWidgets import QApplication
 
-        from cloner_gui.effort import ClickCounter
+        from cloner_gui.event.effort import ClickCounter
+        from cloner_gui.event.services import process_services
+        from cloner_gui.event.session import Session
         from cloner_gui.main_window import MainWindow
-        from cloner_gui.services import process_services
-        from cloner_gui.session import Session
 
         self.app = QApplication([])
         self.room, self.pictures = room, pictures
@@ -58,7 +58,7 @@ class Walk:
 
     def take(self, how: str, language: str) -> dict[str, Any]:
         """Take one visitor all the way and return what it cost; ``how``: "files" or "camera"."""
-        from cloner.booth.visits import read_visit
+        from cloner.booth.visitors.visits import read_visit
         from kit.x_hands import Done
 
         window, hands, session = self.window, self.hands, self.window.session
@@ -164,9 +164,9 @@ def _pixels(app: Any) -> int:
 
 def main() -> None:
     room, languages, ways, pictures, *rest = sys.argv[1:]
-    import cloner_gui.stick_row
+    import cloner_gui.widgets.stick_row
 
-    cloner_gui.stick_row.MOUNTS = Path(room) / "mountinfo"
+    cloner_gui.widgets.stick_row.MOUNTS = Path(room) / "mountinfo"
     walk = Walk(Path(room), None if pictures == "-" else Path(pictures), real="real" in rest)
     for language in languages.split(","):
         for how in ways.split(","):

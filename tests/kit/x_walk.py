@@ -19,8 +19,8 @@ def main() -> None:
     from PySide6.QtWidgets import QApplication, QScrollArea
 
     from cloner.frames import ViewId
+    from cloner_gui.event.session import Session
     from cloner_gui.main_window import MainWindow
-    from cloner_gui.session import Session
 
     app, mouse = QApplication([]), Mouse()
     window = MainWindow(Session(services()))

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from cloner.geometry.dffd import deform, enclosing_points, sibson_weights
+from cloner.geometry.deformation.dffd import deform, enclosing_points, sibson_weights
 
 SEEDS = st.integers(0, 10_000)
 

@@ -6,8 +6,8 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from cloner.vision.linking import bridge, link_goodness
-from cloner.vision.paths import path_goodness
+from cloner.vision.contours.linking import bridge, link_goodness
+from cloner.vision.contours.paths import path_goodness
 
 angle = st.floats(0.0, np.pi / 2 - 0.01)
 length = st.floats(0.0, 50.0)

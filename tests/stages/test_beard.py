@@ -8,8 +8,8 @@ import trimesh
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
-from cloner.geometry.wedges import vertex_normals
-from cloner.hair.beard import beard_rows
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.hair.shells.beard import beard_rows
 from cloner.records.labels import Label
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet

@@ -9,8 +9,8 @@ from scipy.spatial import cKDTree
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.wedges import vertex_normals
-from cloner.paint.tucking import ear_masks, lay_ears, tuck_scalp, whole_ears
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.paint.details.tucking import ear_masks, lay_ears, tuck_scalp, whole_ears
 from cloner.records.labels import Label
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet

@@ -9,14 +9,14 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.detectors import litert
-from cloner.detectors.face_net import load_face_net
-from cloner.detectors.face_points import propose_face_points
-from cloner.evaluate import face_motion
+from cloner.detectors.face.face_net import load_face_net
+from cloner.detectors.face.face_points import propose_face_points
+from cloner.detectors.nets import litert
+from cloner.evaluate.measures import face_motion
 from cloner.frames import ViewId
 from cloner.generic.face_grids import eye_grid, eyeball
 from cloner.generic.load import load_generic
-from cloner.geometry.alignment import similarity
+from cloner.geometry.meshes.alignment import similarity
 from cloner.head.ears import ear_fields
 from cloner.head.modes import load_head_modes
 from cloner.records.bodies import Phenotype

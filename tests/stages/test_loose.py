@@ -11,18 +11,19 @@ import pytest
 import trimesh
 from scipy.spatial import cKDTree
 
-from cloner.exporters import gltf, vrml97
+from cloner.exporters.gltf import gltf
+from cloner.exporters.vrml import vrml97
 from cloner.frames import BODY_VIEWS, ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.contours import outline_field
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.hair import loose_clothes as loose
-from cloner.hair.loose_views import Hanging
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.outlines.contours import outline_field
+from cloner.hair.clothing import loose_clothes as loose
+from cloner.hair.clothing.loose_views import Hanging
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
-from cloner.vision.loose_outline import find_loose
+from cloner.vision.segmentation.loose_outline import find_loose
 from kit import painted, people, studio
 from kit.clones import toy_clone
 
@@ -51,7 +52,7 @@ def pose_of(joints_m, seen_by, rng):
 
 def widened(person, share):
     """Return the person's vertices in trousers and jacket: pushed out by a share of the generic's ease."""
-    from cloner.geometry.wedges import vertex_normals
+    from cloner.geometry.meshes.wedges import vertex_normals
 
     return person.vertices_m + share * vertex_normals(person.vertices_m, people.skin_triangles())
 

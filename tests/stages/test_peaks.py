@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.heads import Shell
 from cloner.records.labels import Label
 from cloner.records.points import Proposal, Proposals

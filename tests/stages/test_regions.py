@@ -13,7 +13,7 @@ from scipy.sparse import coo_matrix
 
 from cloner.exporters.table import EXPORTERS
 from cloner.generic.load import load_generic
-from cloner.geometry.graphs import surface_graph
+from cloner.geometry.meshes.graphs import surface_graph
 from cloner.records.labels import SURFACES
 from cloner.records.regions import REGIONS
 from cloner.stages import regions

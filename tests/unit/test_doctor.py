@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from cloner import doctor
+from cloner.machines import doctor
 
 
 def broken_import(monkeypatch: pytest.MonkeyPatch, name: str, trouble: str) -> None:

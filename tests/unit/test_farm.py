@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from cloner import farm
 from cloner.errors import ClonerError
-from cloner.farm import run_tasks
+from cloner.machines import farm
+from cloner.machines.farm import run_tasks
 from kit import chores
 
 

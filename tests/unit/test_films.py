@@ -11,7 +11,7 @@ from PIL import Image
 
 from cloner.errors import ClonerError
 from cloner.picture import draw_file, turntable
-from cloner.vision.films import write_film
+from cloner.vision.photographs.films import write_film
 from kit.clones import toy_clone
 
 

@@ -12,6 +12,7 @@ CLONER = Path(__file__).resolve().parents[2] / "cloner"
 #: Still to be cut.
 LONG = {"cloning.py"}
 FILE_LINES, FUNCTION_LINES = 300, 60
+FOLDER_FILES = 20
 #: Functions of fewer nodes, docstring left out, may say the same: accessors of one line.
 TWIN_NODES = 20
 
@@ -43,6 +44,13 @@ def test_files_and_functions_are_short() -> None:
     assert not {name: lines for name, lines in files.items() if lines > FILE_LINES and name not in LONG}
     lengths = {(file, f.name): (f.end_lineno or 0) - f.lineno + 1 for file, f in functions() if file not in LONG}
     assert not {where: lines for where, lines in lengths.items() if lines > FUNCTION_LINES}
+
+
+def test_folders_are_small() -> None:
+    places = [path.parent for root in (CLONER, CLONER.parent / "gui") for path in root.rglob("*.py")]
+    files = {str(place.relative_to(CLONER.parent)): places.count(place) for place in places}
+    assert len(files) > 80, "both packages are read"
+    assert not {folder: count for folder, count in files.items() if count > FOLDER_FILES}
 
 
 def test_no_two_functions_say_the_same() -> None:

@@ -8,7 +8,7 @@ import trimesh
 
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import (
+from cloner.geometry.measurement.measures import (
     TRUTH_GIRTHS,
     girth_mm,
     girths_mm,

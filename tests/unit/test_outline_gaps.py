@@ -3,7 +3,7 @@
 import numpy as np
 
 from cloner.frames import BODY_VIEWS, ViewId
-from cloner.outline_gaps import outline_gaps_mm
+from cloner.interactive.outline_gaps import outline_gaps_mm
 from kit import fitted
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from cloner.permissions import examine_folder
+from cloner.machines.permissions import examine_folder
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="permissions of POSIX")
 

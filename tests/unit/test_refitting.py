@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
+from cloner.interactive.refitting import moved_points, still_true
 from cloner.pipeline import STAGES
 from cloner.project.corrections import move_point, no_corrections
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import Corrections, PointSet, ViewPoints
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
-from cloner.refitting import moved_points, still_true
 
 FRONT = ViewId.BODY_FRONT
 PERSON = Person("someone", "", 1.7)

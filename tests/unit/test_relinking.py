@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from cloner.interactive.relinking import LiveOutline, follow
 from cloner.records.points import Correction
-from cloner.relinking import LiveOutline, follow
-from cloner.vision.outlines import extract_outline
-from cloner.vision.stretches import make_linkable
+from cloner.vision.contours.outlines import extract_outline
+from cloner.vision.contours.stretches import make_linkable
 from kit.drawn import AXES, CENTRE, photograph, rough_mask
 
 

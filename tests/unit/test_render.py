@@ -9,7 +9,7 @@ import pytest
 import cloner.render
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner.geometry.viewpoints import look_at
+from cloner.geometry.cameras.viewpoints import look_at
 from cloner.records.views import Camera
 from cloner.render import render, render_mask, render_mesh, render_rgba, standard_camera
 from kit.clones import HAIR, RED_LEFT_HAND, SHIRT, toy_clone

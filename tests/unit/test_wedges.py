@@ -8,7 +8,7 @@ import trimesh
 
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, load_triangles, surface_normals
-from cloner.geometry.wedges import split_seams, triangulate, vertex_normals
+from cloner.geometry.meshes.wedges import split_seams, triangulate, vertex_normals
 
 
 def test_a_quad_gives_two_triangles_and_a_repeated_corner_one():

@@ -13,8 +13,8 @@ from PIL import Image
 
 from cloner import batch
 from cloner.batch import BatchOptions, batch_folder
-from cloner.cluster_keys import make_keys
 from cloner.errors import ClonerError
+from cloner.machines.cluster_keys import make_keys
 from kit import farming
 
 pytestmark = pytest.mark.slow

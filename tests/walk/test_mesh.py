@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 from cloner.cloning import CloneOutcome
-from cloner.evaluate.crossings import buried_depths, self_crossings
+from cloner.evaluate.measures.crossings import buried_depths, self_crossings
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, load_triangles
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.geometry.triangles import areas, edges_of
-from cloner.motion.body import body_of
-from cloner.motion.rest import t_pose
-from cloner.motion.rig import centred
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.meshes.triangles import areas, edges_of
+from cloner.motion.flesh.rest import t_pose
+from cloner.motion.limbs.body import body_of
+from cloner.motion.limbs.rig import centred
 
 pytestmark = pytest.mark.slow
 

@@ -16,8 +16,8 @@ import pytest
 from PIL import Image
 
 from cloner.errors import ClonerError
-from cloner.holdings import find_holding, holdings, older_than, table
-from cloner.privacy import export_data, forget
+from cloner.personal_data.holdings import find_holding, holdings, older_than, table
+from cloner.personal_data.privacy import export_data, forget
 from cloner.project.atomic import result_folder
 from cloner.project.claims import claimed
 from cloner.project.results import file_digest, place_digest

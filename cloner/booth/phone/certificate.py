@@ -8,8 +8,8 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Final
 
-from cloner.cluster_keys import write_keys
 from cloner.errors import ClonerError
+from cloner.machines.cluster_keys import write_keys
 
 CERTIFICATE_FILE: Final = ".phone-certificate.pem"
 KEY_FILE: Final = ".phone-key.pem"

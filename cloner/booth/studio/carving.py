@@ -15,7 +15,7 @@ from cloner.booth.studio.values import Array, Figure, MarkedPhoto, Markers, Pixe
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.resection import facing_camera
+from cloner.geometry.cameras.resection import facing_camera
 from cloner.picture import clone_file, clone_of
 from cloner.pipeline import Progress
 from cloner.project.corrections import no_corrections
@@ -32,7 +32,7 @@ from cloner.statues.photographed import USUAL, mesh_of, photo_folder, photograph
 from cloner.statues.poses import standing
 from cloner.statues.usual_blobs import usual_blobs
 from cloner.statues.written import statue_folder
-from cloner.vision.pictures import read_picture
+from cloner.vision.photographs.pictures import read_picture
 
 #: Side of the texture that the usual man is shown in, texels.
 _SHOWN_TEXELS: Final = 1024

@@ -11,7 +11,7 @@ from cloner.bodies.telling import Told
 from cloner.bodies.written import body_folder, sex_of
 from cloner.booth.studio.values import BodyWish, Figure
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measuring import measures_mm
+from cloner.geometry.measurement.measuring import measures_mm
 from cloner.picture import clone_file, clone_of
 from cloner.pipeline import Progress
 from cloner.records.clones import Clone

@@ -11,13 +11,13 @@ from cloner.bodies.undressed import undressed_clone
 from cloner.bodies.written import sex_of
 from cloner.booth.studio.values import Arranged, Array, Draped, Outfit, Rgb
 from cloner.booth.worker import Show, not_shown
+from cloner.cloth.drafting.pattern import Pattern, curve
 from cloner.cloth.dressing import Dressed, Dressing, Watch, fabric_named, motion_of, pattern_of
-from cloner.cloth.fabrics import Fabric
-from cloner.cloth.moving import SETTLE
-from cloner.cloth.pattern import Pattern, curve
-from cloner.cloth.wearer import FRAMES_PER_S
+from cloner.cloth.simulation.fabrics import Fabric
+from cloner.cloth.simulation.moving import SETTLE
+from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.cloth.written import clean_up, write_dressed
-from cloner.motion.rig import centred
+from cloner.motion.limbs.rig import centred
 from cloner.picture import clone_file, clone_of
 from cloner.pipeline import Progress
 from cloner.records.clones import Clone
@@ -42,7 +42,7 @@ class Wearing:
         self._dressed: dict[Outfit, Dressed] = {}
 
     def arrange(self, outfit: Outfit, progress: Progress) -> Arranged:
-        """Cut a garment and lay it round the clone; see `cloner.cloth.moving.put_on`."""
+        """Cut a garment and lay it round the clone; see `cloner.cloth.simulation.moving.put_on`."""
         dressing, pattern = self._arranged(outfit, progress)
         still = np.zeros_like(dressing.worn.rotations[0])
         places = dressing.with_below(dressing.worn.start.places_m, SETTLE - 1)

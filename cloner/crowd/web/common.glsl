@@ -1,7 +1,7 @@
 // What every shader of the crowd knows: one person's place, pose and looks at a time. Frames: metres, Y up; heading 0
 // faces +Z. The same text runs in the player (GLSL ES 3.00) and in the offscreen painter (GLSL 3.30).
 uniform sampler2D people;    // PERSON texels a person, ROW persons a row
-uniform sampler2D clones;    // one row a clone: see cloner/crowd/stock.py
+uniform sampler2D clones;    // one row a clone: see cloner/crowd/clones/stock.py
 uniform float now;           // seconds
 uniform float laneLength;    // metres
 

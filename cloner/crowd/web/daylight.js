@@ -1,5 +1,5 @@
 "use strict";
-// What a room's light asks of who draws it: the same as cloner/crowd/daylight.py, number for number; and the passes that
+// What a room's light asks of who draws it: the same as cloner/crowd/staged/daylight.py, number for number; and the passes that
 // draw the sky and what people leave of the sun.
 
 const LUMA = [0.2126, 0.7152, 0.0722], KEY = 0.85, ADAPTS = 0.8, ADAPTS_TO_NIGHT = 0.35, ADAPTS_TO_COLOUR = 0.5;

@@ -1,5 +1,5 @@
 "use strict";
-// Who stands on what, when: the same as cloner/crowd/footing.py, number for number.
+// Who stands on what, when: the same as cloner/crowd/staged/footing.py, number for number.
 
 const [FROM, UNTIL, CLIP, OTHER, FIRST, LAST, SHARE, SHARE_LAST, AT_X, AT_Z, HEADING, HEADING_LAST] = [...Array(12).keys()];
 const FOOTING = 12, LEFT = 3, RIGHT = 27, ALONE = 2, SHARED = 21, LIFT_PARTS = 8, TURN_PARTS = 28, BLEND_S = 0.4;

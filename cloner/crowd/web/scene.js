@@ -1,5 +1,5 @@
 "use strict";
-// Who stands, walks and sits where, in which look: the same rules as cloner/crowd/scene.py, number for number.
+// Who stands, walks and sits where, in which look: the same rules as cloner/crowd/staged/scene.py, number for number.
 
 const LANE_M = 0.85, ALONG_M = 1.8, RING_FROM_M = 6, RING_M = 0.95, SEAT_M = 0.56, ROW_M = 0.85, ROW_UP_M = 0.42;
 const STAND_FROM_M = 24, AISLE_M = 2.6, CLASSES = 3, ENOUGH = 9, PERSON_TEXELS = 5, WALK = 0, IDLE = 1, SIT = 2;

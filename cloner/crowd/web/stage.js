@@ -180,7 +180,7 @@ function fillFar(one, k, textures) {
     }
 }
 
-// Attributes and indices of a level, as cloner/crowd/stock.py makes them.
+// Attributes and indices of a level, as cloner/crowd/clones/stock.py makes them.
 function levelGeometry(facts, body, level, instances) {
   const loose = facts.numbers.loose, all = body.uv.length / 2, own = facts.tiers[level].vertices;
   const most = facts.live ? facts.numbers.loose[level] : Math.max(...facts.people.map((row) => row.loose_triangles[level]));

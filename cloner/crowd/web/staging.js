@@ -1,5 +1,5 @@
 "use strict";
-// How a pack is staged: the same as cloner/crowd/staging.py, number for number.
+// How a pack is staged: the same as cloner/crowd/staged/staging.py, number for number.
 
 const UP = 18, STONE = 17, PART = 19, HEADLESS = 1, HEAD_ALONE = 2, HEAD_MIDDLE = 0.93, EYES = 0.93, LANTERN_M = 0.15;
 

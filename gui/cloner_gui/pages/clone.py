@@ -8,19 +8,19 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
 
-from cloner.booth.visits import read_visit
+from cloner.booth.visitors.visits import read_visit
 from cloner.errors import ClonerError
-from cloner.outline_gaps import outline_gaps_mm
-from cloner_gui.booth import Booth
-from cloner_gui.canvas.growth import Growth
-from cloner_gui.canvas.preview_panel import PreviewPanel
-from cloner_gui.canvas.reveal import Reveal
-from cloner_gui.flow import Flow
-from cloner_gui.leaving import has_front
-from cloner_gui.pieces import button, label, scrolled
-from cloner_gui.told import told, told_problem, told_stale
-from cloner_gui.words import spoken_step, translate
-from cloner_gui.worker import Task
+from cloner.interactive.outline_gaps import outline_gaps_mm
+from cloner_gui.background.worker import Task
+from cloner_gui.canvas.clones.growth import Growth
+from cloner_gui.canvas.clones.preview_panel import PreviewPanel
+from cloner_gui.canvas.clones.reveal import Reveal
+from cloner_gui.event.booth import Booth
+from cloner_gui.event.leaving import has_front
+from cloner_gui.language.told import told, told_problem, told_stale
+from cloner_gui.language.words import spoken_step, translate
+from cloner_gui.widgets.flow import Flow
+from cloner_gui.widgets.pieces import button, label, scrolled
 
 #: Stages that the five parts of the work end with, in order; between them the operator sees which part is under way.
 PARTS = ("points", "fine", "join", "hair", "report")

@@ -18,20 +18,20 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from cloner.booth import trash
-from cloner.booth.kept import RESULTS
-from cloner.booth.photo_files import photo_of
-from cloner.booth.visits import State, Visit, read_visit
+from cloner.booth.events import trash
+from cloner.booth.photos.photo_files import photo_of
+from cloner.booth.visitors.kept import RESULTS
+from cloner.booth.visitors.visits import State, Visit, read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.folder import safe_identifier
-from cloner_gui.booth import Booth
-from cloner_gui.day_label import DayNumbers
 from cloner_gui.dialogs import ask_to_forget
-from cloner_gui.flow import Flow
-from cloner_gui.letters import settle_dialog
-from cloner_gui.pieces import button, label, name, roomy
-from cloner_gui.words import STATES, translate
+from cloner_gui.event.booth import Booth
+from cloner_gui.event.day_label import DayNumbers
+from cloner_gui.language.words import STATES, translate
+from cloner_gui.widgets.flow import Flow
+from cloner_gui.widgets.letters import settle_dialog
+from cloner_gui.widgets.pieces import button, label, name, roomy
 
 _ICON_PX = QSize(120, 160)
 _EDGE_PX = 8  # around an entry, as the style sheet has it

@@ -14,13 +14,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from cloner.booth.person_file import consent_when
-from cloner.holdings import Holding
-from cloner_gui.booth import Booth
+from cloner.booth.visitors.person_file import consent_when
+from cloner.personal_data.holdings import Holding
+from cloner_gui.background.newest import newest
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
-from cloner_gui.newest import newest
-from cloner_gui.pieces import button, label, name, roomy, show_whole_columns
-from cloner_gui.words import translate
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.words import translate
+from cloner_gui.widgets.pieces import button, label, name, roomy, show_whole_columns
 
 
 class HeldWindow(QDialog):

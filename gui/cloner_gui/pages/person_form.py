@@ -7,19 +7,19 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLineEdit, QSizePolicy, QWidget
 
-from cloner.booth.agreed import offered_licences, usual_licence
-from cloner.booth.event import LANGUAGES
-from cloner.booth.person_file import consent_when, consent_words
-from cloner.booth.visits import read_visit
+from cloner.booth.events.agreed import offered_licences, usual_licence
+from cloner.booth.events.event import LANGUAGES
+from cloner.booth.visitors.person_file import consent_when, consent_words
+from cloner.booth.visitors.visits import read_visit
 from cloner.project.folder import DEFAULT_HEIGHT_CM
 from cloner.records.terms import LICENCES
-from cloner_gui.booth import Booth
-from cloner_gui.height_field import HeightField
-from cloner_gui.languages import LANGUAGE_NAMES, consent_text
-from cloner_gui.letters import literal, unmarked
-from cloner_gui.licence_field import LicenceField
-from cloner_gui.pieces import GAP, Card, beside, button, label, name
-from cloner_gui.words import translate
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.languages import LANGUAGE_NAMES, consent_text
+from cloner_gui.language.words import translate
+from cloner_gui.widgets.height_field import HeightField
+from cloner_gui.widgets.letters import literal, unmarked
+from cloner_gui.widgets.licence_field import LicenceField
+from cloner_gui.widgets.pieces import GAP, Card, beside, button, label, name
 
 #: Typing that rests so long is saved, milliseconds.
 _SAVE_AFTER_MS = 400

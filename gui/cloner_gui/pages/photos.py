@@ -10,20 +10,20 @@ from PySide6.QtCore import QBuffer, QByteArray, QEvent, QIODevice, QMimeData, Qt
 from PySide6.QtGui import QDragEnterEvent, QDropEvent, QGuiApplication, QImage
 from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QToolButton, QVBoxLayout, QWidget
 
-from cloner.booth import photo_files
+from cloner.booth.photos import photo_files
 from cloner.frames import ViewId
 from cloner.project.folder import SUFFIXES
-from cloner_gui.booth import Booth
-from cloner_gui.canvas.whole_photo import WholePhoto
-from cloner_gui.flow import Flow
-from cloner_gui.leaving import has_front
-from cloner_gui.letters import literal, unmarked
-from cloner_gui.photo_card import PhotoCard, TrayCard
-from cloner_gui.pieces import GAP, button, label, name, scrolled
-from cloner_gui.told import told as told_text
-from cloner_gui.webcam import WebcamDialog
-from cloner_gui.words import TROUBLES, VIEW_TITLES, translate, what_is_missing
-from cloner_gui.worth import told_worth
+from cloner_gui.canvas.photos.whole_photo import WholePhoto
+from cloner_gui.event.booth import Booth
+from cloner_gui.event.leaving import has_front
+from cloner_gui.language.told import told as told_text
+from cloner_gui.language.words import TROUBLES, VIEW_TITLES, translate, what_is_missing
+from cloner_gui.language.worth import told_worth
+from cloner_gui.widgets.flow import Flow
+from cloner_gui.widgets.letters import literal, unmarked
+from cloner_gui.widgets.photo_card import PhotoCard, TrayCard
+from cloner_gui.widgets.pieces import GAP, button, label, name, scrolled
+from cloner_gui.widgets.webcam import WebcamDialog
 
 #: Points are sought when photos have rested so long, milliseconds: looking at new ones comes first.
 _SEEK_AFTER_MS = 500

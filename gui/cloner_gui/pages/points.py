@@ -11,19 +11,19 @@ from PySide6.QtWidgets import QLabel, QProgressBar, QSplitter, QStackedWidget, Q
 
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, next_anchor
-from cloner_gui.canvas.filmstrip import Filmstrip
-from cloner_gui.canvas.hints import legend, told_point, told_rest
-from cloner_gui.canvas.live import LiveOutlines
-from cloner_gui.canvas.orbit import framing_of
-from cloner_gui.canvas.picking import next_of, worst_first
-from cloner_gui.canvas.preview import Preview
-from cloner_gui.canvas.view import PhotoView
-from cloner_gui.flow import Flow
-from cloner_gui.newest import newest
-from cloner_gui.pieces import button, name, scrolled
-from cloner_gui.session import Session
-from cloner_gui.told import spoken_refit
-from cloner_gui.words import VIEW_TITLES, spoken_step, translate
+from cloner_gui.background.newest import newest
+from cloner_gui.canvas.clones.orbit import framing_of
+from cloner_gui.canvas.clones.preview import Preview
+from cloner_gui.canvas.photos.filmstrip import Filmstrip
+from cloner_gui.canvas.photos.hints import legend, told_point, told_rest
+from cloner_gui.canvas.photos.live import LiveOutlines
+from cloner_gui.canvas.photos.picking import next_of, worst_first
+from cloner_gui.canvas.photos.view import PhotoView
+from cloner_gui.event.session import Session
+from cloner_gui.language.told import spoken_refit
+from cloner_gui.language.words import VIEW_TITLES, spoken_step, translate
+from cloner_gui.widgets.flow import Flow
+from cloner_gui.widgets.pieces import button, name, scrolled
 
 #: The clone's outline is drawn anew when the hand has rested so long: it costs as much as the preview.
 _OUTLINE_AFTER_MS = 250
@@ -255,7 +255,7 @@ class PointsPage(QWidget):
         if person is None:
             canvas.set_clone_outline(())
             return
-        from cloner.refitting import outline_px  # the whole fit: not paid for before there is a clone
+        from cloner.interactive.refitting import outline_px  # the whole fit: not paid for before there is a clone
 
         work = functools.partial(outline_px, person, view)
         newest().ask(canvas, "clone outline", work, canvas.set_clone_outline, self._session.failed.emit)

@@ -17,16 +17,16 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from cloner.booth.event import LANGUAGES
-from cloner.booth.pin import kept_pin
+from cloner.booth.events.event import LANGUAGES
+from cloner.booth.events.pin import kept_pin
 from cloner.records.terms import LICENCES
-from cloner_gui.booth import Booth
-from cloner_gui.languages import LANGUAGE_NAMES, consent_text
-from cloner_gui.letters import settle_dialog
-from cloner_gui.licence_field import LicenceField
-from cloner_gui.logo_field import LogoField
-from cloner_gui.pieces import label, name, roomy
-from cloner_gui.words import translate
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.languages import LANGUAGE_NAMES, consent_text
+from cloner_gui.language.words import translate
+from cloner_gui.widgets.letters import settle_dialog
+from cloner_gui.widgets.licence_field import LicenceField
+from cloner_gui.widgets.logo_field import LogoField
+from cloner_gui.widgets.pieces import label, name, roomy
 
 
 class SettingsWindow(QDialog):

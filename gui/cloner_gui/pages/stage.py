@@ -9,19 +9,19 @@ from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QGuiApplication, QMouseEvent, QPixmap
 from PySide6.QtWidgets import QLabel, QStackedWidget, QVBoxLayout, QWidget
 
-from cloner.booth.kept import CLONE_FILE
 from cloner.booth.stage import public_name, queue_names, result_of, shown_clones
-from cloner.booth.visits import read_visit
+from cloner.booth.visitors.kept import CLONE_FILE
+from cloner.booth.visitors.visits import read_visit
 from cloner.errors import ClonerError
 from cloner.project.clone_file import load_clone
 from cloner.records.clones import Clone
-from cloner_gui.booth import Booth
-from cloner_gui.canvas.attract import Attract
-from cloner_gui.canvas.preview import Preview
-from cloner_gui.canvas.reveal import Reveal
-from cloner_gui.newest import newest
-from cloner_gui.pieces import label
-from cloner_gui.words import translate
+from cloner_gui.background.newest import newest
+from cloner_gui.canvas.clones.attract import Attract
+from cloner_gui.canvas.clones.preview import Preview
+from cloner_gui.canvas.clones.reveal import Reveal
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.words import translate
+from cloner_gui.widgets.pieces import label
 
 #: A clone that does not move by itself is seen so long, milliseconds; and so often it is looked for a first one.
 _STILL_MS = 12_000

@@ -14,13 +14,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from cloner.booth.effort import effort_csv, effort_rows, middle_effort
-from cloner.booth.visits import State
+from cloner.booth.visitors.effort import effort_csv, effort_rows, middle_effort
+from cloner.booth.visitors.visits import State
 from cloner.errors import ClonerError
 from cloner.project.atomic import write_text
-from cloner_gui.booth import Booth
-from cloner_gui.pieces import label, name, roomy, show_whole_columns
-from cloner_gui.words import STATES, translate
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.words import STATES, translate
+from cloner_gui.widgets.pieces import label, name, roomy, show_whole_columns
 
 
 class StatisticsWindow(QDialog):

@@ -19,23 +19,23 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from cloner.booth.person_file import consent_when
+from cloner.booth.handover.sticks import Stick
+from cloner.booth.handover.takeaway import code_modules, free_name, link_text
 from cloner.booth.stage import inhabiting_clones
-from cloner.booth.sticks import Stick
-from cloner.booth.takeaway import code_modules, free_name, link_text
+from cloner.booth.visitors.person_file import consent_when
 from cloner.errors import ClonerError
-from cloner_gui.booth import Booth
-from cloner_gui.canvas.painting import pixmap_of
+from cloner_gui.canvas.photos.painting import pixmap_of
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
-from cloner_gui.flow import Flow
-from cloner_gui.formats import FORMATS
-from cloner_gui.handing import Handing
-from cloner_gui.keepsakes import Keepsakes
-from cloner_gui.phone import Phone
-from cloner_gui.pieces import GAP, Card, button, label, name, scrolled
-from cloner_gui.stick_row import StickRow
-from cloner_gui.told import told_stale
-from cloner_gui.words import translate
+from cloner_gui.event.booth import Booth
+from cloner_gui.event.handing import Handing
+from cloner_gui.event.keepsakes import Keepsakes
+from cloner_gui.event.phone import Phone
+from cloner_gui.language.formats import FORMATS
+from cloner_gui.language.told import told_stale
+from cloner_gui.language.words import translate
+from cloner_gui.widgets.flow import Flow
+from cloner_gui.widgets.pieces import GAP, Card, button, label, name, scrolled
+from cloner_gui.widgets.stick_row import StickRow
 
 _CODE_PX = 200
 

@@ -6,14 +6,14 @@ from PySide6.QtCore import QEvent, QObject, QPoint, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QHBoxLayout, QListWidget, QListWidgetItem, QMenu, QVBoxLayout, QWidget
 
-from cloner.booth.visits import State
-from cloner_gui.booth import Booth
+from cloner.booth.visitors.visits import State
 from cloner_gui.dialogs import ask_to_forget, ask_to_save_data
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.told import told_problem
+from cloner_gui.language.words import STATES, translate
 from cloner_gui.pages.person_form import PersonForm
-from cloner_gui.pieces import GAP, Card, button, label, name, scrolled
-from cloner_gui.recent_card import RecentCard
-from cloner_gui.told import told_problem
-from cloner_gui.words import STATES, translate
+from cloner_gui.widgets.pieces import GAP, Card, button, label, name, scrolled
+from cloner_gui.widgets.recent_card import RecentCard
 
 _MARKS = {State.NONE: "○", State.WAITING: "◔", State.CLONED: "●", State.FAILED: "!"}
 

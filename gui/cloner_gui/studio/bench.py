@@ -12,12 +12,12 @@ from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QDialog, QFileDialog, QHBoxLayout, QLabel, QProgressBar, QVBoxLayout, QWidget
 
 from cloner.errors import ClonerError
-from cloner_gui.booth import Booth
-from cloner_gui.letters import settle_dialog, unmarked
-from cloner_gui.notice import Notice
-from cloner_gui.pieces import GAP, Scrolled, button, label, name, roomy
-from cloner_gui.words import spoken_step, translate
-from cloner_gui.worker import Task
+from cloner_gui.background.worker import Task
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.words import spoken_step, translate
+from cloner_gui.widgets.letters import settle_dialog, unmarked
+from cloner_gui.widgets.notice import Notice
+from cloner_gui.widgets.pieces import GAP, Scrolled, button, label, name, roomy
 
 #: Width of the controls beside the picture, lines of text; taste.
 _CONTROLS_LINES = 19

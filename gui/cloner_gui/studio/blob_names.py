@@ -6,7 +6,7 @@ from typing import Final
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP
 
-from cloner_gui.words import Spoken, translate
+from cloner_gui.language.words import Spoken, translate
 
 _NAMES: Final = Spoken(
     "blobs",

@@ -14,11 +14,11 @@ from PySide6.QtCore import QPointF, Signal
 from PySide6.QtWidgets import QWidget
 
 from cloner.generic.layers import Layer
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.render import draw
 from cloner.statues.blobs import Blob, Field, field_of
-from cloner_gui.canvas.preview import Preview
-from cloner_gui.canvas.scene import BACKGROUND, Image, Scene
+from cloner_gui.canvas.clones.preview import Preview
+from cloner_gui.canvas.clones.scene import BACKGROUND, Image, Scene
 
 Array = NDArray[np.float64]
 

@@ -17,13 +17,13 @@ from cloner.errors import ClonerError
 from cloner.project.atomic import write_text
 from cloner.records.clones import Clone
 from cloner.statues.blobs import Blob, read_blobs, written_blobs
-from cloner_gui.booth import Booth
-from cloner_gui.pieces import button, label, name
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.told import told_error
+from cloner_gui.language.words import translate
 from cloner_gui.studio.blob_names import spoken_blob
 from cloner_gui.studio.blob_scene import BlobPreview, moved
 from cloner_gui.studio.statues import StatueBench
-from cloner_gui.told import told_error
-from cloner_gui.words import translate
+from cloner_gui.widgets.pieces import button, label, name
 
 #: What of a blob's ends may be told here, cm; its file takes more.
 _RADIUS_CM: Final = (0.5, 60.0)

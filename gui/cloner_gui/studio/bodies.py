@@ -13,13 +13,13 @@ from cloner.booth.studio.values import BodyWish, Figure, received
 from cloner.errors import ClonerError
 from cloner.project.folder import safe_identifier
 from cloner.records.clones import Clone
-from cloner_gui.booth import Booth
-from cloner_gui.canvas.preview import Preview
-from cloner_gui.pieces import button, label
+from cloner_gui.canvas.clones.preview import Preview
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.told import told_error
+from cloner_gui.language.words import translate
 from cloner_gui.studio.bench import Bench, Subject
 from cloner_gui.studio.measure_row import STATURE, MeasureRow
-from cloner_gui.told import told_error
-from cloner_gui.words import translate
+from cloner_gui.widgets.pieces import button, label
 
 WOMAN, MAN, CLONE = "f", "m", ""
 FOUR, NINE = "four", "nine"

@@ -14,10 +14,10 @@ from PySide6.QtWidgets import QWidget
 
 from cloner.booth.studio.values import Draped
 from cloner.generic.layers import Layer, clone_layers
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.render import draw
-from cloner_gui.canvas.preview import Preview
-from cloner_gui.canvas.scene import BACKGROUND, Image, Scene
+from cloner_gui.canvas.clones.preview import Preview
+from cloner_gui.canvas.clones.scene import BACKGROUND, Image, Scene
 
 Array = NDArray[np.float64]
 #: Between two pieces of a cutting plan, and round them: share of the width of all.

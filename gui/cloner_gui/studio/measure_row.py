@@ -7,8 +7,8 @@ from typing import Final
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QHBoxLayout, QSlider, QVBoxLayout, QWidget
 
-from cloner_gui.pieces import name
-from cloner_gui.words import Spoken, translate
+from cloner_gui.language.words import Spoken, translate
+from cloner_gui.widgets.pieces import name
 
 #: What the sliders tell, in the order of the form; the stature and the measures of `cloner.bodies.telling.PRESETS`.
 STATURE: Final = "stature"

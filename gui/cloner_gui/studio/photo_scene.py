@@ -13,11 +13,11 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QWidget
 
 from cloner.generic.layers import Layer
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.render import draw
 from cloner.statues.photo_fit import Fit, Mesh
-from cloner_gui.canvas.preview import Preview
-from cloner_gui.canvas.scene import BACKGROUND, Image, Scene
+from cloner_gui.canvas.clones.preview import Preview
+from cloner_gui.canvas.clones.scene import BACKGROUND, Image, Scene
 
 Array = NDArray[np.float64]
 

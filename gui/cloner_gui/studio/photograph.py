@@ -21,14 +21,14 @@ from cloner.records.points import ViewPoints
 from cloner.statues.markers import known_points
 from cloner.statues.photo_fit import FEWEST, Fit, Marked, fit_markers, mark
 from cloner.statues.photographed import mesh_of
-from cloner_gui.booth import Booth
-from cloner_gui.canvas.view import PhotoView
-from cloner_gui.newest import newest
-from cloner_gui.pieces import button, label
-from cloner_gui.point_names import is_point, spoken
+from cloner_gui.background.newest import newest
+from cloner_gui.canvas.photos.view import PhotoView
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.point_names import is_point, spoken
+from cloner_gui.language.words import translate
 from cloner_gui.studio.photo_scene import LaidPreview
 from cloner_gui.studio.statues import StatueBench
-from cloner_gui.words import translate
+from cloner_gui.widgets.pieces import button, label
 
 _KINDS: Final = "*.jpg *.jpeg *.png *.webp *.tif *.tiff *.heic"
 #: What a vertex is called that has no name of its own: this and its number.

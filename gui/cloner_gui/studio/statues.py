@@ -11,11 +11,11 @@ from PySide6.QtWidgets import QComboBox, QFileDialog, QLineEdit, QWidget
 from cloner.booth.studio.values import StatueWish, received
 from cloner.project.folder import safe_identifier
 from cloner.records.clones import Clone
-from cloner_gui.booth import Booth
-from cloner_gui.canvas.preview import Preview
-from cloner_gui.pieces import button
+from cloner_gui.canvas.clones.preview import Preview
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.words import Spoken, translate
 from cloner_gui.studio.bench import Bench, Subject
-from cloner_gui.words import Spoken, translate
+from cloner_gui.widgets.pieces import button
 
 MATERIALS: Final = Spoken(
     "materials",

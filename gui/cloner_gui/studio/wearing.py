@@ -12,14 +12,14 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QFileDialog, QMessageBox, QS
 from cloner.booth.studio.values import Arranged, Draped, Outfit, received
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
-from cloner_gui.booth import Booth
-from cloner_gui.newest import newest
-from cloner_gui.pieces import button, label
-from cloner_gui.step_bar import StepBar
+from cloner_gui.background.newest import newest
+from cloner_gui.event.booth import Booth
+from cloner_gui.language.words import translate
 from cloner_gui.studio.bench import Bench, Subject
 from cloner_gui.studio.draped import DrapedPreview, PiecesView
 from cloner_gui.studio.wardrobe import FABRICS, GARMENTS, TARGETS
-from cloner_gui.words import translate
+from cloner_gui.widgets.pieces import button, label
+from cloner_gui.widgets.step_bar import StepBar
 
 ARRANGE, SEW, FABRIC, ANIMATE, EXPORT = range(5)
 #: Lengths that may be asked for, cm; the first stands for the usual one.

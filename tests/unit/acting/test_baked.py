@@ -16,15 +16,15 @@ from cloner.acting.written import bake_file
 from cloner.behaviour.trajectories import RATE_HZ, Trajectories, pack, read_trajectories, unpack
 from cloner.behaviour.written import run_file
 from cloner.cli import app
-from cloner.crowd.check import check_pack
-from cloner.crowd.footing import BY_FOOTINGS, CLIP, GONE, LAST, OTHER, rows_at
-from cloner.crowd.pack import make_pack
-from cloner.crowd.reading import read_acted, read_facts
-from cloner.crowd.still import draw_pack
-from cloner.crowd.told import why_unfit
+from cloner.crowd.packs.check import check_pack
+from cloner.crowd.packs.pack import make_pack
+from cloner.crowd.packs.reading import read_acted, read_facts
+from cloner.crowd.packs.still import draw_pack
+from cloner.crowd.packs.told import why_unfit
+from cloner.crowd.staged.footing import BY_FOOTINGS, CLIP, GONE, LAST, OTHER, rows_at
 from cloner.errors import ClonerError
-from cloner.holdings import find_holding, holdings
-from cloner.privacy import forget
+from cloner.personal_data.holdings import find_holding, holdings
+from cloner.personal_data.privacy import forget
 from kit.browser import CHROMIUM, browser
 from kit.crowds import WANTED, dressed_toy, saved
 from kit.feet import Soles

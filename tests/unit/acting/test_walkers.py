@@ -12,9 +12,9 @@ import pytest
 
 import cloner.crowd
 from cloner.acting.walkers import OFF_RAD, Track, Walker
-from cloner.crowd.footing import CLIP, COLUMNS, FIRST, LAST, OTHER, Acted, fits, rows_at, touches_of
-from cloner.crowd.reading import read_facts, read_stock
-from cloner.crowd.scene import IDLE
+from cloner.crowd.packs.reading import read_facts, read_stock
+from cloner.crowd.staged.footing import CLIP, COLUMNS, FIRST, LAST, OTHER, Acted, fits, rows_at, touches_of
+from cloner.crowd.staged.scene import IDLE
 from kit.feet import Soles
 
 pytestmark = pytest.mark.slow

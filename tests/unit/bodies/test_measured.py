@@ -13,8 +13,8 @@ from cloner.bodies.ruler import girth_slopes, level_slopes, read
 from cloner.bodies.telling import Told
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import girth_planes, read_mm
-from cloner.geometry.triangles import edges_of
+from cloner.geometry.measurement.measures import girth_planes, read_mm
+from cloner.geometry.meshes.triangles import edges_of
 from cloner.records.bodies import BodyMesh
 
 STOUT = Told("f", 1.68, {"bust_girth": 1090.0, "waist_girth": 980.0, "hip_girth": 1160.0})

@@ -18,8 +18,8 @@ from cloner.errors import Cancelled, ClonerError
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measuring import measures_mm
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.measurement.measuring import measures_mm
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.picture import clone_of
 from cloner.project.clone_file import save_clone
 from cloner.records.clones import Clone, TextureAtlas

@@ -14,10 +14,10 @@ from cloner.bodies.telling import Told
 from cloner.bodies.written import body_folder
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner.holdings import find_holding, holdings
-from cloner.motion.own import own_motions
+from cloner.motion.moves.own import own_motions
+from cloner.personal_data.holdings import find_holding, holdings
+from cloner.personal_data.privacy import forget
 from cloner.picture import clone_of
-from cloner.privacy import forget
 from cloner.project.results import is_result
 from cloner.records.heads import Shell
 from cloner.records.regions import REGIONS

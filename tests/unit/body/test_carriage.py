@@ -10,11 +10,11 @@ from cloner.body import carriage
 from cloner.body.carriage_looks import look_up, shown_places
 from cloner.body.carriage_sight import NECK, SKULL, Head, turned
 from cloner.body.outlined import outlined_photos
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.rims import vertex_normals
-from cloner.geometry.skinning import rotation_matrices
+from cloner.geometry.articulation.skinning import rotation_matrices
+from cloner.geometry.outlines.rims import vertex_normals
 from cloner.head.flank import Flank
 from cloner.head.modes import load_head_modes
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView

@@ -5,11 +5,11 @@ import pytest
 
 from cloner.body import feet
 from cloner.body.outlined import outlined_photos
-from cloner.evaluate.crossings import self_crossings
+from cloner.evaluate.measures.crossings import self_crossings
 from cloner.frames import BODY_VIEWS
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
-from cloner.geometry.triangles import areas
+from cloner.geometry.meshes.triangles import areas
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet

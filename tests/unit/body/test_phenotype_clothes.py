@@ -8,7 +8,7 @@ import pytest
 from cloner.body.clothes import EASES, clothed_body
 from cloner.frames import BODY_VIEWS, ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms
+from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.records.bodies import Phenotype
 from cloner.records.photos import Person
 from cloner.records.points import PointSet, Proposals, ViewPoints

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from cloner.body.portrait import Params, portrait_shape
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.viewpoints import look_at
+from cloner.geometry.cameras.viewpoints import look_at
 from cloner.records.points import Proposal, Proposals
 from cloner.records.views import Camera
 

@@ -8,7 +8,7 @@ import pytest
 from cloner.body.tape_fit import taped_body
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measures import girth_planes, read_mm, slice_points
+from cloner.geometry.measurement.measures import girth_planes, read_mm, slice_points
 from cloner.records.bodies import BodyMesh
 
 

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from cloner.booth import copying
+from cloner.booth.handover import copying
 from cloner.errors import Cancelled, ClonerError
 
 
@@ -65,7 +65,7 @@ def test_stopped_in_the_middle_nothing_is_left(source, tmp_path):
 
 def test_killed_while_copying_there_is_no_half_file_and_the_next_copy_clears_up(source, tmp_path):
     code = (
-        "import sys, time; from pathlib import Path; from cloner.booth.copying import copied\n"
+        "import sys, time; from pathlib import Path; from cloner.booth.handover.copying import copied\n"
         "def slow(step, fraction): print(step, flush=True); time.sleep(0.3)\n"
         "copied(Path(sys.argv[1]), Path(sys.argv[2]), slow)"
     )

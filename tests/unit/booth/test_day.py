@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from cloner.booth import line
-from cloner.booth.day import days, days_csv
-from cloner.booth.looking_table import Look, Trouble
-from cloner.booth.visits import State, Visit
+from cloner.booth.events.day import days, days_csv
+from cloner.booth.photos.looking_table import Look, Trouble
+from cloner.booth.visitors import line
+from cloner.booth.visitors.visits import State, Visit
 
 
 @pytest.fixture(autouse=True)

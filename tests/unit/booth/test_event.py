@@ -8,10 +8,19 @@ from pathlib import Path
 
 import pytest
 
-from cloner.booth import effort, keeping, line
-from cloner.booth.agreed import agreed_terms, offered_licences
-from cloner.booth.event import Event, check_event_folder, is_visitor, new_visitor, read_event, visits, write_event
-from cloner.booth.person_file import (
+from cloner.booth.events import keeping
+from cloner.booth.events.agreed import agreed_terms, offered_licences
+from cloner.booth.events.event import (
+    Event,
+    check_event_folder,
+    is_visitor,
+    new_visitor,
+    read_event,
+    visits,
+    write_event,
+)
+from cloner.booth.visitors import effort, line
+from cloner.booth.visitors.person_file import (
     cm_from_feet,
     consent_given,
     consent_when,
@@ -20,7 +29,7 @@ from cloner.booth.person_file import (
     person_facts,
     write_person,
 )
-from cloner.booth.visits import KnownVisits, State, Visit, read_visit, write_visit
+from cloner.booth.visitors.visits import KnownVisits, State, Visit, read_visit, write_visit
 from cloner.errors import ClonerError
 from cloner.project.folder import read_terms
 from cloner.records.terms import Terms
@@ -64,7 +73,7 @@ def test_visitors_are_numbered_and_numbers_are_not_given_twice(tmp_path):
 def test_a_visit_is_read_again_only_when_its_file_has_changed(tmp_path, monkeypatch):
     folder = new_visitor(tmp_path, "a")
     known, read = KnownVisits(), []
-    monkeypatch.setattr("cloner.booth.visits.read_visit", lambda one: read.append(one) or read_visit(one))
+    monkeypatch.setattr("cloner.booth.visitors.visits.read_visit", lambda one: read.append(one) or read_visit(one))
     assert [visits(tmp_path, known.read)[folder].started for _ in range(3)] == ["a"] * 3
     assert read == [folder]
     write_visit(folder, Visit(started="b"))

@@ -7,12 +7,12 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from pathlib import Path
 
-from cloner.booth.event import EVENT_FILE, FORMAT
+from cloner.booth.events.event import EVENT_FILE, FORMAT
+from cloner.booth.events.pin import kept_pin
+from cloner.booth.events.trash import throw_away
 from cloner.booth.inhabiting import finished_clones, number_asked
-from cloner.booth.pin import kept_pin
 from cloner.booth.stage import result_of
-from cloner.booth.trash import throw_away
-from cloner.booth.visits import State, Visit, read_visit, write_visit
+from cloner.booth.visitors.visits import State, Visit, read_visit, write_visit
 from cloner.project.results import RESULT_MARK
 
 

@@ -6,9 +6,9 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.booth.looking import edge_width, look, troubles_of
-from cloner.booth.looking_table import Look, Trouble
-from cloner.booth.looks import keep_look, read_looks
+from cloner.booth.photos.looking import edge_width, look, troubles_of
+from cloner.booth.photos.looking_table import Look, Trouble
+from cloner.booth.photos.looks import keep_look, read_looks
 from cloner.frames import ViewId
 from cloner.project.folder import load_photos
 from cloner.records.points import Proposal

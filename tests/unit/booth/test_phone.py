@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.booth import keeping
-from cloner.booth.event import new_visitor, visitor_folders
+from cloner.booth.events import keeping
+from cloner.booth.events.event import new_visitor, visitor_folders
 from cloner.booth.phone import parcel, server
 from cloner.booth.phone.certificate import own_certificate
 from cloner.booth.phone.limits import Budget
 from cloner.booth.phone.page import WORDS, page, policy
 from cloner.booth.phone.tickets import Ticket, give_ticket, read_ticket, visitor_of
-from cloner.evaluate.baselines import generic_clone
+from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import save_clone
 

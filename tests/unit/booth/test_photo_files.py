@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.booth import arrivals, photo_files
-from cloner.booth.person_file import write_person
+from cloner.booth.photos import arrivals, photo_files
+from cloner.booth.visitors.person_file import write_person
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.folder import view_files
-from cloner.vision.pictures import read_picture
+from cloner.vision.photographs.pictures import read_picture
 
 FRONT, BACK = ViewId.BODY_FRONT, ViewId.BODY_BACK
 

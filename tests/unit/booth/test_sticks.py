@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from cloner.booth.sticks import Stick, eject, plugged_in, sticks_of
+from cloner.booth.handover.sticks import Stick, eject, plugged_in, sticks_of
 from cloner.errors import ClonerError
 from kit.odd_programs import install
 

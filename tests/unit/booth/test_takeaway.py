@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from cloner import cloning
-from cloner.booth import handing, kept, takeaway
+from cloner.booth.handover import handing, takeaway
+from cloner.booth.visitors import kept
 from cloner.errors import Cancelled, ClonerError
-from cloner.evaluate.baselines import generic_clone
+from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import save_clone
 

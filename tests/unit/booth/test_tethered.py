@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.booth.camera import turned_file
-from cloner.booth.tethered import Tethered, cameras_of
+from cloner.booth.photos.camera import turned_file
+from cloner.booth.photos.tethered import Tethered, cameras_of
 from cloner.errors import ClonerError
 from kit.odd_programs import install
 

@@ -5,12 +5,12 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from cloner.booth import keeping, trash
-from cloner.booth.event import new_visitor, visitor_folders
-from cloner.booth.names import called, first_name, number_of
-from cloner.booth.person_file import write_person
+from cloner.booth.events import keeping, trash
+from cloner.booth.events.event import new_visitor, visitor_folders
 from cloner.booth.stage import public_name, queue_names, shown_clones
-from cloner.booth.visits import State, Visit, read_visit, write_visit
+from cloner.booth.visitors.names import called, first_name, number_of
+from cloner.booth.visitors.person_file import write_person
+from cloner.booth.visitors.visits import State, Visit, read_visit, write_visit
 from cloner.errors import ClonerError
 
 NOW = datetime(2026, 11, 22, 12, 0, tzinfo=UTC)

@@ -56,7 +56,8 @@ def test_every_entry_says_what_it_is_and_where_from(module: str) -> None:
 @pytest.mark.parametrize("module", TABLES)
 def test_every_entry_is_read_where_its_name_says(module: str) -> None:
     room, _, name = module.partition(".")
-    patterns = keys_read(CODE / room / f"{name}.py")
+    (path,) = (CODE / room).rglob(f"{name}.py")
+    patterns = keys_read(path)
     for entry in calibrated(module).entries:
         assert any(re.fullmatch(pattern, entry) for pattern in patterns), f"nobody reads {module}.{entry}"
 
@@ -65,7 +66,7 @@ def test_whoever_reads_calibration_reads_his_own() -> None:
     readers = [path for path in CODE.rglob("*.py") if "_CALIBRATED" in path.read_text(encoding="utf-8")]
     assert len(readers) > 50
     for path in readers:
-        name = ".".join(path.relative_to(CODE).with_suffix("").parts)
+        name = f"{path.relative_to(CODE).parts[0]}.{path.stem}"
         assert f'calibrated("{name}")' in path.read_text(encoding="utf-8"), name
         assert name in TABLES
 

@@ -7,9 +7,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.cloth.cut import cut
-from cloner.cloth.drawn import read_drawing
-from cloner.cloth.pattern import length_m
+from cloner.cloth.drafting.cut import cut
+from cloner.cloth.drafting.drawn import read_drawing
+from cloner.cloth.drafting.pattern import length_m
 from cloner.errors import ClonerError
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" width="800mm" viewBox="0 0 800 800" data-seams="{seams}">'

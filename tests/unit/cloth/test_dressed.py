@@ -12,19 +12,19 @@ from scipy.spatial import cKDTree
 
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
-from cloner.cloth.blocks import BLOCKS, draft
 from cloner.cloth.caches import obj, pc2, usd
+from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.dressing import Dressed, dressed
-from cloner.cloth.fabrics import FABRICS
 from cloner.cloth.glb import MASKED, glb
-from cloner.cloth.placing import body_ring
-from cloner.cloth.solver import strains
+from cloner.cloth.simulation.fabrics import FABRICS
+from cloner.cloth.simulation.placing import body_ring
+from cloner.cloth.simulation.solver import strains
 from cloner.cloth.written import dress_file
 from cloner.errors import Cancelled, ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
-from cloner.motion.own import own_motions
-from cloner.motion.rig import centred
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 from cloner.project.clone_file import save_clone
 from cloner.records.clones import Clone
 

@@ -15,12 +15,12 @@ from cloner.bodies.telling import Told
 from cloner.cli import app
 from cloner.cloth import dressing
 from cloner.cloth.dressing import Dressed, dressed, pattern_of
-from cloner.cloth.fabrics import FABRICS
 from cloner.cloth.glb import glb
-from cloner.cloth.layered import Under
-from cloner.geometry.wedges import vertex_normals
-from cloner.motion.own import own_motions
-from cloner.motion.rig import centred
+from cloner.cloth.simulation.fabrics import FABRICS
+from cloner.cloth.simulation.layered import Under
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 from cloner.project.clone_file import save_clone
 from cloner.records.clones import Clone
 

@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.cloth.blocks import BLOCKS, draft
-from cloner.cloth.cut import cut
-from cloner.cloth.pattern import Pattern, check_pattern, curve, even, length_m, pattern_text, read_pattern
+from cloner.cloth.drafting.blocks import BLOCKS, draft
+from cloner.cloth.drafting.cut import cut
+from cloner.cloth.drafting.pattern import Pattern, check_pattern, curve, even, length_m, pattern_text, read_pattern
 from cloner.errors import ClonerError
 
 

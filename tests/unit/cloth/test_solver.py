@@ -5,13 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.cloth.blocks import BLOCKS, draft
-from cloner.cloth.cut import Cloth, cut
-from cloner.cloth.fabrics import FABRICS, Fabric
-from cloner.cloth.pattern import Pattern, Segment
-from cloner.cloth.solver import THICK_M, Sheet, State, sheet_of, step, strains
-from cloner.cloth.threads import LONGEST, grouped, limit
-from cloner.cloth.wearer import Skin
+from cloner.cloth.drafting.blocks import BLOCKS, draft
+from cloner.cloth.drafting.cut import Cloth, cut
+from cloner.cloth.drafting.pattern import Pattern, Segment
+from cloner.cloth.simulation.fabrics import FABRICS, Fabric
+from cloner.cloth.simulation.solver import THICK_M, Sheet, State, sheet_of, step, strains
+from cloner.cloth.simulation.threads import LONGEST, grouped, limit
+from cloner.cloth.simulation.wearer import Skin
 
 CALM = np.zeros(3)
 

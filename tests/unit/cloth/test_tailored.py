@@ -12,19 +12,19 @@ from scipy.sparse.csgraph import connected_components
 
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
-from cloner.cloth.blocks import BLOCKS
-from cloner.cloth.cut import Cloth, cut
+from cloner.cloth.drafting.blocks import BLOCKS
+from cloner.cloth.drafting.cut import Cloth, cut
+from cloner.cloth.drafting.pattern import check_pattern, length_m, pattern_text, read_pattern
+from cloner.cloth.drafting.sections import girth_of, hull_ring, sections, wider
 from cloner.cloth.dressing import GARMENTS, pattern_of
-from cloner.cloth.fabrics import FABRICS
-from cloner.cloth.moving import put_on, simulate
-from cloner.cloth.pattern import check_pattern, length_m, pattern_text, read_pattern
-from cloner.cloth.placing import body_ring
-from cloner.cloth.sections import girth_of, hull_ring, sections, wider
-from cloner.cloth.solver import strains
+from cloner.cloth.simulation.fabrics import FABRICS
+from cloner.cloth.simulation.moving import put_on, simulate
+from cloner.cloth.simulation.placing import body_ring
+from cloner.cloth.simulation.solver import strains
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner.motion.own import own_motions
-from cloner.motion.rig import centred
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 from cloner.records.clones import Clone
 
 #: What is open in each garment: neck, hem, cuffs, ...

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from cloner.crowd.pack import make_pack
+from cloner.crowd.packs.pack import make_pack
 from kit.crowds import WANTED, lively_pack, two_results
 
 

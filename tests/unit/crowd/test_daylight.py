@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.crowd.daylight import CAST_DEEP_M, CAST_M, CAST_PX, KEY, Hour, exposure, sun_clip
-from cloner.crowd.rooms import Probes
+from cloner.crowd.staged.daylight import CAST_DEEP_M, CAST_M, CAST_PX, KEY, Hour, exposure, sun_clip
+from cloner.crowd.staged.rooms import Probes
 
 AHEAD = np.array([0.0, 0.0, -1.0])
 EYE = np.array([1.0, 1.6, 1.0])

@@ -9,12 +9,12 @@ import pytest
 from PIL import Image
 from skimage.metrics import structural_similarity
 
-from cloner.crowd.eye import Eye
-from cloner.crowd.impostors import TEXELS_PER_M, TEXELS_PER_PX
-from cloner.crowd.reading import casting_from, read_facts, read_stock
-from cloner.crowd.scene import scene_of
-from cloner.crowd.still import draw_pack
-from cloner.crowd.theatre import Theatre
+from cloner.crowd.drawing.impostors import TEXELS_PER_M, TEXELS_PER_PX
+from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.packs.reading import casting_from, read_facts, read_stock
+from cloner.crowd.packs.still import draw_pack
+from cloner.crowd.staged.eye import Eye
+from cloner.crowd.staged.scene import scene_of
 from cloner.errors import ClonerError
 from kit.browser import CHROMIUM, browser
 

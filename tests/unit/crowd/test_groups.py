@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from skimage.color import deltaE_ciede2000, rgb2lab
 
-from cloner.crowd.groups import (
+from cloner.crowd.clones.groups import (
     GROUPS,
     STEP,
     dressed,
@@ -84,6 +84,6 @@ def test_codes_go_on_beyond_the_charts_but_never_change_inside() -> None:
 
 @pytest.mark.parametrize("name", ["eyes", "mouth", "head", "arms", "legs", "nails"])
 def test_skin_is_not_among_what_outfits_dye(name: str) -> None:
-    from cloner.crowd.groups import WORN
+    from cloner.crowd.clones.groups import WORN
 
     assert name not in WORN

@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.crowd.held import FILMED, FILMS, filmed, films_below
-from cloner.holdings import find_holding, holdings
-from cloner.privacy import forget
+from cloner.crowd.packs.held import FILMED, FILMS, filmed, films_below
+from cloner.personal_data.holdings import find_holding, holdings
+from cloner.personal_data.privacy import forget
 from cloner.project.results import RESULT_MARK, file_digest
 from cloner.project.stamps import photos_token
-from cloner.vision.films import told_png, write_film
+from cloner.vision.photographs.films import told_png, write_film
 
 ANNA, BORIS = photos_token(["1" * 64, "2" * 64]), photos_token(["3" * 64])
 PEOPLE = [{"id": "anna", "stamp": f"Cloner 1, photos {ANNA}"}, {"id": "boris", "stamp": f"Cloner 1, photos {BORIS}"}]

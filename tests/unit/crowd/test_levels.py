@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import cloner.crowd
-from cloner.crowd.levels import LOOSE, body_levels, shell_levels
+from cloner.crowd.clones.levels import LOOSE, body_levels, shell_levels
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
 from kit.clones import toy_clone

@@ -16,24 +16,24 @@ import numpy as np
 import pygltflib
 import pytest
 
-from cloner.crowd.check import check_pack
-from cloner.crowd.clips import shown, walked
-from cloner.crowd.files import pack_folder
-from cloner.crowd.levels import body_levels
-from cloner.crowd.pack import make_pack, rings_of
-from cloner.crowd.reading import read_facts
-from cloner.crowd.vat import LEVEL
+from cloner.crowd.clones.clips import shown, walked
+from cloner.crowd.clones.levels import body_levels
+from cloner.crowd.clones.vat import LEVEL
+from cloner.crowd.packs.check import check_pack
+from cloner.crowd.packs.files import pack_folder
+from cloner.crowd.packs.pack import make_pack, rings_of
+from cloner.crowd.packs.reading import read_facts
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.holdings import find_holding, holdings
-from cloner.motion.acts import ACTS
-from cloner.motion.body import body_of
-from cloner.motion.gait import walk
-from cloner.motion.rig import centred
-from cloner.motion.slide import RULER_HZ, step_slides_m
-from cloner.motion.styles import REGULAR, STYLES, Style
-from cloner.privacy import export_data, forget
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.motion.limbs.body import body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.acts import ACTS
+from cloner.motion.moves.gait import walk
+from cloner.motion.moves.slide import RULER_HZ, step_slides_m
+from cloner.motion.moves.styles import REGULAR, STYLES, Style
+from cloner.personal_data.holdings import find_holding, holdings
+from cloner.personal_data.privacy import export_data, forget
 from cloner.project.clone_file import CLONE_FILE, load_clone
 from kit.crowds import WANTED, dressed_toy, saved
 

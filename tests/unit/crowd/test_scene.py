@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import cloner.crowd
-from cloner.crowd.check import closest_same
-from cloner.crowd.looks import PALETTES
-from cloner.crowd.scene import SCENES, Casting, facts, looks_shown, places, scene_of
+from cloner.crowd.packs.check import closest_same
+from cloner.crowd.staged.looks import PALETTES
+from cloner.crowd.staged.scene import SCENES, Casting, facts, looks_shown, places, scene_of
 
 CLONES = 20
 CASTING = Casting(

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.crowd.footing import GONE, Acted
-from cloner.crowd.staging import HEAD_MIDDLE, HEADLESS, PART, PLAIN, STONE, UP, Staging, eased, finished
-from cloner.crowd.told import _STAGING, _unfit, _unstaged
+from cloner.crowd.packs.told import _STAGING, _unfit, _unstaged
+from cloner.crowd.staged.footing import GONE, Acted
+from cloner.crowd.staged.staging import HEAD_MIDDLE, HEADLESS, PART, PLAIN, STONE, UP, Staging, eased, finished
 
 STATURE_M = 1.7
 

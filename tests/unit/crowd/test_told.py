@@ -9,9 +9,9 @@ from typing import Any
 
 import pytest
 
-from cloner.crowd.files import picture, unpacked
-from cloner.crowd.reading import read_facts
-from cloner.crowd.told import why_unfit
+from cloner.crowd.packs.files import picture, unpacked
+from cloner.crowd.packs.reading import read_facts
+from cloner.crowd.packs.told import why_unfit
 from cloner.errors import ClonerError
 from fuzz.targets import crowd_bytes
 

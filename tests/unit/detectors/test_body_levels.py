@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.detectors.levels import LevelModel, conclude, load_levels, load_offsets
+from cloner.detectors.body.levels import LevelModel, conclude, load_levels, load_offsets
 
 #: Three joints on a common scale and a feature halfway between the last two.
 SCALE = np.array([0.8, 0.55, 0.3, 0.1, 0.42])

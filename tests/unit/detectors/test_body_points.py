@@ -6,13 +6,13 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.detectors import pose_rows as net
-from cloner.detectors.body_points import propose_body_points
+from cloner.detectors.body import pose_rows as net
+from cloner.detectors.body.body_points import propose_body_points
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.labels import Label
 from cloner.records.points import StateKind, expected_error
-from cloner.vision.outline_walk import figure_of
+from cloner.vision.segmentation.outline_walk import figure_of
 from kit import net as known_net
 from kit import people
 

@@ -8,8 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.detectors.cascade import FEATURES, Pose, find_feature, load_cascades, sided
-from cloner.vision.gradients import describe
+from cloner.detectors.face.cascade import FEATURES, Pose, find_feature, load_cascades, sided
+from cloner.vision.photographs.gradients import describe
 from kit.visitors import photo, truth_mask, visitor_folder
 
 

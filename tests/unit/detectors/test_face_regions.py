@@ -7,11 +7,11 @@ import json
 import numpy as np
 import pytest
 
-from cloner.detectors.face_curves import pull_curves, refine_face
-from cloner.detectors.face_net import load_face_net
-from cloner.detectors.face_regions import cut_features, mean_refined_mesh, region_frame, region_rows
-from cloner.detectors.litert import detect_face
-from cloner.detectors.placing import mirror_order
+from cloner.detectors.face.face_curves import pull_curves, refine_face
+from cloner.detectors.face.face_net import load_face_net
+from cloner.detectors.nets.face_regions import cut_features, mean_refined_mesh, region_frame, region_rows
+from cloner.detectors.nets.litert import detect_face
+from cloner.detectors.nets.placing import mirror_order
 from kit.visitors import NAMES, photo, visitor_folder
 
 

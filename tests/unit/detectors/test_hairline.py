@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.detectors.hairline import trace_hairline
+from cloner.detectors.face.hairline import trace_hairline
 from cloner.records.labels import Label
 
 IOD = 80.0

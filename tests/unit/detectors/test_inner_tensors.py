@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from ai_edge_litert.interpreter import Interpreter
 
-from cloner.detectors.inner_tensors import with_outputs
+from cloner.detectors.nets.inner_tensors import with_outputs
 
 
 def run(model: bytes, image: np.ndarray) -> list[np.ndarray]:

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 from skimage import data
 
-from cloner.detectors import litert
-from cloner.detectors.litert import detect_face, detect_pose
-from cloner.detectors.people import detect_people
-from cloner.detectors.placing import same_body, same_crop, same_place
-from cloner.detectors.results import POSE_NAMES, Box
-from cloner.vision.crops import Crop
+from cloner.detectors.nets import litert
+from cloner.detectors.nets.litert import detect_face, detect_pose
+from cloner.detectors.nets.people import detect_people
+from cloner.detectors.nets.placing import same_body, same_crop, same_place
+from cloner.detectors.nets.results import POSE_NAMES, Box
+from cloner.vision.photographs.crops import Crop
 from kit.visitors import NAMES, overlap, photo, truth_mask, visitor_folder
 
 MESH_MARKS = {"mouth_corner_R": 61, "mouth_corner_L": 291, "eye_outer_R": 33, "eye_outer_L": 263}

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.detectors.litert import detect_pose
-from cloner.detectors.people import detect_people
-from cloner.detectors.portraits import is_cut_below
+from cloner.detectors.nets.litert import detect_pose
+from cloner.detectors.nets.people import detect_people
+from cloner.detectors.nets.portraits import is_cut_below
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.photos import Photo, PhotoSet

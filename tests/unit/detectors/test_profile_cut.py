@@ -5,9 +5,9 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from cloner.detectors.face_net import load_face_net
-from cloner.detectors.profile_cut import wall_before
-from cloner.detectors.profile_fit import Laid
+from cloner.detectors.face.face_net import load_face_net
+from cloner.detectors.face.profile_cut import wall_before
+from cloner.detectors.face.profile_fit import Laid
 from cloner.frames import ViewId
 from cloner.project.folder import load_photo
 from cloner.stages.proposals import propose

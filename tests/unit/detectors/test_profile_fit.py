@@ -8,9 +8,9 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.detectors.face_net import load_face_net
-from cloner.detectors.face_side import doubt_of, find_side_face
-from cloner.detectors.results import POSE_NAMES
+from cloner.detectors.face.face_net import load_face_net
+from cloner.detectors.face.face_side import doubt_of, find_side_face
+from cloner.detectors.nets.results import POSE_NAMES
 from cloner.frames import ViewId
 from cloner.records.labels import Label
 from cloner.records.points import Proposal, expected_face_error, face_confidence

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.detectors.taught import errors_of, taught, taught_net
 from cloner.frames import ViewId
 from cloner.records.points import ViewPoints, expected_face_error, face_confidence

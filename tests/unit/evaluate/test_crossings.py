@@ -4,8 +4,14 @@ import numpy as np
 import pytest
 import trimesh
 
-from cloner.evaluate.crossings import buried_depths, crossings_between, seen_triangles, self_crossings, windings
-from cloner.geometry.viewpoints import framing_camera
+from cloner.evaluate.measures.crossings import (
+    buried_depths,
+    crossings_between,
+    seen_triangles,
+    self_crossings,
+    windings,
+)
+from cloner.geometry.cameras.viewpoints import framing_camera
 
 
 def ball(radius_m, centre_m, count=3):

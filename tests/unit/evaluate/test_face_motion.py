@@ -7,13 +7,13 @@ from dataclasses import asdict, replace
 import numpy as np
 import pytest
 
-from cloner.evaluate import face_motion
-from cloner.evaluate.baselines import generic_clone
+from cloner.evaluate.measures import face_motion
+from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.face_grids import eye_grid, eyeball, mouth_grid
 from cloner.generic.load import load_generic
 from cloner.head.parts import seat_parts
 from cloner.head.targets import face_targets
-from cloner.motion.limits import limited
+from cloner.motion.face.limits import limited
 from kit.scripts import script
 
 SEEDS = (2, 7)

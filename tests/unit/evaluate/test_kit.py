@@ -8,11 +8,11 @@ from PIL import Image
 
 from cloner.errors import ClonerError
 from cloner.evaluate import kit_scores
-from cloner.evaluate.kit import is_kit_person, kit_people, photos_alone, read_kit
-from cloner.evaluate.labels import label_ious
-from cloner.evaluate.origins import Origins
-from cloner.evaluate.parts import wrong_part_share
+from cloner.evaluate.figures.origins import Origins
+from cloner.evaluate.figures.parts import wrong_part_share
 from cloner.evaluate.scoreboard import evaluate_visitors
+from cloner.evaluate.truths.kit import is_kit_person, kit_people, photos_alone, read_kit
+from cloner.evaluate.truths.labels import label_ious
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.labels import LABELS

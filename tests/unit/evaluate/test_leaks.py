@@ -5,8 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.evaluate.leaks import background_texels
-from cloner.evaluate.truth import TruthView
+from cloner.evaluate.figures.leaks import background_texels
+from cloner.evaluate.truths.truth import TruthView
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from cloner.body.hands import sized_hands
-from cloner.evaluate.baselines import generic_clone
-from cloner.evaluate.posing import JOINTS, hand_vertices, pose_clone, rotations_towards, truth_from_body
+from cloner.evaluate.measures.posing import JOINTS, hand_vertices, pose_clone, rotations_towards, truth_from_body
+from cloner.evaluate.truths.baselines import generic_clone
 from cloner.generic.load import load_generic
 from cloner.records.bodies import BodyMesh
 from kit import people

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import trimesh
 
-from cloner.evaluate import rulers, surfaces
+from cloner.evaluate.measures import rulers, surfaces
 
 
 @pytest.fixture

@@ -7,9 +7,9 @@ import pytest
 
 from cloner.errors import ClonerError
 from cloner.evaluate import scoreboard
-from cloner.evaluate.baselines import generic_clone
 from cloner.evaluate.measuring import CloneRun
-from cloner.evaluate.truth import read_truth, told_height_m
+from cloner.evaluate.truths.baselines import generic_clone
+from cloner.evaluate.truths.truth import read_truth, told_height_m
 from cloner.generic.load import load_generic
 from cloner.records.points import PointSet
 

@@ -6,17 +6,17 @@ import numpy as np
 import pytest
 
 from cloner.evaluate import scores
-from cloner.evaluate.baselines import generic_clone
+from cloner.evaluate.figures.skins import skin_triangles
+from cloner.evaluate.measures.posing import JOINTS, pose_clone
+from cloner.evaluate.measures.rulers import apply
+from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.evaluate.measuring import CloneRun
-from cloner.evaluate.posing import JOINTS, pose_clone
-from cloner.evaluate.rulers import apply
-from cloner.evaluate.skins import skin_triangles
-from cloner.evaluate.surfaces import sample_surface
-from cloner.evaluate.truth import Truth, TruthSurface, TruthView
+from cloner.evaluate.truths.baselines import generic_clone
+from cloner.evaluate.truths.truth import Truth, TruthSurface, TruthView
 from cloner.frames import BODY_VIEWS, ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.tape import body_girths, load_tape_rules
-from cloner.geometry.measuring import measures_mm
+from cloner.geometry.measurement.measuring import measures_mm
 from cloner.records.bodies import PosedView
 from cloner.records.points import PointSet, ViewPoints
 from kit import people, studio

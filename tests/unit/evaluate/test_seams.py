@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from cloner.evaluate.seams import seam_ratios
+from cloner.evaluate.figures.seams import seam_ratios
 from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.generic.fdp import fdp_names
 
 REFERENCE = Path("/work/shared/reference/mpeg4_feature_points.csv")

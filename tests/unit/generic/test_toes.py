@@ -8,7 +8,7 @@ from scipy.spatial import ConvexHull, cKDTree
 from cloner.body.feet import closed_toes
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles, surface_normals
-from cloner.geometry.wedges import vertex_normals
+from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.bodies import BodyMesh
 
 

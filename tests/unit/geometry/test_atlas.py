@@ -4,11 +4,11 @@ import numpy as np
 
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
-from cloner.geometry.atlas import map_atlas
-from cloner.geometry.graphs import surface_graph
-from cloner.geometry.partition import border_shares, partition_surface
-from cloner.geometry.rasters import fragments, nearest_depth
-from cloner.geometry.unwrapping import unwrap
+from cloner.geometry.charts.atlas import map_atlas
+from cloner.geometry.charts.partition import border_shares, partition_surface
+from cloner.geometry.charts.unwrapping import unwrap
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.geometry.meshes.rasters import fragments, nearest_depth
 
 SQUARE = np.array([[0, 1, 2], [0, 2, 3]], np.int32)
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.detectors.face_points import complete_face
+from cloner.detectors.face.face_points import complete_face
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.completion import bring_along, complete_points
+from cloner.geometry.deformation.completion import bring_along, complete_points
 from cloner.records.photos import Photo
 from cloner.records.points import Correction, ViewPoints
 from cloner.stages.points import corrected

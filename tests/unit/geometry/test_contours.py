@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.geometry.contours import outline_field
+from cloner.geometry.outlines.contours import outline_field
 
 CENTRE, RADIUS = np.array([150.0, 120.0]), 80.0
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from cloner.geometry.dffd import circumcentres, deform, enclosing_points, sibson_weights
+from cloner.geometry.deformation.dffd import circumcentres, deform, enclosing_points, sibson_weights
 
 
 def test_circumcentre_of_a_corner_tetrahedron():

@@ -6,9 +6,9 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.geometry.iris import EYE_CORNERS, white_to_skin
+from cloner.geometry.charts.iris import EYE_CORNERS, white_to_skin
 from cloner.records.labels import Label
-from cloner.vision.painting import paint_eye
+from cloner.vision.retouching.painting import paint_eye
 
 SKIN, WHITE, IRIS = (60, 40, 30), (150, 140, 135), (50, 35, 25)
 PUPILS = ((100, 100), (200, 100))

@@ -8,8 +8,8 @@ import trimesh
 
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.lengths import tape_path_mm
-from cloner.geometry.measuring import ALL_KEYS, bare_rows, measures_mm
+from cloner.geometry.measurement.lengths import tape_path_mm
+from cloner.geometry.measurement.measuring import ALL_KEYS, bare_rows, measures_mm
 from cloner.records.measures import BY_KEY, Cover
 
 BALL = trimesh.creation.icosphere(subdivisions=5, radius=0.2)

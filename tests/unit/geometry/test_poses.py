@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from cloner.generic.load import load_generic
-from cloner.geometry.poses import FREEDOMS, SIGMAS, mirrored_freedoms, pose_matrix, standing_pose
-from cloner.geometry.skinning import joint_transforms
+from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, mirrored_freedoms, pose_matrix, standing_pose
+from cloner.geometry.articulation.skinning import joint_transforms
 
 
 def rotations(**angles):

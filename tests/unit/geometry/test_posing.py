@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from cloner.generic.load import load_generic
-from cloner.geometry.poses import SIGMAS, pose_matrix, standing_pose
-from cloner.geometry.posing import Chosen, descendants, moved_camera
+from cloner.geometry.articulation.poses import SIGMAS, pose_matrix, standing_pose
+from cloner.geometry.articulation.posing import Chosen, descendants, moved_camera
 
 QUARTER = math.pi / 2
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cloner.geometry.rasters import cover, fragments, nearest_depth
+from cloner.geometry.meshes.rasters import cover, fragments, nearest_depth
 
 
 def _bumpy(side=24, size=60.0):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.geometry.rumples import rumples_mm
+from cloner.geometry.outlines.rumples import rumples_mm
 
 
 def outline_mm(folds_mm: float = 0.0, wave_mm: float = 60.0) -> np.ndarray:

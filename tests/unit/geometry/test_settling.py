@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import trimesh
 
-from cloner.geometry.rims import triangle_normals, vertex_normals
-from cloner.geometry.settling import bending_matrix, settle, smoothed_directions, unfolded
+from cloner.geometry.outlines.rims import triangle_normals, vertex_normals
+from cloner.geometry.outlines.settling import bending_matrix, settle, smoothed_directions, unfolded
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from cloner.geometry.skinning import blend_transforms, joint_transforms, rotation_matrices, skin
+from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms, rotation_matrices, skin
 
 #: A root at the origin, an elbow one metre to the left, a wrist two metres to the left.
 CHAIN = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]])

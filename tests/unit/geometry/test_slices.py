@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from cloner.geometry.contours import outline_field
-from cloner.geometry.slices import (
+from cloner.geometry.outlines.contours import outline_field
+from cloner.geometry.outlines.slices import (
     PosedBody,
     SlicePairs,
     aspect_shift,

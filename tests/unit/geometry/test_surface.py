@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.geometry.rim_search import covered
-from cloner.geometry.surface import over
+from cloner.geometry.meshes.surface import over
+from cloner.geometry.outlines.rim_search import covered
 
 TRIANGLE = np.array([[[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]]])
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cloner.geometry.triangles import areas, edges_of, paired_edges
+from cloner.geometry.meshes.triangles import areas, edges_of, paired_edges
 
 POINTS = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [2.0, 2.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 3.0]])
 TRIANGLES = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 4]])

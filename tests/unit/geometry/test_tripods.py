@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from cloner.geometry.tripods import STAND_NAMES, placed_camera, projected, stand_of
+from cloner.geometry.cameras.tripods import STAND_NAMES, placed_camera, projected, stand_of
 from cloner.records.views import Camera
 from cloner.stages.views import heading, pitched
 from kit import studio

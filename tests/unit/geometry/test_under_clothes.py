@@ -10,8 +10,8 @@ import pytest
 from cloner.generic.load import load_generic
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measuring import ALL_KEYS, measures_mm
-from cloner.geometry.under_clothes import Estimate, Evidence, MeasurePrior, estimate
+from cloner.geometry.measurement.measuring import ALL_KEYS, measures_mm
+from cloner.geometry.measurement.under_clothes import Estimate, Evidence, MeasurePrior, estimate
 
 STATURE_M = 1.72
 COUNT = len(ALL_KEYS)

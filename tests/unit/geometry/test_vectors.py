@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.geometry.vectors import arc_lengths, places_along, unit
+from cloner.geometry.meshes.vectors import arc_lengths, places_along, unit
 
 CORNER = np.array([[0.0, 0.0], [3.0, 0.0], [3.0, 4.0]])
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
-from cloner.hair import coverings
-from cloner.hair.coverings import covering, with_whole_coverings
-from cloner.hair.views import HairView, distances_px
+from cloner.hair.clothing import coverings
+from cloner.hair.clothing.coverings import covering, with_whole_coverings
+from cloner.hair.volumes.views import HairView, distances_px
 from cloner.records.labels import Label
 from cloner.records.points import Proposals
 

@@ -9,10 +9,10 @@ import trimesh
 from cloner.frames import ViewId
 from cloner.generic.layers import Layer
 from cloner.generic.painter import paint
-from cloner.geometry.wedges import vertex_normals
-from cloner.hair.frizz import Frizz, measure_frizz, shares_beyond
-from cloner.hair.frizz_cards import DENSE, INSIDE_MM, frizz_shell, make_room
-from cloner.hair.views import distances_px
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.hair.shells.frizz import Frizz, measure_frizz, shares_beyond
+from cloner.hair.shells.frizz_cards import DENSE, INSIDE_MM, frizz_shell, make_room
+from cloner.hair.volumes.views import distances_px
 from cloner.records.heads import Shell
 from cloner.records.photos import Photo
 from kit import studio

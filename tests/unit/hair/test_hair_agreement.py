@@ -10,8 +10,8 @@ from cloner.body.carriage_sight import NECK, SKULL
 from cloner.body.outlined import Outlined, masked_field
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.rims import vertex_normals
-from cloner.hair import agreement as hair_agreement
+from cloner.geometry.outlines.rims import vertex_normals
+from cloner.hair.volumes import agreement as hair_agreement
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.labels import Label
 from cloner.records.points import Proposals, ViewPoints

@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from cloner.geometry.atlas import map_atlas
-from cloner.hair.edge import FADE_MM, soften_edge
+from cloner.geometry.charts.atlas import map_atlas
+from cloner.hair.shells.edge import FADE_MM, soften_edge
 
 SIZE = 64
 

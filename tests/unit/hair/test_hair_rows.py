@@ -10,10 +10,10 @@ import pytest
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.hair import volume
-from cloner.hair.rows import across_px
-from cloner.vision.aligning import sample
-from cloner.vision.repair import signed_distance
+from cloner.hair.volumes import volume
+from cloner.hair.volumes.rows import across_px
+from cloner.vision.retouching.aligning import sample
+from cloner.vision.retouching.repair import signed_distance
 
 Array = NDArray[np.float64]
 

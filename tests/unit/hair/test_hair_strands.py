@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 from skimage.measure import marching_cubes
 
-from cloner.geometry.atlas import map_atlas
-from cloner.geometry.graphs import surface_graph
-from cloner.geometry.unwrapping import unwrap
-from cloner.hair.strands import grow_strands, roughness, strand_noise
+from cloner.geometry.charts.atlas import map_atlas
+from cloner.geometry.charts.unwrapping import unwrap
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.hair.shells.strands import grow_strands, roughness, strand_noise
 
 BROWN = np.array([110.0, 80.0, 60.0])
 ROUGH = np.array([12.0, 10.0, 8.0])

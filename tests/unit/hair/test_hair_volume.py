@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 
 from cloner.frames import ViewId
-from cloner.hair.cap import FACE_PHOTO, Scalp
-from cloner.hair.volume import ROUND_MM, TAIL_DOUBT_MM, _held_by, agreed_mm, near_skin, tail_mm
+from cloner.hair.volumes.cap import FACE_PHOTO, Scalp
+from cloner.hair.volumes.volume import ROUND_MM, TAIL_DOUBT_MM, _held_by, agreed_mm, near_skin, tail_mm
 
 SIDE_MM, THICK_MM, FOLD_M = 4.0, 20.0, 0.01
 

@@ -7,10 +7,10 @@ import pytest
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.geometry.wedges import vertex_normals
-from cloner.hair.views import Hanger
-from cloner.hair.weights import hair_weights, strongest
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.hair.volumes.views import Hanger
+from cloner.hair.volumes.weights import hair_weights, strongest
 from kit import painted, people
 
 LIFT_M = 0.012

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from cloner.frames import ViewId
-from cloner.hair import hoods
-from cloner.hair.views import HairView, distances_px
+from cloner.hair.clothing import hoods
+from cloner.hair.volumes.views import HairView, distances_px
 
 SIZE = 60
 SCALP = np.zeros((SIZE, SIZE), bool)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from cloner.geometry.shape_fit import _rows
+from cloner.geometry.deformation.shape_fit import _rows
 from cloner.head.ears import Spots
 from cloner.head.evidence import Params, _of_the_face
 from cloner.head.fit import _by_trust

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.generic.load import load_generic
-from cloner.geometry.resection import resect
+from cloner.geometry.cameras.resection import resect
 from cloner.head.modes import load_head_modes, turned_from
 from cloner.records.views import Camera
 

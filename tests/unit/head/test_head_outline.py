@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from cloner.evaluate.skins import skin_triangles
-from cloner.evaluate.surfaces import sample_surface
+from cloner.evaluate.figures.skins import skin_triangles
+from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.generic.load import load_generic
-from cloner.geometry.resection import facing_camera
+from cloner.geometry.cameras.resection import facing_camera
 from cloner.head.fit import outline_vertices, profile_candidates
 from cloner.head.model import make_model
 from cloner.records.bodies import Phenotype

@@ -9,10 +9,10 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
-from cloner.geometry.contour_match import turning_points
-from cloner.geometry.resection import facing_camera
-from cloner.geometry.rims import vertex_normals
-from cloner.geometry.shape_fit import ShapeFit, fit_shape
+from cloner.geometry.cameras.resection import facing_camera
+from cloner.geometry.deformation.shape_fit import ShapeFit, fit_shape
+from cloner.geometry.outlines.contour_match import turning_points
+from cloner.geometry.outlines.rims import vertex_normals
 from cloner.head.model import make_model
 from cloner.head.outline import Outline
 from cloner.head.rim import HAIR_M, head_skin, rim_evidence

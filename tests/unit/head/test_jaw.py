@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from cloner.detectors.face_net import load_face_net
+from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId
 from cloner.generic.face_grids import mouth_grid
 from cloner.generic.load import load_generic
-from cloner.geometry.resection import facing_camera
+from cloner.geometry.cameras.resection import facing_camera
 from cloner.head.ears import Spots
 from cloner.head.evidence import Front, Params
 from cloner.head.fit import fit_basis
@@ -18,7 +18,7 @@ from cloner.head.jaw import JOINT, jaw_in, jaw_rotations, opened
 from cloner.head.model import Model, make_model
 from cloner.records.bodies import Phenotype
 from cloner.records.views import Camera
-from cloner.vision.open_mouth import INNER_LIPS
+from cloner.vision.retouching.open_mouth import INNER_LIPS
 
 Array = NDArray[np.float64]
 

@@ -7,11 +7,11 @@ from functools import lru_cache
 import numpy as np
 import pytest
 
-from cloner.detectors.litert import detect_face, detect_pose, label_features
+from cloner.detectors.nets.litert import detect_face, detect_pose, label_features
 from cloner.frames import ViewId
 from cloner.labels.photo import label_photo, look
 from cloner.records.labels import CLOTHES, Label, shows
-from cloner.vision.masks import refine_mask
+from cloner.vision.segmentation.masks import refine_mask
 from kit.visitors import NAMES, SETS, photo, truth_mask
 
 

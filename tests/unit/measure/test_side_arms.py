@@ -6,7 +6,7 @@ import pytest
 from cloner.body.outlined import outlined_photos, see
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.measuring import ALL_KEYS
+from cloner.geometry.measurement.measuring import ALL_KEYS
 from cloner.measure.side_arms import LEVELS, hidden_rows
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.points import Proposals

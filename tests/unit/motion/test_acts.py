@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from cloner.generic.load import load_generic
-from cloner.motion.acts import ACTS
-from cloner.motion.body import SIDES, Body, body_of
-from cloner.motion.rig import centred
+from cloner.motion.limbs.body import SIDES, Body, body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.acts import ACTS
 from cloner.records.motions import Motion
 from kit.clones import toy_clone
 

@@ -11,15 +11,15 @@ import pytest
 
 from cloner.animating import animate_file
 from cloner.errors import ClonerError
-from cloner.motion.acclaim import read_acclaim
-from cloner.motion.anatomy import find_anatomy, plain
-from cloner.motion.body import Body, body_of
-from cloner.motion.bvh import parse_bvh, read_bvh
-from cloner.motion.cycle import walk_cycle
-from cloner.motion.gait import walk
-from cloner.motion.retarget import retarget
-from cloner.motion.slide import step_slides_m
-from cloner.motion.turns import about, matrices, vectors
+from cloner.motion.captures.acclaim import read_acclaim
+from cloner.motion.captures.anatomy import find_anatomy, plain
+from cloner.motion.captures.bvh import parse_bvh, read_bvh
+from cloner.motion.captures.retarget import retarget
+from cloner.motion.limbs.body import Body, body_of
+from cloner.motion.limbs.turns import about, matrices, vectors
+from cloner.motion.moves.cycle import walk_cycle
+from cloner.motion.moves.gait import walk
+from cloner.motion.moves.slide import step_slides_m
 from cloner.project.clone_file import save_clone
 from kit.clones import toy_clone
 
@@ -205,7 +205,7 @@ def test_a_walk_is_cut_to_a_circle_of_about_a_second(body: Body) -> None:
 
 
 def test_a_motion_without_steps_makes_no_walk(body: Body) -> None:
-    from cloner.motion.gait import idle
+    from cloner.motion.moves.gait import idle
 
     with pytest.raises(ClonerError) as caught:
         walk_cycle(body, idle(body))

@@ -5,15 +5,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.evaluate.crossings import buried_depths, self_crossings
+from cloner.evaluate.measures.crossings import buried_depths, self_crossings
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.motion.body import body_of
-from cloner.motion.clearance import LEAST_DEG, MOST_DEG
-from cloner.motion.gait import walk
-from cloner.motion.rest import hanging_pose, t_pose
-from cloner.motion.rig import centred
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.motion.flesh.rest import hanging_pose, t_pose
+from cloner.motion.limbs.body import body_of
+from cloner.motion.limbs.clearance import LEAST_DEG, MOST_DEG
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.gait import walk
 from kit.clones import toy_clone
 
 

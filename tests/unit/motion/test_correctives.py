@@ -9,13 +9,13 @@ import pytest
 
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
-from cloner.geometry.dual import skin_dual
-from cloner.geometry.skinning import joint_transforms, skin
-from cloner.motion.bending import BENDS, Flesh, bent, flesh
-from cloner.motion.body import body_of
-from cloner.motion.correctives import corrected, driven
-from cloner.motion.rest import in_t_pose
-from cloner.motion.rig import centred
+from cloner.geometry.articulation.dual import skin_dual
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.motion.flesh.bending import BENDS, Flesh, bent, flesh
+from cloner.motion.flesh.correctives import corrected, driven
+from cloner.motion.flesh.rest import in_t_pose
+from cloner.motion.limbs.body import body_of
+from cloner.motion.limbs.rig import centred
 from cloner.records.motions import Motion
 from kit.clones import toy_clone
 

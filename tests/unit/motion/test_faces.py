@@ -11,12 +11,12 @@ from scipy.signal import lfilter
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner.motion import faps, speech
-from cloner.motion import sound as sound_file
-from cloner.motion.body import body_of
-from cloner.motion.expressions import EXPRESSIONS, Beat, Envelope, mixed, play
-from cloner.motion.score import SILENT, emotion_score, read_score
-from cloner.motion.talk import scored, spoken_visemes, talk
+from cloner.motion.face import faps, speech
+from cloner.motion.face import sound as sound_file
+from cloner.motion.face.expressions import EXPRESSIONS, Beat, Envelope, mixed, play
+from cloner.motion.face.score import SILENT, emotion_score, read_score
+from cloner.motion.face.talk import scored, spoken_visemes, talk
+from cloner.motion.limbs.body import body_of
 from kit.clones import toy_clone
 
 SPEECH = Path(__file__).resolve().parents[2] / "kit" / "speech"

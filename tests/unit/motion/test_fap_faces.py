@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from cloner.motion import faps
+from cloner.motion.face import faps
 from kit.clones import toy_clone
 
 

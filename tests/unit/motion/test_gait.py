@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from cloner.generic.load import load_generic
-from cloner.motion import contact
-from cloner.motion.body import SIDES, Body, body_of
-from cloner.motion.gait import idle, walk
-from cloner.motion.rig import centred
-from cloner.motion.slide import step_slides_m
+from cloner.motion.limbs.body import SIDES, Body, body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves import contact
+from cloner.motion.moves.gait import idle, walk
+from cloner.motion.moves.slide import step_slides_m
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from kit.clones import toy_clone

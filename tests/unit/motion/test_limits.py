@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.evaluate.face_motion import mixture_figures
+from cloner.evaluate.measures.face_motion import mixture_figures
 from cloner.generic.face_grids import lips_apart, mouth_grid
 from cloner.generic.load import load_generic
 from cloner.head.parts import seat_parts
 from cloner.head.targets import face_targets
-from cloner.motion.limits import limited
+from cloner.motion.face.limits import limited
 from kit.clones import toy_clone
 
 

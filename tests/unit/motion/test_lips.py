@@ -12,10 +12,10 @@ from cloner.errors import ClonerError
 from cloner.generic.face_grids import lips_apart, mouth_grid
 from cloner.generic.morphs import target_offsets
 from cloner.head.targets import face_targets
-from cloner.motion import espeak, speech
-from cloner.motion.body import body_of
-from cloner.motion.limits import limited
-from cloner.motion.talk import spoken_visemes, talk
+from cloner.motion.face import espeak, speech
+from cloner.motion.face.limits import limited
+from cloner.motion.face.talk import spoken_visemes, talk
+from cloner.motion.limbs.body import body_of
 from kit.clones import toy_clone
 
 SPEECH = Path(__file__).resolve().parents[2] / "kit" / "speech"

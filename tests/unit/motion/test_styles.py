@@ -10,11 +10,11 @@ import pytest
 
 from cloner.behaviour.model import EMOTIONS
 from cloner.generic.load import load_generic
-from cloner.motion.body import SIDES, Body, body_of
-from cloner.motion.gait import walk
-from cloner.motion.rig import centred
-from cloner.motion.slide import step_slides_m
-from cloner.motion.styles import RUN, STYLES
+from cloner.motion.limbs.body import SIDES, Body, body_of
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.gait import walk
+from cloner.motion.moves.slide import step_slides_m
+from cloner.motion.moves.styles import RUN, STYLES
 from cloner.records.motions import Motion
 from kit.clones import toy_clone
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.motion.tails import FREE_M, tails
+from cloner.motion.limbs.tails import FREE_M, tails
 from kit.clones import toy_clone
 from kit.tails import BACK_M, DOWN_M, RADIUS_M, with_tail
 

@@ -11,8 +11,8 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
-from cloner.paint.doubted import doubt_grazing, doubt_slanted, doubt_strangers
-from cloner.paint.materials import Materials
+from cloner.paint.lookups.doubted import doubt_grazing, doubt_slanted, doubt_strangers
+from cloner.paint.lookups.materials import Materials
 from cloner.records.labels import SURFACES, Label
 
 GENERIC = load_generic()

@@ -7,8 +7,8 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.seeing import look
-from cloner.paint.ear_match import shift_ear
+from cloner.geometry.cameras.seeing import look
+from cloner.paint.lookups.ear_match import shift_ear
 from kit import people, studio
 
 

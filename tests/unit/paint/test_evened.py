@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from cloner.geometry.graphs import surface_graph
-from cloner.paint.evened import evened_colours, level_borders
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.paint.lookups.evened import evened_colours, level_borders
 
 
 def _strip(count):

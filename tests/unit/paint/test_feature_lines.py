@@ -10,9 +10,9 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.photo_shares import arms
-from cloner.paint.feature_lines import meet_lines
-from cloner.paint.prepared import Limits
-from cloner.paint.sources import gather_sources
+from cloner.paint.lookups.feature_lines import meet_lines
+from cloner.paint.lookups.prepared import Limits
+from cloner.paint.lookups.sources import gather_sources
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from kit import painted, people, studio

@@ -7,8 +7,8 @@ import numpy as np
 from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
-from cloner.geometry.graphs import surface_graph
-from cloner.paint.flattened import flatten_halves, flatten_slants, soften_glare
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.paint.lookups.flattened import flatten_halves, flatten_slants, soften_glare
 
 SKIN = np.array([190.0, 140.0, 110.0])
 ROWS = 61

@@ -12,8 +12,8 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.labels.glasses import frame_of, wears_glasses
-from cloner.paint.glasses import BEFORE_M, GRID, glasses_shell
-from cloner.paint.prepared import without_glasses
+from cloner.paint.details.glasses import BEFORE_M, GRID, glasses_shell
+from cloner.paint.lookups.prepared import without_glasses
 from cloner.records.bodies import PosedView
 from cloner.records.labels import Label
 from cloner.records.points import Proposals

@@ -7,8 +7,8 @@ import pytest
 
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
-from cloner.paint.hand_detail import fingers
-from cloner.paint.hands import finish_hands, finish_soles, hand_texels, sole_texels
+from cloner.paint.details.hand_detail import fingers
+from cloner.paint.details.hands import finish_hands, finish_soles, hand_texels, sole_texels
 
 GENERIC = load_generic()
 SIZE = 1024

@@ -5,7 +5,7 @@ import pytest
 
 from cloner.generic.face_grids import eye_grid
 from cloner.generic.load import load_generic
-from cloner.paint.lid_skin import _lids, clean_lids
+from cloner.paint.details.lid_skin import _lids, clean_lids
 from kit.clones import toy_clone
 
 SIZE = 1024

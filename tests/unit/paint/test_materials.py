@@ -10,7 +10,7 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
-from cloner.paint.materials import find_materials, hands_beyond_cuffs
+from cloner.paint.lookups.materials import find_materials, hands_beyond_cuffs
 from cloner.records.labels import Label
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.paint.nostrils import DARK, darken_nostrils, nostril_texels
+from cloner.paint.details.nostrils import DARK, darken_nostrils, nostril_texels
 
 
 @pytest.mark.parametrize("size", [512, 1024])

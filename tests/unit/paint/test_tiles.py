@@ -9,9 +9,9 @@ import pytest
 
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
-from cloner.paint.baked import Baked
-from cloner.paint.grain import coarse_tiles
-from cloner.paint.tiles import MARGIN, TILE, cut_tiles
+from cloner.paint.composing.baked import Baked
+from cloner.paint.composing.grain import coarse_tiles
+from cloner.paint.composing.tiles import MARGIN, TILE, cut_tiles
 
 
 @pytest.mark.parametrize("size", [512, 2048])

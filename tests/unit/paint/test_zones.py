@@ -7,8 +7,8 @@ import pytest
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.photo_shares import arms_beside_head
-from cloner.paint.zones import near_bare_head
-from cloner.vision.plates import Plate
+from cloner.paint.lookups.zones import near_bare_head
+from cloner.vision.retouching.plates import Plate
 
 SIZE = 1000
 PX_PER_M = 500.0

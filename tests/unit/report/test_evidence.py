@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner import cloning
-from cloner.evaluate.baselines import generic_clone
+from cloner.evaluate.truths.baselines import generic_clone
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.pipeline import StageReport

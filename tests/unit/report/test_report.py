@@ -10,7 +10,7 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measuring import measures_mm
+from cloner.geometry.measurement.measuring import measures_mm
 from cloner.pipeline import StageReport
 from cloner.records.clones import Clone
 from cloner.records.heads import HeadFit
@@ -27,7 +27,7 @@ from cloner.report.page import page
 from cloner.report.weak import grouped, is_grey, weaknesses
 from cloner.report.write import write_page, write_report
 from cloner.stages.measures import measured, unseen
-from cloner.vision.open_mouth import INNER_LIPS
+from cloner.vision.retouching.open_mouth import INNER_LIPS
 from kit.clones import toy_clone
 
 pytestmark = pytest.mark.gl

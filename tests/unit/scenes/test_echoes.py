@@ -8,9 +8,19 @@ import wave
 import numpy as np
 import pytest
 
-from cloner.scenes.echoes import APART_M, RATE_HZ, SPEED_M_S, STEP_S, TAKES, echo_at, energies, rings_s, wav_bytes
-from cloner.scenes.plan import plan_of
-from cloner.scenes.solids import Room, room_of
+from cloner.scenes.building.plan import plan_of
+from cloner.scenes.building.solids import Room, room_of
+from cloner.scenes.lighting.echoes import (
+    APART_M,
+    RATE_HZ,
+    SPEED_M_S,
+    STEP_S,
+    TAKES,
+    echo_at,
+    energies,
+    rings_s,
+    wav_bytes,
+)
 
 
 def box(look: str, roofed: bool = True) -> Room:

@@ -12,12 +12,12 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from cloner.crowd.check import check_pack
-from cloner.crowd.pack import make_pack
-from cloner.crowd.reading import read_acted, read_facts, read_room, read_stock
-from cloner.crowd.staging import staging_of
-from cloner.crowd.still import Painter
-from cloner.crowd.theatre import Theatre
+from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.packs.check import check_pack
+from cloner.crowd.packs.pack import make_pack
+from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_stock
+from cloner.crowd.packs.still import Painter
+from cloner.crowd.staged.staging import staging_of
 from cloner.errors import Cancelled, ClonerError
 from cloner.scenes.filmed import film_file
 from cloner.scenes.inhabited import build_folder

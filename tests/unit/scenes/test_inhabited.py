@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 
 from cloner.acting.written import bake_file
-from cloner.crowd.check import check_pack
-from cloner.crowd.eye import Eye
-from cloner.crowd.footing import rows_at
-from cloner.crowd.reading import read_acted, read_facts, read_room, read_stock
-from cloner.crowd.rooms import glow_of
-from cloner.crowd.still import Painter
-from cloner.crowd.theatre import Theatre
-from cloner.crowd.told import why_unfit
+from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.packs.check import check_pack
+from cloner.crowd.packs.reading import read_acted, read_facts, read_room, read_stock
+from cloner.crowd.packs.still import Painter
+from cloner.crowd.packs.told import why_unfit
+from cloner.crowd.staged.eye import Eye
+from cloner.crowd.staged.footing import rows_at
+from cloner.crowd.staged.rooms import glow_of
 from cloner.errors import ClonerError
 from cloner.scenes.inhabited import build_folder
 from cloner.scenes.written import room_in, sound_folder, sound_in

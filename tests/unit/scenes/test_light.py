@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.crowd.rooms import light_at
-from cloner.scenes.charts import grid_of
-from cloner.scenes.direct import lamp_at, sun_way
-from cloner.scenes.light import Lit, cell_of, lit_room
-from cloner.scenes.plan import plan_of
-from cloner.scenes.probes import probes_of
-from cloner.scenes.rays import Stops, hemisphere, sphere
-from cloner.scenes.solids import Room, room_of
+from cloner.crowd.staged.rooms import light_at
+from cloner.scenes.building.charts import grid_of
+from cloner.scenes.building.plan import plan_of
+from cloner.scenes.building.solids import Room, room_of
+from cloner.scenes.lighting.direct import lamp_at, sun_way
+from cloner.scenes.lighting.light import Lit, cell_of, lit_room
+from cloner.scenes.lighting.probes import probes_of
+from cloner.scenes.lighting.rays import Stops, hemisphere, sphere
 
 ALBEDO = 0.8  # of the look "white"
 SIZE = (5.0, 4.0, 3.0)

@@ -14,15 +14,15 @@ import pytest
 from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import guide
 from cloner.behaviour.world import world_of
-from cloner.crowd.footing import FROM, UNTIL, Acted, rows_at
-from cloner.crowd.reading import read_acted, read_facts
+from cloner.crowd.packs.reading import read_acted, read_facts
+from cloner.crowd.staged.footing import FROM, UNTIL, Acted, rows_at
 from cloner.errors import ClonerError
-from cloner.holdings import find_holding, holdings
-from cloner.privacy import forget
-from cloner.scenes import living
-from cloner.scenes.minds import HEAD_S, Look, Minds, minds_of
-from cloner.scenes.newcomers import Newcomer
-from cloner.scenes.serving import serve_folder
+from cloner.personal_data.holdings import find_holding, holdings
+from cloner.personal_data.privacy import forget
+from cloner.scenes.served import living
+from cloner.scenes.served.minds import HEAD_S, Look, Minds, minds_of
+from cloner.scenes.served.newcomers import Newcomer
+from cloner.scenes.served.serving import serve_folder
 from kit.crowds import dressed_toy, saved
 from kit.living import SECONDS, finished, hello_of, shown
 

@@ -9,10 +9,10 @@ import pytest
 
 from cloner.behaviour.language import read_scenario
 from cloner.errors import ClonerError
-from cloner.scenes.charts import PAD, charts_of
-from cloner.scenes.gltf import meshes_of
-from cloner.scenes.plan import SHIPPED, plan_of, read_plan
-from cloner.scenes.solids import room_of
+from cloner.scenes.building.charts import PAD, charts_of
+from cloner.scenes.building.gltf import meshes_of
+from cloner.scenes.building.plan import SHIPPED, plan_of, read_plan
+from cloner.scenes.building.solids import room_of
 
 SAMPLE = Path(__file__).parents[3] / "samples" / "museum.crowd"
 FLOOR = '[[floor]]\nfrom = [0, 0]\nto = [4, 3]\nlook = "flags"\n'

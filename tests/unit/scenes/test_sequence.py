@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from cloner.errors import ClonerError
-from cloner.scenes.sequence import Key, Order, read_sequence, sequence_of
+from cloner.scenes.films.sequence import Key, Order, read_sequence, sequence_of
 
 BEGIN = """film "A night" for 12 s, 640 x 360, 10 frames a second
 actor first is anna at 3, 4 facing 90 in stone, .3 m deep   # a comment

@@ -18,10 +18,10 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
 from cloner.errors import ClonerError
-from cloner.holdings import find_holding, holdings
-from cloner.privacy import forget
-from cloner.scenes.living import Living
-from cloner.scenes.serving import HOST, LONGEST_BYTES, MOST_PAGES, going_on, served
+from cloner.personal_data.holdings import find_holding, holdings
+from cloner.personal_data.privacy import forget
+from cloner.scenes.served.living import Living
+from cloner.scenes.served.serving import HOST, LONGEST_BYTES, MOST_PAGES, going_on, served
 from kit.browser import CHROMIUM, browser
 from kit.living import finished, hello_of, shown
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.scenes.plan import plan_of
-from cloner.scenes.solids import room_of
-from cloner.scenes.walkable import BODY_M, CELL_M, walkable_of
+from cloner.scenes.building.plan import plan_of
+from cloner.scenes.building.solids import room_of
+from cloner.scenes.building.walkable import BODY_M, CELL_M, walkable_of
 
 PLAN = """
 [[floor]]

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from cloner.body.bone_checks import check_bones
-from cloner.detectors import pose_rows as net
+from cloner.detectors.body import pose_rows as net
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.points import PhotoState, Proposals, StateKind, ViewPoints, confidence_of, expected_error

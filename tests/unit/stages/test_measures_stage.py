@@ -8,7 +8,7 @@ import pytest
 from cloner.generic.load import load_generic
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.generic.tape import load_tape_rules
-from cloner.geometry.measuring import ALL_KEYS, LOOSE_KEYS, measures_mm
+from cloner.geometry.measurement.measuring import ALL_KEYS, LOOSE_KEYS, measures_mm
 from cloner.records.measures import MEASURE_KEYS, Cover
 from cloner.records.photos import Person
 from cloner.stages.measures import TAPE_ERROR_MM, measured

@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner.detectors.placing import stands
-from cloner.detectors.results import Box
+from cloner.detectors.nets.placing import stands
+from cloner.detectors.nets.results import Box
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.labels.photo import Looks

@@ -14,8 +14,8 @@ from cloner.bodies.telling import Told
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
-from cloner.motion.own import own_motions
-from cloner.motion.rig import centred
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 from cloner.picture import clone_of
 from cloner.project.results import is_result
 from cloner.statues.blob_bodies import blob_folder, blobs_file, clone_of_blobs

@@ -10,15 +10,15 @@ import pygltflib
 import pytest
 
 from cloner.bodies.undressed import undressed_clone
-from cloner.crowd.cast import cast_of
-from cloner.crowd.groups import WORN
-from cloner.crowd.levels import body_levels
+from cloner.crowd.clones.cast import cast_of
+from cloner.crowd.clones.groups import WORN
+from cloner.crowd.clones.levels import body_levels
 from cloner.errors import ClonerError
-from cloner.exporters.gltf import build, export
+from cloner.exporters.gltf.gltf import build, export
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
-from cloner.motion.rig import centred
-from cloner.paint.parts import fit_ball
+from cloner.motion.limbs.rig import centred
+from cloner.paint.details.parts import fit_ball
 from cloner.project.clone_file import load_clone, save_clone
 from cloner.records.clones import Clone
 from cloner.statues.carved import statue_of

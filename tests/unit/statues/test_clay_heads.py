@@ -7,7 +7,7 @@ import pytest
 import trimesh
 
 from cloner.errors import ClonerError
-from cloner.geometry.viewpoints import framing_camera
+from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.render import render_mesh
 from cloner.statues.clay_heads import (
     Clay,

@@ -12,7 +12,7 @@ from cloner.errors import ClonerError
 from cloner.generic.charts import generic_atlas
 from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
-from cloner.geometry.viewpoints import framing_camera
+from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.render import draw
 from cloner.statues.markers import MARKED, known_points
 from cloner.statues.photo_fit import fit_markers, fit_photo, focal_px_of, mark
@@ -157,7 +157,7 @@ def test_the_same_photo_gives_the_same_texture(sitter, fitted, vertex) -> None:
 
 
 def test_the_fitted_clone_keeps_round_eyes_and_a_face_that_moves(fitted) -> None:
-    from cloner.paint.parts import fit_ball
+    from cloner.paint.details.parts import fit_ball
 
     generic, clone = load_generic(), photographed(toy_clone(hair=False), fitted)
     for side in ("left", "right"):

@@ -11,7 +11,7 @@ import trimesh
 from PIL import Image
 
 from cloner.errors import ClonerError
-from cloner.geometry.viewpoints import framing_camera
+from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.picture import clone_of
 from cloner.project.results import is_result, read_manifest
 from cloner.render import render_mesh

@@ -7,9 +7,9 @@ import pytest
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
-from cloner.geometry.skinning import joint_transforms
-from cloner.motion.own import own_motions
-from cloner.motion.rig import centred
+from cloner.geometry.articulation.skinning import joint_transforms
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import own_motions
 from cloner.statues.poses import ARMS, REST, standing
 from kit.clones import toy_clone
 

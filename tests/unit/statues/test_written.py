@@ -9,7 +9,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cloner.cli import app
-from cloner.crowd.people import find_people, load_person
+from cloner.crowd.clones.people import find_people, load_person
 from cloner.errors import ClonerError
 from cloner.picture import clone_of
 from cloner.project.results import is_result, read_manifest

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cloner.vision.blending import Layer, blend_pyramids, push_pull
+from cloner.vision.photographs.blending import Layer, blend_pyramids, push_pull
 
 
 def _noise(seed, shape=(128, 64, 3)):

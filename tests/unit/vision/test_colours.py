@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.vision.colours import BELIEF_EVEN, BELIEF_WIDE, LIMIT, colour_ratio, make_palette
+from cloner.vision.segmentation.colours import BELIEF_EVEN, BELIEF_WIDE, LIMIT, colour_ratio, make_palette
 
 SHAPE = (60, 90)
 RED, GREEN, GREY = (110, 190, 170), (140, 70, 170), (128, 128, 128)

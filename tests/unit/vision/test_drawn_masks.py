@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from cloner.vision.limbs import add_feet, distance_to, finger_zone
-from cloner.vision.masks import outline_step, refine_mask
+from cloner.vision.segmentation.limbs import add_feet, distance_to, finger_zone
+from cloner.vision.segmentation.masks import outline_step, refine_mask
 
 HIGH, WIDE = 1000, 600
 Mask = NDArray[np.bool_]

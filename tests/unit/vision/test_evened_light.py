@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from cloner.vision.evening import beyond_light, log_levels, one_sided_light, unclipped
+from cloner.vision.retouching.evening import beyond_light, log_levels, one_sided_light, unclipped
 
 SKIN = np.array([190, 140, 115])
 

@@ -7,8 +7,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.vision.fixed_points import LEAST_REACH_PX, REACH_PER_HEIGHT, bend_through
-from cloner.vision.outlines import extract_outline
+from cloner.vision.contours.fixed_points import LEAST_REACH_PX, REACH_PER_HEIGHT, bend_through
+from cloner.vision.contours.outlines import extract_outline
 from kit.drawn import AXES, CENTRE, SKIN, WALL, draw, ellipse, photograph, rough_mask, with_noise
 
 Points = NDArray[np.float64]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from cloner.vision.hair_edge import fill_slivers, sharpen_hair
+from cloner.vision.segmentation.hair_edge import fill_slivers, sharpen_hair
 
 SIZE, HEAD_PX = (300, 260), 230.0
 

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from cloner.records.labels import Label
-from cloner.vision.line_match import Looked, Reach, line_pictures, match_lines
+from cloner.vision.retouching.line_match import Looked, Reach, line_pictures, match_lines
 
 HEIGHT, WIDTH, PIXEL_M = 240, 160, 0.001
 REACH = Reach(blur_m=0.002, usual_m=0.008, most_m=0.020)

@@ -7,7 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
-from cloner.vision.linking import (
+from cloner.vision.contours.linking import (
     LEAST_DISTANCE_PX,
     bridge,
     is_admissible,
@@ -15,7 +15,7 @@ from cloner.vision.linking import (
     split_curves,
     walk_curves,
 )
-from cloner.vision.paths import Candidates, best_path, best_successors, grow_path, path_goodness
+from cloner.vision.contours.paths import Candidates, best_path, best_successors, grow_path, path_goodness
 
 
 def test_link_goodness_of_a_straight_link() -> None:

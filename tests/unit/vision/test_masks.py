@@ -8,9 +8,9 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.detectors.litert import detect_pose
-from cloner.detectors.results import PoseResult
-from cloner.vision.masks import refine_mask
+from cloner.detectors.nets.litert import detect_pose
+from cloner.detectors.nets.results import PoseResult
+from cloner.vision.segmentation.masks import refine_mask
 from kit.visitors import NAMES, SETS, VIEWS, overlap, photo, truth_mask
 
 # measured means .986 .978 .981 (bodies), .995 .988 .983 (faces); here the worst photo

@@ -8,7 +8,7 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.records.photos import Photo, PhotoSet
-from cloner.vision.noise import NOISY, noise_level, quieted
+from cloner.vision.photographs.noise import NOISY, noise_level, quieted
 
 
 def folds(noise: float) -> tuple[np.ndarray, np.ndarray]:

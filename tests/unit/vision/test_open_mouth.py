@@ -9,8 +9,8 @@ from cloner.generic.face_grids import mouth_grid
 from cloner.generic.lip_steps import SHARE, to_borders
 from cloner.generic.load import load_generic
 from cloner.records.labels import Label
-from cloner.vision.open_mouth import INNER_LIPS, open_borders, own_edges
-from cloner.vision.plates import prepare_plate
+from cloner.vision.retouching.open_mouth import INNER_LIPS, open_borders, own_edges
+from cloner.vision.retouching.plates import prepare_plate
 
 
 def mouth(apart_px: float) -> np.ndarray:

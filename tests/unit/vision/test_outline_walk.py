@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.vision.outline_walk import apex, extreme, figure_of, gap_between, gap_top, walk_strip
+from cloner.vision.segmentation.outline_walk import apex, extreme, figure_of, gap_between, gap_top, walk_strip
 
 
 def drawn(height=200, width=120):

@@ -8,10 +8,10 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.vision.band import LinkParams, band_reach
-from cloner.vision.edges import detect_edges, refine_subpixel
-from cloner.vision.loops import fill_polygon, fill_polygons, mask_loops, signed_area
-from cloner.vision.outlines import Outline, extract_outline
+from cloner.vision.contours.band import LinkParams, band_reach
+from cloner.vision.contours.edges import detect_edges, refine_subpixel
+from cloner.vision.contours.loops import fill_polygon, fill_polygons, mask_loops, signed_area
+from cloner.vision.contours.outlines import Outline, extract_outline
 from kit.drawn import AXES, CENTRE, HEIGHT, SKIN, WALL, WIDTH, draw, ellipse, photograph, rough_mask, with_noise
 
 

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from cloner.vision.aligning import outline_shift, shift_points
-from cloner.vision.evening import apply_light, even_light, light_basis
-from cloner.vision.repair import own_pixels, repair_bleeding, signed_distance
+from cloner.vision.retouching.aligning import outline_shift, shift_points
+from cloner.vision.retouching.evening import apply_light, even_light, light_basis
+from cloner.vision.retouching.repair import own_pixels, repair_bleeding, signed_distance
 
 
 def _disc(centre, radius, size=200):

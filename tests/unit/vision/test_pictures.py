@@ -14,7 +14,7 @@ from PIL import Image, ImageCms
 from skimage.util import random_noise
 
 from cloner.errors import ClonerError
-from cloner.vision.pictures import LONGEST_SIDE_PX, read_picture
+from cloner.vision.photographs.pictures import LONGEST_SIDE_PX, read_picture
 from kit.visitors import visitor_folder
 
 RED_TOP = np.zeros((120, 80, 3), np.uint8)
@@ -147,7 +147,7 @@ def test_hundred_megapixels_stay_small_in_memory(tmp_path: Path) -> None:
     Image.new("RGB", (12000, 9000), (200, 120, 60)).save(path, quality=80)
     code = (
         "import sys\nfrom pathlib import Path\n"
-        "from cloner.vision.pictures import read_picture\n"
+        "from cloner.vision.photographs.pictures import read_picture\n"
         "p = read_picture(Path(sys.argv[1]))\n"
         "lines = Path('/proc/self/status').read_text().splitlines()\n"
         "peak = next(int(x.split()[1]) for x in lines if x.startswith('VmHWM')) // 1024\n"

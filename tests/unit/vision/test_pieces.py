@@ -5,7 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from cloner.vision.pieces import pieces_of
+from cloner.vision.segmentation.pieces import pieces_of
 
 
 def test_two_squares_in_a_corner_of_a_large_picture() -> None:

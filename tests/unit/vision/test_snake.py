@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.vision.snake import Curve, SnakeParams, find_edges, normals, pull, snake_picture
+from cloner.vision.contours.snake import Curve, SnakeParams, find_edges, normals, pull, snake_picture
 
 
 def disc(radius: float, centre: tuple[float, float] = (100.3, 99.6), noise: float = 2.0) -> np.ndarray:

@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.vision.plates import prepare_plate
-from cloner.vision.soles import contact_shadow, shaded_floor
+from cloner.vision.retouching.plates import prepare_plate
+from cloner.vision.retouching.soles import contact_shadow, shaded_floor
 
 HIGH, WIDE = 1000, 400
 FLOOR, SHADOW, TROUSERS = 150, 12, 90

@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from cloner.vision.repair import without_room
-from cloner.vision.strangers import own_colours
+from cloner.vision.retouching.repair import without_room
+from cloner.vision.retouching.strangers import own_colours
 
 WALL, CLOTH, SHIRT = (20, 130, 130), (70, 90, 80), (150, 140, 160)
 

@@ -7,9 +7,9 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.vision.fixed_points import bend_through
-from cloner.vision.outlines import extract_outline
-from cloner.vision.stretches import link_stretch, make_linkable
+from cloner.vision.contours.fixed_points import bend_through
+from cloner.vision.contours.outlines import extract_outline
+from cloner.vision.contours.stretches import link_stretch, make_linkable
 from kit.drawn import AXES, CENTRE, SKIN, WALL, draw, ellipse, photograph, rough_mask, with_noise
 
 Floats = NDArray[np.float64]

@@ -1,0 +1,1 @@
+"""The event: settings, consent, trash, the operator's number, and the numbers of a day."""

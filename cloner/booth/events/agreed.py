@@ -1,0 +1,43 @@
+"""What a visitor's consent lets others do with the files, besides its text."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from cloner.booth.events.event import Event
+from cloner.records.terms import LICENCES
+
+
+def offered_licences(event: Event) -> tuple[str, ...]:
+    """Return what a visitor may choose from: the narrowest licence, and the wider ones as far as the event asks."""
+    return LICENCES[: LICENCES.index(event.licence) + 1]
+
+
+def usual_licence(event: Event, language: str) -> str:
+    """Return what holds where a visitor chooses nothing: the event's licence where its own text was read.
+
+    The window's own text says nothing of the kind, so that who reads it and chooses nothing keeps everything.
+
+    Parameters
+    ----------
+    event : Event
+    language : str
+        Of the text that was read.
+    """
+    return event.licence if event.consents.get(language, "").strip() else LICENCES[0]
+
+
+def agreed_terms(event: Event, folder: Path, language: str, chosen: str = "") -> dict[str, str]:
+    """Return what a consent given now in a language lets others do.
+
+    Parameters
+    ----------
+    event : Event
+    folder : Path
+        The event's.
+    language : str
+    chosen : str
+        The licence that the visitor chose; "", or one that the event does not ask for, takes the usual one.
+    """
+    licence = chosen if chosen in offered_licences(event) else usual_licence(event, language)
+    return {"event": event.title or folder.name, "licence": licence}

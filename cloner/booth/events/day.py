@@ -1,0 +1,131 @@
+"""The numbers of a day at the booth: how many came, how long they waited, what was refused and why. No names."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections import Counter
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from datetime import datetime
+from pathlib import Path
+from statistics import median
+from typing import Final
+
+from cloner.booth.photos.looking_table import Look, Trouble
+from cloner.booth.visitors.visits import State, Visit
+
+COLUMNS: Final = ("day", "what", "reason", "number")
+
+
+@dataclass(frozen=True, slots=True)
+class Day:
+    """One day's numbers.
+
+    Attributes
+    ----------
+    date : str
+        "2026-11-22", by this computer's clock; "" for visitors of whom nothing says when they came.
+    visitors, clones, trashed : int
+        Who lies in the trash came too, and is counted in all of it.
+    waited_min : tuple of float
+        Minutes from the wish for a clone to the clone, of everybody of whom both are known.
+    photos : mapping of Trouble to int
+        Photos that the operator was advised to take again; one photo may have several reasons.
+    failures : mapping of str to int
+        Why visitors were not cloned, as the library's own sentence.
+    """
+
+    date: str
+    visitors: int
+    clones: int
+    trashed: int
+    waited_min: tuple[float, ...]
+    photos: Mapping[Trouble, int]
+    failures: Mapping[str, int]
+
+    @property
+    def median_min(self) -> float:
+        """Minutes that people wait in the middle; 0 where nobody did."""
+        return median(self.waited_min) if self.waited_min else 0.0
+
+    @property
+    def longest_min(self) -> float:
+        """Minutes that somebody waited at most."""
+        return max(self.waited_min, default=0.0)
+
+
+def days(visits: Mapping[Path, Visit], looks: Callable[[Path], Mapping[str, Look]]) -> tuple[Day, ...]:
+    """Return the numbers of every day, the last day first.
+
+    Parameters
+    ----------
+    visits : mapping of Path to Visit
+    looks : callable
+        Returns what was found of a visitor's photos.
+    """
+    found: dict[str, list[Path]] = {}
+    for folder, visit in visits.items():
+        found.setdefault(_date(visit.started), []).append(folder)
+    return tuple(
+        _day(date, {folder: visits[folder] for folder in folders}, looks)
+        for date, folders in sorted(found.items(), reverse=True)
+    )
+
+
+def _day(date: str, visits: Mapping[Path, Visit], looks: Callable[[Path], Mapping[str, Look]]) -> Day:
+    photos = Counter(trouble for folder in visits for look in looks(folder).values() for trouble in look.troubles)
+    failures = Counter(_reason(visit.problem) for visit in visits.values() if visit.state is State.FAILED)
+    waited = [_minutes(visit.queued, visit.finished) for visit in visits.values()]
+    cloned = sum(visit.state is State.CLONED for visit in visits.values())
+    return Day(
+        date,
+        len(visits),
+        cloned,
+        sum(bool(visit.trashed) for visit in visits.values()),
+        tuple(one for one in waited if one is not None),
+        dict(photos.most_common()),
+        dict(failures.most_common()),
+    )
+
+
+def _date(started: str) -> str:
+    """Return the day of a time, by this computer's clock."""
+    try:
+        return f"{datetime.fromisoformat(started).astimezone():%Y-%m-%d}"
+    except ValueError:
+        return ""
+
+
+def _minutes(begin: str, end: str) -> float | None:
+    """Return the minutes between two times; None where one is not known, or they are in the wrong order."""
+    try:
+        spent = (datetime.fromisoformat(end) - datetime.fromisoformat(begin)).total_seconds() / 60.0
+    except (ValueError, TypeError):
+        return None
+    return spent if spent >= 0.0 else None
+
+
+def _reason(problem: str) -> str:
+    """Return why a clone failed without where: ``visitor-003: message. hint`` gives the message."""
+    where, colon, rest = problem.partition(": ")
+    return (rest if colon else where).partition(". ")[0]
+
+
+def days_csv(told: tuple[Day, ...]) -> str:
+    """Return the days as CSV, a row a number."""
+    stream = io.StringIO()
+    writer = csv.writer(stream, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    for day in told:
+        rows = [
+            ("visitors", "", str(day.visitors)),
+            ("clones", "", str(day.clones)),
+            ("in the trash", "", str(day.trashed)),
+            ("minutes in the queue, median", "", f"{day.median_min:.1f}"),
+            ("minutes in the queue, longest", "", f"{day.longest_min:.1f}"),
+            *(("photos to take again", str(trouble), str(count)) for trouble, count in day.photos.items()),
+            *(("not cloned", reason, str(count)) for reason, count in day.failures.items()),
+        ]
+        writer.writerows((day.date, *row) for row in rows)
+    return stream.getvalue()

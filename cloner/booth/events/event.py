@@ -1,0 +1,300 @@
+"""The event's folder: its settings, and who is in it."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import re
+import tempfile
+from collections.abc import Callable, Mapping
+from dataclasses import asdict, dataclass, field, fields, replace
+from pathlib import Path
+from typing import Any, Final
+
+from cloner.booth.visitors.mending import mended
+from cloner.booth.visitors.person_file import person_facts
+from cloner.booth.visitors.visits import VISIT_FILE, Visit, read_visit, write_visit
+from cloner.errors import ClonerError
+from cloner.outside import read_outside
+from cloner.project.atomic import write_text
+from cloner.project.folder import PERSON_FILE, holds_photos
+from cloner.project.texts import LARGEST_BYTES, check_format
+from cloner.records.terms import LICENCES
+
+EVENT_FILE: Final = "event.json"
+TRASH: Final = "trash"
+LOG_FILE: Final = "cloner.log"
+#: Number of the file's format; older ones are read too.
+FORMAT: Final = 2
+LANGUAGES: Final = ("en", "de", "fr", "tr")
+APPEARANCES: Final = ("system", "light", "dark", "contrast")
+DEFAULT_RETENTION_DAYS: Final = 30  # taste: long enough to mend a complaint, short enough to be forgotten
+DEFAULT_TRASH_DAYS: Final = 2  # taste: a slip is noticed on the same day or the next
+DEFAULT_PHONE_HOURS: Final = 24  # taste: until the visitor is at home, and no longer
+_OLD_CONSENT: Final = "consent"
+_CHOICES: Final = {"language": LANGUAGES, "appearance": APPEARANCES, "licence": LICENCES}
+#: Least and largest value of settings that are numbers (taste).
+_RANGES: Final = {
+    "retention_days": (0, 3650), "trash_days": (0, 365), "text_percent": (50, 300), "phone_hours": (1, 24 * 30),
+}  # fmt: skip
+_WRITE_HINT: Final = "Check its permissions and the space left, or choose another"
+_HINT: Final = f"Correct {EVENT_FILE}, or move it away to start with the usual settings"
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """What holds for all visitors of an event.
+
+    Attributes
+    ----------
+    title : str
+        What visitors know the event by; "" takes the folder's name.
+    logo : str
+        A picture's file, shown on the visitors' screen; "" for none.
+    language : str
+        One of `LANGUAGES`.
+    retention_days : int
+        Visitors whose last change is older are to be forgotten; 0 keeps them.
+    trash_days : int
+        How long who was thrown away can be brought back.
+    consents : mapping of str to str
+        What visitors agree to, by language, "{days}" standing for `retention_days`; a language without takes the
+        window's own text.
+    licence : str
+        The most that visitors may let others do with their files, one of `cloner.records.terms.LICENCES`; each
+        chooses at the consent (`cloner.booth.events.agreed`).
+    formats : tuple of str
+        Exporters whose files visitors take away.
+    camera_folder : str
+        Where a tethered camera drops its photos; "" for none.
+    scene : str
+        What visitors call the scene that their clones may walk in ("museum"); "" where there is none.
+    link : str
+        Address that the take-away code holds, "{id}" standing for the visitor; "" for none.
+    phone, phone_https : bool
+        Whether visitors' phones are served a page on the booth's own network, and whether encrypted with a
+        certificate of the booth's own.
+    phone_hours : int
+        How long a visitor's link leads there.
+    pin : str
+        The operator's number for settings, deletion and leaving, as `cloner.booth.events.pin` keeps it; "" asks nobody.
+    appearance : str
+        One of `APPEARANCES`.
+    text_percent : int
+        Size of the window's text.
+    big : bool
+        Whether buttons are big enough for fingers.
+    calm : bool
+        Whether nothing moves by itself.
+    open : str
+        Folder name of the visitor who was open last.
+    """
+
+    title: str = ""
+    logo: str = ""
+    language: str = "en"
+    retention_days: int = DEFAULT_RETENTION_DAYS
+    trash_days: int = DEFAULT_TRASH_DAYS
+    consents: Mapping[str, str] = field(default_factory=dict)
+    licence: str = LICENCES[0]
+    formats: tuple[str, ...] = ("glb", "wrl")
+    camera_folder: str = ""
+    scene: str = ""
+    link: str = ""
+    phone: bool = False
+    phone_https: bool = False
+    phone_hours: int = DEFAULT_PHONE_HOURS
+    pin: str = ""
+    appearance: str = "system"
+    text_percent: int = 100
+    big: bool = False
+    calm: bool = False
+    open: str = ""
+
+
+_USUAL: Final = asdict(Event())
+
+
+def read_event(folder: Path) -> Event:
+    """Return the event's settings; the usual ones where nothing was set.
+
+    Raises
+    ------
+    ClonerError
+        If the file cannot be read, says something that cannot be, or is of a newer version.
+    """
+    path = folder / EVENT_FILE
+    if not path.exists():
+        return Event()
+    try:
+        told = json.loads(read_outside(path, LARGEST_BYTES))
+    except (OSError, ValueError, RecursionError) as error:
+        raise ClonerError("the event's settings cannot be read", _HINT, EVENT_FILE) from error
+    if not isinstance(told, dict) or "format" not in told:
+        raise ClonerError(f'it must be an object with "format": {FORMAT}', _HINT, EVENT_FILE)
+    if check_format(told.pop("format"), FORMAT, EVENT_FILE) == 1:
+        told = _of_today(told)
+    for key, value in told.items():
+        if key not in _USUAL:
+            raise ClonerError(f"the key {key!r} is not known", _HINT, EVENT_FILE)
+        if not _has_kind(key, value):
+            raise ClonerError(f"{key} has a value of the wrong kind", _HINT, EVENT_FILE)
+        if not _is_in_range(key, value):
+            raise ClonerError("a setting is out of its range", _HINT, EVENT_FILE)
+    return _event(told)
+
+
+def open_event(folder: Path) -> tuple[Event, str]:
+    """Return the event's settings, and what is told where they were damaged and had to be put right; "" otherwise.
+
+    Raises
+    ------
+    ClonerError
+        If they are of a newer version, or the folder cannot be written.
+    """
+    path = folder / EVENT_FILE
+    told = mended(path, lambda: read_event(folder), event_left, lambda left: write_event(folder, left))
+    return read_event(folder), told
+
+
+def event_left(text: str) -> Event:
+    """Return the settings that can still be read in a damaged text; the usual ones for the rest."""
+    found: dict[str, Any] = {}
+    for key in (*_USUAL, _OLD_CONSENT):
+        place = re.search(rf'"{key}"\s*:\s*', text)
+        if place is not None:
+            with contextlib.suppress(ValueError, RecursionError):
+                found[key] = json.JSONDecoder().raw_decode(text, place.end())[0]
+    if not isinstance(found.get(_OLD_CONSENT, ""), str):
+        found.pop(_OLD_CONSENT)
+    kept = _of_today(found)
+    return _event({key: one for key, one in kept.items() if _has_kind(key, one) and _is_in_range(key, one)})
+
+
+def _of_today(told: Mapping[str, Any]) -> dict[str, Any]:
+    """Return settings of format 1, which had one consent for all languages, as those of today."""
+    left = {key: value for key, value in told.items() if key != _OLD_CONSENT}
+    if told.get(_OLD_CONSENT):
+        left["consents"] = {str(told.get("language", Event().language)): told[_OLD_CONSENT]}
+    return left
+
+
+def _event(told: Mapping[str, Any]) -> Event:
+    return Event(**{**told, "formats": tuple(told.get("formats", Event().formats))})
+
+
+def _has_kind(key: str, value: object) -> bool:
+    if key == "formats":
+        return isinstance(value, list) and all(isinstance(one, str) for one in value)
+    if key == "consents":
+        return isinstance(value, dict) and all(isinstance(one, str) for one in value.values())
+    return type(value) is type(_USUAL[key])
+
+
+def _is_in_range(key: str, value: Any) -> bool:
+    if key in _CHOICES:
+        return value in _CHOICES[key]
+    if key == "consents":
+        return set(value) <= set(LANGUAGES)
+    low, high = _RANGES.get(key, (None, None))
+    return low is None or high is None or low <= value <= high
+
+
+def write_event(folder: Path, event: Event) -> None:
+    """Write the event's settings in one step.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written.
+    """
+    told = {"format": FORMAT, **{one.name: getattr(event, one.name) for one in fields(event)}}
+    write_text(folder / EVENT_FILE, json.dumps(told, indent=1, ensure_ascii=False) + "\n")
+
+
+def is_visitor(folder: Path) -> bool:
+    """Return whether a folder is one visitor's."""
+    return os.path.isfile(os.path.join(folder, VISIT_FILE)) or holds_photos(folder)
+
+
+def check_event_folder(folder: Path) -> None:
+    """Refuse folders that are neither an event nor empty: visitors are not strewn among strangers' files.
+
+    Raises
+    ------
+    ClonerError
+        If the folder is missing or holds other things.
+    """
+    if not folder.is_dir():
+        raise ClonerError("there is no such folder", "Choose another, or make it first", folder.name)
+    try:
+        inside = [path for path in folder.iterdir() if not path.name.startswith(".")]
+    except OSError as error:
+        raise ClonerError("the folder cannot be read", "Check its permissions", folder.name) from error
+    check_can_write(folder)
+    if inside and not (folder / EVENT_FILE).exists() and not visitor_folders(folder):
+        hint = "Choose an empty folder, an event's, or one with photos named body_front.jpg and so on"
+        raise ClonerError("this folder holds other things than visitors", hint, folder.name)
+
+
+def check_can_write(folder: Path) -> None:
+    """Tell of a folder that cannot be written when it is opened, not at the first photo.
+
+    Raises
+    ------
+    ClonerError
+        If nothing can be stored there.
+    """
+    try:
+        with tempfile.TemporaryFile(dir=folder):
+            pass
+    except OSError as error:
+        raise ClonerError("nothing can be written into this folder", _WRITE_HINT, folder.name) from error
+
+
+def is_untouched(folder: Path) -> bool:
+    """Return whether nothing is known of a visitor yet: no name, height or consent, and not one photo."""
+    files = {path.name for path in folder.rglob("*") if path.is_file()}
+    try:
+        return files <= {VISIT_FILE, PERSON_FILE} and person_facts(folder) == ("", None, "")
+    except ClonerError:
+        return False
+
+
+def visitor_folders(root: Path) -> tuple[Path, ...]:
+    """Return the folders of an event's visitors, by name."""
+    with os.scandir(root) as inside:
+        names = sorted(one.name for one in inside if one.is_dir() and not one.name.startswith("."))
+    return tuple(path for path in (root / name for name in names) if is_visitor(path))
+
+
+def new_visitor(root: Path, now: str) -> Path:
+    """Make the folder of the next visitor, called by a number: names stay inside.
+
+    Parameters
+    ----------
+    root : Path
+        The event.
+    now : str
+        The time, for the visit's own file.
+
+    Raises
+    ------
+    ClonerError
+        If it cannot be made.
+    """
+    known = (*root.glob("visitor-*"), *(root / TRASH).glob("visitor-*"))
+    taken = [int(path.name[8:]) for path in known if path.name[8:].isdigit()]
+    folder = root / f"visitor-{max(taken, default=0) + 1:03d}"
+    try:
+        folder.mkdir(parents=True)
+    except OSError as error:
+        raise ClonerError("the visitor's folder cannot be made", "Check permissions and space", root.name) from error
+    write_visit(folder, replace(Visit(), started=now))
+    return folder
+
+
+def visits(root: Path, read: Callable[[Path], Visit] = read_visit) -> dict[Path, Visit]:
+    """Return how far every visitor of an event has come, by folder; ``read`` reads one visit."""
+    return {folder: read(folder) for folder in visitor_folders(root)}

@@ -1,0 +1,56 @@
+"""What was found of a visitor's photos, kept by their digests so that nothing is looked at twice."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Final
+
+from cloner.booth.photos.looking_table import Look, Trouble
+from cloner.booth.visitors.kept import WORK
+from cloner.frames import ViewId
+from cloner.outside import read_outside
+from cloner.project.atomic import write_text
+from cloner.project.texts import LARGEST_BYTES
+
+LOOKS_FILE: Final = "looks.json"
+
+
+def read_looks(folder: Path) -> dict[str, Look]:
+    """Return what was found, by digest; what is missing, broken or of an older kind is found again."""
+    try:
+        told = json.loads(read_outside(folder / WORK / LOOKS_FILE, LARGEST_BYTES))
+        found = [_look(digest, one) for digest, one in told.items()]
+    except (OSError, ValueError, AttributeError, RecursionError):
+        return {}
+    return {look.digest: look for look in found if look is not None}
+
+
+def _look(digest: str, told: Mapping[str, object]) -> Look | None:
+    """Return one photo's entry; None where it is not as :func:`keep_look` writes it."""
+    try:
+        view, troubles, passes = told["view"], told["troubles"], told["passes"]
+        if not isinstance(troubles, list) or not isinstance(passes, list):
+            return None
+        views = frozenset(ViewId(one) for one in passes)
+        return Look(digest, ViewId(str(view)) if view else None, tuple(Trouble(one) for one in troubles), views)
+    except (ValueError, TypeError, KeyError):
+        return None
+
+
+def keep_look(folder: Path, look: Look) -> None:
+    """Add what was found of one photo.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written.
+    """
+    looks = {**read_looks(folder), look.digest: look}
+    told = {
+        one.digest: {"view": one.view, "troubles": list(one.troubles), "passes": sorted(one.passes)}
+        for one in looks.values()
+    }
+    (folder / WORK).mkdir(exist_ok=True)
+    write_text(folder / WORK / LOOKS_FILE, json.dumps(told, indent=1) + "\n")

@@ -1,0 +1,1 @@
+"""A visitor: person, place in the queue, earlier work, and what they cost the operator."""

@@ -1,0 +1,1 @@
+"""Garments as patterns: drafted from measures, drawn, and cut into triangles."""

@@ -1,0 +1,97 @@
+"""Blocks drafted from a clone's own measures: what hangs from a ring round the body, in two pieces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from types import MappingProxyType
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.cloth.drafting.pattern import Pattern, Segment
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """A garment that hangs from a ring.
+
+    Attributes
+    ----------
+    name : str
+    ring : str
+        Level of the measures' table that it hangs from: "natural_waist" or "neck".
+    circle : float
+        Share of a full circle that both pieces make together.
+    share : float
+        Its length as a share of the height of its ring above the floor.
+    is_open : bool
+        In front: then its pieces are a left and a right one, sewn behind.
+    """
+
+    name: str
+    ring: str
+    circle: float
+    share: float
+    is_open: bool = False
+
+
+#: Shares of a circle and lengths are taste.
+BLOCKS: Final = MappingProxyType({
+    block.name: block
+    for block in (
+        Block("skirt", "natural_waist", 0.5, 0.60),
+        Block("circle-skirt", "natural_waist", 1.0, 0.58),
+        Block("straight-skirt", "natural_waist", 0.12, 0.52),
+        Block("long-skirt", "natural_waist", 0.35, 0.90),
+        Block("cape", "neck", 0.80, 0.48, is_open=True),
+    )
+})  # fmt: skip
+
+
+def draft(block: Block, ring_m: float, length_m: float) -> Pattern:
+    """Return the two pieces of a block: sectors of a ring, whose inner edge is half of the body's.
+
+    Parameters
+    ----------
+    block : Block
+    ring_m : float
+        Girth that the upper edge closes round, metres.
+    length_m : float
+    """
+    angle = 2.0 * np.pi * block.circle
+    inner = ring_m / angle
+    segments = []
+    for name in ("left", "right") if block.is_open else ("front", "back"):
+        half = angle / 4.0
+        arcs = {"top": _arc(inner, half, -half), "left": line(_at(inner, -half), _at(inner + length_m, -half))}
+        arcs |= {
+            "hem": _arc(inner + length_m, -half, half),
+            "right": line(_at(inner + length_m, half), _at(inner, half)),
+        }
+        segments.append(Segment(name, arcs))
+    seams: tuple[tuple[str, str], ...] = (("front.left", "back.right"), ("front.right", "back.left"))
+    if block.is_open:
+        seams = (("left.right", "right.left"),)
+    return Pattern(block.name, tuple(segments), seams)
+
+
+def _at(radius: float, angle: float) -> Array:
+    """Return a point of a circle about the origin, angles from straight down, left positive."""
+    return np.array([radius * np.sin(angle), -radius * np.cos(angle)])
+
+
+def line(start: Array | tuple[float, float], end: Array | tuple[float, float]) -> Array:
+    """Return the (4, 2) curve of a straight edge."""
+    start, end = np.asarray(start, np.float64), np.asarray(end, np.float64)
+    return np.array([start + share * (end - start) for share in (0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0)])
+
+
+def _arc(radius: float, start: float, end: float) -> Array:
+    """Return the (4, 2) cubic of an arc of at most half a circle (the usual handles of 4/3 tan(angle / 4))."""
+    handle = 4.0 / 3.0 * np.tan((end - start) / 4.0) * radius
+    first, last = _at(radius, start), _at(radius, end)
+    along = [np.array([np.cos(angle), np.sin(angle)]) for angle in (start, end)]
+    return np.array([first, first + handle * along[0], last - handle * along[1], last])

@@ -1,0 +1,1 @@
+"""Garments put on a clone and moved with it."""

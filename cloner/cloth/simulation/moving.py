@@ -1,0 +1,154 @@
+"""A garment put on a clone and moved with it: placed, settled, taken into the walk, and simulated cycle after cycle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.cloth.drafting.cut import Cloth, cut
+from cloner.cloth.drafting.pattern import Pattern
+from cloner.cloth.drafting.sections import sections
+from cloner.cloth.simulation.fabrics import Fabric
+from cloner.cloth.simulation.layered import Under, wearer_over
+from cloner.cloth.simulation.placing import Band, Ring, band, outside, placed
+from cloner.cloth.simulation.solver import THICK_M, Sheet, State, leash, sheet_of, step
+from cloner.cloth.simulation.threads import pull
+from cloner.cloth.simulation.wearer import FRAMES_PER_S, Wearer, frames, planes_under, skin_between, wearer
+from cloner.cloth.simulation.wrapping import DEEP_M, PUSHES, wrapped
+from cloner.easing import smoothstep
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
+
+Array = NDArray[np.float64]
+
+#: Steps of the solver a frame (taste).
+SUBSTEPS: Final = 20
+#: Frames of hanging still at rest, and of going from the rest pose to the walk's first frame.
+SETTLE, BLEND = 24, 24
+#: What hangs from a ring above this share of the stature covers the arms.
+NECK: Final = 0.75
+#: Times that threads are drawn to their lengths before a sewn garment is let go.
+EASING: Final = 90
+#: Speed kept between frames while the cloth settles.
+CALM: Final = 0.6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Worn:
+    """A garment on a clone.
+
+    Attributes
+    ----------
+    cloth : Cloth
+    sheet : Sheet
+    body : Wearer
+    band : Band
+    root_m, rotations : (F, 3) and (F, 94, 3)
+        One cycle of the motion.
+    speed_m_s : float
+        At which the ground runs backwards: the air does as well.
+    start : State
+    under : Under or None
+        What is worn below.
+    """
+
+    cloth: Cloth
+    sheet: Sheet
+    body: Wearer
+    band: Band
+    root_m: Array
+    rotations: Array
+    speed_m_s: float
+    start: State
+    under: Under | None = None
+
+    def met_m(self, root_m: Array, rotations: Array, below_m: Array | None) -> Array:
+        """Return (B, 3) the skin of a pose, and the points (N, 3) of what is worn below after it."""
+        skin_m = self.body.posed(root_m, rotations)
+        return skin_m if below_m is None else np.concatenate([skin_m, below_m])
+
+
+def put_on(
+    clone: Clone,
+    pattern: Pattern,
+    ring: Ring | None,
+    fabric: Fabric,
+    motion: Motion,
+    step_m: float,
+    under: Under | None = None,
+) -> Worn:
+    """Return a garment placed round a clone in rest pose, not yet let go; what hangs from a ring needs it.
+
+    ``under`` is a garment that is worn already: the new one is placed over it.
+    """
+    cloth = cut(pattern, step_m)
+    body = wearer(clone, whole=ring is None or float(ring.points_m[0, 1]) > NECK * clone.stature_m)
+    met_m = clone.vertices_m[body.rows]
+    if under is not None:
+        body = wearer_over(body, under, SETTLE - 1)
+        met_m = np.concatenate([clone.vertices_m[body.rows], under.at(SETTLE - 1)])
+    if ring is None:
+        places, held, held_m = wrapped(pattern, cloth, sections(clone))
+    else:
+        places, held, held_m = placed(pattern, cloth, ring)
+        places = outside(places, met_m, held)
+    if under is not None:
+        places = _cleared(body, met_m, places)
+        held_m = places[held]
+    root, rotations = frames(motion)
+    tied = band(clone, held_m, body.rows)
+    sheet = sheet_of(cloth, fabric, held)
+    if ring is None or under is not None:
+        places = _eased(sheet, body, met_m, places)
+    state = State(places, np.zeros_like(places))
+    return Worn(cloth, sheet, body, tied, root, rotations, motion.speed_m_s, state, under)
+
+
+def _cleared(body: Wearer, met_m: Array, places_m: Array) -> Array:
+    """Return places pushed out of all that is met, what will be held as well."""
+    out, now = places_m.copy(), skin_between(body, met_m, met_m)
+    for _ in range(PUSHES):
+        planes_under(now, now.tree, out, DEEP_M).push_out(out, THICK_M)
+    return out
+
+
+def _eased(sheet: Sheet, body: Wearer, met_m: Array, places_m: Array) -> Array:
+    """Return places in which threads that sewing stretched are back at their lengths, outside the skin, weightless."""
+    out, free = places_m.copy(), 1.0 / sheet.mass_kg
+    free[sheet.held] = 0.0
+    now = skin_between(body, met_m, met_m)
+    for number in range(EASING):
+        leash(sheet, out)  # drawn back later in one step, it would fly
+        pull(sheet.stretch, out, free, 1.0, slack=True)  # what is short folds when it hangs
+        if number % 3 == 2:
+            planes_under(now, now.tree, out, DEEP_M).push_out(out, THICK_M, sheet.held)
+    return out
+
+
+def simulate(worn: Worn, cycles: int) -> Iterator[tuple[int, State]]:
+    """Yield the cloth's state after every frame: negative numbers while it is put on, then from 0 on."""
+    count = len(worn.rotations)
+    poses = [(np.zeros(3), np.zeros_like(worn.rotations[0]))] * SETTLE
+    for number in range(1, BLEND + 1):
+        share = smoothstep(number / BLEND)
+        poses.append((share * worn.root_m[0], share * worn.rotations[0]))
+    put = len(poses)
+    poses += [(worn.root_m[k % count], worn.rotations[k % count]) for k in range(1, cycles * count)]
+    state = worn.start
+    under = worn.under
+    before_skin = worn.met_m(*poses[0], None if under is None else under.at(0))
+    before_band = worn.band.posed(*poses[0])
+    for number, pose in enumerate(poses):
+        now_skin = worn.met_m(*pose, None if under is None else under.at(number))
+        now_band = worn.band.posed(*pose)
+        between = skin_between(worn.body, before_skin, now_skin)
+        wind = np.array([0.0, 0.0, -worn.speed_m_s if number >= put else 0.0])
+        state = step(worn.sheet, state, between, (before_band, now_band), 1.0 / FRAMES_PER_S, SUBSTEPS, wind)
+        if number < SETTLE:
+            state = State(state.places_m, CALM * state.speeds_m_s)
+        before_skin, before_band = now_skin, now_band
+        yield number - put + 1, state

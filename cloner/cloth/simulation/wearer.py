@@ -1,0 +1,145 @@
+"""The body under a garment: where its skin is in every frame of a motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from cloner.generic.load import load_generic
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.meshes.vectors import unit
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
+
+Array = NDArray[np.float64]
+Ints = NDArray[np.int64]
+
+#: Frames a second of every cycle.
+FRAMES_PER_S: Final = 30
+#: What a skirt meets; arms swing beside it. Sleeves and capes meet arms too, but no hands.
+MET: Final = ("torso", "pelvis", "left_thigh", "right_thigh", "left_calf", "right_calf", "left_foot", "right_foot")
+ARMS: Final = ("left_upper_arm", "right_upper_arm", "left_forearm", "right_forearm")
+#: Skin points that are blended into one tangent plane.
+NEAREST: Final = 4
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Wearer:
+    """A clone's skin that cloth can meet.
+
+    Attributes
+    ----------
+    clone : Clone
+    rows : (B,) int64
+        Vertices of the generic human.
+    triangles : (T, 3) int64, into the rows
+    """
+
+    clone: Clone
+    rows: Ints
+    triangles: Ints
+
+    def posed(self, root_m: Array, rotations: Array) -> Array:
+        """Return (B, 3) the skin of a frame, model frame, metres."""
+        generic = load_generic()
+        transforms = joint_transforms(self.clone.joints_m, generic.joint_parents.astype(np.int32), rotations)
+        joints, weights = generic.skin_joints[self.rows].astype(np.int32), generic.skin_weights[self.rows]
+        return skin(self.clone.vertices_m[self.rows], transforms, joints, weights.astype(np.float64)) + root_m
+
+
+def wearer(clone: Clone, *, whole: bool = False) -> Wearer:
+    """Return what cloth can meet of a clone; ``whole`` with arms and neck."""
+    generic = load_generic()
+    names = (*MET, *ARMS) if whole else MET
+    met = generic.segment(*names)
+    if whole:
+        met |= generic.region("neck") & (generic.head_blend < 0.9)
+    met &= generic.skin
+    triangles, _ = generic.triangles()
+    triangles = triangles[met[triangles].all(axis=1)]
+    rows = np.unique(triangles)
+    return Wearer(clone, rows.astype(np.int64), np.searchsorted(rows, triangles).astype(np.int64))
+
+
+def frames(motion: Motion) -> tuple[Array, Array]:
+    """Return the root (F, 3) and rotations (F, 94, 3) of one cycle at `FRAMES_PER_S`; the frame after the last is the first."""  # noqa: E501
+    span = float(motion.times_s[-1])
+    count = max(2, round(span * FRAMES_PER_S))
+    at = np.arange(count) / count * span
+    flat = np.concatenate([motion.root_m, motion.rotations.reshape(len(motion.times_s), -1)], axis=1)
+    after = np.searchsorted(motion.times_s, at, side="right").clip(1, len(motion.times_s) - 1)
+    early, late = motion.times_s[after - 1], motion.times_s[after]
+    share = ((at - early) / (late - early))[:, None]
+    mixed = (1.0 - share) * flat[after - 1] + share * flat[after]
+    return mixed[:, :3], mixed[:, 3:].reshape(count, -1, 3)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Skin:
+    """The skin at two moments, the second after the first.
+
+    Attributes
+    ----------
+    early_m, late_m : (B, 3) float64
+    normals : (B, 3) float64
+        Outward, at the later moment.
+    """
+
+    early_m: Array
+    late_m: Array
+    normals: Array
+
+    @property
+    def tree(self) -> cKDTree:
+        """A tree of the places in the middle between both."""
+        return cKDTree((self.early_m + self.late_m) / 2.0)
+
+
+def skin_between(body: Wearer, early_m: Array, late_m: Array) -> Skin:
+    """Return the skin between two frames."""
+    return Skin(early_m, late_m, vertex_normals(late_m, body.triangles.astype(np.int32)))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Planes:
+    """Tangent planes under cloth points: those of the nearest skin, blended.
+
+    Attributes
+    ----------
+    rows : (N,) int64
+        The cloth points that have one.
+    early_m, late_m : (N, 3)
+        A point of each plane at two moments.
+    normals : (N, 3) unit
+    """
+
+    rows: Ints
+    early_m: Array
+    late_m: Array
+    normals: Array
+
+    def push_out(self, places_m: Array, clear_m: float, held: Ints | None = None) -> None:
+        """Move places (N, 3) in place until they lie ``clear_m`` above their planes; those ``held`` (K,) stay."""
+        deep = clear_m - np.einsum("ij,ij->i", places_m[self.rows] - self.late_m, self.normals)
+        if held is not None:
+            deep[np.isin(self.rows, held)] = 0.0
+        places_m[self.rows] += np.maximum(deep, 0.0)[:, None] * self.normals
+
+
+def planes_under(skin_now: Skin, tree: cKDTree, points_m: Array, reach_m: float) -> Planes:
+    """Return the tangent planes under points (N, 3) that lie within reach of the skin or inside it."""
+    away, near = tree.query(points_m, k=NEAREST)
+    away2 = away**2
+    rows = np.flatnonzero(away[:, 0] < reach_m)
+    weight = 1.0 / (away2[rows] + 1e-6)
+    weight /= weight.sum(axis=1, keepdims=True)
+    near = near[rows]
+    normals = np.einsum("nk,nka->na", weight, skin_now.normals[near])
+    normals = unit(normals)
+    early, late = (np.einsum("nk,nka->na", weight, place[near]) for place in (skin_now.early_m, skin_now.late_m))
+    return Planes(rows, early, late, normals)

@@ -1,0 +1,1 @@
+"""One clone made ready for a crowd: levels of detail, clips, colours, its numbers for shaders."""

@@ -1,0 +1,177 @@
+"""One clone made ready for the crowd: a mesh at every level, frames of bones, a small atlas with codes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.crowd.clones.clips import Clip, clips_of
+from cloner.crowd.clones.groups import GroupLook, looks_of, marks_of, smaller, texel_groups, triangle_groups
+from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose, shell_levels
+from cloner.generic.surfaces import surface_normals
+from cloner.geometry.meshes.wedges import welded_normals
+from cloner.records.clones import Clone
+from cloner.records.heads import Shell
+
+Array = NDArray[np.float64]
+Pixels = NDArray[np.uint8]
+
+ATLAS_PX: Final = 512  # taste: 330 texels a metre, a screen pixel at 2.6 m through a 50 degree lens of 720 lines
+SHELL_PX: Final = 192  # hair's density is then that of the body's
+#: Shells that have a half of the picture; beards and glasses would be painted with hair, so walkers have them as paint.
+DRAWN: Final = ("hair", "cloth")
+#: Heights from the chest's middle count as chest, share of the stature either way; taste.
+CHEST: Final = (0.68, 0.80)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Cast:
+    """One clone as the crowd shows it.
+
+    Attributes
+    ----------
+    identifier : str
+    stature_m : float
+    vertices_m, normals : (V, 3) float64 of the wedges of :class:`BodyLevels`, rest pose
+    loose : Loose
+    clips : tuple of Clip
+    atlas : (A, A, 3) uint8, codes : (A, A) uint8
+    marks : (A, A) uint8
+        The codes as shaders read them.
+    shell : (B, 2 B, 4) uint8
+        Hair in the left half, cloth in the right one.
+    looks : mapping of str to GroupLook
+    groups : (T,) uint8, place in ``GROUPS`` of the generic triangles
+    width_to_depth : float
+        Of the box around the walking chest and arms.
+    stone : (A, A, 3) uint8, stone_shell : (B, 2 B, 3) uint8, or None
+        Atlas and shells as a statue's.
+    """
+
+    identifier: str
+    stature_m: float
+    vertices_m: Array
+    normals: Array
+    loose: Loose
+    clips: tuple[Clip, ...]
+    atlas: Pixels
+    codes: Pixels
+    marks: Pixels
+    shell: Pixels
+    looks: Mapping[str, GroupLook]
+    groups: NDArray[np.uint8]
+    width_to_depth: float
+    stone: Pixels | None = None
+    stone_shell: Pixels | None = None
+
+
+def cast_of(
+    identifier: str,
+    clone: Clone,
+    body: BodyLevels,
+    *,
+    poses: int,
+    walks: Sequence[Path] = (),
+    feelings: bool = False,
+    atlas_px: int = ATLAS_PX,
+    carved: Callable[[Clone], Clone] | None = None,
+) -> Cast:
+    """Return a clone ready for the crowd; ``carved`` makes a statue of it, which is taken along as another texture.
+
+    Raises
+    ------
+    ClonerError
+        If a captured walk cannot be laid on.
+    """
+    groups, shells = triangle_groups(clone), [shell for shell in clone.shells if shell.kind in DRAWN]
+    atlas, codes = smaller(clone.atlas.rgb, atlas_px), texel_groups(groups, atlas_px)
+    clips = clips_of(clone, poses, walks, feelings=feelings)
+    statue = carved(clone) if carved else None
+    normals = surface_normals(clone.vertices_m)[body.vertex]
+    return Cast(
+        identifier,
+        clone.stature_m,
+        clone.vertices_m[body.vertex],
+        normals / np.linalg.norm(normals, axis=1, keepdims=True),
+        _loose(shells, len(body.triangles)),
+        clips,
+        atlas,
+        codes,
+        marks_of(codes),
+        _shell_picture(shells),
+        looks_of(atlas, codes),
+        groups,
+        _width_to_depth(clone.vertices_m[body.vertex], body, clips[0], clone.stature_m),
+        smaller(statue.atlas.rgb, atlas_px) if statue else None,
+        _shell_picture([one for one in statue.shells if one.kind in DRAWN])[..., :3] if statue else None,
+    )
+
+
+def posed(vertices_m: Array, joints: NDArray[np.int64], weights: Array, frame: Array) -> Array:
+    """Return (N, 3) vertices moved by one frame of bones (J, 3, 4), metres."""
+    blended = np.einsum("nk,nkab->nab", weights, frame[joints])
+    return np.asarray(np.einsum("nab,nb->na", blended[:, :, :3], vertices_m) + blended[:, :, 3])
+
+
+def _width_to_depth(vertices_m: Array, body: BodyLevels, walk: Clip, stature_m: float) -> float:
+    """Return the width of the trunk with arms against its depth, at the chest, in the middle of all walking poses."""
+    ratios = []
+    for frame in walk.frames[:: max(len(walk.frames) // 8, 1)]:
+        points = posed(vertices_m, body.joints, body.weights, frame)
+        chest = points[(points[:, 1] > CHEST[0] * stature_m) & (points[:, 1] < CHEST[1] * stature_m)]
+        ratios.append(np.ptp(chest[:, 0]) / np.ptp(chest[:, 2]))
+    return float(np.median(ratios))
+
+
+def _loose(shells: Sequence[Shell], levels: int) -> Loose:
+    """Return all shells as one mesh; where there are several, each level's budget is shared by their triangles."""
+    if not shells:
+        none = np.zeros((0, 3))
+        empty = np.zeros((0, 4))
+        return Loose(
+            none, none[:, :2], empty.astype(np.int64), empty, none, np.zeros(0, bool),
+            tuple(np.zeros((0, 3), np.int32) for _ in range(levels)),
+        )  # fmt: skip
+    every = sum(len(shell.triangles) for shell in shells)
+    chains, start = [], 0
+    for shell in shells:
+        budgets = [max(int(budget * len(shell.triangles) / every), 1) for budget in LOOSE]
+        own = [np.asarray(shell.triangles, np.int32)] * (levels - len(LOOSE)) + list(shell_levels(shell, budgets))
+        chains.append([triangles + start for triangles in own])
+        start += len(shell.vertices_m)
+    cloth = np.concatenate([np.full(len(shell.vertices_m), shell.kind == "cloth") for shell in shells])
+    uv = np.concatenate([np.clip(shell.uv, 0.0, 1.0) for shell in shells])
+    weights = np.maximum(np.concatenate([shell.skin_weights for shell in shells]), 0.0)
+    return Loose(
+        np.concatenate([shell.vertices_m for shell in shells]),
+        np.column_stack([uv[:, 0] * 0.5 + np.where(cloth, 0.5, 0.0), uv[:, 1]]),
+        np.concatenate([shell.skin_joints for shell in shells]).astype(np.int64),
+        weights / weights.sum(axis=1, keepdims=True),
+        np.concatenate([welded_normals(shell.vertices_m, shell.triangles) for shell in shells]),
+        cloth,
+        tuple(np.concatenate([chain[level] for chain in chains]) for level in range(levels)),
+    )
+
+
+def _shell_picture(shells: Sequence[Shell]) -> Pixels:
+    """Return the shells' pictures side by side; a second shell of a kind shares the first one's picture."""
+    picture = np.zeros((SHELL_PX, 2 * SHELL_PX, 4), np.uint8)
+    for shell in reversed(shells):
+        left = SHELL_PX if shell.kind == "cloth" else 0
+        picture[:, left : left + SHELL_PX] = _shrunk(shell.rgba)
+    return picture
+
+
+def _shrunk(rgba: Pixels) -> Pixels:
+    """Return a picture with alpha reduced to SHELL_PX; colours count by their alpha, and go on where nothing covers."""
+    alpha = rgba[..., 3:].astype(np.float64) / 255.0
+    small = smaller(np.dstack([rgba[..., :3] * alpha, alpha]), SHELL_PX)
+    colour = small[..., :3] / np.maximum(small[..., 3:], 1e-6)
+    mean = (rgba[..., :3] * alpha).sum(axis=(0, 1)) / max(float(alpha.sum()), 1e-6)
+    colour = np.where(small[..., 3:] > 1.0 / 255.0, colour, mean)
+    return np.clip(np.round(np.dstack([colour, 255.0 * small[..., 3]])), 0, 255).astype(np.uint8)

@@ -1,0 +1,159 @@
+"""Motions of the crowd as frames of bone matrices, one set a clone.
+
+References
+----------
+McDonnell et al. 2007: cycles of one second; 16 poses a second suffice in the background, 30 in front.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.errors import ClonerError
+from cloner.generic.load import load_generic
+from cloner.geometry.articulation.skinning import joint_transforms
+from cloner.motion.captures.acclaim import read_acclaim
+from cloner.motion.captures.bvh import read_bvh
+from cloner.motion.captures.retarget import retarget
+from cloner.motion.limbs import turns
+from cloner.motion.limbs.body import SIDES, Body, body_of
+from cloner.motion.limbs.twist import shared_twist
+from cloner.motion.moves.acts import ACTS
+from cloner.motion.moves.contact import grounded
+from cloner.motion.moves.cycle import walk_cycle
+from cloner.motion.moves.gait import aim_limb, follow, idle, stands_at, upright, walk
+from cloner.motion.moves.planting import planted
+from cloner.motion.moves.slide import posed_at
+from cloner.motion.moves.styles import REGULAR, RUN, STYLES, Style
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
+
+Array = NDArray[np.float64]
+
+#: Frames of a walk that geometry shows; impostors take every third of them, or as ``--poses`` says.
+WALK_FRAMES: Final = 48
+IDLE_FRAMES: Final = 16
+IDLE_POSES: Final = 2  # breath and sway of a standing person are under a texel where impostors are shown
+SIT_FRAMES: Final = 1
+#: Two frames a clap of `acts.applaud`, between which whoever is near is blended; taste.
+ACT_FRAMES: Final = 24
+ACT_POSES: Final = 8
+CAPTURES: Final = {".bvh": read_bvh, ".amc": read_acclaim}
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Clip:
+    """One motion of one clone.
+
+    Attributes
+    ----------
+    name : str
+    seconds : float
+        Length of the cycle.
+    speed_m_s : float
+        At which the ground runs back under the feet.
+    frames : (F, J, 3, 4) float64
+        Posed-from-rest transforms of the joints; the cycle closes after the last.
+    rotations : (F, J, 3) float64, root_m : (F, 3) float64
+        The same as turns of the joints against their parents, and the root's place.
+    poses : int
+        That coarse levels and impostors show: every ``F // poses``-th frame.
+    far : str
+        Name of the clip whose impostors stand for it, "" for its own: people of 38 px tell walks by their steps alone.
+    around : bool
+        Seen from all around; else from the front half alone, as in a stand.
+    """
+
+    name: str
+    seconds: float
+    speed_m_s: float
+    frames: Array
+    rotations: Array
+    root_m: Array
+    poses: int
+    around: bool = True
+    far: str = ""
+
+
+def clips_of(clone: Clone, poses: int, walks: Sequence[Path] = (), *, feelings: bool = False) -> tuple[Clip, ...]:
+    """Return walk, idle, sitting, the walks of feelings and the acts where asked, and the captured walks of a clone.
+
+    Raises
+    ------
+    ClonerError
+        If a capture cannot be read or holds no walk.
+    """
+    body = body_of(clone)
+    found = [
+        _clip(clone, walked(body, REGULAR), poses),
+        _clip(clone, shown(idle(body), IDLE_FRAMES), IDLE_POSES),
+        _clip(clone, shown(sitting(body), SIT_FRAMES), SIT_FRAMES, around=False),
+    ]
+    if feelings:
+        others = [*(style for style in STYLES.values() if style is not REGULAR), RUN]
+        found += [_clip(clone, walked(body, style), poses, far=found[0].name) for style in others]
+        found += [_clip(clone, shown(act(body), ACT_FRAMES), ACT_POSES, far=found[1].name) for act in ACTS.values()]
+    return (*found, *(_clip(clone, shown(captured(body, path), WALK_FRAMES), poses) for path in walks))
+
+
+def walked(body: Body, style: Style) -> Motion:
+    """Return a walk in as many frames as are shown, its feet planted between these.
+
+    Planted between others, 60 a second, feet slid by up to 17 mm a step from one shown frame to the next.
+    """
+    motion = shown(walk(body, style), WALK_FRAMES)
+    return planted(body, motion, stands_at(motion.times_s / motion.times_s[-1], style))
+
+
+def shown(motion: Motion, count: int) -> Motion:
+    """Return a motion in so many frames, and once more the first."""
+    at = np.arange(count + 1) * float(motion.times_s[-1]) / count
+    rotations, root = posed_at(motion, at)
+    return Motion(motion.name, at, root, rotations, cyclic=True, speed_m_s=motion.speed_m_s)
+
+
+def captured(body: Body, path: Path) -> Motion:
+    """Return a capture as an endless walk on the spot.
+
+    Raises
+    ------
+    ClonerError
+        If it cannot be read or holds no walk.
+    """
+    if path.suffix.lower() not in CAPTURES:
+        raise ClonerError("this is no capture of a walk", f"Give {' or '.join(CAPTURES)} files", path.name)
+    return walk_cycle(body, retarget(CAPTURES[path.suffix.lower()](path), body, name=path.stem))
+
+
+def sitting(body: Body) -> Motion:
+    """Return somebody sitting upright on a bench, hands on the thighs; one frame that lasts a second."""
+    still = np.tile(np.eye(3), (2, 1, 1))
+    world = upright(body, still, turns.about(0, np.full(2, 0.06)))
+    for side in SIDES:
+        sign = 1.0 if side == "l" else -1.0
+        aim_limb(body, world, side, "hip", turns.about(1, np.full(2, 0.12 * sign)) @ turns.about(0, np.full(2, -1.5)))
+        aim_limb(body, world, side, "knee", still)
+        for joint in ("ankle", "subtalar", "midtarsal", "metatarsal"):
+            world[:, body.joint(f"{side}_{joint}")] = still
+        out = turns.about(2, np.full(2, body.arm_aside(side)))
+        aim_limb(body, world, side, "shoulder", out @ turns.about(0, np.full(2, -0.35)))
+        aim_limb(body, world, side, "elbow", out @ turns.about(0, np.full(2, -1.25)))
+        follow(body, world, side)
+    rotations = shared_twist(body, turns.local_from_world(world, body.parents))
+    return grounded(body, Motion("sit", np.array([0.0, 1.0]), np.zeros((2, 3)), rotations, cyclic=True))
+
+
+def _clip(clone: Clone, motion: Motion, poses: int, *, around: bool = True, far: str = "") -> Clip:
+    """Return a motion whose last frame is its first one as a clip."""
+    rotations, root = motion.rotations[:-1], motion.root_m[:-1]
+    parents = load_generic().joint_parents.astype(np.int32)
+    frames = joint_transforms(clone.joints_m, parents, rotations)[:, :, :3]
+    frames[..., 3] += root[:, None]
+    seconds, count = float(motion.times_s[-1]), len(frames)
+    return Clip(motion.name, seconds, motion.speed_m_s, frames, rotations, root, min(poses, count), around, far)

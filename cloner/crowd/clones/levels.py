@@ -1,0 +1,199 @@
+"""Levels of detail: lists of the generic human's own vertices, for every clone, and a chain for each loose shell.
+
+References
+----------
+meshoptimizer's simplifier keeps original vertices; ``generic_models/build/build_crowd_levels.py`` made the lists.
+"""
+
+from __future__ import annotations
+
+import functools
+import importlib.resources
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import fast_simplification
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.load import load_generic
+from cloner.generic.surfaces import load_surfaces
+from cloner.records.heads import Shell
+
+Index = NDArray[np.int32]
+Array = NDArray[np.float64]
+
+SURFACES: Final = ("body", "eyes")
+#: Triangles of the loose shells at each level; below 500 hair tears (measured).
+LOOSE: Final = (4_000, 2_000, 1_000, 500)
+LEVELS: Final = len(LOOSE)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class BodyLevels:
+    """The body and eyes of all clones at all levels.
+
+    Attributes
+    ----------
+    vertex : (V,) int32
+        The generic human's vertex of every wedge; those of coarser levels come first.
+    uv : (V, 2) float64, v downwards
+    joints : (V, 4) int64, weights : (V, 4) float64, rows sum to one
+    triangles : (T, 3) int32 of each level, wedges
+    counts : wedges of each level; its triangles use the first so many
+    groups : first generic triangle of each wedge triangle is not needed by anybody: see ``cloner.crowd.clones.groups``
+    """
+
+    vertex: Index
+    uv: Array
+    joints: NDArray[np.int64]
+    weights: Array
+    triangles: tuple[Index, ...]
+    counts: tuple[int, ...]
+
+
+@functools.cache
+def body_levels(*, full: bool = False) -> BodyLevels:
+    """Return the shipped lists; with ``full`` another level 0 with every triangle of body and eyes, to compare with."""
+    found = [surface for surface in load_surfaces() if surface.name in SURFACES]
+    start = np.cumsum([0, *(len(surface.vertex) for surface in found)])
+    lists = _shipped()
+    levels = [
+        np.concatenate([lists[f"{one.name}_{level}"] + start[k] for k, one in enumerate(found)])
+        for level in range(LEVELS)
+    ]
+    if full:
+        levels.insert(0, np.concatenate([one.triangles + start[k] for k, one in enumerate(found)]))
+    order, counts = nested(levels)
+    place = np.full(int(start[-1]), -1, np.int32)
+    place[order] = np.arange(len(order), dtype=np.int32)
+    vertex = np.concatenate([surface.vertex for surface in found])[order]
+    generic = load_generic()
+    weights = np.maximum(generic.skin_weights[vertex].astype(np.float64), 0.0)
+    return BodyLevels(
+        vertex,
+        np.concatenate([surface.uv for surface in found])[order],
+        generic.skin_joints[vertex].astype(np.int64),
+        weights / weights.sum(axis=1, keepdims=True),
+        tuple(place[triangles] for triangles in levels),
+        counts,
+    )
+
+
+def surface_levels() -> dict[str, tuple[Index, ...]]:
+    """Return (T, 3) triangles of each level of body and eyes, in the wedges of their surfaces."""
+    lists = _shipped()
+    return {name: tuple(lists[f"{name}_{level}"].reshape(-1, 3) for level in range(LEVELS)) for name in SURFACES}
+
+
+def _shipped() -> dict[str, Index]:
+    place = importlib.resources.files("cloner.crowd") / "data" / "levels.npz"
+    with place.open("rb") as stream, np.load(stream, allow_pickle=False) as archive:
+        return {name: archive[name] for name in archive.files}
+
+
+def nested(levels: Sequence[Index]) -> tuple[NDArray[np.int64], tuple[int, ...]]:
+    """Return an order of the vertices in which every level uses the first so many, and how many.
+
+    Parameters
+    ----------
+    levels : sequence of (T, 3) vertices of triangles, the finest first
+
+    Returns
+    -------
+    order : (N,) int64, vertices that any level uses, those of coarser levels first
+    counts : tuple of int, a level each
+    """
+    order: list[int] = []
+    counts = []
+    seen: set[int] = set()
+    for triangles in reversed(levels):
+        new = [int(one) for one in np.unique(triangles) if int(one) not in seen]
+        seen.update(new)
+        order += new
+        counts.append(len(order))
+    return np.array(order, np.int64), tuple(reversed(counts))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Loose:
+    """All loose shells of a person as one mesh.
+
+    Attributes
+    ----------
+    vertices_m : (N, 3) float64, rest pose
+    uv : (N, 2) float64 in the shells' common picture
+    joints : (N, 4) int64, weights : (N, 4) float64
+    normals : (N, 3) float64
+    cloth : (N,) bool
+        Hangs as cloth; else hair.
+    triangles : (T, 3) int32 of each level
+    """
+
+    vertices_m: Array
+    uv: Array
+    joints: NDArray[np.int64]
+    weights: Array
+    normals: Array
+    cloth: NDArray[np.bool_]
+    triangles: tuple[Index, ...]
+
+
+def shell_levels(shell: Shell, budgets: Sequence[int] = LOOSE) -> tuple[Index, ...]:
+    """Return (T, 3) triangles of each level of one shell, in its own vertices; never more than the budgets.
+
+    Borders between charts hold the same places twice: places are welded first, and each corner then takes the own
+    vertex of the kept place that is nearest in the texture.
+    """
+    places, weld = np.unique(np.round(shell.vertices_m, 7), axis=0, return_inverse=True)
+    weld = weld.reshape(-1)
+    welded = weld[shell.triangles].astype(np.int32)
+    found = []
+    for budget in budgets:
+        if len(shell.triangles) <= budget:
+            found.append(np.asarray(shell.triangles, np.int32))
+            continue
+        found.append(_simplified(shell, places, weld, welded, budget))
+    return tuple(found)
+
+
+def _simplified(shell: Shell, places: Array, weld: NDArray[np.int64], welded: Index, budget: int) -> Index:
+    target = budget
+    while True:  # ends at no triangle at the latest, or with pieces that cannot be made fewer: those are cut off
+        points, faces, collapses = fast_simplification.simplify(
+            places.astype(np.float32), welded, target_count=target, agg=5, return_collapses=True
+        )
+        if len(faces) <= budget or target == 0:
+            break
+        target = int(target * 0.9)
+    points, faces, mapping = fast_simplification.replay_simplification(places.astype(np.float32), welded, collapses)
+    kept = _nearest_member(places, np.asarray(mapping), np.asarray(points, np.float64))
+    corners = kept[np.asarray(faces)]
+    a, b, c = corners.T
+    corners = corners[(a != b) & (b != c) & (c != a)]
+    return _wedges(shell, weld, corners)[:budget]
+
+
+def _nearest_member(places: Array, mapping: NDArray[np.int64], points: Array) -> NDArray[np.int64]:
+    """Return the original place nearest to each simplified point among those that were merged into it."""
+    away = np.linalg.norm(places - points[mapping], axis=1)
+    order = np.lexsort((away, mapping))
+    first = np.unique(mapping[order], return_index=True)
+    kept = np.zeros(len(points), np.int64)
+    kept[first[0]] = order[first[1]]
+    return kept
+
+
+def _wedges(shell: Shell, weld: NDArray[np.int64], corners: NDArray[np.int64]) -> Index:
+    """Return triangles of vertices from triangles of places: of a place's vertices the one nearest in the texture."""
+    order = np.argsort(weld, kind="stable")
+    start = np.searchsorted(weld[order], np.arange(weld.max() + 2))
+    out = order[start[corners]].astype(np.int32)
+    for k in (1, 2):  # the first corner decides the chart
+        for row in np.flatnonzero(start[corners[:, k] + 1] - start[corners[:, k]] > 1):
+            place = corners[row, k]
+            members = order[start[place] : start[place + 1]]
+            gap = np.linalg.norm(shell.uv[members] - shell.uv[out[row, 0]], axis=1)
+            out[row, k] = members[int(gap.argmin())]
+    return out

@@ -1,0 +1,232 @@
+"""A clone's numbers as the shaders read them: whole numbers in rows, the same in a pack and in the painter."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.crowd.clones.cast import Cast
+from cloner.crowd.clones.clips import Clip
+from cloner.crowd.clones.groups import WORN, skin_colours
+from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose
+
+Array = NDArray[np.float64]
+
+#: All rest poses lie in this box: its corner and side, metres. 16 bits of it are .04 mm.
+BOX_MIN_M: Final = (-1.28, -0.1, -1.28)
+BOX_M: Final = 2.56
+BOX_STEP_M: Final = BOX_M / 65535.0
+#: Farthest translation of a bone, metres; 16 bits of it are .12 mm.
+BONE_REACH_M: Final = 4.0
+BONE_FULL: Final = 32767
+#: Widths of textures, texels: vertices, loose vertices (two texels each), loose corners.
+WIDE: Final = 128
+CORNERS_WIDE: Final = 256
+#: Columns of the clones' table: facts, clips, sets of tiles, looks, colours of garments, skin.
+COLUMNS: Final = 64
+CLIPS_AT, SETS_AT, LOOKS_AT, COLOURS_AT, SKIN_AT = 1, 25, 49, 53, 58
+MOST_CLIPS: Final = SETS_AT - CLIPS_AT
+_DYED: Final = (*WORN, "hair")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Numbers:
+    """One clone's arrays for the shaders.
+
+    Attributes
+    ----------
+    vertices : (N, 4) uint16: place in the box, normal as an octahedron's point
+    loose : (2 M, 4) uint16: uv and joints; weights
+    corners : (K,) uint16: loose vertices of every level's triangles, levels padded to ``LOOSE``
+    bones : (F, J, 3, 4) int16: rows of the joints' transforms, all clips after one another
+    """
+
+    vertices: NDArray[np.uint16]
+    loose: NDArray[np.uint16]
+    corners: NDArray[np.uint16]
+    bones: NDArray[np.int16]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stock:
+    """Everything that the shaders read of some clones.
+
+    Attributes
+    ----------
+    body : BodyLevels
+    budgets : loose triangles of each level
+    numbers : tuple of Numbers, one a clone
+    table : (C, COLUMNS, 4) float32
+    atlases : (C, A, A, 4) uint8, shells : (C, B, 2 B, 4) uint8
+    tiles : (C, 2 T, 4) float32, colours : (C, H, W, 4) uint8, shapes : (C, H/2, W/2, 4) uint8, or None before baking
+    elevations : tuple of radians
+    stones : (C, A, A, 3) uint8, stone_shells : (C, B, 2 B, 3) uint8
+        The same people in stone, or None.
+    """
+
+    body: BodyLevels
+    budgets: tuple[int, ...]
+    numbers: tuple[Numbers, ...]
+    table: NDArray[np.float32]
+    atlases: NDArray[np.uint8]
+    shells: NDArray[np.uint8]
+    tiles: NDArray[np.float32] | None = None
+    colours: NDArray[np.uint8] | None = None
+    shapes: NDArray[np.uint8] | None = None
+    elevations: tuple[float, ...] = (0.0,)
+    stones: NDArray[np.uint8] | None = None
+    stone_shells: NDArray[np.uint8] | None = None
+
+
+def numbers_of(cast: Cast, budgets: Sequence[int] = LOOSE) -> Numbers:
+    """Return a clone's numbers; ``budgets`` are the loose triangles of each level."""
+    used, triangles = _compact(cast.loose)
+    places = np.concatenate([cast.vertices_m, cast.loose.vertices_m[used]])
+    normals = np.concatenate([cast.normals, cast.loose.normals[used]])
+    place = np.round((places - BOX_MIN_M) / BOX_STEP_M)
+    vertices = np.column_stack([np.clip(place, 0, 65535), octahedral(normals)]).astype(np.uint16)
+    frames = np.concatenate([clip.frames for clip in cast.clips])
+    scale = np.array([1.0, 1.0, 1.0, BONE_REACH_M])
+    bones = np.clip(np.round(frames / scale * BONE_FULL), -BONE_FULL, BONE_FULL).astype(np.int16)
+    return Numbers(vertices, _loose_rows(cast.loose, used), _corners(triangles, budgets), bones)
+
+
+def _compact(loose: Loose) -> tuple[NDArray[np.int64], list[NDArray[np.int64]]]:
+    """Return the loose vertices that any level uses, and the levels' triangles among them."""
+    every = np.concatenate([triangles.reshape(-1) for triangles in loose.triangles])
+    used = np.unique(every).astype(np.int64)
+    return used, [np.searchsorted(used, triangles) for triangles in loose.triangles]
+
+
+def _loose_rows(loose: Loose, used: NDArray[np.int64]) -> NDArray[np.uint16]:
+    uv = np.round(np.clip(loose.uv[used], 0.0, 1.0) * 65535.0).astype(np.uint16)
+    joints = loose.joints[used].astype(np.uint16)
+    weights = whole_weights(loose.weights[used]).astype(np.uint16)
+    rows = np.zeros((len(used), 2, 4), np.uint16)
+    rows[:, 0, :2] = uv
+    rows[:, 0, 2:] = joints[:, ::2] | (joints[:, 1::2] << 8)
+    rows[:, 1, :2] = weights[:, ::2] | (weights[:, 1::2] << 8)
+    return rows.reshape(-1, 4)
+
+
+def _corners(triangles: Sequence[NDArray[np.int64]], budgets: Sequence[int]) -> NDArray[np.uint16]:
+    """Return the corners of all levels in line; a level with fewer triangles ends in ones without any area."""
+    lines = []
+    for own, budget in zip(triangles, budgets, strict=True):
+        line = np.zeros(3 * budget, np.uint16)
+        line[: own.size] = own.reshape(-1)
+        lines.append(line)
+    return np.concatenate(lines)
+
+
+def whole_weights(weights: Array) -> NDArray[np.int64]:
+    """Return (N, 4) weights as whole numbers whose sum is exactly 255."""
+    whole = np.floor(weights * 255.0 + 1e-6).astype(np.int64)
+    whole[np.arange(len(whole)), weights.argmax(axis=1)] += 255 - whole.sum(axis=1)
+    return whole
+
+
+def octahedral(normals: Array) -> NDArray[np.uint16]:
+    """Return (N,) unit normals as two bytes each: the point of an octahedron unfolded to a square."""
+    n = normals / np.abs(normals).sum(axis=1, keepdims=True)
+    fold = n[:, 2] < 0.0
+    signs = np.where(n[:, :2] >= 0.0, 1.0, -1.0)
+    flat = np.where(fold[:, None], (1.0 - np.abs(n[:, 1::-1])) * signs, n[:, :2])
+    whole = np.clip(np.round((flat + 1.0) * 127.5), 0, 255).astype(np.uint16)
+    return np.asarray(whole[:, 0] | (whole[:, 1] << 8), np.uint16)
+
+
+def table_row(
+    cast: Cast, tile_starts: Sequence[int], texels_per_m: float, views: int, first_bone: int
+) -> NDArray[np.float32]:
+    """Return a clone's (COLUMNS, 4) row of the clones' table.
+
+    Parameters
+    ----------
+    cast : Cast
+    tile_starts : sequence of int
+        First tile of each clip.
+    texels_per_m : float
+        Of the impostors.
+    views : int
+        Baked around the clone.
+    first_bone : int
+        Row of the clone's first frame among all clones' frames.
+    """
+    row = np.zeros((COLUMNS, 4), np.float32)
+    row[0] = middle_m(cast), texels_per_m, views, float(len(cast.loose.vertices_m) > 0)
+    frame = first_bone
+    for k, clip in enumerate(cast.clips):
+        row[CLIPS_AT + k] = frame, len(clip.frames), clip.seconds, clip.seconds * clip.speed_m_s
+        far = next(one for one in cast.clips if one.name == (clip.far or clip.name))
+        row[SETS_AT + k] = tile_starts[k], far.poses, float(far.around), clip.poses
+        frame += len(clip.frames)
+    for k, name in enumerate(_DYED):
+        look = cast.looks.get(name)
+        row[LOOKS_AT + k] = (look.median, look.evenness, look.share, 0.0) if look else (128.0, 1.0, 0.0, 0.0)
+        if look:
+            shade = look.median / look.scale / 255.0
+            row[COLOURS_AT + k, :3] = np.clip(np.array(look.colour) * shade, 0.0, 1.0)
+    if not cast.looks.get("hair"):
+        row[LOOKS_AT + 3, :2] = _shell_look(cast)
+    for k, colour in enumerate(skin_colours(cast.atlas, cast.codes).values()):
+        row[SKIN_AT + k, :3] = colour / 255.0
+    return row
+
+
+def _shell_look(cast: Cast) -> tuple[float, float]:
+    """Return median luma and evenness of the hair's own picture."""
+    hair = cast.shell[:, : cast.shell.shape[1] // 2].reshape(-1, 4)
+    solid = hair[hair[:, 3] > 127]
+    return (max(float(np.median(solid[:, :3] @ [0.2126, 0.7152, 0.0722])), 1.0), 1.0) if len(solid) else (128.0, 1.0)
+
+
+def middle_m(cast: Cast) -> float:
+    """Return the height of the point that impostors are baked around, metres."""
+    return float(cast.vertices_m[:, 1].max() / 2.0)
+
+
+def level_arrays(body: BodyLevels, level: int, budgets: Sequence[int] = LOOSE) -> dict[str, NDArray[Any]]:
+    """Return the vertex attributes and indices that all clones' geometry of a level is drawn with.
+
+    ``which`` (N,) float32 counts the body's wedges, then the loose corners from ``len(body.vertex)`` on; ``uv``,
+    ``joints`` and ``weights`` are the body's; ``index`` (3 T,) uint32.
+    """
+    own, corners = body.counts[level], 3 * budgets[level]
+    rest = np.zeros((corners, 4))
+    which = np.concatenate([np.arange(own), len(body.vertex) + np.arange(corners)])
+    index = np.concatenate([body.triangles[level].reshape(-1), own + np.arange(corners)])
+    return {
+        "which": which.astype(np.float32),
+        "uv": np.concatenate([body.uv[:own], rest[:, :2]]).astype(np.float32),
+        "joints": np.concatenate([body.joints[:own], rest]).astype(np.float32),
+        "weights": np.concatenate([body.weights[:own], rest]).astype(np.float32),
+        "index": index.astype(np.uint32),
+    }
+
+
+def padded_rows(values: NDArray[Any], wide: int) -> NDArray[Any]:
+    """Return (N, ...) values as (rows, wide, ...), zeros at the end."""
+    rows = -(-len(values) // wide)
+    out = np.zeros((rows * wide, *values.shape[1:]), values.dtype)
+    out[: len(values)] = values
+    return out.reshape(rows, wide, *values.shape[1:])
+
+
+def stacked(arrays: Sequence[NDArray[Any]]) -> NDArray[Any]:
+    """Return (C, rows, ...) of arrays with (rows_k, ...), zeros below the shorter ones."""
+    tall = max(len(one) for one in arrays)
+    out = np.zeros((len(arrays), tall, *arrays[0].shape[1:]), arrays[0].dtype)
+    for k, one in enumerate(arrays):
+        out[k, : len(one)] = one
+    return out
+
+
+def frames_before(clips: Sequence[Sequence[Clip]]) -> list[int]:
+    """Return the first row of each clone's frames when all lie under one another."""
+    counts = [sum(len(clip.frames) for clip in own) for own in clips]
+    return [sum(counts[:k]) for k in range(len(counts))]

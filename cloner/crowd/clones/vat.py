@@ -1,0 +1,135 @@
+"""A clone's walk and idle as vertex animation textures in OpenVAT's layout: one mesh, offsets of every vertex.
+
+``NAME.png`` (16 bits, RGB): frames below one another, a column a vertex; the upper half are offsets from the rest pose
+in the box of ``NAME-remap_info.json``, the lower half normals. Axes are OpenVAT's (z up: a reader takes (x, z, -y)).
+
+References
+----------
+OpenVAT (sharpen3d): layout of pictures and remap file, read off its documentation and readers.
+"""
+
+from __future__ import annotations
+
+import json
+from typing import Any, Final
+
+import cv2
+import numpy as np
+import pygltflib
+from numpy.typing import NDArray
+
+from cloner import __version__
+from cloner.crowd.clones.cast import Cast, posed
+from cloner.crowd.clones.levels import BodyLevels
+from cloner.exporters.gltf.glb_file import glb_bytes
+from cloner.exporters.gltf.gltf_buffer import GltfBuffer
+from cloner.exporters.shared.credits import CREDITS
+from cloner.exporters.shared.files import jpeg_bytes
+
+Array = NDArray[np.float64]
+
+#: The finest level under 8,192 vertices with its hair: what readers of the layout take.
+LEVEL: Final = 1
+FULL: Final = 65_535
+
+
+def vat_files(cast: Cast, body: BodyLevels) -> dict[str, bytes]:
+    """Return mesh, pictures and remap file by their names in the clone's folder."""
+    count = body.counts[LEVEL]
+    used = np.unique(cast.loose.triangles[LEVEL]).astype(np.int64)
+    triangles = np.concatenate([
+        body.triangles[LEVEL], count + np.searchsorted(used, cast.loose.triangles[LEVEL]).astype(np.int32),
+    ])  # fmt: skip
+    rest = np.concatenate([cast.vertices_m[:count], cast.loose.vertices_m[used]])
+    moved, turned, animations = _frames(cast, body, count, used)
+    offsets = _engine_axes(moved - rest)
+    low, high = offsets.min(axis=(0, 1)), offsets.max(axis=(0, 1))
+    whole = np.round((offsets - low) / (high - low) * FULL).astype(np.uint16)
+    normals = np.round((_engine_axes(turned) + 1.0) / 2.0 * FULL).astype(np.uint16)
+    name = f"{cast.identifier}_vat"
+    remap = {
+        "os-remap": {"Min": low.tolist(), "Max": high.tolist(), "Frames": len(moved)}, "animations": animations,
+    }  # fmt: skip
+    done, data = cv2.imencode(".png", np.concatenate([whole, normals])[..., ::-1])
+    if not done:
+        raise ValueError("a picture could not be encoded")
+    return {
+        f"vat/{name}.png": data.tobytes(),
+        f"vat/{name}-remap_info.json": (json.dumps(remap, indent=1) + "\n").encode(),
+        f"vat/{name}.glb": _mesh(cast, body, count, used, triangles, rest, len(moved)),
+    }
+
+
+def _engine_axes(vectors: Array) -> Array:
+    """Return (..., 3) vectors of the model frame (Y up) in the layout's axes (Z up)."""
+    return np.stack([vectors[..., 0], -vectors[..., 2], vectors[..., 1]], axis=-1)
+
+
+def _frames(cast: Cast, body: BodyLevels, count: int, used: NDArray[np.int64]) -> tuple[Array, Array, dict[str, Any]]:
+    """Return (F, N, 3) places and normals of all frames of all clips, and what lies where."""
+    moved: list[Array] = []
+    turned: list[Array] = []
+    animations: dict[str, Any] = {}
+    joints = np.concatenate([body.joints[:count], cast.loose.joints[used]])
+    weights = np.concatenate([body.weights[:count], cast.loose.weights[used]])
+    rest = np.concatenate([cast.vertices_m[:count], cast.loose.vertices_m[used]])
+    normals = np.concatenate([cast.normals[:count], cast.loose.normals[used]])
+    for clip in cast.clips:
+        animations[clip.name] = {
+            "startFrame": len(moved), "endFrame": len(moved) + len(clip.frames) - 1,
+            "framerate": len(clip.frames) / clip.seconds, "looping": True,
+        }  # fmt: skip
+        for frame in clip.frames:
+            moved.append(posed(rest, joints, weights, frame))
+            turning = frame.copy()
+            turning[..., 3] = 0.0
+            n = posed(normals, joints, weights, turning)
+            turned.append(n / np.linalg.norm(n, axis=1, keepdims=True))
+    return np.stack(moved), np.stack(turned), animations
+
+
+def _mesh(
+    cast: Cast,
+    body: BodyLevels,
+    count: int,
+    used: NDArray[np.int64],
+    triangles: NDArray[np.int32],
+    rest: Array,
+    frames: int,
+) -> bytes:
+    """Return the mesh in rest: one primitive, the second texture coordinate says each vertex's column."""
+    gltf = pygltflib.GLTF2(
+        asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}", copyright=CREDITS), scene=0
+    )
+    buffer = GltfBuffer(gltf, np.zeros((2, 3)))
+    total = len(rest)
+    column = np.column_stack([(np.arange(total) + 0.5) / total, np.full(total, 1.0 - 0.5 / (2 * frames))])
+    normals = np.concatenate([cast.normals[:count], cast.loose.normals[used]])
+    picture = np.concatenate([cast.atlas, np.zeros((cast.shell.shape[0], cast.atlas.shape[1], 3), np.uint8)])
+    picture[len(cast.atlas) :, : cast.shell.shape[1]] = cast.shell[..., :3]
+    uv = np.concatenate([body.uv[:count], cast.loose.uv[used]])
+    tall = len(picture)
+    uv[:count, 1] *= len(cast.atlas) / tall
+    uv[count:, 0] *= cast.shell.shape[1] / picture.shape[1]
+    uv[count:, 1] = (len(cast.atlas) + uv[count:, 1] * cast.shell.shape[0]) / tall
+    gltf.images.append(
+        pygltflib.Image(name="atlas", mimeType="image/jpeg", bufferView=buffer.view(jpeg_bytes(picture, 85)))
+    )
+    gltf.textures.append(pygltflib.Texture(source=0, name="atlas"))
+    look = pygltflib.PbrMetallicRoughness(
+        baseColorTexture=pygltflib.TextureInfo(index=0), metallicFactor=0.0, roughnessFactor=0.9
+    )
+    gltf.materials.append(pygltflib.Material(name="atlas", pbrMetallicRoughness=look, doubleSided=True))
+    attributes = pygltflib.Attributes(
+        POSITION=buffer.positions(rest), NORMAL=buffer.normals(normals), TEXCOORD_0=buffer.uv(uv),
+        TEXCOORD_1=buffer.uv(column),
+    )  # fmt: skip
+    primitive = pygltflib.Primitive(attributes=attributes, indices=buffer.indices(triangles), material=0)
+    name = f"{cast.identifier}_LOD{LEVEL}"
+    gltf.meshes.append(pygltflib.Mesh(name=name, primitives=[primitive]))
+    gltf.nodes.append(pygltflib.Node(name=name, mesh=0))
+    gltf.scenes.append(pygltflib.Scene(name=cast.identifier, nodes=[0]))
+    data = buffer.data()
+    gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
+    gltf.set_binary_blob(data)
+    return glb_bytes(gltf)

@@ -1,0 +1,1 @@
+"""Drawing a crowd: shaders, impostors, off screen and in the browser's page."""

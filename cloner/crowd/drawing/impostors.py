@@ -1,0 +1,297 @@
+"""Impostors: a clone from all around in every pose, as tiles of colour, coverage, normals and depth.
+
+References
+----------
+McDonnell et al. 2007 (22 or 40 views, 16 poses, back faces' normals turned, one texel a pixel at the switch); depth
+that moves texels to the seen view, 1.5 texels a pixel and perspective at the switch distance were measured better on
+clones.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.crowd.clones.cast import Cast, posed
+from cloner.crowd.clones.clips import Clip
+from cloner.crowd.clones.levels import BodyLevels
+from cloner.crowd.clones.stock import Stock, middle_m
+from cloner.crowd.drawing.theatre import Theatre
+
+Array = NDArray[np.float64]
+Pixels = NDArray[np.uint8]
+
+#: Texels a metre; a person of 1.75 m is 58 texels tall, 38 px at the switch: 20 clones fit
+#: 150 MiB of a card with their atlases.
+TEXELS_PER_M: Final = 33.0
+#: Texels a screen pixel where geometry gives way to impostors (measured best, 1 to 2 tried).
+TEXELS_PER_PX: Final = 1.5
+#: The bake's eye stands where the switch happens through a lens of 869 px (45 degrees over 720 lines), metres.
+BAKE_FROM_M: Final = 869.0 * TEXELS_PER_PX / TEXELS_PER_M
+SAMPLES: Final = 3  # a texel's side; as in the bakes that were measured
+BAKED_LEVEL: Final = 0
+PAGE_WIDE: Final = 1024  # one ring of 22 views then is about as tall
+_ALIGNED: Final = 4  # two levels of mips stay inside a tile
+_MARGIN: Final = 1.25  # texels around the person, for filters and the search of depth
+_NEAR_M: Final = 1.0
+_GROWN: Final = 3  # texels that colours go on beyond the outline
+CODES: Final = 5  # nothing, top, bottom, shoes, hair
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Tiles:
+    """All impostors of one clone.
+
+    Attributes
+    ----------
+    rows : (2 T, 4) float32
+        Two a tile: place and size in the page, texels; where the person's middle lies in it.
+    starts : first tile of each clip
+    colours : (H, W, 4) uint8, RGB and coverage
+    shapes : (H/2, W/2, 4) uint8: normal x and y in eye axes, depth, code (place in ``CODES`` times 63)
+    """
+
+    rows: NDArray[np.float32]
+    starts: tuple[int, ...]
+    colours: Pixels
+    shapes: Pixels
+
+
+@dataclass(frozen=True, slots=True)
+class Bake:
+    """What to bake.
+
+    Attributes
+    ----------
+    views : int, around the person; even, so that front and back are exact
+    elevations : radians of the rings
+    texels_per_m : float
+    """
+
+    views: int = 22
+    elevations: tuple[float, ...] = (np.radians(5.0),)
+    texels_per_m: float = TEXELS_PER_M
+
+    @property
+    def page_wide(self) -> int:
+        """Width of a page, texels: wider for several rings, because some cards end at 4096 rows."""
+        return PAGE_WIDE if len(self.elevations) == 1 else 2 * PAGE_WIDE
+
+
+def seen_views(clip: Clip, views: int) -> list[int]:
+    """Return the baked views of a clip in the order of its tiles; the front half alone for those in a stand."""
+    if clip.around:
+        return list(range(views))
+    front = views // 4
+    return [*range(front + 1), *range(-front, 0)]
+
+
+def axes(azimuth: float, elevation: float) -> Array:
+    """Return (3, 3) rows right, up and back of a camera at an azimuth (0 in front, positive left) and elevation."""
+    s, c, se, ce = np.sin(azimuth), np.cos(azimuth), np.sin(elevation), np.cos(elevation)
+    return np.array([[c, 0.0, -s], [-s * se, ce, -c * se], [s * ce, se, c * ce]])
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Tile:
+    clip: int
+    frame: int
+    axes: Array
+    box_m: tuple[float, float, float, float]  # left, bottom, right, top on the plane through the middle
+    size: tuple[int, int]
+
+
+def bake(cast: Cast, body: BodyLevels, held: Stock, wanted: Bake) -> Tiles:
+    """Return the tiles of a clone.
+
+    Parameters
+    ----------
+    cast : Cast
+    body : BodyLevels
+    held : Stock
+        Of this clone alone.
+    wanted : Bake
+
+    Raises
+    ------
+    ClonerError
+        If this machine cannot draw.
+    """
+    tiles, starts = _plan(cast, body, wanted)
+    places, tall = _placed(tiles, wanted.page_wide)
+    theatre = Theatre(held)
+    try:
+        rows, people = _people(cast, tiles)
+        theatre.send_people(people)
+        colour, shape = _drawn(theatre, tiles, places, (wanted.page_wide, tall), rows, middle_m(cast))
+    finally:
+        theatre.close()
+    lines = np.zeros((2 * len(tiles), 4), np.float32)
+    for k, (tile, (x, y)) in enumerate(zip(tiles, places, strict=True)):
+        lines[2 * k] = x, y, *tile.size
+        lines[2 * k + 1, :2] = -tile.box_m[0] * wanted.texels_per_m, tile.box_m[3] * wanted.texels_per_m
+    return Tiles(lines, tuple(starts), colour, shape)
+
+
+def _plan(cast: Cast, body: BodyLevels, wanted: Bake) -> tuple[list[_Tile], list[int]]:
+    """Return the tiles in their order (clip, ring, view, pose) and the first one of each clip."""
+    found: list[_Tile] = []
+    starts: list[int] = []
+    coarse = slice(0, body.counts[-2])
+    loose = cast.loose
+    some = np.unique(np.concatenate([triangles.reshape(-1) for triangles in loose.triangles[-2:]]))
+    names = [clip.name for clip in cast.clips]
+    for number, clip in enumerate(cast.clips):
+        starts.append(starts[names.index(clip.far)] if clip.far else len(found))
+        if clip.far:
+            continue
+        every = len(clip.frames) // clip.poses
+        clouds = []
+        for pose in range(clip.poses):
+            frame = clip.frames[pose * every]
+            own = posed(cast.vertices_m[coarse], body.joints[coarse], body.weights[coarse], frame)
+            hair = posed(loose.vertices_m[some], loose.joints[some], loose.weights[some], frame)
+            clouds.append(np.concatenate([own, hair]) - (0.0, middle_m(cast), 0.0))
+        for elevation in wanted.elevations:
+            for view in seen_views(clip, wanted.views):
+                way = axes(view * 2.0 * np.pi / wanted.views, elevation)
+                found += [
+                    _tile(number, pose * every, way, cloud, wanted.texels_per_m) for pose, cloud in enumerate(clouds)
+                ]
+    return found, starts
+
+
+def _tile(clip: int, frame: int, way: Array, cloud: Array, texels_per_m: float) -> _Tile:
+    seen = cloud @ way.T
+    plane = seen[:, :2] * (BAKE_FROM_M / (BAKE_FROM_M - seen[:, 2:]))
+    low = plane.min(axis=0) - _MARGIN / texels_per_m
+    high = plane.max(axis=0) + _MARGIN / texels_per_m
+    size = np.ceil((high - low) * texels_per_m / _ALIGNED).astype(int) * _ALIGNED
+    middle = (low + high) / 2.0
+    half = size / (2.0 * texels_per_m)
+    box = (*(middle - half).tolist(), *(middle + half).tolist())
+    return _Tile(clip, frame, way, box, (int(size[0]), int(size[1])))
+
+
+def _placed(tiles: Sequence[_Tile], page_wide: int) -> tuple[list[tuple[int, int]], int]:
+    """Return where each tile lies in the page, texels from its top left, and how tall the page is."""
+    order = sorted(range(len(tiles)), key=lambda k: (-tiles[k].size[1], k))
+    places = [(0, 0)] * len(tiles)
+    x = y = shelf = 0
+    for k in order:
+        wide, tall = tiles[k].size
+        if x + wide > page_wide:
+            x, y, shelf = 0, y + shelf, 0
+        places[k] = (x, y)
+        x, shelf = x + wide, max(shelf, tall)
+    return places, -(-(y + shelf) // 8) * 8
+
+
+def _people(cast: Cast, tiles: Sequence[_Tile]) -> tuple[list[int], NDArray[np.float32]]:
+    """Return the row of people that stands in each tile, and the rows: one a pose of each clip."""
+    poses = sorted({(tile.clip, tile.frame) for tile in tiles})
+    people = np.zeros((len(poses), 5, 4), np.float32)
+    for row, (clip, frame) in enumerate(poses):
+        people[row, 1] = 0.0, (frame + 0.5) / len(cast.clips[clip].frames), 0.0, 1.0
+        people[row, 2] = 0.0, 0.0, 0.0, clip
+        people[row, 3] = -1.0
+    place = {pose: row for row, pose in enumerate(poses)}
+    return [place[tile.clip, tile.frame] for tile in tiles], people
+
+
+def _drawn(
+    theatre: Theatre,
+    tiles: Sequence[_Tile],
+    places: Sequence[tuple[int, int]],
+    page: tuple[int, int],
+    rows: Sequence[int],
+    middle: float,
+) -> tuple[Pixels, Pixels]:
+    """Return the page's colours (H, W, 4) and shapes (H/2, W/2, 4)."""
+    size = (page[0] * SAMPLES, page[1] * SAMPLES)
+    target = theatre.target(size, 2)
+    theatre.begin(target, (0.0, 0.0, 0.0, 0.0))
+    centre = np.array([0.0, middle, 0.0])
+    for tile, (x, y), row in zip(tiles, places, rows, strict=True):
+        wide, high = tile.size
+        theatre.viewport((x * SAMPLES, size[1] - (y + high) * SAMPLES, wide * SAMPLES, high * SAMPLES))
+        eye = centre + BAKE_FROM_M * tile.axes[2]
+        values = {
+            "clipFromWorld": _window(tile, centre), "eye": eye, "tileRight": tile.axes[0], "tileUp": tile.axes[1],
+            "tileBack": tile.axes[2], "tileCentre": centre,
+        }  # fmt: skip
+        theatre.draw_people(BAKED_LEVEL, np.array([[row, 1.0]], np.float32), values, "bake")
+    return _reduced(theatre.read(target), theatre.read(target, 1))
+
+
+def _window(tile: _Tile, centre: Array) -> Array:
+    """Return the (4, 4) clip space that shows just the tile's box on the plane through the middle, in perspective."""
+    left, bottom, right, top = tile.box_m
+    view = np.eye(4)
+    view[:3, :3], view[:3, 3] = tile.axes, -tile.axes @ (centre + BAKE_FROM_M * tile.axes[2])
+    far, near = 2.0 * BAKE_FROM_M, _NEAR_M
+    lens = np.array(
+        [
+            [2 * BAKE_FROM_M / (right - left), 0, (right + left) / (right - left), 0],
+            [0, 2 * BAKE_FROM_M / (top - bottom), (top + bottom) / (top - bottom), 0],
+            [0, 0, -(far + near) / (far - near), -2 * far * near / (far - near)],
+            [0, 0, -1, 0],
+        ]
+    )
+    return np.asarray(lens @ view)
+
+
+def _reduced(colour: Pixels, shape: Pixels) -> tuple[Pixels, Pixels]:
+    """Return the page's texels from its samples; colours and shapes go on a little beyond the outline."""
+    cover = colour[..., 3:].astype(np.float32) / 255.0
+    rgba = _blocks(np.dstack([colour[..., :3] * cover, cover]), SAMPLES)
+    solid = _grown(rgba)
+    colours = np.dstack([solid, 255.0 * rgba[..., 3:]])
+    form = _blocks(np.dstack([shape[..., :3] * cover, cover]), 2 * SAMPLES)
+    code = np.round(shape[..., 3] / 255.0 * 4.0).astype(np.uint8)
+    counts = np.dstack([_blocks((cover[..., 0] * (code == k))[..., None], 2 * SAMPLES)[..., 0] for k in range(CODES)])
+    codes = counts.argmax(axis=2).astype(np.float32) * 63.0
+    shapes = np.dstack([_grown(form), codes])
+    return tuple(np.clip(np.round(one), 0, 255).astype(np.uint8) for one in (colours, shapes))  # type: ignore[return-value]
+
+
+def _blocks(values: NDArray[np.float32], side: int) -> NDArray[np.float32]:
+    """Return means of side x side blocks of (H, W, k)."""
+    height, width, parts = values.shape
+    out = cv2.resize(values, (width // side, height // side), interpolation=cv2.INTER_AREA)
+    return np.asarray(out, np.float32).reshape(height // side, width // side, parts)
+
+
+def _grown(premultiplied: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (H, W, 3) values of (H, W, 3 + 1) ones times their coverage, continued beyond it."""
+    total, weight = premultiplied[..., :3].copy(), premultiplied[..., 3].copy()
+    out = np.zeros_like(total)
+    filled = weight > 1.0 / 255.0
+    out[filled] = total[filled] / weight[filled][:, None]
+    for _ in range(_GROWN):
+        mass = filled.astype(np.float32)
+        near = cv2.blur(mass, (3, 3))
+        new = ~filled & (near > 0.01)
+        mean = cv2.blur(out * mass[..., None], (3, 3))
+        out[new] = mean[new] / near[new][:, None]
+        filled = filled | new
+    return out
+
+
+def with_tiles(held: Stock, tiles: Sequence[Tiles], wanted: Bake) -> Stock:
+    """Return a stock with impostors, one :class:`Tiles` a clone in the stock's order."""
+    tall, wide = max(one.colours.shape[0] for one in tiles), wanted.page_wide
+    count = max(len(one.rows) for one in tiles)
+    rows = np.zeros((len(tiles), count, 4), np.float32)
+    colours = np.zeros((len(tiles), tall, wide, 4), np.uint8)
+    shapes = np.zeros((len(tiles), tall // 2, wide // 2, 4), np.uint8)
+    for k, one in enumerate(tiles):
+        rows[k, : len(one.rows)] = one.rows
+        colours[k, : len(one.colours)] = one.colours
+        shapes[k, : len(one.shapes)] = one.shapes
+    return replace(held, tiles=rows, colours=colours, shapes=shapes, elevations=tuple(wanted.elevations))

@@ -1,0 +1,79 @@
+"""The page that shows a pack in any browser: one file that asks nobody for anything."""
+
+from __future__ import annotations
+
+import base64
+import importlib.resources
+import json
+from collections.abc import Mapping
+from html import escape
+from pathlib import Path
+from typing import Any, Final
+
+from cloner.crowd.drawing.shaders import files
+from cloner.crowd.staged.rooms import ECHO_FILE, ROOM_FILES
+
+#: The files of the pack that the page holds.
+HELD: Final = ("numbers.bin", "colours.webp", "shapes.webp", "covers.webp", "atlas.webp", "codes.webp", "shell.webp")
+#: And those of packs whose people can be statues.
+STONES: Final = ("stone.webp", "stone_shell.webp")
+#: Footings of a pack that acts a scenario, numbers in line.
+ACTED_FILE: Final = "acted.bin"
+_SCRIPTS: Final = (
+    "scene.js",
+    "stage.js",
+    "footing.js",
+    "daylight.js",
+    "room.js",
+    "staging.js",
+    "sound.js",
+    "live.js",
+    "player.js",
+)
+_POLICY: Final = (
+    "default-src 'none'; script-src 'unsafe-inline'; style-src 'unsafe-inline'; img-src blob: data:; connect-src 'none'"
+)
+#: A page that is served may ask its own server, and nobody else.
+_LIVE_POLICY: Final = _POLICY.replace("connect-src 'none'", "connect-src 'self'")
+
+
+def player_page(folder: Path, facts: Mapping[str, Any]) -> bytes:
+    """Return the page of a pack whose files lie in a folder.
+
+    Parameters
+    ----------
+    folder : Path
+    facts : mapping
+        What ``crowd.json`` will hold; with ``live`` the page asks its server who comes (`web/live.js`).
+    """
+    web = importlib.resources.files("cloner.crowd") / "web"
+    own = (*HELD, *(STONES if facts.get("statues") else ()))
+    names = ["body.bin", *(f"people/{row['id']}/{name}" for row in facts["people"] for name in own)]
+    if "acted" in facts:
+        names.append(ACTED_FILE)
+    if "room" in facts:
+        names += [one for one in (*ROOM_FILES, ECHO_FILE) if one in facts["files"]]
+    held = "".join(
+        f'<script type="application/octet-stream" data-file="{escape(name)}">'
+        f"{base64.b64encode((folder / name).read_bytes()).decode('ascii')}</script>\n"
+        for name in names
+    )
+    shaders = {name: (web / name).read_text(encoding="utf-8") for name in files()}
+    told = {key: value for key, value in facts.items() if key != "files"}
+    page = (web / "player.html").read_text(encoding="utf-8")
+    parts = {
+        "POLICY": _LIVE_POLICY if facts.get("live") else _POLICY,
+        "STYLE": (web / "player.css").read_text(encoding="utf-8"),
+        "FACTS": _inside_script({"facts": told, "shaders": shaders}),
+        "HELD": held,
+        "THREE": (web / "three.crowd.min.js").read_text(encoding="utf-8"),
+        "SCRIPTS": "\n".join((web / name).read_text(encoding="utf-8") for name in _SCRIPTS),
+    }
+    for key, value in parts.items():
+        page = page.replace(f"@{key}@", value, 1)
+    return page.encode("utf-8")
+
+
+def _inside_script(value: Any) -> str:
+    """Return JSON that cannot end the script element it stands in."""
+    return json.dumps(value, sort_keys=True).replace("<", "\\u003c")

@@ -1,0 +1,289 @@
+"""Draw the crowd off screen with the player's own shaders: geometry of any level, impostors, and impostors' tiles."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.crowd.clones import stock
+from cloner.crowd.clones.groups import STEP
+from cloner.crowd.drawing.shaders import PARTS, UNROOMED, source
+from cloner.generic.gl_painter import new_context
+
+Pixels = NDArray[np.uint8]
+
+HEADER: Final = "#version 330\n"
+#: Depth that 8 bits of an impostor stand for, metres: a stride with swinging arms.
+DEPTH_RANGE_M: Final = 1.4
+SUN: Final = (0.45, 0.75, 0.48)
+#: The level whose shadow people cast: its outline is within a texel of the shadow's map.
+CAST_LEVEL: Final = 2
+_A2C: Final = 0x809E  # GL_SAMPLE_ALPHA_TO_COVERAGE
+_UNITS: Final = ("people", "clones", "vertices", "loose", "corners", "bones", "atlases", "shells", "tiles", "colours",
+                 "shapes", "glow", "roomLooks", "roomLight", "roomSun", "shadows", "stones", "stoneShells")  # fmt: skip
+
+
+class Theatre:
+    """One GL context with the textures of a stock and of the people in front of it."""
+
+    def __init__(self, held: stock.Stock) -> None:
+        self.stock = held
+        self._gl: Any = new_context()
+        self._programs = {name: self._program(*parts) for name, parts in PARTS.items()}
+        self._textures: dict[str, Any] = {}
+        self._levels: dict[tuple[str, int], tuple[Any, ...]] = {}
+        self._instances = self._gl.buffer(reserve=8)
+        self._targets: dict[tuple[int, int, int, int], Any] = {}
+        self._send()
+
+    def close(self) -> None:
+        """Give the context back."""
+        self._gl.release()
+
+    def _program(self, vertex: Sequence[str], fragment: Sequence[str]) -> Any:
+        return self._gl.program(vertex_shader=HEADER + source(vertex), fragment_shader=HEADER + source(fragment))
+
+    def _send(self) -> None:
+        held = self.stock
+        wide = stock.WIDE
+        self._array("vertices", stock.stacked([stock.padded_rows(n.vertices, wide) for n in held.numbers]), "u2")
+        loose = [
+            stock.padded_rows(n.loose if len(n.loose) else np.zeros((2, 4), np.uint16), 2 * wide) for n in held.numbers
+        ]
+        self._array("loose", stock.stacked(loose), "u2")
+        corners = [stock.padded_rows(n.corners, stock.CORNERS_WIDE) for n in held.numbers]
+        self._array("corners", stock.stacked(corners)[..., None], "u2")
+        bones = np.concatenate([n.bones for n in held.numbers])
+        self._flat("bones", bones.reshape(len(bones), -1, 4), "i2")
+        self._flat("clones", held.table, "f4")
+        self._array("atlases", held.atlases, "f1", mips=4)
+        self._array("shells", held.shells, "f1", mips=4)
+        none = np.zeros((len(held.table), 1, 1, 3), np.uint8)
+        self._array("stones", none if held.stones is None else held.stones, "f1", mips=4)
+        self._array("stoneShells", none if held.stone_shells is None else held.stone_shells, "f1", mips=4)
+        self.send_tiles()
+
+    def send_tiles(self) -> None:
+        """Send the impostors' pages, where the stock has any."""
+        held = self.stock
+        if held.tiles is None or held.colours is None or held.shapes is None:
+            return
+        self._flat("tiles", held.tiles, "f4")
+        self._array("colours", held.colours, "f1", mips=2)
+        self._array("shapes", held.shapes, "f1")
+
+    def send_people(self, people: NDArray[np.float32]) -> None:
+        """Send (N, 5, 4) rows of people; see ``common.glsl``."""
+        rows = stock.padded_rows(people, 256)
+        self._flat("people", rows.reshape(len(rows), -1, 4), "f4")
+
+    def send_glow(self, glow: NDArray[np.float32]) -> None:
+        """Send (N, 4, 4) light of people; see ``shading.glsl``."""
+        rows = stock.padded_rows(glow, 256)
+        self._flat("glow", rows.reshape(len(rows), -1, 4), "f4")
+
+    def send_room(self, looks: Pixels, light: Pixels, sun: Pixels) -> None:
+        """Send a room's textures, one below another, its light map, (H, W, 3) each, and the sun's share (H, W)."""
+        side = looks.shape[1]
+        self._array("roomLooks", looks.reshape(-1, side, side, 3), "f1", mips=6)
+        self._textures["roomLooks"].repeat_x = self._textures["roomLooks"].repeat_y = True
+        self._flat("roomLight", light, "f1")
+        self._flat("roomSun", sun[..., None], "f1")
+        for name in ("roomLight", "roomSun"):
+            self._textures[name].filter = (self._gl.LINEAR, self._gl.LINEAR)
+
+    def draw_room(self, corners: NDArray[np.float32], values: Mapping[str, Any]) -> None:
+        """Draw triangles given as (3 T, 8) corners: place, uv, light-map uv, look; only their fronts."""
+        self.uniforms("room", values)
+        buffer = self._gl.buffer(np.ascontiguousarray(corners, np.float32).tobytes())
+        names = ("position", "uv", "lightUv", "look")
+        room = self._gl.vertex_array(self._programs["room"], [(buffer, "3f 2f 2f 1f", *names)])
+        self._gl.enable(self._gl.CULL_FACE)
+        room.render()
+        self._gl.disable(self._gl.CULL_FACE)
+        room.release()
+        buffer.release()
+
+    def _flat(self, name: str, values: NDArray[Any], dtype: str) -> None:
+        self._drop(name)
+        values = np.ascontiguousarray(values)
+        texture = self._gl.texture(values.shape[1::-1], values.shape[2], values.tobytes(), dtype=dtype, alignment=1)
+        texture.filter = (self._gl.NEAREST, self._gl.NEAREST)
+        self._textures[name] = texture
+
+    def _array(self, name: str, values: NDArray[Any], dtype: str, mips: int | None = None) -> None:
+        self._drop(name)
+        layers, height, width, parts = values.shape
+        data = np.ascontiguousarray(values).tobytes()
+        texture = self._gl.texture_array((width, height, layers), parts, data, dtype=dtype, alignment=1)
+        if dtype == "f1":
+            texture.repeat_x = texture.repeat_y = False
+            texture.filter = (self._gl.LINEAR, self._gl.LINEAR)
+            if mips:
+                texture.build_mipmaps(0, mips)
+                texture.filter = (self._gl.LINEAR_MIPMAP_LINEAR, self._gl.LINEAR)
+        else:
+            texture.filter = (self._gl.NEAREST, self._gl.NEAREST)
+        self._textures[name] = texture
+
+    def _drop(self, name: str) -> None:
+        if name in self._textures:
+            self._textures.pop(name).release()
+
+    def level(self, level: int, program: str = "person") -> Any:
+        """Return the vertex array of a level with the current instances."""
+        key = (program, level)
+        if key not in self._levels:
+            arrays = stock.level_arrays(self.stock.body, level, self.stock.budgets)
+            packed = np.column_stack([arrays["which"], arrays["uv"], arrays["joints"], arrays["weights"]])
+            buffer = self._gl.buffer(np.ascontiguousarray(packed, np.float32).tobytes())
+            index = self._gl.buffer(arrays["index"].tobytes())
+            self._levels[key] = (buffer, index)
+        buffer, index = self._levels[key]
+        return self._gl.vertex_array(
+            self._programs[program],
+            [
+                (buffer, "1f 2f 4f 4f", "which", "uv", "joints", "weights"),
+                (self._instances, "2f/i", "instance"),
+            ],
+            index,
+        )
+
+    def uniforms(self, program: str, values: Mapping[str, Any]) -> None:
+        """Set uniforms of a program as far as it has them, its textures too."""
+        own = self._programs[program]
+        fixed = {
+            "bodyVertices": len(self.stock.body.vertex), "boxMin": stock.BOX_MIN_M, "boxStep": stock.BOX_STEP_M,
+            "boneReach": stock.BONE_REACH_M, "codeStep": float(STEP), "depthRange": DEPTH_RANGE_M,
+            "rings": len(self.stock.elevations), "sunWay": _unit(SUN), "debugView": 0,
+            "ringElevations": (*self.stock.elevations, 0.0, 0.0, 0.0)[:4], "classic": 0, "dearFromPx": 24.0,
+            "now": 0.0, "coarse": 0, "laneLength": 100.0, "cutoff": 0.5,
+            **UNROOMED,
+        }  # fmt: skip
+        for name, value in {**fixed, **values}.items():
+            if name in own:
+                if isinstance(value, np.ndarray) and value.shape == (4, 4):
+                    own[name].write(np.ascontiguousarray(value.T, np.float32).tobytes())
+                else:
+                    own[name].value = tuple(value) if isinstance(value, np.ndarray) else value
+        for unit, name in enumerate(_UNITS):
+            if name in own and name in self._textures:
+                self._textures[name].use(unit)
+                own[name].value = unit
+
+    def target(self, size_px: tuple[int, int], colours: int = 1, samples: int = 0) -> Any:
+        """Return a framebuffer, kept for the next picture of its kind."""
+        key = (*size_px, colours, samples)
+        if key not in self._targets:
+            layers = [self._gl.renderbuffer(size_px, 4, samples=samples) for _ in range(colours)]
+            depth = self._gl.depth_renderbuffer(size_px, samples=samples)
+            self._targets[key] = self._gl.framebuffer(layers, depth)
+        return self._targets[key]
+
+    def begin(self, target: Any, background: Sequence[float], *, soft: bool = False) -> None:
+        """Clear a target and draw to it from now on; ``soft`` lets coverage decide how many samples are drawn."""
+        target.use()
+        target.clear(*background)
+        self._gl.enable_only(self._gl.DEPTH_TEST)
+        self.soft(soft)
+
+    def soft(self, on: bool) -> None:
+        """Let coverage decide from now on how many of a pixel's samples are drawn, or no longer."""
+        (self._gl.enable_direct if on else self._gl.disable_direct)(_A2C)
+
+    def viewport(self, box: tuple[int, int, int, int]) -> None:
+        """Draw into a part of the target only."""
+        self._gl.viewport = box
+
+    def draw_people(
+        self, level: int, instances: NDArray[np.float32], values: Mapping[str, Any], program: str = "person"
+    ) -> None:
+        """Draw (N, 2) instances (who, fade) as geometry of a level."""
+        if not len(instances):
+            return
+        self._place(instances)
+        starts = np.cumsum([0, *(3 * budget for budget in self.stock.budgets)])
+        self.uniforms(program, {"looseStart": int(starts[level]), **values})
+        mesh = self.level(level, program)
+        mesh.render(instances=len(instances))
+        mesh.release()
+
+    def draw_impostors(self, instances: NDArray[np.float32], values: Mapping[str, Any]) -> None:
+        """Draw (N, 2) instances (who, fade) as impostors."""
+        if not len(instances):
+            return
+        self._quads("impostor", instances, values)
+
+    def draw_ground(self, instances: NDArray[np.float32], values: Mapping[str, Any]) -> None:
+        """Draw the floor and a soft shadow under each of (N, 2) instances."""
+        self._quads("ground", np.array([[-1.0, 1.0]], np.float32), values)
+        self._gl.enable(self._gl.BLEND)
+        self._gl.fbo.depth_mask = False
+        self._quads("ground", instances, values)
+        self._gl.fbo.depth_mask = True
+        self._gl.disable(self._gl.BLEND)
+
+    def draw_sky(self, values: Mapping[str, Any]) -> None:
+        """Draw the sky behind everything."""
+        self.uniforms("sky", values)
+        corner = self._gl.buffer(np.array([[0, 0], [1, 0], [0, 1], [1, 1]], np.float32).tobytes())
+        quad = self._gl.vertex_array(self._programs["sky"], [(corner, "2f", "corner")])
+        quad.render(self._gl.TRIANGLE_STRIP)
+        quad.release()
+        corner.release()
+
+    def cast(self, who: NDArray[np.float32], values: Mapping[str, Any], size_px: int) -> None:
+        """Draw the depth of (N, 2) instances as the sun sees them; ``clipFromWorld`` is the sun's."""
+        if "shadows" not in self._textures:
+            self._textures["shadows"] = self._gl.depth_texture((size_px, size_px))
+            self._textures["shadows"].compare_func = ""
+            self._textures["shadows"].filter = (self._gl.NEAREST, self._gl.NEAREST)
+            self._sun = self._gl.framebuffer(depth_attachment=self._textures["shadows"])
+        self._sun.use()
+        self._sun.clear()
+        self._gl.enable_only(self._gl.DEPTH_TEST)
+        self.draw_people(CAST_LEVEL, who, values, "cast")
+
+    def draw_blocks(self, corners: NDArray[np.float32], values: Mapping[str, Any]) -> None:
+        """Draw triangles given as (3 T, 6) corners and normals."""
+        if not len(corners):
+            return
+        self.uniforms("block", values)
+        buffer = self._gl.buffer(np.ascontiguousarray(corners, np.float32).tobytes())
+        blocks = self._gl.vertex_array(self._programs["block"], [(buffer, "3f 3f", "position", "normal")])
+        blocks.render()
+        blocks.release()
+        buffer.release()
+
+    def _quads(self, program: str, instances: NDArray[np.float32], values: Mapping[str, Any]) -> None:
+        self._place(instances)
+        self.uniforms(program, values)
+        corner = self._gl.buffer(np.array([[0, 0], [1, 0], [0, 1], [1, 1]], np.float32).tobytes())
+        quads = self._gl.vertex_array(
+            self._programs[program], [(corner, "2f", "corner"), (self._instances, "2f/i", "instance")]
+        )
+        quads.render(self._gl.TRIANGLE_STRIP, instances=len(instances))
+        quads.release()
+        corner.release()
+
+    def _place(self, instances: NDArray[np.float32]) -> None:
+        data = np.ascontiguousarray(instances, np.float32).tobytes()
+        self._instances.orphan(max(len(data), 8))
+        self._instances.write(data)
+
+    def read(self, target: Any, attachment: int = 0) -> Pixels:
+        """Return the (H, W, 4) pixels of a target, top row first; several samples are resolved."""
+        width, height = target.size
+        if target.samples:
+            plain = self.target((width, height))
+            self._gl.copy_framebuffer(plain, target)
+            target = plain
+        data = target.read(components=4, attachment=attachment, alignment=1)
+        return np.frombuffer(data, np.uint8).reshape(height, width, 4)[::-1]
+
+
+def _unit(vector: Sequence[float]) -> tuple[float, ...]:
+    return tuple(np.array(vector) / np.linalg.norm(vector))

@@ -1,0 +1,1 @@
+"""Packs: made, read, checked, listed, and drawn as stills or films."""

@@ -1,0 +1,201 @@
+"""Files of a pack: numbers in line, pictures as WebP, and the folder that appears whole or not at all."""
+
+from __future__ import annotations
+
+import contextlib
+import errno
+import hashlib
+import io
+import math
+import os
+import shutil
+import zlib
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from cloner.crowd.drawing.impostors import Tiles
+from cloner.crowd.packs.held import MARK as MARK
+from cloner.errors import ClonerError
+from cloner.project.atomic import partial_path
+
+Pixels = NDArray[np.uint8]
+
+FORMAT: Final = "cloner-crowd"
+#: Version of the pack's format, and JPEG quality of its pictures of shape (taste).
+VERSION: Final = 2
+COLOUR_QUALITY: Final = 80  # taste: no blocks at a texel a pixel
+SHAPE_QUALITY: Final = 88
+#: A clone's numbers have 3 MB, its largest page 4096 x 4096 texels and the normals' planes below one another.
+LARGEST_NUMBERS_BYTES: Final = 200_000_000
+LARGEST_PICTURE_PIXELS: Final = 3 * 4096 * 4096
+_METHOD: Final = 4
+_TROUBLE: Final = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EACCES, errno.EPERM, errno.EFBIG}
+
+
+def packed(arrays: Mapping[str, NDArray[Any]]) -> tuple[bytes, dict[str, Any]]:
+    """Return arrays one after another, little-endian, from multiples of 8 bytes, deflated; and where each lies."""
+    chunks, told, at = [], {}, 0
+    for name, values in arrays.items():
+        data = np.ascontiguousarray(values, values.dtype.newbyteorder("<")).tobytes()
+        told[name] = {"at": at, "type": values.dtype.name, "shape": list(values.shape)}
+        chunks += [data, b"\0" * (-len(data) % 8)]
+        at += len(data) + (-len(data) % 8)
+    return zlib.compress(b"".join(chunks), 9), told
+
+
+def unpacked(data: bytes, told: Mapping[str, Any]) -> dict[str, NDArray[Any]]:
+    """Return the arrays of :func:`packed`.
+
+    Raises
+    ------
+    ValueError
+        If the bytes are damaged, or more or fewer than what is told of them.
+    """
+    found = {}
+    ends = [one["at"] + math.prod(one["shape"]) * np.dtype(one["type"]).itemsize for one in told.values()]
+    try:
+        if max(ends, default=0) > LARGEST_NUMBERS_BYTES:
+            raise ValueError("more numbers than a clone has")
+        data = zlib.decompressobj().decompress(data, max(ends, default=0) + 8)
+    except zlib.error as error:
+        raise ValueError("numbers that cannot be read") from error
+    for name, one in told.items():
+        count = math.prod(one["shape"])
+        found[name] = np.frombuffer(data, np.dtype(one["type"]).newbyteorder("<"), count, one["at"]).reshape(
+            one["shape"]
+        )
+    return found
+
+
+def webp(pixels: Pixels, quality: int | None) -> bytes:
+    """Return an (H, W) or (H, W, 3) picture as WebP; no quality keeps every value."""
+    rgb = pixels if pixels.ndim == 3 else np.dstack([pixels] * 3)
+    stream = io.BytesIO()
+    options = {"lossless": True, "quality": 80} if quality is None else {"quality": quality}
+    Image.fromarray(np.ascontiguousarray(rgb)).save(stream, "WEBP", method=_METHOD, **options)
+    return stream.getvalue()
+
+
+def small_png(pixels: Pixels) -> bytes:
+    """Return a picture as the smallest PNG that the packer finds."""
+    stream = io.BytesIO()
+    Image.fromarray(pixels).save(stream, "PNG", optimize=True)
+    return stream.getvalue()
+
+
+def picture(data: bytes) -> Pixels:
+    """Return the (H, W, 3) pixels of a WebP file's content; ValueError if they are more than a pack's pages have."""
+    with Image.open(io.BytesIO(data), formats=["WEBP"]) as image:
+        if image.width * image.height > LARGEST_PICTURE_PIXELS:
+            raise ValueError("a picture larger than any page")
+        return np.asarray(image.convert("RGB"))
+
+
+def tile_files(tiles: Tiles) -> dict[str, bytes]:
+    """Return a clone's impostors as three pictures.
+
+    ``colours`` RGB; ``shapes`` normal x, normal y and depth under one another, grey, half size; ``covers`` coverage,
+    and below it at half size the codes, without loss.
+    """
+    height, width = tiles.colours.shape[:2]
+    covers = np.zeros((height + height // 2, width), np.uint8)
+    covers[:height] = tiles.colours[..., 3]
+    covers[height:, : width // 2] = tiles.shapes[..., 3]
+    return {
+        "colours.webp": webp(tiles.colours[..., :3], COLOUR_QUALITY),
+        "shapes.webp": webp(np.concatenate([tiles.shapes[..., k] for k in range(3)]), SHAPE_QUALITY),
+        "covers.webp": webp(covers, None),
+    }
+
+
+def tiles_from(files: Mapping[str, bytes], rows: NDArray[np.float32]) -> Tiles:
+    """Return the tiles of :func:`tile_files`."""
+    colours, covers = picture(files["colours.webp"]), picture(files["covers.webp"])[..., 0]
+    shapes = picture(files["shapes.webp"])[..., 0]
+    height, width = colours.shape[:2]
+    half = height // 2
+    planes = [shapes[k * half : (k + 1) * half] for k in range(3)]
+    return Tiles(rows, (), np.dstack([colours, covers[:height]]), np.dstack([*planes, covers[height:, : width // 2]]))
+
+
+def shell_bytes(shell: Pixels) -> bytes:
+    """Return hair and cloth as one picture: colours above, alpha below."""
+    return webp(np.concatenate([shell[..., :3], np.dstack([shell[..., 3]] * 3)]), SHAPE_QUALITY)
+
+
+def shell_from(data: bytes) -> Pixels:
+    """Return the (B, 2 B, 4) shell of :func:`shell_bytes`."""
+    both = picture(data)
+    half = len(both) // 2
+    return np.dstack([both[:half], both[half:, :, 0]])
+
+
+def digest(data: bytes) -> str:
+    """Return the sha256 of a file's content."""
+    return hashlib.sha256(data).hexdigest()
+
+
+@contextlib.contextmanager
+def pack_folder(out: Path) -> Iterator[Path]:
+    """Give a temporary folder beside ``out`` that becomes it when the block ends well; an older pack is replaced.
+
+    Raises
+    ------
+    ClonerError
+        If something else of that name is there, or the disk refuses.
+    """
+    if out.is_symlink() or (out.exists() and not ((out / MARK).is_file() or (out.is_dir() and not any(out.iterdir())))):
+        raise ClonerError("something that is no crowd is in the way", "Choose another --out folder", out.name)
+    partial = partial_path(out.parent, out.name)
+    made = [folder for folder in (out.parent, *out.parent.parents) if not folder.exists()]
+    try:
+        out.parent.mkdir(parents=True, exist_ok=True)
+        _sweep(out)
+        partial.mkdir(mode=0o700)
+        inside = partial / "pack"
+        inside.mkdir()
+        yield inside
+        if out.exists():
+            out.rename(partial / "replaced")
+        try:
+            inside.rename(out)
+        except OSError:
+            if (partial / "replaced").exists():
+                (partial / "replaced").rename(out)
+            raise
+    except OSError as error:
+        if error.errno in _TROUBLE:
+            hint = "Choose another --out folder, or check its permissions and free space"
+            raise ClonerError("the crowd cannot be written there", hint, out.name) from error
+        raise
+    finally:
+        shutil.rmtree(partial, ignore_errors=True)
+        for folder in made:
+            with contextlib.suppress(OSError):
+                folder.rmdir()
+
+
+def _sweep(out: Path) -> None:
+    """Remove what killed runs left of a pack; a folder's name holds the number of the run that made it."""
+    for rest in out.parent.glob(f".{out.name}.partial-*"):
+        number = rest.name.removeprefix(f".{out.name}.partial-").split("-")[0]
+        if not (number.isdigit() and alive(int(number))):
+            if (rest / "replaced").is_dir() and not out.exists():
+                (rest / "replaced").rename(out)
+            shutil.rmtree(rest, ignore_errors=True)
+
+
+def alive(number: int) -> bool:
+    """Return whether a process of this number runs."""
+    try:
+        os.kill(number, 0)
+    except ProcessLookupError:
+        return False
+    except OSError:  # somebody else's
+        return True
+    return True

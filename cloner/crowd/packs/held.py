@@ -1,0 +1,90 @@
+"""What packs hold of whom: for listing, handing out and forgetting. See :func:`folders_of`.
+
+A pack holds a person's face many times over, inside its pictures and inside its page; there is no taking one person out
+of it by hand. So whoever is forgotten takes the pack along: it is deleted, and made again without the person.
+"""
+
+from __future__ import annotations
+
+import mmap
+import re
+from collections.abc import Iterable, Iterator, Mapping, Set
+from pathlib import Path
+from typing import Any, Final
+
+from cloner.errors import ClonerError
+from cloner.outside import open_outside
+
+#: The file that makes a folder a pack.
+MARK: Final = "crowd.json"
+#: Where a pack keeps what is one person's.
+PEOPLE = "people"
+#: How a film or picture of a pack begins to tell of whose photos the clones in it are, and the files that may.
+FILMED: Final = "Cloner shows people of photos"
+FILMS: Final = (".mp4", ".webp", ".gif", ".png")
+_TOKEN: Final = re.compile(r"photos ([0-9a-f]{32})")
+_TOKENS: Final = re.compile(FILMED.encode() + rb"((?: [0-9a-f]{32})*)")
+
+
+def packs_below(root: Path) -> Iterator[Path]:
+    """Yield the packs below a folder, three folders deep, in order of their names."""
+    patterns = (MARK, f"*/{MARK}", f"*/*/{MARK}", f"*/*/*/{MARK}")
+    yield from sorted({found.parent for pattern in patterns for found in root.glob(pattern)})
+
+
+def packs_of(identifier: str, root: Path) -> tuple[Path, ...]:
+    """Return the packs below a folder that show a person; those that cannot be read count, as nobody can say no."""
+    return tuple(pack for pack in packs_below(root) if identifier in shown_in(pack, otherwise=(identifier,)))
+
+
+def shown_in(pack: Path, otherwise: tuple[str, ...] = ()) -> tuple[str, ...]:
+    """Return who is in a pack, ``otherwise`` where its description is broken."""
+    from cloner.crowd.packs.reading import read_facts  # with all that draws crowds: a second that no window's start has
+
+    try:
+        return tuple(str(row["id"]) for row in read_facts(pack)["people"])
+    except ClonerError:
+        return otherwise
+
+
+def people_in_packs(root: Path) -> tuple[str, ...]:
+    """Return everybody in the packs below a folder, by name."""
+    return tuple(sorted({name for pack in packs_below(root) for name in shown_in(pack)}))
+
+
+def folders_of(identifier: str, root: Path) -> tuple[Path, ...]:
+    """Return a person's own folders inside the packs below a folder."""
+    return tuple(pack / PEOPLE / identifier for pack in packs_of(identifier, root))
+
+
+def pack_of(folder: Path) -> Path:
+    """Return the pack of a person's folder: it goes whole when the person is forgotten."""
+    return folder.parent.parent
+
+
+def filmed(people: Iterable[Mapping[str, Any]]) -> str:
+    """Return what a film or picture of a pack's clones tells of whom it shows: enough to find it, no name.
+
+    Parameters
+    ----------
+    people : rows of ``people`` in ``crowd.json``
+    """
+    tokens = {token for row in people for token in _TOKEN.findall(str(row["stamp"]))}
+    return " ".join((FILMED, *sorted(tokens)))
+
+
+def films_below(root: Path, tokens: Set[str]) -> Iterator[Path]:
+    """Yield the films and pictures of packs below a folder that show clones of photos; see `photos_token`."""
+    for path in sorted(root.rglob("*")):
+        if path.suffix.lower() in FILMS and not path.is_symlink() and not tokens.isdisjoint(_filmed_in(path)):
+            yield path
+
+
+def _filmed_in(path: Path) -> list[str]:
+    """Return the tokens that a film or picture tells; none of what cannot be read."""
+    try:
+        with open_outside(path) as stream, mmap.mmap(stream.fileno(), 0, access=mmap.ACCESS_READ) as content:
+            found = _TOKENS.search(content)
+            return found[1].decode("ascii").split() if found else []
+    except (OSError, ValueError):  # an empty file cannot be mapped
+        return []

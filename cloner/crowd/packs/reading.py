@@ -1,0 +1,152 @@
+"""Read a pack back: its facts checked, its files against their digests, and the stock that shaders draw from."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+from cloner.crowd.clones.levels import LOOSE, body_levels
+from cloner.crowd.clones.stock import Numbers, Stock
+from cloner.crowd.drawing.impostors import Bake, with_tiles
+from cloner.crowd.drawing.player import ACTED_FILE, STONES
+from cloner.crowd.packs.files import FORMAT, MARK, VERSION, digest, picture, shell_from, tiles_from, unpacked
+from cloner.crowd.packs.told import why_unfit
+from cloner.crowd.staged.footing import Acted, fits
+from cloner.crowd.staged.rooms import LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, LitRoom, Probes
+from cloner.crowd.staged.scene import Casting
+from cloner.errors import ClonerError, plain
+from cloner.outside import read_outside
+
+_AGAIN: Final = "Make the crowd again with cloner crowd"
+#: Twenty clones' description has 60 kB, their largest file 2 MB: a hundred times that is no crowd.
+LARGEST_FACTS_BYTES, LARGEST_FILE_BYTES = 20_000_000, 500_000_000
+_TILES: Final = ("colours.webp", "shapes.webp", "covers.webp")
+
+
+def read_facts(pack: Path) -> dict[str, Any]:
+    """Return what ``crowd.json`` says.
+
+    Raises
+    ------
+    ClonerError
+        If there is no pack, or it is broken or newer than this version.
+    """
+    try:
+        facts = json.loads(read_outside(pack / MARK, LARGEST_FACTS_BYTES))
+        if facts["format"] != FORMAT or not isinstance(facts["version"], int):
+            raise ValueError("another program's")
+    except OSError as error:
+        raise ClonerError("there is no crowd", "Give the folder that cloner crowd wrote", pack.name) from error
+    except (ValueError, LookupError, TypeError, RecursionError) as error:
+        raise ClonerError("the crowd's description cannot be read", _AGAIN, MARK) from error
+    if facts["version"] > VERSION:
+        raise ClonerError("the crowd was made by a newer version", "Update Cloner", MARK)
+    if wrong := why_unfit(facts):
+        raise ClonerError(f"the crowd's description cannot be read: {plain(wrong)} is unfit", _AGAIN, MARK)
+    return dict(facts)
+
+
+def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
+    """Return a pack's clones with their impostors.
+
+    Raises
+    ------
+    ClonerError
+        If a file is missing or damaged.
+    """
+    body = body_levels()
+    numbers, rows, atlases, shells, tiles = [], [], [], [], []
+    stones: dict[str, list[Any]] = {name: [] for name in (STONES if facts.get("statues") else ())}
+    try:
+        for row in facts["people"]:
+            files = {
+                name: checked(pack, f"people/{row['id']}/{name}", facts)
+                for name in ("numbers.bin", "atlas.webp", "codes.webp", "shell.webp", *_TILES)
+            }
+            arrays = unpacked(files["numbers.bin"], row["arrays"])
+            numbers.append(Numbers(*(arrays[name] for name in ("vertices", "loose", "corners", "bones"))))
+            rows.append(arrays["table"])
+            atlases.append(np.dstack([picture(files["atlas.webp"]), picture(files["codes.webp"])[..., 0]]))
+            shells.append(shell_from(files["shell.webp"]))
+            tiles.append(tiles_from(files, arrays["tiles"]))
+            for name, own in stones.items():
+                own.append(picture(checked(pack, f"people/{row['id']}/{name}", facts)))
+        elevations = tuple(float(np.radians(ring)) for ring in facts["impostors"]["rings_deg"])
+        held = Stock(body, LOOSE, tuple(numbers), np.stack(rows), np.stack(atlases), np.stack(shells))
+        if stones:
+            held = replace(held, stones=np.stack(stones[STONES[0]]), stone_shells=np.stack(stones[STONES[1]]))
+        return with_tiles(held, tiles, Bake(int(facts["impostors"]["views"]), elevations))
+    except (ValueError, LookupError, TypeError, OSError) as error:
+        raise ClonerError("the crowd's files do not fit together", _AGAIN, pack.name) from error
+
+
+def read_acted(pack: Path, facts: dict[str, Any]) -> Acted:
+    """Return what the clones of a pack act, if it was baked.
+
+    Raises
+    ------
+    ClonerError
+        If it acts nothing, or the file is missing, damaged or does not fit the clones.
+    """
+    if "acted" not in facts:
+        raise ClonerError("the crowd acts no scenario", "Make one with cloner behave bake", pack.name)
+    try:
+        acted = Acted(**unpacked(checked(pack, ACTED_FILE, facts), facts["acted"]["arrays"]))
+        if not fits(acted, [len(row["clips"]) for row in facts["people"]]):
+            raise ValueError("other clones")
+    except (ValueError, LookupError, TypeError) as error:
+        raise ClonerError("what the crowd acts does not fit it", "Bake it again", pack.name) from error
+    return acted
+
+
+def read_room(pack: Path, facts: dict[str, Any]) -> LitRoom | None:
+    """Return the lit room in which a pack's clones act, None where there is none.
+
+    Raises
+    ------
+    ClonerError
+        If a file is missing, damaged or does not fit the others.
+    """
+    if "room" not in facts:
+        return None
+    told = facts["room"]
+    try:
+        held = unpacked(checked(pack, ROOM_FILE, facts), told["arrays"])
+        looks, light, sun = (picture(checked(pack, name, facts)) for name in (LOOKS_FILE, LIGHT_FILE, SUN_FILE))
+        shape = tuple(told["shape"])
+        fits_in = sun.shape == light.shape and held["probes"].shape == (*shape, 3, 4) and held["sun"].shape == shape
+        finite = all(np.isfinite(one).all() for one in held.values())
+        if not (fits_in and finite and len(told["heights"]) == shape[0] and not looks.shape[0] % looks.shape[1]):
+            raise ValueError("a room of odd shapes")
+    except (ValueError, LookupError, TypeError, OSError) as error:
+        raise ClonerError("the room's files do not fit together", "Build it again", pack.name) from error
+    low, heights = np.array(told["low"], float), np.array(told["heights"], float)
+    probes = Probes(low, heights, float(told["step"]), held["probes"], held["sun"])
+    return LitRoom(held["corners"], looks, light, sun[..., 0], probes, told)
+
+
+def checked(pack: Path, name: str, facts: dict[str, Any]) -> bytes:
+    """Return a file's content if it is the one that was written.
+
+    Raises
+    ------
+    ClonerError
+        If it is missing or damaged.
+    """
+    try:
+        data = read_outside(pack / name, LARGEST_FILE_BYTES)
+    except OSError as error:
+        raise ClonerError("a file of the crowd is missing", _AGAIN, name) from error
+    if digest(data) != facts["files"].get(name):
+        raise ClonerError("a file of the crowd is damaged", _AGAIN, name)
+    return data
+
+
+def casting_from(facts: dict[str, Any]) -> Casting:
+    """Return the rules of who wears what."""
+    told = facts["looks"]
+    return Casting(told["clones"], told["palettes"], told["wardrobe"], told["own_share"], told["dyed_share"])

@@ -1,0 +1,1 @@
+"""Who stands where in which look, cameras, light and rooms."""

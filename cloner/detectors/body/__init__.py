@@ -1,0 +1,1 @@
+"""Named points of a body photo, from the pose net and the outline."""

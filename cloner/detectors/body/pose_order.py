@@ -1,0 +1,171 @@
+"""Left and right, and which limb is which: a net that took one for the other is caught and put right.
+
+The net reads a person, and may read a back as a front, or both knees on one leg. What a front photo shows is
+known: the person's left lies to the image's right, from behind to its left; each leg's joints lie on its own leg.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.calibration.loader import calibrated
+from cloner.detectors.body import pose_rows as net
+from cloner.frames import ViewId
+from cloner.records.points import PhotoState, StateKind
+from cloner.vision.segmentation.outline_walk import EDGE, Figure
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.pose_order")
+
+Array = NDArray[np.float64]
+
+TIE: Final = _CALIBRATED.number("tie", "figure")
+BESIDE: Final = _CALIBRATED.number("beside", "figure")
+LEAST_LEG: Final = _CALIBRATED.number("least_leg", "figure")
+OFF_LINE: Final = _CALIBRATED.number("off_line", "figure")
+
+
+def in_order(figure: Figure, pose_px: Array, view: ViewId) -> tuple[Array, tuple[PhotoState, ...]]:
+    """Return the pose with exchanged and misplaced joints put right, and what was found wrong.
+
+    Parameters
+    ----------
+    figure : Figure
+    pose_px : (33, 2) float64
+    view : ViewId
+        A body view; of the side photo only joints beside the person are put back.
+    """
+    pose, states = pose_px.copy(), list[PhotoState]()
+    if view is not ViewId.BODY_SIDE:
+        expected = 1.0 if view is ViewId.BODY_FRONT else -1.0
+        pose, exchanged = _sides_put_right(pose, expected, TIE * figure.height_px)
+        states += exchanged
+        pose, crossed = _own_leg(figure, pose)
+        states += crossed
+    pose, beside = _on_person(figure, pose, view)
+    return pose, tuple(states + beside)
+
+
+def _apart(pose: Array, pairs: Sequence[tuple[int, int]], expected: float) -> float:
+    """Return how far left lies on its own side of right, px; negative when exchanged."""
+    return expected * float(np.mean([pose[pair[0], 0] - pose[pair[1], 0] for pair in pairs]))
+
+
+def _exchanged(pose: Array, pairs: Sequence[tuple[int, int]]) -> Array:
+    rows = np.array(pairs)
+    swapped = pose.copy()
+    swapped[rows[:, 0]], swapped[rows[:, 1]] = pose[rows[:, 1]], pose[rows[:, 0]]
+    return swapped
+
+
+def _sides_put_right(pose: Array, expected: float, tie_px: float) -> tuple[Array, list[PhotoState]]:
+    """Return the pose with left on the expected side: the whole person, then arms and legs, then single joints."""
+    states = []
+    if _apart(pose, (net.SHOULDERS, net.HIPS), expected) < 0.0:
+        pose = _exchanged(pose, net.TWINS)
+        states.append(_exchange_state("the whole person"))
+    for name, pairs, checked in (
+        ("the arms", net.ARM_TWINS, (net.ELBOWS,)),
+        ("the legs", net.LEG_TWINS, (net.KNEES, net.ANKLES)),
+    ):
+        if max(_apart(pose, (pair,), expected) for pair in checked) < -tie_px:
+            pose = _exchanged(pose, pairs)
+            states.append(_exchange_state(name))
+    for name, alone in (("the knees", (net.KNEES,)), ("the feet", (net.ANKLES, net.HEELS, net.TOES))):
+        if _apart(pose, alone[:1], expected) < -tie_px:
+            pose = _exchanged(pose, alone)
+            states.append(_exchange_state(name))
+    return pose, states
+
+
+def _exchange_state(what: str) -> PhotoState:
+    return PhotoState(
+        StateKind.EXCHANGED, "", f"left and right of {what} were exchanged by the pose net and have been put right"
+    )
+
+
+def _own_leg(figure: Figure, pose: Array) -> tuple[Array, list[PhotoState]]:
+    """Return the pose with a knee or ankle that lies on the other leg moved to the middle of its own."""
+    pose, states = pose.copy(), []
+    for name, pair in (("knee", net.KNEES), ("ankle", net.ANKLES)):
+        for side in (net.LEFT, net.RIGHT):
+            row = float(pose[pair[side], 1])
+            lines = [_leg_column(pose, which, row, name) for which in (side, 1 - side)]
+            runs = _leg_runs(figure, row, lines)
+            if runs is None:
+                continue
+            own, other = runs
+            column = float(pose[pair[side], 0])
+            if other[0] <= column <= other[1] and abs(column - lines[0]) > OFF_LINE * figure.height_px:
+                pose[pair[side], 0] = sum(own) / 2
+                states.append(_refused(f"{net.SIDES[side]} {name}", "on the other leg", net.SIDES[side], row))
+    return pose, states
+
+
+def _leg_column(pose: Array, side: int, row: float, joint: str) -> float:
+    """Return the column where a leg should be at a row, from its other joints."""
+    hip, ankle = pose[net.HIPS[side]], pose[net.ANKLES[side]]
+    foot = (pose[net.HEELS[side]] + pose[net.TOES[side]]) / 2
+    start, end = (hip, (ankle + foot) / 2) if joint == "knee" else (hip, foot)
+    share = (row - start[1]) / max(float(end[1] - start[1]), 1.0)
+    return float(start[0] + np.clip(share, 0.0, 1.2) * (end[0] - start[0]))
+
+
+def _leg_runs(
+    figure: Figure, row: float, columns: Sequence[float]
+) -> tuple[tuple[float, float], tuple[float, float]] | None:
+    """Return the first and last column of the two runs nearest to two columns; None unless they are two."""
+    at = round(row)
+    if not 0 <= at < len(figure.level):
+        return None
+    inside = np.concatenate([[False], figure.level[at] > EDGE, [False]])
+    steps = np.flatnonzero(inside[1:] != inside[:-1])
+    runs = [(float(a), float(b - 1)) for a, b in steps.reshape(-1, 2) if b - a > LEAST_LEG * figure.height_px]
+    if len(runs) < 2:
+        return None
+    chosen = [min(runs, key=lambda run: max(run[0] - column, column - run[1], 0.0)) for column in columns]
+    return (chosen[0], chosen[1]) if chosen[0] != chosen[1] else None
+
+
+def _on_person(figure: Figure, pose: Array, view: ViewId) -> tuple[Array, list[PhotoState]]:
+    """Return the pose with joints that lie beside the person moved between their neighbours."""
+    pose, states = pose.copy(), []
+    seen = (net.LEFT, net.RIGHT) if view is not ViewId.BODY_SIDE else ()
+    for name, pair, before, after in (
+        ("elbow", net.ELBOWS, net.SHOULDERS, net.WRISTS),
+        ("wrist", net.WRISTS, net.ELBOWS, net.FINGERS[1]),
+        ("knee", net.KNEES, net.HIPS, net.ANKLES),
+        ("ankle", net.ANKLES, net.KNEES, net.HEELS),
+    ):
+        for side in seen:
+            point = pose[pair[side]]
+            if _near_person(figure, point):
+                continue
+            between = (pose[before[side]] + pose[after[side]]) / 2
+            if figure.inside(between[None])[0]:
+                pose[pair[side]] = between
+            states.append(_refused(f"{net.SIDES[side]} {name}", "beside the person", net.SIDES[side], float(point[1])))
+    return pose, states
+
+
+def _near_person(figure: Figure, point: Array) -> bool:
+    """Whether a point lies on the person or a little beside; points beyond the picture do."""
+    height, width = figure.level.shape
+    if not (0 <= point[0] < width and 0 <= point[1] < height):
+        return True  # a cut limb; told as such
+    angles = np.arange(0.0, 2.0 * np.pi, np.pi / 4)
+    around = point + BESIDE * figure.height_px * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    return bool(figure.inside(np.vstack([point[None], around])).any())
+
+
+def _refused(joint: str, where: str, side: str, row: float) -> PhotoState:
+    return PhotoState(
+        StateKind.REFUSED,
+        side,
+        f"the pose net put the {joint} {where}; its place was taken from the outline instead",
+        rows_px=(row, row),
+    )

@@ -1,0 +1,1 @@
+"""Learned nets: people, poses, faces and masks, and where in a photo the nets look."""

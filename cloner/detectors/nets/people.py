@@ -1,0 +1,106 @@
+"""Who is in a photo: bodies that the pose net confirms, faces that no body owns."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.calibration.loader import calibrated
+from cloner.detectors.nets.litert import detect, face_mesh, find_faces, pose_net, selfie_net
+from cloner.detectors.nets.placing import (
+    circle_crop,
+    face_crop,
+    owns,
+    same_body,
+    same_crop,
+    stands,
+    whole_photo,
+    whole_picture,
+)  # fmt: skip
+from cloner.detectors.nets.portraits import is_cut_below
+from cloner.detectors.nets.pose_passes import CONFIRMED, look, look_at_portrait
+from cloner.detectors.nets.results import Box
+from cloner.vision.photographs.crops import Crop
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.people")
+
+Photo = NDArray[np.uint8]
+
+CLEAR: Final = _CALIBRATED.number("clear", "score")
+DIM: Final = _CALIBRATED.number("dim", "score")
+CERTAIN: Final = _CALIBRATED.number("certain", "score")
+
+
+def _find_people(photo: Photo) -> list[Box]:
+    """Return the bodies in a photo that the pose net confirms, the best first.
+
+    The detector sees one person well and a second beside him badly, so it also looks at
+    the left and the right of the photo alone. Whom it sees dimly (a long coat, hair over the face) counts when the
+    pose net is certain and nobody else is there.
+    """
+    height, width = photo.shape[:2]
+    side = float(max(height, 0.6 * width))
+    tiles = [whole_photo(photo)]
+    tiles += [Crop(x * width, (height - 1) / 2.0, side, side) for x in (0.27, 0.73)]
+    found = [b for tile in tiles for b in detect("pose_detection", photo, tile, "person", DIM)]
+    found = sorted((box for box in found if stands(box)), key=lambda b: -b.score)
+    people = _confirmed(photo, [box for box in found if box.score >= CLEAR], CONFIRMED)
+    dim = [] if people else [box for box in found if box.score < CLEAR]
+    if dim and is_cut_below(selfie_net(photo, whole_picture(photo))):
+        dim = []  # a portrait: what stands in it is no whole body
+    return people or _confirmed(photo, dim, CERTAIN)[:1]
+
+
+def _confirmed(photo: Photo, boxes: Sequence[Box], least: float) -> list[Box]:
+    """Return the distinct bodies among boxes of which the pose net is at least so sure, in the boxes' order."""
+    people: list[Box] = []
+    confirmed: list[Crop] = []
+    for box in boxes:
+        crop = circle_crop(box.keypoints_px[0], box.keypoints_px[1], 1.25)
+        if any(same_crop(other, crop) for other in confirmed):  # as most tiles find the person: a third of the looks
+            continue
+        seen = look(photo, crop, pose_net)
+        if seen.score < least:
+            continue
+        confirmed.append(crop)
+        body = seen.box(box.score)
+        if not any(same_body(other, body) for other in people):
+            people.append(body)
+    return people
+
+
+def detect_people(rgb: Photo) -> list[Box]:
+    """List the distinct people in a photo, the largest first.
+
+    Bodies count when the pose net confirms them, faces when the mesh net does and no
+    counted body owns them. Anyone under 45 % of the largest one's size is left out:
+    posters, passers-by far behind.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+
+    Returns
+    -------
+    list of Box
+        Empty: nobody. More than one: refuse the photo.
+    """
+    people = _find_people(rgb)
+    tallest = max((p.height_px for p in people), default=0.0)
+    people = [p for p in people if p.height_px >= 0.45 * tallest]
+    faces = [f for f in find_faces(rgb, 0.6) if face_mesh(rgb, face_crop(f))[1] > 0.5]
+    widest = max((f.width_px for f in faces), default=0.0)
+    owned = [any(owns(p, f) for p in people) for f in faces]
+    # a body's own face tells how large other faces must be; without one, a tenth of it
+    least = max([f.width_px for f, o in zip(faces, owned, strict=True) if o], default=0.12 * tallest)
+    for face, has_owner in zip(faces, owned, strict=True):
+        if not has_owner and face.width_px >= 0.45 * max(least, 0.0 if people else widest):
+            people.append(face)
+    if not people:
+        portrait = look_at_portrait(rgb, pose_net, selfie_net, None)
+        people = [] if portrait is None else [portrait.box(portrait.score)]
+    return sorted(people, key=lambda p: -p.height_px)

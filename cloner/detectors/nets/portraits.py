@@ -1,0 +1,74 @@
+"""A person whom the photo's lower edge cuts: where the body must be that the pose net wants to see. No net here.
+
+The pose detector was taught on whole bodies. On a head seen from the side that fills the picture it finds nobody, or a
+little body in an ear (10 of 30 painted heads at 90 degrees); the person's mask, taught on near people, is right there.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.calibration.loader import calibrated
+from cloner.detectors.nets.placing import circle_crop
+from cloner.vision.photographs.crops import Crop, paste
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.portraits")
+
+Array = NDArray[np.float64]
+
+_CUT_SHARE: Final = _CALIBRATED.number("cut_share", "share")
+_RADIUS: Final = _CALIBRATED.number("radius", "factor")
+_PERSON: Final = _CALIBRATED.number("person", "share")
+
+
+def is_cut_below(person: Array) -> bool:
+    """Return whether the picture's lower edge cuts a person who is near.
+
+    Parameters
+    ----------
+    person : (h, w) float64
+        Probability, 0..1, of the whole picture squeezed into the net's output.
+    """
+    return bool((person[-2:] > _PERSON).mean() > _CUT_SHARE)
+
+
+def portrait_crop(person: Array, shape: tuple[int, int]) -> Crop:
+    """Return the crop in which the pose net sees a person cut by the picture's lower edge: hips below it.
+
+    Parameters
+    ----------
+    person : (h, w) float64
+        Probability, 0..1, of the whole picture squeezed into the net's output; somebody is in its lowest row.
+    shape : (H, W) of the photo
+    """
+    scale = np.array(shape) / person.shape
+    top = float(np.flatnonzero((person > _PERSON).any(axis=1))[0]) * scale[0]
+    across = float(np.flatnonzero((person[-2:] > _PERSON).any(axis=0)).mean()) * scale[1]
+    radius = _RADIUS * (shape[0] - top)
+    return circle_crop(np.array([across, top + radius]), np.array([across, top]), 1.25)
+
+
+def agreement(body: Array, crop: Crop, person: Array, shape: tuple[int, int]) -> float:
+    """Return 0..1 how much of its union a pose's own mask shares with the mask of the whole picture.
+
+    Parameters
+    ----------
+    body : (S, S) float64
+        Probability that the pose net gives of its crop.
+    crop : Crop
+        In photo px.
+    person : (h, w) float64
+        Probability of the whole picture.
+    shape : (H, W) of the photo
+    """
+    down, right = person.shape[0] / shape[0], person.shape[1] / shape[1]
+    # the picture's own proportions, made small: both axes by the same factor
+    size = (person.shape[0], max(1, round(shape[1] * down)))
+    small = Crop(crop.x_px * down, crop.y_px * down, crop.width_px * down, crop.height_px * down, crop.angle_rad)
+    columns = np.minimum((np.arange(size[1]) / down * right).astype(np.intp), person.shape[1] - 1)
+    found, seen = paste(body.astype(np.float32), small, shape=size) > _PERSON, person[:, columns] > _PERSON
+    return float((found & seen).sum() / max(int((found | seen).sum()), 1))

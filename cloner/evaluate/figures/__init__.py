@@ -1,0 +1,1 @@
+"""Figures of one clone against its truth: skin, silhouettes, texture, seams."""

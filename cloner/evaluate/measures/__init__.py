@@ -1,0 +1,1 @@
+"""Measures as pure functions of arrays: distances, poses, crossings, moving faces."""

@@ -1,0 +1,174 @@
+"""Read people of the generator of photographed synthetic people: photos to clone, and what is true of them."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+
+from cloner.errors import ClonerError
+from cloner.evaluate.measures.surfaces import sample_surface
+from cloner.evaluate.truths.truth import HALF_PIXEL, Truth, TruthSurface, TruthView, read_json, truth_camera, vectors
+from cloner.frames import ViewId, m_from_mm
+from cloner.generic.load import load_generic
+from cloner.records.labels import LABELS
+from cloner.vision.photographs.pictures import read_picture
+
+Array = NDArray[np.float64]
+Labels = NDArray[np.uint8]
+
+#: The set's name in rows: a person of the generator has one.
+KIT_SET: Final = "kit"
+#: Views of the generator that no clone gets to see, and our names for them.
+HELD_OUT: Final = {"body_three_quarter": "body_three_quarter", "three_quarter": "face_three_quarter"}
+#: Points that stand for the skin of the naked body; 3 mm apart on average.
+_SKIN_SAMPLES: Final = 200_000
+#: Points of an eyeball, and its radius: it hides the socket behind (adults: 12 mm).
+_EYE_SAMPLES: Final = 2_000
+_EYE_RADIUS_M: Final = 0.012
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class KitTruth:
+    """All that is known of one person of the generator.
+
+    Attributes
+    ----------
+    truth : Truth
+        In the words of the other visitors; the surface is the naked body's, in the pose of the first view.
+    labels : mapping of view name to (H, W) uint8
+        Places in `LABELS`, of every photo, also the held-out ones.
+    bodies_m : mapping of view name to (V, 3) float64
+        The naked body in the pose of every photo, truth frame; vertices numbered as the generic human's.
+    """
+
+    truth: Truth
+    labels: Mapping[str, Labels]
+    bodies_m: Mapping[str, Array]
+
+    def whole_m(self, view: str) -> Array:
+        """Return the generic's vertices (V, 3), those of the naked body where they truly are in a photo's pose."""
+        whole, own = np.array(load_generic().vertices_m, np.float64), self.bodies_m[view]
+        whole[: len(own)] = own
+        return whole
+
+
+def is_kit_person(folder: Path) -> bool:
+    """Return whether a folder holds one person of the generator."""
+    return (folder / "truth.json").is_file() and any(folder.glob("*_labels.png"))
+
+
+def kit_people(paths: Sequence[Path]) -> list[Path]:
+    """Return the people of the generator among folders, and inside folders that hold several."""
+    found: list[Path] = []
+    for path in paths:
+        if is_kit_person(path):
+            found.append(path)
+        elif path.is_dir() and not (path / "truth.json").is_file():
+            found += [inner for inner in sorted(path.iterdir()) if is_kit_person(inner)]
+    return found
+
+
+@contextmanager
+def photos_alone(person: Path) -> Iterator[Path]:
+    """Give a folder with the five photos of a person and nothing that is true of them."""
+    with tempfile.TemporaryDirectory(prefix="cloner-kit-") as place:
+        folder = Path(place) / person.name
+        folder.mkdir()
+        for view in ViewId:
+            photo = person / f"{view.value}.jpg"
+            if photo.is_file():
+                shutil.copy(photo, folder)
+        yield folder
+
+
+def read_kit(person: Path) -> KitTruth:
+    """Read the truth of one person of the generator.
+
+    Raises
+    ------
+    ClonerError
+        If a file of the truth is missing or cannot be read.
+    """
+    data = read_json(person / "truth.json")
+    labels = {view: _read_labels(person / f"{view}_labels.png") for view in data["cameras"]}
+    try:
+        with np.load(person / "truth_body.npz") as held:
+            quads = held["faces"].astype(np.int32)
+            bodies = {view: held[f"vertices_{view}"].astype(np.float64) for view in data["cameras"]}
+    except (OSError, ValueError, KeyError) as error:
+        raise ClonerError("the truth's body is missing or broken", "Copy the file again", "truth_body.npz") from error
+    named = {view: HELD_OUT.get(view, view) for view in data["cameras"]}
+    truth = Truth(
+        visitor=person.name,
+        set_name=KIT_SET,
+        stature_m=m_from_mm(float(data["stature_mm"])),
+        sole_m=m_from_mm(float(data["sole_height_mm"])),
+        girths_mm={name: float(value) for name, value in data["girths_mm"].items()},
+        views={ours: _read_view(person, view, ours, data, labels[view]) for view, ours in named.items()},
+        surface=_surface(data, bodies[str(data["measured_in_pose_of"])], quads),
+    )
+    return KitTruth(
+        truth,
+        {named[view]: picture for view, picture in labels.items()},
+        {named[view]: body for view, body in bodies.items()},
+    )
+
+
+def _read_labels(path: Path) -> Labels:
+    try:
+        with Image.open(path) as picture:
+            labels = np.asarray(picture, dtype=np.uint8)
+    except (OSError, ValueError) as error:
+        raise ClonerError("a label picture is missing or broken", "Copy the file again", path.name) from error
+    if labels.ndim != 2 or labels.max() >= len(LABELS):
+        raise ClonerError("a label picture has other labels than this program knows", "Copy the file again", path.name)
+    return labels
+
+
+def _read_view(person: Path, view: str, ours: str, data: Mapping[str, Any], labels: Labels) -> TruthView:
+    marks = data["features"][view]["points"]
+    return TruthView(
+        name=ours,
+        camera=truth_camera(data["cameras"][view]),
+        points_m=vectors(data["points_3d_m_by_view"][view]),
+        joints_m=vectors(data["joints_3d_m_by_view"][view]),
+        marks_px={
+            mark: np.array(entry["xy"], dtype=np.float64) - HALF_PIXEL
+            for mark, entry in marks.items()
+            if entry["visible"] and entry["in_frame"]
+        },
+        mask=labels > 0,
+        photo=read_picture(person / f"{view}.jpg").rgb,
+    )
+
+
+def _surface(data: Mapping[str, Any], body_m: Array, quads: NDArray[np.int32]) -> TruthSurface:
+    """Return the naked body as points, with eyeballs to hide the sockets; nothing of it is dressed or labelled."""
+    triangles = np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    inside_mouth = load_generic().region("mouth_interior")[: len(body_m)]
+    skin = triangles[~inside_mouth[triangles].any(axis=1)]
+    rng = np.random.default_rng(0)
+    points, normals, _ = sample_surface(body_m, skin, _SKIN_SAMPLES, rng=rng)
+    joints = vectors(data["joints_3d_m"])
+    outwards = rng.normal(size=(_EYE_SAMPLES, 3))
+    outwards /= np.linalg.norm(outwards, axis=1, keepdims=True)
+    eyes = [joints[f"eye_{side}"] + _EYE_RADIUS_M * outwards for side in "LR"]
+    kind = np.repeat(["bare", "organ"], [len(points), 2 * _EYE_SAMPLES])
+    return TruthSurface(
+        np.vstack([points, *eyes]),
+        np.vstack([normals, outwards, outwards]),
+        kind,
+        joints,
+        vectors(data["points_3d_m"]),
+        body_m,
+        skin,
+    )

@@ -1,0 +1,1 @@
+"""glTF for programs with bones of their own: Unity, Unreal, Mixamo, VRM and its animations."""

@@ -1,0 +1,1 @@
+"""The H-Anim standard on a clone: names, sites, limits, prototypes, rigid pieces."""

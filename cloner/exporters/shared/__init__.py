@@ -1,0 +1,1 @@
+"""What several formats share: files, pictures, bones, credits, regions and roughness."""

@@ -1,0 +1,1 @@
+"""VRML97 and its successor X3D."""

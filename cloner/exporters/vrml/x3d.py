@@ -1,0 +1,204 @@
+"""Write a clone as X3D 4 with the HAnim component: one seamless skin, bent by its joints, with displacers and a walk.
+
+Every vertex stands once in the Coordinate that ``skinCoord`` and all shapes of the skin share: some readers bend a skin
+only when it is the very same node. Metres, +Y up, facing +Z.
+
+References
+----------
+ISO/IEC 19775-1:2023 (X3D 4), clause 26; ISO/IEC 19774-1:2019 (H-Anim 2).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner import __version__
+from cloner.exporters.hanim.hanim_limits import Limits, limits_of
+from cloner.exporters.hanim.hanim_names import identifier, joint_name_2, node_name, segment_name
+from cloner.exporters.hanim.hanim_sites import name_2, standard_sites
+from cloner.exporters.shared.credits import GENERIC_CREDITS
+from cloner.exporters.shared.files import write_bytes
+from cloner.exporters.shared.pictures import write_pictures
+from cloner.exporters.vrml.vrml_motion import STILL, joint_turns
+from cloner.exporters.vrml.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, row_text, skin_meshes
+from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.morphs import moved_wedges
+from cloner.motion.limbs.rig import centred
+from cloner.motion.moves.own import Moves, own_motions
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
+
+Array = NDArray[np.float64]
+
+
+def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = own_motions) -> tuple[Path, ...]:
+    """Write ``<name>.x3d`` and its pictures in ``textures/``, and return all paths.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be written to.
+    """
+    clone = centred(clone)
+    pictures = write_pictures(clone, folder, name)
+    scene = folder / f"{name}.x3d"
+    write_bytes(scene, "".join(_document(clone, name, moves(clone)[0])).encode())
+    return (scene, *pictures)
+
+
+def _document(clone: Clone, name: str, motion: Motion) -> Iterator[str]:
+    generic = load_generic()
+    meshes = skin_meshes(clone, generic, name)
+    joints = tuple(joint_name_2(joint) for joint in generic.joint_names)
+    yield '<?xml version="1.0" encoding="UTF-8"?>\n<!DOCTYPE X3D PUBLIC "ISO//Web3D//DTD X3D 4.0//EN" "x3d-4.0.dtd">\n'
+    yield '<X3D profile="Immersive" version="4.0">\n<head>\n<component name="HAnim" level="1"/>\n'
+    yield f'<meta name="generator" content="Cloner {__version__}"/>\n'
+    yield f'<meta name="license" content="{GENERIC_CREDITS}"/>\n'
+    yield f'<meta name="stamp" content="{clone.stamp}"/>\n'
+    yield '</head>\n<Scene>\n<Background skyColor="0.88 0.89 0.9"/>\n'
+    yield '<NavigationInfo type="&quot;EXAMINE&quot; &quot;ANY&quot;"/>\n'
+    yield _viewpoint(clone)
+    yield (
+        '<HAnimHumanoid DEF="humanoid" name="humanoid" version="2.0" loa="3" skeletalConfiguration="BASIC" '
+        f'info="&quot;authorName=Cloner {__version__}&quot; &quot;height={clone.stature_m:.4f}&quot;">\n'
+    )
+    yield f'<Coordinate DEF="skin_coord" containerField="skinCoord" point="{_rows([m.vertices_m for m in meshes])}"/>\n'
+    yield f'<Normal DEF="skin_normal" containerField="skinNormal" vector="{_rows([m.normals for m in meshes])}"/>\n'
+    root = int(np.flatnonzero(generic.joint_parents < 0)[0])
+    yield from _joint(clone, generic, root, meshes, joints, limits_of(clone))
+    start = 0
+    for number, mesh in enumerate(meshes):
+        yield from _shape(mesh, start, meshes if number == 0 else ())
+        start += len(mesh.vertices_m)
+    yield from (f'<HAnimJoint USE="hanim_{joint}" containerField="joints"/>\n' for joint in joints)
+    yield from (f'<HAnimSegment USE="hanim_{segment_name(joint)}" containerField="segments"/>\n'
+                for joint in generic.joint_names)  # fmt: skip
+    yield from (f'<HAnimSite USE="hanim_{name_2(site.name)}" containerField="sites"/>\n' for site in standard_sites())
+    yield "</HAnimHumanoid>\n"
+    yield from _motion(replace(motion, name=node_name(motion.name)), joints)
+    yield "</Scene>\n</X3D>\n"
+
+
+def _viewpoint(clone: Clone) -> str:
+    low, high = clone.vertices_m.min(axis=0), clone.vertices_m.max(axis=0)
+    middle = (low + high) / 2.0
+    place = middle + [0.0, 0.0, 1.1 * float((high - low).max()) / (2.0 * np.tan(0.3))]
+    return (
+        f'<Viewpoint description="front" position="{row_text(place)}" '
+        f'centerOfRotation="{row_text(middle)}" fieldOfView="0.6"/>\n'
+    )
+
+
+def _joint(
+    clone: Clone,
+    generic: GenericHuman,
+    joint: int,
+    meshes: tuple[SkinMesh, ...],
+    names: tuple[str, ...],
+    limits: Mapping[str, Limits],
+) -> Iterator[str]:
+    """Yield a joint with its share of the skin, its segment and sites, its displacers and every joint below it."""
+    index, weight = _skin_of(joint, meshes)
+    field = ' containerField="skeleton"' if generic.joint_parents[joint] < 0 else ""
+    yield f'<HAnimJoint DEF="hanim_{names[joint]}" name="{names[joint]}"{field}'
+    yield f' center="{row_text(clone.joints_m[joint])}"'
+    if own := limits.get(generic.joint_names[joint]):
+        yield f' llimit="{row_text(own.low)}" ulimit="{row_text(own.high)}"{_axes(own)}'
+    yield f' skinCoordIndex="{_integers(index)}" skinCoordWeight="{_numbers(weight)}">\n' if len(index) else ">\n"
+    segment = segment_name(generic.joint_names[joint])
+    yield f'<HAnimSegment DEF="hanim_{segment}" name="{segment}">\n'
+    for site in standard_sites():
+        if site.joint == joint:
+            name = name_2(site.name)
+            place = row_text(clone.vertices_m[site.vertex])
+            yield f'<HAnimSite DEF="hanim_{name}" name="{name}" translation="{place}"/>\n'
+    yield "</HAnimSegment>\n"
+    if generic.joint_names[joint] == "skullbase":
+        yield from _displacers(clone, meshes)
+    for child in np.flatnonzero(generic.joint_parents == joint):
+        yield from _joint(clone, generic, int(child), meshes, names, limits)
+    yield "</HAnimJoint>\n"
+
+
+def _axes(limits: Limits) -> str:
+    """Return the attribute that turns the limits' axes, nothing where they are the model's."""
+    angle = float(np.linalg.norm(limits.axes))
+    return f' limitOrientation="{row_text(limits.axes / angle)} {angle:.5f}"' if angle > STILL else ""
+
+
+def _skin_of(joint: int, meshes: tuple[SkinMesh, ...]) -> tuple[NDArray[np.int64], Array]:
+    """Return which vertices a joint moves, counted over all meshes, and by what share."""
+    indices, weights, start = [], [], 0
+    for mesh in meshes:
+        share = np.where(mesh.skin_joints == joint, mesh.skin_weights, 0.0).sum(axis=1)
+        rows = np.flatnonzero(share > 0.0)
+        total = mesh.skin_weights[rows].sum(axis=1)
+        indices.append(rows + start)
+        weights.append(share[rows] / total)
+        start += len(mesh.vertices_m)
+    return np.concatenate(indices), np.concatenate(weights).astype(np.float64)
+
+
+def _displacers(clone: Clone, meshes: tuple[SkinMesh, ...]) -> Iterator[str]:
+    vertex = np.concatenate([mesh.vertex for mesh in meshes])
+    for target, moved, own in moved_wedges(clone, vertex, SMALLEST_OFFSET_M):
+        if len(moved):
+            yield (
+                f'<HAnimDisplacer DEF="face_{identifier(target)}" name="{target}" containerField="displacers" '
+                f'coordIndex="{_integers(moved)}" displacements="{_rows([own.astype(np.float64)])}"/>\n'
+            )
+
+
+def _shape(mesh: SkinMesh, start: int, all_meshes: tuple[SkinMesh, ...]) -> Iterator[str]:
+    """Yield a shape of the skin; the first one defines the texture coordinates that all use."""
+    yield '<Shape containerField="skin">\n<Appearance><Material diffuseColor="1 1 1" ambientIntensity="0.5" '
+    yield f'specularColor="0.03 0.03 0.03" shininess="0.1"/><ImageTexture url="&quot;textures/{mesh.picture}&quot;"/>'
+    corners = np.column_stack([mesh.triangles + start, np.full(len(mesh.triangles), -1)])
+    solid = "false" if mesh.two_sided else "true"
+    yield f'</Appearance>\n<IndexedFaceSet solid="{solid}" coordIndex="{_integers(corners)}">\n'
+    yield '<Coordinate USE="skin_coord"/><Normal USE="skin_normal"/>'
+    if all_meshes:
+        uv = [one.uv * [1.0, -1.0] + [0.0, 1.0] for one in all_meshes]  # X3D counts t upwards
+        yield f'<TextureCoordinate DEF="skin_uv" point="{_rows(uv)}"/>'
+    else:
+        yield '<TextureCoordinate USE="skin_uv"/>'
+    yield "\n</IndexedFaceSet></Shape>\n"
+
+
+def _motion(motion: Motion, joints: tuple[str, ...]) -> Iterator[str]:
+    """Yield clock, interpolators and routes of a motion that plays for ever."""
+    duration = float(motion.times_s[-1])
+    keys = _numbers(motion.times_s / duration)
+    yield f'<TimeSensor DEF="{motion.name}_clock" cycleInterval="{duration:.4f}" loop="true"/>\n'
+    routes = []
+    for name, turns in joint_turns(motion, joints):
+        node = f"{motion.name}_{name}"
+        values = _rows([turns])
+        yield f'<OrientationInterpolator DEF="{node}" key="{keys}" keyValue="{values}"/>\n'
+        routes.append((node, name, "set_rotation"))
+    node = f"{motion.name}_way"
+    yield f'<PositionInterpolator DEF="{node}" key="{keys}" keyValue="{_rows([motion.root_m])}"/>\n'
+    routes.append((node, joints[0], "set_translation"))
+    for node, name, field in routes:
+        clock = f'fromNode="{motion.name}_clock" fromField="fraction_changed"'
+        yield f'<ROUTE {clock} toNode="{node}" toField="set_fraction"/>\n'
+        yield f'<ROUTE fromNode="{node}" fromField="value_changed" toNode="hanim_{name}" toField="{field}"/>\n'
+
+
+def _rows(parts: list[Array]) -> str:
+    values = np.concatenate(parts)
+    line = " ".join(["%.5f"] * values.shape[1]) + ", "
+    return (line * len(values)) % tuple(values.ravel().tolist())
+
+
+def _numbers(values: Array) -> str:
+    return ("%.4f " * len(values)) % tuple(values.tolist())
+
+
+def _integers(values: NDArray[np.integer]) -> str:
+    return " ".join(map(str, values.ravel().tolist()))

@@ -1,0 +1,1 @@
+"""Joints and skin: rotations to transforms, skinning, poses as short vectors, bends."""

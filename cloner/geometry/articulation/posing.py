@@ -1,0 +1,170 @@
+"""Chosen points of the generic human as a function of shape and pose, with exact derivatives.
+
+Built once per fit for the few vertices and joints that matter.
+
+References
+----------
+"Beyond": not in the paper. Linear blend skinning moves a point by a weighted sum of
+rigid joint motions; turning a joint by a small angle about an axis through it moves
+every share that hangs below by the cross product of axis and lever arm.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, rotation_matrices
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Moved:
+    """Posed points and how they move.
+
+    Attributes
+    ----------
+    points_m : (N, 3) metres
+    by_shape : (N, 3, C) metres per unit of a shape coefficient
+    by_pose : (N, 3, D) metres per radian of the pose vector
+    """
+
+    points_m: Array
+    by_shape: Array
+    by_pose: Array
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Chosen:
+    """Some points of a linear shape model; a joint is a point that hangs on itself alone.
+
+    Attributes
+    ----------
+    mean_m : (N, 3), basis_m : (N, 3, C)
+        Points = mean + basis · coefficients, metres.
+    joints_mean_m : (J, 3), joints_basis_m : (J, 3, C)
+    parents : (J,) parents before children, -1 for the root
+    skin_joints, skin_weights : (N, K)
+    pose : (3 J, D) matrix from pose vector to stacked rotation vectors
+    """
+
+    mean_m: Array
+    basis_m: Array
+    joints_mean_m: Array
+    joints_basis_m: Array
+    parents: NDArray[np.integer]
+    skin_joints: NDArray[np.integer]
+    skin_weights: Array
+    pose: Array
+
+    def rotations(self, pose: Array) -> Array:
+        """Return (J, 3) rotation vectors of a pose vector."""
+        return (self.pose @ pose).reshape(-1, 3)
+
+    def part(self, rows: slice | NDArray[np.integer]) -> Chosen:
+        """Return the model of some of the points."""
+        return Chosen(
+            self.mean_m[rows],
+            self.basis_m[rows],
+            self.joints_mean_m,
+            self.joints_basis_m,
+            self.parents,
+            self.skin_joints[rows],
+            self.skin_weights[rows],
+            self.pose,
+        )
+
+    def posed(self, shape: Array, pose: Array) -> Array:
+        """Return (N, 3) posed points, metres; missing coefficients are zero."""
+        return np.asarray(np.einsum("nk,nka->na", self.skin_weights, self._shares(shape, pose)[0]))
+
+    def _shares(self, shape: Array, pose: Array) -> tuple[Array, Array, Array]:
+        """Return (N, K, 3) places that each joint alone would give the points, (J, 4, 4) transforms, (J, 3) joints."""
+        count = len(shape)
+        rest = self.mean_m + self.basis_m[..., :count] @ shape
+        joints = self.joints_mean_m + self.joints_basis_m[..., :count] @ shape
+        transforms = joint_transforms(joints, self.parents, self.rotations(pose))
+        own = transforms[self.skin_joints]
+        shares = (own[..., :3, :3] @ rest[:, None, :, None])[..., 0] + own[..., :3, 3]
+        return shares, transforms, posed_joints(transforms, joints)
+
+    def moved(self, shape: Array, pose: Array) -> Moved:
+        """Return the posed points with their derivatives by shape and pose."""
+        shares, transforms, joints = self._shares(shape, pose)
+        points = np.einsum("nk,nka->na", self.skin_weights, shares)
+        below = descendants(self.parents)
+        turns = transforms[:, :3, :3]
+        return Moved(
+            points,
+            self._by_shape(turns, below, len(shape)),
+            self._by_pose(turns, below, shares, joints, self.rotations(pose)),
+        )
+
+    def _by_shape(self, turns: Array, below: Array, count: int) -> Array:
+        """Return (N, 3, C): the point moves in its joint's frame, and with the joints above it."""
+        parent_turns = np.where((self.parents >= 0)[:, None, None], turns[self.parents], np.eye(3))
+        basis = self.joints_basis_m[..., :count]
+        slip = below.T @ ((parent_turns - turns) @ basis).reshape(len(turns), -1)
+        slip = slip.reshape(len(turns), 3, count)
+        blended = np.einsum("nk,nkab->nab", self.skin_weights, turns[self.skin_joints])
+        moved = blended @ self.basis_m[..., :count]
+        for column in range(self.skin_joints.shape[1]):
+            moved += self.skin_weights[:, column, None, None] * slip[self.skin_joints[:, column]]
+        return np.asarray(moved)
+
+    def _by_pose(self, turns: Array, below: Array, shares: Array, joints: Array, rotations: Array) -> Array:
+        """Return (N, 3, D): cross products of turning axes and lever arms."""
+        rows = np.flatnonzero(self.pose.any(axis=1))
+        axes = _world_axes(turns, self.parents, rotations).transpose(0, 2, 1).reshape(-1, 3)[rows]
+        used, at = np.unique(rows // 3, return_inverse=True)
+        hangs = below[used][:, self.skin_joints] * self.skin_weights  # (U, N, K)
+        arms = np.einsum("unk,nka->una", hangs, shares) - hangs.sum(axis=2)[..., None] * joints[used, None]
+        by_row = np.cross(axes[:, None], arms[at])
+        return np.asarray(np.einsum("rna,rd->nad", by_row, self.pose[rows], optimize=True))
+
+
+def descendants(parents: NDArray[np.integer]) -> Array:
+    """Return (J, J) float64: 1 where the column's joint is the row's or hangs below it."""
+    below = np.eye(len(parents))
+    for joint, parent in enumerate(parents):
+        if parent >= 0:
+            below[:, joint] += below[:, parent]
+    return below
+
+
+def _world_axes(turns: Array, parents: NDArray[np.integer], rotations: Array) -> Array:
+    """Return (J, 3, 3), columns: axes about which a joint turns when a component of its rotation vector grows."""
+    angle = np.linalg.norm(rotations, axis=1)
+    safe = np.maximum(angle, 1e-9)
+    axis = rotations / safe[:, None]
+    x, y, z = axis.T
+    zero = np.zeros_like(x)
+    cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
+    sine, cosine = (np.sin(angle) / safe)[:, None, None], ((1.0 - np.cos(angle)) / safe)[:, None, None]
+    sine = np.where(angle[:, None, None] < 1e-9, 1.0, sine)
+    left = sine * np.eye(3) + (1.0 - sine) * axis[:, :, None] * axis[:, None] + cosine * cross
+    above = np.where((parents >= 0)[:, None, None], turns[parents], np.eye(3))
+    return np.asarray(above @ left)
+
+
+def moved_camera(camera_from_model: Array, motion: Array, pivot_m: Array) -> Array:
+    """Return a rigid matrix moved by a small motion.
+
+    Parameters
+    ----------
+    camera_from_model : (4, 4)
+    motion : (6,)
+        Rotation vector about the model's ``pivot_m`` in camera axes (radians), then
+        translation in camera axes (metres).
+    pivot_m : (3,) model point that the rotation leaves in place
+    """
+    turn = rotation_matrices(motion[None, :3])[0]
+    rotation = turn @ camera_from_model[:3, :3]
+    pivot = camera_from_model[:3, :3] @ pivot_m + camera_from_model[:3, 3]
+    matrix = np.eye(4)
+    matrix[:3, :3] = rotation
+    matrix[:3, 3] = pivot - rotation @ pivot_m + motion[3:]
+    return matrix

@@ -1,0 +1,89 @@
+"""Where a camera stands and looks, as six numbers that photographers would use."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.geometry.cameras.resection import pixels_by_inside
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+#: azimuth: direction of the camera around the person, radians, 0 front, +90° the person's left. height: of the camera
+#: above the model's floor, metres. distance: horizontal, from the model's origin, metres. facing: how far the view axis
+#: turns away from the person, pitch: downwards, roll: about the view axis, radians.
+STAND_NAMES: Final = ("azimuth", "height", "distance", "facing", "pitch", "roll")
+AZIMUTH, HEIGHT, DISTANCE, FACING, PITCH, ROLL = range(6)
+
+
+def _turns(stand: Array) -> tuple[Array, Array, Array]:
+    """Return the (3, 3) roll, pitch and heading parts of camera_from_model."""
+    turn, pitch, roll = stand[AZIMUTH] + stand[FACING], stand[PITCH], stand[ROLL]
+    c, s = math.cos(turn), math.sin(turn)
+    heading = np.array([[c, 0.0, -s], [0.0, -1.0, 0.0], [-s, 0.0, -c]])
+    c, s = math.cos(pitch), math.sin(pitch)
+    tilt = np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
+    c, s = math.cos(roll), math.sin(roll)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]), tilt, heading
+
+
+def placed_camera(stand: Array, like: Camera) -> Camera:
+    """Return the camera of a stand with the size and focal length of another.
+
+    Parameters
+    ----------
+    stand : (6,) float64
+        In the order of `STAND_NAMES`.
+    """
+    roll, tilt, heading = _turns(stand)
+    matrix = np.eye(4)
+    matrix[:3, :3] = roll @ tilt @ heading
+    matrix[:3, 3] = -matrix[:3, :3] @ _place(stand)
+    return replace(like, camera_from_model=matrix)
+
+
+def _place(stand: Array) -> Array:
+    azimuth, height, distance = stand[[AZIMUTH, HEIGHT, DISTANCE]]
+    return np.array([distance * math.sin(azimuth), height, distance * math.cos(azimuth)])
+
+
+def stand_of(camera: Camera) -> Array:
+    """Return the (6,) stand of a camera."""
+    rotation, place = camera.camera_from_model[:3, :3], camera.position_m
+    azimuth = math.atan2(place[0], place[2])
+    forward = rotation[2]
+    facing = math.atan2(-forward[0], -forward[2]) - azimuth
+    facing = (facing + math.pi) % (2.0 * math.pi) - math.pi
+    pitch = math.asin(float(np.clip(-forward[1], -1.0, 1.0)))
+    level = _turns(np.array([azimuth, 0.0, 0.0, facing, pitch, 0.0]))
+    rest = rotation @ (level[1] @ level[2]).T
+    roll = math.atan2(rest[1, 0], rest[0, 0])
+    return np.array([azimuth, float(place[1]), math.hypot(place[0], place[2]), facing, pitch, roll])
+
+
+def projected(stand: Array, like: Camera, points_m: Array) -> tuple[Array, Array, Array]:
+    """Return pixels (N, 2), their change with the points (N, 2, 3) and with the stand (N, 2, 6)."""
+    camera = placed_camera(stand, like)
+    rotation = camera.camera_from_model[:3, :3]
+    inside = camera.to_camera(points_m)
+    by_inside = pixels_by_inside(camera, inside)
+    roll, tilt, _ = _turns(stand)
+    azimuth, distance = stand[AZIMUTH], stand[DISTANCE]
+    away, aside = (
+        np.array([math.sin(azimuth), 0.0, math.cos(azimuth)]),
+        np.array([math.cos(azimuth), 0.0, -math.sin(azimuth)]),
+    )
+    turned = np.cross((roll @ tilt)[:, 1], inside)  # the model's up axis, as heading parts leave it upside down
+    by_stand = np.empty((len(points_m), 3, 6))
+    by_stand[:, :, AZIMUTH] = turned - distance * (rotation @ aside)
+    by_stand[:, :, HEIGHT] = -rotation[:, 1]
+    by_stand[:, :, DISTANCE] = -rotation @ away
+    by_stand[:, :, FACING] = turned
+    by_stand[:, :, PITCH] = np.cross(roll[:, 0], inside)
+    by_stand[:, :, ROLL] = np.cross([0.0, 0.0, 1.0], inside)
+    return camera.project(points_m), by_inside @ rotation, by_inside @ by_stand

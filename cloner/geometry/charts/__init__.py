@@ -1,0 +1,1 @@
+"""Texture charts: the atlas, planar charts of surfaces, which photo paints what."""

@@ -1,0 +1,118 @@
+"""Displacements of DFFD control points that take up what a shape basis left over in the photos."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csr_matrix
+from scipy.spatial import cKDTree
+
+from cloner.geometry.cameras.resection import projection_derivatives
+from cloner.records.views import Camera
+
+Array = NDArray[np.float64]
+
+#: Errors beyond this many sigmas lose their weight (Cauchy).
+OUTLIER: Final = 2.5
+#: Controls with which each one bends.
+NEIGHBOURS: Final = 8
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Leftover:
+    """What one photo still wants of places on the model.
+
+    Attributes
+    ----------
+    camera : Camera
+    points_m : (N, 3)
+        The places before the deformation.
+    weights : (N, K) sparse
+        Their Sibson weights on the movable controls.
+    target_px : (N, 2)
+    sigma_px : (N,)
+    normal_px : (N, 2) or None
+        When given, only the error along this unit direction counts.
+    """
+
+    camera: Camera
+    points_m: Array
+    weights: csr_matrix
+    target_px: Array
+    sigma_px: Array
+    normal_px: Array | None = None
+
+
+def solve_relief(
+    controls_m: Array,
+    leftovers: Sequence[Leftover],
+    *,
+    size_m: float,
+    bend_m: float,
+    limit_m: float,
+) -> Array:
+    """Return the (K, 3) displacements of the controls, metres.
+
+    Parameters
+    ----------
+    controls_m : (K, 3)
+    leftovers : sequence of Leftover
+    size_m : float
+        Expected size of a displacement.
+    bend_m : float
+        Expected difference of neighbours' displacements: a wrong point cannot pull alone.
+    limit_m : float
+        No displacement is longer.
+    """
+    count = len(controls_m)
+    normal_prior = np.kron(_stiffness(controls_m, size_m, bend_m), np.eye(3))
+    blocks = [_linear_rows(item) for item in leftovers]
+    moved = np.zeros(3 * count)
+    for _ in range(5):
+        normal, right = normal_prior.copy(), np.zeros(3 * count)
+        for rows, error, group in blocks:
+            left = error - rows @ moved
+            weight = 1.0 / (1.0 + (left.reshape(-1, group) ** 2).sum(1) / OUTLIER**2)
+            weighted = rows.multiply(np.repeat(weight, group)[:, None]).tocsr()
+            normal += (weighted.T @ rows).toarray()
+            right += np.asarray(weighted.T @ error).ravel()
+        moved = np.linalg.solve(normal, right)
+    out = moved.reshape(-1, 3)
+    length = np.linalg.norm(out, axis=1, keepdims=True)
+    # Smooth limit: small displacements pass unchanged, none exceeds the limit.
+    return out * np.where(length > 1e-12, limit_m * np.tanh(length / limit_m) / np.maximum(length, 1e-12), 1.0)
+
+
+def _stiffness(controls_m: Array, size_m: float, bend_m: float) -> Array:
+    """Return the (K, K) prior: small displacements, alike among neighbours."""
+    count = len(controls_m)
+    _, near = cKDTree(controls_m).query(controls_m, k=min(NEIGHBOURS + 1, count))
+    matrix = np.eye(count) / size_m**2
+    for row, others in enumerate(near[:, 1:]):
+        difference = np.zeros(count)
+        difference[row] = 1.0
+        difference[others] = -1.0 / len(others)
+        matrix += np.outer(difference, difference) / bend_m**2
+    return matrix
+
+
+def _linear_rows(item: Leftover) -> tuple[csr_matrix, Array, int]:
+    """Return whitened rows (M, 3K), errors (M,), and rows per point."""
+    seen, by_point, _ = projection_derivatives(item.camera, item.points_m)
+    error = (item.target_px - seen) / item.sigma_px[:, None]
+    change = by_point / item.sigma_px[:, None, None]
+    if item.normal_px is not None:
+        error = (error * item.normal_px).sum(1, keepdims=True)
+        change = np.einsum("ni,nia->na", item.normal_px, change)[:, None]
+    weights = csr_matrix(item.weights)
+    group = change.shape[1]
+    point = np.repeat(np.arange(weights.shape[0]), np.diff(weights.indptr))
+    data = weights.data[:, None, None] * change[point]
+    rows = np.broadcast_to((point * group)[:, None, None] + np.arange(group)[None, :, None], data.shape)
+    columns = np.broadcast_to((weights.indices * 3)[:, None, None] + np.arange(3)[None, None], data.shape)
+    shape = (weights.shape[0] * group, 3 * weights.shape[1])
+    return csr_matrix((data.ravel(), (rows.ravel(), columns.ravel())), shape=shape), error.ravel(), group

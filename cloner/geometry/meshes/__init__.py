@@ -1,0 +1,1 @@
+"""Triangle meshes: edges and neighbours, nearest points, normals, pixels they cover."""

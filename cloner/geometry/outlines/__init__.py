@@ -1,0 +1,1 @@
+"""Outlines of photos and of posed bodies, and what matches them."""

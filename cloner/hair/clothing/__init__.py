@@ -1,0 +1,1 @@
+"""Loose clothes, headscarves, hoods, and the peaks of caps."""

@@ -1,0 +1,125 @@
+"""What covers a head is one thing: headscarves, beanies and caps keep to one label, by their colour in each photo."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.hair.clothing.hoods import seen_scalp
+from cloner.hair.volumes.views import HairView, distances_px
+from cloner.records.labels import Label, shows
+from cloner.records.photos import Photo
+from cloner.records.points import Proposals
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+#: Something is worn where more than this of the scalp that all photos show is labelled so, and not as hair; and where
+#: more of that than `HOOD_SHARE` is clothes, it is a hood, which belongs to them.
+WORN_SHARE: Final = 0.35
+HOOD_SHARE: Final = 0.85
+#: Nor is anything looked for where less than this share of what grows on the head is worn: glasses.
+LEAST_WORN: Final = 0.1
+#: A covering's colour varies by so many times its spread (robust deviation in CIELAB, within these bounds): light and
+#: folds change lightness more than hue.
+DEVIATIONS: Final = 3.0
+LEAST_SPREAD: Final = (6.0, 2.5, 2.5)
+MOST_SPREAD: Final = (16.0, 6.0, 6.0)
+#: It hangs below the scalp by so many heights of the scalp at most.
+HANGS: Final = 1.6
+#: Colours are told over so much of the scalp's height: a pixel is noise.
+BLUR_SHARE: Final = 0.02
+#: Where less than this share of a scalp is told to be worn, what looks like hair there tells the cloth's colour too.
+SEED_SHARE: Final = 0.2
+#: Never part of a covering.
+BARE: Final = (Label.EYES, Label.MOUTH, Label.BEARD, Label.BACKGROUND)
+
+
+def with_whole_coverings(
+    views: list[HairView],
+    photos: Mapping[ViewId, Photo],
+    proposals: Proposals,
+    scalp_m: Array,
+    normals: Array,
+    triangles: NDArray[np.int32],
+) -> list[HairView]:
+    """Return the evidence in which what covers a head is all hair's: its label changes within one piece of cloth.
+
+    Whether something is worn, all photos tell together. Where it ends, each photo tells by its colours: what is joined
+    to the cloth on the scalp and looks as it does is the same cloth.
+
+    Parameters
+    ----------
+    views : list of HairView
+    photos, proposals
+    scalp_m, normals : (N, 3)
+    triangles : (T, 3) of the scalp
+    """
+    straight = [view for view in views if view.flip_m is None]
+    labels = {view.posed.view: proposals.views[view.posed.view].labels for view in straight}
+    accessories = sum(int(np.count_nonzero(one == Label.ACCESSORY)) for one in labels.values())
+    if accessories < LEAST_WORN * sum(int(view.hair.sum()) for view in straight):
+        return views
+    places = {view.posed.view: seen_scalp(view, scalp_m, normals, triangles) for view in straight}
+    worn, clothed, hairy = (
+        sum(int(np.count_nonzero(shows(labels[view], *kinds) & place)) for view, place in places.items())
+        for kinds in ((Label.ACCESSORY,), (Label.UPPER_CLOTHES, Label.LOWER_CLOTHES), (Label.HAIR,))
+    )
+    if worn + clothed < WORN_SHARE * (worn + clothed + hairy) or worn < (1.0 - HOOD_SHARE) * (worn + clothed):
+        return views
+    cloth = {view: covering(photos[view].rgb, labels[view], place) for view, place in places.items()}
+    found = []
+    for view in views:
+        own = cloth[view.posed.view] & ~view.hair
+        if own.any():
+            hair, to_hair, to_line, to_person = distances_px(
+                view.hair | own, labels[view.posed.view] != Label.BACKGROUND
+            )
+            apart = view.clothed & ~hair
+            view = replace(view, hair=hair, hair_px=to_hair, line_px=to_line, outline_px=to_person, clothed=apart)
+        found.append(view)
+    return found
+
+
+def covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bools) -> Bools:
+    """Return (H, W) the cloth that covers a head: what looks as it does on the scalp and is joined to it.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+    labels : (H, W) uint8
+    scalp : (H, W) bool
+        Pixels before which the scalp lies.
+    """
+    cloth = np.zeros(labels.shape, np.bool_)
+    rows, columns = np.flatnonzero(scalp.any(axis=1)), np.flatnonzero(scalp.any(axis=0))
+    if not rows.size:
+        return cloth
+    height = int(np.ptp(rows)) + 1
+    box = np.s_[
+        max(rows[0] - height // 2, 0) : rows[-1] + int(HANGS * height) + 1,
+        max(columns[0] - height, 0) : columns[-1] + height + 1,
+    ]
+    place, shown = scalp[box], labels[box]
+    seed = place & shows(shown, Label.ACCESSORY, Label.UPPER_CLOTHES)
+    if seed.sum() < SEED_SHARE * place.sum():
+        seed = place & shows(shown, Label.ACCESSORY, Label.UPPER_CLOTHES, Label.HAIR)
+    if not seed.any():
+        return cloth
+    smooth = cv2.GaussianBlur(rgb[box], (0, 0), max(BLUR_SHARE * height, 0.5))
+    colour = cv2.cvtColor(smooth.astype(np.float32) / 255.0, cv2.COLOR_RGB2LAB)
+    middle = np.median(colour[seed], axis=0)
+    spread = np.clip(1.4826 * np.median(np.abs(colour[seed] - middle), axis=0), LEAST_SPREAD, MOST_SPREAD)
+    alike = (np.abs(colour - middle) < DEVIATIONS * spread).all(axis=2)
+    # cloth lies higher than the scalp: what is told to be skin up there is cloth too, lower down it is a face
+    crown = np.arange(box[0].start, box[0].start + len(shown))[:, None] < rows[0] + height // 2
+    alike &= ~shows(shown, *BARE) & (place | crown | ~shows(shown, Label.FACE_SKIN, Label.HAIR))
+    pieces = cv2.connectedComponents((alike | seed).astype(np.uint8), connectivity=4)[1]
+    cloth[box] = np.isin(pieces, np.unique(pieces[seed & alike])) & (alike | seed) & (pieces > 0)
+    return cloth

@@ -1,0 +1,52 @@
+"""Hoods and patches: clothes on a scalp are a hood in all photos, or a mistake in one."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.hair.volumes.views import HairView, cover, distances_px
+
+Array = NDArray[np.float64]
+
+HOOD = 0.5  # of the scalp that photos show clothed
+
+
+def without_hoods(
+    views: list[HairView], scalp_m: Array, normals: Array, triangles: NDArray[np.int32]
+) -> list[HairView]:
+    """Return the evidence with hair where single photos have clothes on a scalp that is mostly hair.
+
+    A hood is a hood in all photos; a patch of clothes on a crown is the label net's mistake.
+
+    Parameters
+    ----------
+    scalp_m, normals : (N, 3)
+    triangles : (T, 3) of the scalp
+    """
+    places = [seen_scalp(view, scalp_m, normals, triangles) for view in views]
+    straight = [(view, place) for view, place in zip(views, places, strict=True) if view.flip_m is None]
+    hairy = sum(int((view.hair & place).sum()) for view, place in straight)
+    clothed = sum(int((view.clothed & place).sum()) for view, place in straight)
+    if not clothed or clothed > HOOD * (hairy + clothed):
+        return views
+    found = []
+    for view, place in zip(views, places, strict=True):
+        wrong = view.clothed & place
+        if wrong.any():
+            hair, to_hair, to_hairline, _ = distances_px(view.hair | wrong, view.outline_px > 0.0)
+            view = replace(view, hair=hair, hair_px=to_hair, line_px=to_hairline)
+        found.append(view)
+    return found
+
+
+def seen_scalp(view: HairView, scalp_m: Array, normals: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Return (H, W) pixels that show the scalp or what grows there: nothing of a head lies before it."""
+    towards = view.posed.camera.position_m - view.to_view(scalp_m)
+    facing = np.einsum("nk,nk->n", view.turn(normals), towards) > 0.0
+    size = (view.hair.shape[1], view.hair.shape[0])
+    own = cover(view, scalp_m, triangles[facing[triangles].all(axis=1)]).astype(np.uint8)
+    return np.asarray(cv2.resize(own, size, interpolation=cv2.INTER_NEAREST) > 0)

@@ -1,0 +1,166 @@
+"""Loose clothing as a tube around trunk and legs: the hull of its outlines, carried back to the rest pose."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter1d
+
+from cloner.frames import ViewId, m_from_mm
+from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
+from cloner.geometry.charts.tubes import directions, hull_radii, ring_angles, tube_points
+from cloner.geometry.meshes.triangles import sides
+from cloner.hair.clothing.loose_views import LooseView
+from cloner.records.clones import Joined
+
+Array = NDArray[np.float64]
+
+RINGS, COLUMNS = 44, 96
+HULL_RINGS, HULL_COLUMNS, STEPS = 24, 48, 54  # the hull is smooth: found coarsely, then refined
+FARTHEST_M = 0.80  # cloth stands off the body's axis by no more than this
+ROUNDNESS = 2.2  # exponent of a section between ellipse (2) and box: hips and legs make it a little square (taste)
+SLANT_M = 0.03  # a foot beside the hem, or an arm, passes for its end: farther from the median is not believed
+LEVEL_TRUST = 0.6  # hems are usually level: what the photos' ends differ counts so much (taste)
+CLEARANCE_MM = 6.0  # cloth hangs at least this far outside the legs
+TUCK_MM, TUCK_M = 2.0, 0.03  # its upper border lies this deep in the skin and comes out within this height
+SMOOTH_COLUMNS, SMOOTH_RINGS = 1.0, 1.0
+
+
+def body_sections(generic: GenericHuman, joined: Joined, heights_m: Array, angles: Array) -> tuple[Array, Array]:
+    """Return centres (K, 2) and hull radii (K, A) of trunk and legs at rest heights, metres."""
+    names = ("torso", "pelvis", *(f"{side}_{part}" for side in ("left", "right") for part in ("thigh", "calf", "foot")))
+    own = generic.segment(*names)
+    triangles = body_triangles()
+    triangles = triangles[own[triangles].all(axis=1)]
+    edges = sides(triangles)
+    edges = edges[edges[:, 0] < edges[:, 1]]
+    ends = joined.vertices_m[edges]
+    centres, radii = np.zeros((len(heights_m), 2)), np.zeros((len(heights_m), len(angles)))
+    for k, height in enumerate(heights_m):
+        above = ends[:, :, 1] > height
+        cut = ends[above[:, 0] != above[:, 1]]
+        if len(cut) < 3:  # above the head or below the soles
+            centres[k], radii[k] = centres[k - 1], radii[k - 1]
+            continue
+        part = (height - cut[:, 0, 1]) / (cut[:, 1, 1] - cut[:, 0, 1])
+        flat = (cut[:, 0] + part[:, None] * (cut[:, 1] - cut[:, 0]))[:, [0, 2]]
+        centres[k] = (flat.min(axis=0) + flat.max(axis=0)) / 2.0
+        radii[k] = hull_radii(flat, centres[k], angles)
+    return centres, radii
+
+
+def hem_heights(views: list[LooseView], centre_m: Array, half_m: Array) -> Array:
+    """Return (COLUMNS,) rest heights of the hem from where the photos' edges end and where it hangs lowest in them.
+
+    Parameters
+    ----------
+    centre_m : (3,) on the axis near the hem
+    half_m : (2,) half width and half depth there
+    """
+    ends: dict[tuple[int, float], list[float]] = {}
+    for view in views:
+        places = {}
+        for axis in (0, 2):
+            for sign in (-1.0, 1.0):
+                places[axis, sign] = centre_m.copy()
+                places[axis, sign][axis] += sign * half_m[axis // 2]
+        axis = 0 if view.posed.view is not ViewId.BODY_SIDE else 2
+        for sign in (-1.0, 1.0):
+            edge = view.across(places[axis, sign][None])[0] > 0.0
+            row = float(view.region.hem_px[int(edge)])
+            ends.setdefault((axis, sign), []).append(view.height_of(row, places[axis, sign]))
+        nearest = min((key for key in places if key[0] != axis), key=lambda key: view.depth(places[key]))
+        row = float(view.region.hem_row(view.across(places[nearest][None]))[0])
+        ends.setdefault(nearest, []).append(view.height_of(row, places[nearest]))
+    level = float(np.median([height for found in ends.values() for height in found]))
+    mean = {key: float(np.clip(np.mean(found), level - SLANT_M, level + SLANT_M)) for key, found in ends.items()}
+    shares = directions(ring_angles(COLUMNS))
+    across, along = shares.T
+    sides = np.where(across > 0, mean.get((0, 1.0), level), mean.get((0, -1.0), level))
+    ends_m = np.where(along > 0, mean.get((2, 1.0), level), mean.get((2, -1.0), level))
+    return np.asarray(level + LEVEL_TRUST * (across**2 * sides + along**2 * ends_m - level))
+
+
+def loose_tube(generic: GenericHuman, joined: Joined, views: list[LooseView]) -> Array:
+    """Return the (RINGS, COLUMNS, 3) points of cloth around the legs at rest, metres.
+
+    Parameters
+    ----------
+    views : list of LooseView
+        At least one from the front or from behind.
+    """
+    hip = np.array([views[0].hanging.middle_m, views[0].hanging.hip_m, 0.0])
+    top = float(np.mean([view.height_of(view.region.top_px, hip) for view in views]))
+    low = float(np.mean([view.height_of(float(view.region.hem_px.mean()), hip - [0.0, 0.3, 0.0]) for view in views]))
+    coarse = np.linspace(top, low, HULL_RINGS)
+    centres, body = body_sections(generic, joined, coarse, ring_angles(HULL_COLUMNS))
+    hull = hull_sections(views, coarse, centres, body)
+    hull = gaussian_filter1d(hull, SMOOTH_COLUMNS, axis=1, mode="wrap")
+    half = np.array([hull[-1, HULL_COLUMNS // 2], hull[-1, HULL_COLUMNS // 4]])
+    ends = hem_heights(views, np.array([centres[-1, 0], low, centres[-1, 1]]), half)
+    levels = top + np.linspace(0.0, 1.0, RINGS)[:, None] * (ends - top)
+    middle, body = body_sections(generic, joined, levels.mean(axis=1), ring_angles(COLUMNS))
+    # seen from the finer rings' own middles the hull is the same but for millimetres that smoothing takes anyway
+    flat = tube_points(centres, np.repeat(coarse[:, None], HULL_COLUMNS, axis=1), hull)[..., [0, 2]]
+    rings = np.interp(np.linspace(0.0, 1.0, RINGS), np.linspace(0.0, 1.0, HULL_RINGS), np.arange(HULL_RINGS))
+    radii = refined(flat, rings, middle)
+    rise = np.clip((top - levels) / TUCK_M, 0.0, 1.0)
+    clear = body + m_from_mm(1.0) * (rise * (CLEARANCE_MM + TUCK_MM) - TUCK_MM)
+    radii = np.where(rise == 0.0, clear, np.maximum(radii, clear))
+    return tube_points(middle, levels, radii)
+
+
+def refined(flat_m: Array, rings: Array, centres_m: Array) -> Array:
+    """Return (K, COLUMNS) radii around new centres of a coarse tube's sections.
+
+    Parameters
+    ----------
+    flat_m : (R, C, 2) x, z of the coarse tube
+    rings : (K,) coarse ring, fractional, of every fine one
+    centres_m : (K, 2) x, z
+    """
+    angles = ring_angles(COLUMNS)
+    found = np.zeros((len(rings), COLUMNS))
+    for k, ring in enumerate(rings):
+        low = min(int(ring), len(flat_m) - 2)
+        section = flat_m[low] + (ring - low) * (flat_m[low + 1] - flat_m[low]) - centres_m[k]
+        turn, reach = np.arctan2(section[:, 0], section[:, 1]), np.linalg.norm(section, axis=1)
+        order = np.argsort(turn)
+        found[k] = np.interp(angles, turn[order], reach[order], period=2.0 * np.pi)
+    return np.asarray(gaussian_filter1d(found, SMOOTH_RINGS, axis=0, mode="nearest"))
+
+
+def hull_sections(views: list[LooseView], heights_m: Array, centres_m: Array, body_m: Array) -> Array:
+    """Return (K, HULL_COLUMNS) radii of the cloth's sections: rounded between the edges of the photos.
+
+    Front and back photos bound the width, the side photo the depth; without
+    one, cloth stands off before and behind the body as it does at the sides.
+    """
+    reach = np.linspace(0.0, FARTHEST_M, STEPS)
+    way = directions(ring_angles(HULL_COLUMNS))
+    flat = centres_m[:, None, None, :] + reach[:, None] * way[None, :, None, :]
+    high = np.broadcast_to(heights_m[:, None, None], flat.shape[:3])
+    points = np.stack([flat[..., 0], high, flat[..., 1]], axis=-1).reshape(-1, 3)
+    wide = [np.abs(v.across(points)) ** ROUNDNESS for v in views if v.posed.view is not ViewId.BODY_SIDE]
+    deep = [np.abs(v.across(points)) ** ROUNDNESS for v in views if v.posed.view is ViewId.BODY_SIDE]
+    total = np.mean(wide, axis=0).reshape(flat.shape[:3])
+    if deep:
+        total = total + deep[0].reshape(total.shape)
+    else:
+        total = total + _guessed_depth(total, reach, way, body_m) ** ROUNDNESS
+    outside = total > 1.0
+    outside[..., -1] = True
+    first = np.maximum(np.argmax(outside, axis=-1), 1)[..., None]
+    before, after = (np.take_along_axis(total, first - step, axis=-1)[..., 0] for step in (1, 0))
+    part = np.clip((1.0 - before) / np.maximum(after - before, 1e-9), 0.0, 1.0)
+    return np.asarray(reach[first[..., 0] - 1] + part * (reach[1] - reach[0]))
+
+
+def _guessed_depth(wide: Array, reach: Array, way: Array, body_m: Array) -> Array:
+    """Return (K, HULL_COLUMNS, STEPS) where points lie between the guessed front (1) and back of cloth."""
+    sides = [int(np.argmax(way[:, 0])), int(np.argmin(way[:, 0]))]
+    out = [reach[np.argmax(wide[:, side] > 1.0, axis=-1)] - body_m[:, side] for side in sides]
+    off = np.maximum(np.mean(out, axis=0), 0.0)
+    deep = 0.5 * (body_m[:, int(np.argmax(way[:, 1]))] + body_m[:, int(np.argmin(way[:, 1]))]) + off
+    return np.asarray(np.abs(way[None, :, None, 1] * reach) / np.maximum(deep, 0.02)[:, None, None])

@@ -1,0 +1,1 @@
+"""Hair as surfaces: shells, their texture, soft edges, single hairs, beards."""

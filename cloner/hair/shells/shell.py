@@ -1,0 +1,103 @@
+"""What the photos show of a hair's surface becomes a shell: cut at the hairline, charted, painted, soft at its edge."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import binary_dilation
+
+from cloner.frames import ViewId
+from cloner.generic.load import GenericHuman
+from cloner.geometry.charts.atlas import map_atlas
+from cloner.geometry.charts.unwrapping import unwrap
+from cloner.hair.shells.edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge
+from cloner.hair.shells.shell_paint import ShellView, paint_shell
+from cloner.hair.volumes.views import HairView
+from cloner.records.clones import Joined
+from cloner.records.heads import NO_RIDES, Shell
+from cloner.records.photos import PhotoSet
+
+Array = NDArray[np.float64]
+Skinned = tuple[NDArray[np.int32], Array]
+
+CLAIM: Final = {  # taste: face photos have three times the pixels
+    ViewId.FACE_FRONT: 1.0,
+    ViewId.FACE_SIDE: 1.0,
+    ViewId.BODY_BACK: 0.85,
+    ViewId.BODY_FRONT: 0.6,
+    ViewId.BODY_SIDE: 0.6,
+}
+
+EDGE_TEXELS: Final = 2  # colours go on so far beyond a part's charts, for what is sampled between texels
+
+
+def shown_part(
+    views: list[HairView], vertices_m: Array, triangles: NDArray[np.int32]
+) -> tuple[NDArray[np.int32], NDArray[np.int32], Array]:
+    """Return which vertices (M,) photos show as hair, triangles of those, and how far inside its edge they lie, mm."""
+    inside_mm = inside_hairline_mm(views, [CLAIM[v.posed.view] for v in views], vertices_m, triangles)
+    shown = (inside_mm[triangles] > FADE_MM[0] - STRAND_MM).any(axis=1)
+    used, places = np.unique(triangles[shown], return_inverse=True)
+    return used.astype(np.int32), places.reshape(-1, 3).astype(np.int32), inside_mm[used]
+
+
+def shell_views(views: list[HairView]) -> list[ShellView]:
+    """Return what photos show of hair as evidence of a shell."""
+    return [ShellView(v.posed, v.hair, v.hair_px, CLAIM[v.posed.view], v.flip_m) for v in views]
+
+
+def dress_shell(
+    generic: GenericHuman,
+    joined: Joined,
+    photos: PhotoSet,
+    views: list[HairView],
+    surface: tuple[Array, NDArray[np.int32], Array],
+    skinned: Skinned,
+    size: int,
+    *,
+    strands: float | None,
+    carried: Skinned | None = None,
+    kind: str = "hair",
+    rides: NDArray[np.int32] | None = None,
+    worn: tuple[NDArray[np.bool_], list[HairView]] | None = None,
+) -> Shell:
+    """Return the shell with weights, charts and texture.
+
+    Parameters
+    ----------
+    views : list of HairView
+    surface : vertices (N, 3), triangles (T, 3), and how far inside the hairline the vertices lie (N,), mm
+    skinned : joints and weights (N, 4) with which the photos saw it
+    size : int
+        Side of the texture, texels.
+    strands : float or None
+        See :func:`paint_shell`.
+    carried : joints and weights (N, 4), or None
+        With which it moves; as the photos saw it when None.
+    kind : str
+        One of ``SHELL_KINDS``.
+    rides : (N,) int32 or None
+        Vertices of the skin that carry the shell's in morph targets.
+    worn : (T,) bool and a list of HairView, or None
+        Triangles with evidence of their own: a cap's peak shows no hair.
+    """
+    vertices_m, triangles, inside_mm = surface
+    joints, weights = skinned
+    charts = unwrap(vertices_m, triangles, size)
+    atlas = map_atlas(charts.uv, charts.triangles, triangles, size)
+    sights = shell_views(views)
+    rgba = paint_shell(generic, joined, photos.photos, sights, atlas, vertices_m, joints, weights, strands=strands)
+    if worn is not None:
+        used, places = np.unique(triangles[worn[0]], return_inverse=True)
+        apart = map_atlas(charts.uv, charts.triangles[worn[0]], places.reshape(-1, 3).astype(np.int32), size)
+        own_views, own_m = shell_views(worn[1]), vertices_m[used]
+        painted = paint_shell(generic, joined, photos.photos, own_views, apart, own_m, joints[used], weights[used])
+        place = binary_dilation(apart.covered(), iterations=EDGE_TEXELS)
+        rgba = np.where(place[..., None], painted, rgba)
+    rgba = soften_edge(rgba, atlas, inside_mm)
+    chart = charts.vertex
+    joints, weights = skinned if carried is None else carried
+    own = NO_RIDES if rides is None else rides[chart]
+    return Shell(vertices_m[chart], charts.triangles, charts.uv, joints[chart], weights[chart], rgba, kind, own)

@@ -1,0 +1,223 @@
+"""A shell's texture, hair or loose clothing: only its own pixels, from all photos."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.abreast import abreast
+from cloner.frames import ViewId
+from cloner.generic.load import GenericHuman
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.cameras.seeing import Sight, look
+from cloner.geometry.charts.atlas import AtlasMap
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.hair.shells.strands import grow_strands, roughness
+from cloner.paint.lookups.posed import parents_of
+from cloner.records.bodies import PosedView
+from cloner.records.clones import Joined
+from cloner.records.photos import Photo
+from cloner.vision.photographs.blending import Layer, blend_pyramids, push_pull
+from cloner.vision.retouching.aligning import sample
+from cloner.vision.retouching.evening import REFERENCE_HOLD, apply_light, even_light, light_basis
+from cloner.vision.retouching.repair import own_pixels, repair_bleeding
+
+Array = NDArray[np.float64]
+
+SHARPNESS = 5  # weights are (claim x cosine)**5: mostly one photo a texel, so strands do not ghost
+LEVELS = 2  # charts are small islands: wide bands would make them differ along their borders
+SMOOTHING = 3  # rounds over the surface, where charts do not matter
+FLOOR = 1e-6
+_MIRRORED = 0.8
+REACH_SHARE = 0.02  # of the shell's size in the photo: how deep other things shine through its edge
+BAND_PX = 2.5  # labels are about this many pixels unsure
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ShellView:
+    """What one photo shows of a shell.
+
+    Attributes
+    ----------
+    posed : PosedView
+    mask : (H, W) bool
+        Pixels that show it.
+    inside_px : (H, W) float32
+        Signed distance to the mask's outline, positive inside.
+    claim : float
+        Weight against the other photos.
+    flip_m : float or None
+        When set, points are mirrored at x = flip_m first: the photo stands for the other half.
+    """
+
+    posed: PosedView
+    mask: NDArray[np.bool_]
+    inside_px: NDArray[np.float32]
+    claim: float
+    flip_m: float | None = None
+
+
+def paint_shell(
+    generic: GenericHuman,
+    joined: Joined,
+    photos: Mapping[ViewId, Photo],
+    views: list[ShellView],
+    atlas: AtlasMap,
+    vertices_m: Array,
+    skin_joints: NDArray[np.int32],
+    skin_weights: Array,
+    *,
+    strands: float | None = None,
+) -> NDArray[np.uint8]:
+    """Return the (size, size, 4) texture of a shell.
+
+    Parameters
+    ----------
+    generic, joined : the person the shell belongs to
+    photos : mapping of ViewId to Photo
+    views : list of ShellView
+        At least one with any pixel that shows the shell.
+    atlas : AtlasMap of the shell, its triangles indexing ``vertices_m``
+    vertices_m : (N, 3), skin_joints, skin_weights : (N, 4)
+    strands : float or None
+        Hair goes on in strands where no photo shows it; so much they count where photos show it badly. None: no hair.
+    """
+    normals = vertex_normals(vertices_m, atlas.triangles)
+    graph = surface_graph(vertices_m, atlas.triangles)
+    usable = [view for view in views if view.posed.view in photos and view.mask.any()]
+    pictures = _pictures(photos, usable)
+    joints = (skin_joints, skin_weights)
+    looked = abreast(lambda view: _look(generic, joined, view, vertices_m, *joints, atlas.triangles), usable)
+    sights = list(looked)
+    seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
+    claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
+    first = max(range(len(usable)), key=lambda k: claims[k].sum() if usable[k].flip_m is None else 0.0)
+    light, evened = _evened(pictures, sights, seen, normals, first)
+    shown = [_Shown(*each) for each in zip(pictures, sights, claims, light, strict=True)]
+    ground, weight = _plain(atlas.shape, claims, evened)
+    if strands is not None:
+        rough = roughness(pictures[first], usable[first].mask)
+        total = np.maximum((claims**2).sum(axis=0), 1e-9)[:, None]
+        seen_rgb = ((claims**2)[..., None] * evened).sum(axis=0) / total
+        made = grow_strands(atlas, vertices_m, graph, seen_rgb, claims.max(axis=0), rough)
+        own = (strands * atlas.interpolate(made.claim[:, None])[:, 0]) ** SHARPNESS
+        _flat(ground)[atlas.texel], weight.ravel()[atlas.texel] = made.rgb, np.maximum(own, FLOOR)
+
+    def layers() -> Iterator[Layer]:
+        yield Layer(ground, weight)
+        yield from (_laid(atlas, one) for one in shown)  # one by one: a layer of 2048 texels takes 64 MiB
+
+    covered = atlas.covered()
+    rgb = push_pull(
+        blend_pyramids(layers(), (*atlas.shape, 3), LEVELS) * covered[..., None], covered.astype(np.float32)
+    )
+    opaque = np.full((*atlas.shape, 1), 255.0, np.float32)
+    return np.concatenate([np.clip(np.rint(rgb), 0, 255), opaque], axis=2).astype(np.uint8)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Shown:
+    """A photo as a source of a shell's colour: its picture, and of every vertex sight, claim (N,) and light (N, 3)."""
+
+    picture: NDArray[np.uint8]
+    sight: Sight
+    claim: Array
+    light: Array
+
+
+def _pictures(photos: Mapping[ViewId, Photo], views: Sequence[ShellView]) -> list[NDArray[np.uint8]]:
+    """Return the repaired photo of each view; a mirrored one shows the same."""
+    shown = {view.posed.view: view for view in reversed(views)}
+    repaired = abreast(lambda view: _repaired(photos[view.posed.view].rgb, view), shown.values())
+    picture_of = dict(zip(shown, repaired, strict=True))
+    return [picture_of[view.posed.view] for view in views]
+
+
+def _claim(view: ShellView, sight: Sight) -> Array:
+    """Return (N,) how well a photo shows each vertex, 0 where it does not."""
+    seen = sight.visible(sight.pixel_px, sight.depth_m, sight.cosine)
+    claim = view.claim * (_MIRRORED if view.flip_m is not None else 1.0)
+    near = sample(view.inside_px, sight.pixel_px)[:, 0] > -2.0 * BAND_PX
+    return np.where(seen & near, claim * np.clip(sight.cosine, 0.0, 1.0), 0.0)
+
+
+def _evened(
+    pictures: Sequence[NDArray[np.uint8]], sights: Sequence[Sight], seen: Sequence[Array], normals: Array, first: int
+) -> tuple[list[Array], Array]:
+    """Return each photo's log gains (N, 3) that even light and exposure out, and (K, N, 3) colours with them.
+
+    ``first`` is the photo that keeps its own most.
+    """
+    colours = np.stack([sample(p, s.pixel_px) for p, s in zip(pictures, sights, strict=True)]).astype(np.float64)
+    # Hair and cloth shine at grazing angles: only what both photos see nearly head-on tells their exposures.
+    square = [np.clip((sight.cosine - 0.5) / 0.5, 0.0, 1.0) for sight in sights]
+    trusts = np.stack([np.where(claim > 0.0, part, 0.0) for claim, part in zip(seen, square, strict=True)])
+    hold = np.where(np.arange(len(pictures)) == first, REFERENCE_HOLD, 1.0)
+    basis = light_basis(normals)
+    light = [basis @ gain for gain in even_light(colours, trusts, normals, hold)]
+    return light, np.stack([apply_light(colour, gain) for colour, gain in zip(colours, light, strict=True)])
+
+
+def _plain(shape: tuple[int, int], claims: Array, evened: Array) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Return a picture (h, w, 3) of the mean colour that photos show, and hardly any weight (h, w)."""
+    total = max(float((claims**2).sum(axis=0).sum()), 1e-9)
+    mean = ((claims**2)[..., None] * evened).sum(axis=(0, 1)) / total
+    return np.tile(mean.astype(np.float32), (*shape, 1)), np.full(shape, FLOOR, np.float32)
+
+
+def _laid(atlas: AtlasMap, shown: _Shown) -> Layer:
+    """Return what one photo paints of a shell's texture."""
+    rows = atlas.rows_of(np.any((shown.claim > 0.0)[atlas.triangles], axis=1))
+    sight = shown.sight
+    table = np.column_stack([sight.pixel_px, sight.depth_m, sight.cosine, shown.claim, shown.light])
+    values = atlas.interpolate(table, rows)
+    good = sight.visible(values[:, :2], values[:, 2], values[:, 3]) & (values[:, 4] > 0.02)
+    values, texel = values[good], atlas.texel[rows[good]]
+    image, known = np.zeros((*atlas.shape, 3), np.float32), np.zeros(atlas.shape, np.float32)
+    _flat(image)[texel] = apply_light(sample(shown.picture, values[:, :2]), values[:, 5:])
+    known.ravel()[texel] = 1.0
+    whole = push_pull(image, known)
+    known.ravel()[texel] = np.minimum(values[:, 4], 1.0) ** SHARPNESS + FLOOR
+    return Layer(whole, known)
+
+
+def _flat(image: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return a view of a picture (h, w, C) as (h * w, C)."""
+    return image.reshape(-1, image.shape[2])
+
+
+def _repaired(rgb: NDArray[np.uint8], view: ShellView) -> NDArray[np.uint8]:
+    """Return the photo in which everything shows the shell's own nearest colour."""
+    size = float(np.sqrt(view.mask.sum()))
+    own = own_pixels(rgb, view.mask, max(REACH_SHARE * size, 2.0 * BAND_PX))
+    return repair_bleeding(rgb, own, BAND_PX)[0]
+
+
+def _look(
+    generic: GenericHuman,
+    joined: Joined,
+    view: ShellView,
+    vertices_m: Array,
+    skin_joints: NDArray[np.int32],
+    skin_weights: Array,
+    triangles: NDArray[np.int32],
+) -> Sight:
+    """Return the shell as one photo sees it; a mirrored photo sees the mirrored shell."""
+    points, faces = vertices_m, triangles
+    if view.flip_m is not None:
+        points = points * (-1.0, 1.0, 1.0) + (2.0 * view.flip_m, 0.0, 0.0)
+        faces = triangles[:, ::-1]
+        skin_joints = twin_joints(generic)[skin_joints]
+    transforms = joint_transforms(joined.joints_m, parents_of(generic), view.posed.rotations)
+    return look(skin(points, transforms, skin_joints, skin_weights), np.ascontiguousarray(faces), view.posed.camera)
+
+
+def twin_joints(generic: GenericHuman) -> NDArray[np.int32]:
+    """Return (94,) each joint's twin of the other side, itself in the middle."""
+    names = generic.joint_names
+    other = {"l_": "r_", "r_": "l_"}
+    return np.array([names.index(other.get(name[:2], name[:2]) + name[2:]) for name in names], np.int32)

@@ -1,0 +1,131 @@
+"""Hair where no photo shows it: the seen colours carried on around the head, with strands as rough as the seen ones."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.easing import smoothstep
+from cloner.geometry.charts.atlas import AtlasMap
+from cloner.geometry.meshes.graphs import SurfaceGraph
+
+Array = NDArray[np.float64]
+Picture = NDArray[np.float32]
+
+SEEN_CLAIM: Final = 0.15  # photos that claim less show stretched pixels
+FILL_TRUST: Final = (0.25, 0.5)  # colours spread from where a photo claims so much: farther out the wall shines in
+FILL_STIFFNESS: Final = 0.05
+MEMORY_M: Final = 0.05  # taste: a lock's own colour fades into the whole hair's over this way
+SMALLEST_M: Final = 0.015  # half the width of gaps that the photos' own neighbours fill well enough
+REACH_M, CLAIM = 0.05, 0.7  # the made strands' claim, and how far it fades into what photos show
+CROWN: Final = (0.0, 0.85, -0.53)  # anatomy: hair grows from a whorl behind the top
+SEED: Final = 1
+#: Strands: cells around and down the head, and their part of the roughness: locks, tufts and single strands.
+OCTAVES: Final = ((90, 5, 0.45), (260, 8, 0.6), (720, 12, 0.65))
+TURN: Final = 0.03  # radians by which locks swing; more and strands would fold
+FINEST_M: Final = 0.0008  # narrower strands are no texels any more
+ROUGH_SHARE: Final = 0.02  # of the hair's size: what counts as surroundings of a strand
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Strands:
+    """Made hair, ready to be laid below the photos.
+
+    Attributes
+    ----------
+    rgb : (N, 3) float32
+        Levels of the atlas's texels.
+    claim : (V,) float64
+        Against the photos' claims, of the shell's vertices.
+    """
+
+    rgb: Picture
+    claim: Array
+
+
+def grow_strands(
+    atlas: AtlasMap, vertices_m: Array, graph: SurfaceGraph, seen_rgb: Array, claim: Array, rough_rgb: Array
+) -> Strands:
+    """Return strands for a whole shell.
+
+    Parameters
+    ----------
+    atlas : AtlasMap of the shell
+    vertices_m : (V, 3); graph : SurfaceGraph of it
+    seen_rgb : (V, 3) levels, mean of the photos
+    claim : (V,) of the photo that shows each vertex best, 0..1
+    rough_rgb : (3,) levels
+        How much the seen hair varies from strand to strand; see :func:`roughness`.
+    """
+    trust = np.clip((claim - FILL_TRUST[0]) / (FILL_TRUST[1] - FILL_TRUST[0]), 0.0, 1.0)
+    mean = (trust[:, None] * seen_rgb).sum(axis=0) / max(float(trust.sum()), 1e-9)
+    away = graph.distance_from(trust > 0.5, 10.0 * MEMORY_M)
+    near = graph.fill(seen_rgb, trust, FILL_STIFFNESS)
+    smooth = mean + (near - mean) * np.exp(-away / MEMORY_M)[:, None]
+    noise = strand_noise(atlas.interpolate(vertices_m - _middle(vertices_m)))
+    rgb = atlas.interpolate(smooth) + noise[:, None] * rough_rgb.astype(np.float32)
+    gap = graph.distance_from(claim >= SEEN_CLAIM, 2.0 * SMALLEST_M) >= SMALLEST_M
+    beside = graph.distance_from(gap, SMALLEST_M + REACH_M) - SMALLEST_M
+    return Strands(np.clip(rgb, 0.0, 255.0), CLAIM * np.clip(1.0 - beside / REACH_M, 0.0, 1.0))
+
+
+def roughness(rgb: NDArray[np.uint8], hair: NDArray[np.bool_]) -> Array:
+    """Return (3,) the deviation of a photo's hair (H, W) from its surroundings, levels."""
+    rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
+    box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
+    inner = hair[box].astype(np.float32)
+    radius = max(ROUGH_SHARE * float(np.sqrt(inner.sum())), 2.0)
+    part = rgb[box].astype(np.float32)
+    share = np.maximum(cv2.GaussianBlur(inner, (0, 0), radius), 1e-3)
+    around = cv2.GaussianBlur(part * inner[..., None], (0, 0), radius) / share[..., None]
+    deep = (share > 0.95) & (inner > 0.5)
+    if not deep.any():
+        return np.zeros(3)
+    return np.asarray((part - around)[deep].std(axis=0), np.float64)
+
+
+def strand_noise(points_m: NDArray[np.floating]) -> Picture:
+    """Return (N,) values of about unit deviation, alike along strands that run from the crown down.
+
+    Parameters
+    ----------
+    points_m : (N, 3) from the hair's middle, rest frame
+    """
+    up = np.array(CROWN) / np.linalg.norm(CROWN)
+    across = np.array([1.0, 0.0, 0.0])
+    back = np.cross(across, up)
+    along, side, rear = points_m @ up, points_m @ across, points_m @ back
+    ring = np.hypot(side, rear)
+    down = np.arctan2(ring, along) / np.pi
+    around = np.arctan2(rear, side) / (2.0 * np.pi)
+    rng = np.random.default_rng(SEED)
+    around = around + TURN / (2.0 * np.pi) * _woven(rng, 14, 5, around, down)
+    total = np.zeros(len(points_m))
+    for cells, rows, part in OCTAVES:
+        wide = np.clip(2.0 * np.pi * ring / cells / FINEST_M, 0.0, 1.0)  # at the crown strands end in each other
+        total += part * wide * _woven(rng, cells, rows, around, down)
+    return total.astype(np.float32)
+
+
+def _woven(rng: np.random.Generator, cells: int, rows: int, around: Array, down: Array) -> Array:
+    """Return (N,) smooth noise of unit deviation, periodic around and stretched down the head."""
+    table = rng.standard_normal((rows + 2, cells))
+    x, y = (around % 1.0) * cells, np.clip(down, 0.0, 1.0) * rows
+    left, top = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
+    across, below = smoothstep(x - left), smoothstep(y - top)
+    corner = [table[top + k, (left + j) % cells] for k in (0, 1) for j in (0, 1)]
+    upper = corner[0] + (corner[1] - corner[0]) * across
+    lower = corner[2] + (corner[3] - corner[2]) * across
+    return np.asarray(1.5 * (upper + (lower - upper) * below))
+
+
+def _middle(vertices_m: Array) -> Array:
+    """Return (3,) the middle of the hair's upper part, as wide as it is high: tails hang below the head."""
+    top = float(vertices_m[:, 1].max())
+    width = float(np.ptp(vertices_m[:, 0]))
+    head = vertices_m[vertices_m[:, 1] > top - width]
+    return np.asarray((head.min(axis=0) + head.max(axis=0)) / 2.0)

@@ -1,0 +1,1 @@
+"""Where hair is: what every photo says, and hair as a volume."""

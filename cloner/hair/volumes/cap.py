@@ -1,0 +1,293 @@
+"""The hair that follows the head: where it grows, by votes of the photos, and how far its outline stands off."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import cKDTree
+
+from cloner.abreast import ABREAST, abreast
+from cloner.frames import m_from_mm, mm_from_m
+from cloner.geometry.cameras.seeing import depth_at
+from cloner.geometry.meshes.graphs import SurfaceGraph, surface_graph
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.hair.volumes.tail import Tail
+from cloner.hair.volumes.views import MASK_SCALE, HairView, cover_cut
+from cloner.vision.retouching.aligning import sample
+from cloner.vision.retouching.repair import signed_distance
+
+Array = NDArray[np.float64]
+
+VOTE_MM = 12.0  # farther from the hairline than this a photo is no surer
+VOTE_COSINE = 0.05  # surfaces turned farther away have no vote
+DEPTH_SLACK_M = 0.01
+TAIL_STEPS_M = (0.02, 0.035, 0.05, 0.07, 0.09, 0.12, 0.15)  # where a tail before the skin is looked for
+FACE_PHOTO = 0.35  # weight of a face photo's outline: its camera is worse known than a body photo's
+SOFT_MM = 2.0 * VOTE_MM  # hairiness goes from 0 to 1 over what a photo can tell
+ROOT_MM, STEEP_MM = 1.0, 0.5  # hair rises from this far outside the hairline: 4 mm thick 3 mm inside, 30 at 9
+BARE_MM = 6.0  # beyond the scalp (ears, cheeks, neck) labels must be this sure of hair, and none as sure of skin
+SURE_VOTE = 0.2  # of photos that see it
+GROWTH_RINGS = 3  # hair may grow this many rings of edges beyond the scalp
+RIM_POWER = 6  # an outline says nothing about surfaces that face the camera: trust is (1 - |cos|)**6
+RIM_MM = 12.0  # nor about points farther than this inside the own outline
+SAME_EDGE_MM = 3.0  # hair's edge is the person's outline where both lie so
+FIRST_MM = 5.0  # taste: hair begins this thick, then it is fitted
+CLOSE_MM = 25.0  # thicker hair does not follow the head: all outlines together say where it is
+FURTHEST_MM = 40.0  # an outline farther off is another thing's, say a tail's
+ROUNDS = 4
+STIFFNESS = 0.08  # of the surface between outlines, against one outline point
+FULL_SHARE = 0.8  # hairiness where hair has its whole thickness
+SURE_RIM = 0.3  # weight of outline points that tell how thick the cap usually is
+THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this against its median; more is a tail
+DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
+THINNEST_MM = 2.0  # where hair grows it covers the skin
+SHELL_ROUNDS = 5  # of the finished shell
+SHELL_STIFFNESS = 3.0  # of what it is moved by in all, against one outline point
+PLANE_REACH_M = 0.03  # tangent planes tell distances up to here
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scalp:
+    """Hair measured on the skin's vertices.
+
+    Attributes
+    ----------
+    points_m, normals : (N, 3)
+    triangles : (T, 3) int32
+    votes : (K, N) float64
+        How much each photo's labels count at each vertex, zero where it does not see it.
+    hairy : (N,) float64 in 0..1, smooth over the surface
+    growth : (N,) float64 in 0..1, where hair can grow at all
+    thickness_mm : (N,) float64
+        Of the cap; zero where there is no hair.
+    """
+
+    points_m: Array
+    normals: Array
+    triangles: NDArray[np.int32]
+    votes: Array
+    hairy: Array
+    growth: Array
+    thickness_mm: Array
+
+
+def measure_scalp(
+    views: list[HairView],
+    points_m: Array,
+    normals: Array,
+    triangles: NDArray[np.int32],
+    graph: SurfaceGraph,
+    scalp: NDArray[np.bool_],
+    ears: NDArray[np.bool_],
+    tail: Tail | None,
+) -> Scalp:
+    """Return where hair grows and how far it stands off the skin.
+
+    No photo can forbid what another shows: heads turn a few degrees between
+    photos, and the intersection of all cones would lose a centimetre of hair.
+    Labels vote where their photo sees the skin squarely; outlines pull the
+    cap where the skin turns away from the camera.
+
+    Parameters
+    ----------
+    views : list of HairView
+    points_m, normals : (N, 3) skin vertices of head and neck
+    triangles : (T, 3) of those vertices
+    graph : SurfaceGraph of those vertices
+    scalp, ears : (N,) bool
+    tail : Tail or None
+        Free hair; behind it no photo sees the skin.
+    """
+    votes = np.stack([seen_votes(view, points_m, normals, tail) for view in views])
+    votes = graph.smooth(votes.T.copy(), 1).T * (votes > 0.0)
+    line = np.stack([hairline_mm(view, points_m) for view in views])
+    total = votes.sum(axis=0)
+    mean = (votes * line).sum(axis=0) / np.maximum(total, 1e-9)
+    mean = graph.fill(mean[:, None], np.clip(total, 0.0, 1.0), 0.02)[:, 0]
+    denied = ((line < -BARE_MM) & (votes > SURE_VOTE)).any(axis=0)
+    hidden = (mean > BARE_MM) & (total > SURE_VOTE)
+    beyond = (_grown(scalp, triangles) | _grown(hidden, triangles)) & ~denied & (~ears | hidden)
+    growth = graph.smooth((scalp | beyond).astype(float), 1)
+    hairy = graph.smooth(np.clip(0.5 + mean / SOFT_MM, 0.0, 1.0) * growth, 1)
+    thickness = settle_cap(views, points_m, triangles, hairy, graph)
+    # A skull may stand out of the photos' hair: no photo shows it, so it gives way.
+    tucked = points_m + normals * m_from_mm(1.0) * np.minimum(thickness - THINNEST_MM * hairy, 0.0)[:, None]
+    return Scalp(tucked, normals, triangles, votes, hairy, growth, held(np.maximum(thickness, THINNEST_MM), hairy))
+
+
+def held(thickness_mm: Array, hairy: Array) -> Array:
+    """Return thickness (N,) that rises from the hairline in a round edge; without hair there is none."""
+    inside_mm = np.clip((hairy - 0.5) * SOFT_MM + ROOT_MM, 0.0, VOTE_MM)
+    most_mm = VOTE_MM * inside_mm / (VOTE_MM + STEEP_MM - inside_mm)
+    return np.asarray(np.clip(thickness_mm, -DEEPEST_MM * (hairy > 0.5), most_mm))
+
+
+def _grown(flags: NDArray[np.bool_], triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Return flags grown by rings of triangles."""
+    for _ in range(GROWTH_RINGS):
+        touched = flags[triangles].any(axis=1)
+        flags = flags.copy()
+        flags[triangles[touched]] = True
+    return flags
+
+
+def seen_votes(view: HairView, points_m: Array, normals: Array, tail: Tail | None) -> Array:
+    """Return (N,) how much a photo's labels count: squared cosine where the skin is seen."""
+    posed = view.to_view(points_m)
+    towards = view.posed.camera.position_m - posed
+    towards = towards / np.linalg.norm(towards, axis=1, keepdims=True)
+    cosine = np.einsum("nk,nk->n", view.turn(normals), towards)
+    depth = view.posed.camera.to_camera(posed)[:, 2]
+    # NaN outside the picture: no vote.
+    seen = (depth < depth_at(view.nearest_m, view.posed.camera.project(posed)) + DEPTH_SLACK_M) & (cosine > VOTE_COSINE)
+    if tail is not None:
+        for step in TAIL_STEPS_M:
+            before = view.to_rest(posed + step * towards)
+            seen &= tail.inside_mm(before) <= 0.0
+    return np.where(seen, cosine**2, 0.0)
+
+
+def covered_share(views: list[HairView], points_m: Array, normals: Array) -> Array:
+    """Return (N,) 0..1 how far photos that see some skin show hair over it instead; zero where none sees it."""
+    votes = np.stack([seen_votes(view, points_m, normals, None) for view in views])
+    line = np.stack([hairline_mm(view, points_m) for view in views])
+    mean = (votes * line).sum(axis=0) / np.maximum(votes.sum(axis=0), 1e-9)
+    return np.where(votes.sum(axis=0) > SURE_VOTE, np.clip(0.5 + mean / BARE_MM, 0.0, 1.0), 0.0)
+
+
+def hairline_mm(view: HairView, points_m: Array) -> NDArray[np.float32]:
+    """Return (N,) signed distance to the hairline in one photo, mm, at most VOTE_MM, positive on the hair's side."""
+    posed = view.to_view(points_m)
+    line = sample(view.line_px, view.posed.camera.project(posed))[:, 0] * view.pixel_mm(posed)
+    return np.asarray(np.clip(line, -VOTE_MM, VOTE_MM), np.float32)
+
+
+def settle_cap(
+    views: list[HairView], points_m: Array, triangles: NDArray[np.int32], hairy: Array, graph: SurfaceGraph
+) -> Array:
+    """Return the cap's thickness (N,), mm, with which the head's outlines meet those of the photos.
+
+    It is negative where the skull stands out of the photos' hair.
+
+    The surface is pushed along its normals by the gap between its own outline
+    and the photo's, and again, because the rim moves with it. Between
+    outlines the thickness is smooth. Where photos disagree it is their mean.
+    """
+    normals = vertex_normals(points_m, triangles)
+    thickness = held(np.full(len(points_m), FIRST_MM), hairy)
+    for _ in range(ROUNDS):
+        surface = points_m + normals * m_from_mm(1.0) * thickness[:, None]
+        drive, trust, thickest = np.zeros(len(points_m)), np.zeros(len(points_m)), 0.0
+        for gap, weight in _outline_gaps(views, surface, triangles):
+            weight = weight * (hairy > 0.5)
+            limit = _thickest_mm(thickness + gap, weight, hairy) if len(views) > 1 else FURTHEST_MM
+            weight = np.where(thickness + gap > limit, 0.0, weight)  # a tail's root says nothing about the cap
+            drive, trust, thickest = drive + weight * gap, trust + weight, max(thickest, limit)
+        if not np.any(trust > 0.0):
+            break
+        wanted = thickness + drive / np.maximum(trust, 1e-9)
+        thickness = graph.fill(wanted[:, None], np.clip(trust, 0.0, 1.0), STIFFNESS)[:, 0]
+        thickness = held(np.minimum(graph.smooth(thickness, 1), thickest), hairy)
+    return thickness
+
+
+def _thickest_mm(wanted_mm: Array, weight: Array, hairy: Array) -> float:
+    """Return how thick one photo's outline may make the cap, mm: hair that is flat in front may be thick behind."""
+    sure = wanted_mm[(weight > SURE_RIM) & (hairy > FULL_SHARE)]
+    sure = sure if sure.size else wanted_mm[weight > 0.0]
+    usual = max(float(np.median(sure)), 0.0) if sure.size else 0.0
+    return min(THICKEST_SHARE * usual + THICKEST_EXTRA_MM, CLOSE_MM)
+
+
+def surface_mm(
+    vertices_m: Array, normals: Array, points_m: Array
+) -> tuple[NDArray[np.float32], NDArray[np.intp], NDArray[np.float64]]:
+    """Return the signed distance (N,) of points to a surface, mm, positive outside, its nearest rows and their weights.
+
+    It is the mean of the distances to four vertices' tangent planes, weighted by closeness: good near the surface.
+    """
+    gap, rows = cKDTree(vertices_m).query(points_m, k=4, workers=ABREAST)
+    weight = 1.0 / (gap + 1e-4) ** 2
+    weight /= weight.sum(axis=1, keepdims=True)
+    along = np.einsum("nkc,nkc->nk", points_m[:, None] - vertices_m[rows], normals[rows])
+    away = mm_from_m(1.0) * (weight * along).sum(axis=1)
+    # Plane distances mean nothing far away, where the Euclidean one takes over.
+    away = np.where(gap[:, 0] > PLANE_REACH_M, np.sign(away) * mm_from_m(1.0) * gap[:, 0], away)
+    return away.astype(np.float32), rows, weight
+
+
+def settle_shell(
+    views: list[HairView], scalp: Scalp, vertices_m: Array, triangles: NDArray[np.int32], least_mm: float
+) -> Array:
+    """Return the finished shell's vertices (N, 3) with its outlines on those of the photos.
+
+    The cap met them with the coarse mesh of the head; voxels, tails and what stands out over the hairline did not yet.
+    What the shell is moved by in all is smooth, in its directions too: no outline tells how deep what faces its camera
+    lies, and surfaces blown up along their own normals round by round became strings of pearls.
+
+    Parameters
+    ----------
+    views, scalp
+    vertices_m, triangles : the shell
+    least_mm : float
+        No vertex is pushed nearer to the skin than this.
+    """
+    graph, start_m = surface_graph(vertices_m, triangles), vertices_m
+    moved_mm, least_mm = np.zeros_like(start_m), np.minimum(_clear_mm(scalp, start_m)[0], least_mm)
+    for _ in range(SHELL_ROUNDS):
+        drive, trust = outline_drive(views, vertices_m, triangles)
+        gap = drive / np.maximum(trust, 1e-9)
+        wanted_mm = moved_mm + gap[:, None] * vertex_normals(vertices_m, triangles)
+        moved_mm = graph.fill(wanted_mm, np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)
+        vertices_m = start_m + m_from_mm(1.0) * moved_mm
+        clear_mm, outward = _clear_mm(scalp, vertices_m)
+        inside = (clear_mm < least_mm) & (clear_mm > -DEEPEST_MM)  # deeper: below the neck, beside what is known
+        vertices_m = vertices_m + np.where(inside, m_from_mm(1.0) * (least_mm - clear_mm), 0.0)[:, None] * outward
+    return vertices_m
+
+
+def _clear_mm(scalp: Scalp, points_m: Array) -> tuple[Array, Array]:
+    """Return how far points stand off the scalp (N,), mm, and which way is off it (N, 3)."""
+    away, rows, weight = surface_mm(scalp.points_m, scalp.normals, points_m)
+    return away.astype(np.float64), np.einsum("nk,nkc->nc", weight, scalp.normals[rows])
+
+
+def outline_drive(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
+    """Return (N,) the sum of what the photos want a surface moved outwards, mm, and of their weights."""
+    drive, trust = np.zeros(len(surface_m)), np.zeros(len(surface_m))
+    for gap, weight in _outline_gaps(views, surface_m, triangles):
+        drive += weight * gap
+        trust += weight
+    return drive, trust
+
+
+def _outline_gaps(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> list[tuple[Array, Array]]:
+    """Return each photo's gaps (N,) to a surface's outline, mm, and their weights."""
+    facing = vertex_normals(surface_m, triangles)
+    straight = [view for view in views if view.flip_m is None]
+    gaps = abreast(lambda view: _outline_gap(view, surface_m, facing, triangles), straight)
+    return [
+        (gap, weight * (FACE_PHOTO if view.posed.view.is_face else 1.0))
+        for view, (gap, weight) in zip(straight, gaps, strict=True)
+    ]
+
+
+def _outline_gap(view: HairView, surface_m: Array, normals: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
+    """Return (N,) how far the photo's outline lies outside the surface's own, mm, and how much that counts."""
+    posed = view.to_view(surface_m)
+    camera = view.posed.camera
+    towards = camera.position_m - posed
+    towards /= np.linalg.norm(towards, axis=1, keepdims=True)
+    across = 1.0 - np.abs(np.einsum("nk,nk->n", view.turn(normals), towards))
+    pixel, scale = camera.project(posed), view.pixel_mm(posed)
+    own, within = cover_cut(view, surface_m, triangles)
+    inside = sample(signed_distance(own), within)[:, 0] / MASK_SCALE * scale
+    outline, edge = (sample(distance, pixel)[:, 0] * scale for distance in (view.outline_px, view.hair_px))
+    gap = outline - inside
+    # The photo's outline must be the hair's, and this vertex at the own outline.
+    good = (sample(view.line_px, pixel)[:, 0] > 0.0) & (inside < RIM_MM) & (np.abs(gap) < FURTHEST_MM)
+    good &= np.abs(outline - edge) < SAME_EDGE_MM  # a tail before neck or back ends inside the person
+    good &= (pixel > 2.0).all(axis=1) & (pixel < np.array([camera.width_px, camera.height_px]) - 3.0).all(axis=1)
+    return gap, np.where(good, np.clip(across, 0.0, 1.0) ** RIM_POWER, 0.0)

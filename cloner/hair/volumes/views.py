@@ -1,0 +1,298 @@
+"""What every photo says about where hair is and is not: the hair's visual hull."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.abreast import abreast
+from cloner.frames import ViewId, mm_from_m
+from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
+from cloner.geometry.articulation.skinning import joint_transforms
+from cloner.geometry.cameras.seeing import depth_at, nearest_of
+from cloner.geometry.meshes.rasters import nearest_depth
+from cloner.paint.lookups.posed import parents_of, pose
+from cloner.paint.lookups.prepared import person_mask
+from cloner.records.bodies import PosedView
+from cloner.records.clones import Joined
+from cloner.records.labels import Label, shows
+from cloner.records.points import Proposal, Proposals
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.vision.retouching.aligning import sample
+from cloner.vision.retouching.repair import signed_distance
+from cloner.vision.segmentation.pieces import pieces_of
+
+Array = NDArray[np.float64]
+
+CAP_OVER_FACE, CAP_OVER_HAIR = 0.1, 0.5  # a cap's middle lies above this share of the face's rows, or of the hair's
+NEVER_ON_SCALPS = (Label.BODY_SKIN, Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES)
+SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
+FAR_MM = 1000.0
+MASK_SCALE = 0.5  # surfaces are drawn at this share of the photo's size
+NEAR_SHARE = 0.6  # distances are told within this share of the hair's size around it
+INVERSE_ROUNDS = 3  # rests to a micrometre: neck and skull differ by few degrees
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Hanger:
+    """What carries hair: the skull, and further down partly neck and chest.
+
+    Attributes
+    ----------
+    joints : (4,) int32
+        Skull, neck, chest, and the skull again to fill the fourth place.
+    heights_m : (3,) float64
+        Their heights at rest.
+    """
+
+    joints: NDArray[np.int32]
+    heights_m: Array
+
+    @classmethod
+    def of(cls, generic: GenericHuman, joined: Joined) -> Hanger:
+        """Return the hanger of a person."""
+        index = [generic.joint_names.index(name) for name in ("skullbase", "vc4", "vt1", "skullbase")]
+        return cls(np.array(index, np.int32), np.asarray(joined.joints_m[index[:3], 1], np.float64))
+
+    def weights(self, points_m: Array) -> tuple[NDArray[np.int32], Array]:
+        """Return skin joints and weights (N, 4) of rest points.
+
+        Hair below the skull's base follows the chest by half at most: it hangs
+        from the head but lies on the back.
+        """
+        top, middle, bottom = self.heights_m
+        down = np.clip((top - points_m[:, 1]) / max(top - bottom, 1e-6), 0.0, 1.0)
+        half = max((top - middle) / max(top - bottom, 1e-6), 1e-6)
+        neck = 0.5 * np.clip(np.minimum(down / half, (1.0 - down) / max(1.0 - half, 1e-6)), 0.0, 1.0)
+        chest = 0.5 * np.clip((down - half) / max(1.0 - half, 1e-6), 0.0, 1.0)
+        weights = np.stack([1.0 - neck - chest, neck, chest, np.zeros_like(neck)], axis=1)
+        return np.tile(self.joints, (len(points_m), 1)), weights
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class HairView:
+    """One photo's evidence of hair.
+
+    Attributes
+    ----------
+    posed : PosedView
+    transforms : (J, 4, 4)
+        Carry what is fixed to a joint from rest into the photo's pose.
+    hanger : Hanger
+        Which joints carry hair at which height.
+    nearest_m : (h, w) float32
+        Depth picture of the posed body without hair.
+    hair : (H, W) bool
+    hair_px : (H, W) float32
+        Signed distance to the hair's outline in the photo, positive inside; far from all hair -FAR_MM.
+    line_px : (H, W) float32
+        Signed distance to the hairline, positive on the hair's side; the background counts as
+        what lies nearest to it, so that a head a little off its photo still finds its hair.
+    outline_px : (H, W) float32
+        Signed distance to the person's outline, positive inside.
+    clothed : (H, W) bool
+        Pixels labelled as clothes or skin of the body: no scalp has them.
+    flip_m : float or None
+        When set, points are mirrored at x = flip_m first: the photo stands for the other half.
+    above_m, taller : float
+        Above this height hair is so many times taller here than photos together say; see `crowns.py`.
+    """
+
+    posed: PosedView
+    transforms: Array
+    hanger: Hanger
+    nearest_m: NDArray[np.float32]
+    hair: NDArray[np.bool_]
+    hair_px: NDArray[np.float32]
+    line_px: NDArray[np.float32]
+    outline_px: NDArray[np.float32]
+    clothed: NDArray[np.bool_]
+    flip_m: float | None = None
+    above_m: float = np.inf
+    taller: float = 1.0
+
+    def to_hair(self, points_m: Array) -> Array:
+        """Return (N, 3) rest points where this photo shows the hair that all photos together show in them."""
+        higher = np.maximum(points_m[:, 1] - self.above_m, 0.0) * (self.taller - 1.0)
+        return self.to_view(points_m + higher[:, None] * (0.0, 1.0, 0.0))
+
+    def to_view(self, points_m: Array) -> Array:
+        """Return (N, 3) rest points as they stand in this photo."""
+        if self.flip_m is not None:
+            points_m = points_m * (-1.0, 1.0, 1.0) + (2.0 * self.flip_m, 0.0, 0.0)
+        return self._hung(points_m)
+
+    def _hung(self, points_m: Array) -> Array:
+        """Return (N, 3) rest points carried by skull, neck and chest: skinning by three joints only."""
+        weights = self.hanger.weights(points_m)[1]
+        found = np.zeros_like(points_m)
+        for place, joint in enumerate(self.hanger.joints[:3]):
+            if weights[:, place].any():
+                turned = points_m @ self.transforms[joint, :3, :3].T + self.transforms[joint, :3, 3]
+                found += weights[:, place, None] * turned
+        return found
+
+    def to_rest(self, posed_m: Array) -> Array:
+        """Return (N, 3) posed points as they rest (not mirrored back)."""
+        turn = self.transforms[self.hanger.joints[0], :3, :3]
+        points = (posed_m - self.transforms[self.hanger.joints[0], :3, 3]) @ turn
+        for _ in range(INVERSE_ROUNDS):
+            points = points + (posed_m - self._hung(points)) @ turn
+        return np.asarray(points)
+
+    def pixel_mm(self, posed_m: Array) -> float:
+        """Return the size of a pixel where (N, 3) posed points are, millimetres."""
+        return mm_from_m(self.posed.camera.metres_per_pixel(posed_m.mean(axis=0)))
+
+    def turn(self, normals: Array) -> Array:
+        """Return (N, 3) rest directions as they stand in this photo."""
+        if self.flip_m is not None:
+            normals = normals * (-1.0, 1.0, 1.0)
+        return np.asarray(normals @ self.transforms[self.hanger.joints[0], :3, :3].T)
+
+    def evidence(self, points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
+        """Return how deep points lie inside the hair's outline (N,), mm, and which the photo can judge (N,).
+
+        It judges what is in the picture and not behind the body: if it shows no hair there, there is none.
+        """
+        posed = self.to_hair(points_m)
+        camera = self.posed.camera
+        pixel = camera.project(posed)
+        depth = camera.to_camera(posed)[:, 2]
+        scale = self.pixel_mm(posed)
+        before = depth < depth_at(self.nearest_m, pixel)  # NaN outside the picture: not judged
+        return sample(self.hair_px, pixel)[:, 0] * np.float32(scale), before
+
+
+def hair_views(
+    generic: GenericHuman, joined: Joined, proposals: Proposals, silhouettes: SilhouetteSet
+) -> list[HairView]:
+    """Return every photo's evidence; side photos also mirrored for the half they do not show."""
+    triangles, hanger = body_triangles(), Hanger.of(generic, joined)
+    middle = float(joined.joints_m[generic.joint_names.index("skullbase"), 0])
+
+    def seen(view: ViewId) -> HairView:
+        posed, person = joined.views[view], person_mask(view, proposals.views[view], silhouettes)
+        hair = clean_hair(proposals.views[view], person)
+        transforms = joint_transforms(joined.joints_m, parents_of(generic), posed.rotations)
+        nearest = nearest_of(pose(generic, joined, posed), triangles, posed.camera)
+        clothed = person & shows(proposals.views[view].labels, *NEVER_ON_SCALPS)
+        return HairView(posed, transforms, hanger, nearest, *distances_px(hair, person), clothed)
+
+    found: list[HairView] = []
+    for one in abreast(seen, [view for view in joined.views if view in proposals.views]):
+        found.append(one)
+        if one.posed.view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+            found.append(replace(one, flip_m=middle))
+    return found
+
+
+def views_of(generic: GenericHuman, joined: Joined, views: list[HairView]) -> list[HairView]:
+    """Return the evidence with the depth pictures of a person whose vertices were moved; poses are as before."""
+    triangles, shown = body_triangles(), {view.posed.view: view.posed for view in views}
+    depths = abreast(
+        lambda posed: nearest_of(pose(generic, joined, posed), triangles, posed.camera), list(shown.values())
+    )
+    nearest = dict(zip(shown, depths, strict=True))
+    return [replace(view, nearest_m=nearest[view.posed.view]) for view in views]
+
+
+def distances_px(
+    hair: NDArray[np.bool_], person: NDArray[np.bool_]
+) -> tuple[NDArray[np.bool_], NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
+    """Return hair, and the signed distances (H, W) to its outline, to the hairline and to the person's outline, px.
+
+    They are counted around the hair only: most of a body photo is far from it.
+    """
+    rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
+    to_hair, to_hairline, to_person = (np.full(hair.shape, -FAR_MM, np.float32) for _ in range(3))
+    if rows.size:
+        air = int(NEAR_SHARE * max(np.ptp(rows), np.ptp(columns))) + 2
+        box = np.s_[max(rows[0] - air, 0) : rows[-1] + air + 1, max(columns[0] - air, 0) : columns[-1] + air + 1]
+        to_hair[box] = signed_distance(hair[box])
+        to_hairline[box] = hairline(hair[box], person[box])
+        to_person[box] = signed_distance(person[box])
+    return hair, to_hair, to_hairline, to_person
+
+
+def hairline(hair: NDArray[np.bool_], person: NDArray[np.bool_]) -> NDArray[np.float32]:
+    """Return (H, W) signed distance to the hairline, px, background counted as the person's nearest pixel."""
+    if not hair.any():
+        return signed_distance(hair)
+    to_hair = cv2.distanceTransform((~hair).astype(np.uint8), cv2.DIST_L2, 3)
+    to_other = cv2.distanceTransform((hair | ~person).astype(np.uint8), cv2.DIST_L2, 3)
+    return np.asarray(to_other - to_hair, np.float32)
+
+
+def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return (H, W) pixels of hair, or of a cap on it: labelled so, on the person, in pieces of some size."""
+    hair = ((proposal.labels == Label.HAIR) | headwear(proposal.labels)) & person
+    small = cv2.morphologyEx(hair.astype(np.uint8), cv2.MORPH_OPEN, np.ones((3, 3), np.uint8))
+    box, pieces, figures = pieces_of(small)
+    area = figures[:, cv2.CC_STAT_AREA].astype(float)
+    area[0] = 0.0
+    kept = np.zeros(hair.shape, np.bool_)
+    if area.any():
+        kept[box] = (area >= SMALLEST_PIECE * area.max())[pieces]
+    return kept
+
+
+def headwear(labels: NDArray[np.uint8]) -> NDArray[np.bool_]:
+    """Return (H, W) pixels of what is worn on the head: it has a volume as hair has, unlike glasses and scarves.
+
+    Its pieces lie above nearly all of the face, or above the middle of the hair where a photo shows no face.
+    """
+    face, hair = (np.nonzero(labels == label)[0] for label in (Label.FACE_SKIN, Label.HAIR))
+    rows, share = (face, CAP_OVER_FACE) if len(face) else (hair, CAP_OVER_HAIR)
+    worn = labels == Label.ACCESSORY
+    if not len(rows) or not worn.any():
+        return np.zeros(labels.shape, np.bool_)
+    count, pieces, _, middles = cv2.connectedComponentsWithStats(worn.astype(np.uint8), connectivity=8)
+    high = [piece for piece in range(1, count) if middles[piece, 1] < np.quantile(rows, share)]
+    return np.asarray(np.isin(pieces, high))
+
+
+def hull_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:
+    """Return (N,) how deep points lie in the hair's visual hull, millimetres, positive inside.
+
+    A point is hair when no photo that can judge it shows something else there
+    and at least one photo shows hair. Negative = outside; -FAR where no photo judges.
+    """
+    worst = np.full(len(points_m), FAR_MM, np.float32)
+    judged = np.zeros(len(points_m), bool)
+    for view in views:
+        inside, before = view.evidence(points_m)
+        worst = np.where(before, np.minimum(worst, inside), worst)
+        judged |= before
+    return np.where(judged, worst, np.float32(-FAR_MM))
+
+
+def cover(view: HairView, surface_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:
+    """Return (h, w) the pixels that a surface covers, at MASK_SCALE of the photo."""
+    camera = view.posed.camera
+    size = int(camera.height_px * MASK_SCALE), int(camera.width_px * MASK_SCALE)
+    pixel = (camera.project(view.to_view(surface_m)) + 0.5) * MASK_SCALE - 0.5
+    depth = np.ones(len(pixel))  # which is nearer does not matter
+    return np.isfinite(nearest_depth(np.clip(pixel, -1e4, 1e4), depth, triangles, size[1], size[0]))
+
+
+def cover_cut(
+    view: HairView, surface_m: Array, triangles: NDArray[np.int32]
+) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+    """Return :func:`cover` cut to the surface, with a pixel of air where the photo goes on, and the vertices in it.
+
+    Returns
+    -------
+    (h, w) bool and (N, 2) pixels of that picture
+    """
+    camera = view.posed.camera
+    size = np.array([int(camera.width_px * MASK_SCALE), int(camera.height_px * MASK_SCALE)])
+    pixel = np.clip((camera.project(view.to_view(surface_m)) + 0.5) * MASK_SCALE - 0.5, -1e4, 1e4)
+    first = np.clip(np.floor(pixel.min(axis=0)).astype(int) - 1, 0, size - 1)
+    width, height = (np.clip(np.ceil(pixel.max(axis=0)).astype(int) + 2, first + 1, size) - first).tolist()
+    depth = np.ones(len(pixel))  # which is nearer does not matter
+    return np.isfinite(nearest_depth(pixel - first, depth, triangles, width, height)), pixel - first

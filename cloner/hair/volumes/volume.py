@@ -1,0 +1,274 @@
+"""The hair as a volume: a cap of measured thickness, free tails and hanging hair in one field."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import binary_dilation, gaussian_filter, label
+from scipy.spatial import cKDTree
+
+from cloner.frames import m_from_mm, mm_from_m
+from cloner.geometry.meshes.triangles import longest_sides
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, hairline_mm, seen_votes, surface_mm
+from cloner.hair.volumes.rows import SIDES, agreed_mm
+from cloner.hair.volumes.tail import Tail, find_tail
+from cloner.hair.volumes.views import FAR_MM, HairView, hull_mm
+
+Array = NDArray[np.float64]
+
+INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
+LYING_MM = 8.0  # taste: hair that a photo shows on neck, shoulders or back is so thick at least
+DRAPE_MM = 25.0  # taste: hair that one side alone shows lies this thick on the skin at most
+VOXEL_M = 0.004
+SMOOTH_VOXELS = 0.8
+COARSE = 4  # voxels a side of a trial cell
+FILM_MM = 2.0  # clear of the skin's mesh
+BEYOND_MM = 8.0  # how far the film reaches: past what labels and mesh may err
+OVERHANG_DOUBT_MM = 2.0  # heads stand a little off their photos
+TAIL_DOUBT_MM = 6.0  # heads nod between photos, and tails swing
+SMALLEST_LOCK_M3 = 4e-5  # taste: 40 ml, a thin lock
+LIFT_MM = 2.5  # labels are read this far above the skin: clear of the mesh, below the hair's surface
+GROWTH_MM = 40.0  # the growth share falls from 1 to 0 over about two rings of this mesh
+UNSEEN_VOTE = 0.05  # what neighbours say counts where photos see badly
+FAR_SLACK_MM = 10.0  # planes of skin far below tell distances this badly
+CLIP_MM = 15.0  # the field is cut off here, so that smoothing stays local
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Near:
+    """Grid points against the skin.
+
+    Attributes
+    ----------
+    points_m : (N, 3)
+    skin_mm, cap_mm : (N,) float32, signed distance to the skin and to the cap's outside, positive outside
+    outward : (N, 3) float32, the skin's normal nearby
+    hairy, growth : (N,) float32, of the skin nearby
+    votes : (K, N) float32, of the skin nearby
+    """
+
+    points_m: Array
+    skin_mm: NDArray[np.float32]
+    cap_mm: NDArray[np.float32]
+    outward: NDArray[np.float32]
+    hairy: NDArray[np.float32]
+    growth: NDArray[np.float32]
+    votes: NDArray[np.float32]
+
+
+def near_skin(scalp: Scalp, points_m: Array) -> Near:
+    """Return points with what the nearest four skin vertices say, weighted by closeness."""
+    skin, rows, weight = surface_mm(scalp.points_m, scalp.normals, points_m)
+    # Planes of a skin far below lie askew: hair's outside is told by its own.
+    thickness = np.maximum(scalp.thickness_mm, FILM_MM)
+    lifted = scalp.points_m + scalp.normals * m_from_mm(1.0) * thickness[:, None]
+    # Deep in the head and far above all hair nobody asks for the cap: half of the points.
+    thickest = float(thickness.max())
+    asked = (skin > -INNER_MM - CLIP_MM) & (skin < thickest + CLIP_MM + FAR_SLACK_MM)
+    cap = skin - np.float32(thickest)
+    cap[asked] = surface_mm(lifted, vertex_normals(lifted, scalp.triangles), points_m[asked])[0]
+    # Where ears fold it some planes stand upright and would call air hair: spikes. No hair is farther from a vertex
+    # than it is thick and its triangles are long.
+    away_m = np.linalg.norm(points_m - scalp.points_m[rows[:, 0]], axis=1)
+    least = mm_from_m(1.0) * (away_m - longest_sides(scalp.points_m, scalp.triangles)[rows[:, 0]])
+    least -= thickness[rows].max(axis=1)
+    return Near(
+        points_m,
+        skin,
+        np.maximum(cap, least).astype(np.float32),
+        np.einsum("nk,nkc->nc", weight, scalp.normals[rows]).astype(np.float32),
+        (weight * scalp.hairy[rows]).sum(axis=1).astype(np.float32),
+        (weight * scalp.growth[rows]).sum(axis=1).astype(np.float32),
+        np.stack([(weight * vote[rows]).sum(axis=1) for vote in scalp.votes]).astype(np.float32),
+    )
+
+
+def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:
+    """Return (N,) the field of the hair that follows the head, mm.
+
+    Thickness bounds it outwards. It runs on as a film beyond the hairline, where the texture fades it out:
+    labels are as fine as photos, voxels are not.
+    """
+    field = np.minimum(-near.cap_mm, near.skin_mm + INNER_MM)
+    rows = np.flatnonzero(field > -CLIP_MM)
+    line = voted_line_mm(views, near, rows) + BEYOND_MM
+    field[rows] = np.minimum(field[rows], np.minimum(line, (near.growth[rows] - 0.5) * GROWTH_MM))
+    return np.asarray(field, np.float32)
+
+
+def lying_near(body: tuple[Array, Array], votes: Array, points_m: Array) -> Near:
+    """Return points against hair that lies on the body, as thick everywhere: photos that see it say where it is."""
+    skin, rows, weight = surface_mm(*body, points_m)
+    return Near(
+        points_m,
+        skin,
+        skin - np.float32(LYING_MM),
+        np.einsum("nk,nkc->nc", weight, body[1][rows]).astype(np.float32),
+        np.zeros(len(skin), np.float32),
+        np.ones(len(skin), np.float32),
+        np.stack([(weight * vote[rows]).sum(axis=1) for vote in votes]).astype(np.float32),
+    )
+
+
+def overhang_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray[np.float32]:
+    """Return (N,) the field of hair that stands out over the hairline, mm: thick as inside it, where photos agree."""
+    full = scalp.hairy > FULL_SHARE
+    if not full.any():
+        return np.full(len(points_m), -CLIP_MM, np.float32)
+    thickness = scalp.thickness_mm[full]
+    reach = m_from_mm(float(thickness.max()) + CLIP_MM)
+    gap, row = cKDTree(scalp.points_m[full]).query(points_m, distance_upper_bound=reach)
+    rows = np.flatnonzero(np.isfinite(gap))
+    field = np.full(len(points_m), -CLIP_MM, np.float32)
+    round_mm = thickness[row[rows]] - mm_from_m(1.0) * gap[rows]
+    near = rows[round_mm > -CLIP_MM]
+    field[near] = np.minimum(round_mm[round_mm > -CLIP_MM], hull_mm(views, points_m[near]) + OVERHANG_DOUBT_MM)
+    return field
+
+
+def voted_line_mm(views: list[HairView], near: Near, rows: NDArray[np.int64]) -> NDArray[np.float32]:
+    """Return (R,) distance along the skin to the hairline of some points, mm, positive on the hair's side.
+
+    Labels are read a little above the skin, also for points below it.
+    """
+    lift = m_from_mm(1.0) * (np.minimum(near.skin_mm[rows], LIFT_MM) - near.skin_mm[rows])
+    read = near.points_m[rows] + near.outward[rows] * lift[:, None]
+    votes = near.votes[:, rows]
+    line = np.zeros(rows.size, np.float32)
+    for view, vote in zip(views, votes, strict=True):
+        line += vote * hairline_mm(view, read)
+    unseen = (near.hairy[rows] - 0.5) * SOFT_MM
+    return np.asarray((line + UNSEEN_VOTE * unseen) / (votes.sum(axis=0) + UNSEEN_VOTE), np.float32)
+
+
+def tail_mm(views: list[HairView], tail: Tail, points_m: Array) -> NDArray[np.float32]:
+    """Return (N,) the field of a tail, mm, without what front photos do not show as hair.
+
+    In a side photo a crown that stands over its cap looks like a strand in the head's middle: a knob.
+    """
+    field = tail.inside_mm(points_m)
+    rows = np.flatnonzero(field > -CLIP_MM)
+    front = [view for view in views if view.posed.view in SIDES[0]]
+    if front and rows.size:
+        seen = hull_mm(front, points_m[rows])
+        judged = seen > -FAR_MM  # behind head and shoulders no front photo sees a tail
+        field[rows] = np.where(judged, np.minimum(field[rows], seen + TAIL_DOUBT_MM), field[rows])
+    return field
+
+
+def hanging_mm(views: list[HairView], points_m: Array, skin_mm: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (N,) the field of hair that stands off the head's cap, hangs, or lies on neck, shoulders or cheeks, mm.
+
+    Here all photos must agree, because labels low down are the least sure; what one side alone tells of lies thin.
+
+    Parameters
+    ----------
+    views : list of HairView
+    points_m : (N, 3)
+    skin_mm : (N,) float32
+        Signed distance to the whole body's skin, positive outside.
+    """
+    field = np.full(len(skin_mm), -FAR_MM, np.float32)
+    rows = np.flatnonzero(skin_mm > -INNER_MM)
+    inside, sides = agreed_mm(views, points_m[rows])
+    thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[rows])
+    field[rows] = np.minimum(np.minimum(inside, thin), skin_mm[rows] + INNER_MM)
+    return field
+
+
+def hair_field(
+    views: list[HairView],
+    scalp: Scalp,
+    body: tuple[Array, Array],
+    low_m: Array,
+    high_m: Array,
+    middle_m: float,
+    hang_below_m: float,
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Return the hair's field and the distance to the skin on a grid.
+
+    Parameters
+    ----------
+    views : list of HairView
+    scalp : Scalp
+    body : (M, 3) vertices of the whole body's skin, the scalp's tucked in, metres, and their normals
+    low_m, high_m : (3,) corners of the grid, rest frame
+    middle_m : float
+        x of the head's middle.
+    hang_below_m : float
+        Height below which hair may lie on bare skin or hang free.
+
+    Returns
+    -------
+    field_mm : (X, Y, Z) float32, positive inside the hair, clipped to +-CLIP_MM
+    skin_mm : (X, Y, Z) float32, positive outside the body, FAR_MM where no hair is near
+    """
+    surface = scalp.points_m + scalp.normals * m_from_mm(1.0) * scalp.thickness_mm[:, None]
+    tail = find_tail(views, surface, scalp.triangles, middle_m)
+    votes = np.stack([seen_votes(view, *body, None) for view in views])
+    line = sum(vote * hairline_mm(view, body[0]) for view, vote in zip(views, votes, strict=True))
+    lying = body[0][(line > 0.0) & (body[0][:, 1] < hang_below_m)]
+    points, rows, shape = _worthwhile(views, scalp, lying, tail, low_m, high_m)
+    field = np.full(int(np.prod(shape)), -CLIP_MM, np.float32)
+    skin = np.full(field.shape, np.float32(FAR_MM))
+    near = near_skin(scalp, points)
+    lain = lying_near(body, votes, points)
+    skin_mm, low = lain.skin_mm, points[:, 1] < hang_below_m
+    grown = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
+    hanging = hanging_mm(views, points, skin_mm)
+    hanging = np.where(low, np.maximum(hanging, cap_mm(views, lain)), hanging)
+    if tail is not None:
+        grown = np.maximum(grown, tail_mm(views, tail, points))
+        hanging = np.where(tail.holds(points), -CLIP_MM, hanging)
+    found = np.where(_held_by(grown, hanging, rows, shape), np.maximum(grown, hanging), grown)
+    field[rows] = np.clip(found, -CLIP_MM, CLIP_MM)
+    skin[rows] = skin_mm
+    return gaussian_filter(field.reshape(shape), SMOOTH_VOXELS), skin.reshape(shape)
+
+
+def _held_by(
+    grown: NDArray[np.float32], hanging: NDArray[np.float32], rows: NDArray[np.int64], shape: tuple[int, ...]
+) -> NDArray[np.bool_]:
+    """Return (N,) which points beside the hair that grows are hair hanging from it, and no speck.
+
+    Collars, shadows and bags that are labelled hair hang from nothing.
+    """
+
+    def pieces_of(flags: NDArray[np.bool_]) -> NDArray[np.int64]:
+        grid = np.zeros(int(np.prod(shape)), bool)
+        grid[rows] = flags
+        return np.asarray(label(grid.reshape(shape))[0].ravel()[rows], np.int64)
+
+    pieces, locks = pieces_of(np.maximum(grown, hanging) > 0.0), pieces_of((hanging > 0.0) & (grown <= 0.0))
+    held = np.zeros(int(pieces.max(initial=0)) + 1, bool)
+    held[pieces[grown > 0.0]] = True
+    large = np.bincount(locks) >= SMALLEST_LOCK_M3 / VOXEL_M**3
+    return np.asarray((locks > 0) & held[pieces] & large[locks], np.bool_)
+
+
+def _worthwhile(
+    views: list[HairView], scalp: Scalp, lying_m: Array, tail: Tail | None, low_m: Array, high_m: Array
+) -> tuple[Array, NDArray[np.int64], tuple[int, ...]]:
+    """Return grid points near possible hair (N, 3), their flat rows, and the grid's shape.
+
+    A coarse grid is tried first; nine tenths of the box hold nothing.
+    """
+    cells = np.ceil((high_m - low_m) / (COARSE * VOXEL_M)).astype(int)
+    shape = tuple(int(n) for n in cells * COARSE)
+    middle = [low_m[k] + (np.arange(cells[k]) * COARSE + 0.5 * (COARSE - 1)) * VOXEL_M for k in range(3)]
+    coarse = np.stack(np.meshgrid(*middle, indexing="ij"), axis=-1).reshape(-1, 3)
+    radius_mm = mm_from_m(COARSE * VOXEL_M)
+    wanted = np.maximum(hull_mm(views, coarse), agreed_mm(views, coarse)[0]) > -radius_mm
+    if tail is not None:
+        wanted |= tail.inside_mm(coarse) > -radius_mm
+    for skin_m, thick_mm in ((scalp.points_m[scalp.hairy > 0.0], float(scalp.thickness_mm.max())), (lying_m, LYING_MM)):
+        if len(skin_m):
+            reach = m_from_mm(thick_mm + INNER_MM + radius_mm)
+            wanted |= cKDTree(skin_m).query(coarse, distance_upper_bound=reach)[0] < reach
+    grid = binary_dilation(wanted.reshape(tuple(cells)))
+    fine = np.argwhere(grid.repeat(COARSE, 0).repeat(COARSE, 1).repeat(COARSE, 2))
+    rows = np.asarray(np.ravel_multi_index(tuple(fine.T), shape), np.int64)
+    return low_m + fine * VOXEL_M, rows, shape

@@ -1,0 +1,1 @@
+"""Machines, ours and others: what is lacking, processes, a cluster and its certificates."""

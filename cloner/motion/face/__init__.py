@@ -1,0 +1,1 @@
+"""Faces over time: expressions, speech, and MPEG-4 parameters."""

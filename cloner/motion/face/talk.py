@@ -1,0 +1,130 @@
+"""A clone that speaks: the mouth follows the speech, eyes blink, head and brows stress it, a score adds the rest."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter1d
+
+from cloner.motion.face.espeak import spoken
+from cloner.motion.face.expressions import Beat, mixed, play
+from cloner.motion.face.heard import heard_visemes
+from cloner.motion.face.score import GESTURES, QUICK, SILENT, Score
+from cloner.motion.face.sound import frame_features, read_wav, sound_visemes
+from cloner.motion.face.speech import LARGEST_BYTES, mouth_weights, phoneme_visemes, read_phonemes, smoothed
+from cloner.motion.limbs import turns
+from cloner.motion.limbs.body import Body
+from cloner.motion.moves.gait import idle
+from cloner.outside import text_outside
+from cloner.records.motions import Motion
+
+Array = NDArray[np.float64]
+
+#: Frames a second of every clip.
+FRAMES_PER_S: Final = 30.0
+#: How much formants and hiss count beside the net, for voices unlike those it was taught with; of one it never heard
+#: (flite's rms) 71 % of the salient phonemes lead at their middle with nothing, 75 with .3, of known voices 3 % less.
+BY_FORMANTS: Final = 0.2
+BLINK_EVERY_S: Final = 3.4  # taste; people blink 15 to 20 times a minute
+NOD: Final = 0.035  # radians of nodding at the loudest; taste
+TURN: Final = 0.03
+
+
+def spoken_visemes(path: Path) -> Array:
+    """Return (F, 15) shares of the mouth shapes of a .wav file, of phonemes or of words, one row a hundredth second.
+
+    A .txt file holds phonemes, one a line with its seconds, or else words for espeak-ng; its language stands between
+    two dots of the file's name, "hello.de.txt".
+
+    Raises
+    ------
+    ClonerError
+        If the file cannot be read.
+    """
+    if path.suffix.lower() == ".wav":
+        return _heard(read_wav(path))
+    words = _words_in(path)
+    if words is None:
+        return phoneme_visemes(read_phonemes(path))
+    language = path.suffixes[-2][1:] if len(path.suffixes) > 1 else "en-us"
+    _, _, phonemes = spoken(words, language)
+    return phoneme_visemes(phonemes)
+
+
+def _heard(sound: Array) -> Array:
+    """Return (F, 15) shares of what a net hears and what formants, hiss and silence tell.
+
+    The net knows voices like those it was taught with; linear prediction knows any voice, less surely.
+    """
+    net, plain = heard_visemes(sound), sound_visemes(frame_features(sound))
+    count = min(len(net), len(plain))
+    return smoothed((1.0 - BY_FORMANTS) * net[:count] + BY_FORMANTS * plain[:count])
+
+
+def _words_in(path: Path) -> str | None:
+    """Return the words of a text, None where its first line is a name with a number: a phoneme and its seconds.
+
+    Raises
+    ------
+    ClonerError
+        If the file cannot be read.
+    """
+    text = text_outside(path, "the text", "Give a text file", LARGEST_BYTES).strip()
+    if not text:
+        return None  # the reader of phonemes says so
+    first = next(line.split() for line in text.splitlines() if line.strip())
+    phonemes = len(first) == 2 and re.fullmatch(r"[+-]?(\d+\.?\d*|\.\d+|nan|inf)", first[1])
+    return None if phonemes else text
+
+
+def talk(body: Body, name: str, shares: Array, score: Score = SILENT) -> Motion:
+    """Return the motion of a clone that speaks.
+
+    Parameters
+    ----------
+    body : Body
+    name : str
+    shares : (F, 15)
+        As :func:`spoken_visemes` gives them.
+    score : Score
+        What else the face does meanwhile; eyes that have a track of their own do not blink by themselves.
+    """
+    times, mouth = mouth_weights(shares, FRAMES_PER_S)
+    loud = gaussian_filter1d(np.clip(sum(mouth.values()), 0.0, 1.0), 0.15 * FRAMES_PER_S)
+    tracks = {"eyes": _blinks(times), "brows": _stress(loud)} | score.weights(times)
+    tracks["mouth"] = mouth | tracks.get("mouth", {})
+    angles = score.head_angles(times)
+    angles[:, 0] += NOD * loud
+    angles[:, 1] += TURN * np.sin(2.0 * np.pi * times / 4.3) * loud
+    return _standing(body, name, times, angles, mixed(tracks))
+
+
+def scored(body: Body, name: str, score: Score) -> Motion:
+    """Return the motion of a clone that stands and plays a score."""
+    times = np.arange(round(max(score.duration_s(), 1.0 / FRAMES_PER_S) * FRAMES_PER_S) + 1) / FRAMES_PER_S
+    tracks = {"eyes": _blinks(times)} | score.weights(times)
+    return _standing(body, name, times, score.head_angles(times), mixed(tracks))
+
+
+def _blinks(times_s: Array) -> dict[str, Array]:
+    return play([Beat(at, GESTURES["blink"], QUICK) for at in np.arange(0.9, times_s[-1], BLINK_EVERY_S)], times_s)
+
+
+def _stress(loud: Array) -> dict[str, Array]:
+    return {"browInnerUp": 0.25 * loud, "browOuterUpLeft": 0.15 * loud, "browOuterUpRight": 0.15 * loud}
+
+
+def _standing(body: Body, name: str, times_s: Array, head: Array, weights: Mapping[str, Array]) -> Motion:
+    """Return the motion of somebody who stands with a moving head (F, 3), half of it in the neck, and face."""
+    rest = idle(body)
+    rows = np.arange(len(times_s)) % (len(rest.times_s) - 1)
+    rotations = rest.rotations[rows].copy()
+    for joint in ("skullbase", "vc4"):
+        own = body.joint(joint)
+        rotations[:, own] = turns.vectors(turns.matrices(rotations[:, own]) @ turns.matrices(0.5 * head))
+    return Motion(name, times_s, rest.root_m[rows], rotations, dict(weights))

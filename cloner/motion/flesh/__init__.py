@@ -1,0 +1,1 @@
+"""Flesh around bent joints, and other rest poses."""

@@ -1,0 +1,1 @@
+"""The atlas composed from photos, tile by tile."""

@@ -1,0 +1,1 @@
+"""Details that photos show badly: eyes, hands, ears, lids, nostrils, glasses, collars."""

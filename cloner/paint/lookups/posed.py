@@ -1,0 +1,69 @@
+"""The person's mesh as it stood in a photo."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.load import GenericHuman
+from cloner.generic.surfaces import body_triangles
+from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.geometry.cameras.seeing import Sight, look, nearest_of
+from cloner.records.bodies import PosedView
+from cloner.records.clones import Joined
+from cloner.records.heads import Shell
+
+Array = NDArray[np.float64]
+
+
+def parents_of(generic: GenericHuman) -> NDArray[np.int32]:
+    """Return (94,) each joint's parent, -1 above the root."""
+    return np.asarray(generic.joint_parents, np.int32)
+
+
+def pose(generic: GenericHuman, joined: Joined, view: PosedView) -> Array:
+    """Return the (V, 3) vertices as the person stood in one photo, metres."""
+    transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
+    joints, weights = np.asarray(generic.skin_joints, np.int32), np.asarray(generic.skin_weights, np.float64)
+    return skin(joined.vertices_m, transforms, joints, weights)
+
+
+def pose_shell(generic: GenericHuman, joined: Joined, view: PosedView, shell: Shell) -> Array:
+    """Return the (N, 3) vertices of a shell as in one photo, metres."""
+    transforms = joint_transforms(joined.joints_m, parents_of(generic), view.rotations)
+    return skin(shell.vertices_m, transforms, shell.skin_joints, shell.skin_weights)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Stood:
+    """A person before the camera of one photo.
+
+    Attributes
+    ----------
+    posed_m : (V, 3) float64
+    sight : Sight
+    hair_m : (h, w) float32
+        Depth of the nearest shell, inf where there is none.
+    """
+
+    posed_m: Array
+    sight: Sight
+    hair_m: NDArray[np.float32]
+
+    @property
+    def shown(self) -> NDArray[np.bool_]:
+        """The (h, w) pixels that body or shells cover, at ``DEPTH_SCALE``."""
+        return np.asarray(np.isfinite(self.sight.nearest_m) | np.isfinite(self.hair_m), bool)
+
+
+def stand(generic: GenericHuman, joined: Joined, shells: tuple[Shell, ...], view: PosedView) -> Stood:
+    """Return the person as one photo's camera sees body and shells."""
+    posed = pose(generic, joined, view)
+    sight = look(posed, body_triangles(), view.camera)
+    hair_m = np.full_like(sight.nearest_m, np.inf)
+    for shell in shells:
+        shape = pose_shell(generic, joined, view, shell)
+        hair_m = np.minimum(hair_m, nearest_of(shape, shell.triangles, view.camera))
+    return Stood(posed, sight, hair_m)

@@ -1,0 +1,104 @@
+"""Photos made ready to paint with: the person without room, glasses and other people's colours."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import ViewId
+from cloner.labels.glasses import frame_of
+from cloner.records.labels import Label
+from cloner.records.photos import PhotoSet
+from cloner.records.points import Proposal, Proposals
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.vision.retouching.bare_skin import label_colour
+from cloner.vision.retouching.plates import Plate, prepare_plate
+from cloner.vision.retouching.skin_colour import SkinColour
+
+PERSON_LEVEL = 127  # a net's probability above one half
+_FACED = (ViewId.BODY_FRONT, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
+FRAME_RIM_SHARE = 0.012  # of a pair of glasses, 1.6 mm: the label ends inside the frame and its shade
+
+
+@dataclass(frozen=True, slots=True)
+class Limits:
+    """When a photo may paint a surface.
+
+    Attributes
+    ----------
+    steepest_cosine : float
+        Surfaces turned farther away take no colour (0.14 = 82 degrees).
+    shift_share : float
+        Largest outline shift, share of the figure's height.
+    face_presence : float
+        Trust in the face net from which its eye contours are believed.
+    """
+
+    steepest_cosine: float = 0.14
+    shift_share: float = 0.02
+    face_presence: float = 0.5
+
+
+def person_mask(view: ViewId, proposal: Proposal, silhouettes: SilhouetteSet) -> NDArray[np.bool_]:
+    """Return the (H, W) person: the extracted outline, or the net's mask where there is none."""
+    silhouette = silhouettes.views.get(view)
+    if silhouette is not None and silhouette.mask.shape == proposal.mask.shape:
+        return silhouette.mask
+    return proposal.mask > PERSON_LEVEL
+
+
+def person_skin(photos: PhotoSet, proposals: Proposals, silhouettes: SilhouetteSet) -> dict[ViewId, SkinColour]:
+    """Return the colour of the skin in every photo; photos without a face take that of the first with one."""
+    found: dict[ViewId, SkinColour] = {}
+    for view in _FACED:
+        if view in photos.photos and view in proposals.views:
+            mask = person_mask(view, proposals.views[view], silhouettes)
+            colour = label_colour(photos.photos[view].rgb, mask, proposals.views[view].labels)
+            if colour is not None:
+                found[view] = colour
+    if not found:
+        return {}
+    first = next(iter(found.values()))
+    return {view: found.get(view, first) for view in photos.photos}
+
+
+def make_plate(
+    view: ViewId,
+    rgb: NDArray[np.uint8],
+    proposal: Proposal,
+    mask: NDArray[np.bool_],
+    limits: Limits,
+    skin: SkinColour | None,
+) -> Plate:
+    """Return the photo without background; see :func:`prepare_plate`."""
+    frontal = proposal.face_presence >= limits.face_presence and view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT)
+    return prepare_plate(
+        rgb,
+        mask,
+        proposal.labels,
+        proposal.face_px if frontal else None,
+        (proposal.pose_px, proposal.pose_visibility) if view is ViewId.BODY_SIDE else None,
+        skin,
+    )
+
+
+def without_glasses(rgb: NDArray[np.uint8], proposal: Proposal) -> tuple[NDArray[np.uint8], Proposal]:
+    """Return a photo (H, W, 3) and its proposal with the frame of glasses replaced by the skin around it.
+
+    Small holes are filled from their rims (A. Telea, An image inpainting technique based on the fast marching method,
+    2004); the frame is drawn on a shell of its own.
+    """
+    frame = frame_of(proposal)
+    rows, columns = np.flatnonzero(frame.any(axis=1)), np.flatnonzero(frame.any(axis=0))
+    if not rows.size:
+        return rgb, proposal
+    around = max(2, int(FRAME_RIM_SHARE * np.ptp(columns)))
+    wide = cv2.dilate(frame.astype(np.uint8), np.ones((2 * around + 1,) * 2, np.uint8))
+    reach = 4 * around
+    box = np.s_[max(rows[0] - reach, 0) : rows[-1] + reach, max(columns[0] - reach, 0) : columns[-1] + reach]
+    filled = rgb.copy()
+    filled[box] = cv2.inpaint(np.ascontiguousarray(rgb[box]), wide[box], 2.0 * around, cv2.INPAINT_TELEA)
+    return filled, replace(proposal, labels=np.where(frame, np.uint8(Label.FACE_SKIN), proposal.labels))

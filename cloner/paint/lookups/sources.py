@@ -1,0 +1,240 @@
+"""Every photo as a source of colour: where it shows each vertex, and how well."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.abreast import abreast
+from cloner.frames import ViewId
+from cloner.generic.face_grids import mouth_grid
+from cloner.generic.lip_steps import SHARE, to_borders
+from cloner.generic.load import GenericHuman
+from cloner.generic.photo_shares import arms_beside_head, mirrored_share, photo_shares
+from cloner.generic.surfaces import body_triangles
+from cloner.geometry.cameras.seeing import Sight, depth_at
+from cloner.labels.glasses import wears_glasses
+from cloner.paint.lookups.ear_match import shift_ear
+from cloner.paint.lookups.posed import Stood, stand
+from cloner.paint.lookups.prepared import PERSON_LEVEL, Limits, make_plate, person_mask, person_skin, without_glasses
+from cloner.paint.lookups.zones import hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
+from cloner.records.clones import Joined
+from cloner.records.heads import Shell
+from cloner.records.photos import PhotoSet
+from cloner.records.points import Proposals
+from cloner.records.results import Residual
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.vision.retouching.aligning import outline_shift, sample, shift_points
+from cloner.vision.retouching.evening import unclipped, unsaturated
+from cloner.vision.retouching.open_mouth import own_edges
+from cloner.vision.retouching.plates import Plate
+from cloner.vision.retouching.repair import without_room
+from cloner.vision.retouching.strangers import own_colours
+
+Array = NDArray[np.float64]
+
+HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
+CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stretched
+UNSAFE_CLAIM = 0.3  # of the usual, beside an inner outline
+BURNT_CLAIM = 0.15  # of the usual, where a channel is at its end
+SQUARE_COSINE = (0.6, 0.8)  # surfaces that face a photo stay its own: features must not come from two photos
+SHELL_SHARE = 0.012  # of the figure, 2 cm: labels this far from any shell are doubted
+BESIDE_M = 0.01  # what stands out of the fitted body by more is room: its colours are the person's, its place is not
+HAIR_RIM_SHARE = 0.0044  # a fringe's rim may lie this much farther out in the photo than in the shell
+HAIR_GROWTH_SHARE = 0.004  # hair labels grow by this share of the figure: strands fray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Source:
+    """One photo (or its mirror image) as a source of colour for every vertex.
+
+    Attributes
+    ----------
+    view : ViewId
+    mirrored : bool
+    plate : Plate
+    sight : Sight
+    lookup_px : (V, 2) float64
+        Where the photo shows each vertex after the outlines were aligned.
+    hair_m : (h, w) float32
+        Depth of the nearest hair shell, inf where there is none.
+    hair : (H, W) uint8
+        255 where hair may hide what is below it.
+    score : (V,) float64
+        Claim on each vertex: share x cosine, 0 where not seen.
+    """
+
+    view: ViewId
+    mirrored: bool
+    plate: Plate
+    sight: Sight
+    lookup_px: Array
+    hair_m: NDArray[np.float32]
+    hair: NDArray[np.uint8]
+    score: Array
+
+
+def gather_sources(
+    generic: GenericHuman,
+    photos: PhotoSet,
+    proposals: Proposals,
+    silhouettes: SilhouetteSet,
+    joined: Joined,
+    shells: tuple[Shell, ...],
+    limits: Limits,
+) -> tuple[list[Source], list[Residual]]:
+    """Return all photos as sources, side photos also mirrored, and the outline shifts made."""
+    sources: list[Source] = []
+    residuals: list[Residual] = []
+    faces = frozenset(view for view in joined.views if view.is_face and view in photos.photos)
+    skins = person_skin(photos, proposals, silhouettes)
+    glasses = wears_glasses(proposals)
+
+    def prepared(view: ViewId) -> tuple[Source, float] | None:
+        stood = stand(generic, joined, shells, joined.views[view])
+        mask = person_mask(view, proposals.views[view], silhouettes)
+        if not view.is_face:  # a face photo's shoulders hang in no known pose
+            mask = without_room(mask, stood.shown, BESIDE_M / stood.sight.metres_per_pixel)
+            mask = own.without_room(photos.photos[view].rgb, mask)
+        photo, proposal = photos.photos[view].rgb, proposals.views[view]
+        if glasses:
+            photo, proposal = without_glasses(photo, proposal)
+        plate = make_plate(view, photo, proposal, mask, limits, skins.get(view))
+        if not (plate.inside_px > 0.0).any():
+            return None
+        return make_source(generic, stood, view, plate, limits, faces)
+
+    views = [view for view in joined.views if view in photos.photos and view in proposals.views]
+    bodies = [view for view in views if not view.is_face]
+    own = own_colours((photos.photos[v].rgb, person_mask(v, proposals.views[v], silhouettes)) for v in bodies)
+    for view, found in zip(views, abreast(prepared, views), strict=True):
+        if found is None:
+            continue
+        source, gap = found
+        sources.append(source)
+        residuals.append(Residual("outline_shift", gap, "px", str(view)))
+        if view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
+            sources.append(mirror_source(generic, source))
+    return sources, residuals
+
+
+def make_source(
+    generic: GenericHuman,
+    stood: Stood,
+    view: ViewId,
+    plate: Plate,
+    limits: Limits,
+    faces: frozenset[ViewId],
+) -> tuple[Source, float]:
+    """Return one photo as a source and the mean gap between outlines before the shift, px."""
+    sight = stood.sight
+    lookup, gap = align(sight, plate, limits)
+    lookup = shift_ear(generic, stood.posed_m, body_triangles(), sight, plate.hair, view, lookup)
+    if plate.lips_px is not None:
+        grid = mouth_grid()
+        lookup[grid.rings, 1] += SHARE[:, None] * to_borders(grid, lookup[grid.rings], own_edges(plate.lips_px))
+    rim = 2 * int(np.ceil(HAIR_RIM_SHARE * plate.figure_px * stood.hair_m.shape[0] / plate.inside_px.shape[0])) + 1
+    hair_m = cv2.erode(stood.hair_m, np.ones((rim, rim), np.uint8), borderValue=np.inf)
+    growth = 2 * int(np.ceil(HAIR_GROWTH_SHARE * plate.figure_px)) + 1
+    hair = cv2.dilate(plate.hair.astype(np.uint8) * 255, np.ones((growth, growth), np.uint8))
+    if np.isfinite(hair_m).any():
+        hair[~near_shell(hair_m, hair.shape, SHELL_SHARE * plate.figure_px)] = 0
+    source = Source(view, False, plate, sight, lookup, hair_m, hair, np.zeros(len(lookup)))
+    seen = visible_points(source, limits, sight.pixel_px, lookup, sight.depth_m, sight.cosine)
+    seen &= ~covered_by_hair(source, sight.pixel_px, lookup, sight.depth_m, hair_allowed(generic), hair_kept(generic))
+    if view is ViewId.BODY_SIDE:
+        seen &= ~(arms_beside_head(generic) & near_bare_head(generic, plate, lookup))
+        seen &= in_arm_zone(generic, plate, lookup)
+    share = photo_shares(generic, view, faces=faces)
+    share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
+    # Where a photo is burnt out another one shows more, if it faces the surface better.
+    square = np.clip((sight.cosine - SQUARE_COSINE[0]) / (SQUARE_COSINE[1] - SQUARE_COSINE[0]), 0.0, 1.0)
+    share = share * np.maximum(np.maximum(unsaturated(sample(plate.blurred, lookup)), square), BURNT_CLAIM)
+    return replace(source, score=share * np.where(seen, np.clip(sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)), gap
+
+
+def align(sight: Sight, plate: Plate, limits: Limits) -> tuple[Array, float]:
+    """Return lookups (V, 2) after the mesh's outline was carried to the photo's, and the gap, px."""
+    height, width = plate.inside_px.shape
+    small = np.isfinite(sight.nearest_m).astype(np.float32)
+    mesh_mask = cv2.resize(small, (width, height), interpolation=cv2.INTER_LINEAR) > 0.5
+    limit = limits.shift_share * plate.figure_px
+    growth = 2 * int(np.ceil(limit)) + 1
+    usable = cv2.dilate(plate.hair.astype(np.uint8), np.ones((growth, growth), np.uint8)) == 0
+    field, gap = outline_shift(mesh_mask, plate.inside_px, usable, limit)
+    return shift_points(sight.pixel_px, field), gap
+
+
+def shown_colours(
+    source: Source,
+    lookup_px: NDArray[np.floating],
+    skin: NDArray[np.floating] | None = None,
+    *,
+    blurred: bool = False,
+) -> NDArray[np.float32]:
+    """Return (N, 3) what a photo shows at (N, 2) lookups, levels, burnt-out skin mended.
+
+    ``skin`` (N,) in 0..1 is what the plate's ``skin`` shows there, where that is known already.
+    """
+    plate = source.plate
+    colour = sample(plate.blurred if blurred else plate.rgb, lookup_px)
+    if plate.shares is None:
+        return colour
+    shown = sample(plate.skin, lookup_px)[:, 0] / 255.0 if skin is None else skin
+    return np.asarray(unclipped(colour, plate.shares, shown), np.float32)
+
+
+def mirror_source(generic: GenericHuman, source: Source) -> Source:
+    """Return a side photo as the source of the half of the person that it does not show."""
+    twin = generic.mirror
+    return replace(
+        source,
+        mirrored=True,
+        sight=source.sight.mirrored(twin),
+        lookup_px=source.lookup_px[twin],
+        score=mirrored_share() * source.score[twin],
+    )
+
+
+def visible_points(
+    source: Source,
+    limits: Limits,
+    pixel_px: NDArray[np.floating],
+    lookup_px: NDArray[np.floating],
+    depth_m: NDArray[np.floating],
+    cosine: NDArray[np.floating],
+) -> NDArray[np.bool_]:
+    """Return which of (N,) surface points the photo shows, hair left aside."""
+    seen = source.sight.visible(pixel_px, depth_m, cosine) & (cosine > limits.steepest_cosine)
+    near = sample(source.plate.inside_px, lookup_px)[:, 0] > -limits.shift_share * source.plate.figure_px
+    opening = sample(source.plate.openings.view(np.uint8), lookup_px)[:, 0] > 0.5
+    return seen & near & ~opening
+
+
+def covered_by_hair(
+    source: Source,
+    pixel_px: NDArray[np.floating],
+    lookup_px: NDArray[np.floating],
+    depth_m: NDArray[np.floating],
+    allowed: NDArray[np.bool_],
+    kept: NDArray[np.bool_],
+) -> NDArray[np.bool_]:
+    """Return which of (N,) points lie below hair that is not theirs.
+
+    Parameters
+    ----------
+    source : Source
+    pixel_px, lookup_px : (N, 2); depth_m : (N,)
+    allowed : (N,) scalp, which keeps the hair's colour
+    kept : (N,) face, where only a shell in front counts
+    """
+    labelled = sample(source.hair, lookup_px)[:, 0] > PERSON_LEVEL
+    shell = depth_at(source.hair_m, pixel_px)
+    below = depth_m > shell + HAIR_CLEARANCE_M
+    # A scalp shows hair or bare skin: where the photo shows neither, the lookup left the head.
+    bare = sample(source.plate.bare.view(np.uint8), lookup_px)[:, 0] > 0.5
+    stray = allowed & ~labelled & ~bare & bool(source.hair.any())
+    return ((below | (labelled & ~kept)) & ~allowed) | stray

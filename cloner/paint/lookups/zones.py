@@ -1,0 +1,52 @@
+"""Parts of the surface and of a photo in which hair is believed, and lookups are doubted."""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.generic.load import GenericHuman
+from cloner.generic.photo_shares import arms_beside_head, lower_arms
+from cloner.vision.retouching.aligning import sample
+from cloner.vision.retouching.plates import Plate
+
+Array = NDArray[np.float64]
+
+STRAY_SHARE = 0.006  # of the figure, 1 cm: how far lookups stray where a shoulder is misjudged
+
+
+def hair_allowed(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) where hair in the photo is the surface's own colour: the scalp."""
+    return generic.region("scalp")
+
+
+def hair_kept(generic: GenericHuman) -> NDArray[np.bool_]:
+    """Return (V,) where hair labels are not believed (brows) unless a shell hides the skin."""
+    return generic.region("face")
+
+
+def near_shell(hair_m: NDArray[np.float32], shape: tuple[int, ...], reach_px: float) -> NDArray[np.bool_]:
+    """Return (H, W) True within a reach of what hair shells cover: labels farther off are collars and napes."""
+    height, width = shape[:2]
+    size = 2 * int(np.ceil(reach_px * hair_m.shape[0] / height)) + 1
+    near = cv2.dilate(np.isfinite(hair_m).astype(np.uint8), np.ones((size, size), np.uint8))
+    return np.asarray(cv2.resize(near, (width, height), interpolation=cv2.INTER_NEAREST) > 0, bool)
+
+
+def near_bare_head(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
+    """Return which of (V,) lookups land on or beside the bare skin of head and neck; arms have skin of their own."""
+    reach = 2 * int(np.ceil(STRAY_SHARE * plate.figure_px)) + 1
+    head = plate.bare.astype(np.uint8)
+    head[max(int(np.ceil(lookup_px[generic.region("neck"), 1].max())), 0) :] = 0
+    grown = cv2.dilate(head, np.ones((reach, reach), np.uint8))
+    return np.asarray(sample(grown, lookup_px)[:, 0] > 0.5)
+
+
+def in_arm_zone(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
+    """Return (V,) False where the pose net sees an arm but the mesh the trunk, or the other way round."""
+    if not plate.arms.any():
+        return np.ones(len(lookup_px), bool)
+    shown = sample(plate.arms.astype(np.uint8), lookup_px)[:, 0] > 0.5
+    upper = arms_beside_head(generic)
+    return np.where(lower_arms(generic), shown, ~shown | upper)

@@ -1,0 +1,1 @@
+"""Whose data is held where, handed out or forgotten."""

@@ -1,0 +1,1 @@
+"""A plan becomes walls, surfaces, charts of light, and files."""

@@ -1,0 +1,214 @@
+"""A plan as surfaces: panels that are drawn and hold light, and quads that stop rays.
+
+Frame of everything from here on: metres, X to the right, Y up, Z towards the viewer; the plan's y is -Z. A *panel* is a
+flat rectangle with holes; all level faces that touch in one plane are one panel, so that no light map has a seam in
+a flat surface.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.scenes.building.pieces import (
+    Quad,
+    axes_of,
+    box_over,
+    face_of,
+    faces_of,
+    holes_in,
+    is_level,
+    pillar_of,
+    plain_of,
+    turned,
+    vault_quads,
+    wall_boxes,
+    wall_quads,
+)
+from cloner.scenes.building.plan import Ceiling, Plan, Vault
+
+Array = NDArray[np.float64]
+Rect = tuple[float, float, float, float]
+
+#: Slabs of ceilings and vaults, metres.
+SLAB_M: Final = 0.3
+_TOUCH: Final = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """A flat part of the room that holds light.
+
+    Attributes
+    ----------
+    corner, along, up : (3,)
+        Where u = v = 0 lies; unit axes. The normal is ``along x up``.
+    size : (2,) metres
+    parts : (u0, v0, u1, v1) metres and look of what is really there
+    """
+
+    corner: Array
+    along: Array
+    up: Array
+    size: tuple[float, float]
+    parts: list[tuple[Rect, str]] = field(default_factory=list)
+
+    @cached_property
+    def normal(self) -> Array:
+        """The unit normal."""
+        return np.asarray(np.cross(self.along, self.up))
+
+    def at(self, u: Array, v: Array) -> Array:
+        """Return (..., 3) places of coordinates in metres."""
+        return np.asarray(self.corner + u[..., None] * self.along + v[..., None] * self.up)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Room:
+    """What a plan becomes.
+
+    Attributes
+    ----------
+    panels : what is drawn
+    stops : all that stops rays, drawn or not; one-sided, solids are closed
+    boxes : (B, 2, 3) lowest and highest corners of solids, to tell what is inside one
+    portals : openings to the sky, facing the room
+    """
+
+    plan: Plan
+    panels: tuple[Panel, ...]
+    stops: tuple[Quad, ...]
+    boxes: Array
+    portals: tuple[Quad, ...]
+
+
+def room_of(plan: Plan) -> Room:
+    """Return the surfaces of a plan."""
+    quads: list[Quad] = []
+    boxes: list[Array] = []
+    slants: list[Quad] = []
+    roofs: list[Quad] = []
+    for wall in plan.walls:
+        quads += wall_quads(wall)
+        boxes += wall_boxes(wall)
+    for block in plan.blocks:
+        made, inside = pillar_of(block) if block.pillar else plain_of(block)
+        quads += [one for one in made if is_level(one)]
+        slants += [one for one in made if not is_level(one)]
+        boxes += inside
+    for ceiling in plan.ceilings:
+        box = box_over(ceiling.low, ceiling.high, ceiling.at, ceiling.at + SLAB_M)
+        faces = faces_of(box, ceiling.look)
+        quads.append(faces.pop(2))
+        roofs += faces
+        boxes.append(box)
+    for vault in plan.vaults:
+        slants += vault_quads(vault.low, vault.high, vault.spring, vault.rise, vault.look)
+    ground = [faces_of(box_over(one.low, one.high, -SLAB_M, 0.0), one.look)[3] for one in plan.floors]
+    held = np.array(boxes).reshape(-1, 2, 3)
+    drawn = [one for one in [*quads, *slants] if _seen(one, plan, held)]
+    panels = _merged([*ground, *(one for one in drawn if is_level(one))])
+    panels += [_alone(one) for one in drawn if not is_level(one)]
+    both = [Quad(one.corner + one.along, -one.along, one.up, one.look) for one in slants if _over(one)]
+    return Room(plan, tuple(panels), (*ground, *quads, *slants, *both, *roofs), held, _portals(plan))
+
+
+def inside(places: Array, boxes: Array, slack: float = 1e-6) -> NDArray[np.bool_]:
+    """Return which of (N, 3) places lie in a solid."""
+    found = np.zeros(len(places), bool)
+    for low, high in boxes:
+        found |= ((places > low + slack) & (places < high - slack)).all(axis=1)
+    return found
+
+
+def covered(plan: Plan, x: Array, y: Array) -> NDArray[np.bool_]:
+    """Return which places of the plan have a ceiling or a vault above."""
+    found = np.zeros(np.shape(x), bool)
+    roofs: tuple[Ceiling | Vault, ...] = (*plan.ceilings, *plan.vaults)
+    for one in roofs:
+        found |= (x > one.low[0]) & (x < one.high[0]) & (y > one.low[1]) & (y < one.high[1])
+    return found
+
+
+def _over(quad: Quad) -> bool:
+    """Return whether it is a vault's: seen from below, stopping rays from above too."""
+    return bool(quad.normal[1] < -1e-9)
+
+
+def _seen(quad: Quad, plan: Plan, boxes: Array) -> bool:
+    """Return whether somebody on a floor may see a face: before it is free space over a floor, or a door."""
+    front = quad.middle() + quad.normal * 0.02
+    if front[1] <= 0.0 or inside(front[None], boxes)[0]:
+        return False
+    over = any(one.low[0] - _TOUCH <= front[0] <= one.high[0] + _TOUCH
+               and one.low[1] - _TOUCH <= -front[2] <= one.high[1] + _TOUCH for one in plan.floors)  # fmt: skip
+    hole = any(((front >= box[0] - _TOUCH) & (front <= box[1] + _TOUCH)).all()
+               for wall in plan.walls for box in holes_in(wall)[1])  # fmt: skip
+    return over or hole
+
+
+def _alone(quad: Quad) -> Panel:
+    size = (float(np.linalg.norm(quad.along)), float(np.linalg.norm(quad.up)))
+    return Panel(
+        quad.corner, quad.along / size[0], quad.up / size[1], size, [((0.0, 0.0, size[0], size[1]), quad.look)]
+    )
+
+
+def _merged(quads: list[Quad]) -> list[Panel]:
+    """Return panels of level faces: those of one plane that share a border are one."""
+    planes: dict[tuple[float, ...], list[Quad]] = defaultdict(list)
+    for quad in quads:
+        normal = quad.normal
+        planes[(*np.round(normal).tolist(), round(float(normal @ quad.corner), 5))].append(quad)
+    panels = []
+    for held in planes.values():
+        along, up = axes_of(held[0].normal)
+        rects = np.array([[one.corner @ along, one.corner @ up, (one.corner + one.along) @ along,
+                           (one.corner + one.up) @ up] for one in held])  # fmt: skip
+        for members in _touching(rects):
+            low = rects[members][:, :2].min(axis=0)
+            size = rects[members][:, 2:].max(axis=0) - low
+            normal = held[0].normal
+            corner = normal * (normal @ held[0].corner) + along * low[0] + up * low[1]
+            parts = [(tuple((rects[k] - np.tile(low, 2)).tolist()), held[k].look) for k in members]
+            panels.append(Panel(corner, along, up, (float(size[0]), float(size[1])), parts))
+    return panels
+
+
+def _touching(rects: Array) -> list[list[int]]:
+    """Return groups of rectangles that share more than a corner."""
+    left, groups = set(range(len(rects))), []
+    while left:
+        group, edge = [], [left.pop()]
+        while edge:
+            one = edge.pop()
+            group.append(one)
+            wide = np.minimum(rects[:, 2:], rects[one, 2:]) - np.maximum(rects[:, :2], rects[one, :2])
+            near = (wide > -_TOUCH).all(axis=1) & (wide > _TOUCH).any(axis=1)
+            for k in [k for k in np.flatnonzero(near).tolist() if k in left]:
+                left.discard(k)
+                edge.append(k)
+        groups.append(sorted(group))
+    return groups
+
+
+def _portals(plan: Plan) -> tuple[Quad, ...]:
+    """Return the openings between under a roof and under the sky, on their outer side, facing the room."""
+    found = []
+    for wall in plan.walls:
+        long, holes = holes_in(wall)
+        thin = 2 - long
+        for hole in holes:
+            outs = []
+            for side in (0, 1):
+                place = hole.mean(axis=0)
+                place[thin] = hole[side, thin] + (0.5 if side else -0.5)
+                outs.append(not covered(plan, place[:1], -place[2:])[0])
+            if outs[0] != outs[1]:
+                found.append(turned(face_of(hole, thin, 0 if outs[0] else 1, wall.look)))
+    return tuple(found)

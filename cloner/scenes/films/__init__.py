@@ -1,0 +1,1 @@
+"""The language of films: lines become footings of clones, light and cameras."""

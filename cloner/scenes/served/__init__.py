@@ -1,0 +1,1 @@
+"""Scenes that go on while browsers show them."""

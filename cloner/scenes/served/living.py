@@ -1,0 +1,289 @@
+"""A built scene that goes on while it is shown: its minds, who has come into it, and what pages are told.
+
+Pages are told what happens in order: footings a little ahead, who comes and goes, which statue awakes. Who opens a page
+later, or again, is told first how things stand. Nothing of a newcomer is written: its files lie in memory and are gone
+with it.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import secrets
+import threading
+import time
+from collections import OrderedDict, deque
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.behaviour.language import read_text
+from cloner.behaviour.loop import guide
+from cloner.behaviour.world import world_of
+from cloner.crowd.clones.levels import body_levels
+from cloner.crowd.clones.people import Found
+from cloner.crowd.drawing.player import player_page
+from cloner.crowd.packs.files import MARK
+from cloner.crowd.packs.reading import read_acted, read_facts
+from cloner.crowd.staged.footing import FROM, UNTIL
+from cloner.errors import ClonerError
+from cloner.project.folder import safe_identifier
+from cloner.scenes.served.minds import Look, Minds, minds_of
+from cloner.scenes.served.newcomers import Newcomer, made_at, newcomer_of
+
+#: So many newcomers are there at once; the one who came first makes place. Each is 3 MB of a page's textures; taste.
+MOST: Final = 12
+#: How often the scene goes on, and finished clones are looked for, seconds.
+EVERY_S: Final = 0.5
+#: What a machine that slept or was busy for longer has missed is left out, seconds: nobody jumps.
+LATE_S: Final = 2.0
+#: Footings over for so long are forgotten, seconds.
+PAST_S: Final = 2.0
+#: So many events are kept for pages that are slow, two minutes; one that is slower begins anew.
+KEPT_EVENTS: Final = 240
+AWAKENS: Final = " awakens"
+
+Event = tuple[str, dict[str, Any]]
+#: A folder and when the clone in it was made.
+Mark = tuple[Path, float]
+
+
+@dataclass(slots=True, eq=False)
+class _There:
+    """A newcomer who is there: what pages are told, the files they may ask for, whose part it plays from when."""
+
+    told: dict[str, Any]
+    newcomer: Newcomer
+    who: int
+    at_s: float
+
+
+class Living:
+    """A built scene, and who has come.
+
+    Parameters
+    ----------
+    pack : Path
+        What ``cloner scene build`` made of a scenario.
+    clones : callable
+        Returns the folders of finished clones that may be shown, the newest first.
+    said : callable
+        Gets a line for whoever runs the scene.
+
+    Raises
+    ------
+    ClonerError
+        If the pack is damaged or holds no scenario.
+    """
+
+    def __init__(self, pack: Path, clones: Callable[[], tuple[Path, ...]], said: Callable[[str], None]) -> None:
+        self.pack, self.over = pack, ""
+        self._clones, self._said = clones, said
+        self._facts = read_facts(pack)
+        self._acted = read_acted(pack, self._facts)
+        self._body = body_levels()
+        self._there: OrderedDict[str, _There] = OrderedDict()
+        self._keys: dict[Mark, str] = {}
+        self._old = frozenset(self._marks())
+        self._events: deque[Event] = deque(maxlen=KEPT_EVENTS)
+        self._count = 0
+        self._turn = threading.Condition()
+        try:
+            told = self._facts["scenario"]
+            self._scenario, self._seed = read_text(str(told["text"]), "the scene's scenario"), int(told["seed"])
+        except (LookupError, TypeError, ValueError) as error:
+            hint = "Build it from a scenario's text: cloner scene build --walk SCENARIO"
+            raise ClonerError("the scene holds no scenario that could go on", hint, pack.name) from error
+        self._begin()
+
+    def now(self) -> float:
+        """Return the scene's own time, the same in all pages, seconds."""
+        return time.monotonic() - self._begun
+
+    def page(self) -> bytes:
+        """Return the page that shows the scene and asks this server what happens."""
+        return player_page(self.pack, self._facts | {"live": True})
+
+    def file(self, key: str, name: str) -> bytes | None:
+        """Return a newcomer's file, None for anything else."""
+        with self._turn:
+            found = self._there.get(key)
+        return found.newcomer.files.get(name) if found else None
+
+    # ---- minds ----
+
+    def _begin(self) -> None:
+        """Let the scenario begin; those who have come play other parts in it."""
+        world = world_of(self._scenario, self._seed)
+        if len(world.people.home) > len(self._acted.people):
+            raise ClonerError("the scene acts fewer people than its scenario has", "Build it again", self.pack.name)
+        self._minds: Minds = minds_of(world, self._acted, self._facts["people"][0]["clips"])
+        self._begun, self._seed = time.monotonic(), self._seed + 1
+        self._ways: dict[int, NDArray[np.float32]] = {}
+        self._heard = 0
+        self._awake: list[tuple[str, float]] = []
+        self._walk_on()
+        for one in self._there.values():
+            one.who = -1
+        for one in self._there.values():
+            self._cast(one)
+
+    def go_on(self) -> None:
+        """Let the scene go on to now, and tell the pages."""
+        with self._turn:
+            self._begun += max(self.now() - self._shown_s - LATE_S, 0.0)
+            if self._minds.over() and self.now() > max(self._minds.gone_s.values(), default=0.0):
+                self._begin()
+                self._tell("hello", self._hello())
+                return
+            self._tell("steps", {"now": self.now(), **_steps(self._walk_on())})
+            for when, text in self._minds.world.told[self._heard :]:
+                if text.endswith(AWAKENS):
+                    self._awake.append((text.removesuffix(AWAKENS), when))
+                    self._tell("awakes", {"name": text.removesuffix(AWAKENS), "at": when})
+            self._heard = len(self._minds.world.told)
+            for key, one in self._there.items():
+                if self._minds.gone_s.get(one.who, np.inf) < self.now() and not self._minds.over():
+                    self._cast(one)
+                    self._tell("plays", {"key": key, "who": one.who, "at": one.at_s})
+
+    def order(self, text: str) -> None:
+        """Let people of the scenario do what a guide says; pages see it when minds and feet have come to it.
+
+        Raises
+        ------
+        ClonerError
+            If the order says something wrong.
+        """
+        with self._turn:
+            guide(self._minds.world, text)
+
+    def _walk_on(self) -> dict[int, NDArray[np.float32]]:
+        """Let everybody walk on, keep what is not over, and return what is new."""
+        now = self._shown_s = self.now()
+        new = self._minds.go_on(now)
+        for who, rows in new.items():
+            kept = self._ways.get(who, rows[:0])
+            kept = kept[(kept[:, UNTIL] > now - PAST_S) & (kept[:, FROM] < rows[0, FROM])]
+            self._ways[who] = np.concatenate([kept, rows])
+        return new
+
+    def _cast(self, one: _There) -> None:
+        """Give a newcomer the part of whoever goes farthest just now."""
+        taken = frozenset(other.who for other in self._there.values() if other.who >= 0)
+        one.who = self._minds.goes(taken)
+        look = Look(one.newcomer.touches, one.newcomer.clips, 1.0)
+        one.at_s = self._minds.dress(one.who, look)
+
+    # ---- pages ----
+
+    def told(self, wait_s: float) -> Iterator[Event | None]:
+        """Yield how things stand, then what happens; None where nothing did for a while; until all is over.
+
+        Who takes events so slowly that they are not kept any more is told no more, and may ask anew.
+        """
+        with self._turn:
+            place, hello = self._count, self._hello()
+        yield "hello", hello
+        while True:
+            with self._turn:
+                if self._count <= place and not self.over:
+                    self._turn.wait(wait_s)
+                missed = self._count - place
+                if missed > len(self._events):
+                    return
+                new = list(self._events)[len(self._events) - missed :]
+                place = self._count
+            yield from new or (None,)
+            if self.over:
+                return
+
+    def stop(self, text: str = "The scene is no longer shown.") -> None:
+        """Tell all pages that it is over; nobody's files are given out any more."""
+        with self._turn:
+            self._there.clear()
+            self._tell("over", {"text": text})
+            self.over = text
+
+    def _hello(self) -> dict[str, Any]:
+        there = [{**one.told, "who": one.who, "at": one.at_s, "fresh": False} for one in self._there.values()]
+        return {"now": self.now(), **_steps(self._ways), "newcomers": there, "awake": self._awake}
+
+    def _tell(self, kind: str, what: dict[str, Any]) -> None:
+        self._events.append((kind, what))
+        self._count += 1
+        self._turn.notify_all()
+
+    # ---- newcomers ----
+
+    def look(self) -> None:
+        """See who has come and who has gone since the last time, and make at most one newcomer ready.
+
+        Raises
+        ------
+        ClonerError
+            If the pack was taken away, as when somebody in it is forgotten, or made anew; all pages are told.
+        """
+        if _described(self.pack) != self._facts["player"]:
+            self.stop("The scene was taken away or made anew.")
+            hint = "Build it again without whom it may not show, and serve it again"
+            raise ClonerError("the scene was taken away or made anew", hint, self.pack.name)
+        wanted = self._marks()
+        for mark in [one for one in self._keys if one not in wanted]:
+            self._leave(self._keys.pop(mark))
+        for mark in wanted:
+            if mark not in self._keys:
+                self._come(mark)
+                return
+
+    def _marks(self) -> list[Mark]:
+        """Return who is to be there: folders and when their clones were made, the newest first."""
+        made = [(folder, made_at(folder)) for folder in self._clones()]
+        return [(folder, when) for folder, when in made if when is not None][:MOST]
+
+    def _come(self, mark: Mark) -> None:
+        name = safe_identifier(mark[0].resolve().name)
+        self._keys[mark] = ""
+        try:
+            newcomer = newcomer_of(Found(name, mark[0]), self._facts, self._body)
+            if made_at(mark[0]) != mark[1]:  # forgotten, or made anew, in the meantime
+                self._keys.pop(mark)
+                return
+            with self._turn:
+                key = secrets.token_urlsafe(12)
+                one = _There({"key": key, "row": dict(newcomer.row)}, newcomer, -1, 0.0)
+                self._cast(one)
+                self._there[key] = one
+                self._keys[mark] = key
+                self._tell("come", {**one.told, "who": one.who, "at": one.at_s, "fresh": mark not in self._old})
+        except ClonerError as error:
+            self._said(f"not shown: {error}")
+            return
+        self._said(f"{name} is in the scene")
+
+    def _leave(self, key: str) -> None:
+        with self._turn:
+            one = self._there.pop(key, None)
+            if one is None:
+                return
+            self._minds.dress(one.who, None)
+            self._tell("gone", {"key": key})
+        self._said("somebody has left the scene")
+
+
+def _steps(ways: Mapping[int, NDArray[np.float32]]) -> dict[str, Any]:
+    """Return people's footings as pages read them: who has how many, and all of them in line."""
+    data = b"".join(rows.astype("<f4").tobytes() for rows in ways.values())
+    return {"of": [[who, len(rows)] for who, rows in ways.items()], "data": base64.b64encode(data).decode("ascii")}
+
+
+def _described(pack: Path) -> Any:
+    """Return what a pack says of its page now, None where there is no pack any more."""
+    try:
+        return json.loads((pack / MARK).read_bytes())["player"]
+    except (OSError, ValueError, LookupError, TypeError):
+        return None

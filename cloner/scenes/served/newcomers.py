@@ -1,0 +1,95 @@
+"""A clone that comes while a scene is shown: its files as a pack has them.
+
+A newcomer is seen from near or small, never as an impostor: baking those takes longer than anybody waits (16 s of two
+busy cores; the rest 4 s).
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.crowd.clones import stock
+from cloner.crowd.clones.cast import cast_of
+from cloner.crowd.clones.levels import BodyLevels
+from cloner.crowd.clones.people import Found, load_person
+from cloner.crowd.packs.files import packed, shell_bytes, webp
+from cloner.crowd.packs.pack import ATLAS_QUALITY
+from cloner.crowd.staged.footing import touches_of
+from cloner.crowd.staged.scene import IDLE
+from cloner.errors import ClonerError
+from cloner.project.clone_file import CLONE_FILE
+from cloner.project.results import RESULT_MARK
+
+Array = NDArray[np.float64]
+
+_GENERIC: Final = re.compile(r"generic ([0-9a-f]+)")
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Newcomer:
+    """A clone that can join: files by name, what the page is told of them, touches (K, 48, 6) and clips (K, 2)."""
+
+    files: Mapping[str, bytes]
+    row: Mapping[str, Any]
+    touches: NDArray[np.float32]
+    clips: NDArray[np.float32]
+
+
+def newcomer_of(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> Newcomer:
+    """Return a finished clone made ready for a pack that acts.
+
+    Raises
+    ------
+    ClonerError
+        If it cannot be read, may not be shown, or does not fit the pack's clones.
+    """
+    own = facts["people"][0]
+    match = _GENERIC.search(str(own["stamp"]))
+    clone, _ = load_person(found, match.group(1) if match else "")
+    names = tuple(str(one["name"]) for one in own["clips"])
+    cast = cast_of("newcomer", clone, body, poses=int(facts["impostors"]["poses"]), feelings=len(names) > IDLE + 2)
+    if tuple(one.name for one in cast.clips) != names:
+        hint = "Make the pack again with cloner crowd --feelings, without --walk, and the scene of it"
+        raise ClonerError("the scene's clones walk as newcomers cannot", hint, found.identifier)
+    numbers = stock.numbers_of(cast)
+    texels = float(facts["switch"]["texels_per_m"])
+    clips = [{"frames": len(one.frames), "speed_m_s": one.speed_m_s} for one in cast.clips]
+    touches = touches_of(numbers, body, clips)
+    lengths = np.array([[len(one.frames), one.seconds] for one in cast.clips], np.float32)
+    arrays: dict[str, NDArray[Any]] = {
+        "vertices": numbers.vertices, "loose": numbers.loose, "corners": numbers.corners, "bones": numbers.bones,
+        "table": stock.table_row(cast, [0] * len(cast.clips), texels, int(own["views"]), 0),
+        "tiles": np.zeros((2, 4), np.float32), "touches": touches, "clips": lengths,
+    }  # fmt: skip
+    data, told = packed(arrays)
+    files = {
+        "numbers.bin": data, "atlas.webp": webp(cast.atlas, ATLAS_QUALITY), "codes.webp": webp(cast.marks, None),
+        "shell.webp": shell_bytes(cast.shell),
+    }  # fmt: skip
+    row = {"arrays": told, "stature_m": round(cast.stature_m, 4)}
+    return Newcomer(files, row, touches, lengths)
+
+
+def finished_in(folder: Path) -> tuple[Path, ...]:
+    """Return the finished clones in a folder of results, the newest first."""
+    found = []
+    for path in folder.glob(f"*/{CLONE_FILE}"):
+        made = made_at(path.parent)
+        if made is not None and (path.parent / RESULT_MARK).is_file() and not path.parent.name.startswith("."):
+            found.append((made, path.parent))
+    return tuple(one for _, one in sorted(found, reverse=True))
+
+
+def made_at(folder: Path) -> float | None:
+    """Return when the clone in a folder was made, None where there is none."""
+    try:
+        return (folder / CLONE_FILE).stat().st_mtime
+    except OSError:
+        return None

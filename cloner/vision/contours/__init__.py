@@ -1,0 +1,1 @@
+"""Outlines from edges: edge segments linked along a mask's contour, and corrected by hand."""

@@ -1,0 +1,1 @@
+"""Photographs made ready to be texture: evened, repaired, aligned, and colours that no photo shows."""

@@ -1,0 +1,1 @@
+"""Masks: which pixels are the person, hair, limbs or loose cloth."""

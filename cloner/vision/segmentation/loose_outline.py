@@ -1,0 +1,224 @@
+"""Loose clothing found in one outline: cloth that fills the gap between the legs and ends in a hem.
+
+A body's legs part gradually below the crotch; a skirt or coat fills the gap and
+stands off on both sides until, within a few centimetres, it ends. The pose says
+where the legs are inside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import gaussian_filter1d, median_filter
+
+from cloner.frames import ViewId
+from cloner.records.loose import AROUND_LEGS, LooseRegion
+from cloner.vision.segmentation.leg_rows import LegRows, leg_rows
+
+Array = NDArray[np.float64]
+Bools = NDArray[np.bool_]
+
+#: Everything below is a share of the figure's height in the photo.
+ARC_SHARE = 0.045  # a level hem 0.25 m wide looks this high from a camera 0.7 m above it
+END_SHARE = 0.0015  # an edge ends where it falls behind its widest place by this
+SETTLE_SHARE = 0.012  # outlines are smoothed over this
+LEAST_DROP = 0.035  # a hem gives up this much width at once
+SURE_DROP = 0.10
+MOST = 0.85  # of the deepest drop
+LEAST_STEP = 0.012  # both edges step in by this at a hem that is not seen to bridge the legs
+LEAST_GAP = 0.018  # legs nearer to each other say nothing
+CALVES, STANDS_OFF = (0.60, 0.95), 0.025  # where cloth to the floor stands off usual legs by this on both sides
+LEAST_SEEN = 0.25  # of the rows above a hem; arms may hide the others
+HIGH_DROP = 0.07  # so near the crotch, wide thighs that touch and then part can lose nearly as much
+SURE_BRIDGE, LOW_BRIDGE = 0.05, 0.25  # narrow skirts step in little: they must bridge legs apart, well below the crotch
+#: Shares of hip to ankle between which a hem is believed: above it is a jacket's; a near one looks lower than ankles.
+HEMS = (0.20, 1.15)
+SAME_HEM = 0.15  # levels of one hem in two photos, with the error of both poses (measured: 0.12 on a coat)
+FILLED = 0.9  # of the rows above the hem
+
+
+@dataclass(frozen=True, slots=True)
+class Hem:
+    """Where cloth around the legs ends in one photo.
+
+    Attributes
+    ----------
+    level : float
+        Share of hip to ankle.
+    confidence : float in 0..1
+    bridges : bool
+        Whether the cloth fills what the legs have apart; otherwise only both its edges step in at once.
+    """
+
+    level: float
+    confidence: float
+    bridges: bool
+
+
+def find_hem(legs: LegRows, *, both_legs: bool, between: tuple[float, float] = HEMS) -> Hem | None:
+    """Return the hem of cloth around the legs, None where there is none.
+
+    Parameters
+    ----------
+    legs : LegRows
+    both_legs : bool
+        True when the photo shows the legs beside each other; from the side only the width can tell.
+    between : levels where it is looked for
+    """
+    arc, settle = (max(2, round(share * legs.figure_px)) for share in (ARC_SHARE, SETTLE_SHARE))
+    drops, bridging = np.zeros(len(legs.level)), np.zeros(len(legs.level), dtype=np.bool_)
+    for row in range(2 * arc, len(drops) - settle):
+        if not between[0] < legs.level[row] < between[1]:
+            continue
+        above, below = slice(row - 2 * arc, row - arc), slice(row + 1, row + 1 + settle)
+        steps = _steps(legs, above, below)
+        drop = float(steps.sum() + np.median(legs.inner_px[above]) - np.median(legs.inner_px[below])) / legs.figure_px
+        if np.isnan(drop) or drop < LEAST_DROP:
+            continue
+        both_in = float(steps.min()) > LEAST_STEP * legs.figure_px
+        low = _is_low(legs, above)
+        sure = low if both_in else low and drop > SURE_BRIDGE
+        bridging[row] = both_legs and (sure or (both_in and drop > HIGH_DROP)) and _bridges(legs, above)
+        if bridging[row] or both_in or not both_legs:
+            drops[row] = drop
+    if bridging.any():
+        drops[~bridging] = 0.0
+    deepest = int(np.argmax(drops))
+    if drops[deepest] == 0.0:
+        return _floor_length(legs) if both_legs else None
+    # legs go on tapering below a hem: it is where most of the width is lost first
+    row = deepest - arc + int(np.argmax(drops[deepest - arc : deepest + 1] >= MOST * drops[deepest]))
+    return Hem(float(legs.level[row]), min(float(drops[deepest]) / SURE_DROP, 1.0), bool(bridging[deepest]))
+
+
+def _floor_length(legs: LegRows) -> Hem | None:
+    """Return the hem of cloth to the floor: it fills what the legs have apart and stands off down to the ankles."""
+    rows = np.flatnonzero((legs.level > CALVES[0]) & (legs.level < CALVES[1]))
+    if rows.size == 0 or legs.joined[rows].mean() < FILLED:
+        return None
+    apart = float(np.median(legs.gap_px[rows])) > LEAST_GAP * legs.figure_px
+    off = float(np.median(legs.off_px[rows], axis=0).min()) / legs.figure_px
+    if not apart or off < STANDS_OFF:
+        return None
+    return Hem(float(legs.level[-1]), min(2.0 * off / SURE_DROP, 1.0), bridges=True)
+
+
+def _steps(legs: LegRows, above: slice, below: slice) -> Array:
+    """Return (2,) how far both edges step in, px; an edge that arms hide does as the other, both hidden NaN."""
+    steps = np.full(2, np.nan)
+    for side in (0, 1):
+        high, low = (legs.off_px[rows, side][legs.seen[rows, side]] for rows in (above, below))
+        if high.size >= LEAST_SEEN * (above.stop - above.start) and low.size > 0:
+            steps[side] = np.median(high) - np.median(low)
+    return np.where(np.isnan(steps), steps[::-1], steps)
+
+
+def _bridges(legs: LegRows, rows: slice) -> bool:
+    """Whether the outline fills everything between the legs."""
+    return bool(legs.joined[rows].mean() >= FILLED)
+
+
+def _is_low(legs: LegRows, rows: slice) -> bool:
+    """Whether rows lie below where thighs touch, and the legs are apart there."""
+    apart = np.median(legs.gap_px[rows]) > LEAST_GAP * legs.figure_px
+    return bool(apart and np.median(legs.level[rows]) > LOW_BRIDGE)
+
+
+def region_around_legs(mask: Bools, legs: LegRows, hem: Hem) -> LooseRegion:
+    """Return the region from the waist to a hem.
+
+    Parameters
+    ----------
+    mask : (H, W) bool, the filled outline
+    legs : LegRows
+    hem : Hem
+        Of this photo.
+    """
+    arc, settle = (max(2, round(share * legs.figure_px)) for share in (ARC_SHARE, SETTLE_SHARE))
+    row = int(np.searchsorted(legs.level, hem.level))
+    ends = np.array([_edge_end(legs, column, row, arc, settle) for column in (0, 1)], dtype=np.float64)
+    line = np.arange(len(legs.level))
+    edges, seen = legs.edges_px.copy(), legs.seen & (line[:, None] <= ends)
+    for column, sign in ((0, -1.0), (1, 1.0)):
+        out, known = sign * edges[:, column], np.flatnonzero(seen[:, column])
+        if known.size:
+            # below the last row that is surely cloth's, arm and cloth cannot be told: the outline itself is kept
+            kept = np.concatenate([known, line[(line > known[-1]) & (line <= ends[column])]])
+            # nor does cloth reach beyond the outline
+            limit = np.where(line > ends[column], np.inf, out)
+            edges[:, column] = sign * np.minimum(np.interp(line, kept, out[kept]), limit)
+        edges[:, column] = gaussian_filter1d(edges[:, column], 0.5 * settle, mode="nearest")
+    sag = _sag(mask, legs.top_px, edges, ends, arc)
+    last = min(int(max(ends.max() + max(sag, 0.0), row)) + settle, len(line) - 1)
+    return LooseRegion(
+        AROUND_LEGS, legs.top_px, edges[: last + 1], legs.top_px + ends, sag, seen[: last + 1], hem.confidence
+    )
+
+
+def _edge_end(legs: LegRows, column: int, row: int, arc: int, settle: int) -> float:
+    """Return the row in which one edge of the cloth ends: where it steps in to the leg."""
+    out = median_filter(legs.off_px[:, column], 3)
+    first, last = max(row - 2 * arc, 0), min(row + arc, len(out) - 1 - settle)
+    rows = np.arange(first, last)
+    if rows.size < 2:
+        return float(row)
+    step = out[rows] - out[rows + settle]
+    corner = int(rows[np.argmax(step)])
+    if step.max() < LEAST_STEP * legs.figure_px:
+        return float(row - arc // 2)
+    near = np.arange(max(corner - settle, 0), corner + settle)
+    # the flat ellipse of a hem is a little past its end when it has lost this much
+    return float(near[out[near] > out[near].max() - END_SHARE * legs.figure_px][-1])
+
+
+def _sag(mask: Bools, top_px: int, edges: Array, ends: Array, arc: int) -> float:
+    """Return how much lower the hem hangs in the middle of the picture than at its ends, px; 0 where legs hide it."""
+    low, high = edges[int(ends.min())]
+    columns = np.arange(max(int(low), 0), min(int(high), mask.shape[1] - 1) + 1)
+    if columns.size < 8:
+        return 0.0
+    across = 2.0 * (columns - low) / max(high - low, 1.0) - 1.0
+    level = np.interp(across, [-1.0, 1.0], ends)
+    first = int(ends.min()) - arc
+    strip = mask[top_px + first : top_px + int(ends.max()) + 2 * arc, columns]
+    length = np.argmin(strip, axis=0)  # rows filled from the strip's top; 0 where all are: a leg
+    bulge = np.sqrt(np.clip(1.0 - across**2, 0.0, None))
+    told = (length > 0) & (bulge > 0.3)
+    if told.mean() < 0.1:
+        return 0.0
+    return float(np.clip(np.median((first + length - 1 - level)[told] / bulge[told]), -arc, 2 * arc))
+
+
+def find_loose(photos: Mapping[ViewId, tuple[Bools, Array, Array]]) -> dict[ViewId, tuple[LooseRegion, ...]]:
+    """Return the loose clothing of every body photo that shows some.
+
+    Cloth around the legs must bridge them from the front or from behind, and the
+    other of the two must at least show its hem; the side photo then shows how far
+    it reaches.
+
+    Parameters
+    ----------
+    photos : view -> filled outline (H, W), pose (33, 2) and its visibility (33,)
+    """
+    rows = {view: leg_rows(*photo) for view, photo in photos.items() if view.is_body}
+    flat = {view: legs for view, legs in rows.items() if legs is not None and view is not ViewId.BODY_SIDE}
+    hems = {view: hem for view, legs in flat.items() if (hem := find_hem(legs, both_legs=True)) is not None}
+    if not hems or len(hems) < len(flat) or not any(hem.bridges for hem in hems.values()):
+        return {}
+    levels = [hem.level for hem in hems.values()]
+    if max(levels) - min(levels) > SAME_HEM:
+        return {}
+    found: dict[ViewId, tuple[LooseRegion, ...]] = {}
+    for view, hem in hems.items():
+        found[view] = (region_around_legs(photos[view][0], flat[view], hem),)
+    side = rows.get(ViewId.BODY_SIDE)
+    if side is None:
+        return found
+    level, sure = float(np.mean(levels)), min(hem.confidence for hem in hems.values())
+    near = find_hem(side, both_legs=False, between=(level - SAME_HEM, level + SAME_HEM))
+    hem = Hem(level if near is None else near.level, sure, bridges=False)
+    found[ViewId.BODY_SIDE] = (region_around_legs(photos[ViewId.BODY_SIDE][0], side, hem),)
+    return found

@@ -1,0 +1,1 @@
+"""The clone in three dimensions: turned, zoomed, dressed, greeting."""
