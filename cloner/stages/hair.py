@@ -29,6 +29,7 @@ from cloner.hair.shells.frizz_cards import frizz_shell, make_room
 from cloner.hair.shells.mesh import lowest_m, mesh_of
 from cloner.hair.shells.shell import dress_shell, shown_part
 from cloner.hair.volumes.cap import VOTE_MM, Scalp, covered_share, measure_scalp, settle_shell
+from cloner.hair.volumes.crowns import with_one_crown
 from cloner.hair.volumes.tail import find_tail
 from cloner.hair.volumes.views import HairView, Hanger, hair_views, views_of
 from cloner.hair.volumes.volume import FILM_MM, hair_field
@@ -137,7 +138,7 @@ def grow_hair(
     if hairy < params.least_share or thick.size == 0 or float(np.median(thick)) < params.thinnest_mm:
         return StageResult({"shells": ()}, (), ("The hair is too short or too little for a volume of its own",))
     tick(0.4)
-    mesh = hair_mesh(generic, joined, views, scalp, params)
+    mesh = hair_mesh(generic, joined, levelled(generic, joined, views, scalp), scalp, params)
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
@@ -240,6 +241,12 @@ def skin_of(generic: GenericHuman, joined: Joined, scalp: Scalp) -> tuple[Array,
     return tucked[skin], vertex_normals(tucked, body_triangles())[skin]
 
 
+def levelled(generic: GenericHuman, joined: Joined, views: list[HairView], scalp: Scalp) -> list[HairView]:
+    """Return the evidence with one height of hair over the ears."""
+    ears = generic.region("ear_left") | generic.region("ear_right")
+    return with_one_crown(views, scalp.points_m, float(joined.vertices_m[ears, 1].mean()))
+
+
 def hair_mesh(
     generic: GenericHuman, joined: Joined, views: list[HairView], scalp: Scalp, params: Params
 ) -> tuple[Array, NDArray[np.int32]] | None:
@@ -247,7 +254,10 @@ def hair_mesh(
     reach = np.array([params.margin_m, 0.0, params.margin_m])
     low, high = scalp.points_m.min(axis=0) - reach, scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
     low[1] = min(low[1], lowest_m(views) - params.margin_m)
-    ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
-    body = skin_of(generic, joined, scalp)
-    field, skin_mm = hair_field(views, scalp, body, low, high, middle_of(generic, joined), float(ears[:, 1].mean()))
+    ear = generic.region("ear_left") | generic.region("ear_right")
+    whole, level = skin_of(generic, joined, scalp), float(joined.vertices_m[ear, 1].mean())
+    # Ears are folds: by the planes of their skin the hair above them would lie in the head, which left a hole.
+    smooth = ~ear[generic.vertex_part == generic.part_names.index("body")]
+    body = whole[0][smooth], whole[1][smooth]
+    field, skin_mm = hair_field(views, scalp, body, low, high, middle_of(generic, joined), level)
     return mesh_of(field, skin_mm, low, params.triangles, params.smallest_piece)

@@ -43,8 +43,8 @@ SURE_RIM = 0.3  # weight of outline points that tell how thick the cap usually i
 THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this against its median; more is a tail
 DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
 THINNEST_MM = 2.0  # where hair grows it covers the skin
-SHELL_ROUNDS, SHELL_REACH_MM = 5, 8.0  # of the finished shell
-SHELL_STIFFNESS = 2.0  # its mesh is three times finer than the head's; softer, photos that disagree left ridges
+SHELL_ROUNDS = 5  # of the finished shell
+SHELL_STIFFNESS = 3.0  # of what it is moved by in all, against one outline point
 PLANE_REACH_M = 0.03  # tangent planes tell distances up to here
 
 
@@ -224,6 +224,8 @@ def settle_shell(
     """Return the finished shell's vertices (N, 3) with its outlines on those of the photos.
 
     The cap met them with the coarse mesh of the head; voxels, tails and what stands out over the hairline did not yet.
+    What the shell is moved by in all is smooth, in its directions too: no outline tells how deep what faces its camera
+    lies, and surfaces blown up along their own normals round by round became strings of pearls.
 
     Parameters
     ----------
@@ -232,15 +234,24 @@ def settle_shell(
     least_mm : float
         No vertex is pushed nearer to the skin than this.
     """
-    graph = surface_graph(vertices_m, triangles)
+    graph, start_m = surface_graph(vertices_m, triangles), vertices_m
+    moved_mm, least_mm = np.zeros_like(start_m), np.minimum(_clear_mm(scalp, start_m)[0], least_mm)
     for _ in range(SHELL_ROUNDS):
         drive, trust = outline_drive(views, vertices_m, triangles)
-        gap = np.clip(drive / np.maximum(trust, 1e-9), -SHELL_REACH_MM, SHELL_REACH_MM)
-        move = graph.fill(gap[:, None], np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)[:, 0]
-        room = np.maximum(surface_mm(scalp.points_m, scalp.normals, vertices_m)[0] - least_mm, 0.0)
-        move = np.maximum(move, -room)
-        vertices_m = vertices_m + vertex_normals(vertices_m, triangles) * m_from_mm(1.0) * move[:, None]
+        gap = drive / np.maximum(trust, 1e-9)
+        wanted_mm = moved_mm + gap[:, None] * vertex_normals(vertices_m, triangles)
+        moved_mm = graph.fill(wanted_mm, np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)
+        vertices_m = start_m + m_from_mm(1.0) * moved_mm
+        clear_mm, outward = _clear_mm(scalp, vertices_m)
+        inside = (clear_mm < least_mm) & (clear_mm > -DEEPEST_MM)  # deeper: below the neck, beside what is known
+        vertices_m = vertices_m + np.where(inside, m_from_mm(1.0) * (least_mm - clear_mm), 0.0)[:, None] * outward
     return vertices_m
+
+
+def _clear_mm(scalp: Scalp, points_m: Array) -> tuple[Array, Array]:
+    """Return how far points stand off the scalp (N,), mm, and which way is off it (N, 3)."""
+    away, rows, weight = surface_mm(scalp.points_m, scalp.normals, points_m)
+    return away.astype(np.float64), np.einsum("nk,nkc->nc", weight, scalp.normals[rows])
 
 
 def outline_drive(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:

@@ -5,15 +5,28 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.hair.volumes.views import HairView
+from cloner.frames import ViewId
+from cloner.hair.volumes.cap import FACE_PHOTO
+from cloner.hair.volumes.views import FAR_MM, HairView
 from cloner.vision.retouching.aligning import sample
 
 Array = NDArray[np.float64]
 
+ROUND_MM = 70.0  # half a head's width: thick hair between the sides that show it is as round as a head
+SIDES = (
+    (ViewId.BODY_FRONT, ViewId.FACE_FRONT),
+    (ViewId.BODY_SIDE, ViewId.FACE_SIDE),
+    (ViewId.BODY_BACK,),
+)
+
 
 def across_px(hair: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return (H, W) how far each pixel of hair is from the nearer end of the hair in its row, px; zero outside."""
-    across = np.zeros(hair.shape, np.float32)
+    """Return (H, W, 2) what each pixel's row of hair tells, px; zero outside.
+
+    How far the pixel is from the nearer end of the hair in its row, and half of how far all hair of the row reaches: a
+    face in front of it does not make it thinner.
+    """
+    across = np.zeros((*hair.shape, 2), np.float32)
     rows, columns = np.flatnonzero(hair.any(axis=1)), np.flatnonzero(hair.any(axis=0))
     if rows.size:
         box = np.s_[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
@@ -21,11 +34,64 @@ def across_px(hair: NDArray[np.bool_]) -> NDArray[np.float32]:
         place = np.arange(bare.shape[1], dtype=np.int32)
         before = np.maximum.accumulate(np.where(bare, place, 0), axis=1)
         after = np.minimum.accumulate(np.where(bare, place, place[-1])[:, ::-1], axis=1)[:, ::-1]
-        across[box] = np.maximum(np.minimum(place - before, after - place) - 0.5, 0.0)[:, 1:-1]
+        half = 0.5 * (bare.shape[1] - bare.argmin(axis=1) - bare[:, ::-1].argmin(axis=1))
+        nearer = np.minimum(place - before, after - place) - 0.5
+        across[box] = np.where(bare[..., None], 0.0, np.dstack([nearer, np.broadcast_to(half[:, None], bare.shape)]))[
+            :, 1:-1
+        ]
     return across
 
 
 def across_mm(view: HairView, rows_px: NDArray[np.float32], points_m: Array) -> NDArray[np.float32]:
-    """Return (N,) distances of rest points, mm, that a view's picture (H, W) of :func:`across_px` tells."""
-    posed = view.to_view(points_m)
-    return np.asarray(sample(rows_px, view.posed.camera.project(posed))[:, 0] * view.pixel_mm(posed), np.float32)
+    """Return (N, 2) of rest points, mm, what a view's picture (H, W, 2) of :func:`across_px` tells."""
+    posed = view.to_hair(points_m)
+    return np.asarray(sample(rows_px, view.posed.camera.project(posed)) * view.pixel_mm(posed), np.float32)
+
+
+def rounded_mm(front: NDArray[np.float32], side: NDArray[np.float32], most_mm: float) -> NDArray[np.float32]:
+    """Return (N,) how deep points lie in a plan whose corners are round, mm.
+
+    Hair is as round as it is thick: a head by half its width, a curtain down a back by half its own thickness.
+
+    Parameters
+    ----------
+    front, side : (N, 2)
+        What front and back photos, and what side photos tell (:func:`across_mm`); FAR_MM where none does.
+    most_mm : float
+        Largest radius of a corner.
+    """
+    radius = np.minimum(np.minimum(front[:, 1], side[:, 1]), np.float32(most_mm))
+    away = sum(np.maximum(radius - across[:, 0], 0.0) ** 2 for across in (front, side))
+    return np.asarray(radius - np.sqrt(away), np.float32)
+
+
+def agreed_mm(views: list[HairView], points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
+    """Return (N,) how deep points lie in the hair that photos of all sides agree on, mm, and how many sides judge.
+
+    As `hull_mm`, but two photos of one side are heard together, the body's more, as its camera is known better: one may
+    show the head displaced, one may have lost dark hair before a dark wall. Level by level the sides' cones meet in a
+    round edge: a box is no hair. Upwards and downwards all photos see the same end: there nothing is rounded.
+    """
+    sides, least = np.zeros(len(points_m), np.int64), np.full(len(points_m), np.float32(FAR_MM))
+    plan = {aside: np.full((len(points_m), 2), np.float32(FAR_MM)) for aside in (False, True)}
+    rows_px = {view.posed.view: across_px(view.hair) for view in views if view.flip_m is None}
+    for names in SIDES:
+        inside, across = np.full(len(points_m), np.float32(FAR_MM)), np.full_like(plan[True], FAR_MM)
+        for mirrored in (False, True):
+            (total, weight), wide = np.zeros((2, len(points_m)), np.float32), np.zeros_like(across)
+            for view in views:
+                if view.posed.view in names and (view.flip_m is not None) == mirrored:
+                    depth, before = view.evidence(points_m)
+                    heard = before * np.float32(FACE_PHOTO if view.posed.view.is_face else 1.0)
+                    total += heard * np.clip(depth, -ROUND_MM, ROUND_MM)
+                    rows_mm = across_mm(view, rows_px[view.posed.view], points_m)
+                    wide += heard[:, None] * np.minimum(rows_mm, ROUND_MM)
+                    weight += heard
+            known, mean = weight > 0.0, np.maximum(weight, 1e-6)
+            inside = np.where(known, np.minimum(inside, total / mean), inside)
+            across = np.where(known[:, None], np.minimum(across, wide / mean[:, None]), across)
+        judged = inside < FAR_MM
+        sides, least = sides + judged, np.minimum(least, inside)
+        aside = ViewId.BODY_SIDE in names  # front and back tell the same ends: as two they would round twice
+        plan[aside] = np.where(judged[:, None], np.minimum(plan[aside], across), plan[aside])
+    return np.where(sides > 0, np.minimum(least, rounded_mm(*plan.values(), ROUND_MM)), np.float32(-FAR_MM)), sides

@@ -103,6 +103,8 @@ class HairView:
         Pixels labelled as clothes or skin of the body: no scalp has them.
     flip_m : float or None
         When set, points are mirrored at x = flip_m first: the photo stands for the other half.
+    above_m, taller : float
+        Above this height hair is so many times taller here than photos together say; see `crowns.py`.
     """
 
     posed: PosedView
@@ -115,6 +117,13 @@ class HairView:
     outline_px: NDArray[np.float32]
     clothed: NDArray[np.bool_]
     flip_m: float | None = None
+    above_m: float = np.inf
+    taller: float = 1.0
+
+    def to_hair(self, points_m: Array) -> Array:
+        """Return (N, 3) rest points where this photo shows the hair that all photos together show in them."""
+        higher = np.maximum(points_m[:, 1] - self.above_m, 0.0) * (self.taller - 1.0)
+        return self.to_view(points_m + higher[:, None] * (0.0, 1.0, 0.0))
 
     def to_view(self, points_m: Array) -> Array:
         """Return (N, 3) rest points as they stand in this photo."""
@@ -152,15 +161,11 @@ class HairView:
         return np.asarray(normals @ self.transforms[self.hanger.joints[0], :3, :3].T)
 
     def evidence(self, points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
-        """Return how deep points lie inside the hair's outline, and which the photo can judge.
+        """Return how deep points lie inside the hair's outline (N,), mm, and which the photo can judge (N,).
 
-        Returns
-        -------
-        inside_mm : (N,) float32, positive inside the hair's outline
-        judged : (N,) bool
-            In the picture and not behind the body: if the photo shows no hair there, there is none.
+        It judges what is in the picture and not behind the body: if it shows no hair there, there is none.
         """
-        posed = self.to_view(points_m)
+        posed = self.to_hair(points_m)
         camera = self.posed.camera
         pixel = camera.project(posed)
         depth = camera.to_camera(posed)[:, 2]

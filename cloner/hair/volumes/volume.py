@@ -9,36 +9,30 @@ from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, gaussian_filter, label
 from scipy.spatial import cKDTree
 
-from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.frames import m_from_mm, mm_from_m
 from cloner.geometry.meshes.triangles import longest_sides
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.volumes.cap import FACE_PHOTO, FULL_SHARE, SOFT_MM, Scalp, hairline_mm, surface_mm
-from cloner.hair.volumes.rows import across_mm, across_px
+from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, hairline_mm, seen_votes, surface_mm
+from cloner.hair.volumes.rows import SIDES, agreed_mm
 from cloner.hair.volumes.tail import Tail, find_tail
 from cloner.hair.volumes.views import FAR_MM, HairView, hull_mm
 
 Array = NDArray[np.float64]
 
 INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
+LYING_MM = 8.0  # taste: hair that a photo shows on neck, shoulders or back is so thick at least
 DRAPE_MM = 25.0  # taste: hair that one side alone shows lies this thick on the skin at most
-ROUND_MM = 70.0  # half a head's width: hair between the sides that show it is as round as a head
 VOXEL_M = 0.004
 SMOOTH_VOXELS = 0.8
 COARSE = 4  # voxels a side of a trial cell
 FILM_MM = 2.0  # clear of the skin's mesh
 BEYOND_MM = 8.0  # how far the film reaches: past what labels and mesh may err
-DRAPE_DOUBT_MM = 4.0
 OVERHANG_DOUBT_MM = 2.0  # heads stand a little off their photos
 TAIL_DOUBT_MM = 6.0  # heads nod between photos, and tails swing
 SMALLEST_LOCK_M3 = 4e-5  # taste: 40 ml, a thin lock
 LIFT_MM = 2.5  # labels are read this far above the skin: clear of the mesh, below the hair's surface
 GROWTH_MM = 40.0  # the growth share falls from 1 to 0 over about two rings of this mesh
 UNSEEN_VOTE = 0.05  # what neighbours say counts where photos see badly
-SIDES = (
-    (ViewId.BODY_FRONT, ViewId.FACE_FRONT),
-    (ViewId.BODY_SIDE, ViewId.FACE_SIDE),
-    (ViewId.BODY_BACK,),
-)
 FAR_SLACK_MM = 10.0  # planes of skin far below tell distances this badly
 CLIP_MM = 15.0  # the field is cut off here, so that smoothing stays local
 
@@ -105,6 +99,20 @@ def cap_mm(views: list[HairView], near: Near) -> NDArray[np.float32]:
     return np.asarray(field, np.float32)
 
 
+def lying_near(body: tuple[Array, Array], votes: Array, points_m: Array) -> Near:
+    """Return points against hair that lies on the body, as thick everywhere: photos that see it say where it is."""
+    skin, rows, weight = surface_mm(*body, points_m)
+    return Near(
+        points_m,
+        skin,
+        skin - np.float32(LYING_MM),
+        np.einsum("nk,nkc->nc", weight, body[1][rows]).astype(np.float32),
+        np.zeros(len(skin), np.float32),
+        np.ones(len(skin), np.float32),
+        np.stack([(weight * vote[rows]).sum(axis=1) for vote in votes]).astype(np.float32),
+    )
+
+
 def overhang_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray[np.float32]:
     """Return (N,) the field of hair that stands out over the hairline, mm: thick as inside it, where photos agree."""
     full = scalp.hairy > FULL_SHARE
@@ -151,57 +159,23 @@ def tail_mm(views: list[HairView], tail: Tail, points_m: Array) -> NDArray[np.fl
     return field
 
 
-def agreed_mm(views: list[HairView], points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
-    """Return (N,) how deep points lie in the hair that photos of all sides agree on, mm, and how many sides judge.
-
-    As `hull_mm`, but two photos of one side are heard together, the body's more, as its camera is known better: one may
-    show the head displaced, one may have lost dark hair before a dark wall. Level by level the sides' cones meet in a
-    round edge: a box is no hair. Upwards and downwards all photos see the same end: there nothing is rounded.
-    """
-    sides, least = np.zeros(len(points_m), np.int64), np.full(len(points_m), np.float32(FAR_MM))
-    plan = {across: np.full(len(points_m), np.float32(FAR_MM)) for across in (False, True)}
-    rows_px = {view.posed.view: across_px(view.hair) for view in views if view.flip_m is None}
-    for names in SIDES:
-        inside, across = np.full((2, len(points_m)), np.float32(FAR_MM))
-        for mirrored in (False, True):
-            total, wide, weight = np.zeros((3, len(points_m)), np.float32)
-            for view in views:
-                if view.posed.view in names and (view.flip_m is not None) == mirrored:
-                    depth, before = view.evidence(points_m)
-                    heard = before * np.float32(FACE_PHOTO if view.posed.view.is_face else 1.0)
-                    total += heard * np.clip(depth, -ROUND_MM, ROUND_MM)
-                    wide += heard * np.minimum(across_mm(view, rows_px[view.posed.view], points_m), ROUND_MM)
-                    weight += heard
-            known, mean = weight > 0.0, np.maximum(weight, 1e-6)
-            inside = np.where(known, np.minimum(inside, total / mean), inside)
-            across = np.where(known, np.minimum(across, wide / mean), across)
-        judged = inside < FAR_MM
-        sides, least = sides + judged, np.minimum(least, inside)
-        aside = ViewId.BODY_SIDE in names  # front and back tell the same ends: as two they would round twice
-        plan[aside] = np.where(judged, np.minimum(plan[aside], across), plan[aside])
-    away = sum(np.maximum(ROUND_MM - across, 0.0) ** 2 for across in plan.values())
-    return np.where(sides > 0, np.minimum(least, ROUND_MM - np.sqrt(away)), np.float32(-FAR_MM)), sides
-
-
-def hanging_mm(views: list[HairView], near: Near, skin_mm: NDArray[np.float32], below_m: float) -> NDArray[np.float32]:
+def hanging_mm(views: list[HairView], points_m: Array, skin_mm: NDArray[np.float32]) -> NDArray[np.float32]:
     """Return (N,) the field of hair that stands off the head's cap, hangs, or lies on neck, shoulders or cheeks, mm.
 
     Here all photos must agree, because labels low down are the least sure; what one side alone tells of lies thin.
 
     Parameters
     ----------
+    views : list of HairView
+    points_m : (N, 3)
     skin_mm : (N,) float32
         Signed distance to the whole body's skin, positive outside.
-    below_m : float
-        Height below which hair may hang over bare skin.
     """
     field = np.full(len(skin_mm), -FAR_MM, np.float32)
-    may = (near.hairy > 0.5) | (near.points_m[:, 1] < below_m)
-    rows = np.flatnonzero(may & (skin_mm > -INNER_MM))
-    inside, sides = agreed_mm(views, near.points_m[rows])
+    rows = np.flatnonzero(skin_mm > -INNER_MM)
+    inside, sides = agreed_mm(views, points_m[rows])
     thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[rows])
-    # Hair thinner than the labels' doubt is none.
-    field[rows] = np.minimum(np.minimum(inside - DRAPE_DOUBT_MM, thin), skin_mm[rows] + INNER_MM)
+    field[rows] = np.minimum(np.minimum(inside, thin), skin_mm[rows] + INNER_MM)
     return field
 
 
@@ -234,13 +208,18 @@ def hair_field(
     """
     surface = scalp.points_m + scalp.normals * m_from_mm(1.0) * scalp.thickness_mm[:, None]
     tail = find_tail(views, surface, scalp.triangles, middle_m)
-    points, rows, shape = _worthwhile(views, scalp, tail, low_m, high_m)
+    votes = np.stack([seen_votes(view, *body, None) for view in views])
+    line = sum(vote * hairline_mm(view, body[0]) for view, vote in zip(views, votes, strict=True))
+    lying = body[0][(line > 0.0) & (body[0][:, 1] < hang_below_m)]
+    points, rows, shape = _worthwhile(views, scalp, lying, tail, low_m, high_m)
     field = np.full(int(np.prod(shape)), -CLIP_MM, np.float32)
     skin = np.full(field.shape, np.float32(FAR_MM))
     near = near_skin(scalp, points)
-    skin_mm = surface_mm(*body, points)[0]
+    lain = lying_near(body, votes, points)
+    skin_mm, low = lain.skin_mm, points[:, 1] < hang_below_m
     grown = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
-    hanging = hanging_mm(views, near, skin_mm, hang_below_m)
+    hanging = hanging_mm(views, points, skin_mm)
+    hanging = np.where(low, np.maximum(hanging, cap_mm(views, lain)), hanging)
     if tail is not None:
         grown = np.maximum(grown, tail_mm(views, tail, points))
         hanging = np.where(tail.holds(points), -CLIP_MM, hanging)
@@ -271,7 +250,7 @@ def _held_by(
 
 
 def _worthwhile(
-    views: list[HairView], scalp: Scalp, tail: Tail | None, low_m: Array, high_m: Array
+    views: list[HairView], scalp: Scalp, lying_m: Array, tail: Tail | None, low_m: Array, high_m: Array
 ) -> tuple[Array, NDArray[np.int64], tuple[int, ...]]:
     """Return grid points near possible hair (N, 3), their flat rows, and the grid's shape.
 
@@ -285,10 +264,10 @@ def _worthwhile(
     wanted = np.maximum(hull_mm(views, coarse), agreed_mm(views, coarse)[0]) > -radius_mm
     if tail is not None:
         wanted |= tail.inside_mm(coarse) > -radius_mm
-    hairy = scalp.hairy > 0.0
-    if hairy.any():
-        reach = m_from_mm(float(scalp.thickness_mm.max()) + INNER_MM + radius_mm)
-        wanted |= cKDTree(scalp.points_m[hairy]).query(coarse, distance_upper_bound=reach)[0] < reach
+    for skin_m, thick_mm in ((scalp.points_m[scalp.hairy > 0.0], float(scalp.thickness_mm.max())), (lying_m, LYING_MM)):
+        if len(skin_m):
+            reach = m_from_mm(thick_mm + INNER_MM + radius_mm)
+            wanted |= cKDTree(skin_m).query(coarse, distance_upper_bound=reach)[0] < reach
     grid = binary_dilation(wanted.reshape(tuple(cells)))
     fine = np.argwhere(grid.repeat(COARSE, 0).repeat(COARSE, 1).repeat(COARSE, 2))
     rows = np.asarray(np.ravel_multi_index(tuple(fine.T), shape), np.int64)
