@@ -73,7 +73,7 @@ def _corrections(folder: Path) -> None:
 
 def _shown(folder: Path) -> None:
     photos = load_photos(folder)
-    found = proposals.run(photos=photos, tick=lambda fraction: None, rng=None)  # type: ignore[arg-type]
+    found = proposals.run(photos=photos, tick=lambda fraction: None)
     check_photos(found.values["proposals"], photos)  # type: ignore[arg-type]
 
 
