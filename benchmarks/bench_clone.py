@@ -17,8 +17,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from cloner.cloning import DEFAULT_TEXTURE_SIZE, clone_folder
+from cloner.cloning import clone_folder
 from cloner.evaluate.floor import ask_nets, encode_pictures
+from cloner.making import DEFAULT_TEXTURE_SIZE
 from cloner.memory import peak_mib
 from cloner.project.folder import load_photos
 

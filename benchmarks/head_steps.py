@@ -144,9 +144,7 @@ def finished(values: Values) -> tuple[Array, float, tuple[str, ...], HeadFit]:
     """Return the head stage's own result as a person's vertices, its CPU seconds, its warnings and the result."""
     stage = next(stage for stage in pipeline.STAGES if stage.name == "head")
     begin = time.process_time()
-    result = stage.run(
-        **{name: values[name] for name in stage.needs}, tick=lambda fraction: None, rng=np.random.default_rng(0)
-    )
+    result = stage.run(**{name: values[name] for name in stage.needs}, tick=lambda fraction: None)
     vertices, _ = load_generic().shape(values["phenotype"].coefficients, values["phenotype"].stature_m)
     vertices[load_generic().head_vertices] = result.values["head"].vertices_m
     return vertices, time.process_time() - begin, result.warnings, result.values["head"]

@@ -17,13 +17,13 @@ import numpy as np
 from numpy.typing import NDArray
 from skimage.color import deltaE_ciede2000, rgb2lab
 
-from cloner.cloning import clone_photos
 from cloner.evaluate.figures.likeness import held_out_likeness
 from cloner.evaluate.figures.seams import seam_ratios
 from cloner.evaluate.truths.truth import THREE_QUARTER, Truth, read_truth
 from cloner.frames import BODY_VIEWS
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
+from cloner.making import clone_photos
 from cloner.project.folder import load_photos, read_corrections, read_person
 from cloner.records.clones import Clone
 

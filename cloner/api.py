@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
-from cloner.cloning import DEFAULT_TEXTURE_SIZE, clone_photos
 from cloner.errors import ClonerError
 from cloner.frames import ViewId, cm_from_m
+from cloner.making import DEFAULT_TEXTURE_SIZE, clone_photos
 from cloner.pipeline import Progress, quiet
 from cloner.project.corrections import no_corrections
 from cloner.project.folder import checked_height_m, load_photos, read_corrections, read_person

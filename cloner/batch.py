@@ -11,16 +11,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.cloning import (
-    DEFAULT_FORMATS,
-    DEFAULT_TEXTURE_SIZE,
-    check_formats,
-    check_texture_size,
-    clone_folder,
-    stamp_options,
-)
+from cloner.cloning import DEFAULT_FORMATS, clone_folder, stamp_options
 from cloner.errors import Cancelled, ClonerError
+from cloner.exporters.table import check_formats
 from cloner.machines.farm import Task, run_tasks, watchdog
+from cloner.making import DEFAULT_TEXTURE_SIZE, check_texture_size
 from cloner.project.atomic import check_writable, sweep
 from cloner.project.claims import claimed
 from cloner.project.manifest import Visitor, find_visitors, shard

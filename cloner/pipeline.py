@@ -46,8 +46,8 @@ Found = Callable[[str, Mapping[str, object]], None]
 class Stage:
     """One step of the method.
 
-    ``run(**needs, tick=..., rng=...)`` takes the named values and gives a
-    :class:`StageResult` whose ``values`` hold exactly the names in ``gives``.
+    ``run(**needs, tick=...)`` takes the named values and gives a :class:`StageResult` whose ``values`` hold exactly
+    the names in ``gives``; a stage that ``draws`` takes ``rng`` as well, its own random generator.
     """
 
     name: str
@@ -55,6 +55,7 @@ class Stage:
     needs: tuple[str, ...]
     gives: tuple[str, ...]
     run: Callable[..., StageResult]
+    draws: bool = False
 
 
 def taking_obeyed(run: Callable[..., StageResult]) -> Callable[..., StageResult]:
@@ -107,6 +108,7 @@ STAGES: tuple[Stage, ...] = (
         ("photos", "proposals", "obeyed_silhouettes", "obeyed", "shells", "head"),
         ("painted", "surfaces"),
         taking_obeyed(textures.run),
+        draws=True,
     ),
     Stage("regions", 1, ("painted", "surfaces"), ("clone",), regions.run),
 )
@@ -165,7 +167,7 @@ def run(
     values : mapping
         At least "photos", "corrections" and "person".
     seed : int
-        Project seed, from which every stage derives its own generator.
+        Project seed, from which every stage that draws derives its own generator.
     progress : callable
         Called with (stage name, fraction of the whole 0..1), by one thread at a time; may raise Cancelled.
     found : callable
@@ -232,7 +234,8 @@ def _run_stage(stage: Stage, needs: Mapping[str, object], seed: int, board: _Boa
     wall, cpu = time.perf_counter(), time.process_time()
     try:
         board.tell(stage.name, 0.0)
-        result = stage.run(**needs, tick=partial(board.tell, stage.name), rng=stage_rng(seed, stage.name))
+        drawn = {"rng": stage_rng(seed, stage.name)} if stage.draws else {}
+        result = stage.run(**needs, tick=partial(board.tell, stage.name), **drawn)
         if set(result.values) != set(stage.gives):
             raise ValueError(f"stage {stage.name} gave {sorted(result.values)}, wanted {stage.gives}")
     except BaseException as error:

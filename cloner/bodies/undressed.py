@@ -16,8 +16,8 @@ from cloner.bodies.population import SEXES
 from cloner.bodies.skin import regions
 from cloner.bodies.under import body_under
 from cloner.bodies.written import manifest_of, sex_of, write_result
-from cloner.cloning import check_formats
 from cloner.errors import ClonerError
+from cloner.exporters.table import check_formats
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.picture import clone_of, folder_name

@@ -13,10 +13,11 @@ import cloner
 from cloner.bodies.made import clone_of_measures, remeasured_clone
 from cloner.bodies.ruler import read
 from cloner.bodies.telling import GIRTHS, LENGTHS, Told, untold_mm
-from cloner.cloning import GLB_FILE, check_formats, check_texture_size
+from cloner.cloning import GLB_FILE
 from cloner.errors import ClonerError
-from cloner.exporters.table import EXPORTERS
+from cloner.exporters.table import EXPORTERS, check_formats
 from cloner.generic.tape import load_tape_rules
+from cloner.making import check_texture_size
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder

@@ -9,6 +9,9 @@ prototypes, ``flat`` one that stands still.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
+from cloner.errors import ClonerError
 from cloner.registry import Registry
 
 EXPORTERS = Registry("format")
@@ -28,3 +31,24 @@ EXPORTERS.add("usdz", "cloner.exporters.usd:export")
 EXPORTERS.add("obj", "cloner.exporters.meshes:export_obj")
 EXPORTERS.add("regions", "cloner.exporters.shared.regions:export")
 EXPORTERS.add("ply", "cloner.exporters.meshes:export_ply")
+
+
+def check_formats(formats: Sequence[str]) -> None:
+    """Refuse formats nobody can write, before any work.
+
+    USD's library is loaded here, before other threads compute: its loading waits for Python's lock inside the dynamic
+    loader's, and NumPy asks the loader under Python's lock (its stack walk for temporaries): both would wait for ever.
+
+    Raises
+    ------
+    ClonerError
+        If a name is not in the table, or USD is asked for and its library is not installed.
+    """
+    for name in formats:
+        if name not in EXPORTERS:
+            hint = f"The formats are {', '.join(EXPORTERS)}"
+            raise ClonerError(f"the format {name!r} is not known", hint, "--format")
+    if "usdz" in formats:
+        from cloner.exporters.usd import usd_library
+
+        usd_library()

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection
 from typing import Any, Final
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.generic.load import load_generic
 from cloner.project.texts import check_format
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Correction, Corrections
@@ -92,8 +93,14 @@ def from_json(text: str) -> Corrections:
     return Corrections(points={_view(key): _points(key, named) for key, named in views.items()})
 
 
+def point_names() -> frozenset[str]:
+    """Return the names a correction may use: feature points and joints of the generic human."""
+    generic = load_generic()
+    return frozenset((*generic.feature_names, *generic.joint_names))
+
+
 def check_against(
-    corrections: Corrections, photos: PhotoSet, known_names: Mapping[ViewId, Iterable[str]] | None = None
+    corrections: Corrections, photos: PhotoSet, known_names: Collection[str] | None = None
 ) -> tuple[str, ...]:
     """Return warnings about corrections placed on photos that have changed since.
 
@@ -101,8 +108,8 @@ def check_against(
     ----------
     corrections : Corrections
     photos : PhotoSet
-    known_names : mapping of ViewId to names, optional
-        Feature point names of each view; None accepts every name.
+    known_names : names, optional
+        Those a correction may use; None accepts every name.
 
     Raises
     ------
@@ -118,7 +125,7 @@ def check_against(
         changed = False
         for name, point in named.items():
             where = f"{WHERE}, {view}.{name}"
-            if known_names is not None and name not in set(known_names.get(view, ())):
+            if known_names is not None and name not in known_names:
                 raise ClonerError("there is no feature point of this name in this view", _HINT, where)
             # half a pixel beyond the outermost pixel centres is still the photo
             if not (-0.5 <= point.x_px <= photo.width_px - 0.5 and -0.5 <= point.y_px <= photo.height_px - 0.5):

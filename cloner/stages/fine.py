@@ -174,7 +174,6 @@ def run(
     phenotype: Phenotype,
     person: Person,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
 ) -> StageResult:
     """Give the body: two after slices, front and back with the side, and their mean settled on all photos at once."""
     params = Params()

@@ -85,7 +85,6 @@ def run(
     silhouettes: SilhouetteSet,
     joined: Joined,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
     params: Params | None = None,
 ) -> StageResult:
     """Return the hair's shell, or none with the reason as a warning, then a beard's, loose clothing's and glasses'.

@@ -69,7 +69,6 @@ def run(
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
 ) -> StageResult:
     """Give the fitted head.
 

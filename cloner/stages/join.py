@@ -157,7 +157,6 @@ def run(
     head: HeadFit,
     phenotype: Phenotype,
     tick: Callable[[float], None],
-    rng: object,
 ) -> StageResult:
     """Give the joined person, standing on the floor.
 

@@ -134,7 +134,6 @@ def run(
     joined: Joined,
     person: Person,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
 ) -> StageResult:
     """Give the measures of the joined person. Residual: how far the body's rim is from the outlines."""
     prior = load_measure_prior()

@@ -132,7 +132,6 @@ def run(
     joined: Joined,
     silhouettes: SilhouetteSet,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
 ) -> StageResult:
     """Give the person and the outlines with corrections obeyed, and how well each is.
 

@@ -50,7 +50,6 @@ def run(
     views: ViewSet,
     person: Person,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
 ) -> StageResult:
     """Give the phenotype with one pose and camera per body photo."""
     params, generic = Params(), load_generic()

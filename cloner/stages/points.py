@@ -134,7 +134,6 @@ def run(
     proposals: Proposals,
     corrections: Corrections,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
 ) -> StageResult:
     """Give the body's and the face's feature points.
 

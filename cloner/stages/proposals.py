@@ -238,7 +238,7 @@ def barefoot(figure: Figure) -> bool:
     return stands_barefoot(figure.labels, feet, 0.008 * height)
 
 
-def run(*, photos: PhotoSet, tick: Callable[[float], None], rng: np.random.Generator) -> StageResult:
+def run(*, photos: PhotoSet, tick: Callable[[float], None]) -> StageResult:
     """Give one proposal a photo; a photo in which hair or a hood hides all may be left out.
 
     Raises

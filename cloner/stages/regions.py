@@ -71,7 +71,6 @@ def run(
     painted: Clone,
     surfaces: Array,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
     params: Params | None = None,
 ) -> StageResult:
     """Return the clone with its triangles labelled.

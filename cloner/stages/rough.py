@@ -127,7 +127,6 @@ def run(
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
 ) -> StageResult:
     """Give the front+side and back+side bodies with parts in place, and their mean."""
     params = Params()

@@ -88,7 +88,6 @@ def run(
     proposals: Proposals,
     body_points: BodyPoints,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
 ) -> StageResult:
     """Give one silhouette a photo; residual: share of the outline that lies on image edges."""
     views: dict[ViewId, Silhouette] = {}

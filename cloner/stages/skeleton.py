@@ -81,7 +81,6 @@ def run(
     silhouettes: SilhouetteSet,
     phenotype: Phenotype,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
 ) -> StageResult:
     """Give the front+side and back+side skeletons and their consensus, in rest pose."""
     params, generic = Params(), load_generic()

@@ -113,7 +113,6 @@ def run(
     body_points: BodyPoints,
     person: Person,
     tick: Callable[[float], None],
-    rng: np.random.Generator,
 ) -> StageResult:
     """Give the first cameras of the body photos, all scaled by the one stature."""
     params = Params()

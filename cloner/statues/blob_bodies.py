@@ -12,13 +12,14 @@ import numpy as np
 from cloner.bodies.carried import carried_shells
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.written import manifest_of, write_result
-from cloner.cloning import check_formats, check_texture_size
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import write_bytes
+from cloner.exporters.table import check_formats
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import measures_mm
+from cloner.making import check_texture_size
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder, safe_output

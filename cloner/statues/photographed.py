@@ -15,12 +15,13 @@ from cloner.bodies.carried import carried_shells
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
 from cloner.bodies.written import FORMAT, manifest_of, write_result
-from cloner.cloning import check_formats, check_texture_size
 from cloner.errors import ClonerError
+from cloner.exporters.table import check_formats
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
 from cloner.head.parts import seat_parts
 from cloner.head.targets import face_targets
+from cloner.making import check_texture_size
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder

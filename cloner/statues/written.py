@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from cloner.bodies.written import manifest_of, write_result
-from cloner.cloning import check_formats
+from cloner.exporters.table import check_formats
 from cloner.picture import clone_of, folder_name
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder

@@ -7,14 +7,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from cloner.cloning import point_names
 from cloner.motion.captures.bvh import read_bvh
 from cloner.motion.face.faps import read_fap
 from cloner.motion.face.sound import read_wav
 from cloner.motion.face.speech import phoneme_visemes, read_phonemes
 from cloner.personal_data.holdings import holdings
 from cloner.picture import clone_of
-from cloner.project.corrections import check_against
+from cloner.project.corrections import check_against, point_names
 from cloner.project.folder import load_photos, read_corrections, read_person
 from cloner.project.manifest import find_visitors, shard
 from cloner.stages import proposals
@@ -74,7 +73,7 @@ def _corrections(folder: Path) -> None:
 
 def _shown(folder: Path) -> None:
     photos = load_photos(folder)
-    found = proposals.run(photos=photos, tick=lambda fraction: None, rng=None)  # type: ignore[arg-type]
+    found = proposals.run(photos=photos, tick=lambda fraction: None)
     check_photos(found.values["proposals"], photos)  # type: ignore[arg-type]
 
 

@@ -58,7 +58,7 @@ def grow(thick_mm):
         outlines[view] = studio.silhouette_record(view, mask)
     result = hair.run(
         photos=studio.photo_set(pictures), proposals=Proposals(proposals), silhouettes=SilhouetteSet(outlines),
-        joined=fit, tick=lambda part: None, rng=np.random.default_rng(0),
+        joined=fit, tick=lambda part: None,
     )  # fmt: skip
     return [shell for shell in result.values["shells"] if shell.kind == "beard"], person, lifted, grows
 

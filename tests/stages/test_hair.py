@@ -81,7 +81,7 @@ def grow(*, tail=False, bald=False, pitch=0.0):
     fit = replace(fit, views=supposed)
     result = hair.run(
         photos=studio.photo_set(pictures), proposals=Proposals(proposals), silhouettes=SilhouetteSet(outlines),
-        joined=fit, tick=lambda part: None, rng=np.random.default_rng(0),
+        joined=fit, tick=lambda part: None,
     )  # fmt: skip
     return person, result, points
 

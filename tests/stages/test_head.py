@@ -101,7 +101,7 @@ def fit(photos, proposals, points, *, stature_m=STATURE_M):
     return head.run(
         photos=photos, proposals=proposals, face_points=points, silhouettes=SilhouetteSet({}),
         phenotype=Phenotype(np.zeros(1), stature_m, 0.02, {}, {}),
-        tick=lambda fraction: None, rng=np.random.default_rng(0),
+        tick=lambda fraction: None,
     )  # fmt: skip
 
 

@@ -83,7 +83,7 @@ def photograph(way, label=Label.ACCESSORY):
         outlines[view] = studio.silhouette_record(view, mask)
     result = hair.run(
         photos=studio.photo_set(pictures), proposals=Proposals(proposals), silhouettes=SilhouetteSet(outlines),
-        joined=fit, tick=lambda part: None, rng=np.random.default_rng(0),
+        joined=fit, tick=lambda part: None,
     )  # fmt: skip
     return Worn(result.values["shells"][0], *truth)
 

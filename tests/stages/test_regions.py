@@ -36,7 +36,7 @@ def seen(**other):
 
 def label(clone, surfaces=None):
     surfaces = seen() if surfaces is None else surfaces
-    result = regions.run(painted=clone, surfaces=surfaces, tick=lambda part: None, rng=np.random.default_rng(0))
+    result = regions.run(painted=clone, surfaces=surfaces, tick=lambda part: None)
     return result.values["clone"].triangle_regions
 
 

@@ -7,8 +7,9 @@ import sys
 
 import pytest
 
-from cloner.cloning import check_formats, with_earlier
 from cloner.errors import ClonerError
+from cloner.exporters.table import check_formats
+from cloner.making import with_earlier
 from cloner.pipeline import STAGES, StageReport
 
 
@@ -28,7 +29,7 @@ def test_stages_that_did_not_run_again_are_told_again_at_no_time() -> None:
 
 
 def test_the_library_of_usd_is_loaded_before_threads_begin() -> None:
-    code = "import sys, cloner.cloning as c; c.check_formats(['usdz']); print('pxr.UsdSkel' in sys.modules)"
+    code = "import sys, cloner.exporters.table as c; c.check_formats(['usdz']); print('pxr.UsdSkel' in sys.modules)"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "True"
 

@@ -12,7 +12,7 @@ from cloner.pipeline import STAGES, Stage
 from cloner.records.results import Residual, StageResult
 
 
-def doubling(*, number, tick, rng):
+def doubling(*, number, tick):
     tick(0.5)
     return StageResult({"double": 2 * number}, (Residual("size", float(number), "mm"),), ("a word of warning",))
 
@@ -23,7 +23,7 @@ def drawing(*, double, tick, rng):
 
 TWO = (
     Stage("doubling", 1, ("number",), ("double",), doubling),
-    Stage("drawing", 1, ("double",), ("drawn", "same"), drawing),
+    Stage("drawing", 1, ("double",), ("drawn", "same"), drawing, draws=True),
 )
 
 
@@ -42,7 +42,7 @@ def test_stages_that_do_not_need_each_other_run_abreast():
     met = threading.Barrier(2, timeout=5.0)
 
     def meeting(name):
-        def run(*, number, tick, rng):
+        def run(*, number, tick):
             met.wait()
             return StageResult({name: number})
 
@@ -50,7 +50,7 @@ def test_stages_that_do_not_need_each_other_run_abreast():
 
     both = tuple(Stage(name, 1, ("number",), (name,), meeting(name)) for name in ("left", "right"))
     after = Stage(
-        "after", 1, ("left", "right"), ("sum",), lambda *, left, right, tick, rng: StageResult({"sum": left + right})
+        "after", 1, ("left", "right"), ("sum",), lambda *, left, right, tick: StageResult({"sum": left + right})
     )
     told, found = [], []
     known, reports = pipeline.run(
@@ -66,11 +66,11 @@ def test_stages_that_do_not_need_each_other_run_abreast():
 
 
 def test_a_failing_stage_ends_the_one_beside_it_and_its_error_is_told():
-    def failing(*, number, tick, rng):
+    def failing(*, number, tick):
         begun.wait(5.0)
         raise ClonerError("no", "hint", "where")
 
-    def long(*, number, tick, rng):
+    def long(*, number, tick):
         begun.set()
         for step in range(500):
             time.sleep(0.01)
@@ -122,7 +122,12 @@ def test_randomness_comes_from_seed_and_stage_alone():
     assert drawn(stages=TWO) == drawn(stages=TWO)
     assert drawn(stages=TWO) != drawn(stages=TWO, seed=1)
     between = Stage(
-        "between", 1, ("number",), ("other",), lambda *, number, tick, rng: StageResult({"other": rng.random()})
+        "between",
+        1,
+        ("number",),
+        ("other",),
+        lambda *, number, tick, rng: StageResult({"other": rng.random()}),
+        draws=True,
     )
     assert drawn(stages=TWO) == drawn(stages=(TWO[0], between, TWO[1])), "a new stage shifts no other"
     first, second = (pipeline.stage_rng(0, name).random() for name in ("hair", "head"))

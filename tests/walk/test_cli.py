@@ -20,6 +20,7 @@ from PIL import Image
 from cloner import cli, cloning, terminal
 from cloner.cloning import CloneOutcome
 from cloner.commands import options
+from cloner.making import DEFAULT_TEXTURE_SIZE
 
 Command = Callable[..., tuple[int, str, str]]
 
@@ -128,7 +129,7 @@ def test_odd_texture_sizes_are_refused(run: Command, tmp_path: Path, samples: Pa
 
 def test_the_command_lines_defaults_are_the_programs() -> None:
     assert terminal.split_formats(options.DEFAULT_FORMATS) == cloning.DEFAULT_FORMATS
-    assert options.DEFAULT_TEXTURE_SIZE == cloning.DEFAULT_TEXTURE_SIZE
+    assert options.DEFAULT_TEXTURE_SIZE == DEFAULT_TEXTURE_SIZE
 
 
 def test_unwritable_output(run: Command, tmp_path: Path, samples: Path) -> None:

@@ -10,9 +10,8 @@ from pathlib import Path
 from typing import Final
 
 from cloner.booth.handover.copying import copied, remove_rests
-from cloner.cloning import check_formats
 from cloner.errors import ClonerError
-from cloner.exporters.table import EXPORTERS
+from cloner.exporters.table import EXPORTERS, check_formats
 from cloner.pipeline import Progress
 from cloner.project.clone_file import CLONE_FILE, load_clone
 

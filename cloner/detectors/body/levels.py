@@ -1,6 +1,6 @@
 """Where features lie along the body, given what a photo shows: one Gaussian over levels of people.
 
-The Gaussian is learnt by ``generic_models/build/calibrate_body_levels.py`` from photographs of random painted
+The Gaussian is learnt by ``generic_models/build/calibrate_body_levels.py`` from photographs of painted and generated
 people. Conditioned on what was seen it gives every feature's level with its spread; and each seen level is tried
 against all others, so that a wrong one is found before it is used.
 """

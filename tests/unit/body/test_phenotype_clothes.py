@@ -90,7 +90,7 @@ def photographed(person):
         )
         outlines[view] = studio.silhouette_record(view, mask)
     told, body_points = Person("known", "", STATURE_M), PointSet(points)
-    shared = {"tick": lambda f: None, "rng": None}
+    shared = {"tick": lambda f: None}
     seen = views.run(photos=studio.photo_set(photos), body_points=body_points, person=told, **shared).values["views"]
     sides = {v: replace(e, side_shown="right") if v is ViewId.BODY_SIDE else e for v, e in seen.views.items()}
     return {

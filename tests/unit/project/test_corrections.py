@@ -92,9 +92,9 @@ def test_points_off_the_photo_are_refused(x_px: float, y_px: float, inside: bool
 
 
 def test_unknown_names_are_refused_where_names_are_known() -> None:
-    edits.check_against(corrected(1, 1), photo_set(), {ViewId.BODY_FRONT: ["crotch"]})
+    edits.check_against(corrected(1, 1), photo_set(), ["crotch"])
     with pytest.raises(ClonerError, match="no feature point of this name"):
-        edits.check_against(corrected(1, 1), photo_set(), {ViewId.BODY_FRONT: ["knee"]})
+        edits.check_against(corrected(1, 1), photo_set(), ["knee"])
 
 
 def test_a_changed_photo_is_flagged_and_a_missing_one_too() -> None:

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from cloner import cloning
+from cloner import making
 from cloner.evaluate.truths.baselines import generic_clone
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -80,10 +80,10 @@ class Stages:
 @pytest.mark.parametrize(("front_without", "kept"), [(0.96, {FRONT}), (0.8, {FRONT, SIDE})])
 def test_the_clone_is_made_again_without_a_contradicted_photo(monkeypatch, front_without, kept):
     stages = Stages(front_without)
-    monkeypatch.setattr(cloning.pipeline, "run", stages.run)
-    monkeypatch.setattr(cloning, "agreements", stages.agreements)
+    monkeypatch.setattr(making.pipeline, "run", stages.run)
+    monkeypatch.setattr(making, "agreements", stages.agreements)
     given = {"photos": 1, "person": 2, "corrections": 3}
-    values, reports = cloning._run_believing(given, 0, lambda s, f: None, lambda n, v: None, ())
+    values, reports = making._run_believing(given, 0, lambda s, f: None, lambda n, v: None, ())
     assert stages.runs == [{FRONT, SIDE}, {FRONT}]
     assert set(values["proposals"].views) == kept
     assert set(values["proposals"].left_out) == {FRONT, SIDE} - kept

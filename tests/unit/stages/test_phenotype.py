@@ -37,9 +37,7 @@ def photographed():
         outlines[view] = studio.silhouette_record(view, mask)
         truth[view] = seen_by.to_camera(joints)
     body_points, told = PointSet(points), Person("known", "", STATURE_M)
-    first = views.run(
-        photos=studio.photo_set(photos), body_points=body_points, person=told, tick=lambda f: None, rng=None
-    )
+    first = views.run(photos=studio.photo_set(photos), body_points=body_points, person=told, tick=lambda f: None)
     seen = {
         view: replace(each, side_shown="right") if view == ViewId.BODY_SIDE else each
         for view, each in first.values["views"].views.items()
@@ -68,7 +66,7 @@ def net_says(view, vertices, joints, seen_by):
 
 def solved(proposals):
     values, _, _ = photographed()
-    result = phenotype.run(**values, proposals=Proposals(proposals), tick=lambda f: None, rng=None)
+    result = phenotype.run(**values, proposals=Proposals(proposals), tick=lambda f: None)
     return result.values["phenotype"]
 
 

@@ -185,7 +185,6 @@ def test_the_stage_sorts_corrections_into_body_and_face(monkeypatch):
         proposals=given,
         corrections=Corrections({FRONT: placed, FACE: {"nose_tip": Correction(43.0, 22.0)}}),
         tick=fractions.append,
-        rng=np.random.default_rng(0),
     )
     body, found = result.values["body_points"].views, result.values["face_points"].views
     assert set(body) == {FRONT}

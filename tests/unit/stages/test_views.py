@@ -40,7 +40,6 @@ def find(points, *, focal_35mm=62.0):
         body_points=PointSet(points),
         person=Person("p", "", STATURE_M),
         tick=lambda fraction: None,
-        rng=np.random.default_rng(0),
     )
 
 

@@ -1,0 +1,131 @@
+"""From photos in memory to the clone in memory; behind :mod:`cloner.cloning` and :mod:`cloner.api`."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import Any, Final, cast
+
+from cloner import pipeline
+from cloner.errors import ClonerError
+from cloner.frames import ViewId
+from cloner.pipeline import Progress, Stage, StageReport, quiet
+from cloner.project.stamps import stamp_text
+from cloner.records.clones import Clone
+from cloner.records.measures import MeasureSet
+from cloner.records.photos import Person, PhotoSet
+from cloner.records.points import Corrections, Proposals
+from cloner.records.silhouettes import SilhouetteSet
+from cloner.report.agreement import Agreement, agreements
+from cloner.report.evidence import contradicted, is_better
+from cloner.stages import hair, textures
+
+log = logging.getLogger(__name__)
+
+TEXTURE_SIZES: Final = (512, 1024, 2048, 4096)  # powers of two, as graphics cards want them
+DEFAULT_TEXTURE_SIZE: Final = textures.Params().size
+
+
+def clone_photos(
+    photos: PhotoSet,
+    person: Person,
+    corrections: Corrections,
+    *,
+    seed: int = 0,
+    progress: Progress = quiet,
+    found: pipeline.Found = pipeline.unseen,
+    known: Mapping[str, object] | None = None,
+    texture_size: int = DEFAULT_TEXTURE_SIZE,
+) -> tuple[dict[str, Any], list[StageReport]]:
+    """Return all values of the pipeline and one report a stage; writes nothing.
+
+    Parameters
+    ----------
+    photos, person, corrections
+    seed : int
+        Project seed; the same input and seed give the same clone.
+    progress, found : callable
+        As in :func:`cloner.pipeline.run`.
+    known : mapping, optional
+        Values that are known already (say "proposals"); their stages are skipped, and their reports, if they are
+        among them as "stage_reports", are told again.
+    texture_size : int
+        Side of the texture atlas, texels; one of `TEXTURE_SIZES`.
+
+    Raises
+    ------
+    ClonerError
+        If the photos cannot be cloned.
+    Cancelled
+        If ``progress`` raised it.
+    """
+    values = {**(known or {}), "photos": photos, "person": person, "corrections": corrections}
+    check_texture_size(texture_size)
+    values, fresh = _run_believing(values, seed, progress, found, _stages(texture_size))
+    reports = with_earlier(fresh, (known or {}).get("stage_reports", ()))
+    measures = cast(MeasureSet, values["measures"]).measures
+    values["clone"] = replace(
+        cast(Clone, values["clone"]),
+        stamp=stamp_text(seed, texture_size, [photo.digest for photo in photos.photos.values()]),
+        measures_mm={name: round(measure.value_mm, 1) for name, measure in measures.items()},
+    )
+    return {**values, "stage_reports": reports}, list(reports)
+
+
+def _run_believing(
+    values: Mapping[str, Any], seed: int, progress: Progress, found: pipeline.Found, stages: tuple[Stage, ...]
+) -> tuple[dict[str, Any], list[StageReport]]:
+    """Run the stages; when the clone contradicts a photo that it can do without, run them again without it.
+
+    How well the clone covers the person is among the values, as "agreements".
+    """
+    given = dict(values)
+    values, reports = pipeline.run(given, seed=seed, progress=progress, found=found, stages=stages)
+    values["agreements"] = seen = _seen_whole(values)
+    unlike = contradicted(seen)
+    if unlike:
+        log.info("made again without %s", ", ".join(unlike))
+        base = {name: given[name] for name in ("photos", "person", "corrections")}
+        base["proposals"] = cast(Proposals, values["proposals"]).without(unlike)
+        again, fresh = pipeline.run(base, seed=seed, progress=progress, found=found, stages=stages)
+        again["agreements"] = fresh_seen = _seen_whole(again)
+        if is_better(seen, fresh_seen):
+            first = [report for report in reports if report.name == "proposals"]
+            return again, [*first, *fresh]
+    return values, reports
+
+
+def _seen_whole(values: Mapping[str, object]) -> dict[ViewId, Agreement]:
+    return agreements(cast(Clone, values["clone"]), cast(SilhouetteSet, values["obeyed_silhouettes"]))
+
+
+def with_earlier(fresh: Sequence[StageReport], earlier: object) -> tuple[StageReport, ...]:
+    """Return the reports of all stages in their order: of those that did not run again the earlier one, at no time."""
+    by_name = {report.name: replace(report, seconds=0.0, cpu_seconds=0.0) for report in cast(Any, earlier)}
+    by_name |= {report.name: report for report in fresh}
+    return tuple(by_name[stage.name] for stage in pipeline.STAGES if stage.name in by_name)
+
+
+def check_texture_size(size: int) -> None:
+    """Refuse texture sizes that no program likes, before any work.
+
+    Raises
+    ------
+    ClonerError
+        If the size is not one of `TEXTURE_SIZES`.
+    """
+    if size not in TEXTURE_SIZES:
+        hint = f"The sizes are {', '.join(str(known) for known in TEXTURE_SIZES)}"
+        raise ClonerError(f"a texture of {size} texels cannot be made", hint, "--size")
+
+
+def _stages(texture_size: int) -> tuple[Stage, ...]:
+    """Return the pipeline's stages with textures of the given size; hair needs none larger than the body."""
+    own = min(hair.Params().size, texture_size)
+    params = {"textures": textures.Params(size=texture_size), "hair": hair.Params(size=own)}
+    return tuple(
+        replace(stage, run=partial(stage.run, params=params[stage.name])) if stage.name in params else stage
+        for stage in pipeline.STAGES
+    )
