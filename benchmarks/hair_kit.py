@@ -32,7 +32,7 @@ from cloner.evaluate.truths.kit import KitTruth, kit_people, read_kit
 from cloner.generic.layers import Layer, clone_layers
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
-from cloner.hair.volumes.views import headwear
+from cloner.hair.volumes.headwear import headwear
 from cloner.project.folder import load_photos, read_person
 from cloner.records.clones import Clone
 from cloner.records.labels import FACE, Label, shows

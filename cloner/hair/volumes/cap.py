@@ -235,7 +235,7 @@ def settle_shell(
         No vertex is pushed nearer to the skin than this.
     """
     graph, start_m = surface_graph(vertices_m, triangles), vertices_m
-    moved_mm, least_mm = np.zeros_like(start_m), np.minimum(_clear_mm(scalp, start_m)[0], least_mm)
+    moved_mm, floor_mm = np.zeros_like(start_m), np.minimum(_clear_mm(scalp, start_m)[0], least_mm)
     for _ in range(SHELL_ROUNDS):
         drive, trust = outline_drive(views, vertices_m, triangles)
         gap = drive / np.maximum(trust, 1e-9)
@@ -243,8 +243,8 @@ def settle_shell(
         moved_mm = graph.fill(wanted_mm, np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)
         vertices_m = start_m + m_from_mm(1.0) * moved_mm
         clear_mm, outward = _clear_mm(scalp, vertices_m)
-        inside = (clear_mm < least_mm) & (clear_mm > -DEEPEST_MM)  # deeper: below the neck, beside what is known
-        vertices_m = vertices_m + np.where(inside, m_from_mm(1.0) * (least_mm - clear_mm), 0.0)[:, None] * outward
+        inside = (clear_mm < floor_mm) & (clear_mm > -DEEPEST_MM)  # deeper: below the neck, beside what is known
+        vertices_m = vertices_m + np.where(inside, m_from_mm(1.0) * (floor_mm - clear_mm), 0.0)[:, None] * outward
     return vertices_m
 
 

@@ -94,4 +94,6 @@ def agreed_mm(views: list[HairView], points_m: Array) -> tuple[NDArray[np.float3
         sides, least = sides + judged, np.minimum(least, inside)
         aside = ViewId.BODY_SIDE in names  # front and back tell the same ends: as two they would round twice
         plan[aside] = np.where(judged[:, None], np.minimum(plan[aside], across), plan[aside])
-    return np.where(sides > 0, np.minimum(least, rounded_mm(*plan.values(), ROUND_MM)), np.float32(-FAR_MM)), sides
+    return np.where(
+        sides > 0, np.minimum(least, rounded_mm(plan[False], plan[True], ROUND_MM)), np.float32(-FAR_MM)
+    ), sides

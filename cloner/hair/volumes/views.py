@@ -15,6 +15,7 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.cameras.seeing import depth_at, nearest_of
 from cloner.geometry.meshes.rasters import nearest_depth
+from cloner.hair.volumes.headwear import headwear
 from cloner.paint.lookups.posed import parents_of, pose
 from cloner.paint.lookups.prepared import person_mask
 from cloner.records.bodies import PosedView
@@ -28,7 +29,6 @@ from cloner.vision.segmentation.pieces import pieces_of
 
 Array = NDArray[np.float64]
 
-CAP_OVER_FACE, CAP_OVER_HAIR = 0.1, 0.5  # a cap's middle lies above this share of the face's rows, or of the hair's
 NEVER_ON_SCALPS = (Label.BODY_SKIN, Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES)
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
 FAR_MM = 1000.0
@@ -245,23 +245,6 @@ def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool
     if area.any():
         kept[box] = (area >= SMALLEST_PIECE * area.max())[pieces]
     return kept
-
-
-def headwear(labels: NDArray[np.uint8]) -> NDArray[np.bool_]:
-    """Return (H, W) pixels of what is worn on the head: it has a volume as hair has, unlike glasses and scarves.
-
-    Its pieces lie above nearly all of the face, or above the middle of the hair where a photo shows no face.
-    """
-    worn: NDArray[np.bool_] = labels == Label.ACCESSORY
-    if not worn.any():
-        return worn
-    face, hair = (np.nonzero(labels == label)[0] for label in (Label.FACE_SKIN, Label.HAIR))
-    rows, share = (face, CAP_OVER_FACE) if len(face) else (hair, CAP_OVER_HAIR)
-    if not len(rows):
-        return np.zeros(labels.shape, np.bool_)
-    count, pieces, _, middles = cv2.connectedComponentsWithStats(worn.astype(np.uint8), connectivity=8)
-    high = [piece for piece in range(1, count) if middles[piece, 1] < np.quantile(rows, share)]
-    return np.asarray(np.isin(pieces, high))
 
 
 def hull_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:

@@ -10,8 +10,7 @@ import pytest
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
-from cloner.hair.volumes import volume
-from cloner.hair.volumes.rows import across_px
+from cloner.hair.volumes.rows import across_px, agreed_mm
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.repair import signed_distance
 
@@ -38,6 +37,8 @@ class Seen:
     def to_view(self, points_m: Array) -> Array:
         return points_m
 
+    to_hair = to_view
+
     def pixel_mm(self, _: Array) -> float:
         return PIXEL_MM
 
@@ -49,10 +50,14 @@ class Seen:
         return depth, np.ones(len(points_m), np.bool_)
 
 
-def inside(*points_mm: tuple[float, float, float]) -> NDArray[np.float32]:
+CURTAIN = np.zeros_like(HAIR)
+CURTAIN[30:111, 66:75] = True  # 18 mm thick seen from aside
+
+
+def inside(*points_mm: tuple[float, float, float], side: NDArray[np.bool_] = HAIR) -> NDArray[np.float32]:
     """Return how deep points lie in what both photos agree on, mm."""
-    views = [Seen(ViewId.BODY_FRONT, 0, HAIR), Seen(ViewId.BODY_SIDE, 2, HAIR)]
-    return volume.agreed_mm(views, np.array(points_mm) / 1000.0)[0]  # type: ignore[arg-type]
+    views = [Seen(ViewId.BODY_FRONT, 0, HAIR), Seen(ViewId.BODY_SIDE, 2, side)]
+    return agreed_mm(views, np.array(points_mm) / 1000.0)[0]  # type: ignore[arg-type]
 
 
 def test_hair_reaches_down_to_where_both_photos_end_it() -> None:
@@ -67,10 +72,20 @@ def test_hair_is_round_seen_from_above() -> None:
     assert corner < 0.0 < edge
 
 
-def test_rows_are_measured_to_their_own_ends() -> None:
+def test_a_curtain_is_as_wide_as_photos_show_it() -> None:
+    """Rounded by half a head's width a thin sheet lost its sides: what remained down a back was a ragged strip."""
+    middle, side, beyond = inside((0.0, 0.0, 0.0), (70.0, 0.0, 0.0), (85.0, 0.0, 0.0), side=CURTAIN)
+    assert middle == pytest.approx(side, abs=1.0)
+    assert side > 5.0
+    assert beyond < 0.0
+
+
+def test_rows_are_measured_to_their_own_ends_and_reach_as_far_as_all_of_their_hair() -> None:
     hair = np.zeros((3, 9), np.bool_)
     hair[1, 2:7] = True
-    hair[2, 0] = True
-    assert across_px(hair)[1].tolist() == [0, 0, 0.5, 1.5, 2.5, 1.5, 0.5, 0, 0]
-    assert across_px(hair)[2, 0] == 0.5
+    hair[2, [0, 8]] = True
+    near, half = np.moveaxis(across_px(hair), 2, 0)
+    assert near[1].tolist() == [0, 0, 0.5, 1.5, 2.5, 1.5, 0.5, 0, 0]
+    assert half[1].tolist() == [0, 0, 2.5, 2.5, 2.5, 2.5, 2.5, 0, 0]
+    assert (near[2, 0], half[2, 0]) == (0.5, 4.5)
     assert not across_px(np.zeros((2, 2), np.bool_)).any()

@@ -6,7 +6,8 @@ import numpy as np
 
 from cloner.frames import ViewId
 from cloner.hair.volumes.cap import FACE_PHOTO, Scalp
-from cloner.hair.volumes.volume import ROUND_MM, TAIL_DOUBT_MM, _held_by, agreed_mm, near_skin, tail_mm
+from cloner.hair.volumes.rows import ROUND_MM, agreed_mm
+from cloner.hair.volumes.volume import LYING_MM, TAIL_DOUBT_MM, _held_by, cap_mm, lying_near, near_skin, tail_mm
 
 SIDE_MM, THICK_MM, FOLD_M = 4.0, 20.0, 0.01
 
@@ -53,7 +54,7 @@ def _slab(view, axis, half_mm, judged=True):
         posed=SimpleNamespace(view=view, camera=camera),
         flip_m=None,
         hair=np.tile(np.abs(np.arange(401) - 200.0) <= half_mm, (5, 1)),
-        to_view=lambda at: at,
+        to_hair=lambda at: at,
         pixel_mm=lambda at: 1.0,
         evidence=lambda at: (
             (half_mm - 1000.0 * np.abs(at[:, axis])).astype(np.float32),
@@ -107,3 +108,19 @@ def test_a_photo_of_the_back_takes_nothing_from_the_width_that_the_front_photo_s
     twice = [*seen, _slab(ViewId.BODY_BACK, 0, 100.0)]
     np.testing.assert_allclose(agreed_mm(twice, points)[0], agreed_mm(seen, points)[0], atol=1.0)
     assert agreed_mm(twice, points)[0][1] > 10.0
+
+
+def test_hair_that_a_photo_shows_on_the_back_lies_on_it_as_a_film():
+    """A level back, seen from above; its left half is hair: over the skin it is as thick as a lock, right none."""
+    row, column = np.mgrid[-10:11, -10:11]
+    back = 0.01 * np.stack([column, row, np.zeros_like(row)], axis=-1).reshape(-1, 3)
+    body = back, np.tile([0.0, 0.0, 1.0], (len(back), 1))
+    line_px = np.tile(100.0 - np.arange(201.0, dtype=np.float32), (201, 1))  # 1 mm a pixel
+    camera = SimpleNamespace(project=lambda at: 100.0 + 1000.0 * at[:, :2])
+    seen = SimpleNamespace(
+        posed=SimpleNamespace(camera=camera), line_px=line_px, to_view=lambda at: at, pixel_mm=lambda at: 1.0
+    )
+    points = np.array([[x, 0.0, z] for x in (-0.05, 0.05) for z in (-0.002, 0.5e-3 * LYING_MM, 1.5e-3 * LYING_MM)])
+    field = cap_mm([seen], lying_near(body, np.ones((1, len(back))), points))
+    assert np.array_equal(field > 0.0, [True, True, False, False, False, False])
+    np.testing.assert_allclose(field[1:3], [0.5 * LYING_MM, -0.5 * LYING_MM], atol=0.1)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from cloner.hair.volumes.views import headwear
+from cloner.hair.volumes.headwear import headwear
 from cloner.records.labels import Label
 
 

@@ -1,0 +1,62 @@
+"""A shell is brought to the photos' outlines as one: no strings of pearls, nothing blown up towards a camera."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+import trimesh
+
+from cloner.hair.volumes import cap
+from cloner.hair.volumes.cap import Scalp, settle_shell
+
+RADIUS_M, FILM_MM = 0.1, 2.0
+
+
+def _ball(radius_m: float) -> trimesh.Trimesh:
+    return trimesh.creation.icosphere(subdivisions=4, radius=radius_m)
+
+
+def _scalp(radius_m: float) -> Scalp:
+    skull = _ball(radius_m)
+    one = np.ones(len(skull.vertices))
+    points = np.asarray(skull.vertices)
+    return Scalp(points, points / radius_m, np.asarray(skull.faces, np.int32), one[None], one, one, one)
+
+
+def _settled(
+    monkeypatch: pytest.MonkeyPatch, rim_mm: np.ndarray, skull_m: float = 0.05
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return a ball's vertices before and after a front photo (along z) told its rim's gaps ``rim_mm`` in turn."""
+    ball = _ball(RADIUS_M)
+    start = np.asarray(ball.vertices)
+    rim = np.flatnonzero(np.abs(start[:, 2]) < 0.1 * RADIUS_M)
+    goal_m = np.zeros(len(start))
+    goal_m[rim] = RADIUS_M + 1e-3 * np.resize(rim_mm, len(rim))
+
+    def drive(_: object, surface_m: np.ndarray, __: object) -> tuple[np.ndarray, np.ndarray]:
+        trust = (goal_m > 0.0).astype(float)
+        return trust * 1e3 * (goal_m - np.linalg.norm(surface_m, axis=1)), trust
+
+    monkeypatch.setattr(cap, "outline_drive", drive)
+    return start, settle_shell([], _scalp(skull_m), start, np.asarray(ball.faces, np.int32), FILM_MM)
+
+
+def test_a_rim_moves_outwards_and_what_faces_the_camera_stays(monkeypatch: pytest.MonkeyPatch) -> None:
+    start, found = _settled(monkeypatch, np.array([20.0]))
+    moved_mm = 1e3 * (found - start)
+    rim = np.abs(start[:, 2]) < 0.1 * RADIUS_M
+    assert np.linalg.norm(moved_mm[rim], axis=1).mean() > 15.0
+    assert np.abs(moved_mm[start[:, 2] > 0.95 * RADIUS_M, 2]).max() < 2.0
+
+
+def test_outlines_that_disagree_from_place_to_place_leave_no_pearls(monkeypatch: pytest.MonkeyPatch) -> None:
+    start, found = _settled(monkeypatch, np.array([20.0, -5.0]))
+    radius_mm = 1e3 * np.linalg.norm(found, axis=1)
+    rim = np.abs(start[:, 2]) < 0.1 * RADIUS_M
+    assert radius_mm[rim].mean() == pytest.approx(107.5, abs=2.5)
+    assert radius_mm[rim].std() < 3.5, "the wanted gaps have 12.5"
+
+
+def test_no_shell_sinks_below_the_film_over_the_skin(monkeypatch: pytest.MonkeyPatch) -> None:
+    _, found = _settled(monkeypatch, np.array([-30.0]), skull_m=0.09)
+    assert 1e3 * np.linalg.norm(found, axis=1).min() > 90.0 + FILM_MM - 0.7
