@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import os
 from collections.abc import Callable, Mapping, Sequence
 from glob import escape
 from pathlib import Path
@@ -18,13 +17,11 @@ from cloner.exporters.shared.files import write_bytes
 from cloner.motion.limbs.rig import centred
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
-from cloner.project.atomic import safe_output
+from cloner.project.atomic import appears, safe_output
 from cloner.vision.photographs.films import FORMATS as FILMS
 from cloner.vision.photographs.films import write_film
 
 PC2: Final = ".pc2"
-#: How the name of a film that is not finished goes on.
-PARTIAL: Final = ".partial-"
 WRITERS: Final[Mapping[str, Callable[[Dressed], bytes]]] = {".glb": glb, PC2: pc2, ".usdc": usd}
 
 
@@ -119,18 +116,12 @@ def write_dressed(found: Dressed, out: Path) -> None:
         if kind == PC2:
             write_bytes(out.with_suffix(".obj"), obj(found))
         return
-    temporary = out.with_name(f".{out.stem}{PARTIAL}{os.getpid()}{out.suffix}")
-    try:
+    with appears(out) as temporary:
         write_film(list(pictures(found)), FRAMES_PER_S, temporary)
-        temporary.replace(out)
-    except OSError as error:
-        raise ClonerError("the file cannot be written", "Check the folder's permissions and space", out.name) from error
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 def clean_up(out: Path) -> None:
     """Remove what a process that was killed while it wrote a dressed clone left beside it."""
     for name in (out.name, out.with_suffix(".obj").name):
-        for rest in (*out.parent.glob(f".{escape(name)}.*"), *out.parent.glob(f".{escape(out.stem)}{PARTIAL}*")):
+        for rest in out.parent.glob(f".{escape(name)}.*"):
             rest.unlink(missing_ok=True)

@@ -25,7 +25,7 @@ from cloner.errors import ClonerError
 from cloner.outside import read_outside
 from cloner.personal_data.holdings import Holding, photo_digests
 from cloner.personal_data.leftovers import Traces, left_of
-from cloner.project.atomic import interrupted, safe_output
+from cloner.project.atomic import in_place_of, interrupted, safe_output
 from cloner.project.claims import claimed
 from cloner.project.corrections import WHERE as CORRECTIONS_FILE
 from cloner.project.folder import PERSON_FILE, SUFFIXES, read_person
@@ -51,17 +51,13 @@ def export_data(holding: Holding, to: Path) -> Path:
         If the file exists or cannot be written.
     """
     safe_output(to)
-    temporary = to.with_name(f".{to.name}.partial-{os.getpid()}")
     try:
-        with zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
+        with in_place_of(to) as temporary, zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
             for folder, label in _labelled(holding):
                 for path in holding.files_in(folder):
                     archive.write(path, f"{holding.identifier}/{label}/{path.relative_to(folder).as_posix()}")
-        temporary.replace(to)
     except OSError as error:
         raise ClonerError("the zip file cannot be written", "Check the folder and its space", to.name) from error
-    finally:
-        temporary.unlink(missing_ok=True)
     return to
 
 

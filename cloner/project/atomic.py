@@ -53,14 +53,34 @@ def appears(out: Path) -> Iterator[Path]:
     ClonerError
         If the disk refuses.
     """
-    temporary = out.with_name(f".{out.stem}.partial-{os.getpid()}{out.suffix}")
+    try:
+        with in_place_of(out, out.suffix) as temporary:
+            yield temporary
+    except OSError as error:
+        raise ClonerError("the file cannot be written", "Check the folder's permissions and space", out.name) from error
+
+
+@contextlib.contextmanager
+def in_place_of(out: Path, suffix: str = "") -> Iterator[Path]:
+    """Give the name of a temporary neighbour, file or folder, that becomes ``out`` when the block ends well.
+
+    However the block ends, nothing of the neighbour stays. Only with a ``suffix`` can others take it for a finished
+    file, as writers do that ask a name for its kind.
+    """
+    temporary = out.with_name(f".{out.name}.partial-{os.getpid()}{suffix}")
     try:
         yield temporary
         temporary.replace(out)
-    except OSError as error:
-        raise ClonerError("the file cannot be written", "Check the folder's permissions and space", out.name) from error
     finally:
-        temporary.unlink(missing_ok=True)
+        remove(temporary)
+
+
+def remove(path: Path) -> None:
+    """Remove a file or a folder with all that is in it, where it is there."""
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        path.unlink(missing_ok=True)
 
 
 @contextlib.contextmanager

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import importlib
 import json
-import os
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass
 from enum import Enum
@@ -20,6 +19,7 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.project.archives import BROKEN, opened
+from cloner.project.atomic import in_place_of
 
 FORMAT: Final = 1
 LARGEST_BYTES: Final = 1_000_000_000  # taste: many times the values of five large photos
@@ -40,15 +40,12 @@ def save_values(values: Mapping[str, object], path: Path) -> None:
     arrays: dict[int, NDArray[Any]] = {}
     told = {"format": FORMAT, "values": _told(dict(values), arrays)}
     text = np.frombuffer(json.dumps(told).encode(), dtype=np.uint8)
-    temporary = path.with_name(f".{path.name}.partial-{os.getpid()}")
     try:
         path.parent.mkdir(exist_ok=True)
-        with temporary.open("wb") as stream:
+        with in_place_of(path) as temporary, temporary.open("wb") as stream:
             packed: dict[str, NDArray[Any]] = {f"a{number}": array for number, array in enumerate(arrays.values())}
             np.savez_compressed(stream, allow_pickle=False, **{_SKELETON: text}, **packed)
-        temporary.replace(path)
     except OSError as error:
-        temporary.unlink(missing_ok=True)
         raise ClonerError("the work folder cannot be written", "Check permissions and space", path.name) from error
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 import glob
 import hashlib
 import os
-import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress
+from cloner.project.atomic import in_place_of, remove
 
 #: Bytes that are copied between two looks whether somebody stopped it: a slow stick takes a quarter of a second.
 _CHUNK: Final = 1 << 20
@@ -35,8 +35,7 @@ def copied(source: Path, target: Path, progress: Progress) -> Path:
         If it cannot be written.
     """
     remove_rests(target)
-    room = target.with_name(f".{target.name}.partial-{os.getpid()}")
-    try:
+    with in_place_of(target) as room:
         files = [source] if source.is_file() else sorted(path for path in source.rglob("*") if path.is_file())
         pairs = [(path, room / path.relative_to(source)) for path in files]
         told = _Told(progress, 2 * sum(path.stat().st_size for path in files))
@@ -45,17 +44,14 @@ def copied(source: Path, target: Path, progress: Progress) -> Path:
             if _read_back(other, told.on("verify")) != digest:
                 hint = "Use another stick: this one loses what is written on it"
                 raise ClonerError("what was written there reads differently", hint, target.name)
-        room.rename(target)
-        _write_through(target.parent)
-    finally:
-        _remove(room)
+    _write_through(target.parent)
     return target
 
 
 def remove_rests(target: Path) -> None:
     """Remove what a killed run left of a copy that was to be called ``target``."""
     for rest in target.parent.glob(f".{glob.escape(target.name)}.partial-*"):
-        _remove(rest)
+        remove(rest)
 
 
 class _Told:
@@ -117,10 +113,3 @@ def _write_through(folder: Path) -> None:
         pass
     finally:
         os.close(held)
-
-
-def _remove(path: Path) -> None:
-    if path.is_dir() and not path.is_symlink():
-        shutil.rmtree(path, ignore_errors=True)
-    else:
-        path.unlink(missing_ok=True)

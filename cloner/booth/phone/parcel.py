@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import os
 import shutil
 from dataclasses import replace
 from pathlib import Path
@@ -15,7 +14,9 @@ from PIL import Image
 
 from cloner.booth.worker import Progress
 from cloner.errors import ClonerError
+from cloner.project.atomic import in_place_of, remove
 from cloner.project.clone_file import CLONE_FILE, load_clone
+from cloner.records.clones import Clone
 
 FOLDER: Final = "phone"
 SIDES: Final = 24  # pictures of a whole turn: 15 degrees each still look like turning
@@ -47,43 +48,46 @@ def pack(visitor: Path, result: Path, progress: Progress) -> Path:
     ClonerError
         If there is no clone, or it cannot be drawn or written.
     """
+    clone = load_clone(result / CLONE_FILE)
+    place = visitor / FOLDER
+    try:
+        with in_place_of(place) as room:
+            remove(room)
+            room.mkdir()
+            _fill(room, clone, result, progress)
+            remove(place)
+    except OSError as error:
+        raise ClonerError("it cannot be written there", "Check the folder and its space", visitor.name) from error
+    return place
+
+
+def _fill(room: Path, clone: Clone, result: Path, progress: Progress) -> None:
+    """Draw and write the parcel's files into a folder."""
     # drawing and scipy: the window knows the parcel's files from its start, and draws one only where a page is served
     from cloner.exporters.table import EXPORTERS
     from cloner.generic.framing import standard_camera
     from cloner.generic.layers import clone_layers
     from cloner.render import draw
 
-    clone = load_clone(result / CLONE_FILE)
     layers = clone_layers(clone, None)
-    room, place = visitor / f".{FOLDER}.partial-{os.getpid()}", visitor / FOLDER
-    try:
-        shutil.rmtree(room, ignore_errors=True)
-        room.mkdir()
-        sides = []
-        for number in range(SIDES):
-            progress("previews", number / (SIDES + 2))
-            camera = standard_camera(clone, "front", *SIZE_PX)
-            turned = replace(camera, camera_from_model=camera.camera_from_model @ _turn(2.0 * math.pi * number / SIDES))
-            sides.append(Image.fromarray(draw(layers, turned, background=_BACKGROUND, supersample=2)))
-            sides[-1].save(room / f"side_{number:02d}.jpg", quality=82)
-        sides[0].save(
-            room / "film.webp", save_all=True, append_images=sides[1:], duration=FILM_MS, loop=0, quality=75, method=2
-        )
-        large = draw(layers, standard_camera(clone, "front", *LARGE_PX), background=_BACKGROUND, supersample=2)
-        Image.fromarray(large).save(room / "picture.jpg", quality=90)
-        progress("export", SIDES / (SIDES + 2))
-        ready = result / "clone.glb"
-        if ready.is_file():
-            shutil.copyfile(ready, room / "clone.glb")
-        else:
-            EXPORTERS.get("glb")(clone, room)
-        shutil.rmtree(place, ignore_errors=True)
-        room.rename(place)
-    except OSError as error:
-        raise ClonerError("it cannot be written there", "Check the folder and its space", visitor.name) from error
-    finally:
-        shutil.rmtree(room, ignore_errors=True)
-    return place
+    sides = []
+    for number in range(SIDES):
+        progress("previews", number / (SIDES + 2))
+        camera = standard_camera(clone, "front", *SIZE_PX)
+        turned = replace(camera, camera_from_model=camera.camera_from_model @ _turn(2.0 * math.pi * number / SIDES))
+        sides.append(Image.fromarray(draw(layers, turned, background=_BACKGROUND, supersample=2)))
+        sides[-1].save(room / f"side_{number:02d}.jpg", quality=82)
+    sides[0].save(
+        room / "film.webp", save_all=True, append_images=sides[1:], duration=FILM_MS, loop=0, quality=75, method=2
+    )
+    large = draw(layers, standard_camera(clone, "front", *LARGE_PX), background=_BACKGROUND, supersample=2)
+    Image.fromarray(large).save(room / "picture.jpg", quality=90)
+    progress("export", SIDES / (SIDES + 2))
+    ready = result / "clone.glb"
+    if ready.is_file():
+        shutil.copyfile(ready, room / "clone.glb")
+    else:
+        EXPORTERS.get("glb")(clone, room)
 
 
 def is_packed(visitor: Path, result: Path) -> bool:

@@ -7,7 +7,6 @@ place, ``photo_004.face_side.jpg`` for the place it is meant for. Whatever ends 
 from __future__ import annotations
 
 import io
-import os
 import threading
 import weakref
 from pathlib import Path
@@ -18,6 +17,7 @@ from PIL import ExifTags, Image, ImageOps
 from cloner.booth.visitors.person_file import check_consent
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.project.atomic import in_place_of
 from cloner.project.folder import SUFFIXES, load_photo, view_files
 from cloner.records.photos import Photo, PhotoSet
 
@@ -60,9 +60,8 @@ def store_photo(folder: Path, data: bytes, suffix: str, meant: ViewId | None = N
         tray.mkdir(exist_ok=True)
         with _TURN:
             path = _free_place(tray, f".{meant or NEW}{suffix.lower()}")
-            temporary = path.with_name(f".{path.name}.partial-{os.getpid()}")
-            temporary.write_bytes(data)
-            temporary.replace(path)
+            with in_place_of(path) as temporary:
+                temporary.write_bytes(data)
     except OSError as error:
         raise ClonerError("the photo cannot be stored", _WRITE_HINT, folder.name) from error
     return path
@@ -213,9 +212,8 @@ def turn_right(path: Path) -> None:
             else:
                 upright = ImageOps.exif_transpose(image)
                 upright.transpose(Image.Transpose.ROTATE_270).save(stream, "PNG" if kind == "MPO" else kind)
-        temporary = path.with_name(f".{path.name}.partial-{os.getpid()}")
-        temporary.write_bytes(stream.getvalue())
-        temporary.replace(path)
+        with in_place_of(path) as temporary:
+            temporary.write_bytes(stream.getvalue())
     except (OSError, ValueError, SyntaxError) as error:
         raise ClonerError("the photo cannot be turned", "Turn it with another program", path.name) from error
 
