@@ -35,7 +35,7 @@ def glb_bytes(gltf: Any) -> bytes:
 
 
 def _packed(gltf: Any, blob: bytes) -> bytes:
-    """Return the bytes that views name, one behind the other on 4 bytes, and set views and buffer to that, in place."""
+    """Return the bytes that views name, one behind the other on 4 bytes; views, buffer and blob are set to that."""
     parts: list[bytes] = []
     length = 0
     for view in gltf.bufferViews:
@@ -45,7 +45,9 @@ def _packed(gltf: Any, blob: bytes) -> bytes:
         parts += [data, b"\0" * (-len(data) % 4)]
         length += len(data) + len(parts[-1])
     gltf.buffers[0].byteLength = length
-    return b"".join(parts)
+    packed = b"".join(parts)
+    gltf.set_binary_blob(packed)
+    return packed
 
 
 def _told(value: Any) -> Any:

@@ -27,6 +27,7 @@ SMOOTH_VOXELS = 0.8
 COARSE = 4  # voxels a side of a trial cell
 FILM_MM = 2.0  # clear of the skin's mesh
 BEYOND_MM = 8.0  # how far the film reaches: past what labels and mesh may err
+DRAPE_DOUBT_MM = 4.0  # without it a ponytail had a skirt of 5 cm, a cap a peak of hair behind
 OVERHANG_DOUBT_MM = 2.0  # heads stand a little off their photos
 TAIL_DOUBT_MM = 6.0  # heads nod between photos, and tails swing
 SMALLEST_LOCK_M3 = 4e-5  # taste: 40 ml, a thin lock
@@ -175,7 +176,8 @@ def hanging_mm(views: list[HairView], points_m: Array, skin_mm: NDArray[np.float
     rows = np.flatnonzero(skin_mm > -INNER_MM)
     inside, sides = agreed_mm(views, points_m[rows])
     thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[rows])
-    field[rows] = np.minimum(np.minimum(inside, thin), skin_mm[rows] + INNER_MM)
+    # Hair that hangs free and is thinner than the labels' doubt is none.
+    field[rows] = np.minimum(np.minimum(inside - DRAPE_DOUBT_MM, thin), skin_mm[rows] + INNER_MM)
     return field
 
 
