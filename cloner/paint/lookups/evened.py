@@ -59,9 +59,9 @@ def even_photos(
 ) -> Array:
     """Return (K, V, 3) log gains per source and vertex that even out exposure, white balance and light.
 
-    Three steps, each on what the one before left: light from one side, told by
+    Four steps, each on what the one before left: light from one side, told by
     the person's own symmetry; one exposure and first-order light a photo, told
-    by shared surface; and glare on skin. Skin and cloth are evened
+    by shared surface; the white balance of all photos; and glare on skin. Skin and cloth are evened
     each by its own kind: cameras and developers bend dark cloth otherwise than skin.
 
     Parameters
