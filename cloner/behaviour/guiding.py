@@ -89,8 +89,16 @@ def listening(desk: Desk, port: int = 0) -> Iterator[int]:
         yield int(server.socket.getsockname()[1])
     finally:
         desk.over.set()
+        _let_them_hear(desk)
         server.shutdown()
         thread.join(PATIENCE_S)
+
+
+def _let_them_hear(desk: Desk) -> None:
+    """Wait until every guide has its last answer and has given its place back; shutting down would cut it off."""
+    until = time.monotonic() + PATIENCE_S
+    for _ in range(MOST_GUIDES):
+        desk.places.acquire(timeout=max(until - time.monotonic(), 0.0))
 
 
 def guided(world: World, desk: Desk, seconds: float, pace: Callable[[float], None] | None = None) -> Iterator[World]:
@@ -204,7 +212,9 @@ def _asked(desk: Desk, said: str | bytes) -> dict[str, Any]:
     except ValueError:
         return {"error": 'that is no message. Say for example {"do": "order", "text": "school goes to door"}'}
     desk.wishes.put(wish)
-    while not desk.over.is_set():
+    ended = False
+    while not ended:
+        ended = desk.over.is_set()
         with suppress(queue.Empty):
             return wish.answer.get(timeout=0.2)
     return {"error": "the scenario has ended"}

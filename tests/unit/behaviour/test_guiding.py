@@ -18,6 +18,7 @@ pytest.importorskip("websockets")
 from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
+from cloner.behaviour import guiding
 from cloner.behaviour.guiding import HOST, LONGEST_BYTES, MOST_GUIDES, NOT_ALLOWED, Desk, guided, listening
 from cloner.behaviour.language import read_text
 from cloner.behaviour.trajectories import read_trajectories
@@ -157,6 +158,31 @@ def test_the_walk_is_written_at_the_end(tmp_path: Path) -> None:
     assert lines[-1] == str(out)
     walk = read_trajectories(out)
     assert walk.groups == ("school",) * 4
+
+
+def test_who_ends_it_hears_so_however_late_the_answer_leaves(world, monkeypatch: pytest.MonkeyPatch) -> None:
+    asked_at_once = guiding._asked
+
+    def late(desk: Desk, said: str | bytes) -> dict:
+        answer = asked_at_once(desk, said)
+        threading.Event().wait(0.5)
+        return answer
+
+    monkeypatch.setattr(guiding, "_asked", late)
+    desk, answers = Desk(), []
+
+    def end(port: int) -> None:
+        with entered(desk, port) as guest:
+            answers.append(asked(guest, do="end"))
+
+    with listening(desk) as port:
+        guide = threading.Thread(target=end, args=(port,), daemon=True)
+        guide.start()
+        for _ in guided(world, desk, 1e4, pace=lambda _: time.sleep(STEP_S / 100.0)):
+            pass
+    guide.join(10.0)
+    assert answers
+    assert answers[0]["ended"]
 
 
 def test_what_cannot_be_run_is_refused_before_anybody_is_let_in(tmp_path: Path) -> None:
