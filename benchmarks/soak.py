@@ -8,7 +8,8 @@ most ``--longest-px`` long, and cloned in peace once. Then everybody again while
 its own) and the files' times are set to 1971 and 2100. At the end nobody may be lost, no byte differ, nothing be
 left over, and a worker's memory in the last quarter may be 1.05 times that of the first.
 
-Prints what it found, writes FOLDER/soak.json, and ends with 1 where a bar is missed. Linux only: it reads /proc.
+Prints what it found, writes FOLDER/soak.json, and ends with 1 where a bar is missed. Linux only: it reads /proc. A soak
+that was itself interrupted goes on where it was, with what was found in peace and the results that are there.
 """
 
 from __future__ import annotations
@@ -50,8 +51,10 @@ def copied(people: Path, photos: Path, count: int, longest_px: int) -> None:
 
 
 def own_disk(out: Path, mib: int) -> bool:
-    """Mount a disk of its own for the results; return whether that is allowed here."""
+    """Mount a disk of its own for the results; return whether that is allowed here, or was done before."""
     out.mkdir(parents=True, exist_ok=True)
+    if out.is_mount():
+        return True
     done = subprocess.run(
         ["mount", "-t", "tmpfs", "-o", f"size={mib}m", "soak", str(out)], capture_output=True, check=False
     )
@@ -119,18 +122,21 @@ def main() -> None:
     parser.add_argument("--disk-mib", type=int, default=8192, help="size of the disk that is filled once; 0: none")
     chosen = parser.parse_args()
     photos, calm_out, out = (chosen.folder / name for name in ("photos", "calm", "fire"))
-    for folder in (photos, calm_out, out):
-        shutil.rmtree(folder, ignore_errors=True)
-    copied(chosen.photos, photos, chosen.visitors, chosen.longest_px)
     batch = ["batch", str(photos), "--workers", str(chosen.workers), "--size", "512", "--format", "glb"]
-    calm = watched([*batch, "--out", str(calm_out)])
-    first, last = memory(calm.samples, calm_out)
-    wanted = digests(calm_out)
-    failed_in_peace = statuses(calm_out)["failed"]
-    print(f"in peace: {calm.seconds:.0f} s, {statuses(calm_out)}; memory {first:.0f} MiB, then {last:.0f}", flush=True)
+    if not (chosen.folder / "calm.json").is_file():
+        for folder in (photos, calm_out, out):
+            shutil.rmtree(folder, ignore_errors=True)
+        copied(chosen.photos, photos, chosen.visitors, chosen.longest_px)
+        run = watched([*batch, "--out", str(calm_out)])
+        note = {"seconds": run.seconds, "mib": memory(run.samples, calm_out), **statuses(calm_out)}
+        (chosen.folder / "calm.json").write_text(json.dumps(note, indent=1) + "\n")
+    calm = json.loads((chosen.folder / "calm.json").read_text())
+    first, last = calm["mib"]
+    wanted, failed_in_peace = digests(calm_out), calm["failed"]
+    print(f"in peace: {calm}", flush=True)
     start = time.monotonic()
     runs = under_fire(
-        [*batch, "--out", str(out), "--retries", "1000"], chosen, calm.seconds, failed_in_peace, out, photos
+        [*batch, "--out", str(out), "--retries", "1000"], chosen, calm["seconds"], failed_in_peace, out, photos
     )
     found = digests(out)
     told = {
