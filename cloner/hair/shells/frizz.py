@@ -85,7 +85,7 @@ def measure_frizz(views: list[HairView], photos: Mapping[ViewId, Photo], points_
                 shown.append(shares)
     if not shown:
         return None
-    usual = np.median(shown, axis=0)
+    usual = np.sort(shown, axis=0)[(len(shown) - 1) // 2]  # of two photos the smoother: a background may look like hair
     depths = -np.log1p(-np.minimum(usual, THICKEST))
     lengths_mm = np.arange(SHORTEST_MM, LONGEST_MM, LENGTH_STEP_MM)
     falls = np.exp(-RING_MM * (np.arange(RINGS) + 0.5) / lengths_mm[:, None])

@@ -57,6 +57,19 @@ def test_depth_and_length_of_frizz_are_found(frizz):
     assert found.depth == pytest.approx(frizz.depth, rel=0.25)
 
 
+def test_of_two_photos_the_smoother_is_believed():
+    frizzy = photo(np.where(OUT_MM < 0.0, 1.0, cover(Frizz(0.7, 11.0), np.maximum(OUT_MM, 0.0))))
+    smooth = photo((OUT_MM < 0.0).astype(float))
+    front, side = view(OUT_MM < 0.0), view(OUT_MM < 0.0)
+    side.posed = SimpleNamespace(view=ViewId.BODY_SIDE)
+    photos = {
+        ViewId.BODY_FRONT: Photo(ViewId.BODY_FRONT, frizzy, None, "", ""),
+        ViewId.BODY_SIDE: Photo(ViewId.BODY_SIDE, smooth, None, "", ""),
+    }
+    assert measure_frizz([front, side], photos, np.zeros((1, 3))) is None
+    assert measure_frizz([front], photos, np.zeros((1, 3))) is not None
+
+
 def test_smooth_hair_has_none_also_where_its_edge_is_blurred():
     assert measured(photo(OUT_MM < 0.0)) is None
     edge = np.clip(0.5 - OUT_MM / 4.0, 0.0, 1.0)[..., None]
