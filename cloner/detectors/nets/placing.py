@@ -82,8 +82,9 @@ def near_head(person: Box, point: Floats) -> bool:
 
 
 def same_body(first: Box, second: Box) -> bool:
-    """Whether two confirmed bodies are one: by the head, or, in portraits from the side, by all but the head."""
-    return near_head(first, second.keypoints_px[3]) or same_place(first, second, 0.7)
+    """Whether two confirmed bodies are one: by either's head, or, in portraits from the side, by all but the head."""
+    heads = near_head(first, second.keypoints_px[3]) or near_head(second, first.keypoints_px[3])
+    return heads or same_place(first, second, 0.7)
 
 
 def stands(body: Box) -> bool:

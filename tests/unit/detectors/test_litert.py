@@ -141,6 +141,13 @@ def test_one_body_with_the_nose_taken_for_the_nape_is_one() -> None:
     assert same_body(body(100, 300), body(150, 480))
 
 
+def test_a_head_whose_shoulders_were_taken_for_its_chin_is_no_second_person():
+    portrait, confused = body(100, 300), body(180, 360)
+    confused.keypoints_px[2] = confused.keypoints_px[3] + (0.0, 20.0)
+    assert same_body(portrait, confused)
+    assert same_body(confused, portrait)
+
+
 def test_a_couple_in_an_embrace_is_two() -> None:
     assert not same_body(body(100, 400), body(280, 580))
 
