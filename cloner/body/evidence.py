@@ -42,8 +42,6 @@ class Params:
     corrected_mm: float = _CALIBRATED.number("corrected_mm", "mm")
     outline_mm: float = _CALIBRATED.number("outline_mm", "mm")
     outline_piece_mm: float = _CALIBRATED.number("outline_piece_mm", "mm")
-    hair_mm: float = _CALIBRATED.number("hair_mm", "mm")
-    hair_spread_mm: float = _CALIBRATED.number("hair_spread_mm", "mm")
     floor_mm: float = _CALIBRATED.number("floor_mm", "mm")
     height_m: tuple[float, float] = _CALIBRATED.pair("height_m", "m")
     same_height_m: float = _CALIBRATED.number("same_height_m", "m")
@@ -77,6 +75,8 @@ class Evidence:
     mm_per_px : float
     top_px : float
         Row of the person's highest point.
+    hair_mm : tuple of float
+        How far that is above the skull, and its spread.
     soles_px : mapping of str to float
         Rows of soles that an operator placed, by "left" and "right".
     barefoot : bool
@@ -88,12 +88,18 @@ class Evidence:
     field: OutlineField
     mm_per_px: float
     top_px: float
+    hair_mm: tuple[float, float]
     soles_px: Mapping[str, float]
     barefoot: bool
 
 
 def gather_evidence(
-    view: View, points: ViewPoints, outline: Silhouette, proposal: Proposal, params: Params
+    view: View,
+    points: ViewPoints,
+    outline: Silhouette,
+    proposal: Proposal,
+    hair_mm: tuple[float, float],
+    params: Params,
 ) -> Evidence:
     """Return what one photo says, prepared for fitting."""
     mm_per_px = mm_from_m(view.camera.metres_per_pixel(np.array([0.0, 0.9, 0.0])))
@@ -107,7 +113,7 @@ def gather_evidence(
         reduction=reduction,
     )
     placed = {n: p for n, p, fixed in zip(points.names, points.points_px, points.corrected, strict=True) if fixed}
-    top = float(np.flatnonzero(outline.mask.any(axis=1))[0] if ENDS[0] not in placed else placed[ENDS[0]][1]) - 0.5
+    top = outline.top_px if ENDS[0] not in placed else float(placed[ENDS[0]][1]) - 0.5
     soles = {name.removeprefix("sole_"): float(placed[name][1]) + 0.5 for name in ENDS[1:] if name in placed}
     net = net_points(proposal, view.side_shown, without=tuple(placed))
-    return Evidence(view, points, net, field, mm_per_px, top, soles, proposal.barefoot)
+    return Evidence(view, points, net, field, mm_per_px, top, hair_mm, soles, proposal.barefoot)

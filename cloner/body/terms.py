@@ -108,7 +108,7 @@ def _own_points(generic: GenericHuman, evidence: Evidence, params: Params) -> li
 
 
 class GroundTerm:
-    """Both feet stand flat on one level floor, usual hair lies above the skull, placed soles are obeyed."""
+    """Both feet stand flat on one level floor, hair lies above the skull as it was told, placed soles are obeyed."""
 
     def __init__(self, body: Family, evidence: Evidence, params: Params, *, modes: int) -> None:
         self.model = body.points(np.append(sole_vertices(body.generic), body.generic.feature("head_top")), modes=modes)
@@ -121,9 +121,10 @@ class GroundTerm:
         height, by_height = drawn.points_m[:-1, 1], drawn.by_points[:-1, 1]
         values = [scale * (height - height.mean())]
         slopes = [scale * (by_height - by_height.mean(axis=0))]
-        above = (drawn.pixels[-1, 1] - self.evidence.top_px) * mm - params.hair_mm
-        values.append(np.array([above / params.hair_spread_mm]))
-        slopes.append(drawn.by_pixels[-1:, 1] * mm / params.hair_spread_mm)
+        hair_mm, spread_mm = self.evidence.hair_mm
+        above = (drawn.pixels[-1, 1] - self.evidence.top_px) * mm - hair_mm
+        values.append(np.array([above / spread_mm]))
+        slopes.append(drawn.by_pixels[-1:, 1] * mm / spread_mm)
         for side, row_px in self.evidence.soles_px.items():
             own = np.arange(len(height) // 2) + (len(height) // 2 if side == "right" else 0)
             lowest = int(own[np.argmax(drawn.pixels[own, 1])])

@@ -43,6 +43,11 @@ class Silhouette:
     def __post_init__(self) -> None:
         freeze(self, mask=(np.bool_, (None, None)))
 
+    @property
+    def top_px(self) -> float:
+        """Row of the person's highest edge, photo pixels."""
+        return float(np.flatnonzero(self.mask.any(axis=1))[0]) - 0.5
+
     def loose_mask(self) -> NDArray[np.bool_]:
         """Return the (H, W) pixels between the edges of loose clothing."""
         picture = np.zeros(self.mask.shape, dtype=np.bool_)

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from cloner.body.evidence import Evidence, Params, gather_evidence
 from cloner.body.footwear import FOOTWEAR, sole_height
+from cloner.body.hair_height import hair_height_mm
 from cloner.body.model import WORN, Family, family
 from cloner.body.portrait import portrait_shape
 from cloner.body.solve import State, outline_term, solve
@@ -52,10 +53,10 @@ def run(
     tick: Callable[[float], None],
 ) -> StageResult:
     """Give the phenotype with one pose and camera per body photo."""
-    params, generic = Params(), load_generic()
+    params, generic, hair_mm = Params(), load_generic(), hair_height_mm(proposals, silhouettes)
     evidence = {
         view: gather_evidence(
-            seen, for_fitting(body_points.views[view]), silhouettes.views[view], proposals.views[view], params
+            seen, for_fitting(body_points.views[view]), silhouettes.views[view], proposals.views[view], hair_mm, params
         )
         for view, seen in views.views.items()
     }
