@@ -1,8 +1,8 @@
 """How far hair stands above the skull, beside what the face beneath it tells.
 
-``python benchmarks/hair_height.py PEOPLE``. PEOPLE holds people of the generator (``make_people.py``, five views) that judge nothing else. Everybody is outlined by
-the product; the truth is the naked body's crown and the true labels' top in the three body photos. Prints the numbers
-of ``cloner/calibration/body.toml``, ``[hair_height.*]``, and what they leave.
+``python benchmarks/hair_height.py PEOPLE``. PEOPLE holds people of the generator (``make_people.py``, five views) that
+judge nothing else. Everybody is outlined by the product; the truth is the naked body's crown and the true labels' top
+in the three body photos. Prints the numbers of ``cloner/calibration/body.toml``, ``[hair_height.*]``.
 """
 
 from __future__ import annotations
