@@ -199,16 +199,16 @@ def _receive(desk: Desk, guest: Any) -> None:
 
 def _knows_token(desk: Desk, guest: Any) -> bool:
     try:
-        first = _message(guest.recv(timeout=PATIENCE_S))
-    except (TimeoutError, ValueError):
+        first = read_message(guest.recv(timeout=PATIENCE_S))
+        return hmac.compare_digest(str(first.get("token", "")).encode(), desk.token.encode())
+    except (TimeoutError, ValueError):  # also half a letter, which has no bytes
         return False
-    return hmac.compare_digest(str(first.get("token", "")).encode(), desk.token.encode())
 
 
 def _asked(desk: Desk, said: str | bytes) -> dict[str, Any]:
     """Hand one message to the loop and return its answer."""
     try:
-        wish = _Wish(_message(said))
+        wish = _Wish(read_message(said))
     except ValueError:
         return {"error": 'that is no message. Say for example {"do": "order", "text": "school goes to door"}'}
     desk.wishes.put(wish)
@@ -220,8 +220,18 @@ def _asked(desk: Desk, said: str | bytes) -> dict[str, Any]:
     return {"error": "the scenario has ended"}
 
 
-def _message(said: str | bytes) -> dict[str, Any]:
-    found = json.loads(said)
+def read_message(said: str | bytes) -> dict[str, Any]:
+    """Return what a guide says.
+
+    Raises
+    ------
+    ValueError
+        If it is no JSON object.
+    """
+    try:
+        found = json.loads(said)
+    except RecursionError as error:
+        raise ValueError("too deep") from error
     if not isinstance(found, dict):
         raise ValueError("no object")
     return found

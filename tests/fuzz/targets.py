@@ -16,14 +16,25 @@ from typing import Any
 import numpy as np
 from PIL import features
 
-from cloner.behaviour.language import read_text
+from cloner.behaviour.guiding import read_message
+from cloner.behaviour.language import read_actions, read_scenario, read_text
 from cloner.behaviour.trajectories import pack, read_trajectories
 from cloner.behaviour.world import world_of
 from cloner.behaviour.written import recorded
 from cloner.booth.events.event import Event, read_event, write_event
+from cloner.booth.events.recent import recent_events
+from cloner.booth.phone.tickets import read_ticket
+from cloner.booth.photos.arrivals import read_note
 from cloner.booth.photos.looks import read_looks
 from cloner.booth.visitors.visits import read_visit
+from cloner.cloth.drafting.blocks import BLOCKS, draft
+from cloner.cloth.drafting.cut import cut
+from cloner.cloth.drafting.drawn import read_drawing
+from cloner.cloth.drafting.pattern import pattern_text, read_pattern
+from cloner.crowd.clones.groups import WORN
 from cloner.crowd.packs.reading import casting_from, read_facts
+from cloner.crowd.staged.looks import casting_of
+from cloner.crowd.staged.looks import read_looks as read_dyes
 from cloner.crowd.staged.scene import scene_of
 from cloner.errors import ClonerError, plain
 from cloner.frames import ViewId
@@ -43,6 +54,7 @@ from cloner.project.values_file import load_values, save_values
 from cloner.records.points import Correction, Corrections
 from cloner.scenes.building.plan import read_plan
 from cloner.scenes.building.solids import room_of
+from cloner.scenes.films.sequence import read_sequence
 from cloner.statues.blobs import field_of, read_blobs
 from cloner.statues.markers import read_markers
 from cloner.statues.obj_files import read_obj
@@ -258,6 +270,63 @@ radius = 0.1
 """
 
 
+GUIDE = (b'{"token": "abcdefgh"}', b'{"do": "order", "text": "school goes to west"}')
+CAMERA = b'{"folder": "/media/card", "known": {"IMG_0001.JPG": 512000}}'
+TICKET = b'{"token": "0123456789abcdef", "expires": "2026-11-24T14:00:00+00:00"}'
+RECENT = b'["/home/booth/fair", "/tmp"]'
+DYES = b"""own_share = 0.3
+dyed_share = 0.45
+wardrobe = true
+[palette]
+top = ["#2F3B52", "#7C2D2F"]
+hair = "natural"
+"""
+FILM = b"""film "Awake" for 9 s, 320 x 180, 25 frames a second
+actor first is boris at 6.3, 9 facing 180 in stone, .12 m deep
+rows left of 3 x 6 from .9, 9 to 3.4, 19 facing 180 in stone, .12 m deep
+at 0 s: light .004, .007, .016
+at 0 s: camera at 7, -6, 3.4 looks at 7, 14, 9, lens 50
+at 1 s: camera moves to 7, -2.5, 2.6 looks at 7, 12, 1.2, lens 46 in 9 s
+at 2 s: caption "Under the earth" for 6 s
+"""
+DRAWING = b"""<svg xmlns="http://www.w3.org/2000/svg" width="800mm" viewBox="0 0 800 800"
+data-seams="front.left back.left; front.right back.right">
+<path id="front" data-edges="top left hem right" d="M 0,0 L 400,0 V 600 H 0 Z"/>
+<path id="back" data-edges="top right hem left" d="m 0 0 h 400 c 50,200 50,400 0 600 l -400 0 z"/></svg>"""
+SCENARIO = b"""floor 0, 0 to 20, 12
+obstacle box at 4, 4 size 1 x 1
+point east at 18, 6 region 3 x 6
+point west at 2, 6 region 3 x 6
+group school: 4 people, starts at east
+crowd 6 guests: wanders
+at 3 s: school goes to west
+"""
+_SCHOOL = read_text("floor 0, 0 to 9, 9\npoint west at 2, 6\ngroup school: 4 people, starts at west\n")
+
+
+_BARE = {garment: np.zeros((1, 1), np.bool_) for garment in WORN}
+
+
+def _wish(path: Path) -> None:
+    """Read what a guide says as the server does; an order's text goes on to the language."""
+    try:
+        said = read_message(path.read_bytes())
+    except ValueError:
+        return
+    if said.get("do") == "order":
+        read_actions(str(said.get("text", "")), _SCHOOL)
+
+
+def _folded(name: str, read: Callable[[Path], Any]) -> Callable[[Path], Any]:
+    """Return a reader of a folder's own note, which lies under another name than ours."""
+
+    def moved(path: Path) -> Any:
+        path.replace(path.parent / name)
+        return read(path.parent)
+
+    return moved
+
+
 def _crowd(path: Path) -> Any:
     facts = read_facts(path.parent)
     return scene_of(facts["scene"], min(facts["people_count"], 300), casting_from(facts))
@@ -296,6 +365,17 @@ TARGETS: Mapping[str, Target] = {
     "markers": Target("markers.json", lambda: (MARKERS,), lambda path: read_markers(path).vertices(named=True)),
     "blobs": Target("blobs.json", lambda: (BLOBS,), lambda path: field_of(read_blobs(path), _JOINTS).at(_JOINTS)),
     "obj": Target("mesh.obj", lambda: (OBJ,), read_obj),
+    "scenario": Target("museum.crowd", lambda: (SCENARIO,), read_scenario),
+    "guide": Target("said.json", lambda: GUIDE, _wish),
+    "film": Target("awakening.film", lambda: (FILM,), read_sequence),
+    "dyes": Target("looks.toml", lambda: (DYES,), lambda path: casting_of([_BARE, _BARE], read_dyes(path))),
+    "pattern": Target("skirt.json", lambda: (pattern_text(draft(BLOCKS["skirt"], 0.7, 0.5)).encode(),),
+                      lambda path: cut(read_pattern(path), 0.2)),
+    "drawing": Target("skirt.svg", lambda: (DRAWING,), lambda path: cut(read_drawing(path), 0.2)),
+    "ticket": Target("phone.json", lambda: (TICKET,), lambda path: read_ticket(path.parent)),
+    "camera": Target("camera.json", lambda: (CAMERA,),
+                     _folded(".camera.json", lambda folder: read_note(folder, Path("/media/card")))),
+    "recent": Target("recent.json", lambda: (RECENT,), recent_events),
     "clone": Target("clone.npz", lambda: (clone_bytes(),), load_clone),
 }  # fmt: skip
 

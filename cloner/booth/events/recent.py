@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 from pathlib import Path
 from typing import Final
 
@@ -22,8 +23,8 @@ def recent_events(file: Path) -> tuple[Path, ...]:
         told = json.loads(read_outside(file, LARGEST_BYTES))
     except (OSError, ValueError, RecursionError):
         return ()
-    folders = [Path(one) for one in told if isinstance(one, str)] if isinstance(told, list) else []
-    return tuple(folder for folder in folders if folder.is_dir())
+    folders = [one for one in told if isinstance(one, str)] if isinstance(told, list) else []
+    return tuple(Path(folder) for folder in folders if os.path.isdir(folder))
 
 
 def note_recent(file: Path, folder: Path) -> None:

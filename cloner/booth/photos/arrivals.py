@@ -58,7 +58,7 @@ def read_note(root: Path, camera: Path) -> dict[Path, int] | None:
         if told["folder"] != str(camera):
             return None
         return {camera / name: int(size) for name, size in told["known"].items()}
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, OverflowError, RecursionError):
         return None
 
 

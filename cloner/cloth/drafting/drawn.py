@@ -31,6 +31,8 @@ Array = NDArray[np.float64]
 UNITS_M: Final = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254, "pt": 0.0254 / 72.0, "px": 0.0254 / 96.0}
 #: Numbers that a command takes.
 TAKES: Final = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "Z": 0}
+#: No drawing is larger than this, in its own units.
+LARGEST: Final = 1e6
 _TOKEN: Final = re.compile(r"[A-Za-z]|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
 _HINT: Final = "See docs/cloth.md for how a garment is drawn"
 
@@ -71,7 +73,7 @@ def _scale(root: ElementTree.Element, where: str) -> float:
     found = re.fullmatch(r"\s*([\d.]+)\s*([a-z]*)\s*", root.get("width", ""))
     box = [float(each) for each in _TOKEN.findall(root.get("viewBox", "")) if not each.isalpha()]
     unit = UNITS_M.get(found.group(2) or "px") if found else None
-    if found is None or unit is None or found.group(1).count(".") > 1:
+    if found is None or unit is None or found.group(1).count(".") > 1 or float(found.group(1)) > LARGEST:
         raise ClonerError("the drawing has no width in millimetres", 'Give it one, such as width="600mm"', where)
     return unit * float(found.group(1)) / box[2] if len(box) == 4 and box[2] > 0.0 else unit
 
@@ -83,6 +85,8 @@ def _piece(element: ElementTree.Element, scale: float, where: str) -> Segment:
     if len(names) != len(curves) or len(set(names)) != len(names):
         told = f"the piece {name!r} has {len(curves)} edges and {len(names)} names for them"
         raise ClonerError(told, "Name every edge once, in the order of drawing", where)
+    if not curves:
+        raise ClonerError(f"the piece {name!r} has no edges", "Draw its outline, or take it away", where)
     edges = {edge: scale * curve * [1.0, -1.0] for edge, curve in zip(names, curves, strict=True)}
     outline = np.concatenate([curve[:-1] for curve in edges.values()])
     following = np.roll(outline, -1, axis=0)
@@ -107,6 +111,8 @@ def _curves(data: str, name: str, where: str) -> list[Array]:
         if len(given) < TAKES[kind] or any(each.isalpha() for each in given):
             raise ClonerError(f"the outline of the piece {name!r} ends early", _HINT, where)
         values, place = np.array([float(each) for each in given]), place + TAKES[kind]
+        if np.abs(values).max(initial=0.0) > LARGEST:
+            raise ClonerError(f"the outline of the piece {name!r} goes out of all bounds", _HINT, where)
         base = here if command.islower() else np.zeros(2)
         if kind == "M":
             here = start = base + values

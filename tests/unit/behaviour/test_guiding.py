@@ -103,7 +103,9 @@ def test_what_is_wrong_is_said_in_a_line_and_the_scenario_goes_on(running) -> No
     assert loop.is_alive()
 
 
-@pytest.mark.parametrize("first", ['{"token": "guess"}', '{"token": null}', "hello", "[]"])
+@pytest.mark.parametrize(
+    "first", ['{"token": "guess"}', '{"token": null}', "hello", "[]", '{"token": "\\ud800"}', "[" * LONGEST_BYTES]
+)
 def test_nobody_gets_in_without_the_token(running, first: str) -> None:
     _, port, loop = running
     with connect(f"ws://{HOST}:{port}", compression=None) as guest:
