@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 from importlib.resources import files
@@ -87,17 +88,35 @@ def same_body(first: Box, second: Box) -> bool:
     return heads or same_place(first, second, 0.7)
 
 
+def lies_in(inner: Box, outer: Box) -> bool:
+    """Whether a smaller box lies within another's, but for a tenth of it."""
+    across = min(inner.right_px, outer.right_px) - max(inner.left_px, outer.left_px)
+    down = min(inner.bottom_px, outer.bottom_px) - max(inner.top_px, outer.top_px)
+    size = inner.width_px * inner.height_px
+    return size < outer.width_px * outer.height_px and min(across, down) > 0.0 and across * down > 0.9 * size
+
+
 def stands(body: Box) -> bool:
     """Whether a detected body's head is above its hips: a pattern on trousers can look like one upside down."""
     hips, reach = body.keypoints_px[:2]
     return bool(reach[1] < hips[1])
 
 
+def middle(box: Box) -> Floats:
+    """Return the middle of a box, photo px."""
+    return np.array([box.left_px + box.right_px, box.top_px + box.bottom_px]) / 2.0
+
+
+def has_face(person: Box, faces: Sequence[Box]) -> bool:
+    """Whether one of the faces is where a body's head is."""
+    return any(near_head(person, middle(face)) for face in faces)
+
+
 def owns(person: Box, face: Box) -> bool:
     """Whether a face is a body's own, or lies on it (a printed shirt)."""
-    x, y = (face.left_px + face.right_px) / 2, (face.top_px + face.bottom_px) / 2
+    x, y = middle(face)
     inside = person.left_px < x < person.right_px and person.top_px < y < person.bottom_px
-    return near_head(person, np.array([x, y])) or inside
+    return has_face(person, [face]) or inside
 
 
 @lru_cache(maxsize=1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from skimage import data
 from cloner.detectors.nets import litert
 from cloner.detectors.nets.litert import detect_face, detect_pose
 from cloner.detectors.nets.people import detect_people
-from cloner.detectors.nets.placing import same_body, same_crop, same_place
+from cloner.detectors.nets.placing import has_face, lies_in, same_body, same_crop, same_place
 from cloner.detectors.nets.results import POSE_NAMES, Box
 from cloner.vision.photographs.crops import Crop
 from kit.visitors import NAMES, overlap, photo, truth_mask, visitor_folder
@@ -146,6 +147,17 @@ def test_a_head_whose_shoulders_were_taken_for_its_chin_is_no_second_person():
     confused.keypoints_px[2] = confused.keypoints_px[3] + (0.0, 20.0)
     assert same_body(portrait, confused)
     assert same_body(confused, portrait)
+
+
+def test_a_skirt_that_looks_like_somebody_lies_in_its_wearer() -> None:
+    wearer, skirt = body(100, 300), replace(body(250, 400), right_px=600.0, top_px=700.0)
+    assert lies_in(skirt, wearer)
+    assert not lies_in(wearer, skirt)
+    assert not lies_in(replace(skirt, right_px=800.0), wearer)  # a third of it beside
+    assert not lies_in(wearer, wearer)
+    face = Box("face", 370.0, 160.0, 430.0, 240.0, 0.9, np.zeros((6, 2)))
+    assert has_face(skirt, [face])
+    assert not has_face(wearer, [face])
 
 
 def test_a_couple_in_an_embrace_is_two() -> None:
