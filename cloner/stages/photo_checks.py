@@ -32,6 +32,7 @@ CLOSE_UP: Final = _CALIBRATED.number("close_up", "share")
 CUT_BELOW: Final = _CALIBRATED.number("cut_below", "share")
 TURNED: Final = _CALIBRATED.number("turned", "deg")
 USUAL_FACE: Final = _CALIBRATED.number("usual_face", "share")
+SIDE_NAME: Final = _CALIBRATED.number("side_name", "score")
 LEAST_BELIEF: Final = _CALIBRATED.number("least_belief", "factor")
 # BlazePose numbering
 _NOSE, _EARS, _SHOULDERS, _HIPS, _KNEES, _ANKLES = 0, (7, 8), (11, 12), (23, 24), (25, 26), (27, 28)
@@ -81,7 +82,8 @@ def _trouble_in_body(proposal: Proposal, photo: Photo, hidden: float = 0.0) -> s
         return "the feet are outside this photo"
     sideways = side_odds(proposal)
     if view is ViewId.BODY_SIDE:
-        return "this photo shows the person from the front or back, not from the side" if sideways + 1.0 < 0.0 else ""
+        away = sideways + SIDE_NAME < 0.0
+        return "this photo shows the person from the front or back, not from the side" if away else ""
     if sideways - 1.0 > 0.0:
         return f"this photo shows the person from the side, not the {view.value[5:]}"
     forwards = front_odds(proposal)
@@ -157,13 +159,25 @@ def _trouble_in_face_side(proposal: Proposal, photo: Photo) -> str:
     """Return what is wrong with the side photo of the face, "" when all is well."""
     if _shows_whole_body(proposal):
         return "this photo shows the whole body, not the face from near"
+    away = side_face_odds(proposal, photo) < 0.0
+    return "this photo shows the head from the front or back, not from the side" if away else ""
+
+
+def side_face_odds(proposal: Proposal, photo: Photo) -> float:
+    """Return the log odds that a photo which should show a head from the side does, by all that tells."""
     told = profile_odds(proposal)
     odds = (told * belief_in_pose(proposal) if told < 0.0 else told) + 2.0
     if odds < 1.0:
         odds += _outline_odds(proposal)
     if odds < 1.0 and odds > -3.0:
         odds += _front_face_odds(photo)
-    return "this photo shows the head from the front or back, not from the side" if odds < 0.0 else ""
+    return odds
+
+
+def hides_its_side(proposal: Proposal, photo: Photo) -> bool:
+    """Whether a side photo of the face shows hair or headwear alone, which may as well be seen from behind."""
+    faceless = not shows(proposal.labels, Label.FACE_SKIN).any()
+    return faceless and not _shows_whole_body(proposal) and side_face_odds(proposal, photo) < 0.0
 
 
 def profile_odds(proposal: Proposal) -> float:

@@ -26,6 +26,7 @@ from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 from cloner.records.results import StageResult
 from cloner.stages.hidden import SOMEBODY, shares_colours
+from cloner.stages.photo_checks import hides_its_side
 from cloner.vision.segmentation.masks import refine_mask
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
@@ -35,6 +36,7 @@ FACE_PRESENCE = _CALIBRATED.number("face_presence", "score")
 LEAST_PERSON = _CALIBRATED.number("least_person", "share")
 
 
+UPRIGHT = _CALIBRATED.number("upright", "factor")
 MOST_UNSURE = _CALIBRATED.number("most_unsure", "share")
 
 HIDDEN = (
@@ -168,19 +170,37 @@ def find_hidden_figure(photo: Photo) -> Figure | None:
     """
     everywhere = np.ones(photo.rgb.shape[:2], np.bool_)
     mask = look(photo.rgb, everywhere, photo.view, DETECTORS.get("label_features")).person(everywhere.shape)
-    person, unsure = float((mask > 0.5).mean()), float(((mask > 0.1) & (mask < 0.9)).mean())
-    if person < LEAST_PERSON or unsure > MOST_UNSURE * person or not is_cut_below(mask.astype(np.float64)):
+    if not _is_whole(mask) or not is_cut_below(mask.astype(np.float64)):
         return None
     rows, columns = np.nonzero(mask > 0.5)
     pose = np.tile(np.array([columns.mean(), rows.mean()]), (33, 1))
     return _figure(photo, pose, np.zeros(33), mask)
 
 
+def stands_somebody(photo: Photo) -> bool:
+    """Whether the label net sees a standing figure in a body photo in which the pose net sees nobody."""
+    everywhere = np.ones(photo.rgb.shape[:2], np.bool_)
+    mask = look(photo.rgb, everywhere, photo.view, DETECTORS.get("label_features")).person(everywhere.shape)
+    return _is_whole(mask) and not is_cut_below(mask.astype(np.float64)) and _stands(mask > 0.5)
+
+
+def _is_whole(mask: NDArray[np.float32]) -> bool:
+    """Whether a (H, W) probability is a person's: large enough, and sure where it ends."""
+    person, unsure = float((mask > 0.5).mean()), float(((mask > 0.1) & (mask < 0.9)).mean())
+    return person >= LEAST_PERSON and unsure <= MOST_UNSURE * person
+
+
+def _stands(inside: NDArray[np.bool_]) -> bool:
+    rows, columns = (np.ptp(np.flatnonzero(inside.any(axis=axis))) for axis in (1, 0))
+    return bool(rows > UPRIGHT * columns)
+
+
 def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Mapping[ViewId, NobodySeen]) -> Proposals:
     """Return all proposals, with those of photos in which no net sees anybody, by what the other photos tell.
 
     A side photo of the face may show hair, a hood or a cap alone. It is kept for what its mask tells when somebody is
-    made out in it and its colours are the person's; with one of both it is left out.
+    made out in it and its colours are the person's; with one of both it is left out. So are a side photo of hair that
+    may as well be a back, and a body photo from side or back in which only the label net sees somebody stand.
 
     Raises
     ------
@@ -193,13 +213,17 @@ def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Ma
         photo = photos.photos[view]
         figure = find_hidden_figure(photo) if view is ViewId.FACE_SIDE else None
         alike = view is ViewId.FACE_SIDE and shares_colours(photo.rgb, others) >= SOMEBODY
+        stands = view in (ViewId.BODY_SIDE, ViewId.BODY_BACK) and stands_somebody(photo)
         if figure is not None and alike:
             found[view] = propose_within(photo, figure)
-        elif figure is not None or alike:
+        elif figure is not None or alike or stands:
             left_out[view] = HIDDEN
         else:
             raise error
-    return Proposals({view: found[view] for view in photos.photos if view in found}, left_out)
+    side = views.get(ViewId.FACE_SIDE)
+    if side is not None and len(views) > 1 and hides_its_side(side, photos.photos[ViewId.FACE_SIDE]):
+        left_out[ViewId.FACE_SIDE] = HIDDEN
+    return Proposals({view: found[view] for view in photos.photos if view in found and view not in left_out}, left_out)
 
 
 def propose_within(photo: Photo, figure: Figure) -> Proposal:

@@ -145,6 +145,35 @@ def test_a_side_photo_of_hair_alone_is_kept_by_its_mask_or_left_out(monkeypatch,
     check_photos(found, pictures)  # an unseen pose is no reason to refuse
 
 
+def test_a_side_photo_of_hair_that_may_be_a_back_is_left_out_and_one_with_a_face_refused():
+    proposal, given = seen(FACE)
+    bare = proposal.labels.copy()
+    bare[bare == Label.FACE_SKIN] = Label.HAIR
+    hair = replace(proposal, view=FACE_SIDE, labels=bare)
+    beside = PhotoSet({FACE: given, FACE_SIDE: replace(given, view=FACE_SIDE)})
+    found = settle_hidden(beside, {FACE: proposal, FACE_SIDE: hair}, {})
+    assert dict(found.left_out) == {FACE_SIDE: HIDDEN}
+    assert set(found.views) == {FACE}
+    with_face = settle_hidden(beside, {FACE: proposal, FACE_SIDE: replace(proposal, view=FACE_SIDE)}, {})
+    with pytest.raises(ClonerError, match="not from the side"):
+        check_photos(with_face, beside)
+
+
+@pytest.mark.parametrize(("broad", "stands"), [(20, True), (70, False)])
+def test_somebody_standing_whom_only_the_label_net_sees_is_left_out(monkeypatch, broad, stands):
+    front, mask = portrait((70, 45, 30))
+    pictures = studio.photo_set({FACE: front, SIDE: np.full((160, 120, 3), 120, np.uint8)})
+    soft = np.zeros((160, 120), np.float32)
+    soft[20:140, 60 - broad // 2 : 60 + broad // 2] = 1.0
+    _seeing(monkeypatch, soft)
+    known, unseen = {FACE: studio.empty_proposal(FACE, mask)}, {SIDE: nobody_in(pictures.photos[SIDE])}
+    if stands:
+        assert dict(settle_hidden(pictures, known, unseen).left_out) == {SIDE: HIDDEN}
+    else:
+        with pytest.raises(NobodySeen):
+            settle_hidden(pictures, known, unseen)
+
+
 def test_the_pose_of_a_head_counts_less_where_hair_hides_the_face():
     proposal, given = seen(FACE_SIDE)
     assert photo_checks.belief_in_pose(proposal) == pytest.approx(1.0)
