@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from cloner.acting.blocks import blocks_of
 from cloner.acting.walkers import Track, Walker
-from cloner.behaviour.language import read_scenario
+from cloner.behaviour.language import read_scenario, read_text, scenario_text
 from cloner.behaviour.trajectories import MAGIC, RATE_HZ, Trajectories, read_trajectories
 from cloner.behaviour.world import world_of
 from cloner.behaviour.written import recorded
@@ -24,12 +24,11 @@ from cloner.crowd.staged.footing import COLUMNS, Acted, touches_of
 from cloner.crowd.staged.rooms import ECHO_FILE, ROOM_FILES
 from cloner.crowd.staged.scene import ACTED, IDLE, WALK, Casting, Dice, look_of, scale_of
 from cloner.errors import ClonerError
-from cloner.outside import UnfitFile, read_outside
+from cloner.outside import open_outside
 from cloner.pipeline import Progress, quiet
 
 #: A thousand take .4 ms of a page's frame and 17 s to bake (`docs/behaviour.md`); taste.
 MOST_PEOPLE: Final = 5_000
-LARGEST_SCENARIO_BYTES: Final = 2_000_000_000
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,7 +71,7 @@ def bake_file(
     if out.resolve() == pack.resolve():
         raise ClonerError("the pack would be replaced by what is made of it", "Choose another --out folder", out.name)
     facts = read_facts(pack)
-    walk = _trajectories(source, seconds, seed, progress)
+    walk, scenario = _walked(source, seconds, seed, progress)
     if len(walk.groups) > MOST_PEOPLE:
         raise ClonerError(f"{len(walk.groups)} people are too many", f"Give at most {MOST_PEOPLE}", source.name)
     acted, lines = acted_by(walk, pack, facts, progress)
@@ -83,7 +82,7 @@ def bake_file(
     staging = None
     if room and room.statues and "statues" in facts:
         acted, staging = room.statues(walk, acted, facts, pack, seconds)
-    size = write_acted(pack, facts, out, acted, seconds, views, room, staging, _scenario(source, seed))
+    size = write_acted(pack, facts, out, acted, seconds, views, room, staging, scenario)
     spent = len(walk.groups) * max(seconds, 1.0 / RATE_HZ)
     lines.append(
         f"{len(walk.groups)} people, {seconds:g} s, {len(acted.footings)} footings, "
@@ -155,34 +154,36 @@ def views_of(low: NDArray[Any], high: NDArray[Any]) -> dict[str, list[list[float
 
 
 def things_of(source: Path) -> tuple[str, ...]:
-    """Return the names of the things in a file of trajectories or a scenario; none where :func:`bake_file` refuses."""
-    try:
-        begins = read_outside(source, LARGEST_SCENARIO_BYTES)[: len(MAGIC)]
-    except (OSError, UnfitFile):
-        return ()
-    if begins == MAGIC:
+    """Return the names of the things in a file of trajectories or a scenario.
+
+    Raises
+    ------
+    ClonerError
+        As :func:`bake_file`.
+    """
+    if _holds_trajectories(source):
         return read_trajectories(source).things
     return tuple(str(one.name) for one in read_scenario(source).things)
 
 
-def _scenario(source: Path, seed: int) -> dict[str, Any] | None:
-    """Return a scenario's text and seed, None for trajectories."""
-    data = read_outside(source, LARGEST_SCENARIO_BYTES)
-    return None if data.startswith(MAGIC) else {"text": data.decode("utf-8"), "seed": seed}
-
-
-def _trajectories(source: Path, seconds: float, seed: int, progress: Progress) -> Trajectories:
-    """Return the trajectories of a file, or those of a scenario that is run."""
+def _holds_trajectories(source: Path) -> bool:
     try:
-        begins = read_outside(source, LARGEST_SCENARIO_BYTES)[: len(MAGIC)]
-    except (OSError, UnfitFile) as error:
+        with open_outside(source) as stream:
+            return stream.read(len(MAGIC)) == MAGIC
+    except OSError as error:
         hint = "Give what cloner behave run wrote, or a scenario"
         raise ClonerError("there is nothing to bake", hint, source.name) from error
-    if begins == MAGIC:
-        return read_trajectories(source)
+
+
+def _walked(source: Path, seconds: float, seed: int, progress: Progress) -> tuple[Trajectories, dict[str, Any] | None]:
+    """Return the trajectories of a file, or those of a scenario that is run beside its text and seed."""
+    if _holds_trajectories(source):
+        return read_trajectories(source), None
     if not 0.0 < seconds <= 3600.0:
         raise ClonerError(f"{seconds:g} seconds cannot be baked", "Give more than 0 and at most an hour", "--seconds")
-    return recorded(world_of(read_scenario(source), seed), seconds, progress)
+    text = scenario_text(source)
+    walk = recorded(world_of(read_text(text, source.name), seed), seconds, progress)
+    return walk, {"text": text, "seed": seed}
 
 
 def acted_by(

@@ -274,8 +274,18 @@ def read_scenario(path: Path) -> Scenario:
     ClonerError
         If it cannot be read or says something wrong.
     """
-    text = text_outside(path, "the scenario", "Give a text file, such as samples/museum.crowd", LARGEST_BYTES)
-    return read_text(text, path.name)
+    return read_text(scenario_text(path), path.name)
+
+
+def scenario_text(path: Path) -> str:
+    """Return the text of a file that should tell a scenario.
+
+    Raises
+    ------
+    ClonerError
+        If it cannot be read, is too large or no text.
+    """
+    return text_outside(path, "the scenario", "Give a text file, such as samples/museum.crowd", LARGEST_BYTES)
 
 
 def read_actions(text: str, scenario: Scenario, where: str = "order") -> tuple[Action, ...]:
