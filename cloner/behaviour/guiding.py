@@ -19,20 +19,22 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 from cloner.behaviour.loop import guide, run
-from cloner.behaviour.sockets import HOST, PATIENCE_S, TOO_MANY, listening_at, read_message
 from cloner.behaviour.walking import STEP_S
 from cloner.behaviour.world import World
 from cloner.errors import ClonerError, plain
 
 log = logging.getLogger(__name__)
 
-#: A message is a line, not a file.
+#: Only this machine can reach it; nobody else is let in.
+HOST: Final = "127.0.0.1"
+#: A message is a line, not a file; a guide that says nothing at first, or does not take what it asked for, is let go.
 LONGEST_BYTES: Final = 4096
+PATIENCE_S: Final = 5.0
 #: Guides at a time, and what a wrong token costs each, seconds.
 MOST_GUIDES: Final = 16
 WRONG_TOKEN_S: Final = 0.5
-#: Closing code (RFC 6455) for who is not allowed.
-NOT_ALLOWED: Final = 1008
+#: Closing codes (RFC 6455): who is not allowed, and who comes when all places are taken.
+NOT_ALLOWED, TOO_MANY = 1008, 1013
 
 
 @dataclass(slots=True)
@@ -68,12 +70,28 @@ def listening(desk: Desk, port: int = 0) -> Iterator[int]:
     ClonerError
         If the library is missing or the port cannot be had.
     """
-    with listening_at(HOST, port, lambda guest: _receive(desk, guest), max_size=LONGEST_BYTES) as taken:
-        try:
-            yield taken
-        finally:
-            desk.over.set()
-            _let_them_hear(desk)
+    try:
+        from websockets.sync.server import serve
+    except ImportError as error:
+        hint = 'Install it with: pip install "cloner[guide]"'
+        raise ClonerError("guiding needs a library that is not here", hint, "websockets") from error
+    try:
+        server = serve(
+            lambda guest: _receive(desk, guest), HOST, port,
+            max_size=LONGEST_BYTES, open_timeout=PATIENCE_S, close_timeout=1.0, compression=None, server_header=None,
+        )  # fmt: skip
+    except (OSError, OverflowError) as error:
+        hint = "Leave --port out, or give one that is free, 1024 to 65535"
+        raise ClonerError(f"port {port} cannot be had", hint, "--port") from error
+    thread = threading.Thread(target=server.serve_forever, name="guides", daemon=True)
+    thread.start()
+    try:
+        yield int(server.socket.getsockname()[1])
+    finally:
+        desk.over.set()
+        _let_them_hear(desk)
+        server.shutdown()
+        thread.join(PATIENCE_S)
 
 
 def _let_them_hear(desk: Desk) -> None:
@@ -200,3 +218,20 @@ def _asked(desk: Desk, said: str | bytes) -> dict[str, Any]:
         with suppress(queue.Empty):
             return wish.answer.get(timeout=0.2)
     return {"error": "the scenario has ended"}
+
+
+def read_message(said: str | bytes) -> dict[str, Any]:
+    """Return what a guide says.
+
+    Raises
+    ------
+    ValueError
+        If it is no JSON object.
+    """
+    try:
+        found = json.loads(said)
+    except RecursionError as error:
+        raise ValueError("too deep") from error
+    if not isinstance(found, dict):
+        raise ValueError("no object")
+    return found

@@ -10,12 +10,11 @@ from typing import Final
 import numpy as np
 
 from cloner.behaviour import fields
-from cloner.behaviour.guiding import Desk, guided, listening
+from cloner.behaviour.guiding import HOST, Desk, guided, listening
 from cloner.behaviour.language import read_scenario
 from cloner.behaviour.loop import digest, run
 from cloner.behaviour.model import Scenario
 from cloner.behaviour.plan import Plan
-from cloner.behaviour.sockets import HOST
 from cloner.behaviour.trajectories import RATE_HZ, Recorder, Trajectories, pack
 from cloner.behaviour.world import World, world_of
 from cloner.errors import ClonerError

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 from PIL import features
 
+from cloner.behaviour.guiding import read_message
 from cloner.behaviour.language import read_actions, read_scenario, read_text
-from cloner.behaviour.sockets import read_message
 from cloner.behaviour.trajectories import pack, read_trajectories
 from cloner.behaviour.world import world_of
 from cloner.behaviour.written import recorded

@@ -20,23 +20,24 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Final
 
-from cloner.behaviour.sockets import HOST, PATIENCE_S, TOO_MANY, listening_at, read_message
 from cloner.errors import ClonerError
 from cloner.scenes.served.living import EVERY_S, Living
 from cloner.scenes.served.newcomers import finished_in
 
+HOST: Final = "127.0.0.1"
 #: What is wrong costs so long, seconds, and what a page may say at most, bytes.
 WRONG_S: Final = 0.5
 LONGEST_BYTES: Final = 1024
-#: Pages that may be connected at once.
+#: Pages that may be connected at once, and how long one may take for its first line, seconds.
 MOST_PAGES: Final = 8
+PATIENCE_S: Final = 5.0
 #: A page that has not answered for so long is let go, seconds.
 ALIVE_S: Final = 10.0
 #: A page is listened to at least so often, and has so long to hear that it is over, seconds.
 TURN_S: Final = 0.25
 TOLD_S: Final = 0.3
-#: Closing code (RFC 6455) for who says what is no message.
-NO_MESSAGE: Final = 1003
+#: Closing codes (RFC 6455): who comes when all places are taken, and who says what is no message.
+TOO_MANY, NO_MESSAGE = 1013, 1003
 _KINDS: Final = {".webp": "image/webp", ".bin": "application/octet-stream"}
 
 
@@ -108,21 +109,35 @@ def served(living: Living, opens: Callable[[str], bool], host: str = HOST, port:
     ClonerError
         If the library is missing, the address is none of a network of one's own, or it cannot be had.
     """
+    try:
+        from websockets.sync.server import serve
+    except ImportError as error:
+        hint = 'Install it with: pip install "cloner[guide]"'
+        raise ClonerError("serving a scene needs a library that is not here", hint, "websockets") from error
     if not _is_own(host):
         hint = "Give this machine's own address in your network, as 192.168.1.20"
         raise ClonerError("the scene is shown in a network of one's own only", hint, "--host")
     state = _State(living, opens)
-    with listening_at(
-        host, port, partial(_receive, state), process_request=partial(_answer, state), max_size=LONGEST_BYTES,
-        max_queue=2, ping_interval=ALIVE_S / 2.0, ping_timeout=ALIVE_S / 2.0, logger=_silent(),
-    ) as taken:  # fmt: skip
-        state.host = f"{host}:{taken}"
-        try:
-            yield f"http://{state.host}/{state.token}/"
-        finally:
-            if not living.over:
-                living.stop()
-            time.sleep(TOLD_S)
+    try:
+        server = serve(
+            partial(_receive, state), host, port, process_request=partial(_answer, state), compression=None,
+            max_size=LONGEST_BYTES, max_queue=2, open_timeout=PATIENCE_S, close_timeout=1.0, server_header=None,
+            ping_interval=ALIVE_S / 2.0, ping_timeout=ALIVE_S / 2.0, logger=_silent(),
+        )  # fmt: skip
+    except (OSError, OverflowError) as error:
+        hint = "Give an address of this machine, and leave --port out or give one that is free, 1024 to 65535"
+        raise ClonerError(f"{host}, port {port} cannot be had", hint, "--port") from error
+    state.host = f"{host}:{server.socket.getsockname()[1]}"
+    thread = threading.Thread(target=server.serve_forever, name="scene", daemon=True)
+    thread.start()
+    try:
+        yield f"http://{state.host}/{state.token}/"
+    finally:
+        if not living.over:
+            living.stop()
+        time.sleep(TOLD_S)
+        server.shutdown()
+        thread.join(PATIENCE_S)
 
 
 class _State:
@@ -213,9 +228,12 @@ def _receive(state: _State, page: Any) -> None:
 def _message(said: str | bytes) -> tuple[str, str] | None:
     """Return what a page asks and the text with it; None for what is no message."""
     try:
-        [(kind, text)] = read_message(said).items()
-    except ValueError:
+        found = json.loads(said)
+    except (ValueError, RecursionError):
         return None
+    if not isinstance(found, dict) or len(found) != 1:
+        return None
+    [(kind, text)] = found.items()
     said_plainly = isinstance(text, str) and text.isprintable()  # halves of letters cannot be written
     return (kind, text) if kind in ("number", "order") and said_plainly else None
 

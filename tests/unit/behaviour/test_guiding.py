@@ -19,9 +19,8 @@ from websockets.exceptions import ConnectionClosed
 from websockets.sync.client import ClientConnection, connect
 
 from cloner.behaviour import guiding
-from cloner.behaviour.guiding import LONGEST_BYTES, MOST_GUIDES, NOT_ALLOWED, Desk, guided, listening
+from cloner.behaviour.guiding import HOST, LONGEST_BYTES, MOST_GUIDES, NOT_ALLOWED, Desk, guided, listening
 from cloner.behaviour.language import read_text
-from cloner.behaviour.sockets import HOST
 from cloner.behaviour.trajectories import read_trajectories
 from cloner.behaviour.walking import STEP_S
 from cloner.behaviour.world import World, world_of

@@ -17,12 +17,11 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.sync.client import ClientConnection, connect
 
-from cloner.behaviour.sockets import HOST
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import forget
 from cloner.scenes.served.living import Living
-from cloner.scenes.served.serving import LONGEST_BYTES, MOST_PAGES, going_on, served
+from cloner.scenes.served.serving import HOST, LONGEST_BYTES, MOST_PAGES, going_on, served
 from kit.browser import CHROMIUM, browser
 from kit.living import finished, hello_of, shown
 
