@@ -86,7 +86,7 @@ def _piece(element: ElementTree.Element, scale: float, where: str) -> Segment:
         told = f"the piece {name!r} has {len(curves)} edges and {len(names)} names for them"
         raise ClonerError(told, "Name every edge once, in the order of drawing", where)
     if not curves:
-        raise ClonerError(f"the piece {name!r} has no edges", "Draw its outline, or take it away", where)
+        raise ClonerError(f"the outline of the piece {name!r} ends early", _HINT, where)
     edges = {edge: scale * curve * [1.0, -1.0] for edge, curve in zip(names, curves, strict=True)}
     outline = np.concatenate([curve[:-1] for curve in edges.values()])
     following = np.roll(outline, -1, axis=0)

@@ -49,6 +49,7 @@ STUDIO_SENTENCES: Final[tuple[str, ...]] = tuple(
         QT_TRANSLATE_NOOP("told", "Apply the transformation first"),
         QT_TRANSLATE_NOOP("told", "the outline of the piece %1 has a command %2"),
         QT_TRANSLATE_NOOP("told", "the outline of the piece %1 ends early"),
+        QT_TRANSLATE_NOOP("told", "the outline of the piece %1 goes out of all bounds"),
         QT_TRANSLATE_NOOP("told", "the fabric %1 is not known"),
         QT_TRANSLATE_NOOP("told", "The fabrics are %1"),
         QT_TRANSLATE_NOOP("told", "the garment %1 is not known"),

@@ -762,6 +762,7 @@
     <name>measures</name>
     <message>
         <source>Height without shoes</source>
+        <extracomment>What the sliders tell, in the order of the form; the stature and the measures of `cloner.bodies.telling.PRESETS`.</extracomment>
         <translation>Taille sans chaussures</translation>
     </message>
     <message>
@@ -1344,6 +1345,7 @@
     </message>
     <message>
         <source>Add photos first.</source>
+        <extracomment>The clone&apos;s outline is drawn anew when the hand has rested so long: it costs as much as the preview.</extracomment>
         <translation>Ajoutez d’abord des photos.</translation>
     </message>
     <message>
@@ -1754,6 +1756,7 @@
     </message>
     <message>
         <source>Five photos, one minute: your own clone stands here.</source>
+        <extracomment>A clone that does not move by itself is seen so long, milliseconds; and so often it is looked for a first one.</extracomment>
         <translation>Cinq photos, une minute : votre propre clone est ici.</translation>
     </message>
 </context>
@@ -2016,6 +2019,7 @@
     </message>
     <message>
         <source>Body of blobs</source>
+        <extracomment>What of a blob&apos;s ends may be told here, cm; its file takes more.</extracomment>
         <translation>Corps de blobs</translation>
     </message>
     <message>
@@ -3610,6 +3614,10 @@
         <translation>le contour de la pièce %1 finit trop tôt</translation>
     </message>
     <message>
+        <source>the outline of the piece %1 goes out of all bounds</source>
+        <translation>le contour de la pièce %1 dépasse toutes les limites</translation>
+    </message>
+    <message>
         <source>the fabric %1 is not known</source>
         <translation>le tissu %1 n&apos;est pas connu</translation>
     </message>
@@ -4006,6 +4014,7 @@
     </message>
     <message>
         <source>The visitor has to agree before photos are taken.</source>
+        <extracomment>Typing that rests so long is saved, milliseconds.</extracomment>
         <translation>Le visiteur doit accepter avant les photos.</translation>
     </message>
     <message>
@@ -4206,6 +4215,7 @@
     </message>
     <message>
         <source>{n} more</source>
+        <extracomment>How long good news is shown, milliseconds; what went wrong stays until somebody closes it or the visitor goes.</extracomment>
         <translation>{n} de plus</translation>
     </message>
     <message>

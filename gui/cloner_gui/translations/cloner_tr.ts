@@ -761,6 +761,7 @@
     <name>measures</name>
     <message>
         <source>Height without shoes</source>
+        <extracomment>What the sliders tell, in the order of the form; the stature and the measures of `cloner.bodies.telling.PRESETS`.</extracomment>
         <translation>Ayakkabısız boy</translation>
     </message>
     <message>
@@ -1343,6 +1344,7 @@
     </message>
     <message>
         <source>Add photos first.</source>
+        <extracomment>The clone&apos;s outline is drawn anew when the hand has rested so long: it costs as much as the preview.</extracomment>
         <translation>Önce fotoğraf ekleyin.</translation>
     </message>
     <message>
@@ -1753,6 +1755,7 @@
     </message>
     <message>
         <source>Five photos, one minute: your own clone stands here.</source>
+        <extracomment>A clone that does not move by itself is seen so long, milliseconds; and so often it is looked for a first one.</extracomment>
         <translation>Beş fotoğraf, bir dakika: burada kendi klonunuz durur.</translation>
     </message>
 </context>
@@ -2015,6 +2018,7 @@
     </message>
     <message>
         <source>Body of blobs</source>
+        <extracomment>What of a blob&apos;s ends may be told here, cm; its file takes more.</extracomment>
         <translation>Bloblardan beden</translation>
     </message>
     <message>
@@ -3609,6 +3613,10 @@
         <translation>%1 parçasının çizgisi erken bitiyor</translation>
     </message>
     <message>
+        <source>the outline of the piece %1 goes out of all bounds</source>
+        <translation>%1 parçasının çizgisi bütün sınırları aşıyor</translation>
+    </message>
+    <message>
         <source>the fabric %1 is not known</source>
         <translation>%1 kumaşı bilinmiyor</translation>
     </message>
@@ -4005,6 +4013,7 @@
     </message>
     <message>
         <source>The visitor has to agree before photos are taken.</source>
+        <extracomment>Typing that rests so long is saved, milliseconds.</extracomment>
         <translation>Fotoğraflardan önce ziyaretçi onay vermelidir.</translation>
     </message>
     <message>
@@ -4205,6 +4214,7 @@
     </message>
     <message>
         <source>{n} more</source>
+        <extracomment>How long good news is shown, milliseconds; what went wrong stays until somebody closes it or the visitor goes.</extracomment>
         <translation>{n} tane daha</translation>
     </message>
     <message>
