@@ -3,7 +3,8 @@
 The generic human's shape coefficients move faces and bodies together, as its own
 data does: a broad jaw goes with broad shoulders. So the coefficients that explain
 the face net's points and the shoulders' breadth also choose a likely body. It is a
-guess; the coefficients' prior keeps it near the mean adult.
+guess; the coefficients' prior keeps it near the mean adult, and what faces have of their own, the modes of the head's
+fit, is told apart from it.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.generic.load import GenericHuman
+from cloner.head.modes import load_head_modes
 from cloner.records.points import Proposal, Proposals
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
@@ -69,15 +71,24 @@ def portrait_shape(generic: GenericHuman, proposals: Proposals) -> Array:
 
 
 def _model(generic: GenericHuman, params: Params) -> tuple[Array, Array, Array, Array]:
-    """Return mean (N, 3), basis (C, N, 3), common errors (M, N, 2) and spread (N,) of face and shoulders, metres."""
+    """Return mean (N, 3), basis (C, N, 3), others' share (M, N, 2) and spread (N,) of face and shoulders, metres.
+
+    Others are the errors that the net's points make together, and what faces have of their own.
+    """
     net = load_face_net()
     shoulders = [generic.joint("l_shoulder"), generic.joint("r_shoulder")]
     corners = generic.shape_basis[: params.shapes, net.places.corners].astype(np.float64)
-    mean = np.vstack([net.places.at(generic.vertices_m.astype(np.float64)), generic.joints_m[shoulders]])
+    modes = load_head_modes()
+    heads = np.zeros((1 + len(modes.basis_m), *generic.vertices_m.shape))
+    heads[:, generic.head_vertices] = np.concatenate([modes.mean_m[None], modes.basis_m])
+    own = np.einsum("nk,cnka->cna", net.places.weights, heads[:, net.places.corners])
+    face = net.places.at(generic.vertices_m.astype(np.float64)) + own[0]
+    mean = np.vstack([face, generic.joints_m[shoulders]])
     moves = np.einsum("nk,cnka->cna", net.places.weights, corners)
     basis = np.concatenate([moves, generic.joint_basis[: params.shapes, shoulders]], axis=1)
     sigma = np.append(np.hypot(net.alone_m, params.face_m), [params.shoulder_m] * 2)
-    drift = np.concatenate([net.drift_m * (params.drift, -params.drift), np.zeros((len(net.drift_m), 2, 2))], axis=1)
+    drift = np.concatenate([net.drift_m * (params.drift, -params.drift), own[1:, :, :2]])
+    drift = np.concatenate([drift, np.zeros((len(drift), 2, 2))], axis=1)
     return mean, basis, drift, sigma
 
 

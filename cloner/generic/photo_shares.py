@@ -22,19 +22,25 @@ _ARM_SIDE = {"upper_arm": 0.4, "forearm": 0.15, "hand": 0.1}
 # they may. Arms hang in no known pose in face photos, so they keep near the neck; from the side the top of a shoulder
 # is seen in none as well as there.
 _SHOULDER_REACH_M, _SIDE_REACH_M = 0.08, 0.13
+# With no photo of the body the front of the chest is painted as far as a portrait shows it; forearms and what hands
+# hold lie before the trunk below that.
+_CHEST_REACH_M = 0.25
 
 
-def photo_shares(generic: GenericHuman, view: ViewId, *, faces: frozenset[ViewId]) -> NDArray[np.float64]:
+def photo_shares(generic: GenericHuman, view: ViewId, *, photos: frozenset[ViewId]) -> NDArray[np.float64]:
     """Return (V,) factors >= 0 by which a photo's claim on each vertex is scaled.
 
     Parameters
     ----------
     generic : GenericHuman
     view : ViewId
-    faces : frozenset of ViewId
-        The face photos there are: they keep body photos off the head.
+    photos : frozenset of ViewId
+        The photos there are: those of the face keep those of the body off the head, and paint the chest without them.
     """
+    faces = frozenset(one for one in photos if one.is_face)
     reach = _SIDE_REACH_M if view in (ViewId.FACE_SIDE, ViewId.BODY_SIDE) else _SHOULDER_REACH_M
+    if view is ViewId.FACE_FRONT and faces == photos:
+        reach = _CHEST_REACH_M
     head = np.maximum(head_weight(generic), _beside_neck(generic, reach)) if faces else head_weight(generic)
     ears = generic.region("ear_left") | generic.region("ear_right")
     if view is ViewId.FACE_FRONT:

@@ -54,6 +54,13 @@ def jaw_in(generic: GenericHuman, rotations: Array) -> float:
     return float(rotations[generic.joint(JOINT), 0])
 
 
+def closed_jaw(generic: GenericHuman, rotations: Array) -> Array:
+    """Return a pose (J, 3) with the mouth shut, as clones rest."""
+    out = rotations.copy()
+    out[generic.joint(JOINT)] = 0.0
+    return out
+
+
 def jaw_rotations(generic: GenericHuman, open_rad: float) -> Array:
     """Return the rotation vectors (J, 3), radians in model axes, of a person who only opens the jaw."""
     out = np.zeros((len(generic.joint_names), 3))

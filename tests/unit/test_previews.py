@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -10,6 +12,8 @@ from skimage.measure import find_contours
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.generic.load import load_generic
+from cloner.head.jaw import jaw_rotations
 from cloner.previews import evenly_scaled, scaled_camera, write_previews
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import PointSet, Proposals, ViewPoints
@@ -62,6 +66,16 @@ def test_photo_and_clone_are_the_same_where_the_photo_shows_the_clone(folder):
     photo, drawn = np.split(both, 2, axis=1)
     assert photo.std() > 20
     assert np.abs(photo - drawn).mean() < 2.0, "a shift of two pixels gives five and more"
+
+
+def test_a_mouth_that_a_photo_shows_open_is_shown_shut(clone, inputs, folder, tmp_path):
+    posed = clone.views[VIEW]
+    opened = posed.rotations + jaw_rotations(load_generic(), 0.3)
+    laughing = replace(clone, views={VIEW: replace(posed, rotations=opened)})
+    assert np.abs(render(laughing, posed.camera, opened).astype(int) - render(clone, posed.camera)).max() > 50
+    write_previews(laughing, *inputs, tmp_path)
+    shown, shut = (np.asarray(Image.open(one / "beside_body_front.jpg")) for one in (tmp_path / "previews", folder))
+    assert np.array_equal(shown, shut)
 
 
 def test_outlines_run_along_the_silhouette(folder, inputs):

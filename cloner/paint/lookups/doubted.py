@@ -94,8 +94,8 @@ def doubt_slanted(generic: GenericHuman, sources: list[Source], evened: Array, g
     evened : (K, V, 3) levels after evening
     """
     level = np.asarray(log_levels(evened), np.float64)
-    faces = frozenset(source.view for source in sources if source.view.is_face)
-    claim = np.stack([_angle_claim(generic, source, faces) for source in sources])
+    photos = frozenset(source.view for source in sources)
+    claim = np.stack([_angle_claim(generic, source, photos) for source in sources])
     brow = np.stack([sample(source.plate.brows, source.lookup_px)[:, 0] / 255.0 for source in sources])
     face = generic.region("face")
     own = (brow > BROW) | generic.region("eyelids") | generic.region("lips")
@@ -109,9 +109,9 @@ def doubt_slanted(generic: GenericHuman, sources: list[Source], evened: Array, g
     return [replace(source, score=np.where(denied[k], 0.0, source.score)) for k, source in enumerate(sources)]
 
 
-def _angle_claim(generic: GenericHuman, source: Source, faces: frozenset[ViewId]) -> Array:
+def _angle_claim(generic: GenericHuman, source: Source, photos: frozenset[ViewId]) -> Array:
     """Return (V,) a photo's claim by its angle alone, whatever burns it out; 0 where it does not show the surface."""
-    share = photo_shares(generic, source.view, faces=faces) * (mirrored_share() if source.mirrored else 1.0)
+    share = photo_shares(generic, source.view, photos=photos) * (mirrored_share() if source.mirrored else 1.0)
     return np.where(source.score > 0.0, share * np.clip(source.sight.cosine, 0.0, 1.0) ** CLAIM_POWER, 0.0)
 
 

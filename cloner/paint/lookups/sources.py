@@ -89,7 +89,7 @@ def gather_sources(
     """Return all photos as sources, side photos also mirrored, and the outline shifts made."""
     sources: list[Source] = []
     residuals: list[Residual] = []
-    faces = frozenset(view for view in joined.views if view.is_face and view in photos.photos)
+    taken = frozenset(view for view in joined.views if view in photos.photos)
     skins = person_skin(photos, proposals, silhouettes)
     glasses = wears_glasses(proposals)
 
@@ -105,7 +105,7 @@ def gather_sources(
         plate = make_plate(view, photo, proposal, mask, limits, skins.get(view))
         if not (plate.inside_px > 0.0).any():
             return None
-        return make_source(generic, stood, view, plate, limits, faces)
+        return make_source(generic, stood, view, plate, limits, taken)
 
     views = [view for view in joined.views if view in photos.photos and view in proposals.views]
     bodies = [view for view in views if not view.is_face]
@@ -127,7 +127,7 @@ def make_source(
     view: ViewId,
     plate: Plate,
     limits: Limits,
-    faces: frozenset[ViewId],
+    taken: frozenset[ViewId],
 ) -> tuple[Source, float]:
     """Return one photo as a source and the mean gap between outlines before the shift, px."""
     sight = stood.sight
@@ -148,7 +148,7 @@ def make_source(
     if view is ViewId.BODY_SIDE:
         seen &= ~(arms_beside_head(generic) & near_bare_head(generic, plate, lookup))
         seen &= in_arm_zone(generic, plate, lookup)
-    share = photo_shares(generic, view, faces=faces)
+    share = photo_shares(generic, view, photos=taken)
     share = np.where(sight.before_edge(sight.pixel_px, sight.depth_m, sight.cosine), UNSAFE_CLAIM * share, share)
     # Where a photo is burnt out another one shows more, if it faces the surface better.
     square = np.clip((sight.cosine - SQUARE_COSINE[0]) / (SQUARE_COSINE[1] - SQUARE_COSINE[0]), 0.0, 1.0)

@@ -10,6 +10,7 @@ import pytest
 from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
+from cloner.generic.photo_shares import photo_shares
 from cloner.paint.details.undressed import dress_unseen, plain_beyond
 from cloner.paint.lookups.materials import find_materials, hands_beyond_cuffs
 from cloner.records.labels import Label
@@ -68,3 +69,15 @@ def test_cloth_far_from_the_photo_has_the_shirt_s_colour_not_the_collar_s(person
     base[2, vertices[:, 1] > collar - 0.02] = 250.0
     found = plain_beyond(sources, base, kinds, vertices[:, 1], graph)
     assert np.allclose(found[2, vertices[:, 1] < collar - 0.5], 90.0, atol=1.0)
+
+
+def test_a_portrait_without_body_photos_paints_the_chest_as_it_shows_it(person):
+    generic, vertices, _ = person
+    alone = photo_shares(generic, ViewId.FACE_FRONT, photos=frozenset({ViewId.FACE_FRONT}))
+    beside = photo_shares(generic, ViewId.FACE_FRONT, photos=frozenset({ViewId.FACE_FRONT, ViewId.BODY_FRONT}))
+    neck = float(vertices[generic.region("neck"), 1].min())
+    middle = np.abs(vertices[:, 0]) < 0.05
+    chest = middle & (np.abs(vertices[:, 1] - (neck - 0.15)) < 0.02)
+    assert (alone[chest] > 0.0).all()
+    assert not beside[chest].any()
+    assert not alone[vertices[:, 1] < neck - 0.3].any(), "hands and what they hold lie before the belly"
