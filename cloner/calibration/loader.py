@@ -30,6 +30,8 @@ UNITS: Final[Mapping[str, str]] = MappingProxyType({
     "grey": "grey levels of 8 bits",
     "lab": "distance of colours in 8-bit Lab",
     "score": "what a net gives, 0..1 or its log odds",
+    "log": "logarithm of a ratio",
+    "log odds": "logarithm of the odds, 0 where both are as likely",
     "cost": "what a search adds up; compared with others of its kind only",
     "pieces": "number of independent pieces of evidence",
 })  # fmt: skip

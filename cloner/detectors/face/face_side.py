@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
 from cloner.detectors.face.profile import front_contour, outline
-from cloner.detectors.face.profile_fit import Laid, find_laid, named_px
-from cloner.detectors.face.profile_search import ProfileModel, normals_of
+from cloner.detectors.face.profile_fit import Laid, lay_all, named_px
+from cloner.detectors.face.profile_judge import face_share, features, load_judge
+from cloner.detectors.face.profile_search import ProfileModel
 from cloner.detectors.nets.results import POSE_NAMES
 from cloner.geometry.outlines.contour_match import contour_normals
-from cloner.records.labels import FACE, shows
 from cloner.records.points import Proposal
 from cloner.remembered import once_each
 from cloner.vision.contours.snake import look_along, normals, snake_picture
@@ -32,7 +32,7 @@ _EYE_TO_MOUTH_M: Final = _CALIBRATED.number("eye_to_mouth_m", "m")
 _LEAN: Final = _CALIBRATED.number("lean", "rad")
 _NOSE_REACH_M: Final = _CALIBRATED.number("nose_reach_m", "m")
 _STEP_M: Final = _CALIBRATED.number("step_m", "m")
-_DOUBTED: Final = _CALIBRATED.number("doubted", "cost")
+_DOUBTED: Final = _CALIBRATED.number("doubted", "log odds")
 _EDGE_LEVELS: Final = _CALIBRATED.number("edge_levels", "grey")
 _UNIT_PX: Final = _CALIBRATED.number("unit_px", "px")
 _EDGE_REACH_M: Final = _CALIBRATED.number("edge_reach_m", "m")
@@ -41,8 +41,10 @@ _STRETCHES: Final = _CALIBRATED.numbers("stretches", "share")
 IOD_M: Final = _CALIBRATED.number("iod_m", "m")
 WRONG = _CALIBRATED.number("wrong", "cost")
 _WRONG_TURN = _CALIBRATED.number("wrong_turn", "cost")
-FACE_INSIDE: Final = _CALIBRATED.number("face_inside", "factor")
-INSIDE_M: Final = _CALIBRATED.number("inside_m", "m")
+_WRONG_MM: Final = _CALIBRATED.number("wrong_mm", "mm")
+_HIDDEN_SHARE: Final = _CALIBRATED.number("hidden_share", "share")
+_HIDDEN_ODDS: Final = _CALIBRATED.number("hidden_odds", "log odds")
+_WRONG_RATIO: Final = _CALIBRATED.number("wrong_ratio", "log")
 WRONG_ERROR: Final = _CALIBRATED.number("wrong_error", "iod")
 
 
@@ -104,27 +106,24 @@ def side_face_of(proposal: Proposal) -> SideFace | None:
 def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
     """Return the profile of a side photo, or None without an outline.
 
-    What the pose net tells is believed unless the profile fits badly there; then all fronts are tried, either way.
-    A profile has a face on its inner side: a fall of hair may have the same outline.
+    Where the pose net tells the nose is looked first; unless a profile is sure there, all fronts are tried, either way.
     """
     ring = outline(proposal.mask)
     if len(ring) < 50:
         return None
     full = np.hstack([ring, contour_normals(ring)])
     hints = pose_hints(proposal)
-    found: list[tuple[float, int, Laid]] = []
-    if hints is not None:
-        near = _lay_near(proposal.mask, full, model, hints)
-        found += [] if near is None else [(_cost(near, model, proposal.labels), hints.facing, near)]
-    if not found or found[0][0] > _DOUBTED:
-        for facing in (1, -1):
-            laid_there = _lay_anywhere(proposal.mask, full, model, facing)
-            found += [(_cost(laid, model, proposal.labels), facing, laid) for laid in laid_there]
+    found = [] if hints is None else [(hints.facing, laid) for laid in lay_near(proposal.mask, full, model, hints)]
+    odds = [odds_against(proposal, model, hints, *one) for one in found]
+    if not found or min(odds) > _DOUBTED:
+        more = [(facing, laid) for facing in (1, -1) for laid in lay_anywhere(proposal.mask, full, model, facing)]
+        found, odds = found + more, odds + [odds_against(proposal, model, hints, *one) for one in more]
     if not found:
         return None
-    cost, facing, laid = min(found, key=lambda one: one[0])
+    best = int(np.argmin(odds))
+    facing, laid = found[best]
     points, spread_m = named_px(model, laid)
-    wrong = 1.0 / (1.0 + np.exp(-(cost - WRONG) / _WRONG_TURN))
+    wrong = 1.0 / (1.0 + np.exp(-odds[best]))
     # a mean distance in the plane is 1.25 times the spread along one axis
     error = 1.25 * spread_m / IOD_M + wrong * WRONG_ERROR
     side = "R" if facing > 0 else "L"
@@ -133,16 +132,19 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
     return SideFace(facing, full, laid, names, points, error)
 
 
-def _cost(laid: Laid, model: ProfileModel, labels: NDArray[np.uint8]) -> float:
-    """Return a laid profile's cost with what the labels on its inner side say; no labels say nothing."""
-    if not labels.any():
-        return laid.cost
-    inwards = -normals_of(model.shape(laid.weights)[: model.samples]) @ laid.px_from_m[:, :2].T
-    column, row = np.rint(laid.curve_px(model) + INSIDE_M * inwards).astype(np.int64).T
-    height, width = labels.shape
-    within = (column >= 0) & (row >= 0) & (column < width) & (row < height)
-    share = float(shows(labels, *FACE)[row[within], column[within]].mean()) if within.any() else 0.0
-    return laid.cost + FACE_INSIDE * (0.5 - share)
+def told_by(hints: Hints | None) -> tuple[int, Array] | None:
+    """Return what hints tell the judge of profiles: which way the head looks, and nose, eye and mouth (3, 2), px."""
+    return None if hints is None else (hints.facing, np.array([hints.nose_px, hints.eye_px, hints.mouth_px]))
+
+
+def odds_against(proposal: Proposal, model: ProfileModel, hints: Hints | None, facing: int, laid: Laid) -> float:
+    """Return the log odds that a laid profile is not the face's; without labels the outline alone tells."""
+    if not proposal.labels.any():
+        return (laid.cost - WRONG) / _WRONG_TURN
+    if face_share(model, laid, proposal.labels) < _HIDDEN_SHARE:
+        return _HIDDEN_ODDS
+    error_mm = load_judge().error_mm(features(model, laid, facing, proposal.labels, told_by(hints)))
+    return float(np.log(error_mm / _WRONG_MM)) / _WRONG_RATIO
 
 
 def doubt_of(rgb: NDArray[np.uint8], model: ProfileModel, laid: Laid) -> float:
@@ -164,25 +166,25 @@ def doubt_of(rgb: NDArray[np.uint8], model: ProfileModel, laid: Laid) -> float:
     return float(np.clip((_EDGE_SHARE - share) / (0.7 * _EDGE_SHARE), 0.0, 1.0))
 
 
-def _lay_near(mask: NDArray[np.uint8], full: Array, model: ProfileModel, hints: Hints) -> Laid | None:
-    """Return the profile laid on the outline near a hinted nose, or None where no outline is."""
+def lay_near(mask: NDArray[np.uint8], full: Array, model: ProfileModel, hints: Hints) -> list[Laid]:
+    """Return profiles laid on the outline (N, 4) near a hinted nose."""
     top = float(full[:, 1].min())
     front = front_contour(full, hints.facing, float(full[:, 1].max()) + 1.0)
     down = hints.mouth_px - hints.eye_px
     by_face = float(np.linalg.norm(down)) / _EYE_TO_MOUTH_M
     near = front[np.abs(front[:, 1] - hints.nose_px[1]) < _NOSE_REACH_M * by_face]
     if len(near) == 0:
-        return None
+        return []
     tip = near[int(np.argmax(hints.facing * near[:, 0]))]
     size = float(np.sqrt(by_face * max(float(tip[1]) - top, 1.0) / _TOP_OVER_NOSE_M))
     near = front[np.abs(front[:, 1] - hints.nose_px[1]) < _NOSE_REACH_M * size]
     lean = float(np.arctan2(hints.facing * down[0], down[1])) - _LEAN
     step = max(1, int(_STEP_M * size))
-    return find_laid(mask, full, model, near[::step, :2], facing=hints.facing, size=size, lean=lean)
+    return lay_all(mask, full, model, near[::step, :2], facing=hints.facing, size=size, lean=lean)
 
 
-def _lay_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel, facing: int) -> list[Laid]:
-    """Return profiles laid along the whole front of an outline, one for each stretch of heights.
+def lay_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel, facing: int) -> list[Laid]:
+    """Return profiles laid along the whole front of an outline (N, 4), by stretches of heights.
 
     How far a nose lies below the head's top tells the head's size, so each stretch has a size of its own.
     """
@@ -193,6 +195,5 @@ def _lay_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel, fac
         noses = front[(front[:, 1] > top + low * height) & (front[:, 1] <= top + high * height), :2]
         size = 0.5 * (low + high) * height / _TOP_OVER_NOSE_M
         step = max(1, round(2.0 * _STEP_M * size))
-        laid = find_laid(mask, full, model, noses[::step], facing=facing, size=size, lean=0.0)
-        out += [] if laid is None else [laid]
+        out += lay_all(mask, full, model, noses[::step], facing=facing, size=size, lean=0.0)
     return out

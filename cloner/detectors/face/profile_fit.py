@@ -150,7 +150,7 @@ def _cost(outline_px: Array, model: ProfileModel, px_from_m: Array, weights: Arr
     return float(missed.mean() + _MISS_PRIOR * float(weights @ weights) / model.samples)
 
 
-def find_laid(
+def lay_all(
     mask: NDArray[np.uint8],
     outline_px: Array,
     model: ProfileModel,
@@ -158,8 +158,8 @@ def find_laid(
     facing: int,
     size: float,
     lean: float,
-) -> Laid | None:
-    """Return the best of all starts laid on the outline, or None without any.
+) -> list[Laid]:
+    """Return the model laid on an outline from all starts that the search gives.
 
     Parameters
     ----------
@@ -172,12 +172,9 @@ def find_laid(
         First guesses: px per metre, and the tilt in radians.
     """
     if len(noses_px) == 0 or len(outline_px) < 50:
-        return None
-    tried = [
-        lay(outline_px, model, start, weights, size)
-        for start, weights in search(mask, model, noses_px, facing, size, lean)
-    ]
-    return min(tried, key=lambda laid: laid.cost)
+        return []
+    starts = search(mask, model, noses_px, facing, size, lean)
+    return [lay(outline_px, model, start, weights, size) for start, weights in starts]
 
 
 def named_px(model: ProfileModel, laid: Laid) -> tuple[Array, Array]:

@@ -20,6 +20,7 @@ WIDEST_TAIL_MM = 110.0  # wider hair in the back photo is the head's, not a tail
 FARTHEST_ASIDE_MM = 40.0  # a tail is looked for this far beside where the side photo has it
 LEAST_ALONE = 0.3  # of a tail's rows stand alone in the back photo; above them the head's hair lies behind it
 THINNEST_MM = 10.0  # thin plaits
+AIR_MM = 3.0  # taste: between a tail and the neck; labels err by less
 FREE_MM = 30.0  # a tail hangs farther than this from body and cap; nearer is their own error: a fin behind the head
 SMALLEST_TAIL_MM2 = 900.0  # smaller free areas are the cap's own roughness
 
@@ -85,6 +86,8 @@ def find_tail(views: list[HairView], cap_m: Array, triangles: NDArray[np.int32],
                 continue
             head = covered(view, cap_m, triangles)
             free = free_hair(view, head, cap_m)
+            if not any(each.posed.view is ViewId.BODY_BACK for each in views):
+                free = free & hangs_clear(view, free, head, cap_m)
             course = tail_course(views, view, free, cap_m.mean(axis=0), middle_m) if free.any() else None
             if course is not None:
                 return Tail(view, half_width(view, free, head), *course)
@@ -119,9 +122,13 @@ def covered(view: HairView, cap_m: Array, triangles: NDArray[np.int32]) -> NDArr
 
 
 def free_hair(view: HairView, head: NDArray[np.bool_], cap_m: Array) -> NDArray[np.bool_]:
-    """Return (H, W) hair pixels of a side photo beside body and cap, if there is enough to hang."""
+    """Return (H, W) hair pixels of a side photo beside body and cap, if there is enough to hang.
+
+    What stands above the head hangs from nothing: the dome of a cap, which all photos see, would be a knob of one.
+    """
     pixel_mm = view.pixel_mm(view.to_view(cap_m))
     free = (view.hair & ~head).astype(np.uint8)
+    free[: int(head.any(axis=1).argmax())] = 0
     least = max(3, int(np.ceil(THINNEST_MM / pixel_mm)))
     free = cv2.morphologyEx(free, cv2.MORPH_OPEN, np.ones((least, least), np.uint8))
     _, pieces, stats, _ = cv2.connectedComponentsWithStats(free, connectivity=8)
@@ -133,6 +140,21 @@ def free_hair(view: HairView, head: NDArray[np.bool_], cap_m: Array) -> NDArray[
     hangs = (area >= SMALLEST_TAIL_MM2) & (away >= FREE_MM)
     hangs[0] = False
     return np.asarray(hangs[pieces], np.bool_)
+
+
+def hangs_clear(view: HairView, free: NDArray[np.bool_], head: NDArray[np.bool_], cap_m: Array) -> NDArray[np.bool_]:
+    """Return (H, W) the pieces of free hair with air between them and the head in enough of their rows.
+
+    Where no photo of the back tells a tail from thick hair, which lies on the head all the way down.
+    """
+    air_px = AIR_MM / view.pixel_mm(view.to_view(cap_m))
+    away = np.where(free, cv2.distanceTransform((~head).astype(np.uint8), cv2.DIST_L2, 5), np.float32(np.inf))
+    count, pieces = cv2.connectedComponents(free.astype(np.uint8), connectivity=8)
+    clear = np.zeros(count, np.bool_)
+    for piece in range(1, count):
+        nearest = np.where(pieces == piece, away, np.float32(np.inf)).min(axis=1)
+        clear[piece] = (nearest[np.isfinite(nearest)] > air_px).mean() >= LEAST_ALONE
+    return np.asarray(clear[pieces], np.bool_)
 
 
 def tail_course(

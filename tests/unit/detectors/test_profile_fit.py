@@ -10,6 +10,7 @@ import pytest
 
 from cloner.detectors.face.face_net import load_face_net
 from cloner.detectors.face.face_side import doubt_of, find_side_face
+from cloner.detectors.face.profile_judge import face_share, features, load_judge
 from cloner.detectors.nets.results import POSE_NAMES
 from cloner.frames import ViewId
 from cloner.records.labels import Label
@@ -135,7 +136,7 @@ def test_what_is_no_face_gets_no_confidence():
         np.zeros(468),
         0.0,
         square,
-        square,
+        np.where(square > 0, Label.UPPER_CLOTHES, Label.BACKGROUND).astype(np.uint8),
     )
     found = find_side_face(box, sitter.model)
     assert found is None or face_confidence(found.error_iod).max() < 0.4
@@ -185,3 +186,20 @@ def test_a_fall_of_hair_with_a_profiles_outline_is_none():
         shown[label] = find_side_face(replace(sitter.proposal(), labels=labels), sitter.model)
     assert shown[Label.FACE_SKIN].error_iod.min() < 0.1
     assert shown[Label.HAIR].error_iod.min() > 0.4
+
+
+def test_labels_tell_a_face_from_what_has_its_outline():
+    """The same profile laid two centimetres too high has a chin where the labels still show face."""
+    sitter = Sitter(13)
+    found = find_side_face(sitter.proposal(), sitter.model)
+    rows = np.arange(SIZE[0])[:, None]
+    labels = np.where(rows < sitter.at("glabella")[1], Label.HAIR, Label.FACE_SKIN)
+    labels = np.where(rows > sitter.at("chin_bottom")[1], Label.BODY_SKIN, labels)
+    labels = np.where(sitter.mask > 127, labels, Label.BACKGROUND).astype(np.uint8)
+    higher = found.laid.px_from_m - np.array([[0, 0, 0], [0, 0, 0.02 * found.laid.size]])
+    right, wrong = (
+        load_judge().error_mm(features(sitter.model, replace(found.laid, px_from_m=one), found.facing, labels, None))
+        for one in (found.laid.px_from_m, higher)
+    )
+    assert wrong > 1.5 * right
+    assert face_share(sitter.model, found.laid, labels) > 0.6
