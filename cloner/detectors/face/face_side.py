@@ -16,6 +16,7 @@ from cloner.detectors.face.profile_fit import Laid, lay_all, named_px
 from cloner.detectors.face.profile_judge import face_share, features, load_judge
 from cloner.detectors.face.profile_search import ProfileModel
 from cloner.detectors.nets.results import POSE_NAMES
+from cloner.frames import mm_from_m
 from cloner.geometry.outlines.contour_match import contour_normals
 from cloner.records.points import Proposal
 from cloner.remembered import once_each
@@ -114,18 +115,17 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
     full = np.hstack([ring, contour_normals(ring)])
     hints = pose_hints(proposal)
     found = [] if hints is None else [(hints.facing, laid) for laid in lay_near(proposal.mask, full, model, hints)]
-    odds = [odds_against(proposal, model, hints, *one) for one in found]
-    if not found or min(odds) > _DOUBTED:
+    doubts = [doubt_against(proposal, model, hints, *one) for one in found]
+    if not found or min(doubts)[0] > _DOUBTED:
         more = [(facing, laid) for facing in (1, -1) for laid in lay_anywhere(proposal.mask, full, model, facing)]
-        found, odds = found + more, odds + [odds_against(proposal, model, hints, *one) for one in more]
+        found, doubts = found + more, doubts + [doubt_against(proposal, model, hints, *one) for one in more]
     if not found:
         return None
-    best = int(np.argmin(odds))
-    facing, laid = found[best]
+    best = min(range(len(found)), key=lambda one: doubts[one])
+    (facing, laid), (odds, lost_iod) = found[best], doubts[best]
     points, spread_m = named_px(model, laid)
-    wrong = 1.0 / (1.0 + np.exp(-odds[best]))
     # a mean distance in the plane is 1.25 times the spread along one axis
-    error = 1.25 * spread_m / IOD_M + wrong * WRONG_ERROR
+    error = 1.25 * spread_m / IOD_M + lost_iod / (1.0 + np.exp(-odds))
     side = "R" if facing > 0 else "L"
     paired = ("eye", "pupil", "ala", "mouth", "ear")
     names = tuple(f"{name}_{side}" if name.startswith(paired) else name for name in model.names)
@@ -137,14 +137,20 @@ def told_by(hints: Hints | None) -> tuple[int, Array] | None:
     return None if hints is None else (hints.facing, np.array([hints.nose_px, hints.eye_px, hints.mouth_px]))
 
 
-def odds_against(proposal: Proposal, model: ProfileModel, hints: Hints | None, facing: int, laid: Laid) -> float:
-    """Return the log odds that a laid profile is not the face's; without labels the outline alone tells."""
+def doubt_against(
+    proposal: Proposal, model: ProfileModel, hints: Hints | None, facing: int, laid: Laid
+) -> tuple[float, float]:
+    """Return the log odds that a laid profile is not the face's, and its points' error then, in eye distances.
+
+    Without labels the outline alone tells.
+    """
     if not proposal.labels.any():
-        return (laid.cost - WRONG) / _WRONG_TURN
+        return (laid.cost - WRONG) / _WRONG_TURN, WRONG_ERROR
     if face_share(model, laid, proposal.labels) < _HIDDEN_SHARE:
-        return _HIDDEN_ODDS
+        return _HIDDEN_ODDS, WRONG_ERROR
     error_mm = load_judge().error_mm(features(model, laid, facing, proposal.labels, told_by(hints)))
-    return float(np.log(error_mm / _WRONG_MM)) / _WRONG_RATIO
+    lost_iod = min(error_mm / mm_from_m(IOD_M), WRONG_ERROR)
+    return float(np.log(error_mm / _WRONG_MM)) / _WRONG_RATIO, lost_iod
 
 
 def doubt_of(rgb: NDArray[np.uint8], model: ProfileModel, laid: Laid) -> float:
