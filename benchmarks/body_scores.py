@@ -1,4 +1,4 @@
-"""Score one clone of a known person after every step; the rulers are the project's own (goals.md, cloner/evaluate)."""
+"""Score one clone of a known person after every step; the rulers are the project's own (docs/method)."""
 
 from __future__ import annotations
 
@@ -133,7 +133,7 @@ def score_step(step: Clone, generic: GenericHuman, truth: KnownTruth) -> dict[st
 def placed(step: Clone, generic: GenericHuman, truth: KnownTruth) -> tuple[Array, Array]:
     """Return the (94, 3) rotations and the rigid (4, 4) motion that lay a body on the truth, never scaled.
 
-    Both follow the truth's joints (goals.md); a foreign body has none, so there the pose follows its surface, which
+    Both follow the truth's joints (rulers); a foreign body has none, so there the pose follows its surface, which
     is kinder.
     """
     start = step.views[ViewId.BODY_FRONT]

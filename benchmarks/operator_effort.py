@@ -7,7 +7,7 @@ the outline belongs on the true outline, at the place nearest to it; head top an
 
 The six sample sets, and random painted heads (two face photos, seeds that nothing was calibrated on): after 0, 6, 12,
 20 drags and with all true features the head is fitted again and measured against the truth with the rulers of
-goals.md. Every case is one JSON in the folder, so a kill loses nothing; ``--page`` turns what is there into
+docs/method. Every case is one JSON in the folder, so a kill loses nothing; ``--page`` turns what is there into
 ``docs/operator_effort.md``. Body points are dragged in their turn, but the body is not measured: outline points lie on
 the outline already, and joints dragged to their true centres make the body's surface worse (6.5 -> 7.1 mm).
 """

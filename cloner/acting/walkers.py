@@ -26,7 +26,7 @@ STAY_M: Final = 0.45
 AHEAD_S: Final = 0.9
 BEYOND_S: Final = 0.35
 #: Steps are not shorter than this share of the style's, nor is its pace slower or faster than these: a slower walk is
-#: half in length and half in pace (facts of the crowds: both by the square root).
+#: half in length and half in pace (walkers §4: both by the square root).
 SHORTEST: Final = 0.5
 SLOWEST, FASTEST = 0.6, 1.7
 #: So much faster than their walk people begin to run, and walk again; taste.

@@ -1,6 +1,6 @@
 """The way to a region round all obstacles: distances over the raster; the core has the direction in each cell.
 
-A field is seeded by the whole region: seeded by a point it funnels everybody into a line (facts, section 1).
+A field is seeded by the whole region: seeded by a point it funnels everybody into a line (walkers §1).
 """
 
 from __future__ import annotations

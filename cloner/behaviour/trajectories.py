@@ -1,7 +1,7 @@
 """Trajectories at 10 Hz as one file: places to 2 mm, facing to 1.4 degrees, postures and emotions; and their reader.
 
 Places are second differences of int16, so that whoever walks evenly costs nothing; low and high bytes lie apart and are
-deflated. Measured on other walkers (facts, section 2): 10.2 bytes a person and second with gzip, 1 mm by a spline.
+deflated. Measured on other walkers (walkers §2): 10.2 bytes a person and second with gzip, 1 mm by a spline.
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ _CALIBRATED: Final = calibrated("editing.order")
 Array = NDArray[np.float64]
 
 BODY_SHARE: Final = _CALIBRATED.number("body_share", "share")
-#: What the likeness of a face is judged by (goals: landmarks in 3-D); other points count by what they tell of these.
+#: What the likeness of a face is judged by (rulers: landmarks in 3-D); other points count by what they tell of these.
 COUNTED: Final = frozenset(
     ("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom", "eye_inner",
      "eye_outer", "ala", "mouth_corner", "ear_top", "ear_lobe")

@@ -51,7 +51,7 @@ class Params:
     Attributes
     ----------
     slices : int
-        Slices a segment; 8, 16 or 32 hardly matter (facts.md, measured).
+        Slices a segment; 8, 16 or 32 hardly matter (parts).
     direction_turns : int
         How often the directions in which skin settles are averaged, over some 25 mm (measured: crossing triangle pairs
         of four people fell from 128, 40, 25, 21 to 6, 0, 0, 0 and no overlap changed).

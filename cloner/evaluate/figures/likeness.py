@@ -88,7 +88,7 @@ def held_out_likeness(
 
     Notes
     -----
-    goals.md asks for the photo's pose. A front photo does not tell how far the
+    The ruler asks for the photo's pose. A front photo does not tell how far the
     arms hang forward, so the subject is first brought to the truth's joints by
     rotations, the baselines in the same way.
     """

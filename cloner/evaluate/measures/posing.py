@@ -32,7 +32,7 @@ JOINTS: Final = {
     for name in ("shoulder", "elbow", "wrist", "hip", "knee", "ankle")
     for side in "LR"
 }
-#: Feature points of the face that must lie where the truth's do (goals.md).
+#: Feature points of the face that must lie where the truth's do (rulers).
 LANDMARKS: Final = (
     *("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom"),
     *(f"{name}_{side}" for name in ("eye_inner", "eye_outer", "ala", "mouth_corner") for side in "LR"),

@@ -16,7 +16,7 @@ from cloner.geometry.meshes.alignment import similarity
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-#: Outline errors are told for photos of this height (goals.md).
+#: Outline errors are told for photos of this height (rulers).
 OUTLINE_HEIGHT_PX: Final = 1800.0
 #: What stands where a person is not, when two pictures of people are compared.
 _BACKDROP: Final = 127
