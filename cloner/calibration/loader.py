@@ -39,8 +39,8 @@ ORIGINS: Final[Mapping[str, str]] = MappingProxyType({
     "measured": "read off people, photographs or results; the entry says which",
     "tried": "the best of several on a benchmark; the entry says what the others gave",
     "published": "anatomy, a standard, a survey, or a net's own number",
-    "taste": "judged by eye or by sense; nothing was measured",
-    "unknown": "nobody wrote down where it comes from",
+    "taste": "somebody's choice, by eye or for the reason told; nothing was measured for it alone",
+    "unknown": "history tells neither reason nor figure",
 })  # fmt: skip
 
 Value = float | tuple[float, ...] | Mapping[str, float]
