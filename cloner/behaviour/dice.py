@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 
+#: Steps and mixing of SplitMix64 (Steele, Lea, Flood 2014): 2^64 over the golden ratio, in 64 bits.
 _GOLDEN: Final = 0x9E3779B97F4A7C15
 _MASK: Final = (1 << 64) - 1
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from cloner.behaviour.core.host import Core
 from cloner.behaviour.ground import BODY_M, Array, Ground, Mask
 
-STEP_S: Final = 0.05
+STEP_S: Final = 0.05  # seconds of one step of the core, which counts in it (core/walkers.ts); two make a frame of files
 #: Goals that are no place: none, and a direction that is given in `Bodies.way`.
 NOWHERE, GIVEN = -1, -2
 

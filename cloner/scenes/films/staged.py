@@ -21,7 +21,7 @@ from cloner.scenes.films.sequence import Sequence as Film
 
 Array = NDArray[np.float64]
 
-STEP_S: Final = 0.1
+STEP_S: Final = 0.1  # as in files of trajectories (behaviour/trajectories.py)
 #: A head that lies on the ground has its middle so high, metres, and leans by so much of a turn; taste.
 LIES_M, LEANS = 0.095, 0.21
 #: While a head is given: when it leaves the ground, when it is before the giver's face, when over the neck; shares.
