@@ -12,7 +12,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 if TYPE_CHECKING:
     from cloner.api import clone
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = ["__version__", "clone"]
 
 
