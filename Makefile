@@ -33,7 +33,7 @@ test: lint types
 	OMP_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses 2 --dist loadfile
 
 quick: $(STAMP)
-	$(BIN)/python -m pytest -q -m "not slow and not golden" tests/unit tests/property
+	$(BIN)/python -m pytest -q -m "not slow" tests/unit tests/property
 
 lint: $(STAMP)
 	$(BIN)/ruff check .
