@@ -51,16 +51,13 @@ def scaled(value: loader.Value, factor: float) -> loader.Value:
 
 def tried(photos: Path, start: Path | None) -> dict[str, Any]:
     """Clone up to the joined person; return its skin and figures, and write what is known after the proposals."""
-    from body_people import first_values, run_stages
+    from cloner.testing import folder_values, run_stages, up_to
 
-    from cloner.project.folder import load_photos, read_person
-
-    names = ["proposals", "points", "views", "silhouettes", "phenotype", "skeleton", "rough", "fine", "head", LAST]
+    names = up_to(LAST)
     if start is not None and start.is_file():
         values = pickle.loads(start.read_bytes())
     else:
-        values = first_values(load_photos(photos), read_person(photos, None))
-        values, _ = run_stages(values, names[:1])
+        values, _ = run_stages(folder_values(photos), names[:1])
         if start is not None:
             start.write_bytes(pickle.dumps(values))
     values, _ = run_stages(values, names[1:])
@@ -76,12 +73,10 @@ def figures(values: Mapping[str, Any], photos: Path) -> dict[str, Any]:
     from cloner.evaluate.truths.truth import read_truth
     from cloner.frames import ViewId, mm_from_m
     from cloner.generic.load import load_generic
-    from cloner.records.clones import TextureAtlas
-    from cloner.stages.textures import assemble
+    from cloner.testing import untextured
 
     truth, generic = read_truth(photos.parent, photos.name), load_generic()
-    atlas = TextureAtlas(np.zeros((8, 8, 3), np.uint8), np.zeros((8, 8), np.uint8))
-    clone = assemble(values["joined"], (), atlas)
+    clone = untextured(values["joined"])
     outlines = {view: one.mask for view, one in values["silhouettes"].views.items()}
     away = [
         rulers.spread(rulers.outline_distances_px(mask, truth.views[view].mask)).mean for view, mask in outlines.items()
@@ -92,10 +87,7 @@ def figures(values: Mapping[str, Any], photos: Path) -> dict[str, Any]:
     ]
     surface = truth.surface
     start = clone.views[ViewId.BODY_FRONT].rotations
-    posed = posing.pose_clone(
-        clone, generic, posing.rotations_towards(clone, generic, surface.joints_m, surface.marks_m, start)
-    )
-    posed = posed.moved(posing.truth_from_body(posed, generic, surface.joints_m, surface.marks_m))
+    posed, _, _ = posing.posed_as(clone, generic, surface.joints_m, surface.marks_m, start)
     body = skins.body_surface_mm(posed, generic, surface, rng=np.random.default_rng(0)).mean
     face = skins.face_surface_mm(posed, generic, surface, rng=np.random.default_rng(0)).similarity.mean
     found, marks = posing.landmarks(posed.features_m), posing.landmarks(surface.marks_m)

@@ -24,7 +24,7 @@ from cloner.errors import ClonerError
 from cloner.outside import UnfitFile, read_outside
 
 MAGIC: Final = b"CLNRWLK1"
-#: Files hold so many places a second, in such metres: 10.2 bytes a person and second, 1 mm off by a spline (walkers §2).
+#: Files hold so many places a second, in such metres: 10.2 bytes a person and second, 1 mm off (walkers §2).
 RATE_HZ: Final = 10
 UNIT_M: Final = 0.002
 STEPS: Final = round(1.0 / RATE_HZ / STEP_S)

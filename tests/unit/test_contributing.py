@@ -75,3 +75,18 @@ def test_files_that_are_named_exist() -> None:
     roots += [ROOT / "gui" / "cloner_gui" / "language"]
     assert len(named) > 15
     assert not [one for one in named if not any((root / one).is_file() for root in roots)]
+
+
+def test_scripts_use_no_private_names() -> None:
+    """What several benchmarks need of the wiring stands in ``cloner.testing``."""
+    for folder in ("benchmarks", "generic_models/build", "release"):
+        for path in (ROOT / folder).glob("*.py"):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("cloner"):
+                    assert not [one.name for one in node.names if one.name.startswith("_")], path.name
+
+
+def test_nothing_of_the_product_uses_the_door_for_benchmarks() -> None:
+    for package in (ROOT / "cloner", ROOT / "gui" / "cloner_gui"):
+        for path in package.rglob("*.py"):
+            assert "cloner.testing" not in path.read_text(encoding="utf-8"), path.name

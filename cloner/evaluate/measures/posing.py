@@ -128,6 +128,19 @@ def truth_from_body(
     return truth_from_points(found, {**joints, **_only(BODY_MARKS, marks)})
 
 
+def posed_as(
+    clone: Clone, generic: GenericHuman, joints_m: Mapping[str, Array], marks_m: Mapping[str, Array], start: Array
+) -> tuple[Posed, Array, Array]:
+    """Return a clone in a truth's pose, laid on its joints without a scale; that pose, and the (4, 4) rigid motion.
+
+    ``start`` (94, 3) is the pose from which the truth's is sought.
+    """
+    rotations = rotations_towards(clone, generic, joints_m, marks_m, start)
+    posed = pose_clone(clone, generic, rotations)
+    truth_from_clone = truth_from_body(posed, generic, joints_m, marks_m)
+    return posed.moved(truth_from_clone), rotations, truth_from_clone
+
+
 def _only(names: tuple[str, ...], points: Mapping[str, Array]) -> dict[str, Array]:
     return {name: points[name] for name in names if name in points}
 
