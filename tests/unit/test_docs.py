@@ -80,3 +80,23 @@ def test_pages_made_from_the_code_are_up_to_date() -> None:
     spec.loader.exec_module(made)
     for name, page in made.PAGES.items():
         assert (DOCS / name).read_text(encoding="utf-8") == page(), f"make docs writes docs/{name} anew"
+
+
+RULES = re.findall(
+    r"^\| [^|`]+ \| `([^`]+)` \| `([^`]+)` \| (`.*`) \|$", (DOCS / "algorithms.md").read_text(encoding="utf-8"), re.M
+)
+
+
+@pytest.mark.parametrize(("word", "file", "functions"), RULES)
+def test_a_rule_is_found_in_one_search(word: str, file: str, functions: str) -> None:
+    """The first lines of modules name it, once or twice, and its functions are where the table says."""
+    assert len(RULES) >= 8
+    code = [path for path in CODE if path.is_relative_to(ROOT / "cloner")]
+    heads = {
+        path.relative_to(ROOT / "cloner").as_posix(): path.read_text(encoding="utf-8").split("\n\n")[0] for path in code
+    }
+    found = [name for name, head in heads.items() if word.lower() in head.lower()]
+    assert file in found
+    assert len(found) <= 2, found
+    text = (ROOT / "cloner" / file).read_text(encoding="utf-8")
+    assert all(f"\ndef {name}(" in text for name in re.findall(r"`(\w+)`", functions))

@@ -1,4 +1,4 @@
-"""A smooth displacement along the normals that lays a body's rim on the photos' outlines.
+"""Smoothing over the mesh: a thin plate's displacement along the normals lays a body's rim on the photos' outlines.
 
 Beyond the paper (method §7): takes up what slices cannot reach - shoulders, crotch,
 feet, hands - with all photos at once.

@@ -1,4 +1,4 @@
-"""Grid slices of the body: occluding points, silhouette pairs, and the paper's T_i,m.
+"""Grid slices of the body: occluding points, silhouette pairs, and the slice maps T_i,m of the paper.
 
 The slices are an overlay (method §2): every body vertex knows its segment, its
 position ``s`` along the segment's axis and its angle ``theta`` around it.
