@@ -23,7 +23,7 @@ CODE = DOCS.parent / "cloner"
 #: What a program that uses Cloner needs, by subject.
 INTERFACE = {
     "From photos to a clone": (
-        "cloner.api:clone", "cloner.records.clones:Clone", "cloner.records.clones:TextureAtlas",
+        "cloner.making:clone", "cloner.records.clones:Clone", "cloner.records.clones:TextureAtlas",
         "cloner.records.heads:Shell", "cloner.records.bodies:PosedView", "cloner.records.views:Camera",
         "cloner.frames:ViewId", "cloner.errors:ClonerError", "cloner.errors:Cancelled",
     ),

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from cloner.crowd.clones.clips import WALK_FRAMES
 from cloner.crowd.staged.footing import BLEND_S, COLUMNS, LEFT, LIFT_PARTS, MIDDLE, RIGHT, parts_of, turned_by
 from cloner.crowd.staged.scene import IDLE
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Who stands begins to walk when the trajectory is so far away, metres: the shortest two half steps make .3 m.
 START_M: Final = 0.25

@@ -11,7 +11,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+
 Indices = NDArray[np.int64]
 
 #: Steps and mixing of SplitMix64 (Steele, Lea, Flood 2014): 2^64 over the golden ratio, in 64 bits.

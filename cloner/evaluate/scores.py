@@ -21,11 +21,11 @@ from cloner.generic.load import GenericHuman
 from cloner.generic.tape import body_girths, load_tape_rules
 from cloner.geometry.measurement.measures import TRUTH_GIRTHS, girths_mm
 from cloner.geometry.measurement.measuring import measures_mm
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.measures import MeasureSet
 from cloner.records.points import PointSet
 
-Array = NDArray[np.float64]
 Keep = Callable[[str, NDArray[np.uint8]], None]
 
 

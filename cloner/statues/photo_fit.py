@@ -17,11 +17,10 @@ from scipy.sparse import csr_matrix
 from cloner.errors import ClonerError
 from cloner.geometry.cameras.resection import facing_camera, resect
 from cloner.geometry.deformation.dffd import deform, enclosing_points, sibson_weights
-from cloner.records.arrays import freeze
+from cloner.records.arrays import Array, freeze
 from cloner.records.views import Camera
 from cloner.statues.continued import Laid, laid_photo, trusted
 
-Array = NDArray[np.float64]
 Index = NDArray[np.int32]
 
 #: Fewer markers tell no camera.

@@ -21,10 +21,9 @@ from cloner.geometry.articulation.skinning import (
     rotation_matrices,
     skin,
 )
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
-
-Array = NDArray[np.float64]
 
 #: The truth's joint names and ours; rig centres both.
 JOINTS: Final = {

@@ -12,8 +12,8 @@ from skimage.color import deltaE_ciede2000, rgb2gray, rgb2lab
 from skimage.metrics import structural_similarity
 
 from cloner.geometry.meshes.alignment import similarity
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 #: Outline errors are told for photos of this height (rulers).

@@ -15,8 +15,8 @@ from scipy.ndimage import gaussian_filter1d
 from cloner.easing import half_wave
 from cloner.geometry.meshes.vectors import cross, unit
 from cloner.geometry.outlines.contours import OutlineField
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 #: Least and greatest change of a section's unseen depth: a sleeve doubles no arm (taste).

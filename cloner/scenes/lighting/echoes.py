@@ -18,10 +18,9 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.records.arrays import Array
 from cloner.scenes.building.solids import Room
 from cloner.scenes.lighting.rays import Stops, sphere
-
-Array = NDArray[np.float64]
 
 SPEED_M_S: Final = 343.0  # of sound, at 20 degrees
 RATE_HZ: Final = 22_050  # half of a compact disc's: steps and murmur hold nothing above
