@@ -17,8 +17,8 @@ from cloner.errors import ClonerError
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.arrays import Array, freeze
+from cloner.statues.meshes import Mesh
 from cloner.statues.obj_files import wrapped
-from cloner.statues.photo_fit import Mesh
 
 Index = NDArray[np.int32]
 

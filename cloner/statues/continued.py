@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import cv2
 import numpy as np
@@ -18,10 +18,8 @@ from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 from cloner.stages.textures import pad_charts
+from cloner.statues.meshes import Mesh
 from cloner.vision.retouching.aligning import sample
-
-if TYPE_CHECKING:
-    from cloner.statues.photo_fit import Mesh
 
 Pixels = NDArray[np.uint8]
 Values = NDArray[np.float32]

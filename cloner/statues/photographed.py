@@ -34,8 +34,9 @@ from cloner.report.write import write_report
 from cloner.stages.join import eye_joints
 from cloner.statues.carved import check_material, statue_of
 from cloner.statues.markers import read_markers
+from cloner.statues.meshes import Mesh
 from cloner.statues.obj_files import read_obj, write_obj
-from cloner.statues.photo_fit import Fit, Mesh, PhotoFit, fit_photo, focal_px_of
+from cloner.statues.photo_fit import Fit, PhotoFit, fit_photo, focal_px_of
 from cloner.vision.photographs.pictures import Picture, read_picture
 
 #: Whom a photo is laid on where nobody is named: the family's usual man.
