@@ -173,7 +173,7 @@ def _markdown(text: str) -> str:
             out += [f"**{line}**", ""]
             listed = line in ("Parameters", "Attributes", "Returns", "Raises", "Yields")
         elif listed and line and not line.startswith(" "):
-            out.append(f"- `{line}`")
+            out.append(f"- `{line}`" if " : " in line or len(line.split()) < 4 else line)
         else:
             out.append(line.rstrip() if not listed else f"  {line.strip()}".rstrip())
     return re.sub(r":\w+:`~?([\w.]+)`", r"`\1`", "\n".join(out)).replace("``", "`") + "\n"
