@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
-from cloner.behaviour.ground import CELL_M, RAY_BODY_M, Array, Ground, Mask
+from cloner.behaviour.ground import CELL_M, RAY_BODY_M, Ground, Mask
+from cloner.records.arrays import Array
 
 #: A way closer to a wall than this costs up to twice as much: people keep half a metre off; taste.
 SHY_M: Final = 0.5

@@ -16,12 +16,12 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.behaviour.ground import Array
 from cloner.behaviour.model import XY
 from cloner.behaviour.walking import STEP_S
 from cloner.behaviour.world import World
 from cloner.errors import ClonerError
 from cloner.outside import UnfitFile, read_outside
+from cloner.records.arrays import Array
 
 MAGIC: Final = b"CLNRWLK1"
 #: Files hold so many places a second, in such metres: 10.2 bytes a person and second, 1 mm off (walkers §2).
