@@ -8,7 +8,7 @@ export OMP_NUM_THREADS ?= 2
 export QT_QPA_PLATFORM ?= offscreen
 export CLONER_NODE_MODULES ?= $(CURDIR)/.cache/npm
 
-.PHONY: demo test quick lint types contracts bench fuzz wheel constraints sbom audit clean environment
+.PHONY: demo test quick lint types docs bench fuzz wheel constraints sbom audit clean environment
 
 environment: $(STAMP)
 
@@ -33,7 +33,7 @@ test: lint types
 	OMP_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses 2 --dist loadfile
 
 quick: $(STAMP)
-	$(BIN)/python -m pytest -q -m "not slow and not golden" tests/unit tests/property
+	$(BIN)/python -m pytest -q -m "not slow" tests/unit tests/property
 
 lint: $(STAMP)
 	$(BIN)/ruff check .
@@ -42,6 +42,10 @@ lint: $(STAMP)
 
 types: $(STAMP)
 	$(BIN)/mypy
+
+# The pages that are made from the code: commands, Python interface.
+docs: $(STAMP)
+	$(BIN)/python docs/make_reference.py
 
 bench: $(STAMP)
 	$(BIN)/python benchmarks/bench_clone.py

@@ -17,13 +17,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from cloner import pipeline
 from cloner.frames import ViewId
 from cloner.interactive.refitting import Refitted, refit
 from cloner.project.corrections import move_point, no_corrections
-from cloner.project.folder import load_photos, read_person
 from cloner.records.points import Corrections
 from cloner.stages.silhouettes import ON_OUTLINE
+from cloner.testing import folder_values, run_stages, up_to
 
 SAMPLE = Path(__file__).resolve().parents[1] / "samples" / "anna" / "plain"
 #: The stages up to the obeyed body; measures, hair and textures are none of a drag's business.
@@ -53,9 +52,7 @@ class Drag(NamedTuple):
 
 def whole_run(folder: Path, corrections: Corrections) -> dict[str, Any]:
     """Return all values up to the obeyed body."""
-    names = [stage.name for stage in pipeline.STAGES]
-    values = {"photos": load_photos(folder), "person": read_person(folder), "corrections": corrections}
-    return pipeline.run(values, stages=pipeline.STAGES[: names.index(LAST_STAGE) + 1])[0]
+    return run_stages(folder_values(folder, corrections), up_to(LAST_STAGE))[0]
 
 
 def places(values: Mapping[str, Any]) -> list[tuple[ViewId, str, float]]:

@@ -1,7 +1,7 @@
 """How good is the body? ``python benchmarks/body.py --people 60 [--jobs 2] [--resume FOLDER] [--page]``.
 
 Random people of known shape (``generic_models/build/painted_people.py``) are photographed, cloned by the product's
-own stages and scored after every step with the rulers of goals.md. Every finished person is one JSON and one picture
+own stages and scored after every step with the rulers of docs/method. Every finished person is one JSON and one picture
 in the folder, so a kill loses nothing; ``--page`` turns what is there into ``docs/body_benchmark.md``.
 ``--ablate 8`` repeats the first people with parts of the method left out; ``--foreign FOLDER`` scores a body from
 outside the family (shared/foreign/stein_woman; not ours to ship).

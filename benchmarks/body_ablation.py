@@ -11,7 +11,7 @@ from typing import Any, Final
 
 import cv2
 import numpy as np
-from body_people import Case, commit, first_values, run_stages, step_clones, write_json
+from body_people import Case, commit, step_clones, write_json
 from body_scores import HELD_OUT, score_step
 from skimage import measure
 
@@ -20,6 +20,7 @@ from cloner.records.points import PointSet, Proposals, ViewPoints
 from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.records.views import Camera, View, ViewSet
 from cloner.stages import fine, rough, skeleton
+from cloner.testing import first_values, run_stages
 
 Values = dict[str, Any]
 

@@ -61,7 +61,7 @@ Written by `python benchmarks/body.py --page` from runs of commit {commits}. {pe
 (`generic_models/build/painted_people.py`): all shape coefficients drawn, smooth bumps that no coefficient can make,
 statures 1.45 to 1.95 m, a new pose (limbs ±8°) and a new camera (2.5 to 4.5 m away, 0.9 to 1.6 m high, 45 to 75 mm,
 tilted) for every photo, three tightnesses of clothes before three kinds of background; half of the people's photos
-tell their focal length. Besides the photos only the stature is told. Rulers as in goals.md (surface: posed to the
+tell their focal length. Besides the photos only the stature is told. Rulers as in docs/method (surface: posed to the
 truth's joints, rigid, no scale, symmetric), without head, hair and hands. No operator corrected anything, and no face
 photos were given."""
 

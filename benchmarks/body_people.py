@@ -7,7 +7,7 @@ import json
 import os
 import subprocess
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -25,17 +25,15 @@ from body_scores import (
     stature_error_mm,
 )
 
-from cloner import pipeline
 from cloner.errors import ClonerError
 from cloner.generic.load import GenericHuman, load_generic
-from cloner.project.corrections import no_corrections
-from cloner.records.clones import Clone, TextureAtlas
+from cloner.records.clones import Clone
 from cloner.records.photos import Person, PhotoSet
 from cloner.stages.rough import follow_joints
-from cloner.stages.textures import assemble
+from cloner.testing import STAGE_NAMES, first_values, run_stages, untextured
 
 #: All stages but those of the texture, which no ruler of the body sees.
-ALL_STAGES: Final = tuple(stage.name for stage in pipeline.STAGES if stage.name not in ("textures", "regions"))
+ALL_STAGES: Final = tuple(name for name in STAGE_NAMES if name not in ("textures", "regions"))
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,20 +56,6 @@ def cases(count: int, first: int) -> list[Case]:
     return [Case(first + k, tightness[k % 3], backgrounds[(k // 3 + k) % 3]) for k in range(count)]
 
 
-def run_stages(
-    values: Mapping[str, object], names: Sequence[str]
-) -> tuple[dict[str, Any], dict[str, dict[str, float]]]:
-    """Return all values after some stages, and wall and CPU seconds by stage."""
-    stages = tuple(stage for stage in pipeline.STAGES if stage.name in names)
-    known, reports = pipeline.run(values, stages=stages)
-    return known, {report.name: {"s": report.seconds, "cpu_s": report.cpu_seconds} for report in reports}
-
-
-def first_values(photos: PhotoSet, person: Person) -> dict[str, object]:
-    """Return what a clone starts from."""
-    return {"photos": photos, "person": person, "corrections": no_corrections()}
-
-
 def step_clones(values: Values, generic: GenericHuman) -> dict[str, Clone]:
     """Return the body after every step, each with the poses and cameras that the fit found."""
     phenotype = values["phenotype"]
@@ -91,8 +75,7 @@ def step_clones(values: Values, generic: GenericHuman) -> dict[str, Clone]:
 
 def finished_clone(values: Values) -> Clone:
     """Return the clone with head and hair, not textured."""
-    atlas = TextureAtlas(np.zeros((8, 8, 3), np.uint8), np.zeros((8, 8), np.uint8))
-    return assemble(values["joined"], values["shells"], atlas)
+    return untextured(values["joined"], values["shells"])
 
 
 def score_clone(values: Values, seconds: Mapping[str, Any], truth: KnownTruth, tightness: str) -> dict[str, Any]:
@@ -114,9 +97,10 @@ def score_clone(values: Values, seconds: Mapping[str, Any], truth: KnownTruth, t
 def score_photos(photos: PhotoSet, person: Person, truth: KnownTruth, tightness: str) -> tuple[dict[str, Any], Values]:
     """Return the figures of one person and the values of the stages; a refused photo gives ``error`` alone."""
     try:
-        values, seconds = run_stages(first_values(photos, person), ALL_STAGES)
+        values, reports = run_stages(first_values(photos, person), ALL_STAGES)
     except ClonerError as error:
         return {"error": f"{error.message} ({error.where})"}, {}
+    seconds = {report.name: {"s": report.seconds, "cpu_s": report.cpu_seconds} for report in reports}
     return score_clone(values, seconds, truth, tightness), values
 
 

@@ -1,4 +1,4 @@
-"""Score one clone of a known person after every step; the rulers are the project's own (goals.md, cloner/evaluate)."""
+"""Score one clone of a known person after every step; the rulers are the project's own (docs/method)."""
 
 from __future__ import annotations
 
@@ -27,11 +27,12 @@ from cloner.frames import MILLIMETRES_PER_METRE, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.geometry.measurement.measures import TRUTH_GIRTHS
 from cloner.records.bodies import PosedView
-from cloner.records.clones import Clone, TextureAtlas
+from cloner.records.clones import Clone
 from cloner.records.measures import MeasureSet
 from cloner.records.points import PointSet
 from cloner.records.views import Camera
 from cloner.render import clone_layers, coverage
+from cloner.testing import bare_atlas
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -96,10 +97,9 @@ def body_clone(
     sole_m: float,
 ) -> Clone:
     """Return a step's body as a clone without texture, hair and morphs."""
-    atlas = TextureAtlas(np.zeros((8, 8, 3), np.uint8), np.zeros((8, 8), np.uint8))
     features = {name: vertices_m[generic.feature(name)] for name in generic.feature_names}
     empty = (np.zeros(0, np.int32), np.zeros((0, 3), np.float32), np.zeros(1, np.int32))
-    return Clone(vertices_m, joints_m, (), *empty, atlas, (), features, views, stature_m, sole_m)
+    return Clone(vertices_m, joints_m, (), *empty, bare_atlas(), (), features, views, stature_m, sole_m)
 
 
 def score_step(step: Clone, generic: GenericHuman, truth: KnownTruth) -> dict[str, Any]:
@@ -133,7 +133,7 @@ def score_step(step: Clone, generic: GenericHuman, truth: KnownTruth) -> dict[st
 def placed(step: Clone, generic: GenericHuman, truth: KnownTruth) -> tuple[Array, Array]:
     """Return the (94, 3) rotations and the rigid (4, 4) motion that lay a body on the truth, never scaled.
 
-    Both follow the truth's joints (goals.md); a foreign body has none, so there the pose follows its surface, which
+    Both follow the truth's joints (rulers); a foreign body has none, so there the pose follows its surface, which
     is kinder.
     """
     start = step.views[ViewId.BODY_FRONT]

@@ -12,16 +12,16 @@ from typing import Final
 
 import cv2
 import numpy as np
-from body_people import ALL_STAGES, finished_clone, first_values, run_stages, step_clones
+from body_people import ALL_STAGES, finished_clone, step_clones
 from body_pictures import captioned, clay, cropped
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.project.folder import load_photos, read_person
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone
 from cloner.render import draw, render_mask
+from cloner.testing import folder_values, run_stages
 
 OUT: Final = Path(__file__).resolve().parents[1] / "docs" / "pictures" / "body_steps.png"
 VIEWS: Final = (ViewId.BODY_FRONT, ViewId.BODY_SIDE)
@@ -50,7 +50,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("photos", type=Path)
     folder = parser.parse_args().photos
-    values, _ = run_stages(first_values(load_photos(folder), read_person(folder)), ALL_STAGES)
+    values, _ = run_stages(folder_values(folder), ALL_STAGES)
     clones = step_clones(values, load_generic()) | {"finished": finished_clone(values)}
     columns = []
     for name, clone in clones.items():

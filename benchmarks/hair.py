@@ -22,17 +22,15 @@ import numpy as np
 from hair_people import HairCase, random_case, visitor_case, visitor_names
 from numpy.typing import NDArray
 
-from cloner import pipeline
 from cloner.errors import ClonerError
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, m_from_mm, mm_from_m
 from cloner.generic.layers import Layer, clone_layers
 from cloner.generic.load import load_generic
 from cloner.paint.details.tucking import tuck_scalp
-from cloner.project.corrections import no_corrections
-from cloner.records.clones import Clone, TextureAtlas
+from cloner.records.clones import Clone
 from cloner.records.labels import Label
 from cloner.render import coverage, draw
-from cloner.stages.textures import assemble
+from cloner.testing import STAGE_NAMES, first_values, run_stages, untextured
 
 Bools = NDArray[np.bool_]
 Values = dict[str, Any]
@@ -44,19 +42,18 @@ LEFT_OUT: Final = ("hair", "textures", "regions", "measures")
 
 def before_hair(case: HairCase) -> Values:
     """Return the values of all stages before the hair."""
-    start = {"photos": case.photos, "person": case.person, "corrections": no_corrections()}
-    return dict(pipeline.run(start, stages=tuple(s for s in pipeline.STAGES if s.name not in LEFT_OUT))[0])
+    return run_stages(first_values(case.photos, case.person), set(STAGE_NAMES).difference(LEFT_OUT))[0]
 
 
 def with_hair(values: Values) -> tuple[Clone, float]:
     """Return the untextured clone with its hair, and the hair stage's CPU seconds."""
     begin = time.process_time()
-    found, _ = pipeline.run(values, stages=tuple(s for s in pipeline.STAGES if s.name == "hair"))
+    found, _ = run_stages(values, ("hair",))
     seconds = time.process_time() - begin
     shells: Any = found["shells"]
     joined = values["obeyed"]
     tucked = replace(joined, vertices_m=tuck_scalp(load_generic(), joined.vertices_m, shells))
-    return assemble(tucked, shells, TextureAtlas(np.zeros((8, 8, 3), np.uint8), np.zeros((8, 8), np.uint8))), seconds
+    return untextured(tucked, shells), seconds
 
 
 def only_hair(clone: Clone, layers: list[Layer]) -> list[Layer]:

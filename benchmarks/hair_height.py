@@ -11,7 +11,6 @@ import argparse
 from pathlib import Path
 
 import numpy as np
-from body_people import first_values, run_stages
 from numpy.typing import NDArray
 
 from cloner.body.hair_height import above_the_eyes
@@ -19,7 +18,7 @@ from cloner.errors import ClonerError
 from cloner.evaluate.truths.kit import KitTruth, kit_people, read_kit
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import load_generic
-from cloner.project.folder import load_photos, read_person
+from cloner.testing import folder_values, run_stages
 
 STAGES = ("proposals", "points", "views", "silhouettes")
 #: Residuals beyond so many spreads hardly bend the line: a hat has no hair's height.
@@ -39,7 +38,7 @@ def true_height_mm(kit: KitTruth) -> float:
 def told(person: Path) -> float | None:
     """Return what the face tells of one person, None where no face is seen or the photos are refused."""
     try:
-        values, _ = run_stages(first_values(load_photos(person), read_person(person)), STAGES)
+        values, _ = run_stages(folder_values(person), STAGES)
     except ClonerError as error:
         print(f"{person.name}: {error}")
         return None

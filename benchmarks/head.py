@@ -2,7 +2,7 @@
 
 Random heads, every second one bent out of the generic's family, are photographed from the front and one side (turned up
 to 10 degrees, 0.6 to 2 m away, three lights), fitted by the product's own stages and scored with the rulers of
-goals.md, with proposed and with true features. Every finished head is one JSON and one .npz in the folder, so a kill
+docs/method, with proposed and with true features. Every finished head is one JSON and one .npz in the folder, so a kill
 loses nothing; ``--page`` turns what is there into ``docs/head_benchmark.md``. ``--foreign FOLDER`` scores a head from
 outside the family (shared/foreign/ict; not ours to ship). ``--family ict`` draws the heads from the scan-based family
 in ``--scans`` instead; the page has a column a family.

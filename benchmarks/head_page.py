@@ -81,7 +81,7 @@ def _opening(rows: Sequence[Row], failed: Sequence[Row]) -> str:
         "scatter around the canonical face of the face net instead of the generic's mean, as scans do; every second "
         "one is bent out of the generic's family by smooth hills, too. Truth against truth, nothing fitted: generic "
         "1.70 (bent 1.83) mm, mean of these heads 1.13 (1.42), another head 1.62 (2.08); among real scans 1.97, "
-        "1.39 to 1.48 and 1.88. Surface and landmarks as in goals.md (1,500 points either way). The head stage took "
+        "1.39 to 1.48 and 1.88. Surface and landmarks as in docs/method (1,500 points either way). The head stage took "
         f"{np.median(seconds):.1f} CPU s (worst {seconds.max():.1f}).\n\nAll cells: median (worst)."
     )
 

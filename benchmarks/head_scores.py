@@ -1,4 +1,4 @@
-"""The rulers of goals.md on heads, fast enough for many heads and steps: surface, landmarks, identification."""
+"""The rulers of docs/method on heads, fast enough for many heads and steps: surface, landmarks, identification."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Ruler:
 
 
 def ruler(truth: TruthSurface) -> Ruler:
-    """Return the ruler of one truth: what goals.md calls the face, where an outside viewer sees it."""
+    """Return the ruler of one truth: what docs/method calls the face, where an outside viewer sees it."""
     bare = truth.kind == "bare"
     firm = bare | (truth.kind == "organ")
     asked = bare & in_told_face(truth.points_m, truth.marks_m)

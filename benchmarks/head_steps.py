@@ -25,12 +25,12 @@ from cloner.geometry.deformation.dffd import deform
 from cloner.head.evidence import Log, Params, read_front, read_side
 from cloner.head.model import make_model
 from cloner.head.modes import load_head_modes
-from cloner.project.corrections import no_corrections
 from cloner.records.heads import HeadFit
 from cloner.records.photos import Person, PhotoSet
 from cloner.records.points import PointSet, Proposals, ViewPoints
 from cloner.records.views import Camera
 from cloner.stages import head
+from cloner.testing import first_values, run_stages
 
 Array = NDArray[np.float64]
 Values = dict[str, Any]
@@ -48,9 +48,7 @@ def fit_head(known: KnownHead) -> tuple[Values, dict[str, float]]:
 
 def before_head(photos: PhotoSet, person: Person) -> tuple[Values, dict[str, float]]:
     """Return the values of all stages before the head of anybody, and their CPU seconds."""
-    start = {"photos": photos, "person": person, "corrections": no_corrections()}
-    stages = tuple(stage for stage in pipeline.STAGES if stage.name in BEFORE)
-    values, reports = pipeline.run(start, stages=stages)
+    values, reports = run_stages(first_values(photos, person), BEFORE)
     return values, {report.name: report.cpu_seconds for report in reports}
 
 

@@ -23,7 +23,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "generic_models" / 
 
 from painted_people_bodies import random_body
 
-from cloner import pipeline
 from cloner.body.outlined import gaps_mm, outlined_photos, see
 from cloner.errors import ClonerError
 from cloner.evaluate.measures.rulers import apply, fit_similarity
@@ -34,9 +33,10 @@ from cloner.geometry.measurement.measuring import measures_mm
 from cloner.measure.covering import covers
 from cloner.measure.rumpled import garments_rumples_mm
 from cloner.measure.side_arms import hidden_rows
-from cloner.project.folder import load_photos, read_corrections, read_person
+from cloner.project.folder import read_corrections
 from cloner.records.loose import AROUND_LEGS
 from cloner.records.measures import Cover
+from cloner.testing import folder_values, run_stages, up_to
 
 #: First seed of the bodies without photos.
 BODY_SEED = 710_000
@@ -74,9 +74,7 @@ def naked_mm(person: Path) -> np.ndarray:
 
 def cloned(person: Path) -> dict[str, Any]:
     """Return what a clone of one photographed person measures, and what is true of the person."""
-    values = {"photos": load_photos(person), "person": read_person(person), "corrections": read_corrections(person)}
-    names = [stage.name for stage in pipeline.STAGES]
-    found, _ = pipeline.run(values, stages=pipeline.STAGES[: names.index(LAST_STAGE) + 1])
+    found, _ = run_stages(folder_values(person, read_corrections(person)), up_to(LAST_STAGE))
     joined, silhouettes, body = found["obeyed"], found["obeyed_silhouettes"], found["body"]
     cover = covers(found["proposals"], joined)
     photos = outlined_photos(found["phenotype"], silhouettes, found["proposals"], body.views)

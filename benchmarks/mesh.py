@@ -18,7 +18,7 @@ from typing import Final
 
 import cv2
 import numpy as np
-from body_people import ALL_STAGES, finished_clone, first_values, run_stages
+from body_people import ALL_STAGES, finished_clone
 from numpy.typing import NDArray
 from rig import arms_up, sitting
 
@@ -47,6 +47,7 @@ from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
 from cloner.render import draw
+from cloner.testing import first_values, run_stages
 
 Array = NDArray[np.float64]
 

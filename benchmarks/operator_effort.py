@@ -7,7 +7,7 @@ the outline belongs on the true outline, at the place nearest to it; head top an
 
 The six sample sets, and random painted heads (two face photos, seeds that nothing was calibrated on): after 0, 6, 12,
 20 drags and with all true features the head is fitted again and measured against the truth with the rulers of
-goals.md. Every case is one JSON in the folder, so a kill loses nothing; ``--page`` turns what is there into
+docs/method. Every case is one JSON in the folder, so a kill loses nothing; ``--page`` turns what is there into
 ``docs/operator_effort.md``. Body points are dragged in their turn, but the body is not measured: outline points lie on
 the outline already, and joints dragged to their true centres make the body's surface worse (6.5 -> 7.1 mm).
 """
@@ -31,7 +31,6 @@ from head_steps import BEFORE, finished, fit_head
 from numpy.typing import NDArray
 from operator_page import write_page
 
-from cloner import pipeline
 from cloner.detectors.body.body_points import ENDS
 from cloner.errors import ClonerError
 from cloner.evaluate.measures import rulers
@@ -40,9 +39,9 @@ from cloner.frames import FACE_VIEWS, ViewId
 from cloner.generic.load import load_generic
 from cloner.interactive.refitting import moved_points
 from cloner.project.corrections import move_point, no_corrections
-from cloner.project.folder import load_photos, read_person
 from cloner.records.points import Corrections, ViewPoints
 from cloner.stages.points import corrected, figure_height_px
+from cloner.testing import folder_values, run_stages
 from cloner_gui.canvas.photos.picking import worst_first
 from cloner_gui.event.services import points_by_view
 
@@ -82,12 +81,7 @@ class Case:
 def sample(visitor: str, set_name: str) -> Case:
     """Return one set of a sample visitor."""
     folder, truth = SAMPLES / visitor / set_name, read_truth(SAMPLES / visitor, set_name)
-    start: dict[str, object] = {
-        "photos": load_photos(folder),
-        "person": read_person(folder),
-        "corrections": no_corrections(),
-    }
-    values, _ = pipeline.run(start, stages=tuple(stage for stage in pipeline.STAGES if stage.name in BEFORE))
+    values, _ = run_stages(folder_values(folder), BEFORE)
     eyes = {view: eyes_px(truth.views[view.value]) for view in FACE_VIEWS}
     return Case(f"{visitor} {set_name}", values, ruler(truth.surface), eyes,
                 lambda view, name, placed: true_place(truth.views[view.value], name, placed))  # fmt: skip

@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Any
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 if TYPE_CHECKING:
-    from cloner.api import clone
+    from cloner.making import clone
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"
 __all__ = ["__version__", "clone"]
 
 
 def __getattr__(name: str) -> Any:
     """Load what needs the whole product only when somebody asks for it: ``cloner doctor`` must work without."""
     if name == "clone":
-        return importlib.import_module("cloner.api").clone
+        return importlib.import_module("cloner.making").clone
     raise AttributeError(f"module 'cloner' has no attribute {name!r}")

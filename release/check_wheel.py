@@ -1,6 +1,6 @@
 """Install a wheel into a clean environment and clone somebody with it, outside the repository: ``make wheel``.
 
-    python release/check_wheel.py dist/photo_cloner-0.1.0-py3-none-any.whl
+    python release/check_wheel.py dist/photo_cloner-0.2.0-py3-none-any.whl
 
 Fails with a line that says what is missing.
 """

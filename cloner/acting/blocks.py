@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.behaviour.model import XY
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Heights of what a plan leaves open: a plinth, a pillar that is cut off to see over it, a counter, other things,
 #: metres (taste).

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 from cloner.crowd.clones.clips import WALK_FRAMES
 from cloner.crowd.staged.footing import BLEND_S, COLUMNS, LEFT, LIFT_PARTS, MIDDLE, RIGHT, parts_of, turned_by
 from cloner.crowd.staged.scene import IDLE
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Who stands begins to walk when the trajectory is so far away, metres: the shortest two half steps make .3 m.
 START_M: Final = 0.25
@@ -26,7 +25,7 @@ STAY_M: Final = 0.45
 AHEAD_S: Final = 0.9
 BEYOND_S: Final = 0.35
 #: Steps are not shorter than this share of the style's, nor is its pace slower or faster than these: a slower walk is
-#: half in length and half in pace (facts of the crowds: both by the square root).
+#: half in length and half in pace (walkers §4: both by the square root).
 SHORTEST: Final = 0.5
 SLOWEST, FASTEST = 0.6, 1.7
 #: So much faster than their walk people begin to run, and walk again; taste.

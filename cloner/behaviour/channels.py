@@ -12,6 +12,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
+#: Who may order whom: the later one wins ([S]: guided before reaction before script before what is innate).
 INNATE, SCRIPT, REACTION, GUIDED = range(4)
 LEVELS: Final = ("innate", "script", "reaction", "guided")
 #: What can be ordered, and the value that says nothing is: goal (place in the world's list), speed (m/s), posture

@@ -11,9 +11,11 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+
 Indices = NDArray[np.int64]
 
+#: Steps and mixing of SplitMix64 (Steele, Lea, Flood 2014): 2^64 over the golden ratio, in 64 bits.
 _GOLDEN: Final = 0x9E3779B97F4A7C15
 _MASK: Final = (1 << 64) - 1
 

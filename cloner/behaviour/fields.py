@@ -1,6 +1,6 @@
 """The way to a region round all obstacles: distances over the raster; the core has the direction in each cell.
 
-A field is seeded by the whole region: seeded by a point it funnels everybody into a line (facts, section 1).
+A field is seeded by the whole region: seeded by a point it funnels everybody into a line (walkers §1).
 """
 
 from __future__ import annotations
@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import dijkstra
 
-from cloner.behaviour.ground import CELL_M, RAY_BODY_M, Array, Ground, Mask
+from cloner.behaviour.ground import CELL_M, RAY_BODY_M, Ground, Mask
+from cloner.records.arrays import Array
 
 #: A way closer to a wall than this costs up to twice as much: people keep half a metre off; taste.
 SHY_M: Final = 0.5

@@ -15,8 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 

@@ -30,7 +30,7 @@ from cloner.behaviour.model import (
 from cloner.errors import ClonerError
 from cloner.outside import text_outside
 
-LARGEST_BYTES: Final = 1_000_000
+LARGEST_BYTES: Final = 1_000_000  # taste: a hundred times what a person types
 _MOST_EXPECTED: Final = 6  # more words than this say less
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Final
 
-#: More people than this are no scene on one machine at twice real time (facts, section 1).
+#: More people than this are no scene on one machine at twice real time (walkers §1).
 MOST_PEOPLE: Final = 20_000
 XY = tuple[float, float]
 
@@ -53,7 +53,7 @@ class Emotion:
     acts: tuple[str, ...] = ("stand",)
 
 
-#: The source's five and afraid. Speeds are what the walks of ``cloner/motion`` give (facts, section 4); afraid: taste.
+#: The source's five and afraid. Speeds are what the walks of ``cloner/motion`` give (walkers §4); afraid: taste.
 EMOTIONS: Final = (
     Emotion("sad", 0.87, "sad", ("stand", "sit")),
     Emotion("calm", 1.11, "calm", ("stand", "sit", "look")),

@@ -10,8 +10,9 @@ from typing import Final
 
 import numpy as np
 
-from cloner.behaviour.ground import Array, Indices, Mask
+from cloner.behaviour.ground import Indices, Mask
 from cloner.behaviour.world import World
+from cloner.records.arrays import Array
 
 #: How far a leader sees a person or a thing; taste: across a room.
 SIGHT_M: Final = 15.0

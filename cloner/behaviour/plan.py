@@ -15,6 +15,7 @@ from cloner.behaviour.trajectories import RATE_HZ, Trajectories
 
 Pixels = NDArray[np.uint8]
 
+#: Picture from above: longest side, pixels a metre at most, metres around the floor, a trail's frames; sRGB. Taste.
 LONGEST_PX: Final = 1080
 LARGEST_PX_PER_M: Final = 60.0
 MARGIN_M: Final = 0.6

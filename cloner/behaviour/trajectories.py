@@ -1,7 +1,7 @@
 """Trajectories at 10 Hz as one file: places to 2 mm, facing to 1.4 degrees, postures and emotions; and their reader.
 
 Places are second differences of int16, so that whoever walks evenly costs nothing; low and high bytes lie apart and are
-deflated. Measured on other walkers (facts, section 2): 10.2 bytes a person and second with gzip, 1 mm by a spline.
+deflated. Measured on other walkers (walkers §2): 10.2 bytes a person and second with gzip, 1 mm by a spline.
 """
 
 from __future__ import annotations
@@ -16,14 +16,15 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.behaviour.ground import Array
 from cloner.behaviour.model import XY
 from cloner.behaviour.walking import STEP_S
 from cloner.behaviour.world import World
 from cloner.errors import ClonerError
 from cloner.outside import UnfitFile, read_outside
+from cloner.records.arrays import Array
 
 MAGIC: Final = b"CLNRWLK1"
+#: Files hold so many places a second, in such metres: 10.2 bytes a person and second, 1 mm off (walkers §2).
 RATE_HZ: Final = 10
 UNIT_M: Final = 0.002
 STEPS: Final = round(1.0 / RATE_HZ / STEP_S)

@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.behaviour.core.host import Core
-from cloner.behaviour.ground import BODY_M, Array, Ground, Mask
+from cloner.behaviour.ground import BODY_M, Ground, Mask
+from cloner.records.arrays import Array
 
-STEP_S: Final = 0.05
+STEP_S: Final = 0.05  # seconds of one step of the core, which counts in it (core/walkers.ts); two make a frame of files
 #: Goals that are no place: none, and a direction that is given in `Bodies.way`.
 NOWHERE, GIVEN = -1, -2
 

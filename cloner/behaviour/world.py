@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from cloner.behaviour import dice, fields
 from cloner.behaviour.channels import Orders
 from cloner.behaviour.dice import purpose
-from cloner.behaviour.ground import BODY_M, CELL_M, Array, Ground, Indices, Mask, box, ground_of
+from cloner.behaviour.ground import BODY_M, CELL_M, Ground, Indices, Mask, box, ground_of
 from cloner.behaviour.model import Action, Group, Scenario
 from cloner.behaviour.walking import STEP_S, Bodies, bodies_on
 from cloner.errors import ClonerError
+from cloner.records.arrays import Array
 
 #: Weidmann's spread of walking speeds over their mean, .26 / 1.34; nobody further than two of it.
 SPREAD: Final = 0.194

@@ -15,10 +15,10 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.triangles import areas
 from cloner.paint.lookups.materials import always_bare
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
 
-Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 #: Skin nearer to cloth than this shows its shadow or its hem, metres.

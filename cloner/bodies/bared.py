@@ -14,10 +14,10 @@ from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import SurfaceGraph
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.stages.textures import pad_charts
 
-Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 #: The own skin fades into what is painted over this, metres.

@@ -7,14 +7,12 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csr_array
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
+from cloner.records.arrays import Array
 from cloner.records.heads import Shell
-
-Array = NDArray[np.float64]
 
 #: A joint whose skin it shares with its parent less than this, in vertices, goes with its parent.
 LEAST: float = 0.5

@@ -12,9 +12,8 @@ from scipy.sparse import csr_array
 
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.meshes.triangles import edges_of
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
-
-Array = NDArray[np.float64]
 
 #: Age of a body of which nothing is said, years.
 USUAL_AGE: Final = 35.0

@@ -6,14 +6,12 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.bodies.family import Family
 from cloner.bodies.ruler import Reading, girth_slopes, length_slopes, level_slopes, read
 from cloner.geometry.measurement.measures import TapeRules
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
-
-Array = NDArray[np.float64]
 
 #: Error of a told measure that the family leaves to the regions, mm: closer, it would bend knees and feet for a belly.
 TOLD_MM: Final = 4.0

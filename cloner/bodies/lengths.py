@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
 from cloner.bodies.carried import joints_follow
@@ -14,9 +13,8 @@ from cloner.bodies.ruler import read
 from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.measurement.measures import TapeRules
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
-
-Array = NDArray[np.float64]
 
 #: Rounds in which lengths are brought to what was asked, and the gap at which they end, mm (taste).
 ROUNDS: Final = 4

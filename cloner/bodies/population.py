@@ -19,12 +19,10 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.geometry.measurement.measuring import ALL_KEYS
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 SEXES: Final = ("f", "m")
 #: Mean stature and its spread, mm (ANSUR II).

@@ -6,16 +6,15 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.bodies import sections
 from cloner.bodies.carried import joints_follow
 from cloner.bodies.ruler import girth_slopes, level_slopes, tapes
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.measurement.measures import Plane, TapeRules, read_mm, slice_points
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 
-Array = NDArray[np.float64]
 Planes = Mapping[str, tuple[Plane, ...]]
 
 #: Good enough, mm, rounds, and the farthest that skin goes outward in one, metres.

@@ -13,8 +13,8 @@ from cloner.generic.load import load_generic
 from cloner.geometry.measurement.lengths import lengths_mm
 from cloner.geometry.measurement.measures import UP, Plane, TapeRules, girth_planes, read_mm
 from cloner.geometry.meshes.triangles import sides
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Modes = NDArray[np.floating]
 
 #: Step of the numerical slopes, standard deviations.

@@ -10,12 +10,10 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline, RegularGridInterpolator
 
 from cloner.easing import half_wave
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Heights of a section, and stations around it (taste).
 ROWS, STATIONS = 20, 23

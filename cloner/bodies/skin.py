@@ -11,12 +11,11 @@ from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.paint.details.parts import paint_parts
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import TextureAtlas
 from cloner.records.regions import REGIONS
 from cloner.stages.textures import pad_charts, parts_atlas
-
-Array = NDArray[np.float64]
 
 #: sRGB, taste: a skin between light and dark, and cloth that no region's rule takes for skin.
 SKIN: Final = np.array([186.0, 145.0, 122.0])

@@ -18,9 +18,9 @@ from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 
-Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 #: What bare skin, joints, clothes that the body would stick out of, and girths are believed to, metres and mm.

@@ -16,7 +16,6 @@ from collections.abc import Callable, Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.body.carriage_sight import HAIR, Head, Params, Sight, angles_of, sight_of, turned
 from cloner.body.outlined import Outlined
@@ -24,13 +23,13 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.hair.volumes.agreement import HairField, agreement
 from cloner.head.flank import Flank
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.carriage")
 
-Array = NDArray[np.float64]
 
 _STEP_RAD = _CALIBRATED.number("step_rad", "rad")
 #: A photo without a face, and one in which nothing was looked up.

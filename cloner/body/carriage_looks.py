@@ -11,7 +11,6 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
@@ -19,6 +18,7 @@ from cloner.generic.load import load_generic
 from cloner.head.flank import PLACES, Flank, find_places, vertex_of
 from cloner.head.jaw import jaw_in, opened
 from cloner.head.size import head_camera
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.photos import PhotoSet
 from cloner.records.views import Camera
@@ -26,7 +26,6 @@ from cloner.records.views import Camera
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.carriage_looks")
 
-Array = NDArray[np.float64]
 
 #: Body photos and the face photos of the same direction.
 TWINS: Final = ((ViewId.BODY_FRONT, ViewId.FACE_FRONT), (ViewId.BODY_SIDE, ViewId.FACE_SIDE))

@@ -20,13 +20,13 @@ from cloner.geometry.outlines.rims import vertex_normals
 from cloner.head.flank import Flank
 from cloner.head.modes import load_head_modes
 from cloner.head.rim import HAIR_M, thickening
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import ViewPoints
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.carriage_sight")
 
-Array = NDArray[np.float64]
 
 #: Joints that carry the head, in two groups that may counter each other.
 NECK, SKULL = ("vc7", "vc5", "vc3"), ("skullbase",)

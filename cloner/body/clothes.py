@@ -13,19 +13,17 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.geometry.outlines.settling import smoothed_directions
+from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.clothes")
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

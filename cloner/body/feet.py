@@ -16,12 +16,12 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_triangles
 from cloner.geometry.charts.discs import even_disc
 from cloner.geometry.meshes.triangles import areas, edges_of
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.feet")
 
-Array = NDArray[np.float64]
 
 TOES_FROM = _CALIBRATED.number("toes_from", "share")
 TIPS_BACK = _CALIBRATED.number("tips_back", "share")

@@ -11,17 +11,15 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.body.feet import closed_toes, sized_feet
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.footwear")
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

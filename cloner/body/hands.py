@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.turning import below
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.hands")
 
-Array = NDArray[np.float64]
 
 USUAL = _CALIBRATED.pair("usual", "factor")
 SPREAD = _CALIBRATED.pair("spread", "factor")

@@ -13,9 +13,9 @@ from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
 from cloner.geometry.articulation.poses import FREEDOMS, pose_matrix
 from cloner.geometry.articulation.posing import Chosen
 from cloner.geometry.cameras.tripods import STAND_NAMES, projected
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
-Array = NDArray[np.float64]
 Rows = NDArray[np.integer]
 
 #: Modes of what the family wears, before those of its shape: footwear's, then the clothes'.

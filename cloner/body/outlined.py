@@ -15,12 +15,11 @@ from cloner.geometry.articulation.skinning import blend_transforms, joint_transf
 from cloner.geometry.outlines.contours import OutlineField, outline_field
 from cloner.geometry.outlines.rims import borders_px, rim_vertices
 from cloner.geometry.outlines.slices import PosedBody, SlicePairs, occluding_pairs, rest_lift
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, Phenotype, PosedView
 from cloner.records.labels import Label, shows
 from cloner.records.points import Proposal, Proposals
 from cloner.records.silhouettes import SilhouetteSet
-
-Array = NDArray[np.float64]
 
 #: Height of the reduced photo on which rims are found, px.
 PICTURE_HEIGHT = 640

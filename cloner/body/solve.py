@@ -21,9 +21,9 @@ from cloner.body.terms import GroundTerm, OutlineTerm, PointTerm, Term
 from cloner.frames import ViewId
 from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, mirrored_freedoms, standing_pose
 from cloner.geometry.cameras.tripods import AZIMUTH, FACING, HEIGHT, PITCH, ROLL, STAND_NAMES, placed_camera, stand_of
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
-Array = NDArray[np.float64]
 Tick = Callable[[float], None]
 
 #: Nominal direction of the camera around the person for each side that a photo shows, radians.

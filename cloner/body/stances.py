@@ -27,12 +27,12 @@ from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.articulation.turning import carried_share, pixel_slope, turned_motion, turned_rotation
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import vertex_normals
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.stances")
 
-Array = NDArray[np.float64]
 #: Rest vertices of a body whose hands and feet have given sizes.
 Sizer = Callable[[Array], BodyMesh]
 

@@ -23,8 +23,8 @@ from cloner.geometry.articulation.posing import Chosen
 from cloner.geometry.cameras.tripods import placed_camera
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import rim_vertices, vertex_normals
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Rows = tuple[Array, Array]
 
 

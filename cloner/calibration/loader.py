@@ -39,10 +39,10 @@ UNITS: Final[Mapping[str, str]] = MappingProxyType({
 ORIGINS: Final[Mapping[str, str]] = MappingProxyType({
     "learned": "a script fits it to data; the entry names the script",
     "measured": "read off people, photographs or results; the entry says which",
-    "tried": "the best of several on a benchmark; the entry says what the others gave",
+    "tried": "compared with other values on known people; the entry says what they gave",
     "published": "anatomy, a standard, a survey, or a net's own number",
-    "taste": "judged by eye or by sense; nothing was measured",
-    "unknown": "nobody wrote down where it comes from",
+    "taste": "somebody's choice, by eye or for the reason told; nothing was measured for it alone",
+    "unknown": "history tells neither reason nor figure",
 })  # fmt: skip
 
 Value = float | tuple[float, ...] | Mapping[str, float]

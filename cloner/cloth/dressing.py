@@ -30,11 +30,11 @@ from cloner.motion.limbs.body import body_of
 from cloner.motion.moves.cycle import walk_cycle
 from cloner.motion.moves.own import own_motions
 from cloner.pipeline import Progress, quiet
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from cloner.render import draw
 
-Array = NDArray[np.float64]
 #: Sees a frame: the points (N, 3) of all garments, the innermost first, the clone's root (3,) and rotations (94, 3).
 Watch = Callable[[Array, Array, Array], None]
 

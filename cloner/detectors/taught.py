@@ -18,12 +18,12 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
+from cloner.records.arrays import Array
 from cloner.records.points import ViewPoints, expected_face_error, face_confidence
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.taught")
 
-Array = NDArray[np.float64]
 Rows = NDArray[np.int64]
 
 HAND: Final = _CALIBRATED.number("hand", "iod")

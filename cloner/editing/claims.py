@@ -21,6 +21,7 @@ from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skin_bends import Place
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
 from cloner.geometry.outlines.rim_search import Found, nearest_rim_point, rim_of
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.points import ANCHOR
 from cloner.records.views import Camera
@@ -28,7 +29,6 @@ from cloner.records.views import Camera
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
 _CALIBRATED: Final = calibrated("editing.claims")
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 

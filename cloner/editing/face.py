@@ -11,7 +11,6 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, mm_from_m
@@ -19,6 +18,7 @@ from cloner.generic.features import named_features
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import load_generic
 from cloner.geometry.deformation.dffd import deform
+from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.points import FacePoints, ObeyedPoint
 from cloner.records.views import Camera
@@ -26,7 +26,6 @@ from cloner.records.views import Camera
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
 _CALIBRATED: Final = calibrated("editing.face")
 
-Array = NDArray[np.float64]
 
 REACH_M = _CALIBRATED.number("reach_m", "m")
 #: Rounds in which moved points that share skin are solved (taste).

@@ -12,15 +12,15 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.taught import HAND, FaceErrors, Frame, axes_of, errors_of, frame_of
 from cloner.frames import ViewId
+from cloner.records.arrays import Array
 from cloner.records.points import FAR, ViewPoints, expected_error, expected_face_error
 
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
 _CALIBRATED: Final = calibrated("editing.order")
 
-Array = NDArray[np.float64]
 
 BODY_SHARE: Final = _CALIBRATED.number("body_share", "share")
-#: What the likeness of a face is judged by (goals: landmarks in 3-D); other points count by what they tell of these.
+#: What the likeness of a face is judged by (rulers: landmarks in 3-D); other points count by what they tell of these.
 COUNTED: Final = frozenset(
     ("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom", "eye_inner",
      "eye_outer", "ala", "mouth_corner", "ear_top", "ear_lobe")

@@ -13,11 +13,11 @@ from cloner.easing import smoothstep
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skin_bends import Place, SkinMetric, skin_metric
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
 _CALIBRATED: Final = calibrated("editing.places")
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 FARTHEST_M = _CALIBRATED.number("farthest_m", "m")

@@ -12,7 +12,6 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.editing.wishes import Wish
@@ -20,13 +19,13 @@ from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, pose_matrix
 from cloner.geometry.articulation.skinning import joint_transforms
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.points import ObeyedPoint
 
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
 _CALIBRATED: Final = calibrated("editing.pose")
 
-Array = NDArray[np.float64]
 
 #: Angles of each limb, by the names of its freedoms; the side's letter stands before.
 LIMBS = {"arm": ("clavicle", "shoulder", "elbow", "wrist"), "leg": ("hip", "knee", "ankle")}

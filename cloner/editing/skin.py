@@ -22,13 +22,13 @@ from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.articulation.skin_bends import Place, bump, smallest_step
 from cloner.geometry.outlines.rim_search import outermost
 from cloner.geometry.outlines.rims import triangle_normals
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.points import ObeyedPoint
 
 #: What each number is and where it comes from: ``cloner/calibration/editing.toml``.
 _CALIBRATED: Final = calibrated("editing.skin")
 
-Array = NDArray[np.float64]
 
 ANSWERS = _CALIBRATED.number("answers", "factor")
 EASE = _CALIBRATED.number("ease", "factor")

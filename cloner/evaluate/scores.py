@@ -13,14 +13,7 @@ from cloner.evaluate.figures.leaks import background_texels
 from cloner.evaluate.figures.regions import region_agreement
 from cloner.evaluate.figures.seams import seam_ratios
 from cloner.evaluate.measures import rulers
-from cloner.evaluate.measures.posing import (
-    LANDMARKS,
-    Posed,
-    landmarks,
-    pose_clone,
-    rotations_towards,
-    truth_from_body,
-)
+from cloner.evaluate.measures.posing import LANDMARKS, Posed, landmarks, posed_as
 from cloner.evaluate.measuring import CloneRun
 from cloner.evaluate.truths.truth import THREE_QUARTER, Truth, TruthView
 from cloner.frames import BODY_VIEWS, FACE_VIEWS, ViewId, mm_from_m
@@ -28,11 +21,11 @@ from cloner.generic.load import GenericHuman
 from cloner.generic.tape import body_girths, load_tape_rules
 from cloner.geometry.measurement.measures import TRUTH_GIRTHS, girths_mm
 from cloner.geometry.measurement.measuring import measures_mm
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.measures import MeasureSet
 from cloner.records.points import PointSet
 
-Array = NDArray[np.float64]
 Keep = Callable[[str, NDArray[np.uint8]], None]
 
 
@@ -120,7 +113,9 @@ def score_subject(
             value = likeness.seen_as_photo(subject, clone, generic, view, truth.views[view].mask)
             yield Score("silhouette_iou", view, "", value)
     yield from held_out_scores(subject, generic, truth.views, rotations, keep)
-    posed, truth_rotations, truth_from_clone = _posed_as_truth(subject, generic, truth, rotations)
+    posed, truth_rotations, truth_from_clone = posed_as(
+        subject, generic, truth.surface.joints_m, truth.surface.marks_m, rotations
+    )
     yield from _surface_scores(posed, generic, truth, rng)
     photographed = bool(subject.views)  # the generic human has its stature and its one colour by construction
     if photographed:
@@ -181,14 +176,6 @@ def landmark_scores(posed: Posed, truth: Truth) -> Iterator[Score]:
     away = rulers.landmark_distances(np.array([found[n] for n in names]), np.array([marks[n] for n in names]))
     yield Score("face_landmarks_mean_mm", "", "mm", mm_from_m(float(away.mean())))
     yield Score("face_landmarks_worst_mm", "", "mm", mm_from_m(float(away.max())))
-
-
-def _posed_as_truth(subject: Clone, generic: GenericHuman, truth: Truth, start: Array) -> tuple[Posed, Array, Array]:
-    """Return the subject in the truth's pose, laid on its joints without a scale; that pose, and the rigid motion."""
-    rotations = rotations_towards(subject, generic, truth.surface.joints_m, truth.surface.marks_m, start)
-    posed = pose_clone(subject, generic, rotations)
-    truth_from_clone = truth_from_body(posed, generic, truth.surface.joints_m, truth.surface.marks_m)
-    return posed.moved(truth_from_clone), rotations, truth_from_clone
 
 
 def _stature_m(subject: Clone, generic: GenericHuman) -> float:

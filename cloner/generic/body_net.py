@@ -13,13 +13,10 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
-from cloner.records.arrays import freeze
+from cloner.records.arrays import Array, freeze
 from cloner.records.points import Proposal
-
-Array = NDArray[np.float64]
 
 #: How a landmark is seen: in a front or back photo, or on the near or far side of the body in a side photo.
 SIDES: Final = ("front", "back", "near", "far")

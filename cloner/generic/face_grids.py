@@ -15,9 +15,8 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.eyeballs import CORNEA, Ball
-from cloner.records.arrays import freeze
+from cloner.records.arrays import Array, freeze
 
-Array = NDArray[np.float64]
 Indices = NDArray[np.int32]
 
 #: Two vertices that follow each other outwards in the middle of an opening's upper edge; hm08's own numbers.

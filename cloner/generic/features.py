@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-from numpy.typing import NDArray
-
 from cloner.generic.load import GenericHuman
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 def named_features(generic: GenericHuman, vertices_m: Array) -> dict[str, Array]:

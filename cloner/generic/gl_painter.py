@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.generic.layers import Layer
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
-Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
 #: The renderer's near plane, metres; nothing of a person comes nearer to a lens.

@@ -13,10 +13,10 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.geometry.meshes.wedges import welded_normals
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 
-Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
 

@@ -5,11 +5,9 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.generic.face_grids import Grid
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Share of a lip's step that every ring takes, from the one farthest inside; the lips' outer border hardly moves.
 SHARE: Final = np.array([0.6, 0.85, 1.0, 1.0, 0.95, 0.75, 0.5, 0.3, 0.15, 0.05, 0.0])

@@ -16,9 +16,8 @@ from numpy.typing import NDArray
 from cloner.generic.layers import Layer
 from cloner.geometry.meshes.rasters import fragments
 from cloner.geometry.meshes.vectors import unit
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
-
-Array = NDArray[np.float64]
 
 #: The renderer's near plane, metres; nothing of a person comes nearer to a lens.
 NEAR_M: Final = 0.05

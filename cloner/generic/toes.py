@@ -17,8 +17,7 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.triangles import edges_of
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: How far around a vertex of a shoe's tip its normal is gathered, metres: half a toe's width.
 REACH_M: Final = 0.010

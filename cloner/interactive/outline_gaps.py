@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.editing.claims import scene_of
@@ -15,10 +14,9 @@ from cloner.frames import ViewId
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.outlines.rim_search import rim_of
 from cloner.geometry.outlines.rims import borders_px, fill_triangles
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.silhouettes import Silhouette
-
-Array = NDArray[np.float64]
 
 #: Skin this near to a place on the outline shows its gap, one standard deviation, metres (taste: a palm).
 SPREAD_M: Final = 0.04

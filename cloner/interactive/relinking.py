@@ -6,15 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
+from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.records.points import Correction, Proposal, ViewPoints
 from cloner.stages.silhouettes import ON_OUTLINE, silhouette
 from cloner.vision.contours.stretches import Linkable, link_stretch, make_linkable
 
-Array = NDArray[np.float64]
 Contours = tuple[Array, ...]
 
 

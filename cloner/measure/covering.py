@@ -15,6 +15,7 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.geometry.cameras.seeing import facing, look
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import CLOTHES, SKINS, labels_at
@@ -24,7 +25,6 @@ from cloner.records.points import Proposals
 #: What each number is and where it comes from: ``cloner/calibration/measure.toml``.
 _CALIBRATED: Final = calibrated("measure.covering")
 
-Array = NDArray[np.float64]
 
 #: Slices a segment.
 SLICES: Final = 8

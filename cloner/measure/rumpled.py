@@ -14,13 +14,13 @@ from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.outlines.rumples import STEP_MM, rumples_mm
+from cloner.records.arrays import Array
 from cloner.records.measures import Cover
 from cloner.records.silhouettes import SilhouetteSet
 
 #: What each number is and where it comes from: ``cloner/calibration/measure.toml``.
 _CALIBRATED: Final = calibrated("measure.rumpled")
 
-Array = NDArray[np.float64]
 
 #: Segments under what is worn above the waist and below it. The pelvis has the hem of one over the other.
 GARMENTS: Final = (("torso", "pelvis", "upper_arm", "forearm"), ("thigh", "calf"))

@@ -14,11 +14,11 @@ from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import ALL_KEYS, TRUNK_SLICES
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/measure.toml``.
 _CALIBRATED: Final = calibrated("measure.side_arms")
 
-Array = NDArray[np.float64]
 
 TRUNK: Final = ("torso", "pelvis")
 CLEAR_MM: Final = _CALIBRATED.number("clear_mm", "mm")

@@ -1,4 +1,4 @@
-"""Checks that make arrays inside frozen records truly immutable."""
+"""What modules call an array, and checks that make arrays inside frozen records truly immutable."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ from typing import Any, TypeGuard
 
 import numpy as np
 from numpy.typing import DTypeLike, NDArray
+
+#: Its shape and unit stand where it is taken or given.
+Array = NDArray[np.float64]
 
 
 def frozen_array(value: Any, name: str, dtype: DTypeLike, shape: tuple[int | None, ...]) -> NDArray[Any]:

@@ -19,7 +19,7 @@ ANCHOR = "outline_"
 CONFIDENCE_SCALE = 0.02
 
 #: A correction farther than this share of the figure's height from the proposal says that the proposal was wrong:
-#: two spreads of the pose net's joints (facts.md: 5-40 px in 1,800 px).
+#: two spreads of the pose net's joints (parts: 5-40 px in 1,800 px).
 FAR = 0.035
 
 #: Error at which a face point's confidence has fallen to 1/e, share of the inter-ocular distance.

@@ -29,6 +29,7 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.geometry.outlines.settling import bending_matrix, settle, smoothed_directions, unfolded
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, BodySet, FineBody, Phenotype
 from cloner.records.photos import Person
 from cloner.records.points import Proposals
@@ -38,8 +39,6 @@ from cloner.stages.rough import shape_slices
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.fine")
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,7 +50,7 @@ class Params:
     Attributes
     ----------
     slices : int
-        Slices a segment; 8, 16 or 32 hardly matter (facts.md, measured).
+        Slices a segment; 8, 16 or 32 hardly matter (parts).
     direction_turns : int
         How often the directions in which skin settles are averaged, over some 25 mm (measured: crossing triangle pairs
         of four people fell from 128, 40, 25, 21 to 6, 0, 0, 0 and no overlap changed).

@@ -37,6 +37,7 @@ from cloner.hair.volumes.weights import hair_weights
 from cloner.labels.glasses import wears_glasses
 from cloner.paint.details.glasses import glasses_shell
 from cloner.paint.details.tucking import ear_masks, lay_ears, whole_ears
+from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.photos import PhotoSet
@@ -44,8 +45,6 @@ from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.photographs.noise import quieted
-
-Array = NDArray[np.float64]
 
 FRONTS = (ViewId.FACE_FRONT, ViewId.BODY_FRONT)  # with no other photo the back of the hair is made up
 

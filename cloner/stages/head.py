@@ -30,6 +30,7 @@ from cloner.head.relief import add_relief
 from cloner.head.report import report_front, report_side, warn_missing
 from cloner.head.size import body_camera, head_scale
 from cloner.head.skull import fit_skull
+from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype
 from cloner.records.heads import HeadFit
 from cloner.records.photos import PhotoSet
@@ -41,7 +42,6 @@ from cloner.records.views import Camera
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.head")
 
-Array = NDArray[np.float64]
 
 BROWN = np.array(_CALIBRATED.triple("brown", "grey"))
 #: Iterations after each look into the side photo.

@@ -13,7 +13,6 @@ from functools import partial
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.body.carriage import carry_heads
 from cloner.body.carriage_looks import look_up
@@ -31,6 +30,7 @@ from cloner.hair.volumes.agreement import hair_fields
 from cloner.head.jaw import jaw_in, jaw_rotations, opened
 from cloner.head.modes import load_head_modes
 from cloner.head.targets import face_targets
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, FineBody, Phenotype, PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import HeadFit
@@ -46,7 +46,6 @@ from cloner.stages.points import for_fitting
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.join")
 
-Array = NDArray[np.float64]
 
 TREAD_M = _CALIBRATED.number("tread_m", "m")
 LIFTED = _CALIBRATED.number("lifted", "share")

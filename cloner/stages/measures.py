@@ -19,6 +19,7 @@ from cloner.geometry.measurement.under_clothes import NINE_IN_TEN, Estimate, Evi
 from cloner.measure.covering import covers
 from cloner.measure.rumpled import garments_rumples_mm
 from cloner.measure.side_arms import hidden_rows
+from cloner.records.arrays import Array
 from cloner.records.bodies import FineBody, Phenotype
 from cloner.records.clones import Joined
 from cloner.records.loose import AROUND_LEGS
@@ -31,7 +32,6 @@ from cloner.records.silhouettes import SilhouetteSet
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.measures")
 
-Array = NDArray[np.float64]
 
 UNKNOWN_STATURE_M: Final = _CALIBRATED.number("unknown_stature_m", "m")
 TAPE_ERROR_MM: Final = _CALIBRATED.number("tape_error_mm", "mm")

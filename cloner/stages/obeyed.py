@@ -12,7 +12,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.detectors.body.body_points import ENDS
@@ -23,6 +22,7 @@ from cloner.editing.wishes import Wish
 from cloner.frames import ViewId
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.points import ANCHOR, FAR, BodyPoints, ObeyedPoint
@@ -31,8 +31,6 @@ from cloner.records.silhouettes import Silhouette, SilhouetteSet
 from cloner.stages.silhouettes import ON_OUTLINE
 from cloner.vision.contours.fixed_points import bend_through
 from cloner.vision.contours.loops import fill_polygon
-
-Array = NDArray[np.float64]
 
 #: What is told of points that set the scale.
 SCALE_NOTE = "it sets the scale of its photo; hair and soles are no skin that could be laid on it"

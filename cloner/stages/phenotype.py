@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.body.evidence import Evidence, Params, gather_evidence
 from cloner.body.footwear import FOOTWEAR, sole_height
@@ -20,6 +19,7 @@ from cloner.body.portrait import portrait_shape
 from cloner.body.solve import State, outline_term, solve
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.photos import Person
 from cloner.records.points import BodyPoints, Proposals
@@ -27,8 +27,6 @@ from cloner.records.results import Residual, StageResult
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.records.views import ViewSet
 from cloner.stages.points import for_fitting
-
-Array = NDArray[np.float64]
 
 
 def beyond_ends(body: Family, state: State, evidence: dict[ViewId, Evidence]) -> dict[ViewId, float]:

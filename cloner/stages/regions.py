@@ -25,6 +25,7 @@ from skimage.color import rgb2lab
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.triangles import areas, paired_edges
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.labels import SURFACES
 from cloner.records.regions import REGIONS
@@ -33,7 +34,6 @@ from cloner.records.results import Residual, StageResult
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.regions")
 
-Array = NDArray[np.float64]
 
 #: The regions that photos decide.
 WORN: Final = ("skin", "hair", "upper_clothes", "lower_clothes", "shoes")

@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.body.clothes import clothed_body
 from cloner.body.outlined import GRID_SEGMENTS, Outlined, gap_mm, outlined_photos, see, slice_pairs, views_of
@@ -24,6 +23,7 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.outlines.settling import unfolded
 from cloner.geometry.outlines.slices import aspect_shift, fine_shift
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, BodySet, Phenotype, Skeleton, SkeletonSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
@@ -31,8 +31,6 @@ from cloner.records.silhouettes import SilhouetteSet
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.rough")
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

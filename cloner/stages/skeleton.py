@@ -13,13 +13,13 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.body.clothes import clothed_body
 from cloner.body.outlined import Outlined, Seen, outlined_photos, see, slice_pairs, views_of
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, Phenotype, Skeleton, SkeletonSet
 from cloner.records.points import Proposals
 from cloner.records.results import Residual, StageResult
@@ -27,8 +27,6 @@ from cloner.records.silhouettes import SilhouetteSet
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.skeleton")
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

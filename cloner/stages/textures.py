@@ -46,6 +46,7 @@ from cloner.paint.lookups.feature_lines import meet_lines
 from cloner.paint.lookups.materials import Materials, find_materials
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.sources import Source, gather_sources
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone, Joined, TextureAtlas
 from cloner.records.heads import HeadFit, Shell
 from cloner.records.labels import SURFACES
@@ -58,8 +59,6 @@ from cloner.vision.retouching.repair import spread_nearest
 
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.textures")
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,10 +12,10 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId, focal_px_from_35mm
+from cloner.records.arrays import Array
 from cloner.records.photos import Person, Photo, PhotoSet
 from cloner.records.points import BodyPoints, ViewPoints
 from cloner.records.results import StageResult
@@ -24,7 +24,6 @@ from cloner.records.views import Camera, View, ViewSet
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.views")
 
-Array = NDArray[np.float64]
 
 #: camera_from_model rotation of a level camera in front of the person.
 FRONT = np.diag([1.0, -1.0, -1.0])

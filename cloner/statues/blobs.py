@@ -25,13 +25,11 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
+from cloner.records.arrays import Array
 from cloner.statues.listed import read_listed
-
-Array = NDArray[np.float64]
 
 FORMAT: Final = 1
 #: The surface lies where the field has this value; a blob alone has it at its radius.

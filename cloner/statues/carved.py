@@ -13,6 +13,7 @@ from cloner.errors import ClonerError
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.charts.atlas import AtlasMap, map_atlas
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.heads import Shell
 from cloner.records.regions import REGIONS
@@ -22,7 +23,6 @@ from cloner.statues.materials import MATERIALS, Look
 from cloner.statues.noise import Block
 from cloner.statues.relief import detail, hollows, outwards, raked
 
-Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 Values = NDArray[np.float32]
 

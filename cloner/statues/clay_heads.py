@@ -16,11 +16,10 @@ from numpy.typing import NDArray
 from cloner.errors import ClonerError
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.records.arrays import freeze
+from cloner.records.arrays import Array, freeze
+from cloner.statues.meshes import Mesh
 from cloner.statues.obj_files import wrapped
-from cloner.statues.photo_fit import Mesh
 
-Array = NDArray[np.float64]
 Index = NDArray[np.int32]
 
 #: Nearer to the middle than this is the middle, share of the clay's width.

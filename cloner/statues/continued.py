@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 import cv2
 import numpy as np
@@ -15,14 +15,12 @@ from cloner.geometry.charts.atlas import AtlasMap, map_atlas
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.rasters import nearest_depth
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 from cloner.stages.textures import pad_charts
+from cloner.statues.meshes import Mesh
 from cloner.vision.retouching.aligning import sample
 
-if TYPE_CHECKING:
-    from cloner.statues.photo_fit import Mesh
-
-Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 Values = NDArray[np.float32]
 

@@ -6,16 +6,14 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.generic.charts import person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import load_triangles
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.arrays import Array
 from cloner.statues.blobs import LEVEL, Field
-
-Array = NDArray[np.float64]
 
 #: Parts that are attached to the envelope as they are.
 KEPT: Final = ("head", "left_hand", "right_hand", "left_foot", "right_foot")

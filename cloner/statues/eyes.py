@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
 from cloner.paint.details.parts import USUAL_IRIS_M, fit_ball
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
-Array = NDArray[np.float64]
 Values = NDArray[np.float32]
 
 #: The pupil is so wide against the iris (its edge), and so deep against the ball; taste, after Roman portraits.

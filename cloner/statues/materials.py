@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.easing import smoothstep
+from cloner.records.arrays import Array
 from cloner.statues.noise import Block
 
-Array = NDArray[np.float64]
 Values = NDArray[np.floating]
 
 

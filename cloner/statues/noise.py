@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import map_coordinates
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+
 Values = NDArray[np.float32]
 
 #: Side of the lattice of random values, which repeats after so many cells.

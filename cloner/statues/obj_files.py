@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.outside import text_outside
-from cloner.statues.photo_fit import Mesh
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+from cloner.statues.meshes import Mesh
 
 #: A larger file is no mesh to drag markers on.
 LARGEST_BYTES: Final = 80_000_000

@@ -7,7 +7,7 @@ the mesh (DFFD with the marks as control points), and `cloner.statues.continued`
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
@@ -17,11 +17,11 @@ from scipy.sparse import csr_matrix
 from cloner.errors import ClonerError
 from cloner.geometry.cameras.resection import facing_camera, resect
 from cloner.geometry.deformation.dffd import deform, enclosing_points, sibson_weights
-from cloner.records.arrays import freeze
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 from cloner.statues.continued import Laid, laid_photo, trusted
+from cloner.statues.meshes import Mesh
 
-Array = NDArray[np.float64]
 Index = NDArray[np.int32]
 
 #: Fewer markers tell no camera.
@@ -42,41 +42,6 @@ HALVINGS, USUAL_STRETCH = 3, 0.1
 SQUARE: Final = 0.3
 #: The mesh bends within a box so far round the markers, share of their extent; beyond it stays.
 REACH: Final = 1.0
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class Mesh:
-    """A surface to lay a photo on.
-
-    Attributes
-    ----------
-    vertices_m : (V, 3) float64, Y up, any place and size
-    triangles : (T, 3) int32, outside counter-clockwise
-    uv : (U, 2) float64 in 0..1, v downwards
-    uv_triangles : (T, 3) int32
-    mirror : (V,) int32
-        Each vertex's twin on the other side; empty where nobody knows.
-    kind : (V,) int32
-        Parts whose colours go on in themselves, such as a scalp; empty for one.
-    """
-
-    vertices_m: Array
-    triangles: Index
-    uv: Array
-    uv_triangles: Index
-    mirror: Index = field(default_factory=lambda: np.zeros(0, np.int32))
-    kind: Index = field(default_factory=lambda: np.zeros(0, np.int32))
-
-    def __post_init__(self) -> None:
-        freeze(
-            self,
-            vertices_m=(np.float64, (None, 3)),
-            triangles=(np.int32, (None, 3)),
-            uv=(np.float64, (None, 2)),
-            uv_triangles=(np.int32, (len(self.triangles), 3)),
-            mirror=(np.int32, (None,)),
-            kind=(np.int32, (None,)),
-        )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -28,16 +28,16 @@ from cloner.project.atomic import result_folder
 from cloner.project.folder import read_consent, read_terms, safe_identifier
 from cloner.project.results import place_digest
 from cloner.project.stamps import output_digests, stamp_text
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.report.write import write_report
 from cloner.stages.join import eye_joints
 from cloner.statues.carved import check_material, statue_of
 from cloner.statues.markers import read_markers
+from cloner.statues.meshes import Mesh
 from cloner.statues.obj_files import read_obj, write_obj
-from cloner.statues.photo_fit import Fit, Mesh, PhotoFit, fit_photo, focal_px_of
+from cloner.statues.photo_fit import Fit, PhotoFit, fit_photo, focal_px_of
 from cloner.vision.photographs.pictures import Picture, read_picture
-
-Array = NDArray[np.float64]
 
 #: Whom a photo is laid on where nobody is named: the family's usual man.
 USUAL: Final = Told("m", 1.75, {})

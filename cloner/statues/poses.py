@@ -7,7 +7,6 @@ from types import MappingProxyType
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.motion.flesh.rest import hanging_pose, in_pose
@@ -16,9 +15,8 @@ from cloner.motion.limbs.body import SIDES, Body, body_of
 from cloner.motion.limbs.rig import centred
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.gait import aim_limb, follow
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
-
-Array = NDArray[np.float64]
 
 #: As the clone was photographed to stand: arms aside.
 REST: Final = "rest"

@@ -12,8 +12,8 @@ from scipy.sparse.csgraph import connected_components
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Values = NDArray[np.float32]
 
 #: Rounds of averaging that say what lies around a vertex: folds of lids and lips, then sockets and armpits.

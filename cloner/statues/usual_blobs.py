@@ -5,14 +5,12 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import least_squares
 
 from cloner.generic.load import load_generic
+from cloner.records.arrays import Array
 from cloner.statues.blobs import LEVEL, Blob, field_of
 from cloner.statues.envelope import KEPT
-
-Array = NDArray[np.float64]
 
 #: Name, joints, radii to begin with (metres at 1.70 m): blobs along the spine, across the body, and of the left limbs.
 SPINE: Final = (

@@ -21,7 +21,7 @@ from cloner.geometry.deformation.dffd import enclosing_points, sibson_weights
 
 Array = NDArray[np.float64]
 OUT = Path(__file__).resolve().parent.parent / "cloner_models" / "head_controls.npz"
-FACE_GAP_M = 0.0055  # gives about 190 controls on the face, as facts.md found necessary
+FACE_GAP_M = 0.0055  # gives about 190 controls on the face, as was found necessary (parts)
 ANCHOR_GAP_M = 0.024
 FACE_TO_ANCHOR_M = 0.020
 

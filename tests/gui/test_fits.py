@@ -13,6 +13,7 @@ from cloner.booth.visitors.visits import State, Visit, write_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.project.results import file_digest
+from cloner_gui.canvas.photos.webcam import WebcamDialog
 from cloner_gui.canvas.photos.whole_photo import WholePhoto
 from cloner_gui.dialogs import ask_to_forget
 from cloner_gui.main_window import CLONE, TAKEAWAY
@@ -24,7 +25,6 @@ from cloner_gui.pages.stage import StageWindow
 from cloner_gui.pages.statistics import StatisticsWindow
 from cloner_gui.studio.windows import window_of
 from cloner_gui.widgets.letters import assign, letter_of, lettered_in
-from cloner_gui.widgets.webcam import WebcamDialog
 from kit.fitting import beyond_screen, cut_texts
 from kit.odd_programs import install
 

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QApplication, QComboBox, QLineEd
 
 from cloner.booth.events.event import LANGUAGES
 from cloner.frames import ViewId
+from cloner_gui.canvas.photos.webcam import WebcamDialog
 from cloner_gui.language.languages import speak
 from cloner_gui.main_window import CLONE, TAKEAWAY
 from cloner_gui.pages.gallery import GalleryWindow
@@ -19,7 +20,6 @@ from cloner_gui.pages.stage import StageWindow
 from cloner_gui.pages.statistics import StatisticsWindow
 from cloner_gui.theme import CONTRAST, DARK, LIGHT, dress, palette_of
 from cloner_gui.widgets.pieces import Card
-from cloner_gui.widgets.webcam import WebcamDialog
 
 from .test_flow import event  # noqa: F401  (a fixture)
 from .test_hands import contrast

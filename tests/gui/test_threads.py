@@ -20,7 +20,7 @@ import numpy as np
 import shiboken6
 from PySide6.QtWidgets import QApplication, QWidget
 from cloner.frames import ViewId
-from cloner_gui.widgets.webcam import WebcamDialog
+from cloner_gui.canvas.photos.webcam import WebcamDialog
 from cloner_gui.background.worker import Task, stop_all_tasks
 
 class Still:

@@ -14,13 +14,15 @@ pytestmark = pytest.mark.gui
 
 #: What no operator of the window can meet: other ways in, files that people write by hand, and motion files.
 ELSEWHERE = (
-    "cloner/animating.py", "cloner/api.py", "cloner/batch.py", "cloner/cli.py", "cloner/commands/", "cloner/evaluate/",
+    "cloner/animating.py", "cloner/batch.py", "cloner/cli.py", "cloner/commands/", "cloner/evaluate/",
     "cloner/machines/farm.py", "cloner/machines/cluster", "cloner/behaviour/", "cloner/crowd/", "cloner/outside.py",
     "cloner/acting/", "cloner/scenes/",
     "cloner/statues/carved.py", "cloner/statues/clay_heads.py", "cloner/statues/markers.py",
     "cloner/statues/obj_files.py", "cloner/statues/poses.py", "cloner/terminal.py",
     "cloner/motion/", "cloner/picture.py", "cloner/project/manifest.py", "cloner/project/tape.py",
 )  # fmt: skip
+#: What `cloner.clone` says to programs alone.
+TO_PROGRAMS = ("one front photo is needed", "Give body_front, face_front or both", "□ is no view", "The views are □")
 
 
 @pytest.fixture
@@ -36,7 +38,10 @@ def on_the_path():
         for path in sorted((ROOT / folder).rglob("*.py")):
             name = path.relative_to(ROOT).as_posix()
             if not name.startswith(ELSEWHERE):
-                yield from ((name, line, text) for line, text in sentences(path))
+                told = sentences(path)
+                yield from (
+                    (name, line, text) for line, text in told if name != "cloner/making.py" or text not in TO_PROGRAMS
+                )
 
 
 def test_every_error_on_the_booths_path_has_its_translation():
@@ -73,7 +78,7 @@ def test_values_find_their_places_in_another_language(german):
 
 def test_every_point_has_a_name_that_people_use(german):
     names = load_generic().feature_names
-    assert all(is_point(name) for name in names)
+    assert [name for name in names if not is_point(name)] == []
     assert spoken("eye_inner_L") == "innerer Augenwinkel, links"
     assert spoken("l_knee") == "Kniegelenk, links"
     assert spoken("ankle_outer_right") == "Knöchel außen, rechts"

@@ -13,7 +13,7 @@ from shiboken6 import isValid
 from cloner.booth.photos.camera import jpeg_bytes
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner_gui.widgets.webcam import WebcamDialog, pose_outline
+from cloner_gui.canvas.photos.webcam import WebcamDialog, pose_outline
 
 pytestmark = pytest.mark.gui
 

@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 
 import cloner
-from cloner import api
+from cloner import making
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from kit.clones import toy_clone
@@ -24,7 +24,7 @@ def taken(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
         given.update(photos=photos, person=person, corrections=corrections, **options)
         return {"clone": toy_clone(1.6)}, []
 
-    monkeypatch.setattr(api, "clone_photos", clone_photos)
+    monkeypatch.setattr(making, "clone_photos", clone_photos)
     return given
 
 

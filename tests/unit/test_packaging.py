@@ -7,6 +7,7 @@ import fnmatch
 import hashlib
 import json
 import os
+import re
 import subprocess
 import sys
 import tomllib
@@ -44,6 +45,10 @@ def test_every_folder_of_code_is_a_package() -> None:
 
 def test_the_versions_are_one() -> None:
     assert PROJECT["project"]["version"] == __version__
+    changes = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert re.findall(r"^## (\S+)", changes, re.M)[0] in (__version__, "Unreleased")
+    assert f"\n## {__version__} (" in changes
+    assert (ROOT / "docs" / "releases" / f"{__version__}.md").is_file()
 
 
 def pins() -> dict[str, str]:

@@ -12,8 +12,9 @@ import numpy as np
 from cloner.behaviour import dice
 from cloner.behaviour.dice import purpose
 from cloner.behaviour.fields import region_cells
-from cloner.behaviour.ground import BODY_M, CELL_M, Array, Indices, Mask
+from cloner.behaviour.ground import BODY_M, CELL_M, Indices, Mask
 from cloner.behaviour.world import Place, World
+from cloner.records.arrays import Array
 
 #: Two spots are no nearer than this.
 APART_M: Final = 0.6

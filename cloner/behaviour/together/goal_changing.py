@@ -10,9 +10,9 @@ import numpy as np
 from cloner.behaviour import dice
 from cloner.behaviour.channels import SCRIPT
 from cloner.behaviour.dice import Indices, purpose
-from cloner.behaviour.ground import Array
 from cloner.behaviour.perceiving import Seen
 from cloner.behaviour.world import DONE, WALKING, World
+from cloner.records.arrays import Array
 
 #: How much everybody likes the own group.
 OWN_LIKING: Final = 0.5

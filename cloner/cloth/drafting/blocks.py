@@ -7,11 +7,9 @@ from types import MappingProxyType
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.cloth.drafting.pattern import Pattern, Segment
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from scipy.spatial import Delaunay, cKDTree
 
 from cloner.cloth.drafting.pattern import Pattern, Segment, even, length_m
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: Inner points stay this share of the grid's step away from the edges: no slivers.

@@ -18,14 +18,12 @@ from typing import Final
 from xml.etree import ElementTree
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.cloth.drafting.blocks import line
 from cloner.cloth.drafting.pattern import MEET_M, MOST_SEGMENTS, Pattern, Segment, check_pattern
 from cloner.errors import ClonerError
 from cloner.project.texts import read_text
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Metres of SVG's units; a bare number is a pixel, 96 an inch.
 UNITS_M: Final = {"mm": 1e-3, "cm": 1e-2, "m": 1.0, "in": 0.0254, "pt": 0.0254 / 72.0, "px": 0.0254 / 96.0}

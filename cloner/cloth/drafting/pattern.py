@@ -20,13 +20,11 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
 from cloner.project.texts import read_text
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 FORMAT: Final = 1
 #: A garment's pieces lie within this of one another, metres; nothing smaller is a piece.

@@ -13,9 +13,8 @@ from cloner.generic.load import load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measures import UP, slice_points
 from cloner.geometry.meshes.vectors import arc_lengths, places_along, unit
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
-
-Array = NDArray[np.float64]
 
 #: Places on a section's hull, half a degree apart.
 SAMPLES: Final = 720

@@ -11,13 +11,12 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.cloth.drafting.blocks import line
 from cloner.cloth.drafting.pattern import Pattern, Segment, length_m
 from cloner.cloth.drafting.sections import Sections
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Point = tuple[float, float]
 
 #: An armhole ends so far below the armpit, a shoulder lies so far over the skin, metres.

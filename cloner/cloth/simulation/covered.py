@@ -12,8 +12,7 @@ from cloner.cloth.simulation.moving import Worn
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.triangles import edges_of, sides
 from cloner.geometry.meshes.wedges import vertex_normals
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Hidden skin lies so deep under the nearest cloth, along the cloth's normal, metres.
 DEEP_M: Final = 0.005

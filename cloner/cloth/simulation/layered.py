@@ -12,8 +12,7 @@ from scipy.spatial import cKDTree
 from cloner.cloth.simulation.wearer import Wearer
 from cloner.easing import smoothstep
 from cloner.geometry.meshes.wedges import vertex_normals
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Skin so near below cloth is not met by what is worn over that cloth, metres.
 BELOW_M: Final = 0.06

@@ -13,7 +13,6 @@ from typing import Final
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.cloth.simulation.moving import Worn
 from cloner.cloth.simulation.solver import leash
@@ -21,9 +20,8 @@ from cloner.cloth.simulation.threads import limit, pull
 from cloner.cloth.simulation.wearer import planes_under, skin_between
 from cloner.easing import smoothstep
 from cloner.geometry.cameras.viewpoints import framing_camera
+from cloner.records.arrays import Array
 from cloner.render import render_mesh
-
-Array = NDArray[np.float64]
 
 #: Cycles that are thrown away while the cloth settles, and how many candidates reach the second pass.
 SETTLING: Final = 2

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.cloth.drafting.cut import Cloth, cut
 from cloner.cloth.drafting.pattern import Pattern
@@ -20,10 +19,9 @@ from cloner.cloth.simulation.threads import pull
 from cloner.cloth.simulation.wearer import FRAMES_PER_S, Wearer, frames, planes_under, skin_between, wearer
 from cloner.cloth.simulation.wrapping import DEEP_M, PUSHES, wrapped
 from cloner.easing import smoothstep
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: Steps of the solver a frame (taste).
 SUBSTEPS: Final = 20

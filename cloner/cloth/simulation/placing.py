@@ -23,9 +23,9 @@ from cloner.generic.tape import load_tape_rules
 from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.geometry.measurement.measures import UP, slice_points
 from cloner.geometry.meshes.vectors import unit
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: The ring lies this far outside the skin, metres.

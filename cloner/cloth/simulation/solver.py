@@ -24,8 +24,8 @@ from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.threads import Threads, grouped, limit, pull
 from cloner.cloth.simulation.wearer import Planes, Skin, planes_under
 from cloner.geometry.meshes.triangles import paired_edges
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: Gravity and the density of air at 20 degrees.

@@ -14,7 +14,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+
 Ints = NDArray[np.int64]
 
 #: No thread stays longer than this: fabrics stiffen (KES curves rise steeply towards EM). Springs alone left the 99th

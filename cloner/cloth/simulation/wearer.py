@@ -13,10 +13,10 @@ from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: Frames a second of every cycle.

@@ -17,8 +17,8 @@ from cloner.cloth.drafting.pattern import Pattern, Segment, even
 from cloner.cloth.drafting.sections import STEP_M, Sections, girth_of, wider
 from cloner.cloth.simulation.placing import OUTSIDE_M
 from cloner.cloth.simulation.wearer import planes_under, skin_between, wearer
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: Cloth round a part closes where it has at least this share of the part's girth.

@@ -12,7 +12,6 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body import pose_rows as net
@@ -23,6 +22,7 @@ from cloner.detectors.body.photo_states import cut_states, front_states, turned_
 from cloner.detectors.body.pose_order import in_order
 from cloner.detectors.body.side_features import look_from_side, profile_points
 from cloner.frames import ViewId
+from cloner.records.arrays import Array
 from cloner.records.labels import Label
 from cloner.records.points import PhotoState, Proposal, ViewPoints, confidence_of
 from cloner.vision.segmentation.outline_walk import Figure, figure_of
@@ -30,7 +30,6 @@ from cloner.vision.segmentation.outline_walk import Figure, figure_of
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.body_points")
 
-Array = NDArray[np.float64]
 
 KINDS: Final = {ViewId.BODY_FRONT: "front", ViewId.BODY_SIDE: "side", ViewId.BODY_BACK: "back"}
 #: Points that set a body photo's scale.

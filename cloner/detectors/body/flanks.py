@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body import pose_rows as net
 from cloner.geometry.meshes.vectors import arc_lengths
+from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import Figure, Strip, gap_between, polyline, sample, walk_strip
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.flanks")
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 REACH: Final = _CALIBRATED.number("reach", "figure")

@@ -9,17 +9,16 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.flanks import Flank, arm_strip
+from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import SMOOTH, Figure, Strip, extreme, gap_top, smoothed
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.front_cues")
 
-Array = NDArray[np.float64]
 
 GAP: Final = _CALIBRATED.number("gap", "figure")
 NECK_WIDER: Final = _CALIBRATED.number("neck_wider", "factor")

@@ -14,12 +14,12 @@ from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.flanks import Flank, arm_line, find_flank
 from cloner.detectors.body.front_cues import arm_cues, front_cues, row_of, sole_row
 from cloner.detectors.body.levels import Levels, Offsets, conclude, load_levels, load_offsets
+from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import Figure, Strip, apex
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.front_features")
 
-Array = NDArray[np.float64]
 #: A point with its expected error, share of the figure's height.
 Placed = tuple[Array, float]
 Found = dict[str, Placed]

@@ -16,14 +16,13 @@ from typing import Final
 
 import numpy as np
 from numpy.lib.npyio import NpzFile
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.levels")
 
-Array = NDArray[np.float64]
 
 GATE_SPREADS: Final = _CALIBRATED.number("gate_spreads", "spreads")
 GATE_LEAST: Final = _CALIBRATED.number("gate_least", "figure")

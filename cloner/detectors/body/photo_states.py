@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body import pose_rows as net
@@ -13,13 +12,13 @@ from cloner.detectors.body.flanks import ARM_HALF
 from cloner.detectors.body.front_cues import row_of
 from cloner.detectors.body.front_features import Found, Look
 from cloner.frames import ViewId
+from cloner.records.arrays import Array
 from cloner.records.points import PhotoState, StateKind
 from cloner.vision.segmentation.outline_walk import Figure
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.photo_states")
 
-Array = NDArray[np.float64]
 
 _ONE_ANKLE: Final = _CALIBRATED.number("one_ankle", "figure")
 _ANKLE_WIDTH: Final = _CALIBRATED.number("ankle_width", "figure")

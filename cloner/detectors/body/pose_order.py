@@ -10,18 +10,17 @@ from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body import pose_rows as net
 from cloner.frames import ViewId
+from cloner.records.arrays import Array
 from cloner.records.points import PhotoState, StateKind
 from cloner.vision.segmentation.outline_walk import EDGE, Figure
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.pose_order")
 
-Array = NDArray[np.float64]
 
 TIE: Final = _CALIBRATED.number("tie", "figure")
 BESIDE: Final = _CALIBRATED.number("beside", "figure")

@@ -15,12 +15,12 @@ from cloner.detectors.body.front_cues import row_of
 from cloner.detectors.body.front_features import MASK_ERROR, MEAN_OF_NORMAL, Found, Placed
 from cloner.detectors.body.levels import Levels, conclude, load_levels, load_offsets
 from cloner.detectors.body.side_cues import Profile, find_profile, foot_ends, side_cues
+from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import Figure
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.side_features")
 
-Array = NDArray[np.float64]
 
 #: Points of the trunk by border: True in front.
 MIDDLE: Final = {

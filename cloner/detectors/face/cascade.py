@@ -18,12 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
+from cloner.records.arrays import Array
 from cloner.vision.photographs.gradients import describe
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.cascade")
 
-Array = NDArray[np.float64]
 Picture = NDArray[np.float32]
 
 #: Named points of the shipped models, without the side; models know further places that have no name.

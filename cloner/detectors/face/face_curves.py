@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import FaceNet, load_face_net
 from cloner.geometry.deformation.completion import bring_along
+from cloner.records.arrays import Array
 from cloner.vision.contours.snake import Curve, Sign, SnakeParams, pull, snake_picture
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.face_curves")
 
-Array = NDArray[np.float64]
 
 UNIT_PX: Final = _CALIBRATED.number("unit_px", "px")
 LEAST_IOD_PX: Final = _CALIBRATED.number("least_iod_px", "px")

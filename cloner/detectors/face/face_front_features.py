@@ -6,13 +6,11 @@ from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.detectors.face.cascade import Found, Pose, find_feature, load_cascades, sided
+from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal
-
-Array = NDArray[np.float64]
 
 #: Features looked for, on each half of the face. Of eyes and lips the net tells more (docs/decisions/).
 HALVES: Final = ("front_nose", "front_chin")

@@ -10,12 +10,10 @@ from types import MappingProxyType
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.detectors.face.profile_search import ProfileModel
 from cloner.geometry.meshes.surface import SurfacePoints
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Curves of the front face that are pulled on to the image.
 CURVES: Final = ("lid_upper_L", "lid_upper_R", "lid_lower_L", "lid_lower_R", "mouth")

@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.cascade import FEATURES, Found, find_feature, load_cascades
@@ -18,13 +17,13 @@ from cloner.detectors.face.hairline import trace_hairline
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.deformation.completion import complete_points, fit_affine
+from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal, ViewPoints, face_confidence
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.face_points")
 
-Array = NDArray[np.float64]
 
 #: Where the hair begins over the forehead (MPEG-4 11.1), and its expected error: locks and fringes make it vague.
 HAIRLINE: Final = "hairline_top"

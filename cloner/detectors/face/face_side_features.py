@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.cascade import Found, Pose, find_feature, load_cascades, sided
 from cloner.detectors.face.face_side import IOD_M, SideFace
+from cloner.records.arrays import Array
 from cloner.records.labels import Label
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal
@@ -17,7 +18,6 @@ from cloner.records.points import Proposal
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.face_side_features")
 
-Array = NDArray[np.float64]
 
 #: Features looked for, the ear in photos of the face alone.
 INNER: Final = ("side_eye", "side_nose", "side_mouth", "side_bridge")

@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
+from cloner.records.arrays import Array
 from cloner.records.labels import Label
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.hairline")
 
-Array = NDArray[np.float64]
 
 #: Rays from the face's middle on which hair is looked for, degrees from straight up to either side.
 ANGLES_DEG: Final = np.linspace(-80.0, 80.0, 33)

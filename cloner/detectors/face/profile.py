@@ -10,11 +10,11 @@ from scipy.spatial import cKDTree
 from skimage.measure import find_contours
 
 from cloner.calibration.loader import calibrated
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.profile")
 
-Array = NDArray[np.float64]
 
 #: Tries around a first guess when the profile itself is known well: sizes, tilts, and how far the nose tip may be off.
 KNOWN_SIZES = np.geomspace(0.75, 1.33, 19)

@@ -25,7 +25,6 @@ from cloner.records.points import Proposal
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.profile_cut")
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 Picture = NDArray[np.uint8]
 

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.geometry.meshes.vectors import unit
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.profile_search")
 
-Array = NDArray[np.float64]
 Field = NDArray[np.float32]
 
 #: Rows of the picture in which the search looks; a face then has a pixel a millimetre or so.

@@ -9,16 +9,15 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.nets.placing import circle_crop
+from cloner.records.arrays import Array
 from cloner.vision.photographs.crops import Crop, paste
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.portraits")
 
-Array = NDArray[np.float64]
 
 _CUT_SHARE: Final = _CALIBRATED.number("cut_share", "share")
 _RADIUS: Final = _CALIBRATED.number("radius", "factor")

@@ -20,11 +20,10 @@ from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman
 from cloner.geometry.cameras.seeing import look
 from cloner.geometry.charts.atlas import AtlasMap
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Clone
 from cloner.vision.retouching.repair import spread_nearest
-
-Array = NDArray[np.float64]
 
 #: Texels this near to a true outline are judged, px in a photo of `OUTLINE_HEIGHT_PX`.
 NEAR_PX: Final = 25.0

@@ -18,11 +18,11 @@ from cloner.evaluate.measures.rulers import overlap, picture_similarity
 from cloner.evaluate.truths.truth import TruthView
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
 from cloner.render import render, render_mask
 
-Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 
@@ -88,7 +88,7 @@ def held_out_likeness(
 
     Notes
     -----
-    goals.md asks for the photo's pose. A front photo does not tell how far the
+    The ruler asks for the photo's pose. A front photo does not tell how far the
     arms hang forward, so the subject is first brought to the truth's joints by
     rotations, the baselines in the same way.
     """

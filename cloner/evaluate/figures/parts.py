@@ -13,11 +13,11 @@ from cloner.evaluate.truths.kit import KitTruth
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.cameras.seeing import depth_at, look, nearest_of
+from cloner.records.arrays import Array
 from cloner.records.labels import LABELS
 from cloner.records.views import Camera
 from cloner.vision.retouching.repair import spread_nearest
 
-Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 #: A border may lie this far off before its texels count: what misses by more is a streak and no seam (taste).

@@ -15,10 +15,9 @@ from cloner.evaluate.measures.surfaces import TriangleSurface, seen_from_outside
 from cloner.evaluate.truths.truth import TruthSurface
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms, skin
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS, SHELL_REGIONS
-
-Array = NDArray[np.float64]
 
 #: What a true part may be called. The truth's suits are one part each: both halves of the clothes are right.
 RIGHT: Final[Mapping[str, tuple[str, ...]]] = MappingProxyType({

@@ -16,10 +16,10 @@ from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.cameras.seeing import look
 from cloner.geometry.meshes.triangles import edges_of
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.vision.retouching.aligning import sample
 
-Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 Edges = NDArray[np.int64]
 Photos = Mapping[ViewId, NDArray[np.uint8]]

@@ -16,15 +16,15 @@ from cloner.evaluate.measures.surfaces import PointSurface, TriangleSurface, sam
 from cloner.evaluate.truths.truth import TruthSurface
 from cloner.frames import MILLIMETRES_PER_METRE
 from cloner.generic.load import GenericHuman
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 _SAMPLES: Final = 8_000  # measured: the mean moves by 0.03 mm between seeds
 _VOTERS: Final = 3_000  # points that steer the alignment of a whole body
 _DISCS: Final = 100_000  # of the clone, for its alignment
 _DISC_M: Final = 0.006  # measured: the truth against its own samples (3.6 mm apart on average) reads 0.02 mm
-_FACE_RADIUS_M: Final = 0.095  # goals.md: within 95 mm of the nose tip
+_FACE_RADIUS_M: Final = 0.095  # rulers: within 95 mm of the nose tip
 #: Marks in front of which a face ends.
 EARS: Final = tuple(f"{name}_{side}" for name in ("ear_outer", "ear_lobe") for side in "LR")
 _HAND_M: Final = 0.25  # longest hand, wrist to fingertip, with room
@@ -117,7 +117,7 @@ def body_distances(
 def face_surface_mm(
     posed: Posed, generic: GenericHuman, truth: TruthSurface, *, rng: np.random.Generator
 ) -> FaceErrors:
-    """Return the face surface errors of goals.md, mm.
+    """Return the face surface errors (rulers), mm.
 
     Parameters
     ----------
@@ -178,7 +178,7 @@ def _within(points: Array, centre: Array, radius_m: float) -> Mask:
 
 
 def in_face(points: Array, marks: Mapping[str, Array], ears: Sequence[str] = EARS) -> Mask:
-    """Return which points lie near the nose, above the chin and in front of the named marks of the ears (goals.md)."""
+    """Return which points lie near the nose, above the chin and in front of the named marks of the ears (rulers)."""
     back = max(float(marks[name][2]) for name in ears)
     return np.asarray(
         _within(points, marks["nose_tip"], _FACE_RADIUS_M)

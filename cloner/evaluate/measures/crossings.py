@@ -17,10 +17,9 @@ from scipy.spatial import cKDTree
 
 from cloner.geometry.meshes.rasters import fragments
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.records.arrays import freeze
+from cloner.records.arrays import Array, freeze
 from cloner.records.views import Camera
 
-Array = NDArray[np.float64]
 Index = NDArray[np.integer]
 
 #: Triangles are looked up in classes of size, each half of the one before, so that a large one finds few candidates.

@@ -15,9 +15,8 @@ from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import load_triangles
 from cloner.geometry.meshes.surface import over
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
-
-Array = NDArray[np.float64]
 
 SIDES = ("left", "right")
 #: Weights at which a target is looked at: glTF plays it on straight ways, half way is where lids dip.

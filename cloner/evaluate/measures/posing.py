@@ -21,10 +21,9 @@ from cloner.geometry.articulation.skinning import (
     rotation_matrices,
     skin,
 )
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
-
-Array = NDArray[np.float64]
 
 #: The truth's joint names and ours; rig centres both.
 JOINTS: Final = {
@@ -32,7 +31,7 @@ JOINTS: Final = {
     for name in ("shoulder", "elbow", "wrist", "hip", "knee", "ankle")
     for side in "LR"
 }
-#: Feature points of the face that must lie where the truth's do (goals.md).
+#: Feature points of the face that must lie where the truth's do (rulers).
 LANDMARKS: Final = (
     *("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom", "chin_front", "chin_bottom"),
     *(f"{name}_{side}" for name in ("eye_inner", "eye_outer", "ala", "mouth_corner") for side in "LR"),
@@ -126,6 +125,19 @@ def truth_from_body(
     """Return the rigid (4, 4) motion that lays a posed body on the truth's joints and trunk marks."""
     found = {**joints_by_truth_name(posed, generic), **_only(BODY_MARKS, posed.features_m)}
     return truth_from_points(found, {**joints, **_only(BODY_MARKS, marks)})
+
+
+def posed_as(
+    clone: Clone, generic: GenericHuman, joints_m: Mapping[str, Array], marks_m: Mapping[str, Array], start: Array
+) -> tuple[Posed, Array, Array]:
+    """Return a clone in a truth's pose, laid on its joints without a scale; that pose, and the (4, 4) rigid motion.
+
+    ``start`` (94, 3) is the pose from which the truth's is sought.
+    """
+    rotations = rotations_towards(clone, generic, joints_m, marks_m, start)
+    posed = pose_clone(clone, generic, rotations)
+    truth_from_clone = truth_from_body(posed, generic, joints_m, marks_m)
+    return posed.moved(truth_from_clone), rotations, truth_from_clone
 
 
 def _only(names: tuple[str, ...], points: Mapping[str, Array]) -> dict[str, Array]:

@@ -12,11 +12,11 @@ from skimage.color import deltaE_ciede2000, rgb2gray, rgb2lab
 from skimage.metrics import structural_similarity
 
 from cloner.geometry.meshes.alignment import similarity
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
-#: Outline errors are told for photos of this height (goals.md).
+#: Outline errors are told for photos of this height (rulers).
 OUTLINE_HEIGHT_PX: Final = 1800.0
 #: What stands where a person is not, when two pictures of people are compared.
 _BACKDROP: Final = 127

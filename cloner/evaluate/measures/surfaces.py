@@ -9,7 +9,8 @@ from numpy.typing import NDArray
 from scipy.ndimage import minimum_filter
 from scipy.spatial import cKDTree
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+
 Indices = NDArray[np.int64]
 
 _FIRST_CANDIDATES: Final = 8  # measured: certifies about nine points of ten at once

@@ -19,10 +19,10 @@ from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.evaluate.truths.truth import HALF_PIXEL, Truth, TruthSurface, TruthView, read_json, truth_camera, vectors
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
+from cloner.records.arrays import Array
 from cloner.records.labels import LABELS
 from cloner.vision.photographs.pictures import read_picture
 
-Array = NDArray[np.float64]
 Labels = NDArray[np.uint8]
 
 #: The set's name in rows: a person of the generator has one.

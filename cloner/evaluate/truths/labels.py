@@ -15,7 +15,7 @@ from cloner.records.points import Proposals
 
 Labels = NDArray[np.uint8]
 
-#: Pixels this near to a border of the true labels are not judged (goals.md).
+#: Pixels this near to a border of the true labels are not judged (rulers).
 BAND_PX: Final = 3
 
 

@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 from cloner.errors import ClonerError
 from cloner.frames import m_from_mm
 from cloner.geometry.meshes.vectors import unit
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 from cloner.vision.photographs.pictures import read_picture
-
-Array = NDArray[np.float64]
 
 SETS: Final = ("plain", "booth", "handheld")
 THREE_QUARTER: Final = ("body_three_quarter", "face_three_quarter")

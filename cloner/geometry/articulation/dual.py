@@ -12,8 +12,7 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from cloner.geometry.meshes.vectors import cross
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 def skin_dual(

@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.geometry.articulation.skinning import rotation_matrices
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Axes.
 X, Y, Z = 0, 1, 2

@@ -18,8 +18,7 @@ from numpy.typing import NDArray
 
 from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, rotation_matrices
 from cloner.geometry.meshes.vectors import cross
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)

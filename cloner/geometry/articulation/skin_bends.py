@@ -16,8 +16,8 @@ from scipy.sparse import csr_matrix
 from cloner.easing import smoothstep
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.triangles import areas, paired_edges
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: The way along a round limb to its other side is pi / 2 times the distance through it; what is farther around is

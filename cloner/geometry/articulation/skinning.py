@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 def rotation_matrices(rotations: Array) -> Array:

@@ -7,9 +7,8 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from cloner.geometry.meshes.vectors import cross
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
-
-Array = NDArray[np.float64]
 
 
 def below(parents: NDArray[np.integer], joint: int) -> NDArray[np.bool_]:

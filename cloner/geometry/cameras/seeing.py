@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from cloner.geometry.meshes.rasters import nearest_depth
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
-
-Array = NDArray[np.float64]
 
 DEPTH_SCALE = 0.5  # depth picture's size relative to the photo: 4 times faster, 1 px is still 2-3 mm
 #: Occluders grow by this many depth pixels: a limb 8 photo pixels (1 cm) off paints nothing behind it.

@@ -7,13 +7,11 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.geometry.cameras.resection import pixels_by_inside
 from cloner.geometry.meshes.vectors import cross
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
-
-Array = NDArray[np.float64]
 
 #: azimuth: direction of the camera around the person, radians, 0 front, +90° the person's left. height: of the camera
 #: above the model's floor, metres. distance: horizontal, from the model's origin, metres. facing: how far the view axis

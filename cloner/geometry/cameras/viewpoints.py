@@ -6,11 +6,9 @@ from collections.abc import Sequence
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
-
-Array = NDArray[np.float64]
 
 #: Azimuth of every named side in degrees: 0 in front of the person, 90 at the person's left.
 #: "side" is the samples' side: the camera at the person's right.

@@ -17,8 +17,8 @@ from scipy.sparse import coo_matrix, diags
 from scipy.sparse.linalg import splu
 
 from cloner.geometry.meshes.triangles import areas, edges_of
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Index = NDArray[np.integer]
 
 #: Rounds after which triangles hardly become more even, and how much of the stretch a round takes back (measured on

@@ -7,9 +7,8 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.records.arrays import Array
 from cloner.records.labels import Label
-
-Array = NDArray[np.float64]
 
 #: Outer and inner corner of both eyes in the 468-point face mesh.
 EYE_CORNERS: Final = ((33, 133), (263, 362))

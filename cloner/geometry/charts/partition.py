@@ -14,8 +14,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from cloner.geometry.meshes.graphs import SurfaceGraph
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 CRUMB_VERTICES = 40  # taste: a patch of some 6 cm on the body, 2 cm on the face
 #: Mark of what belongs to nobody yet.

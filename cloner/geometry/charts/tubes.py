@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Texels between the charts of front and back, and around them.
 MARGIN_TEXELS = 6

@@ -10,8 +10,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from cloner.geometry.meshes.rasters import fragments
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 LAYER_GRID_M = 0.0005  # triangles that overlap less than this overlap by less than a texel
 #: Pixels nearer to a triangle's side than this share are nobody's; texels kept free around each island (taste).

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import Delaunay
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+
 Rows = NDArray[np.integer]
 
 #: How far the frame of still points lies outside the generic points, shares of their extent (taste).

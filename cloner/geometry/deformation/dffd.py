@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 from scipy.spatial import Delaunay, cKDTree
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+
 Indices = NDArray[np.int64]
 
 #: Symmetric control points are cospherical, where Delaunay is not unique and circumcentres run to infinity. A

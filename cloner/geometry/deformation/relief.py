@@ -7,14 +7,12 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 from scipy.spatial import cKDTree
 
 from cloner.geometry.cameras.resection import projection_derivatives
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
-
-Array = NDArray[np.float64]
 
 #: Errors beyond this many sigmas lose their weight (Cauchy).
 OUTLIER: Final = 2.5

@@ -7,13 +7,10 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.geometry.cameras.resection import moved_camera, projection_derivatives
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
-
-Array = NDArray[np.float64]
-
 
 #: A camera turned beyond so many expected turns is held ever less: most people stand as they were asked, some do not.
 TURN_OUTLIER: Final = 1.5

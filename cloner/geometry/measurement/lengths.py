@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
 from cloner.geometry.measurement.measures import UP, TapeRules, slice_points
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 BACK: Final = np.array([0.0, 0.0, -1.0])
 #: From shoulder to nape the tape lies on the back; straight up from the line between them it would climb the neck.

@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 from scipy.spatial import ConvexHull, QhullError
 
 from cloner.geometry.meshes.triangles import sides
-from cloner.records.arrays import freeze
+from cloner.records.arrays import Array, freeze
 
-Array = NDArray[np.float64]
 Triangles = NDArray[np.int32]
 
 UP: Final = np.array([0.0, 1.0, 0.0])

@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from cloner.geometry.measurement.lengths import lengths_mm
 from cloner.geometry.measurement.measures import UP, TapeRules, girth_mm, girth_planes, read_mm
+from cloner.records.arrays import Array
 from cloner.records.measures import MEASURE_KEYS, MEASURES, Cover
-
-Array = NDArray[np.float64]
 
 #: Slices between the named levels: clothes hide a body's hollows, and the more slices the better that shows.
 TRUNK_SLICES: Final = (0.12, 0.25, 0.4, 0.55, 0.7, 0.85)

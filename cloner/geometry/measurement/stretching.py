@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
 from cloner.geometry.measurement.measures import girth_mm, slice_points
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Least and greatest standard deviation of a stretched zone's bell, metres, and its share of the way to the next tape.
 ZONE_M: Final = (0.020, 0.045)

@@ -27,10 +27,9 @@ from numpy.typing import NDArray
 from scipy.linalg import cho_factor, cho_solve
 from scipy.special import ndtr
 
-from cloner.records.arrays import freeze
+from cloner.records.arrays import Array, freeze
 from cloner.records.measures import FITS
 
-Array = NDArray[np.float64]
 Rows = NDArray[np.intp]
 
 #: What a tape reads, one standard deviation, mm: two people differ by this much (ISO 20685: 4 to 9 mm of group means).

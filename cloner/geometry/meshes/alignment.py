@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 def similarity(source: Array, target: Array) -> tuple[float, Array, Array]:

@@ -14,11 +14,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.geometry.meshes.vectors import unit
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Radius of the eyeball, metres, and how far the cornea's middle stands out of it, share of the radius.
 BALL_M, CORNEA = 0.012, 0.03

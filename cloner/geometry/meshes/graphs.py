@@ -11,8 +11,7 @@ from scipy.sparse.csgraph import dijkstra
 from scipy.sparse.linalg import splu
 
 from cloner.geometry.meshes.triangles import edges_of
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.geometry.meshes.alignment import similarity
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Vertices of a neighbourhood, and anchors that a vertex listens to.
 _NEAR, _LISTENS = 300, 6

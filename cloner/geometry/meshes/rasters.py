@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 CHUNK_CANDIDATES = (
     100_000  # pixels tested at once: tables stay in the cache, a third faster than 1.5 million (measured)

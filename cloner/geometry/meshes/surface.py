@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+
 Indices = NDArray[np.integer]
 
 #: Pairs of pixel and triangle tested at once; keeps memory near 100 MiB.

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+
 Index = NDArray[np.integer]
 Ints = NDArray[np.int64]
 

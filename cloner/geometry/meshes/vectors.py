@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 def unit(vectors: NDArray[np.floating[Any]], least: float = 1e-9) -> NDArray[Any]:

@@ -7,9 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.records.arrays import freeze
+from cloner.records.arrays import Array, freeze
 
-Array = NDArray[np.float64]
 Index = NDArray[np.int32]
 
 

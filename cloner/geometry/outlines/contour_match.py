@@ -8,8 +8,7 @@ from scipy.spatial import cKDTree
 
 from cloner.geometry.meshes.surface import SurfacePoints
 from cloner.geometry.meshes.vectors import unit
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 def contour_normals(contour: Array, *, reach: int = 4) -> Array:

@@ -11,8 +11,7 @@ from scipy.ndimage import map_coordinates
 from scipy.spatial import cKDTree
 
 from cloner.geometry.meshes.vectors import arc_lengths, places_along, unit
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -11,8 +11,8 @@ from cloner.geometry.articulation.skin_bends import Place, SkinMetric
 from cloner.geometry.meshes.surface import over
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import triangle_normals
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 Bools = NDArray[np.bool_]
 

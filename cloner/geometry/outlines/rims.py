@@ -7,8 +7,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.geometry.meshes.vectors import cross, unit
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Triangles = NDArray[np.integer]
 
 

@@ -9,8 +9,7 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Steps along the outline, mm: about two pixels of a photo of a whole person.
 STEP_MM: Final = 2.0

@@ -1,4 +1,4 @@
-"""A smooth displacement along the normals that lays a body's rim on the photos' outlines.
+"""Smoothing over the mesh: a thin plate's displacement along the normals lays a body's rim on the photos' outlines.
 
 Beyond the paper (method §7): takes up what slices cannot reach - shoulders, crotch,
 feet, hands - with all photos at once.
@@ -16,8 +16,7 @@ from scipy.sparse.linalg import splu
 from cloner.geometry.meshes.triangles import sides
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import triangle_normals
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Rounds in which folds are sought again; each evens the motion half as often.
 UNFOLDING_TURNS = 10

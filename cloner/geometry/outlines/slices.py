@@ -1,4 +1,4 @@
-"""Grid slices of the body: occluding points, silhouette pairs, and the paper's T_i,m.
+"""Grid slices of the body: occluding points, silhouette pairs, and the slice maps T_i,m of the paper.
 
 The slices are an overlay (method §2): every body vertex knows its segment, its
 position ``s`` along the segment's axis and its angle ``theta`` around it.
@@ -15,8 +15,8 @@ from scipy.ndimage import gaussian_filter1d
 from cloner.easing import half_wave
 from cloner.geometry.meshes.vectors import cross, unit
 from cloner.geometry.outlines.contours import OutlineField
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 #: Least and greatest change of a section's unseen depth: a sleeve doubles no arm (taste).

@@ -16,7 +16,7 @@ from cloner.records.clones import Joined
 
 Array = NDArray[np.float64]
 
-RINGS, COLUMNS = 44, 96
+RINGS, COLUMNS = 44, 96  # of the mesh: counts, taste
 HULL_RINGS, HULL_COLUMNS, STEPS = 24, 48, 54  # the hull is smooth: found coarsely, then refined
 FARTHEST_M = 0.80  # cloth stands off the body's axis by no more than this
 ROUNDNESS = 2.2  # exponent of a section between ellipse (2) and box: hips and legs make it a little square (taste)

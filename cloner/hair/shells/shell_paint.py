@@ -31,8 +31,8 @@ Array = NDArray[np.float64]
 SHARPNESS = 5  # weights are (claim x cosine)**5: mostly one photo a texel, so strands do not ghost
 LEVELS = 2  # charts are small islands: wide bands would make them differ along their borders
 SMOOTHING = 3  # rounds over the surface, where charts do not matter
-FLOOR = 1e-6
-_MIRRORED = 0.8
+FLOOR = 1e-6  # keeps from dividing by nothing
+_MIRRORED = 0.8  # taste: trust in a colour of the other side against a photo's own
 REACH_SHARE = 0.02  # of the shell's size in the photo: how deep other things shine through its edge
 BAND_PX = 2.5  # labels are about this many pixels unsure
 

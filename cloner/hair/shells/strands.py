@@ -18,7 +18,7 @@ Picture = NDArray[np.float32]
 
 SEEN_CLAIM: Final = 0.15  # photos that claim less show stretched pixels
 FILL_TRUST: Final = (0.25, 0.5)  # colours spread from where a photo claims so much: farther out the wall shines in
-FILL_STIFFNESS: Final = 0.05
+FILL_STIFFNESS: Final = 0.05  # taste: pull of known colours against smooth filling
 MEMORY_M: Final = 0.05  # taste: a lock's own colour fades into the whole hair's over this way
 SMALLEST_M: Final = 0.015  # half the width of gaps that the photos' own neighbours fill well enough
 REACH_M, CLAIM = 0.05, 0.7  # the made strands' claim, and how far it fades into what photos show

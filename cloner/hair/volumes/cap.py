@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 VOTE_MM = 12.0  # farther from the hairline than this a photo is no surer
 VOTE_COSINE = 0.05  # surfaces turned farther away have no vote
-DEPTH_SLACK_M = 0.01
+DEPTH_SLACK_M = 0.01  # taste: skin so far behind what is drawn is still seen
 TAIL_STEPS_M = (0.02, 0.035, 0.05, 0.07, 0.09, 0.12, 0.15)  # where a tail before the skin is looked for
 FACE_PHOTO = 0.35  # weight of a face photo's outline: its camera is worse known than a body photo's
 SOFT_MM = 2.0 * VOTE_MM  # hairiness goes from 0 to 1 over what a photo can tell
@@ -36,7 +36,7 @@ SAME_EDGE_MM = 3.0  # hair's edge is the person's outline where both lie so
 FIRST_MM = 5.0  # taste: hair begins this thick, then it is fitted
 CLOSE_MM = 25.0  # thicker hair does not follow the head: all outlines together say where it is
 FURTHEST_MM = 40.0  # an outline farther off is another thing's, say a tail's
-ROUNDS = 4
+ROUNDS = 4  # count: of settling between the outlines
 STIFFNESS = 0.08  # of the surface between outlines, against one outline point
 FULL_SHARE = 0.8  # hairiness where hair has its whole thickness
 SURE_RIM = 0.3  # weight of outline points that tell how thick the cap usually is

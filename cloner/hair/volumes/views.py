@@ -31,7 +31,7 @@ Array = NDArray[np.float64]
 
 NEVER_ON_SCALPS = (Label.BODY_SKIN, Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES)
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
-FAR_MM = 1000.0
+FAR_MM = 1000.0  # stands for "no hair anywhere near"
 MASK_SCALE = 0.5  # surfaces are drawn at this share of the photo's size
 NEAR_SHARE = 0.6  # distances are told within this share of the hair's size around it
 INVERSE_ROUNDS = 3  # rests to a micrometre: neck and skull differ by few degrees

@@ -13,9 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
+from cloner.records.arrays import Array
 from cloner.scenes.building.solids import Panel, Room, inside
-
-Array = NDArray[np.float64]
 
 #: Sides of texels, metres: floors as the issue wants them, small things as floors, walls and ceilings coarser.
 FLOOR_M, SMALL_M, WALL_M = 0.04, 0.05, 0.08

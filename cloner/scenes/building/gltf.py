@@ -19,11 +19,10 @@ from cloner import __version__
 from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.shared.files import jpeg_bytes, png_bytes
+from cloner.records.arrays import Array
 from cloner.scenes.building import looks
 from cloner.scenes.building.charts import Chart, charts_of
 from cloner.scenes.building.solids import Room
-
-Array = NDArray[np.float64]
 
 LIGHT_MAP: Final = "MOZ_lightmap"
 #: What a full texel of the map stands for: brighter is white on any surface that gives back half of it.

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
-SIDE_PX: Final = 256
+SIDE_PX: Final = 256  # taste: of a texture that repeats every few metres
 #: Metres that a texture's side spans, and its mean colour (sRGB 0..1).
 _BASE: Final[dict[str, tuple[float, tuple[float, float, float]]]] = {
     "flags": (2.0, (0.62, 0.58, 0.52)),

@@ -11,11 +11,9 @@ from itertools import pairwise
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
+from cloner.records.arrays import Array
 from cloner.scenes.building.plan import Block, Wall
-
-Array = NDArray[np.float64]
 
 #: A pillar's shaft against its footprint; heights of base and capital, metres: taste.
 SHAFT: Final = 0.78

@@ -15,6 +15,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.records.arrays import Array
 from cloner.scenes.building.pieces import (
     Quad,
     axes_of,
@@ -32,7 +33,6 @@ from cloner.scenes.building.pieces import (
 )
 from cloner.scenes.building.plan import Ceiling, Plan, Vault
 
-Array = NDArray[np.float64]
 Rect = tuple[float, float, float, float]
 
 #: Slabs of ceilings and vaults, metres.

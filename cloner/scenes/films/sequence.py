@@ -14,6 +14,7 @@ from cloner.errors import ClonerError, plain
 from cloner.outside import UnfitFile, read_outside
 from cloner.scenes.films.words import MOST_SECONDS, XY, Words
 
+#: Bounds of a film's file, far beyond what a person writes; taste.
 LARGEST_BYTES: Final = 1_000_000
 MOST_ACTORS, MOST_LINES = 2_000, 5_000
 FEELINGS: Final = ("regular", "sad", "calm", "happy", "explosive", "afraid")
@@ -282,6 +283,7 @@ def _deed(words: Words, film: Sequence, when: float) -> None:
 _STATEMENTS: Final[dict[str, Callable[[Words, Sequence], None]]] = {
     "film": _film, "actor": _actor, "rows": _rows, "at": _at,
 }  # fmt: skip
+#: What changes by keys, with how many values between which bounds.
 _CHANGES: Final[dict[str, Callable[[Words, Sequence, float], None]]] = {
     "camera": _camera, "caption": _caption, "curtain": _curtain, "lantern": _lantern,
     "light": _values("light", 3, "red, green, blue", 0, 10), "stars": _values("stars", 1, "how bright, 0 to 1", 0, 1),

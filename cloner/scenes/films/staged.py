@@ -7,7 +7,6 @@ from dataclasses import replace
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.acting.walkers import Track, Walker
 from cloner.crowd.clones.stock import Stock
@@ -16,12 +15,11 @@ from cloner.crowd.staged.scene import IDLE, PERSON_TEXELS, WALK, Dice
 from cloner.crowd.staged.staging import HEAD_MIDDLE, PLAIN
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, quiet
+from cloner.records.arrays import Array
 from cloner.scenes.films.sequence import Actor, Key
 from cloner.scenes.films.sequence import Sequence as Film
 
-Array = NDArray[np.float64]
-
-STEP_S: Final = 0.1
+STEP_S: Final = 0.1  # as in files of trajectories (behaviour/trajectories.py)
 #: A head that lies on the ground has its middle so high, metres, and leans by so much of a turn; taste.
 LIES_M, LEANS = 0.095, 0.21
 #: While a head is given: when it leaves the ground, when it is before the giver's face, when over the neck; shares.

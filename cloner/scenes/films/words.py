@@ -9,6 +9,7 @@ from cloner.errors import ClonerError, plain
 
 XY = tuple[float, float]
 
+#: Bounds of what a film may say: half an hour, a kilometre; taste.
 MOST_SECONDS: Final = 1_800.0
 FARTHEST: Final = 1_000.0
 _TOKEN: Final = re.compile(r'\s*(?:("[^"]*")|([+-]?(?:\d+\.?\d*|\.\d+))|([^\W\d]\w*)|(.))')

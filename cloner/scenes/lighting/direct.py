@@ -7,13 +7,12 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.records.arrays import Array
 from cloner.scenes.building.charts import Grid
 from cloner.scenes.building.pieces import plan_place
 from cloner.scenes.building.plan import Lamp, Sun
 from cloner.scenes.building.solids import Panel
 from cloner.scenes.lighting.rays import Stops, sphere
-
-Array = NDArray[np.float64]
 
 #: The sun's radius seen from the earth, radians (half of .53 degrees).
 SUN_RADIUS: Final = 0.00463

@@ -18,14 +18,13 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.records.arrays import Array
 from cloner.scenes.building.solids import Room
 from cloner.scenes.lighting.rays import Stops, sphere
 
-Array = NDArray[np.float64]
-
-SPEED_M_S: Final = 343.0
-RATE_HZ: Final = 22_050
-RAYS: Final = 1_500
+SPEED_M_S: Final = 343.0  # of sound, at 20 degrees
+RATE_HZ: Final = 22_050  # half of a compact disc's: steps and murmur hold nothing above
+RAYS: Final = 1_500  # taste: a count
 #: Rays end when so little of their energy is left, or after so long, seconds.
 LEFT, LONGEST_S = 1e-6, 4.0
 #: The ear's height, and how far before the speaker it is, metres: steps and voices at arm's length.

@@ -19,14 +19,13 @@ from scipy.ndimage import gaussian_filter
 from scipy.sparse import csr_matrix
 
 from cloner.pipeline import Progress, quiet
+from cloner.records.arrays import Array
 from cloner.scenes.building import looks
 from cloner.scenes.building.charts import Chart, Grid, between, charts_of, filled, grid_of, laid
 from cloner.scenes.building.pieces import Quad
 from cloner.scenes.building.solids import Panel, Room
 from cloner.scenes.lighting.direct import lamp_on, sun_on
 from cloner.scenes.lighting.rays import Stops, hemisphere
-
-Array = NDArray[np.float64]
 
 #: Steps of the lattice and of the patches that give light back, metres.
 LATTICE_M, PATCH_M = 0.25, 0.5

@@ -10,18 +10,16 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.crowd.staged.rooms import Probes
 from cloner.pipeline import Progress, quiet
+from cloner.records.arrays import Array
 from cloner.scenes.building.charts import filled
 from cloner.scenes.building.pieces import plan_place
 from cloner.scenes.building.solids import Room, inside
 from cloner.scenes.lighting.direct import lamp_at, square_to, sun_way
 from cloner.scenes.lighting.light import Lit, cell_of
 from cloner.scenes.lighting.rays import sphere
-
-Array = NDArray[np.float64]
 
 #: Step of the grid on the plan and heights of the probes, metres: knees, chest, a little above a head.
 STEP_M: Final = 1.0

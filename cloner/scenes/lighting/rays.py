@@ -11,9 +11,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.records.arrays import Array
 from cloner.scenes.building.pieces import Quad
 
-Array = NDArray[np.float64]
 #: How far a ray may miss a quad's border and still be stopped, as a share of its side: no light between neighbours.
 SLACK = 1e-5
 

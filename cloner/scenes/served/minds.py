@@ -22,8 +22,6 @@ from cloner.crowd.staged.footing import Acted
 from cloner.crowd.staged.scene import IDLE, WALK
 from cloner.errors import ClonerError
 
-Array = NDArray[np.float64]
-
 #: So far ahead of what is shown minds decide, seconds: what feet need to know, the longest footing (.8), and 1.2 for a
 #: machine that does something else just then.
 HEAD_S: Final = SEEN_S + 2.0

@@ -27,8 +27,6 @@ from cloner.errors import ClonerError
 from cloner.project.clone_file import CLONE_FILE
 from cloner.project.results import RESULT_MARK
 
-Array = NDArray[np.float64]
-
 _GENERIC: Final = re.compile(r"generic ([0-9a-f]+)")
 
 

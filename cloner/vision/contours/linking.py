@@ -1,9 +1,9 @@
-"""Edge pixels into curves, curves into short straight segments, and how well two of them link.
+"""Edge pixels into curves, curves into short straight segments, and how well two of them link: G^L.
 
 References
 ----------
 W.-S. Lee, J. Gu, N. Magnenat-Thalmann, "Generating Animatable 3D Virtual Humans from
-Photographs", Eurographics 2000, section 3.5; method note section 4, steps 1, 3 and 4.
+Photographs", Eurographics 2000, section 3.5; method §4, steps 1, 3 and 4.
 """
 
 from __future__ import annotations

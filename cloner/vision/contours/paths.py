@@ -1,9 +1,9 @@
-"""Grow candidate paths of edge segments along a feature segment and choose the best.
+"""Grow candidate paths of edge segments along a feature segment and choose the best by G^P.
 
 References
 ----------
 W.-S. Lee, J. Gu, N. Magnenat-Thalmann, "Generating Animatable 3D Virtual Humans from
-Photographs", Eurographics 2000, section 3.5; method note section 4, steps 2, 5 and 6.
+Photographs", Eurographics 2000, section 3.5; method §4, steps 2, 5 and 6.
 """
 
 from __future__ import annotations

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/vision.toml``.
 _CALIBRATED: Final = calibrated("vision.snake")
 
-Array = NDArray[np.float64]
 Picture = NDArray[np.float32]
 Sign = Literal["any", "rising", "falling", "line"]
 

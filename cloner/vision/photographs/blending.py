@@ -1,10 +1,10 @@
-"""Filling and blending of images by pyramids.
+"""Pyramid blend: images merged band by band, and gaps filled by pull and push.
 
 References
 ----------
 Burt and Adelson 1983, "A multiresolution spline with application to image mosaics".
 Gortler et al. 1996, "The lumigraph", section 3.4 (push-pull).
-Lee and Magnenat-Thalmann, method notes section 9 (Laplacian blend of front and side).
+method §9 (Laplacian blend of front and side).
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Directions and side of a cell, px, of histograms of gradients (Dalal and Triggs 2005).
 _BINS: Final = 9

@@ -6,9 +6,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.records.arrays import Array
 from cloner.vision.photographs.blending import push_pull
-
-Array = NDArray[np.float64]
 
 GRID_PX = 8  # the warp is smooth: one node every 8 photo pixels
 SMOOTH_NODES = 3.0  # taste: about the width of a forearm, so that both its sides move together

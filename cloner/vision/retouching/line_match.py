@@ -18,11 +18,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
+from cloner.records.arrays import Array
 from cloner.records.labels import SURFACE_OF, Label
 from cloner.vision.photographs.blending import push_pull
 from cloner.vision.retouching.aligning import sample
 
-Array = NDArray[np.float64]
 Image = NDArray[np.float32]
 
 #: Places of ``SURFACES`` in a space of three axes, any two kinds at least sqrt(2) apart: skin against hair, upper

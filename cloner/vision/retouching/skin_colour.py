@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Least spread of skin in log red/green and log blue/green (JPEG, make-up, blood; measured on the sample faces: 0.05).
 LEAST_SPREAD: Final = 0.05

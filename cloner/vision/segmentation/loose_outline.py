@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d, median_filter
 
 from cloner.frames import ViewId
+from cloner.records.arrays import Array
 from cloner.records.loose import AROUND_LEGS, LooseRegion
 from cloner.vision.segmentation.leg_rows import LegRows, leg_rows
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 #: Everything below is a share of the figure's height in the photo.

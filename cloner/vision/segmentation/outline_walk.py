@@ -9,7 +9,8 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
+
 Bools = NDArray[np.bool_]
 
 #: Probability at which the outline lies.

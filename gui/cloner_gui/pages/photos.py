@@ -13,6 +13,8 @@ from PySide6.QtWidgets import QFileDialog, QHBoxLayout, QScrollArea, QToolButton
 from cloner.booth.photos import photo_files
 from cloner.frames import ViewId
 from cloner.project.folder import SUFFIXES
+from cloner_gui.canvas.photos.photo_card import PhotoCard, TrayCard
+from cloner_gui.canvas.photos.webcam import WebcamDialog
 from cloner_gui.canvas.photos.whole_photo import WholePhoto
 from cloner_gui.event.booth import Booth
 from cloner_gui.event.leaving import has_front
@@ -21,9 +23,7 @@ from cloner_gui.language.words import TROUBLES, VIEW_TITLES, translate, what_is_
 from cloner_gui.language.worth import told_worth
 from cloner_gui.widgets.flow import Flow
 from cloner_gui.widgets.letters import literal, unmarked
-from cloner_gui.widgets.photo_card import PhotoCard, TrayCard
 from cloner_gui.widgets.pieces import GAP, button, label, name, scrolled
-from cloner_gui.widgets.webcam import WebcamDialog
 
 #: Points are sought when photos have rested so long, milliseconds: looking at new ones comes first.
 _SEEK_AFTER_MS = 500

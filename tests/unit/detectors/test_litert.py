@@ -35,7 +35,7 @@ def test_joints_lie_near_the_rig_and_on_their_own_side(name: str, view: str) -> 
             seen = world_to_camera[:3] @ [*joint_m, 1.0]
             true_px = camera["fx"] * seen[:2] / seen[2] + [camera["cx"], camera["cy"]]
             error = np.hypot(*(pose.points_px[POSE_NAMES.index(f"{joint}_{side}")] - true_px))
-            # 886 px a metre here; hips differ by definition, see facts.md
+            # 886 px a metre here; hips differ by definition, see docs/method/parts.md
             assert error < 75, f"{name} {view} {joint}_{side} {error:.0f} px"
 
 

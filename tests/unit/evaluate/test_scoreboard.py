@@ -51,7 +51,7 @@ def test_rows_have_the_promised_form(samples, tmp_path, monkeypatch):
     assert by_name[None, "seconds"]["generic"] is None
     surface = by_name[None, "body_surface_mean_mm"]
     assert surface["value"] == surface["generic"], "this clone is the generic human"
-    # goals.md: generic scaled to stature 9.7-12 mm; slim anna, with the spine laid on her marks, less
+    # rulers: generic scaled to stature 9.7-12 mm; slim anna, with the spine laid on her marks, less
     assert 5.0 < surface["value"] < 13.0
     assert surface["other"] > surface["value"]
     assert json.loads((tmp_path / "scoreboard.json").read_text()) == rows

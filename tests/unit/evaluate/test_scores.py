@@ -134,7 +134,7 @@ def test_a_body_swollen_by_four_millimetres_scores_about_four(clone, truth):
     found = table(swollen, clone, truth)
     # both directions, armpits and fingers aside, read the swelling itself
     assert 3.0 < found["body_surface_mean_mm", ""] < 4.3
-    # the face's ruler is lenient by its definition: 0.73 mm for 5 mm of swelling (goals.md)
+    # the face's ruler is lenient by its definition: 0.73 mm for 5 mm of swelling (rulers)
     assert 0.3 < found["face_surface_similarity_mm", ""] < 1.0
     assert 0.5 < found["face_surface_rigid_mm", ""] < 1.5
 
