@@ -175,9 +175,14 @@ def side_face_odds(proposal: Proposal, photo: Photo) -> float:
 
 
 def hides_its_side(proposal: Proposal, photo: Photo) -> bool:
-    """Whether a side photo of the face shows hair or headwear alone, which may as well be seen from behind."""
+    """Whether a side photo of the face shows hair or headwear and next to no face: it may as well be seen from behind.
+
+    Bare shoulders below a fall of hair are taken for a face at times, so a little face is none unless the face net sees
+    one from the front.
+    """
     faceless = not shows(proposal.labels, Label.FACE_SKIN).any()
-    return faceless and not _shows_whole_body(proposal) and side_face_odds(proposal, photo) < 0.0
+    little = belief_in_pose(proposal) < 1.0 and _front_face_odds(photo) == 0.0
+    return (faceless or little) and not _shows_whole_body(proposal) and side_face_odds(proposal, photo) < 0.0
 
 
 def profile_odds(proposal: Proposal) -> float:

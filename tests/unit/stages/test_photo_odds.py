@@ -154,6 +154,11 @@ def test_a_side_photo_of_hair_that_may_be_a_back_is_left_out_and_one_with_a_face
     found = settle_hidden(beside, {FACE: proposal, FACE_SIDE: hair}, {})
     assert dict(found.left_out) == {FACE_SIDE: HIDDEN}
     assert set(found.views) == {FACE}
+    shoulder = bare.copy()
+    shoulder[-40:][bare[-40:] == Label.HAIR] = Label.FACE_SKIN
+    grey = replace(given, view=FACE_SIDE, rgb=np.full_like(given.rgb, 128))  # in which nobody sees a face
+    alone = PhotoSet({FACE: given, FACE_SIDE: grey})
+    assert FACE_SIDE in settle_hidden(alone, {FACE: proposal, FACE_SIDE: replace(hair, labels=shoulder)}, {}).left_out
     with_face = settle_hidden(beside, {FACE: proposal, FACE_SIDE: replace(proposal, view=FACE_SIDE)}, {})
     with pytest.raises(ClonerError, match="not from the side"):
         check_photos(with_face, beside)
