@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.frames import ViewId
+from cloner.frames import ViewId, mm_from_m
 from cloner.hair.volumes.cap import FACE_PHOTO
 from cloner.hair.volumes.views import FAR_MM, HairView
 from cloner.vision.retouching.aligning import sample
@@ -13,6 +13,7 @@ from cloner.vision.retouching.aligning import sample
 Array = NDArray[np.float64]
 
 ROUND_MM = 70.0  # half a head's width: thick hair between the sides that show it is as round as a head
+LONGER = 1.25  # anatomy: heads are so much longer than wide, and so is hair of which no side photo tells
 SIDES = (
     (ViewId.BODY_FRONT, ViewId.FACE_FRONT),
     (ViewId.BODY_SIDE, ViewId.FACE_SIDE),
@@ -65,14 +66,25 @@ def rounded_mm(front: NDArray[np.float32], side: NDArray[np.float32], most_mm: f
     return np.asarray(radius - np.sqrt(away), np.float32)
 
 
-def agreed_mm(views: list[HairView], points_m: Array) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
+def agreed_mm(
+    views: list[HairView], points_m: Array, deep_m: tuple[float, float]
+) -> tuple[NDArray[np.float32], NDArray[np.int64]]:
     """Return (N,) how deep points lie in the hair that photos of all sides agree on, mm, and how many sides judge.
 
     As `hull_mm`, but two photos of one side are heard together, the body's more, as its camera is known better: one may
     show the head displaced, one may have lost dark hair before a dark wall. Level by level the sides' cones meet in a
     round edge: a box is no hair. Upwards and downwards all photos see the same end: there nothing is rounded.
+    Where front and back photos judge alone, neither tells how deep hair is: it is as round as a head.
+
+    Parameters
+    ----------
+    views : list of HairView
+    points_m : (N, 3)
+    deep_m : (float, float)
+        Where hair usually begins and ends from back to front (z), m.
     """
     sides, least = np.zeros(len(points_m), np.int64), np.full(len(points_m), np.float32(FAR_MM))
+    aside_judged = np.zeros(len(points_m), np.bool_)
     plan = {aside: np.full((len(points_m), 2), np.float32(FAR_MM)) for aside in (False, True)}
     rows_px = {view.posed.view: across_px(view.hair) for view in views if view.flip_m is None}
     for names in SIDES:
@@ -93,7 +105,13 @@ def agreed_mm(views: list[HairView], points_m: Array) -> tuple[NDArray[np.float3
         judged = inside < FAR_MM
         sides, least = sides + judged, np.minimum(least, inside)
         aside = ViewId.BODY_SIDE in names  # front and back tell the same ends: as two they would round twice
+        aside_judged |= judged & aside
         plan[aside] = np.where(judged[:, None], np.minimum(plan[aside], across), plan[aside])
+    usual = (sides > 1) & ~aside_judged
+    half = np.minimum(mm_from_m(deep_m[1] - deep_m[0]) / 2.0, LONGER * plan[False][usual, 1])
+    inside = half - mm_from_m(1.0) * np.abs(points_m[usual, 2] - (deep_m[0] + deep_m[1]) / 2.0)
+    plan[True][usual] = np.column_stack([inside, half])
+    least[usual] = np.minimum(least[usual], inside)
     return np.where(
         sides > 0, np.minimum(least, rounded_mm(plan[False], plan[True], ROUND_MM)), np.float32(-FAR_MM)
     ), sides

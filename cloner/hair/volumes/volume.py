@@ -160,7 +160,16 @@ def tail_mm(views: list[HairView], tail: Tail, points_m: Array) -> NDArray[np.fl
     return field
 
 
-def hanging_mm(views: list[HairView], points_m: Array, skin_mm: NDArray[np.float32]) -> NDArray[np.float32]:
+def usual_depth_m(scalp: Scalp) -> tuple[float, float]:
+    """Return where hair ends behind and in front (z) if no side photo tells: a drape behind the head, at its roots."""
+    hairy = scalp.points_m[scalp.hairy > 0.5, 2]
+    front = hairy if hairy.size else scalp.points_m[:, 2]
+    return float(scalp.points_m[:, 2].min()) - m_from_mm(DRAPE_MM), float(front.max())
+
+
+def hanging_mm(
+    views: list[HairView], points_m: Array, skin_mm: NDArray[np.float32], deep_m: tuple[float, float]
+) -> NDArray[np.float32]:
     """Return (N,) the field of hair that stands off the head's cap, hangs, or lies on neck, shoulders or cheeks, mm.
 
     Here all photos must agree, because labels low down are the least sure; what one side alone tells of lies thin.
@@ -171,10 +180,12 @@ def hanging_mm(views: list[HairView], points_m: Array, skin_mm: NDArray[np.float
     points_m : (N, 3)
     skin_mm : (N,) float32
         Signed distance to the whole body's skin, positive outside.
+    deep_m : (float, float)
+        As in :func:`agreed_mm`.
     """
     field = np.full(len(skin_mm), -FAR_MM, np.float32)
     rows = np.flatnonzero(skin_mm > -INNER_MM)
-    inside, sides = agreed_mm(views, points_m[rows])
+    inside, sides = agreed_mm(views, points_m[rows], deep_m)
     thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[rows])
     # Hair that hangs free and is thinner than the labels' doubt is none.
     field[rows] = np.minimum(np.minimum(inside - DRAPE_DOUBT_MM, thin), skin_mm[rows] + INNER_MM)
@@ -220,7 +231,7 @@ def hair_field(
     lain = lying_near(body, votes, points)
     skin_mm, low = lain.skin_mm, points[:, 1] < hang_below_m
     grown = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
-    hanging = hanging_mm(views, points, skin_mm)
+    hanging = hanging_mm(views, points, skin_mm, usual_depth_m(scalp))
     hanging = np.where(low, np.maximum(hanging, cap_mm(views, lain)), hanging)
     if tail is not None:
         grown = np.maximum(grown, tail_mm(views, tail, points))
@@ -263,7 +274,7 @@ def _worthwhile(
     middle = [low_m[k] + (np.arange(cells[k]) * COARSE + 0.5 * (COARSE - 1)) * VOXEL_M for k in range(3)]
     coarse = np.stack(np.meshgrid(*middle, indexing="ij"), axis=-1).reshape(-1, 3)
     radius_mm = mm_from_m(COARSE * VOXEL_M)
-    wanted = np.maximum(hull_mm(views, coarse), agreed_mm(views, coarse)[0]) > -radius_mm
+    wanted = np.maximum(hull_mm(views, coarse), agreed_mm(views, coarse, usual_depth_m(scalp))[0]) > -radius_mm
     if tail is not None:
         wanted |= tail.inside_mm(coarse) > -radius_mm
     for skin_m, thick_mm in ((scalp.points_m[scalp.hairy > 0.0], float(scalp.thickness_mm.max())), (lying_m, LYING_MM)):

@@ -57,7 +57,7 @@ CURTAIN[30:111, 66:75] = True  # 18 mm thick seen from aside
 def inside(*points_mm: tuple[float, float, float], side: NDArray[np.bool_] = HAIR) -> NDArray[np.float32]:
     """Return how deep points lie in what both photos agree on, mm."""
     views = [Seen(ViewId.BODY_FRONT, 0, HAIR), Seen(ViewId.BODY_SIDE, 2, side)]
-    return agreed_mm(views, np.array(points_mm) / 1000.0)[0]  # type: ignore[arg-type]
+    return agreed_mm(views, np.array(points_mm) / 1000.0, (-0.5, 0.5))[0]  # type: ignore[arg-type]
 
 
 def test_hair_reaches_down_to_where_both_photos_end_it() -> None:

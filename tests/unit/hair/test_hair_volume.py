@@ -10,6 +10,7 @@ from cloner.hair.volumes.rows import ROUND_MM, agreed_mm
 from cloner.hair.volumes.volume import LYING_MM, TAIL_DOUBT_MM, _held_by, cap_mm, lying_near, near_skin, tail_mm
 
 SIDE_MM, THICK_MM, FOLD_M = 4.0, 20.0, 0.01
+DEEP = (-0.12, 0.12)
 
 
 def _folded_sheet():
@@ -66,7 +67,7 @@ def _slab(view, axis, half_mm, judged=True):
 def test_hair_between_front_and_side_is_round_and_no_box():
     views = [_slab(ViewId.FACE_FRONT, 0, 100.0), _slab(ViewId.BODY_SIDE, 2, 100.0)]
     points = np.array([[0.0, 0.0, 0.0], [0.095, 0.0, 0.095], [0.095, 0.0, 0.0], [0.11, 0.0, 0.0]])
-    inside, sides = agreed_mm(views, points)
+    inside, sides = agreed_mm(views, points, DEEP)
     # Corner: 5.5 mm inside either band's last pixel, 64.5 mm within the round edge's centre: 70 - sqrt(2) 64.5.
     assert np.allclose(inside, [ROUND_MM, ROUND_MM - np.sqrt(2.0) * (ROUND_MM - 5.5), 5.0, -10.0], atol=1e-3)
     assert np.array_equal(sides, [2, 2, 2, 2])
@@ -75,16 +76,28 @@ def test_hair_between_front_and_side_is_round_and_no_box():
 def test_two_photos_of_one_side_are_heard_together():
     """The body photo ends its hair 20 mm before this place, the face photo 20 mm behind it."""
     views = [_slab(ViewId.BODY_SIDE, 2, 80.0), _slab(ViewId.FACE_SIDE, 2, 120.0)]
-    inside, sides = agreed_mm(views, np.array([[0.0, 0.0, 0.1]]))
+    inside, sides = agreed_mm(views, np.array([[0.0, 0.0, 0.1]]), DEEP)
     assert np.allclose(inside, (-20.0 + FACE_PHOTO * 20.0) / (1.0 + FACE_PHOTO), atol=1e-3)
     assert sides[0] == 1
 
 
 def test_a_photo_that_cannot_judge_is_not_heard():
     views = [_slab(ViewId.BODY_SIDE, 2, 80.0, judged=False), _slab(ViewId.BODY_BACK, 0, 30.0)]
-    inside, sides = agreed_mm(views, np.array([[0.01, 0.0, 0.5]]))
+    inside, sides = agreed_mm(views, np.array([[0.01, 0.0, 0.5]]), DEEP)
     assert np.allclose(inside, 20.0, atol=1e-3)
     assert sides[0] == 1
+
+
+def test_hair_that_no_side_photo_shows_is_as_deep_as_usual():
+    """Front and back photos see the same ends: together they made a slab of hair as deep as the grid."""
+    views = [_slab(ViewId.BODY_FRONT, 0, 100.0), _slab(ViewId.BODY_BACK, 0, 100.0)]
+    points = np.array([[0.0, 0.0, 0.0], [0.0, 0.0, 0.08], [0.0, 0.0, 0.2]])
+    inside, sides = agreed_mm(views, points, DEEP)
+    # Half as deep as 1.25 times the half width that counts, 70 mm.
+    assert np.allclose(inside, [ROUND_MM, 7.5, -112.5], atol=1e-3)
+    assert np.array_equal(sides, [2, 2, 2])
+    told = agreed_mm([*views, _slab(ViewId.BODY_SIDE, 2, 250.0)], points, DEEP)[0]
+    assert told[2] > 0.0
 
 
 def test_hair_hangs_from_hair():
@@ -106,8 +119,8 @@ def test_a_photo_of_the_back_takes_nothing_from_the_width_that_the_front_photo_s
     seen = [_slab(ViewId.BODY_FRONT, 0, 100.0), _slab(ViewId.BODY_SIDE, 2, 100.0)]
     points = np.array([[x / 1000.0, 0.0, 0.0] for x in (60.0, 85.0, 95.0)])
     twice = [*seen, _slab(ViewId.BODY_BACK, 0, 100.0)]
-    np.testing.assert_allclose(agreed_mm(twice, points)[0], agreed_mm(seen, points)[0], atol=1.0)
-    assert agreed_mm(twice, points)[0][1] > 10.0
+    np.testing.assert_allclose(agreed_mm(twice, points, DEEP)[0], agreed_mm(seen, points, DEEP)[0], atol=1.0)
+    assert agreed_mm(twice, points, DEEP)[0][1] > 10.0
 
 
 def test_hair_that_a_photo_shows_on_the_back_lies_on_it_as_a_film():
