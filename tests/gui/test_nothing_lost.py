@@ -19,8 +19,9 @@ from cloner.project.folder import read_corrections, view_files
 from cloner.project.results import file_digest
 from cloner_gui.event.session import Session
 from cloner_gui.main_window import CLONE, PHOTOS, POINTS, VISITOR, MainWindow
+from kit.stand_ins import drop
 
-from .test_flow import begin, drop, event, settled  # noqa: F401  (event is a fixture)
+from .test_flow import begin, event, settled  # noqa: F401  (event is a fixture)
 
 pytestmark = pytest.mark.gui
 LEFT = Qt.MouseButton.LeftButton

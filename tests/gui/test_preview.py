@@ -193,7 +193,7 @@ def test_a_body_that_is_being_cloned_grows_from_shape_to_shape(qtbot, clone):
     growth.take(small)
     assert np.allclose(seen[-1], small.vertices_m), "the first one stands there at once"
     growth.take(tall)
-    qtbot.waitUntil(lambda: np.allclose(seen[-1], tall.vertices_m), timeout=5000)
+    qtbot.waitUntil(lambda: np.allclose(seen[-1], tall.vertices_m), timeout=60000)
     heights = [np.ptp(one[:, 1]) for one in seen[1:]]
     assert len(heights) > 3, "it moves"
     assert heights == sorted(heights)

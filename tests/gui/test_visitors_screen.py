@@ -50,7 +50,7 @@ def test_sample_people_turn_until_a_visitor_may_be_seen(event, stage, qtbot):  #
     assert not loop.active
     assert stage.middle.currentWidget() is stage.preview
     event.booth.forget(folder)
-    assert loop.active
+    qtbot.waitUntil(lambda: loop.active)
 
 
 def test_nothing_moves_by_itself_where_that_is_wanted(event, stage, qtbot, samples):  # noqa: F811

@@ -16,7 +16,7 @@ from cloner.booth.visitors.mending import mended
 from cloner.booth.visitors.person_file import person_facts
 from cloner.booth.visitors.visits import VISIT_FILE, Visit, read_visit, write_visit
 from cloner.errors import ClonerError
-from cloner.outside import read_outside
+from cloner.outside import below, read_outside
 from cloner.project.atomic import write_text
 from cloner.project.folder import PERSON_FILE, holds_photos
 from cloner.project.texts import LARGEST_BYTES, check_format
@@ -24,6 +24,7 @@ from cloner.records.terms import LICENCES
 
 EVENT_FILE: Final = "event.json"
 TRASH: Final = "trash"
+ASIDE: Final = ".forgetting-"  # before the name of a visitor's folder whose deletion has begun
 LOG_FILE: Final = "cloner.log"
 #: Number of the file's format; older ones are read too.
 FORMAT: Final = 2
@@ -255,7 +256,7 @@ def check_can_write(folder: Path) -> None:
 
 def is_untouched(folder: Path) -> bool:
     """Return whether nothing is known of a visitor yet: no name, height or consent, and not one photo."""
-    files = {path.name for path in folder.rglob("*") if path.is_file()}
+    files = {path.name for path in below(folder) if path.is_file()}
     try:
         return files <= {VISIT_FILE, PERSON_FILE} and person_facts(folder) == ("", None, "")
     except ClonerError:
@@ -275,7 +276,6 @@ def new_visitor(root: Path, now: str) -> Path:
     Parameters
     ----------
     root : Path
-        The event.
     now : str
         The time, for the visit's own file.
 
@@ -284,8 +284,8 @@ def new_visitor(root: Path, now: str) -> Path:
     ClonerError
         If it cannot be made.
     """
-    known = (*root.glob("visitor-*"), *(root / TRASH).glob("visitor-*"))
-    taken = [int(path.name[8:]) for path in known if path.name[8:].isdigit()]
+    known = [path.name.removeprefix(ASIDE) for place in (root, root / TRASH) for path in place.glob("*visitor-*")]
+    taken = [int(name[8:]) for name in known if name.startswith("visitor-") and name[8:].isdigit()]
     folder = root / f"visitor-{max(taken, default=0) + 1:03d}"
     try:
         folder.mkdir(parents=True)

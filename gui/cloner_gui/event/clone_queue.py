@@ -35,6 +35,12 @@ def update_visit(folder: Path, change: Callable[[Visit], Visit]) -> None:
         write_visit(folder, change(read_visit(folder)))
 
 
+def note_asked(folder: Path) -> Path:
+    """Note that a clone of a visitor was asked for now; return the visitor."""
+    update_visit(folder, lambda visit: line.asked(visit, now_text()))
+    return folder
+
+
 class CloneQueue(QObject):
     """Clones visitors one after the other; who waits stands in the visits' files and survives a crash.
 
@@ -82,28 +88,31 @@ class CloneQueue(QObject):
     def ask(self, folder: Path) -> None:
         """Put a visitor at the end of the queue."""
         if not self.holds(folder):
-            update_visit(folder, lambda visit: line.asked(visit, now_text()))
-            self.resume((folder,))
+            self.resume((note_asked(folder),))
 
     def resume(self, folders: tuple[Path, ...]) -> None:
         """Go on with visitors who waited already."""
         self._waiting += [folder for folder in folders if not self.holds(folder)]
         self._next()
 
-    def withdraw(self, folder: Path) -> None:
-        """Take a visitor out of the queue, at once."""
+    def drop(self, folder: Path) -> None:
+        """Clone a visitor who goes no more, and wait until nothing is written: the clone's process ends at once."""
+        self._stop(folder)
+        if folder == self._at_work and self._task is not None:
+            self._task.wait()
+
+    def _stop(self, folder: Path) -> None:
         if folder in self._waiting:
             self._waiting.remove(folder)
         elif folder == self._at_work and self._task is not None:
             self._task.cancel()
+
+    def withdraw(self, folder: Path) -> None:
+        """Take a visitor out of the queue, at once."""
+        self._stop(folder)
         done = has_result(folder / RESULTS / safe_identifier(folder.name))
         update_visit(folder, lambda visit: line.withdrawn(visit, done))
         self.changed.emit()
-
-    def wait_for(self, folder: Path) -> None:
-        """Wait until a visitor's clone, withdrawn before, writes no more: its process ends at once."""
-        if folder == self._at_work and self._task is not None:
-            self._task.wait()
 
     def close(self) -> None:
         """Stop the work and wait for it; who waits is cloned when the event is opened again."""

@@ -211,20 +211,13 @@ class GalleryWindow(QDialog):
                 self.close()
 
     def _clone_again(self) -> None:
-        for folder in self.marked():
-            self._booth.session.queue.ask(folder)
+        self._booth.clone_again(*self.marked())
 
     def _throw_away(self) -> None:
-        for folder in self.marked():
-            self._booth.throw_away(folder)
+        self._booth.throw_away(*self.marked())
 
     def _bring_back(self) -> None:
-        for folder in self.marked():
-            try:
-                trash.bring_back(folder)
-            except ClonerError as error:
-                self._booth.failed.emit(error)
-        self._booth.visits_changed.emit()
+        self._booth.bring_back(*self.marked())
 
 
 def picture_of(folder: Path) -> Path | None:

@@ -3189,6 +3189,14 @@
         <translation>der Besucher kann nicht verschoben werden</translation>
     </message>
     <message>
+        <source>these files still tell of who was deleted</source>
+        <translation>diese Dateien verraten noch etwas über Gelöschte</translation>
+    </message>
+    <message>
+        <source>Look at them: they may be copies</source>
+        <translation>Sehen Sie sie an: Es können Kopien sein</translation>
+    </message>
+    <message>
         <source>the page for telephones cannot be served</source>
         <translation>die Seite für Telefone kann nicht angeboten werden</translation>
     </message>
@@ -4143,6 +4151,7 @@
     </message>
     <message>
         <source>Visitor {n}</source>
+        <extracomment>Folders where they lie now, and what went wrong with others.</extracomment>
         <translation>Besucher {n}</translation>
     </message>
     <message>

@@ -3189,6 +3189,14 @@
         <translation>le visiteur ne peut pas être déplacé</translation>
     </message>
     <message>
+        <source>these files still tell of who was deleted</source>
+        <translation>ces fichiers parlent encore de personnes supprimées</translation>
+    </message>
+    <message>
+        <source>Look at them: they may be copies</source>
+        <translation>Regardez-les : ce sont peut-être des copies</translation>
+    </message>
+    <message>
         <source>the page for telephones cannot be served</source>
         <translation>la page pour téléphones ne peut pas être servie</translation>
     </message>
@@ -4143,6 +4151,7 @@
     </message>
     <message>
         <source>Visitor {n}</source>
+        <extracomment>Folders where they lie now, and what went wrong with others.</extracomment>
         <translation>Visiteur {n}</translation>
     </message>
     <message>

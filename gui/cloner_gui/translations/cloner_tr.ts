@@ -3188,6 +3188,14 @@
         <translation>ziyaretçi taşınamıyor</translation>
     </message>
     <message>
+        <source>these files still tell of who was deleted</source>
+        <translation>bu dosyalar silinen kişileri hâlâ anlatıyor</translation>
+    </message>
+    <message>
+        <source>Look at them: they may be copies</source>
+        <translation>Onlara bakın: kopya olabilirler</translation>
+    </message>
+    <message>
         <source>the page for telephones cannot be served</source>
         <translation>telefon sayfası sunulamıyor</translation>
     </message>
@@ -4142,6 +4150,7 @@
     </message>
     <message>
         <source>Visitor {n}</source>
+        <extracomment>Folders where they lie now, and what went wrong with others.</extracomment>
         <translation>Ziyaretçi {n}</translation>
     </message>
     <message>
