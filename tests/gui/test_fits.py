@@ -77,6 +77,10 @@ def busy_event(event, qtbot, jobs, samples, monkeypatch, tmp_path):  # noqa: F81
     event.session.place_point(ViewId.BODY_FRONT, "nose_tip", 610.0, 300.0)
     result = event.session.outcome.folder
     result.mkdir(parents=True, exist_ok=True)
+    before = event.session.folder / "clone_before" / "result"
+    before.mkdir(parents=True)
+    for name in ("clone.npz", "report.json"):
+        (before / name).touch()
     event.go(TAKEAWAY)
     qtbot.waitUntil(lambda: bool(event.takeaway.sticks.sticks), timeout=10000)
     event.notice.clear()

@@ -195,7 +195,7 @@ def test_one_visitor_is_cloned_while_the_next_is_photographed(event, jobs, qtbot
         drop(event.photos, samples / "anna" / "plain" / "body_front.jpg")
         settled(event, qtbot)
         event.session.clone()
-    assert jobs.started.wait(5)
+    assert jobs.started.wait(60)
     assert event.session.queue.at_work == folders[0]
     assert event.session.busy, "the second visitor waits"
     assert read_visit(folders[1]).state is State.WAITING
@@ -219,7 +219,7 @@ def test_one_visitor_is_cloned_while_the_next_is_photographed(event, jobs, qtbot
 def test_cancel_stops_and_tells_nothing(window, jobs, qtbot, folder):
     jobs.wait_for_cancel = True
     window.session.clone()
-    assert jobs.started.wait(5)
+    assert jobs.started.wait(60)
     qtbot.waitUntil(lambda: window.queue_bar.bar.value() == 500)
     qtbot.mouseClick(window.queue_bar.cancel, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not window.session.busy, timeout=60000)
@@ -231,8 +231,8 @@ def test_cancel_stops_and_tells_nothing(window, jobs, qtbot, folder):
 def test_closing_the_window_stops_the_work_and_who_waits_is_cloned_next_time(window, jobs, qtbot, folder):
     jobs.wait_for_cancel = True
     window.session.clone()
-    assert jobs.started.wait(5)
-    task = window.session.queue._task
+    assert jobs.started.wait(60)
+    task = window.session.queue._runs[folder].task
     window.close()
     assert task.isFinished()
     assert read_visit(folder).state is State.WAITING

@@ -72,7 +72,7 @@ def test_who_was_taken_out_of_the_queue_stays_out(event, jobs, qtbot, samples): 
     jobs.wait_for_cancel = True
     folder = photographed(event, qtbot, samples, FRONT)
     event.session.clone()
-    assert jobs.started.wait(5)
+    assert jobs.started.wait(60)
     event.go(CLONE)
     qtbot.mouseClick(event.clone.cancel_button, LEFT)
     qtbot.waitUntil(lambda: not event.session.cloning)
@@ -389,10 +389,10 @@ def test_who_is_opened_and_who_is_next_is_said(event, jobs, qtbot, samples):  # 
     jobs.wait_for_cancel = True
     photographed(event, qtbot, samples, FRONT)
     event.session.clone()
-    assert jobs.started.wait(5)
+    assert jobs.started.wait(60)
     event.go(PHOTOS)
     assert event.queue_bar.isVisible()
-    event.session.queue._tell("", 0.0)
+    event.session.queue._tell(event.session.folder, "", 0.0)
     assert ": ," not in event.queue_bar.text.text()
     event.go(CLONE)
     assert not event.queue_bar.isVisible(), "one bar is enough"

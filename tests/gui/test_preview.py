@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QApplication
 
 from cloner.booth.growing import Shape, plain_clone
 from cloner.frames import ViewId
@@ -16,6 +17,8 @@ from cloner_gui.canvas.clones.acting import MODES, MOTIONS, acted, dressed, moti
 from cloner_gui.canvas.clones.growth import Growth
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.canvas.clones.preview_panel import PreviewPanel
+from cloner_gui.language.languages import speak
+from cloner_gui.main_window import CLONE
 from kit.clones import toy_clone
 
 pytestmark = [pytest.mark.gui, pytest.mark.gl]
@@ -232,3 +235,12 @@ def test_a_picture_that_is_still_drawn_is_never_shown_of_the_next_person(preview
     preview.set_clone(None)
     qtbot.waitUntil(lambda: newest().idle)
     assert "Press Clone" in preview.text()
+
+
+def test_what_an_empty_place_says_changes_with_the_language(window, qtbot):
+    window.go(CLONE)
+    assert "Press Clone" in window.clone.preview.text()
+    speak("de")
+    QApplication.processEvents()
+    assert "Klonen drücken" in window.clone.preview.text()
+    speak("en")

@@ -13,12 +13,11 @@ from pathlib import Path
 from typing import Any, Final
 
 from cloner.booth.visitors.mending import mended
-from cloner.booth.visitors.person_file import person_facts
 from cloner.booth.visitors.visits import VISIT_FILE, Visit, read_visit, write_visit
 from cloner.errors import ClonerError
-from cloner.outside import below, read_outside
+from cloner.outside import read_outside
 from cloner.project.atomic import write_text
-from cloner.project.folder import PERSON_FILE, holds_photos
+from cloner.project.folder import holds_photos
 from cloner.project.texts import LARGEST_BYTES, check_format
 from cloner.records.terms import LICENCES
 
@@ -33,11 +32,13 @@ APPEARANCES: Final = ("system", "light", "dark", "contrast")
 DEFAULT_RETENTION_DAYS: Final = 30  # taste: long enough to mend a complaint, short enough to be forgotten
 DEFAULT_TRASH_DAYS: Final = 2  # taste: a slip is noticed on the same day or the next
 DEFAULT_PHONE_HOURS: Final = 24  # taste: until the visitor is at home, and no longer
+MOST_AT_ONCE: Final = 8  # taste: each takes a core and 1 GiB
 _OLD_CONSENT: Final = "consent"
 _CHOICES: Final = {"language": LANGUAGES, "appearance": APPEARANCES, "licence": LICENCES}
 #: Least and largest value of settings that are numbers (taste).
 _RANGES: Final = {
     "retention_days": (0, 3650), "trash_days": (0, 365), "text_percent": (50, 300), "phone_hours": (1, 24 * 30),
+    "at_once": (1, MOST_AT_ONCE),
 }  # fmt: skip
 _WRITE_HINT: Final = "Check its permissions and the space left, or choose another"
 _HINT: Final = f"Correct {EVENT_FILE}, or move it away to start with the usual settings"
@@ -73,6 +74,8 @@ class Event:
         What visitors call the scene that their clones may walk in ("museum"); "" where there is none.
     link : str
         Address that the take-away code holds, "{id}" standing for the visitor; "" for none.
+    at_once : int
+        How many visitors are cloned at the same time, 1 to `MOST_AT_ONCE`.
     phone, phone_https : bool
         Whether visitors' phones are served a page on the booth's own network, and whether encrypted with a
         certificate of the booth's own.
@@ -102,6 +105,7 @@ class Event:
     formats: tuple[str, ...] = ("glb", "wrl")
     camera_folder: str = ""
     scene: str = ""
+    at_once: int = 1
     link: str = ""
     phone: bool = False
     phone_https: bool = False
@@ -252,15 +256,6 @@ def check_can_write(folder: Path) -> None:
             pass
     except OSError as error:
         raise ClonerError("nothing can be written into this folder", _WRITE_HINT, folder.name) from error
-
-
-def is_untouched(folder: Path) -> bool:
-    """Return whether nothing is known of a visitor yet: no name, height or consent, and not one photo."""
-    files = {path.name for path in below(folder) if path.is_file()}
-    try:
-        return files <= {VISIT_FILE, PERSON_FILE} and person_facts(folder) == ("", None, "")
-    except ClonerError:
-        return False
 
 
 def visitor_folders(root: Path) -> tuple[Path, ...]:

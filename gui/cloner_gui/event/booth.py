@@ -14,7 +14,6 @@ from cloner.booth.events.event import (
     Event,
     check_can_write,
     check_event_folder,
-    is_untouched,
     is_visitor,
     new_visitor,
     open_event,
@@ -24,6 +23,7 @@ from cloner.booth.events.event import (
 from cloner.booth.opened import Opened
 from cloner.booth.photos import arrivals
 from cloner.booth.visitors import line
+from cloner.booth.visitors.person_file import is_untouched
 from cloner.booth.visitors.visits import KnownVisits, Visit, read_visit
 from cloner.errors import ClonerError
 from cloner_gui.background.worker import Task, stop_all_tasks
@@ -112,6 +112,7 @@ class Booth(Everybody):
 
     def _follow_settings(self) -> None:
         self.session.queue.formats = self.settings.formats
+        self.session.queue.clone_at_once(self.settings.at_once)
         self.session.queue.usual_s = line.usual_seconds(self.visits())
         camera = Path(self.settings.camera_folder) if self.settings.camera_folder else None
         if camera != self.intake.camera_folder:

@@ -11,9 +11,12 @@ from PySide6.QtCore import QObject, Signal
 
 from cloner.booth.events import keeping, trash
 from cloner.booth.events.event import Event
+from cloner.booth.opened import Opened
 from cloner.booth.visitors.names import KnownNames, called
+from cloner.booth.visitors.versions import bring_before, has_before
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import Holding
+from cloner.project.folder import safe_identifier
 from cloner_gui.background.worker import Task
 from cloner_gui.event.clone_queue import note_asked
 from cloner_gui.event.desk import Desk
@@ -45,6 +48,9 @@ class Everybody(Desk):
         self.settings = Event()
         self.intake = Intake(session, self)
         self._names = KnownNames()
+
+    def change(self, **settings: Any) -> None:
+        """Change settings of the event and save them; nothing without an event."""
 
     def typed_name(self, folder: Path) -> str:
         """Return a visitor's name as it was typed."""
@@ -126,6 +132,26 @@ class Everybody(Desk):
 
         self._beside(lambda: _moved(note_asked, new), resume)
 
+    def bring_clone_before(self, *folders: Path) -> None:
+        """Exchange visitors' clones and those before; done again it is as it was."""
+        here, services = self.session.folder, self.session.services
+        wanted = [folder for folder in folders if has_before(folder) and not self.session.queue.holds(folder)]
+
+        def exchange() -> tuple[_Moved, Opened | None]:
+            moved = _moved(_exchanged, wanted)
+            return moved, services.open(here) if here is not None and here in moved[0] else None
+
+        def show(done: tuple[_Moved, Opened | None]) -> None:
+            moved, opened = done
+            self._tell_wrong(moved)
+            if opened is not None and opened.folder == self.session.folder:
+                self.session.take(opened)
+            if moved[0]:
+                told = translate("window", "{name}: the clone before is back. The other one is kept: the same again.")
+                self.told.emit(told.format(name=_some([self.name_of(folder) for folder in moved[0]])))
+
+        self._beside(exchange, show)
+
     def _tell_wrong(self, moved: _Moved) -> None:
         for error in moved[1]:
             self.failed.emit(error)
@@ -139,7 +165,7 @@ class Everybody(Desk):
             self.change(open="")
 
     def _tell_gone(self) -> None:
-        self.tell_change()
+        self.visits_changed.emit()
         if self.session.folder is None:
             self.page_wanted.emit("visitor")
 
@@ -153,6 +179,11 @@ def _moved(move: Callable[[Path], Path], folders: Sequence[Path]) -> _Moved:
         except ClonerError as error:
             wrong.append(error)
     return lie, wrong
+
+
+def _exchanged(folder: Path) -> Path:
+    bring_before(folder, safe_identifier(folder.name))
+    return folder
 
 
 def _some(names: Sequence[str]) -> str:

@@ -269,6 +269,7 @@ SENTENCES: Final[tuple[str, ...]] = tuple(
         QT_TRANSLATE_NOOP("told", "the visitor cannot be moved"),
         QT_TRANSLATE_NOOP("told", "these files still tell of who was deleted"),
         QT_TRANSLATE_NOOP("told", "Look at them: they may be copies"),
+        QT_TRANSLATE_NOOP("told", "there is no clone before this one"),
         QT_TRANSLATE_NOOP("told", "the page for telephones cannot be served"),
         QT_TRANSLATE_NOOP("told", "Is the booth's network up, and is nothing else served here?"),
         QT_TRANSLATE_NOOP("told", "an encrypted page needs a library that is not here"),

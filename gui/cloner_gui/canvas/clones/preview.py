@@ -51,7 +51,7 @@ class Preview(QLabel):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
-        self.empty_text = self.tr("Press Clone: after about a minute the person stands here.")
+        self._empty_text = self.tr("Press Clone: after about a minute the person stands here.")
         self.mode, self.motion_kind, self.opacity = "textured", "stand", 1.0
         self.shown: Scene | None = None  # what the picture on the screen shows: it lags behind what is asked for
         self._clone: Clone | None = None
@@ -69,7 +69,7 @@ class Preview(QLabel):
         self._later.timeout.connect(lambda: self._draw(fine=True))
         self._film = QTimer(self, interval=_FRAME_MS)
         self._film.timeout.connect(self.refresh)
-        self.setText(self.empty_text)
+        self.setText(self._empty_text)
         self._speak()
 
     def sizeHint(self) -> QSize:
@@ -82,6 +82,12 @@ class Preview(QLabel):
 
     def _speak(self) -> None:
         self.setAccessibleName(self.tr("The clone in three dimensions"))
+
+    def say_when_empty(self, text: str) -> None:
+        """Say something else where nobody is shown."""
+        self._empty_text = text
+        if self._clone is None:
+            self.setText(text)
 
     # --- what is shown -------------------------------------------------------
 
@@ -98,7 +104,7 @@ class Preview(QLabel):
         self._clone = clone
         if clone is None:
             self._film.stop()
-            self.setText(self.empty_text)
+            self.setText(self._empty_text)
         elif self.pixmap().isNull():
             self.setText("")  # it is being drawn: nobody has to press Clone any more
         self.refresh()
