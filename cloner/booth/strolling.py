@@ -20,7 +20,8 @@ from cloner.project.atomic import appears
 from cloner.project.clone_file import load_clone
 from cloner.records.clones import Clone
 
-FILE: Final = "stroll.png"
+#: Not beside the photos, where every picture counts as one.
+FILE: Final = "stage/stroll.png"
 FRAMES: Final = 12  # of the two steps of a walk, beside each other: 12 a second look like walking
 #: Width and height of a picture, px: a walker on a screen of 1080 lines that is a third as high as it (taste).
 SIZE_PX: Final = (240, 400)
@@ -50,6 +51,7 @@ def draw_stroll(visitor: Path, result: Path, progress: Progress) -> Path:
     for key, value in facts.items():
         told.add_text(key, f"{value:.4f}")
     try:
+        (visitor / FILE).parent.mkdir(exist_ok=True)
         with appears(visitor / FILE) as temporary:
             Image.fromarray(whole).save(temporary, format="PNG", pnginfo=told)
     except OSError as error:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QImage
 
 from cloner.booth.photos.looking_table import Look, Trouble
 from cloner.booth.photos.looks import keep_look
+from cloner.booth.strolling import FILE
 from cloner.booth.visitors.visits import read_visit, write_visit
 from cloner_gui.canvas.clones import attract
 from cloner_gui.main_window import CLONE
@@ -123,13 +124,13 @@ def day(event, stage, qtbot, monkeypatch):  # noqa: F811
     for folder, shown in zip(folders, (True, True, False), strict=True):
         with_result(folder, shown=shown)
     event.booth.visits_changed.emit()
-    qtbot.waitUntil(lambda: all((one / "stroll.png").is_file() for one in folders[:2]), timeout=60000)
+    qtbot.waitUntil(lambda: all((one / FILE).is_file() for one in folders[:2]), timeout=60000)
     return folders
 
 
 def test_the_day_s_crowd_walks_by_and_who_is_forgotten_leaves_it_at_once(event, stage, day, qtbot):  # noqa: F811
     seen, gone, unseen = day
-    assert not (unseen / "stroll.png").exists(), "nobody is drawn who did not agree"
+    assert not (unseen / FILE).exists(), "nobody is drawn who did not agree"
     stage._seen = 3  # clones have shown themselves one by one
     stage.go_on()
     qtbot.waitUntil(lambda: stage.middle.currentWidget() is stage.parade, timeout=60000)
@@ -156,7 +157,7 @@ def test_one_alone_is_no_crowd_and_a_new_clone_is_drawn_anew(event, stage, day, 
     first, second, _ = day
     event.booth.forget(second)
     assert not stage.show_crowd()
-    drawn = (first / "stroll.png").stat().st_mtime_ns
+    drawn = (first / FILE).stat().st_mtime_ns
     os.utime(first / "clones" / first.name / "clone.npz")
     event.booth.visits_changed.emit()
-    qtbot.waitUntil(lambda: (first / "stroll.png").stat().st_mtime_ns > drawn, timeout=60000)
+    qtbot.waitUntil(lambda: (first / FILE).stat().st_mtime_ns > drawn, timeout=60000)

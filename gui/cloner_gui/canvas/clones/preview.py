@@ -30,6 +30,7 @@ _KEY_PIXELS: Final = 20.0  # what an arrow key turns, as if dragged so far
 _ZOOM_STEP: Final = 1.15
 _FINE_AFTER_MS: Final = 200  # edges are smoothed when nothing moved for so long
 _FRAME_MS: Final = 40  # between two pictures of a motion
+_LEAST_PX, _EDGE_PX = 160, 8  # width without a picture, and room around a word
 
 
 class Preview(QLabel):
@@ -42,12 +43,13 @@ class Preview(QLabel):
     drawn = Signal()
     touched = Signal()
     """A hand, a key or a wheel turned, moved or zoomed the clone."""
+    _empty_text = ""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.setWordWrap(True)
-        self.setMinimumSize(160, 200)
+        self.setMinimumSize(_LEAST_PX, 200)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
@@ -86,8 +88,14 @@ class Preview(QLabel):
     def say_when_empty(self, text: str) -> None:
         """Say something else where nobody is shown."""
         self._empty_text = text
+        self._make_room()
         if self._clone is None:
             self.setText(text)
+
+    def _make_room(self) -> None:
+        """Be no narrower than the longest word that is said where nobody is shown."""
+        longest = max(map(self.fontMetrics().horizontalAdvance, self._empty_text.split()), default=0)
+        self.setMinimumSize(max(_LEAST_PX, longest + _EDGE_PX), 200)
 
     # --- what is shown -------------------------------------------------------
 
@@ -247,6 +255,8 @@ class Preview(QLabel):
         """Be called in another language."""
         if event.type() == QEvent.Type.LanguageChange:
             self._speak()
+        elif event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._make_room()
         super().changeEvent(event)
 
     def event(self, event: QEvent) -> bool:
