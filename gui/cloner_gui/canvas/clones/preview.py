@@ -30,7 +30,7 @@ _KEY_PIXELS: Final = 20.0  # what an arrow key turns, as if dragged so far
 _ZOOM_STEP: Final = 1.15
 _FINE_AFTER_MS: Final = 200  # edges are smoothed when nothing moved for so long
 _FRAME_MS: Final = 40  # between two pictures of a motion
-_LEAST_PX, _EDGE_PX = 160, 8  # width without a picture, and room around a word
+_LEAST_PX: Final = 160  # width without a picture
 
 
 class Preview(QLabel):
@@ -95,7 +95,7 @@ class Preview(QLabel):
     def _make_room(self) -> None:
         """Be no narrower than the longest word that is said where nobody is shown."""
         longest = max(map(self.fontMetrics().horizontalAdvance, self._empty_text.split()), default=0)
-        self.setMinimumSize(max(_LEAST_PX, longest + _EDGE_PX), 200)
+        self.setMinimumSize(max(_LEAST_PX, longest), 200)
 
     # --- what is shown -------------------------------------------------------
 
