@@ -45,6 +45,12 @@ def open_outside(path: Path) -> BinaryIO:
         raise
 
 
+def below(root: Path) -> list[Path]:
+    """Return all files and folders below a folder, sorted; through no link, and without what goes meanwhile."""
+    inside = [os.path.join(place, name) for place, folders, files in os.walk(root) for name in (*folders, *files)]
+    return sorted(map(Path, inside))
+
+
 def read_outside(path: Path, largest_bytes: int) -> bytes:
     """Return the bytes of an ordinary file, at most so many.
 

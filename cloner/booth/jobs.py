@@ -15,14 +15,16 @@ from cloner.booth.phone.parcel import pack
 from cloner.booth.photos.looking import look
 from cloner.booth.photos.looking_table import Look
 from cloner.booth.photos.photo_files import placed_photos
+from cloner.booth.strolling import draw_stroll
 from cloner.booth.visitors.kept import PROPOSED_FILE, RESULTS, VALUES_FILE, WORK, digests, known_values
+from cloner.booth.visitors.versions import keeping_before
 from cloner.booth.worker import not_shown
 from cloner.cloning import clone_folder
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.pipeline import Progress
 from cloner.project.corrections import no_corrections
-from cloner.project.folder import load_photo
+from cloner.project.folder import load_photo, safe_identifier
 from cloner.project.values_file import save_values
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposal
@@ -103,9 +105,10 @@ class Jobs:
         start = time.monotonic()
         photos = _photos(folder)
         known = known_values(folder, photos)
-        outcome = clone_folder(
-            folder, folder / RESULTS, formats=formats, known=known, progress=progress, found=self._found
-        )
+        with keeping_before(folder, safe_identifier(folder.name), digests(photos)):
+            outcome = clone_folder(
+                folder, folder / RESULTS, formats=formats, known=known, progress=progress, found=self._found
+            )
         values = outcome.values
         kept = {name: value for name, value in values.items() if name not in _ELSEWHERE}
         stamp = {"digests": digests(cast(PhotoSet, values["photos"])), "person": values["person"]}
@@ -119,6 +122,10 @@ class Jobs:
     def pack(self, folder: Path, result: Path, progress: Progress) -> Path:
         """Make what the page for telephones shows of a visitor; see `cloner.booth.phone.parcel.pack`."""
         return pack(folder, result, progress)
+
+    def stroll(self, folder: Path, result: Path, progress: Progress) -> Path:
+        """Draw a visitor's clone walking, for the visitors' screen; see `cloner.booth.strolling.draw_stroll`."""
+        return draw_stroll(folder, result, progress)
 
     def _found(self, step: str, values: Mapping[str, object]) -> None:
         shape = shape_after(step, values)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
 import logging
@@ -21,6 +22,7 @@ from cloner.booth.photos.photo_files import placed_photos, tray_photos
 from cloner.booth.visitors.kept import CLONE_FILE, RESULTS, digests, known_values, proposed_points
 from cloner.booth.visitors.mending import mend_visitor
 from cloner.booth.visitors.person_file import person_facts
+from cloner.booth.visitors.versions import mend_versions
 from cloner.errors import ClonerError
 from cloner.frames import ViewId, cm_from_m
 from cloner.project.clone_file import load_clone
@@ -140,7 +142,7 @@ def open_visitor(folder: Path) -> Opened:
     ClonerError
         If the folder is missing, or something in it cannot be read.
     """
-    mended = mend_visitor(folder) if folder.is_dir() else ()
+    mended = _mended(folder) if folder.is_dir() else ()
     photos = placed_photos(folder)
     corrections, warnings = _corrections(folder, photos)
     _, height_cm, consent = person_facts(folder)
@@ -185,6 +187,12 @@ def _corrections(folder: Path, photos: PhotoSet) -> tuple[Corrections, tuple[str
         return corrections, check_against(corrections, photos)
     except ClonerError as error:
         return no_corrections(), (str(error),)
+
+
+def _mended(folder: Path) -> tuple[str, ...]:
+    with contextlib.suppress(OSError):  # a clone that cannot be read is made again
+        mend_versions(folder, safe_identifier(folder.resolve().name))
+    return mend_visitor(folder)
 
 
 def read_cloned(folder: Path, photos: PhotoSet) -> Cloned | None:

@@ -54,22 +54,18 @@ def gains(points: ViewPoints) -> list[tuple[str, float]]:
         away = IOD_M * expected_face_error(points.confidence) * (frame is None)  # a hairline bends no face
     else:
         expected = expected_error(points.confidence)
-        away = BODY_SHARE * FIGURE_M * expected * np.where(_joints(points), np.sqrt(_far_chance(expected)), 1.0)
+        away = BODY_SHARE * FIGURE_M * expected * np.sqrt(_far_chance(expected))
     told = dict(known)
     alone = {name: float(far**2) for name, far in zip(points.names, away, strict=True) if name not in told}
     rows = [*told.items(), *alone.items()]
     return sorted((row for row in rows if not points.corrected[points.names.index(row[0])]), key=lambda row: -row[1])
 
 
-def _joints(points: ViewPoints) -> NDArray[np.bool_]:
-    """Return (N,) which of a body photo's points are joints, inside the limbs."""
-    return np.array([name.startswith(("l_", "r_")) for name in points.names], dtype=np.bool_)
-
-
 def _far_chance(expected: Array) -> Array:
-    """Return the chance (N,) that joints with expected errors (N,), figure heights, lie so far off that the fit asks.
+    """Return the chance (N,) that points with expected errors (N,), figure heights, lie so far off that the fit asks.
 
-    Nearer, a joint's correction turns a limb in its own photo and shapes nothing (``stages/points.py``, for_fitting).
+    Nearer, a joint's correction turns a limb in its own photo, a point of the outline bends the skin around itself, and
+    neither shapes the person (``stages/points.py``, for_fitting).
     Errors are normal along both axes of a photo, so their lengths are Rayleigh's.
     """
     return np.asarray(np.exp(-np.pi / 4.0 * (FAR / np.maximum(expected, 1e-6)) ** 2))

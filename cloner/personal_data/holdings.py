@@ -15,6 +15,7 @@ from typing import Final
 
 from cloner.crowd.packs.held import folders_of, people_in_packs
 from cloner.errors import ClonerError, plain
+from cloner.outside import below
 from cloner.project.atomic import rests
 from cloner.project.claims import claimants
 from cloner.project.folder import SUFFIXES, read_consent, safe_identifier
@@ -183,7 +184,10 @@ def _counted(name: str, names: Iterable[str], folders: Sequence[Sequence[Path]])
     """Return a holding of its photos, results, rests and what is apart, with its files counted."""
     photos, results, rest, packs, apart = (tuple(some) for some in folders)
     files = [path for folder in (*photos, *results, *rest, *packs) for path in _files_of(folder, apart)]
-    facts = [path.stat() for path in files]
+    facts = []
+    for path in files:
+        with contextlib.suppress(FileNotFoundError):  # somebody may be at work there
+            facts.append(path.stat())
     moment = datetime.fromtimestamp(max((fact.st_mtime for fact in facts), default=0.0), UTC)
     size, consent = sum(fact.st_size for fact in facts), " | ".join(filter(None, map(_consent, photos)))
     return Holding(name, tuple(names), photos, results, rest, packs, apart, len(facts), size, moment, consent)
@@ -198,7 +202,7 @@ def _consent(photos: Path) -> str:
 
 def _files_of(folder: Path, apart: Sequence[Path]) -> list[Path]:
     """Return the files below a folder but not below those apart, links left out; the folder itself may be apart's."""
-    found = [path for path in sorted(folder.rglob("*")) if path.is_file() and not path.is_symlink()]
+    found = [path for path in below(folder) if path.is_file() and not path.is_symlink()]
     others = [one for one in apart if _lies_in(one, folder) and one.resolve() != folder.resolve()]
     return [path for path in found if not any(_lies_in(path, one) for one in others)]
 

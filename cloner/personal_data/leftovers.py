@@ -13,7 +13,7 @@ import stat
 import unicodedata
 import zipfile
 from collections.abc import Collection, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
 from typing import BinaryIO, Final
@@ -45,16 +45,21 @@ class Traces:
         Identifiers and the name of the person.
     tokens : collection of str
         What every output of a clone carries of its photos; see `cloner.project.stamps.photos_token`.
+    anywhere, in_texts : tuple of bytes
+        What to look for in every file, and what in texts only; made of the others.
     """
 
     digests: Mapping[str, int | None]
     names: Collection[str]
     tokens: Collection[str]
+    anywhere: tuple[bytes, ...] = field(init=False)
+    in_texts: tuple[bytes, ...] = field(init=False)
 
-    def patterns(self) -> tuple[tuple[bytes, ...], tuple[bytes, ...]]:
-        """Return what to look for in every file, and what in texts only."""
+    def __post_init__(self) -> None:
+        """Spell everything once: an event has thousands of files."""
         names = {one for name in self.names for one in _spellings(name)}
-        return tuple(one.encode() for one in self.tokens), (*names, *(one.encode() for one in self.digests))
+        object.__setattr__(self, "anywhere", tuple(one.encode() for one in self.tokens))
+        object.__setattr__(self, "in_texts", (*names, *(one.encode() for one in self.digests)))
 
 
 def _spellings(name: str) -> Iterator[bytes]:
@@ -133,8 +138,7 @@ def _named_after(file: str, names: Collection[str]) -> bool:
 
 
 def _content_tells(stream: BinaryIO, suffix: str, size: int, traces: Traces) -> bool:
-    anywhere, in_texts = traces.patterns()
-    wanted = (*anywhere, *in_texts) if suffix in _TEXTS else anywhere
+    wanted = (*traces.anywhere, *traces.in_texts) if suffix in _TEXTS else traces.anywhere
     digest, tail = hashlib.sha256(), b""
     may_be_copy = size in traces.digests.values() or None in traces.digests.values()
     while block := stream.read(_BLOCK):

@@ -22,7 +22,7 @@ from typing import Any, Final
 
 from cloner.crowd.packs.held import films_below, pack_of
 from cloner.errors import ClonerError
-from cloner.outside import read_outside
+from cloner.outside import below, read_outside
 from cloner.personal_data.holdings import Holding, photo_digests
 from cloner.personal_data.leftovers import Traces, left_of
 from cloner.project.atomic import in_place_of, interrupted, safe_output
@@ -70,30 +70,37 @@ def _labelled(holding: Holding) -> Iterator[tuple[Path, str]]:
 
 
 def forget(holding: Holding, photos_root: Path | None, out: Path | None) -> tuple[str, ...]:
-    """Delete everything that is held of a visitor and return the files that still speak of it: none if all is well.
+    """Delete everything that is held of a visitor and return the files that still speak of it; see `forget_all`."""
+    return forget_all((holding,), photos_root, out)
+
+
+def forget_all(held: Sequence[Holding], photos_root: Path | None, out: Path | None) -> tuple[str, ...]:
+    """Delete everything that is held of visitors and return the files that still speak of them: none if all is well.
 
     Folders are renamed before they are deleted, so a kill half-way leaves nothing that would still be cloned or listed;
     the next call deletes such rests too. What cannot be deleted, and what a result's manifest does not list, stays and
-    is told. Everything below both folders is then searched; see `cloner.personal_data.leftovers`.
+    is told. Everything below both folders is then searched, once; see `cloner.personal_data.leftovers`.
 
     Raises
     ------
     ClonerError
-        If a run is at work on the visitor; nothing is deleted then.
+        If a run is at work on a visitor; nothing is deleted then.
     """
-    traces = _traces(holding)
+    traces = _traces(held)
     roots = [root for root in (photos_root, out) if root is not None]
     with contextlib.ExitStack() as stack:
-        if out is not None and not all(stack.enter_context(claimed(out, name)) for name in holding.names):
-            raise _busy(holding)
-        left = [*_delete(holding, roots, out), *_delete_films(roots, traces)]
+        for holding in held:
+            if out is not None and not all(stack.enter_context(claimed(out, name)) for name in holding.names):
+                raise _busy(holding)
+        left = [one for holding in held for one in _delete(holding, roots, out)]
+        left += [*_delete_rests(roots), *_delete_films(roots, traces)]
     told = {one.partition(" (")[0] for one in left}
     left += [one for one in left_of(traces, roots) if one not in told]
     return tuple(dict.fromkeys(left))
 
 
 def _delete(holding: Holding, roots: Sequence[Path], out: Path | None) -> Iterator[str]:
-    """Delete folders, rows, and what killed runs left of a visitor; yield what stays."""
+    """Delete folders, lines and rows of a visitor; yield what stays."""
     for name in holding.names if out is not None else ():
         if interrupted(out, name) is None:  # type: ignore[arg-type]
             raise _busy(holding)
@@ -103,13 +110,17 @@ def _delete(holding: Holding, roots: Sequence[Path], out: Path | None) -> Iterat
         yield from _delete_result(folder) if folder in holding.results else _remove(folder)
     for folder in holding.photos:
         yield from _delete_photos(folder, roots, out)
-    for root in roots:
-        for rest in [path for path in root.glob(f"**/{_FORGOTTEN}*") if _ASIDE.fullmatch(path.name)]:
-            yield from _remove(rest)
-        for path in root.glob("*.log*"):
-            yield from _forget_lines(path, holding.names)
+    for path in [path for root in roots for path in root.glob("*.log*")]:
+        yield from _forget_lines(path, holding.names)
     if out is not None:
         yield from _forget_rows(out, holding.names)
+
+
+def _delete_rests(roots: Sequence[Path]) -> Iterator[str]:
+    """Delete what killed deletions left; yield what stays."""
+    for path in [path for root in roots for path in below(root)]:
+        if _ASIDE.fullmatch(path.name):
+            yield from _remove(path)
 
 
 def _delete_films(roots: Sequence[Path], traces: Traces) -> Iterator[str]:
@@ -197,22 +208,22 @@ def _busy(holding: Holding) -> ClonerError:
     return ClonerError("somebody is cloning this visitor just now", "Wait or stop that, and repeat", holding.identifier)
 
 
-def _traces(holding: Holding) -> Traces:
-    """Return what would tell of a visitor."""
+def _traces(held: Sequence[Holding]) -> Traces:
+    """Return what would tell of visitors."""
     digests: dict[str, int | None] = {}
-    names, tokens = set(holding.names), set()
-    for folder in holding.results:
+    names, tokens = {name for holding in held for name in holding.names}, set()
+    for folder in [folder for holding in held for folder in holding.results]:
         manifest = read_manifest(folder)
         if manifest is not None:
             photos = [digest for name, digest in manifest.inputs.items() if "." not in name]
             digests |= dict.fromkeys((*photos, *manifest.outputs.values()))
             tokens.add(photos_token(photos))
     digests.pop("", None)
-    for folder in holding.photos:
+    for folder in [folder for holding in held for folder in holding.photos]:
         tokens.add(photos_token(photo_digests(folder)))
         with contextlib.suppress(ClonerError):  # a broken file tells no name
             names |= {read_person(folder).name.strip()} - {""}
-    for path in [path for folder in holding.folders for path in holding.files_in(folder)]:
+    for path in [path for holding in held for folder in holding.folders for path in holding.files_in(folder)]:
         with contextlib.suppress(OSError):
             if path.stat().st_size and path.suffix.lower() not in _TYPED:
                 digests[file_digest(path)] = path.stat().st_size

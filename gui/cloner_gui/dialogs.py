@@ -34,8 +34,7 @@ def ask_to_forget(booth: Booth, folders: Sequence[Path], parent: QWidget) -> QMe
 
     def answered() -> None:
         if box.clickedButton() is delete:
-            for folder in folders:
-                booth.forget(folder)
+            booth.forget(*folders)
 
     box.finished.connect(answered)
     box.open()

@@ -111,7 +111,7 @@ class MainWindow(QMainWindow):
         if self.booth.root == folder:
             self.visitor.recent.note(folder)
             log_to(folder)
-            self.booth.empty_trash()
+            self.booth.tidy_up()
             self.sweep()
 
     def sweep(self) -> None:

@@ -27,8 +27,9 @@ from cloner_gui.studio.windows import window_of
 from cloner_gui.widgets.letters import assign, letter_of, lettered_in
 from kit.fitting import beyond_screen, cut_texts
 from kit.odd_programs import install
+from kit.stand_ins import drop
 
-from .test_flow import begin, drop, settled
+from .test_flow import begin, settled
 from .test_hands import event  # noqa: F401  (a fixture)
 from .test_reading_aloud import Still
 from .test_take_home import lsblk
@@ -56,7 +57,9 @@ def busy_event(event, qtbot, jobs, samples, monkeypatch, tmp_path):  # noqa: F81
     event.booth.change(licence="everyone")
     failed = begin(event, qtbot)
     write_visit(failed, Visit(state=State.FAILED, problem="visitor-001: nobody is seen in this photo. Retake it"))
-    event.booth.throw_away(begin(event, qtbot))
+    thrown = begin(event, qtbot)
+    event.booth.throw_away(thrown)
+    qtbot.waitUntil(lambda: not thrown.exists() and event.booth.opening is None)
     folder = samples / "anna" / "plain"
     jobs.looks[file_digest(folder / "body_side.jpg")] = (ViewId.BODY_FRONT, (Trouble.SMALL, Trouble.BLURRED))
     begin(event, qtbot)
@@ -74,6 +77,10 @@ def busy_event(event, qtbot, jobs, samples, monkeypatch, tmp_path):  # noqa: F81
     event.session.place_point(ViewId.BODY_FRONT, "nose_tip", 610.0, 300.0)
     result = event.session.outcome.folder
     result.mkdir(parents=True, exist_ok=True)
+    before = event.session.folder / "clone_before" / "result"
+    before.mkdir(parents=True)
+    for name in ("clone.npz", "report.json"):
+        (before / name).touch()
     event.go(TAKEAWAY)
     qtbot.waitUntil(lambda: bool(event.takeaway.sticks.sticks), timeout=10000)
     event.notice.clear()

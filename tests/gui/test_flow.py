@@ -6,8 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QMimeData, QPointF, Qt, QUrl
-from PySide6.QtGui import QDropEvent
+from PySide6.QtCore import QPointF, Qt
 
 from cloner.booth.photos.looking_table import Trouble
 from cloner.booth.visitors.visits import State, read_visit
@@ -17,15 +16,9 @@ from cloner.project.folder import read_consent, read_person, view_files
 from cloner.project.results import file_digest
 from cloner_gui.event.session import Session
 from cloner_gui.main_window import MainWindow
+from kit.stand_ins import drop
 
 pytestmark = pytest.mark.gui
-
-
-def drop(widget, *paths):
-    mime = QMimeData()
-    mime.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
-    left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-    widget.dropEvent(QDropEvent(QPointF(5, 5), Qt.DropAction.CopyAction, mime, left, none))
 
 
 def settled(window, qtbot):
@@ -202,14 +195,14 @@ def test_one_visitor_is_cloned_while_the_next_is_photographed(event, jobs, qtbot
         drop(event.photos, samples / "anna" / "plain" / "body_front.jpg")
         settled(event, qtbot)
         event.session.clone()
-    assert jobs.started.wait(5)
+    assert jobs.started.wait(60)
     assert event.session.queue.at_work == folders[0]
     assert event.session.busy, "the second visitor waits"
     assert read_visit(folders[1]).state is State.WAITING
     event.show_page(event.clone)
     assert event.next.isEnabled()
     assert "visitor" in event.next.text(), "nobody waits for a clone before the next one steps up"
-    with qtbot.waitSignal(event.session.opened, timeout=5000):
+    with qtbot.waitSignal(event.session.opened, timeout=60000):
         qtbot.mouseClick(event.next, Qt.MouseButton.LeftButton)
     third = event.session.folder
     assert third not in folders
@@ -226,10 +219,10 @@ def test_one_visitor_is_cloned_while_the_next_is_photographed(event, jobs, qtbot
 def test_cancel_stops_and_tells_nothing(window, jobs, qtbot, folder):
     jobs.wait_for_cancel = True
     window.session.clone()
-    assert jobs.started.wait(5)
+    assert jobs.started.wait(60)
     qtbot.waitUntil(lambda: window.queue_bar.bar.value() == 500)
     qtbot.mouseClick(window.queue_bar.cancel, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: not window.session.busy, timeout=5000)
+    qtbot.waitUntil(lambda: not window.session.busy, timeout=60000)
     assert window.session.outcome is None
     assert not window.notice.isVisible()
     assert read_visit(folder).state is State.NONE
@@ -238,8 +231,8 @@ def test_cancel_stops_and_tells_nothing(window, jobs, qtbot, folder):
 def test_closing_the_window_stops_the_work_and_who_waits_is_cloned_next_time(window, jobs, qtbot, folder):
     jobs.wait_for_cancel = True
     window.session.clone()
-    assert jobs.started.wait(5)
-    task = window.session.queue._task
+    assert jobs.started.wait(60)
+    task = window.session.queue._runs[folder].task
     window.close()
     assert task.isFinished()
     assert read_visit(folder).state is State.WAITING
@@ -257,7 +250,7 @@ def test_closing_the_window_stops_the_work_and_who_waits_is_cloned_next_time(win
 )
 def test_a_failed_clone_is_told_in_the_quiet_bar(window, jobs, qtbot, folder, error, text):
     jobs.error = error
-    with qtbot.waitSignal(window.session.failed, timeout=5000):
+    with qtbot.waitSignal(window.session.failed, timeout=60000):
         window.session.clone()
     qtbot.waitUntil(lambda: not window.session.busy)
     assert window.notice.isVisible()

@@ -19,8 +19,9 @@ from cloner.project.folder import read_corrections, view_files
 from cloner.project.results import file_digest
 from cloner_gui.event.session import Session
 from cloner_gui.main_window import CLONE, PHOTOS, POINTS, VISITOR, MainWindow
+from kit.stand_ins import drop
 
-from .test_flow import begin, drop, event, settled  # noqa: F401  (event is a fixture)
+from .test_flow import begin, event, settled  # noqa: F401  (event is a fixture)
 
 pytestmark = pytest.mark.gui
 LEFT = Qt.MouseButton.LeftButton
@@ -71,7 +72,7 @@ def test_who_was_taken_out_of_the_queue_stays_out(event, jobs, qtbot, samples): 
     jobs.wait_for_cancel = True
     folder = photographed(event, qtbot, samples, FRONT)
     event.session.clone()
-    assert jobs.started.wait(5)
+    assert jobs.started.wait(60)
     event.go(CLONE)
     qtbot.mouseClick(event.clone.cancel_button, LEFT)
     qtbot.waitUntil(lambda: not event.session.cloning)
@@ -388,10 +389,10 @@ def test_who_is_opened_and_who_is_next_is_said(event, jobs, qtbot, samples):  # 
     jobs.wait_for_cancel = True
     photographed(event, qtbot, samples, FRONT)
     event.session.clone()
-    assert jobs.started.wait(5)
+    assert jobs.started.wait(60)
     event.go(PHOTOS)
     assert event.queue_bar.isVisible()
-    event.session.queue._tell("", 0.0)
+    event.session.queue._tell(event.session.folder, "", 0.0)
     assert ": ," not in event.queue_bar.text.text()
     event.go(CLONE)
     assert not event.queue_bar.isVisible(), "one bar is enough"

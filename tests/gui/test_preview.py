@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QApplication
 
 from cloner.booth.growing import Shape, plain_clone
 from cloner.frames import ViewId
@@ -16,6 +17,8 @@ from cloner_gui.canvas.clones.acting import MODES, MOTIONS, acted, dressed, moti
 from cloner_gui.canvas.clones.growth import Growth
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.canvas.clones.preview_panel import PreviewPanel
+from cloner_gui.language.languages import speak
+from cloner_gui.main_window import CLONE
 from kit.clones import toy_clone
 
 pytestmark = [pytest.mark.gui, pytest.mark.gl]
@@ -147,9 +150,7 @@ def test_every_motion_moves_what_it_should(clone, kind):
 
 def test_a_motion_plays_by_itself_and_stops(preview, qtbot):
     first = picture(preview, qtbot, lambda: preview.play("walk"))
-    qtbot.wait(300)
-    later = picture(preview, qtbot)
-    assert np.abs(later - first).mean() > 1.0
+    qtbot.waitUntil(lambda: np.abs(picture(preview, qtbot) - first).mean() > 1.0, timeout=60000)
     preview.play("stand")
     qtbot.waitUntil(lambda: not preview._film.isActive())
 
@@ -193,7 +194,7 @@ def test_a_body_that_is_being_cloned_grows_from_shape_to_shape(qtbot, clone):
     growth.take(small)
     assert np.allclose(seen[-1], small.vertices_m), "the first one stands there at once"
     growth.take(tall)
-    qtbot.waitUntil(lambda: np.allclose(seen[-1], tall.vertices_m), timeout=5000)
+    qtbot.waitUntil(lambda: np.allclose(seen[-1], tall.vertices_m), timeout=60000)
     heights = [np.ptp(one[:, 1]) for one in seen[1:]]
     assert len(heights) > 3, "it moves"
     assert heights == sorted(heights)
@@ -232,3 +233,12 @@ def test_a_picture_that_is_still_drawn_is_never_shown_of_the_next_person(preview
     preview.set_clone(None)
     qtbot.waitUntil(lambda: newest().idle)
     assert "Press Clone" in preview.text()
+
+
+def test_what_an_empty_place_says_changes_with_the_language(window, qtbot):
+    window.go(CLONE)
+    assert "Press Clone" in window.clone.preview.text()
+    speak("de")
+    QApplication.processEvents()
+    assert "Klonen drücken" in window.clone.preview.text()
+    speak("en")

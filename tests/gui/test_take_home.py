@@ -169,7 +169,7 @@ def test_copying_is_stopped_by_a_button_and_nothing_is_left(taken, qtbot, tmp_pa
     qtbot.waitUntil(lambda: page.handing.step == "copy", timeout=10000)
     assert page.stop_button.isVisible()
     qtbot.mouseClick(page.stop_button, LEFT)
-    qtbot.waitUntil(lambda: not page.handing.busy, timeout=5000)
+    qtbot.waitUntil(lambda: not page.handing.busy, timeout=60000)
     assert page.status.text() == "Stopped: nothing of it was left there."
     assert list(stick.iterdir()) == []
     assert not taken.notice.isVisible(), "that was no error"

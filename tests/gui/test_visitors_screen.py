@@ -1,6 +1,8 @@
 """The screen for visitors before anybody may be seen on it, reduced motion, and the numbers of the day."""
 
 import csv
+import os
+from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt
@@ -8,6 +10,8 @@ from PySide6.QtGui import QImage
 
 from cloner.booth.photos.looking_table import Look, Trouble
 from cloner.booth.photos.looks import keep_look
+from cloner.booth.strolling import FILE
+from cloner.booth.visitors.visits import read_visit, write_visit
 from cloner_gui.canvas.clones import attract
 from cloner_gui.main_window import CLONE
 from cloner_gui.pages.gallery import GalleryWindow
@@ -50,7 +54,7 @@ def test_sample_people_turn_until_a_visitor_may_be_seen(event, stage, qtbot):  #
     assert not loop.active
     assert stage.middle.currentWidget() is stage.preview
     event.booth.forget(folder)
-    assert loop.active
+    qtbot.waitUntil(lambda: loop.active)
 
 
 def test_nothing_moves_by_itself_where_that_is_wanted(event, stage, qtbot, samples):  # noqa: F811
@@ -110,3 +114,50 @@ def test_the_gallery_tells_the_numbers_of_the_day_and_saves_them(event, qtbot, t
     assert "2 visitors, 2 clones" in gallery.numbers_label.text()
     assert "Refused: 1 × It is blurred." in gallery.numbers_label.text(), "what was refused was refused"
     gallery.close()
+
+
+@pytest.fixture
+def day(event, stage, qtbot, monkeypatch):  # noqa: F811
+    """Three visitors with clones, of whom two agreed to be seen; their walks are drawn as soon as they may be."""
+    monkeypatch.setattr("cloner.booth.strolling.SIZE_PX", (24, 40))
+    folders = [begin(event, qtbot) for _ in range(3)]
+    for folder, shown in zip(folders, (True, True, False), strict=True):
+        with_result(folder, shown=shown)
+    event.booth.visits_changed.emit()
+    qtbot.waitUntil(lambda: all((one / FILE).is_file() for one in folders[:2]), timeout=60000)
+    return folders
+
+
+def test_the_day_s_crowd_walks_by_and_who_is_forgotten_leaves_it_at_once(event, stage, day, qtbot):  # noqa: F811
+    seen, gone, unseen = day
+    assert not (unseen / FILE).exists(), "nobody is drawn who did not agree"
+    stage._seen = 3  # clones have shown themselves one by one
+    stage.go_on()
+    qtbot.waitUntil(lambda: stage.middle.currentWidget() is stage.parade, timeout=60000)
+    assert set(stage.parade.walkers) == {seen, gone}
+    assert stage.who.text() == "Everybody of today"
+    stage.parade._timer.stop()  # only the test moves them, however slow the machine is
+    before = stage.parade.grab().toImage()
+    for _ in range(6):
+        stage.parade.go_on()
+    assert stage.parade.grab().toImage() != before, "they walk"
+    event.booth.change(calm=True)
+    still = stage.parade.grab().toImage()
+    stage.parade.go_on()
+    assert stage.parade.grab().toImage() == still, "they stand where nothing moves by itself"
+    event.booth.forget(gone)
+    assert set(stage.parade.walkers) == {seen}
+    write_visit(seen, replace(read_visit(seen), shown=False))
+    event.booth.visits_changed.emit()
+    assert not stage.parade.walkers, "who changes their mind leaves it too"
+    assert stage.middle.currentWidget() is stage.attract
+
+
+def test_one_alone_is_no_crowd_and_a_new_clone_is_drawn_anew(event, stage, day, qtbot):  # noqa: F811
+    first, second, _ = day
+    event.booth.forget(second)
+    assert not stage.show_crowd()
+    drawn = (first / FILE).stat().st_mtime_ns
+    os.utime(first / "clones" / first.name / "clone.npz")
+    event.booth.visits_changed.emit()
+    qtbot.waitUntil(lambda: (first / FILE).stat().st_mtime_ns > drawn, timeout=60000)

@@ -19,8 +19,9 @@ from cloner_gui.canvas.clones.reveal import ACTS
 from cloner_gui.main_window import CLONE, TAKEAWAY
 from cloner_gui.pages.gallery import CLONED, TRASHED, GalleryWindow
 from cloner_gui.pages.stage import StageWindow
+from kit.stand_ins import drop
 
-from .test_flow import begin, drop, event, settled  # noqa: F401  (event is a fixture)
+from .test_flow import begin, event, settled  # noqa: F401  (event is a fixture)
 
 pytestmark = pytest.mark.gui
 LEFT = Qt.MouseButton.LeftButton
@@ -97,7 +98,8 @@ def test_the_screen_for_visitors_shows_who_agreed_and_forgets_who_goes(event, qt
     stage.go_on()
     qtbot.waitUntil(lambda: stage._shown == seen)
     event.booth.forget(seen)
-    assert stage._shown is None
+    assert not seen.exists(), "at once"
+    qtbot.waitUntil(lambda: stage._shown is None)
     assert stage.preview._clone is None
     write_visit(unseen, Visit(state=State.WAITING, queued="1"))
     event.booth.visits_changed.emit()
@@ -174,19 +176,18 @@ def test_the_gallery_finds_throws_away_and_brings_back(event, qtbot):  # noqa: F
     gallery.which.setCurrentIndex(0)
     gallery.list.item(0).setSelected(True)
     qtbot.mouseClick(gallery.trash_button, LEFT)
-    assert not anna.exists()
-    qtbot.waitUntil(lambda: gallery.list.count() == 1)
-    assert "2 days" in event.notice.text.text()
+    qtbot.waitUntil(lambda: not anna.exists() and gallery.list.count() == 1)
+    qtbot.waitUntil(lambda: "Anna Long (1) lies in the trash for 2 days" in event.notice.text.text())
     gallery.which.setCurrentIndex(TRASHED)
     assert "deleted for good on" in gallery.list.item(0).text()
     gallery.list.item(0).setSelected(True)
     qtbot.mouseClick(gallery.back_button, LEFT)
-    assert anna.exists()
+    qtbot.waitUntil(lambda: anna.exists() and gallery.list.count() == 0)
     assert trash.thrown_away(event.booth.root) == ()
     gallery.which.setCurrentIndex(0)
     gallery.list.item(1).setSelected(True)
     qtbot.mouseClick(gallery.again_button, LEFT)
-    assert read_visit(boris).state is State.WAITING
+    qtbot.waitUntil(lambda: read_visit(boris).state is State.WAITING)
     QApplication.processEvents()
     gallery.close()
 

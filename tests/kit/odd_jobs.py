@@ -34,6 +34,12 @@ class OddJobs:
         progress("asleep", 0.1)
         time.sleep(seconds)
 
+    def wait_for(self, path, progress):
+        """Go on once a file is there."""
+        progress("asleep", 0.1)
+        while not path.exists():
+            time.sleep(0.01)
+
     def refuse(self, progress):
         raise ClonerError("too dark", "Light", "photo")
 

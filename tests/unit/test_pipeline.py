@@ -39,7 +39,7 @@ def test_values_flow_and_every_stage_reports():
 
 
 def test_stages_that_do_not_need_each_other_run_abreast():
-    met = threading.Barrier(2, timeout=5.0)
+    met = threading.Barrier(2, timeout=60.0)
 
     def meeting(name):
         def run(*, number, tick):

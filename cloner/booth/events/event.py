@@ -13,17 +13,17 @@ from pathlib import Path
 from typing import Any, Final
 
 from cloner.booth.visitors.mending import mended
-from cloner.booth.visitors.person_file import person_facts
 from cloner.booth.visitors.visits import VISIT_FILE, Visit, read_visit, write_visit
 from cloner.errors import ClonerError
 from cloner.outside import read_outside
 from cloner.project.atomic import write_text
-from cloner.project.folder import PERSON_FILE, holds_photos
+from cloner.project.folder import holds_photos
 from cloner.project.texts import LARGEST_BYTES, check_format
 from cloner.records.terms import LICENCES
 
 EVENT_FILE: Final = "event.json"
 TRASH: Final = "trash"
+ASIDE: Final = ".forgetting-"  # before the name of a visitor's folder whose deletion has begun
 LOG_FILE: Final = "cloner.log"
 #: Number of the file's format; older ones are read too.
 FORMAT: Final = 2
@@ -32,11 +32,13 @@ APPEARANCES: Final = ("system", "light", "dark", "contrast")
 DEFAULT_RETENTION_DAYS: Final = 30  # taste: long enough to mend a complaint, short enough to be forgotten
 DEFAULT_TRASH_DAYS: Final = 2  # taste: a slip is noticed on the same day or the next
 DEFAULT_PHONE_HOURS: Final = 24  # taste: until the visitor is at home, and no longer
+MOST_AT_ONCE: Final = 8  # taste: each takes a core and 1 GiB
 _OLD_CONSENT: Final = "consent"
 _CHOICES: Final = {"language": LANGUAGES, "appearance": APPEARANCES, "licence": LICENCES}
 #: Least and largest value of settings that are numbers (taste).
 _RANGES: Final = {
     "retention_days": (0, 3650), "trash_days": (0, 365), "text_percent": (50, 300), "phone_hours": (1, 24 * 30),
+    "at_once": (1, MOST_AT_ONCE),
 }  # fmt: skip
 _WRITE_HINT: Final = "Check its permissions and the space left, or choose another"
 _HINT: Final = f"Correct {EVENT_FILE}, or move it away to start with the usual settings"
@@ -72,6 +74,8 @@ class Event:
         What visitors call the scene that their clones may walk in ("museum"); "" where there is none.
     link : str
         Address that the take-away code holds, "{id}" standing for the visitor; "" for none.
+    at_once : int
+        How many visitors are cloned at the same time, 1 to `MOST_AT_ONCE`.
     phone, phone_https : bool
         Whether visitors' phones are served a page on the booth's own network, and whether encrypted with a
         certificate of the booth's own.
@@ -101,6 +105,7 @@ class Event:
     formats: tuple[str, ...] = ("glb", "wrl")
     camera_folder: str = ""
     scene: str = ""
+    at_once: int = 1
     link: str = ""
     phone: bool = False
     phone_https: bool = False
@@ -253,15 +258,6 @@ def check_can_write(folder: Path) -> None:
         raise ClonerError("nothing can be written into this folder", _WRITE_HINT, folder.name) from error
 
 
-def is_untouched(folder: Path) -> bool:
-    """Return whether nothing is known of a visitor yet: no name, height or consent, and not one photo."""
-    files = {path.name for path in folder.rglob("*") if path.is_file()}
-    try:
-        return files <= {VISIT_FILE, PERSON_FILE} and person_facts(folder) == ("", None, "")
-    except ClonerError:
-        return False
-
-
 def visitor_folders(root: Path) -> tuple[Path, ...]:
     """Return the folders of an event's visitors, by name."""
     with os.scandir(root) as inside:
@@ -275,7 +271,6 @@ def new_visitor(root: Path, now: str) -> Path:
     Parameters
     ----------
     root : Path
-        The event.
     now : str
         The time, for the visit's own file.
 
@@ -284,8 +279,8 @@ def new_visitor(root: Path, now: str) -> Path:
     ClonerError
         If it cannot be made.
     """
-    known = (*root.glob("visitor-*"), *(root / TRASH).glob("visitor-*"))
-    taken = [int(path.name[8:]) for path in known if path.name[8:].isdigit()]
+    known = [path.name.removeprefix(ASIDE) for place in (root, root / TRASH) for path in place.glob("*visitor-*")]
+    taken = [int(name[8:]) for name in known if name.startswith("visitor-") and name[8:].isdigit()]
     folder = root / f"visitor-{max(taken, default=0) + 1:03d}"
     try:
         folder.mkdir(parents=True)

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import threading
+from collections.abc import Sequence
 from datetime import datetime
 from pathlib import Path
+from typing import Final
 
-from cloner.booth.events.event import visitor_folders
-from cloner.booth.events.trash import thrown_away
+from cloner.booth.events.event import ASIDE, TRASH, visitor_folders
+from cloner.booth.events.trash import over, thrown_away
+from cloner.errors import ClonerError
 from cloner.personal_data.holdings import Holding, holding_of, older_than
-from cloner.personal_data.privacy import forget
+from cloner.personal_data.privacy import forget_all
+
+#: One deletion at a time: each finishes what all before it have put aside.
+_ALONE: Final = threading.Lock()
 
 
 def held(root: Path) -> tuple[Holding, ...]:
-    """Return what is held of every visitor of an event, also of those without a photo and of those in the trash."""
-    return tuple(holding_of(folder.name, folder, None) for folder in (*visitor_folders(root), *thrown_away(root)))
+    """Return what is held of every visitor of an event: without a photo, in the trash and put aside as well."""
+    folders = (*visitor_folders(root), *thrown_away(root), *_aside(root))
+    return tuple(holding_of(folder.name.removeprefix(ASIDE), folder, None) for folder in folders)
 
 
 def overdue(root: Path, days: int, now: datetime) -> tuple[Holding, ...]:
@@ -21,13 +29,58 @@ def overdue(root: Path, days: int, now: datetime) -> tuple[Holding, ...]:
     return older_than(held(root), days, now) if days > 0 else ()
 
 
-def forget_visitor(folder: Path, root: Path | None) -> tuple[str, ...]:
-    """Delete a visitor with everything derived and return the event's files that still speak of it.
+def put_aside(folder: Path) -> Path:
+    """Take a visitor who is to be forgotten out of the event at once, and return where the files wait for their end.
+
+    From now on nobody lists, shows, serves or clones them. `finish` deletes them, after a crash when the event is
+    opened again.
+
+    Raises
+    ------
+    ClonerError
+        If the folder cannot be moved.
+    """
+    if folder.name.startswith(ASIDE):
+        return folder
+    try:
+        return folder.rename(folder.with_name(ASIDE + folder.name))
+    except OSError as error:
+        raise ClonerError("the visitor cannot be moved", "Check permissions and space", folder.name) from error
+
+
+def finish(root: Path) -> tuple[str, ...]:
+    """Delete everybody who was put aside and return the event's files that still speak of them.
+
+    It reads every file of the event and belongs on another thread.
+
+    Raises
+    ------
+    ClonerError
+        If not everything can be deleted.
+    """
+    with _ALONE:
+        return forget_visitors(_aside(root), root)
+
+
+def tidied(root: Path, trash_days: int, now: datetime) -> tuple[str, ...]:
+    """Finish deletions that were broken off, and delete who lay in the trash for so long; as :func:`finish`."""
+    for folder in over(root, trash_days, now):
+        put_aside(folder)
+    return finish(root)
+
+
+def _aside(root: Path) -> list[Path]:
+    places = (root, root / TRASH)
+    return [path for place in places for path in sorted(place.glob(f"{ASIDE}*")) if path.is_dir()]
+
+
+def forget_visitors(folders: Sequence[Path], root: Path | None) -> tuple[str, ...]:
+    """Delete visitors with everything derived and return the event's files that still speak of them.
 
     Parameters
     ----------
-    folder : Path
-        The visitor's.
+    folders : sequence of Path
+        The visitors', put aside or not.
     root : Path or None
         The event; None for a visitor's folder that stands alone, beside which nothing is searched.
 
@@ -36,4 +89,5 @@ def forget_visitor(folder: Path, root: Path | None) -> tuple[str, ...]:
     ClonerError
         If not everything can be deleted.
     """
-    return forget(holding_of(folder.name, folder, None), root, None)
+    held = [holding_of(folder.name.removeprefix(ASIDE), folder, None) for folder in folders]
+    return forget_all(held, root, None) if held else ()

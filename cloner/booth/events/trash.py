@@ -11,8 +11,12 @@ from datetime import UTC, datetime, timedelta
 from pathlib import Path
 
 from cloner.booth.events.event import TRASH, visitor_folders
-from cloner.booth.visitors.visits import read_visit, write_visit
+from cloner.booth.handover.takeaway import has_result
+from cloner.booth.visitors.kept import RESULTS
+from cloner.booth.visitors.line import withdrawn
+from cloner.booth.visitors.visits import State, read_visit, write_visit
 from cloner.errors import ClonerError
+from cloner.project.folder import safe_identifier
 
 
 def throw_away(folder: Path, now: datetime) -> Path:
@@ -27,7 +31,10 @@ def throw_away(folder: Path, now: datetime) -> Path:
     try:
         to.parent.mkdir(exist_ok=True)
         when = now.isoformat(timespec="seconds")
-        write_visit(folder, replace(read_visit(folder), trashed=when, shown=False, inhabits=False))
+        visit = read_visit(folder)
+        if visit.state is State.WAITING:
+            visit = withdrawn(visit, has_result(folder / RESULTS / safe_identifier(folder.name)))
+        write_visit(folder, replace(visit, trashed=when, shown=False, inhabits=False))
         return folder.rename(to)
     except OSError as error:
         raise ClonerError("the visitor cannot be moved", "Check permissions and space", folder.name) from error

@@ -11,8 +11,10 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Final
 
+from cloner.booth.visitors.visits import VISIT_FILE
 from cloner.errors import ClonerError
 from cloner.frames import cm_from_m
+from cloner.outside import below
 from cloner.project.atomic import write_text
 from cloner.project.folder import PERSON_FILE, read_consent, read_person
 from cloner.project.texts import read_text
@@ -118,3 +120,12 @@ def _line(key: str, value: object) -> str:
     """Return one line of TOML; JSON's strings are TOML's, but for the one control sign that JSON leaves bare."""
     text = json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     return f"{key} = {text}"
+
+
+def is_untouched(folder: Path) -> bool:
+    """Return whether nothing is known of a visitor yet: no name, height or consent, and not one photo."""
+    files = {path.name for path in below(folder) if path.is_file()}
+    try:
+        return files <= {VISIT_FILE, PERSON_FILE} and person_facts(folder) == ("", None, "")
+    except ClonerError:
+        return False

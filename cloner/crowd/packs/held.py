@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any, Final
 
 from cloner.errors import ClonerError
-from cloner.outside import open_outside
+from cloner.outside import below, open_outside
 
 #: The file that makes a folder a pack.
 MARK: Final = "crowd.json"
@@ -75,7 +75,7 @@ def filmed(people: Iterable[Mapping[str, Any]]) -> str:
 
 def films_below(root: Path, tokens: Set[str]) -> Iterator[Path]:
     """Yield the films and pictures of packs below a folder that show clones of photos; see `photos_token`."""
-    for path in sorted(root.rglob("*")):
+    for path in below(root):
         if path.suffix.lower() in FILMS and not path.is_symlink() and not tokens.isdisjoint(_filmed_in(path)):
             yield path
 

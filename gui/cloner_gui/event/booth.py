@@ -4,19 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
 
-from cloner.booth.events import keeping, trash
 from cloner.booth.events.agreed import agreed_terms
 from cloner.booth.events.event import (
     Event,
     check_can_write,
     check_event_folder,
-    is_untouched,
     is_visitor,
     new_visitor,
     open_event,
@@ -26,14 +23,12 @@ from cloner.booth.events.event import (
 from cloner.booth.opened import Opened
 from cloner.booth.photos import arrivals
 from cloner.booth.visitors import line
-from cloner.booth.visitors.names import KnownNames, called
+from cloner.booth.visitors.person_file import is_untouched
 from cloner.booth.visitors.visits import KnownVisits, Visit, read_visit
 from cloner.errors import ClonerError
-from cloner.personal_data.holdings import Holding
 from cloner_gui.background.worker import Task, stop_all_tasks
 from cloner_gui.event.clone_queue import now_text
-from cloner_gui.event.desk import Desk
-from cloner_gui.event.intake import Intake
+from cloner_gui.event.everybody import Everybody
 from cloner_gui.event.leaving import settle
 from cloner_gui.event.session import Session
 from cloner_gui.language.told import told as told_sentence
@@ -41,7 +36,7 @@ from cloner_gui.language.told import told_where
 from cloner_gui.language.words import translate
 
 
-class Booth(Desk):
+class Booth(Everybody):
     """The event and who of it is open; pages tell it what the operator did.
 
     Parameters
@@ -51,25 +46,19 @@ class Booth(Desk):
     """
 
     event_changed = Signal()
-    page_wanted = Signal(str)
     leaving = Signal()
     opening_changed = Signal()
-    told = Signal(str)
-    """Something that the operator should know and need not mend."""
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(session, parent)
-        self.intake = Intake(session, self)
-        self.root: Path | None = None
         self.allowed: Callable[[], bool] = lambda: True  # what is the operator's asks here; see `cloner_gui.kiosk`
-        self.settings = Event()
-        self._known, self._names = KnownVisits(), KnownNames()
+        self._known = KnownVisits()
         self._opening: Task | None = None
         self.opening: Path | None = None
         self.intake.failed.connect(self.failed)
         self.intake.arrivals_stored.connect(self._note_arrivals)
         session.failed.connect(self.failed)
-        session.queue.changed.connect(self.visits_changed)
+        session.queue.changed.connect(self.tell_change)
         session.queue.failed.connect(self._tell_failed)
         session.queue.finished.connect(self._tell_ready)
 
@@ -98,7 +87,7 @@ class Booth(Desk):
             return
         known = self.visits()
         self.session.queue.resume(line.waiting(known))
-        self.visits_changed.emit()
+        self.tell_change()
         last = folder / self.settings.open
         if self.settings.open and last in known:
             self.open_visitor(last)
@@ -106,9 +95,9 @@ class Booth(Desk):
             self.session.leave()
 
     def visits(self) -> Mapping[Path, Visit]:
-        """Return how far every visitor has come."""
+        """Return how far every visitor has come; nobody where the event's folder went, as with a stick."""
         if self.root is not None:
-            return visits(self.root, self._known.read)
+            return visits(self.root, self._known.read) if self.root.is_dir() else {}
         folder = self.session.folder
         return {} if folder is None else {folder: read_visit(folder)}
 
@@ -123,6 +112,7 @@ class Booth(Desk):
 
     def _follow_settings(self) -> None:
         self.session.queue.formats = self.settings.formats
+        self.session.queue.clone_at_once(self.settings.at_once)
         self.session.queue.usual_s = line.usual_seconds(self.visits())
         camera = Path(self.settings.camera_folder) if self.settings.camera_folder else None
         if camera != self.intake.camera_folder:
@@ -138,20 +128,6 @@ class Booth(Desk):
     def terms(self, language: str, licence: str = "") -> Mapping[str, str]:
         """Return the event's title, and the licence that was chosen, or that the event's own text speaks of."""
         return {} if self.root is None else agreed_terms(self.settings, self.root, language, licence)
-
-    def typed_name(self, folder: Path) -> str:
-        """Return a visitor's name as it was typed."""
-        return self._names.read(folder)
-
-    def empty_trash(self) -> None:
-        """Delete for good who has been in the trash for so long that it was said."""
-        if self.root is not None:
-            for folder in trash.over(self.root, self.settings.trash_days, datetime.now(UTC)):
-                self.forget(folder)
-
-    def name_of(self, folder: Path) -> str:
-        """Return what a visitor is called on the operator's screen."""
-        return called(self._names.read(folder), folder, translate("visitor", "Visitor {n}"))
 
     # --- visitors -----------------------------------------------------------
 
@@ -191,7 +167,7 @@ class Booth(Desk):
         self.begin_effort()
         if self.root is not None:
             self.change(open=opened.folder.name)
-        self.visits_changed.emit()
+        self.tell_change()
         visit = read_visit(opened.folder)
         seen = visit.page if visit.started else "photos" if opened.photos.photos else "visitor"
         self.page_wanted.emit(seen)
@@ -200,47 +176,6 @@ class Booth(Desk):
     def _opened(self) -> None:
         self._opening, self.opening = None, None
         self.opening_changed.emit()
-
-    # --- what is held ---------------------------------------------------------
-
-    def held_soon(self) -> Callable[[], tuple[Holding, ...]]:
-        """Return work that gives what is held of everybody; it looks at every file and belongs on another thread."""
-        root = self.root
-        return lambda: () if root is None else keeping.held(root)
-
-    def overdue_soon(self) -> Callable[[], tuple[Holding, ...]]:
-        """Return work that gives whose time is over; as :meth:`held_soon`."""
-        root, days = self.root, self.settings.retention_days
-        return lambda: () if root is None else keeping.overdue(root, days, datetime.now(UTC))
-
-    def forget(self, folder: Path) -> tuple[str, ...]:
-        """Delete a visitor with everything derived; return the files that still speak of it."""
-        self._let_go(folder)
-        left = self._guard(lambda: keeping.forget_visitor(folder, self.root)) or ()
-        self._tell_gone()
-        return left
-
-    def throw_away(self, folder: Path) -> None:
-        """Put a visitor into the trash, from where it can be brought back for some days."""
-        self._let_go(folder)
-        if self._guard(lambda: trash.throw_away(folder, datetime.now(UTC))) is not None:
-            told = translate("window", "{name} lies in the trash for {n} days.")
-            self.told.emit(told.format(name=self.name_of(folder), n=self.settings.trash_days))
-        self._tell_gone()
-
-    def _let_go(self, folder: Path) -> None:
-        """Stop everything that is done for a visitor, and close them."""
-        self.session.queue.withdraw(folder)
-        self.session.queue.wait_for(folder)
-        self.intake.drop(folder)
-        if folder == self.session.folder:
-            self.session.leave()
-            self.change(open="")
-
-    def _tell_gone(self) -> None:
-        self.visits_changed.emit()
-        if self.session.folder is None:
-            self.page_wanted.emit("visitor")
 
     def close(self) -> None:
         """Save and stop everything; call before the window goes."""

@@ -1,11 +1,13 @@
-"""Visitors who wait for their clone: one is cloned at a time, in the background, while the next is photographed."""
+"""Visitors who wait for their clone: they are cloned in the background while the next one is photographed."""
 
 from __future__ import annotations
 
 import logging
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QObject, Signal
@@ -35,8 +37,35 @@ def update_visit(folder: Path, change: Callable[[Visit], Visit]) -> None:
         write_visit(folder, change(read_visit(folder)))
 
 
+def note_asked(folder: Path) -> Path:
+    """Note that a clone of a visitor was asked for now; return the visitor."""
+    update_visit(folder, lambda visit: line.asked(visit, now_text()))
+    return folder
+
+
+@dataclass(slots=True)
+class _Run:
+    """A clone under way.
+
+    Attributes
+    ----------
+    task : Task
+    since : float
+        When it began, by the monotonic clock, seconds.
+    fraction : float
+        How much is done, 0..1.
+    shape : Shape or None
+        The body as far as it has come.
+    """
+
+    task: Task
+    since: float
+    fraction: float = 0.0
+    shape: Shape | None = None
+
+
 class CloneQueue(QObject):
-    """Clones visitors one after the other; who waits stands in the visits' files and survives a crash.
+    """Clones visitors, as many at once as is wanted; who waits stands in the visits' files and survives a crash.
 
     Parameters
     ----------
@@ -48,115 +77,129 @@ class CloneQueue(QObject):
     finished = Signal(Path, object)
     failed = Signal(Path, object)
     grown = Signal(Path)
-    """The body of the visitor who is cloned just now has another :attr:`shape`."""
+    """A visitor who is cloned just now has another :meth:`shape`."""
 
     def __init__(self, services: Services, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.formats: tuple[str, ...] = ("glb", "wrl")
         self.usual_s = line.USUAL_S
+        self._at_once = 1
         self._services = services
         self._waiting: list[Path] = []
-        self._task: Task | None = None
-        self._at_work: Path | None = None
-        self._fraction, self._since = 0.0, 0.0
-        self.shape: Shape | None = None
+        self._runs: dict[Path, _Run] = {}
+        self._ending: set[Path] = set()  # answered already; their threads still wind up
 
     @property
     def at_work(self) -> Path | None:
-        """The visitor who is cloned just now."""
-        return self._at_work
+        """The visitor who has been cloned for longest of those who are cloned just now."""
+        return next(iter(self._runs), None)
+
+    def clone_at_once(self, many: int) -> None:
+        """Clone so many visitors at the same time from now on."""
+        self._at_once = many
+        self._next()
 
     def holds(self, folder: Path | None) -> bool:
         """Return whether a visitor waits or is cloned just now."""
-        return folder is not None and (folder == self._at_work or folder in self._waiting)
+        return folder is not None and (folder in self._runs or folder in self._waiting)
 
     def size(self) -> int:
-        """Return how many wait, the one under way included."""
-        return len(self._waiting) + (self._at_work is not None)
+        """Return how many wait, those under way included."""
+        return len(self._waiting) + len(self._runs)
+
+    def shape(self, folder: Path) -> Shape | None:
+        """Return the body of a visitor as far as the clone under way has come."""
+        return self._runs[folder].shape if folder in self._runs else None
 
     def seconds_left(self, folder: Path) -> float:
         """Return how long a visitor in the queue still waits."""
-        before = 0 if folder == self._at_work else 1 + self._waiting.index(folder)
-        return line.seconds_left(self._fraction, time.monotonic() - self._since, self.usual_s, before)
+        run = self._runs.get(folder) or next(iter(self._runs.values()), None)
+        before = 0 if folder in self._runs else 1 + self._waiting.index(folder) // self._at_once
+        fraction, spent_s = (run.fraction, time.monotonic() - run.since) if run is not None else (0.0, 0.0)
+        return line.seconds_left(fraction, spent_s, self.usual_s, before)
 
     def ask(self, folder: Path) -> None:
         """Put a visitor at the end of the queue."""
         if not self.holds(folder):
-            update_visit(folder, lambda visit: line.asked(visit, now_text()))
-            self.resume((folder,))
+            self.resume((note_asked(folder),))
 
     def resume(self, folders: tuple[Path, ...]) -> None:
         """Go on with visitors who waited already."""
         self._waiting += [folder for folder in folders if not self.holds(folder)]
         self._next()
 
-    def withdraw(self, folder: Path) -> None:
-        """Take a visitor out of the queue, at once."""
+    def drop(self, folder: Path) -> None:
+        """Clone a visitor who goes no more, and wait until nothing is written: the clone's process ends at once."""
+        self._stop(folder)
+        if folder in self._runs:
+            self._runs[folder].task.wait()
+
+    def _stop(self, folder: Path) -> None:
         if folder in self._waiting:
             self._waiting.remove(folder)
-        elif folder == self._at_work and self._task is not None:
-            self._task.cancel()
+        elif folder in self._runs:
+            self._runs[folder].task.cancel()
+
+    def withdraw(self, folder: Path) -> None:
+        """Take a visitor out of the queue, at once."""
+        self._stop(folder)
         done = has_result(folder / RESULTS / safe_identifier(folder.name))
         update_visit(folder, lambda visit: line.withdrawn(visit, done))
         self.changed.emit()
 
-    def wait_for(self, folder: Path) -> None:
-        """Wait until a visitor's clone, withdrawn before, writes no more: its process ends at once."""
-        if folder == self._at_work and self._task is not None:
-            self._task.wait()
-
     def close(self) -> None:
         """Stop the work and wait for it; who waits is cloned when the event is opened again."""
         self._waiting.clear()
-        if self._task is not None:
-            self._task.cancel()
-            self._task.wait()
+        for run in self._runs.values():
+            run.task.cancel()
+        for run in self._runs.values():
+            run.task.wait()
 
     def _next(self) -> None:
-        if self._task is None and self._waiting:
-            folder = self._waiting.pop(0)
-            self._at_work, self._fraction, self._since = folder, 0.0, time.monotonic()
-            task = Task(lambda progress: self._services.clone(folder, self.formats, progress, task.show))
-            self._task, self.shape = task, None
-            task.shown.connect(self._grow)
-            task.progressed.connect(self._tell)
-            task.succeeded.connect(self._take)
-            task.failed.connect(self._complain)
-            task.finished.connect(self._done)
-            task.start()
+        while self._waiting and len(self._runs) + len(self._ending) < self._at_once:
+            self._begin(self._waiting.pop(0))
         self.changed.emit()
 
-    def _tell(self, step: str, fraction: float) -> None:
-        if self._at_work is not None:
-            self._fraction = fraction
-            self.progressed.emit(self._at_work, step, fraction)
+    def _begin(self, folder: Path) -> None:
+        task = Task(lambda progress: self._services.clone(folder, self.formats, progress, task.show))
+        self._runs[folder] = _Run(task, time.monotonic())
+        task.shown.connect(partial(self._grow, folder))
+        task.progressed.connect(partial(self._tell, folder))
+        task.succeeded.connect(partial(self._take, folder))
+        task.failed.connect(partial(self._complain, folder))
+        task.finished.connect(partial(self._done, folder, task))
+        task.start()
 
-    def _grow(self, shape: Shape) -> None:
-        if self._at_work is not None:
-            self.shape = shape
-            self.grown.emit(self._at_work)
+    def _tell(self, folder: Path, step: str, fraction: float) -> None:
+        if folder in self._runs:
+            self._runs[folder].fraction = fraction
+            self.progressed.emit(folder, step, fraction)
 
-    def _take(self, made: tuple[Cloned, float]) -> None:
-        folder = self._let_go()
-        if folder is not None:
-            cloned, seconds = made
-            log.info("%s: cloned in %.0f s", folder.name, seconds)
-            update_visit(folder, lambda visit: line.cloned(visit, seconds, now_text()))
-            self.finished.emit(folder, cloned)
+    def _grow(self, folder: Path, shape: Shape) -> None:
+        if folder in self._runs:
+            self._runs[folder].shape = shape
+            self.grown.emit(folder)
 
-    def _let_go(self) -> Path | None:
-        """Return who was cloned, whose clone waits no longer: who is told of it must not find it under way still."""
-        folder, self._at_work, self.shape = self._at_work, None, None
-        return folder
+    def _take(self, folder: Path, made: tuple[Cloned, float]) -> None:
+        cloned, seconds = made
+        self._let_go(folder)
+        log.info("%s: cloned in %.0f s", folder.name, seconds)
+        update_visit(folder, lambda visit: line.cloned(visit, seconds, now_text()))
+        self.finished.emit(folder, cloned)
 
-    def _complain(self, error: ClonerError) -> None:
-        folder = self._let_go()
-        if folder is not None:
-            log.warning("%s: not cloned", folder.name)
-            update_visit(folder, lambda visit: line.failed(visit, str(error)))
-            self.failed.emit(folder, error)
+    def _let_go(self, folder: Path) -> None:
+        """Let a clone wait no longer: who is told of it must not find it under way still."""
+        del self._runs[folder]
+        self._ending.add(folder)
 
-    def _done(self) -> None:
-        self._task = None
-        self._let_go()
+    def _complain(self, folder: Path, error: ClonerError) -> None:
+        self._let_go(folder)
+        log.warning("%s: not cloned", folder.name)
+        update_visit(folder, lambda visit: line.failed(visit, str(error)))
+        self.failed.emit(folder, error)
+
+    def _done(self, folder: Path, task: Task) -> None:
+        if folder in self._runs and self._runs[folder].task is task:
+            del self._runs[folder]
+        self._ending.discard(folder)
         self._next()

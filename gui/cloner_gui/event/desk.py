@@ -35,15 +35,22 @@ class Desk(QObject):
     """
 
     visits_changed = Signal()
+    """Whoever lists the visitors reads all of them: where much may happen at once, say `tell_change`."""
     failed = Signal(object)
 
     def __init__(self, session: Session, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.session = session
+        self._soon = QTimer(self, singleShot=True, interval=0)
+        self._soon.timeout.connect(self.visits_changed)
         self.clicks, self._counted, self._since = 0, 0, time.monotonic()
         effort = QTimer(self, interval=EFFORT_MS)
         effort.timeout.connect(self.note_effort)
         effort.start()
+
+    def tell_change(self) -> None:
+        """Say soon, and once however much happens, that something is different with the visitors."""
+        self._soon.start()
 
     def save_person(self, name: str, height_cm: float | None) -> None:
         """Save name and height of the open visitor."""

@@ -64,6 +64,8 @@ class QueueBar(QWidget):
         self.setVisible(self._queue.at_work is not None and not self._is_seen_elsewhere())
 
     def _tell(self, folder: Path, step: str, fraction: float) -> None:
+        if folder != self._queue.at_work:
+            return  # of several at once the first one's progress is seen
         left = spoken_time(self._queue.seconds_left(folder))
         more = self._queue.size() - 1
         waiting = translate("queue", ", {n} more wait").format(n=more) if more else ""

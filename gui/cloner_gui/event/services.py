@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import functools
+import threading
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import numpy as np
 
@@ -14,7 +15,7 @@ from cloner.booth.opened import Cloned, Opened, open_visitor, read_cloned
 from cloner.booth.photos.looking_table import Look
 from cloner.booth.photos.photo_files import placed_photos
 from cloner.booth.visitors.kept import proposed_points
-from cloner.booth.worker import Progress, Show, Worker
+from cloner.booth.worker import Progress, Show, Worker, not_shown
 from cloner.errors import Cancelled, ClonerError
 from cloner.frames import ViewId
 from cloner.records.photos import PhotoSet
@@ -56,6 +57,13 @@ def pack_parcel(folder: Path, result: Path, progress: Progress) -> Path:
     return pack(folder, result, progress)
 
 
+def draw_stroll(folder: Path, result: Path, progress: Progress) -> Path:
+    """Draw a visitor's walk for the visitors' screen; see `cloner.booth.strolling`."""
+    from cloner.booth import strolling
+
+    return strolling.draw_stroll(folder, result, progress)
+
+
 def nothing(*_: object) -> None:
     """Do nothing."""
 
@@ -82,6 +90,8 @@ class Services:
         as it grows.
     pack : callable
         Takes a visitor's folder and the result and makes what the page for telephones shows.
+    stroll : callable
+        Takes a visitor's folder and the result and draws the clone walking, for the visitors' screen.
     hand_over : callable
         Takes a result, a target and the formats and gives what was written.
     refit : callable
@@ -98,6 +108,7 @@ class Services:
     hand_over: Callable[[Path, Path, Sequence[str], Progress], Path]
     open: Callable[[Path], Opened] = open_visitor
     pack: Callable[[Path, Path, Progress], Path] = pack_parcel
+    stroll: Callable[[Path, Path, Progress], Path] = draw_stroll
     refit: Callable[[Mapping[str, object], Corrections], Refitted] = refit_person
     studio: Studio = no_studio
     start: Callable[[], None] = nothing
@@ -106,16 +117,17 @@ class Services:
 
 def process_services() -> Services:
     """Return the services in their processes: for the visitor at hand, for clones meanwhile, and for the studio."""
-    desk, oven, bench = Worker(), Worker(), Worker(STUDIO)
+    desk, bench, ovens = Worker(), Worker(STUDIO), Ovens()
     return Services(
         look=functools.partial(_look, desk),
         propose=functools.partial(_propose, desk),
-        clone=functools.partial(_clone, oven),
+        clone=functools.partial(_clone, ovens),
         hand_over=functools.partial(_hand_over, desk),
         pack=functools.partial(_pack, desk),
+        stroll=functools.partial(_stroll, ovens),
         studio=functools.partial(_studio, bench),
         start=desk.start,
-        stop=functools.partial(_stop, desk, oven, bench),
+        stop=functools.partial(_stop, desk, ovens, bench),
     )
 
 
@@ -129,9 +141,33 @@ def _propose(worker: Worker, folder: Path, photos: PhotoSet, progress: Progress)
     return points_by_view(proposed_points(folder, photos), photos)
 
 
-def _clone(
-    worker: Worker, folder: Path, formats: Sequence[str], progress: Progress, show: Show
-) -> tuple[Cloned, float]:
+class Ovens:
+    """Processes for clones: as many as are wanted at the same time, each begun when all others are at work."""
+
+    def __init__(self) -> None:
+        self._free: list[Worker] = []
+        self._all: list[Worker] = []
+        self._lock = threading.Lock()
+
+    def call(self, method: str, *arguments: object, progress: Progress, show: Show = not_shown) -> Any:
+        """Do a job in a process that has none; see `Worker.call`."""
+        with self._lock:
+            worker = self._free.pop() if self._free else Worker()
+            if worker not in self._all:
+                self._all.append(worker)
+        try:
+            return worker.call(method, *arguments, progress=progress, show=show)
+        finally:
+            with self._lock:
+                self._free.append(worker)
+
+    def stop(self) -> None:
+        """End all processes."""
+        for worker in self._all:
+            worker.stop()
+
+
+def _clone(worker: Ovens, folder: Path, formats: Sequence[str], progress: Progress, show: Show) -> tuple[Cloned, float]:
     seconds = float(worker.call("clone", folder, tuple(formats), progress=progress, show=show))
     photos = placed_photos(folder)
     cloned = read_cloned(folder, photos)
@@ -153,6 +189,11 @@ def _hand_over(worker: Worker, result: Path, target: Path, formats: Sequence[str
 
 def _pack(worker: Worker, folder: Path, result: Path, progress: Progress) -> Path:
     made: Path = worker.call("pack", folder, result, progress=progress)
+    return made
+
+
+def _stroll(worker: Ovens, folder: Path, result: Path, progress: Progress) -> Path:
+    made: Path = worker.call("stroll", folder, result, progress=progress)
     return made
 
 
@@ -179,6 +220,6 @@ def together(parts: list[ViewPoints]) -> ViewPoints:
     )
 
 
-def _stop(*workers: Worker) -> None:
+def _stop(*workers: Worker | Ovens) -> None:
     for worker in workers:
         worker.stop()

@@ -192,7 +192,7 @@ class Session(QObject):
 
     def shape_now(self) -> Shape | None:
         """Return the body as far as the clone under way has come; None while none is made for this visitor."""
-        return self.queue.shape if self.folder is not None and self.folder == self.queue.at_work else None
+        return None if self.folder is None else self.queue.shape(self.folder)
 
     # --- long work -----------------------------------------------------------------
 

@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QLabel, QProgressBar, QVBoxLayout, QWidget
 
+from cloner.booth.visitors.versions import has_before
 from cloner.booth.visitors.visits import read_visit
 from cloner.errors import ClonerError
 from cloner.interactive.outline_gaps import outline_gaps_mm
@@ -35,6 +36,7 @@ class ClonePage(QWidget):
         super().__init__(parent)
         self._booth, self._session = booth, booth.session
         self.clone_button, self.cancel_button, self.reveal_button = button(), button(), button()
+        self.before_button = button()
         self.stale = label("warn")
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
@@ -60,7 +62,7 @@ class ClonePage(QWidget):
 
     def _lay_out(self) -> None:
         top, parts, inside = Flow(), Flow(), QWidget()
-        for widget in (self.clone_button, self.cancel_button, self.reveal_button, self.progress):
+        for widget in (self.clone_button, self.cancel_button, self.reveal_button, self.before_button, self.progress):
             top.addWidget(widget)
         top.addWidget(self.status)
         for part in self.parts:
@@ -78,6 +80,7 @@ class ClonePage(QWidget):
         session = self._session
         self.clone_button.clicked.connect(lambda: session.clone())
         self.cancel_button.clicked.connect(session.cancel)
+        self.before_button.clicked.connect(self._bring_before)
         self.preview.failed.connect(session.failed)
         self.panel.gaps_wanted.connect(self._measure_gaps)
         session.opened.connect(self._show)
@@ -98,6 +101,7 @@ class ClonePage(QWidget):
         """Put all words into the window's language."""
         self.reveal_button.setText(translate("clone", "Sho&w it off"))
         self.cancel_button.setText(translate("clone", "Ca&ncel"))
+        self.before_button.setText(translate("clone", "The clone be&fore"))
         self._names = (
             translate("clone", "Points"),
             translate("clone", "Body"),
@@ -105,7 +109,7 @@ class ClonePage(QWidget):
             translate("clone", "Hair"),
             translate("clone", "Texture and files"),
         )
-        self.preview.empty_text = translate("clone", "Press Clone: after about a minute the person stands here.")
+        self.preview.say_when_empty(translate("clone", "Press Clone: after about a minute the person stands here."))
         self._show_warnings()
         self._show_parts()
         self._show_stale()
@@ -144,6 +148,8 @@ class ClonePage(QWidget):
         self.clone_button.setVisible(not busy)
         self.clone_button.setEnabled(not busy and has_front(self._session))
         self.reveal_button.setVisible(not busy and self._session.outcome is not None)
+        folder = self._session.folder
+        self.before_button.setVisible(not busy and folder is not None and has_before(folder))
         self.cancel_button.setVisible(busy)
         self._show_stale()
         self.cancel_button.setEnabled(busy)
@@ -155,6 +161,10 @@ class ClonePage(QWidget):
         self._show_warnings()
         self._done_parts = 0 if busy or self._session.outcome is None else len(PARTS)
         self._show_parts()
+
+    def _bring_before(self) -> None:
+        if self._session.folder is not None:
+            self._booth.bring_clone_before(self._session.folder)
 
     def _show_warnings(self) -> None:
         """Say what the clone lacks, or why there is none."""

@@ -21,6 +21,7 @@ from PySide6.QtWidgets import (
 from cloner.booth.events import trash
 from cloner.booth.photos.photo_files import photo_of
 from cloner.booth.visitors.kept import RESULTS
+from cloner.booth.visitors.versions import has_before
 from cloner.booth.visitors.visits import State, Visit, read_visit
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -51,6 +52,7 @@ class GalleryWindow(QDialog):
         self.told, self.numbers_label = label("dim"), label()
         self.numbers = DayNumbers(booth, self)
         self.open_button, self.again_button, self.trash_button = button("main"), button(), button()
+        self.before_button = button()
         self.back_button, self.forget_button, self.numbers_button = button(), button("danger"), button()
         self._icons: deque[QListWidgetItem] = deque()
         self._loader = QTimer(self, interval=0)
@@ -90,6 +92,7 @@ class GalleryWindow(QDialog):
         for one, text in (
             (self.open_button, translate("gallery", "&Open")),
             (self.again_button, translate("gallery", "Clone &again")),
+            (self.before_button, translate("gallery", "The clone be&fore")),
             (self.trash_button, translate("gallery", "&Throw away")),
             (self.back_button, translate("gallery", "&Bring back")),
             (self.forget_button, translate("gallery", "&Delete for good…")),
@@ -99,8 +102,8 @@ class GalleryWindow(QDialog):
         top, bottom, column = Flow(), Flow(), QVBoxLayout(self)
         for field in (self.search, self.which):
             top.addWidget(field)
-        for one in (self.open_button, self.again_button, self.trash_button, self.back_button, self.forget_button,
-                    self.numbers_button):  # fmt: skip
+        for one in (self.open_button, self.again_button, self.before_button, self.trash_button, self.back_button,
+                    self.forget_button, self.numbers_button):  # fmt: skip
             bottom.addWidget(one)
         column.addLayout(top)
         column.addWidget(self.list, 1)
@@ -115,6 +118,7 @@ class GalleryWindow(QDialog):
         self.list.itemActivated.connect(lambda _: self._open())
         self.open_button.clicked.connect(self._open)
         self.again_button.clicked.connect(self._clone_again)
+        self.before_button.clicked.connect(lambda: self._booth.bring_clone_before(*self.marked()))
         self.trash_button.clicked.connect(self._throw_away)
         self.back_button.clicked.connect(self._bring_back)
         self.forget_button.clicked.connect(lambda: self.marked() and ask_to_forget(self._booth, self.marked(), self))
@@ -179,6 +183,7 @@ class GalleryWindow(QDialog):
         self.open_button.setEnabled(marked == 1 and not in_trash)
         for one in (self.again_button, self.trash_button):
             one.setEnabled(marked > 0 and not in_trash)
+        self.before_button.setEnabled(not in_trash and any(map(has_before, self.marked())))
         self.trash_button.setVisible(self._booth.settings.trash_days > 0)
         self.back_button.setEnabled(marked > 0 and in_trash)
         self.forget_button.setEnabled(marked > 0)
@@ -211,20 +216,13 @@ class GalleryWindow(QDialog):
                 self.close()
 
     def _clone_again(self) -> None:
-        for folder in self.marked():
-            self._booth.session.queue.ask(folder)
+        self._booth.clone_again(*self.marked())
 
     def _throw_away(self) -> None:
-        for folder in self.marked():
-            self._booth.throw_away(folder)
+        self._booth.throw_away(*self.marked())
 
     def _bring_back(self) -> None:
-        for folder in self.marked():
-            try:
-                trash.bring_back(folder)
-            except ClonerError as error:
-                self._booth.failed.emit(error)
-        self._booth.visits_changed.emit()
+        self._booth.bring_back(*self.marked())
 
 
 def picture_of(folder: Path) -> Path | None:

@@ -147,7 +147,7 @@ class PointsPage(QWidget):
         self.keys.setText(
             translate("points", "Tab: next point. Arrows: 1 pixel, with Shift 10. Wheel or + and −: zoom. Home: all.")
         )
-        self.preview.empty_text = translate("points", "After the first clone, the person here follows your hand.")
+        self.preview.say_when_empty(translate("points", "After the first clone, the person here follows your hand."))
         self.strip.call(VIEW_TITLES)
         self._tell_point("")
 

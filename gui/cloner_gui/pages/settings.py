@@ -17,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from cloner.booth.events.event import LANGUAGES
+from cloner.booth.events.event import LANGUAGES, MOST_AT_ONCE
 from cloner.booth.events.pin import kept_pin
 from cloner.records.terms import LICENCES
 from cloner_gui.event.booth import Booth
@@ -42,6 +42,7 @@ class SettingsWindow(QDialog):
         self.logo, self.scene = LogoField(settings.logo), QLineEdit(settings.scene)
         self.days, self.trash, self.licence = QSpinBox(), QSpinBox(), LicenceField()
         self.calm = QCheckBox(translate("settings", "Nothing &moves by itself"))
+        self.at_once = QSpinBox()
         self.hours, self.https = QSpinBox(), QCheckBox(translate("settings", "&Encrypt the page for telephones"))
         self._note = label("dim")
         self.pin, self.asks = QLineEdit(), QCheckBox(translate("settings", "The kiosk &asks for a number"))
@@ -71,6 +72,9 @@ class SettingsWindow(QDialog):
         self.hours.setSuffix(translate("settings", " hours"))
         self.hours.setValue(settings.phone_hours)
         self.https.setChecked(settings.phone_https)
+        self.at_once.setRange(1, MOST_AT_ONCE)
+        self.at_once.setValue(settings.at_once)
+        self.at_once.setToolTip(translate("settings", "Each takes a core of this computer and 1 GB of its memory."))
         self.consent.setTabChangesFocus(True)
         self.pin.setEchoMode(QLineEdit.EchoMode.Password)
         self.asks.setChecked(bool(settings.pin))
@@ -93,6 +97,7 @@ class SettingsWindow(QDialog):
         form.addRow(translate("settings", "Links for &telephones work for"), self.hours)
         form.addRow("", self.https)
         form.addRow(translate("settings", "&Scene that clones may walk in"), self.scene)
+        form.addRow(translate("settings", "&Visitors cloned at the same time"), self.at_once)
         form.addRow("", self.calm)
         form.addRow("", self.asks)
         form.addRow(translate("settings", "N&umber of the operator"), self.pin)
@@ -102,6 +107,7 @@ class SettingsWindow(QDialog):
             (self.trash, translate("settings", "Days that thrown away visitors can be brought back")),
             (self.hours, translate("settings", "Hours that links for telephones work")),
             (self.scene, translate("settings", "Scene that clones may walk in")),
+            (self.at_once, translate("settings", "Visitors cloned at the same time")),
             (self.language, translate("settings", "Language of the text")),
             (self.licence.choice, translate("settings", "Who visitors may let use the files, at the most")),
             (self.pin, translate("settings", "Number of the operator")),
@@ -145,6 +151,7 @@ class SettingsWindow(QDialog):
             consents={code: text for code, text in self._consents.items() if text},
             logo=self.logo.path,
             scene=self.scene.text().strip(),
+            at_once=self.at_once.value(),
             licence=self.licence.chosen(),
             phone_hours=self.hours.value(),
             phone_https=self.https.isChecked(),

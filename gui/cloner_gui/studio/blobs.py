@@ -50,7 +50,7 @@ class BlobsWindow(StatueBench):
         self.settle()
 
     def _place(self) -> None:
-        self.preview.empty_text = ""
+        self.preview.say_when_empty("")
         self.shown.setChecked(True)
         self.open_button.setText(translate("studio", "&Open a file of blobs…"))
         self.file_button.setText(translate("studio", "Sa&ve the blobs as a file…"))

@@ -38,7 +38,7 @@ class BodiesWindow(Bench):
         self.kind, self.preset, self.refused = QComboBox(), QComboBox(), label("warn")
         self.rows = {key: MeasureRow(key) for key in (STATURE, *_in_order())}
         self.name_field, self.save_button = QLineEdit(), button("main")
-        self.preview.empty_text = ""
+        self.preview.say_when_empty("")
         self._base: Clone | None = None
         self._sex, self._stale = WOMAN, False
         self._fill()

@@ -71,7 +71,7 @@ class PhotographWindow(StatueBench):
     def _place(self) -> None:
         self.photo_button.setText(translate("studio", "Choose a &photograph…"))
         self.paint_button.setText(translate("studio", "Paint it all &round"))
-        self.preview.empty_text = translate("studio", "Choose a photograph of a face, of flesh or of stone.")
+        self.preview.say_when_empty(translate("studio", "Choose a photograph of a face, of flesh or of stone."))
         self.controls.addWidget(self.photo_button)
         self.controls.addWidget(self.told)
         self.field(translate("studio", "&Material"), self.material)

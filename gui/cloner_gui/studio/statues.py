@@ -112,7 +112,7 @@ class StoneWindow(StatueBench):
         self.pose, self.preview = QComboBox(), Preview()
         for one in POSES:
             self.pose.addItem(POSES[one], one)
-        self.preview.empty_text = translate("studio", "Choose a clone that is finished.")
+        self.preview.say_when_empty(translate("studio", "Choose a clone that is finished."))
         self.field(translate("studio", "&Material"), self.material)
         self.field(translate("studio", "&Pose"), self.pose)
         self.end_fields()

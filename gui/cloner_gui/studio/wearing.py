@@ -38,7 +38,7 @@ class WearingWindow(Bench):
         self.bare, self.length, self.told = QCheckBox(), QSpinBox(), label("dim")
         self.next_button, self.over_button = button("main"), button()
         self._under: Outfit | None = None
-        self.preview.empty_text = translate("studio", "Choose a clone that is finished.")
+        self.preview.say_when_empty(translate("studio", "Choose a clone that is finished."))
         self.step = ARRANGE
         self._fill()
         self._place()

@@ -136,6 +136,10 @@
         <translation>A&amp;bbrechen</translation>
     </message>
     <message>
+        <source>The clone be&amp;fore</source>
+        <translation>Klon da&amp;vor</translation>
+    </message>
+    <message>
         <source>Points</source>
         <translation>Punkte</translation>
     </message>
@@ -304,6 +308,10 @@
     <message>
         <source>Clone &amp;again</source>
         <translation>Noch ein&amp;mal klonen</translation>
+    </message>
+    <message>
+        <source>The clone be&amp;fore</source>
+        <translation>Klon da&amp;vor</translation>
     </message>
     <message>
         <source>&amp;Throw away</source>
@@ -1625,6 +1633,10 @@
         <translation> Stunden</translation>
     </message>
     <message>
+        <source>Each takes a core of this computer and 1 GB of its memory.</source>
+        <translation>Jeder braucht einen Kern dieses Rechners und 1 GB seines Speichers.</translation>
+    </message>
+    <message>
         <source>unchanged</source>
         <translation>unverändert</translation>
     </message>
@@ -1665,6 +1677,10 @@
         <translation>&amp;Szene, in der Klone gehen dürfen</translation>
     </message>
     <message>
+        <source>&amp;Visitors cloned at the same time</source>
+        <translation>Gleich&amp;zeitig geklonte Besucher</translation>
+    </message>
+    <message>
         <source>N&amp;umber of the operator</source>
         <translation>N&amp;ummer des Bedieners</translation>
     </message>
@@ -1687,6 +1703,10 @@
     <message>
         <source>Scene that clones may walk in</source>
         <translation>Szene, in der Klone gehen dürfen</translation>
+    </message>
+    <message>
+        <source>Visitors cloned at the same time</source>
+        <translation>Gleichzeitig geklonte Besucher</translation>
     </message>
     <message>
         <source>Language of the text</source>
@@ -1743,6 +1763,11 @@
 <context>
     <name>stage</name>
     <message>
+        <source>Everybody of today</source>
+        <extracomment>A clone that does not move by itself is seen so long, milliseconds; and so often it is looked for a first one.</extracomment>
+        <translation>Alle von heute</translation>
+    </message>
+    <message>
         <source> and {n} more</source>
         <translation> und {n} weitere</translation>
     </message>
@@ -1756,7 +1781,6 @@
     </message>
     <message>
         <source>Five photos, one minute: your own clone stands here.</source>
-        <extracomment>A clone that does not move by itself is seen so long, milliseconds; and so often it is looked for a first one.</extracomment>
         <translation>Fünf Fotos, eine Minute: hier steht Ihr eigener Klon.</translation>
     </message>
 </context>
@@ -3189,6 +3213,18 @@
         <translation>der Besucher kann nicht verschoben werden</translation>
     </message>
     <message>
+        <source>these files still tell of who was deleted</source>
+        <translation>diese Dateien verraten noch etwas über Gelöschte</translation>
+    </message>
+    <message>
+        <source>Look at them: they may be copies</source>
+        <translation>Sehen Sie sie an: Es können Kopien sein</translation>
+    </message>
+    <message>
+        <source>there is no clone before this one</source>
+        <translation>es gibt keinen Klon vor diesem</translation>
+    </message>
+    <message>
         <source>the page for telephones cannot be served</source>
         <translation>die Seite für Telefone kann nicht angeboten werden</translation>
     </message>
@@ -4143,6 +4179,7 @@
     </message>
     <message>
         <source>Visitor {n}</source>
+        <extracomment>Folders where they lie now, and what went wrong with others.</extracomment>
         <translation>Besucher {n}</translation>
     </message>
     <message>
@@ -4233,6 +4270,10 @@
     <message>
         <source>{name} lies in the trash for {n} days.</source>
         <translation>{name} liegt {n} Tage im Papierkorb.</translation>
+    </message>
+    <message>
+        <source>{name}: the clone before is back. The other one is kept: the same again.</source>
+        <translation>{name}: Der Klon davor ist zurück. Der andere bleibt: noch einmal dasselbe.</translation>
     </message>
     <message>
         <source>{name}: the clone is ready.</source>

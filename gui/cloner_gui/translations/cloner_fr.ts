@@ -136,6 +136,10 @@
         <translation>A&amp;nnuler</translation>
     </message>
     <message>
+        <source>The clone be&amp;fore</source>
+        <translation>Clone &amp;précédent</translation>
+    </message>
+    <message>
         <source>Points</source>
         <translation>Points</translation>
     </message>
@@ -304,6 +308,10 @@
     <message>
         <source>Clone &amp;again</source>
         <translation>Cloner &amp;encore</translation>
+    </message>
+    <message>
+        <source>The clone be&amp;fore</source>
+        <translation>Clone &amp;précédent</translation>
     </message>
     <message>
         <source>&amp;Throw away</source>
@@ -1625,6 +1633,10 @@
         <translation> heures</translation>
     </message>
     <message>
+        <source>Each takes a core of this computer and 1 GB of its memory.</source>
+        <translation>Chacun prend un cœur de cet ordinateur et 1 Go de sa mémoire.</translation>
+    </message>
+    <message>
         <source>unchanged</source>
         <translation>inchangé</translation>
     </message>
@@ -1665,6 +1677,10 @@
         <translation>&amp;Scène où les clones peuvent marcher</translation>
     </message>
     <message>
+        <source>&amp;Visitors cloned at the same time</source>
+        <translation>&amp;Visiteurs clonés en même temps</translation>
+    </message>
+    <message>
         <source>N&amp;umber of the operator</source>
         <translation>N&amp;uméro de l’opérateur</translation>
     </message>
@@ -1687,6 +1703,10 @@
     <message>
         <source>Scene that clones may walk in</source>
         <translation>Scène où les clones peuvent marcher</translation>
+    </message>
+    <message>
+        <source>Visitors cloned at the same time</source>
+        <translation>Visiteurs clonés en même temps</translation>
     </message>
     <message>
         <source>Language of the text</source>
@@ -1743,6 +1763,11 @@
 <context>
     <name>stage</name>
     <message>
+        <source>Everybody of today</source>
+        <extracomment>A clone that does not move by itself is seen so long, milliseconds; and so often it is looked for a first one.</extracomment>
+        <translation>Tous ceux d’aujourd’hui</translation>
+    </message>
+    <message>
         <source> and {n} more</source>
         <translation> et {n} de plus</translation>
     </message>
@@ -1756,7 +1781,6 @@
     </message>
     <message>
         <source>Five photos, one minute: your own clone stands here.</source>
-        <extracomment>A clone that does not move by itself is seen so long, milliseconds; and so often it is looked for a first one.</extracomment>
         <translation>Cinq photos, une minute : votre propre clone est ici.</translation>
     </message>
 </context>
@@ -3189,6 +3213,18 @@
         <translation>le visiteur ne peut pas être déplacé</translation>
     </message>
     <message>
+        <source>these files still tell of who was deleted</source>
+        <translation>ces fichiers parlent encore de personnes supprimées</translation>
+    </message>
+    <message>
+        <source>Look at them: they may be copies</source>
+        <translation>Regardez-les : ce sont peut-être des copies</translation>
+    </message>
+    <message>
+        <source>there is no clone before this one</source>
+        <translation>il n’y a pas de clone avant celui-ci</translation>
+    </message>
+    <message>
         <source>the page for telephones cannot be served</source>
         <translation>la page pour téléphones ne peut pas être servie</translation>
     </message>
@@ -4143,6 +4179,7 @@
     </message>
     <message>
         <source>Visitor {n}</source>
+        <extracomment>Folders where they lie now, and what went wrong with others.</extracomment>
         <translation>Visiteur {n}</translation>
     </message>
     <message>
@@ -4233,6 +4270,10 @@
     <message>
         <source>{name} lies in the trash for {n} days.</source>
         <translation>{name} reste {n} jours dans la corbeille.</translation>
+    </message>
+    <message>
+        <source>{name}: the clone before is back. The other one is kept: the same again.</source>
+        <translation>{name} : le clone précédent est de retour. L’autre est gardé : refaites la même chose.</translation>
     </message>
     <message>
         <source>{name}: the clone is ready.</source>

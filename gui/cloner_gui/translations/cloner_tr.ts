@@ -135,6 +135,10 @@
         <translation>&amp;Vazgeç</translation>
     </message>
     <message>
+        <source>The clone be&amp;fore</source>
+        <translation>Ön&amp;ceki klon</translation>
+    </message>
+    <message>
         <source>Points</source>
         <translation>Noktalar</translation>
     </message>
@@ -303,6 +307,10 @@
     <message>
         <source>Clone &amp;again</source>
         <translation>&amp;Yeniden klonla</translation>
+    </message>
+    <message>
+        <source>The clone be&amp;fore</source>
+        <translation>Ön&amp;ceki klon</translation>
     </message>
     <message>
         <source>&amp;Throw away</source>
@@ -1624,6 +1632,10 @@
         <translation> saat</translation>
     </message>
     <message>
+        <source>Each takes a core of this computer and 1 GB of its memory.</source>
+        <translation>Her biri bu bilgisayarın bir çekirdeğini ve 1 GB belleğini alır.</translation>
+    </message>
+    <message>
         <source>unchanged</source>
         <translation>değişmedi</translation>
     </message>
@@ -1664,6 +1676,10 @@
         <translation>Klonların yürüyebileceği &amp;sahne</translation>
     </message>
     <message>
+        <source>&amp;Visitors cloned at the same time</source>
+        <translation>&amp;Aynı anda klonlanan ziyaretçiler</translation>
+    </message>
+    <message>
         <source>N&amp;umber of the operator</source>
         <translation>Görevlinin n&amp;umarası</translation>
     </message>
@@ -1686,6 +1702,10 @@
     <message>
         <source>Scene that clones may walk in</source>
         <translation>Klonların yürüyebileceği sahne</translation>
+    </message>
+    <message>
+        <source>Visitors cloned at the same time</source>
+        <translation>Aynı anda klonlanan ziyaretçiler</translation>
     </message>
     <message>
         <source>Language of the text</source>
@@ -1742,6 +1762,11 @@
 <context>
     <name>stage</name>
     <message>
+        <source>Everybody of today</source>
+        <extracomment>A clone that does not move by itself is seen so long, milliseconds; and so often it is looked for a first one.</extracomment>
+        <translation>Bugünün herkesi</translation>
+    </message>
+    <message>
         <source> and {n} more</source>
         <translation> ve {n} tane daha</translation>
     </message>
@@ -1755,7 +1780,6 @@
     </message>
     <message>
         <source>Five photos, one minute: your own clone stands here.</source>
-        <extracomment>A clone that does not move by itself is seen so long, milliseconds; and so often it is looked for a first one.</extracomment>
         <translation>Beş fotoğraf, bir dakika: burada kendi klonunuz durur.</translation>
     </message>
 </context>
@@ -3188,6 +3212,18 @@
         <translation>ziyaretçi taşınamıyor</translation>
     </message>
     <message>
+        <source>these files still tell of who was deleted</source>
+        <translation>bu dosyalar silinen kişileri hâlâ anlatıyor</translation>
+    </message>
+    <message>
+        <source>Look at them: they may be copies</source>
+        <translation>Onlara bakın: kopya olabilirler</translation>
+    </message>
+    <message>
+        <source>there is no clone before this one</source>
+        <translation>bundan önce bir klon yok</translation>
+    </message>
+    <message>
         <source>the page for telephones cannot be served</source>
         <translation>telefon sayfası sunulamıyor</translation>
     </message>
@@ -4142,6 +4178,7 @@
     </message>
     <message>
         <source>Visitor {n}</source>
+        <extracomment>Folders where they lie now, and what went wrong with others.</extracomment>
         <translation>Ziyaretçi {n}</translation>
     </message>
     <message>
@@ -4232,6 +4269,10 @@
     <message>
         <source>{name} lies in the trash for {n} days.</source>
         <translation>{name} {n} gün çöpte kalır.</translation>
+    </message>
+    <message>
+        <source>{name}: the clone before is back. The other one is kept: the same again.</source>
+        <translation>{name}: önceki klon geri geldi. Öteki saklandı: aynısını yineleyin.</translation>
     </message>
     <message>
         <source>{name}: the clone is ready.</source>

@@ -64,7 +64,7 @@ def test_broken_settings_are_told_by_the_name_of_their_file(tmp_path, text):
 def test_visitors_are_numbered_and_numbers_are_not_given_twice(tmp_path):
     first, second = new_visitor(tmp_path, "a"), new_visitor(tmp_path, "b")
     assert (first.name, second.name) == ("visitor-001", "visitor-002")
-    keeping.forget_visitor(first, tmp_path)
+    keeping.forget_visitors((first,), tmp_path)
     assert new_visitor(tmp_path, "c").name == "visitor-003"
     assert list(visits(tmp_path)) == [second, tmp_path / "visitor-003"]
     assert visits(tmp_path)[second].started == "b"
@@ -205,7 +205,7 @@ def test_whose_time_is_over_is_found_also_without_a_photo(tmp_path):
     assert [one.identifier for one in keeping.overdue(tmp_path, 30, NOW)] == ["visitor-001"]
     assert keeping.overdue(tmp_path, 0, NOW) == ()
     (tmp_path / "notes.txt").write_text("Anna Long was here")
-    assert keeping.forget_visitor(old, tmp_path) == ("notes.txt",)
+    assert keeping.forget_visitors((old,), tmp_path) == ("notes.txt",)
     assert not old.exists()
     assert json.loads((new / "visit.json").read_text())["state"] == "none"
 
@@ -215,5 +215,5 @@ def test_a_lone_visitor_is_forgotten_without_looking_at_the_neighbours(tmp_path)
     folder.mkdir()
     write_person(folder, name="Anna Long", height_cm=None, consent="")
     (tmp_path / "diary.txt").write_text("Anna Long")
-    assert keeping.forget_visitor(folder, None) == ()
+    assert keeping.forget_visitors((folder,), None) == ()
     assert [path.name for path in tmp_path.iterdir()] == ["diary.txt"]

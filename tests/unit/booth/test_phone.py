@@ -80,7 +80,7 @@ def test_a_link_ends_and_goes_with_the_visitor(fair, served):
     assert fresh != token
     assert ask(served, f"/{fresh}/")[0] == 200
     assert give_ticket(first, NOW, 24).token == fresh, "one link a visitor"
-    keeping.forget_visitor(first, fair)
+    keeping.forget_visitors((first,), fair)
     assert ask(served, f"/{fresh}/")[0] == 404
     assert not [path for path in fair.rglob("*") if "001" in path.name], "the page's copies are gone too"
     mine = give_ticket(second, NOW, 1)

@@ -31,13 +31,36 @@ def test_a_visitor_thrown_away_comes_back_whole(tmp_path):
     assert trash.thrown_away(tmp_path) == ()
 
 
+def test_who_waited_for_a_clone_waits_no_more_in_the_trash(tmp_path):
+    folder = new_visitor(tmp_path, "")
+    write_visit(folder, Visit(state=State.WAITING, queued="1"))
+    back = trash.bring_back(trash.throw_away(folder, NOW))
+    assert read_visit(back).state is State.NONE
+    assert read_visit(back).declined, "nobody is cloned who was thrown away"
+
+
 def test_the_end_is_counted_from_the_day_it_was_thrown_away(tmp_path):
     lies = trash.throw_away(new_visitor(tmp_path, ""), NOW)
     assert trash.ends(lies, 2) == NOW + timedelta(days=2)
     assert trash.over(tmp_path, 2, NOW + timedelta(days=1, hours=23)) == ()
     assert trash.over(tmp_path, 2, NOW + timedelta(days=2)) == (lies,)
-    keeping.forget_visitor(lies, tmp_path)
+    keeping.forget_visitors((lies,), tmp_path)
     assert not lies.exists()
+
+
+def test_who_is_put_aside_is_gone_at_once_held_still_and_deleted_at_the_next_opening(tmp_path):
+    first, second = new_visitor(tmp_path, ""), new_visitor(tmp_path, "")
+    write_person(second, name="Anna Long", height_cm=None, consent="yes")
+    aside = keeping.put_aside(second)  # and here the power goes
+    assert visitor_folders(tmp_path) == (first,)
+    assert [one.identifier for one in keeping.held(tmp_path)] == ["visitor-001", "visitor-002"], "told as held"
+    assert new_visitor(tmp_path, "").name == "visitor-003", "the number stays taken"
+    old = trash.throw_away(first, NOW - timedelta(days=3))
+    (tmp_path / "notes.txt").write_text("Anna Long was here")
+    assert keeping.tidied(tmp_path, 2, NOW) == ("notes.txt",), "her name is still known"
+    assert not aside.exists()
+    assert not old.exists(), "its days in the trash are over"
+    assert keeping.tidied(tmp_path, 2, NOW) == ()
 
 
 def test_nobody_is_brought_back_over_another(tmp_path):

@@ -54,8 +54,8 @@ def test_the_small_face_of_the_body_photo_is_left_to_the_large_one():
     assert len(order(small)) == len(small.names), "it is all there is"
 
 
-def test_a_joint_waits_until_it_is_likely_to_lie_where_the_fit_would_ask():
-    """Elbows, hips and knees took five of the first twelve drags of a visitor and shaped nothing."""
+def test_a_body_s_point_waits_until_it_is_likely_to_lie_where_the_fit_would_ask():
+    """Elbows, hips and knees took five of the first twelve drags of a visitor, heels and toes four: for nothing."""
     names = ("r_elbow", "waist_left")
 
     def first(error):
@@ -64,7 +64,7 @@ def test_a_joint_waits_until_it_is_likely_to_lie_where_the_fit_would_ask():
         return [name for _, name in order(face(), points)]
 
     usual = first(0.01)
-    assert usual.index("waist_left") < usual.index("mouth_corner_L") < usual.index("r_elbow")
+    assert usual.index("mouth_corner_L") < min(usual.index(name) for name in names)
     lost = first(0.2)
     assert set(lost[:2]) == set(names)
 

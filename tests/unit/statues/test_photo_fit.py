@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +13,7 @@ from cloner.generic.layers import clone_layers
 from cloner.generic.load import load_generic
 from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.render import draw
+from cloner.statues import photo_fit
 from cloner.statues.markers import MARKED, known_points
 from cloner.statues.photo_fit import fit_markers, fit_photo, focal_px_of, mark
 from cloner.statues.photographed import mesh_of, photographed
@@ -80,19 +80,17 @@ def test_a_mesh_that_is_the_thing_itself_is_not_bent(sitter, vertex) -> None:
     assert np.abs(fit.vertices_m - person.vertices_m).max() < 1e-6
 
 
-def test_a_drag_of_forty_markers_takes_less_than_fifty_milliseconds(sitter, vertex) -> None:
+def test_a_drag_of_forty_markers_goes_on_from_the_camera_before(sitter, vertex, monkeypatch) -> None:
     person, camera, _ = sitter
     assert len(vertex) == 40
     marked, markers = mark(mesh_of(toy_clone(hair=False)), vertex), camera.project(person.vertices_m[vertex])
-    fit, spent = fit_markers(marked, markers, (WIDE, HIGH), camera.focal_px), []
+    fit = fit_markers(marked, markers, (WIDE, HIGH), camera.focal_px)
+    monkeypatch.setattr(photo_fit, "_found", lambda *_: pytest.fail("the camera is looked for from all sides again"))
     for step in range(9):
         markers[2] += 1.0
-        start = time.process_time()
         fit = fit_markers(marked, markers, (WIDE, HIGH), camera.focal_px, fit)
         assert fit.uv_photo.shape == (len(person.vertices_m), 2)
-        spent.append(time.process_time() - start)
         assert np.abs(fit.camera.project(fit.vertices_m[vertex]) - markers).max() < 1e-9, step
-    assert np.median(spent) < 0.05
 
 
 def test_one_dragged_marker_moves_its_neighbourhood_and_hardly_the_camera(sitter, vertex) -> None:

@@ -30,6 +30,7 @@ _KEY_PIXELS: Final = 20.0  # what an arrow key turns, as if dragged so far
 _ZOOM_STEP: Final = 1.15
 _FINE_AFTER_MS: Final = 200  # edges are smoothed when nothing moved for so long
 _FRAME_MS: Final = 40  # between two pictures of a motion
+_LEAST_PX: Final = 160  # width without a picture
 
 
 class Preview(QLabel):
@@ -42,16 +43,17 @@ class Preview(QLabel):
     drawn = Signal()
     touched = Signal()
     """A hand, a key or a wheel turned, moved or zoomed the clone."""
+    _empty_text = ""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.setWordWrap(True)
-        self.setMinimumSize(160, 200)
+        self.setMinimumSize(_LEAST_PX, 200)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
-        self.empty_text = self.tr("Press Clone: after about a minute the person stands here.")
+        self._empty_text = self.tr("Press Clone: after about a minute the person stands here.")
         self.mode, self.motion_kind, self.opacity = "textured", "stand", 1.0
         self.shown: Scene | None = None  # what the picture on the screen shows: it lags behind what is asked for
         self._clone: Clone | None = None
@@ -69,7 +71,7 @@ class Preview(QLabel):
         self._later.timeout.connect(lambda: self._draw(fine=True))
         self._film = QTimer(self, interval=_FRAME_MS)
         self._film.timeout.connect(self.refresh)
-        self.setText(self.empty_text)
+        self.setText(self._empty_text)
         self._speak()
 
     def sizeHint(self) -> QSize:
@@ -82,6 +84,18 @@ class Preview(QLabel):
 
     def _speak(self) -> None:
         self.setAccessibleName(self.tr("The clone in three dimensions"))
+
+    def say_when_empty(self, text: str) -> None:
+        """Say something else where nobody is shown."""
+        self._empty_text = text
+        self._make_room()
+        if self._clone is None:
+            self.setText(text)
+
+    def _make_room(self) -> None:
+        """Be no narrower than the longest word that is said where nobody is shown."""
+        longest = max(map(self.fontMetrics().horizontalAdvance, self._empty_text.split()), default=0)
+        self.setMinimumSize(max(_LEAST_PX, longest), 200)
 
     # --- what is shown -------------------------------------------------------
 
@@ -98,7 +112,7 @@ class Preview(QLabel):
         self._clone = clone
         if clone is None:
             self._film.stop()
-            self.setText(self.empty_text)
+            self.setText(self._empty_text)
         elif self.pixmap().isNull():
             self.setText("")  # it is being drawn: nobody has to press Clone any more
         self.refresh()
@@ -241,6 +255,8 @@ class Preview(QLabel):
         """Be called in another language."""
         if event.type() == QEvent.Type.LanguageChange:
             self._speak()
+        elif event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
+            self._make_room()
         super().changeEvent(event)
 
     def event(self, event: QEvent) -> bool:

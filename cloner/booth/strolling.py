@@ -1,0 +1,91 @@
+"""Visitors' clones walking by: pictures of one walk, seen through, of whom the visitors' screen makes the day's crowd.
+
+They lie in the visitor's own folder and go with it: nobody is in the crowd who was forgotten.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
+from PIL.PngImagePlugin import PngInfo
+
+from cloner.booth.visitors.kept import CLONE_FILE
+from cloner.booth.worker import Progress
+from cloner.errors import ClonerError
+from cloner.project.atomic import appears
+from cloner.project.clone_file import load_clone
+from cloner.records.clones import Clone
+
+#: Not beside the photos, where every picture counts as one.
+FILE: Final = "stage/stroll.png"
+FRAMES: Final = 12  # of the two steps of a walk, beside each other: 12 a second look like walking
+#: Width and height of a picture, px: a walker on a screen of 1080 lines that is a third as high as it (taste).
+SIZE_PX: Final = (240, 400)
+AZIMUTH_DEG: Final = 55.0  # taste: the face is seen, and where the walker goes
+#: What the file tells besides: the walker's pace, the height of the picture, and at which share of it the feet stand.
+PACE, HIGH, GROUND = "metres_a_second", "metres_high", "ground"
+
+
+def stroll_of(visitor: Path, result: Path) -> Path | None:
+    """Return the pictures of a visitor's walk; None where there are none of the clone as it is now."""
+    path, made = visitor / FILE, result / CLONE_FILE
+    known = path.is_file() and made.is_file() and path.stat().st_mtime >= made.stat().st_mtime
+    return path if known else None
+
+
+def draw_stroll(visitor: Path, result: Path, progress: Progress) -> Path:
+    """Draw a visitor's clone walking and return the file.
+
+    Raises
+    ------
+    ClonerError
+        If there is no clone, or it cannot be drawn or written.
+    """
+    clone = load_clone(result / CLONE_FILE)
+    told = PngInfo()
+    whole, facts = _strip(clone, progress)
+    for key, value in facts.items():
+        told.add_text(key, f"{value:.4f}")
+    try:
+        (visitor / FILE).parent.mkdir(exist_ok=True)
+        with appears(visitor / FILE) as temporary:
+            Image.fromarray(whole).save(temporary, format="PNG", pnginfo=told)
+    except OSError as error:
+        raise ClonerError("it cannot be written there", "Check the folder and its space", visitor.name) from error
+    return visitor / FILE
+
+
+def _strip(clone: Clone, progress: Progress) -> tuple[NDArray[np.uint8], dict[str, float]]:
+    """Return the (H, W * FRAMES, 4) pictures, and what the file tells of them."""
+    # drawing and scipy: the window knows where the pictures lie from its start, and draws none
+    from cloner.generic.layers import clone_layers
+    from cloner.geometry.cameras.viewpoints import framing_camera
+    from cloner.motion.limbs.body import body_of
+    from cloner.motion.moves.gait import walk
+    from cloner.render import draw
+
+    motion = walk(body_of(clone))
+    frames = np.linspace(0, len(motion.times_s) - 1, FRAMES, endpoint=False).round().astype(int)
+    posed = [clone_layers(clone, motion.rotations[frame]) for frame in frames]
+    points = np.vstack([layer.vertices_m for layers in posed for layer in layers])
+    camera = framing_camera(points, AZIMUTH_DEG, *SIZE_PX)
+    sides = []
+    for number, layers in enumerate(posed):
+        progress("previews", number / FRAMES)
+        dark, bright = (
+            draw(layers, camera, background=(grey, grey, grey), supersample=2).astype(int) for grey in (0, 255)
+        )
+        seen = 255 - np.clip((bright - dark).mean(axis=2), 0, 255)  # how much of the background is covered
+        colour = np.where(seen[..., None] > 0, dark * 255 / np.maximum(seen, 1)[..., None], 0)
+        sides.append(np.dstack([np.clip(colour, 0, 255), seen]).round().astype(np.uint8))
+    below = np.array([[0.0, points[:, 1].min(), 0.0]])
+    facts = {
+        PACE: motion.speed_m_s * float(np.sin(np.radians(AZIMUTH_DEG))),
+        HIGH: float(SIZE_PX[1] * camera.metres_per_pixel(points.mean(axis=0))),
+        GROUND: float(camera.project(below)[0, 1] / SIZE_PX[1]),
+    }
+    return np.hstack(sides), facts
