@@ -30,7 +30,7 @@ VARIANTS: Final = ("", "", "+m1", "+m2", "+m3", "+m4", "+m5", "+m6", "+m7", "+f1
 FLITE: Final = ("awb", "kal16", "slt")
 FLITE_SHARE: Final = 0.4
 HIDDEN, ROUNDS = 96, 20
-FLITE_NAMES: Final = {"pau": "SIL", "ax": "AH"}
+FLITE_NAMES: Final = {"pau": "SIL", "ax": "ə"}
 
 
 def words_of(texts: list[str]) -> dict[str, list[str]]:
