@@ -1,10 +1,11 @@
 """Teach the net that hears mouth shapes, and write ``visemes.npz``.
 
-    python generic_models/build/visemes.py --sentences 1000 --text FILE... --out generic_models/cloner_models
+    python generic_models/build/visemes.py --sentences 900 --text FILE... --out generic_models/cloner_models
 
 Needs espeak-ng and flite (Debian) and scikit-learn, for building only. Random words of the given texts (English first,
 then any of German, French, Turkish as FILE:de, FILE:fr, FILE:tr) are spoken by voices of both programs, whose phonemes
-and times they tell themselves; microphones are varied by tilt and noise. The voice "rms" of flite is never taught: it
+and times they tell themselves; microphones are varied by tilt and noise, and every sentence is heard a second time,
+faster and higher or slower and lower, as from a smaller or larger head. The voice "rms" of flite is never taught: it
 judges. What the programs speak is their output and under no licence of theirs.
 """
 
@@ -29,8 +30,11 @@ from cloner.motion.face.speech import VISEMES, viseme_of
 VARIANTS: Final = ("", "", "+m1", "+m2", "+m3", "+m4", "+m5", "+m6", "+m7", "+f1", "+f2", "+f3", "+f4", "+klatt")
 FLITE: Final = ("awb", "kal16", "slt")
 FLITE_SHARE: Final = 0.4
-HIDDEN, ROUNDS = 96, 20
-FLITE_NAMES: Final = {"pau": "SIL", "ax": "AH"}
+ENGLISH: Final = ("en", "en-us", "en-gb-x-rp", "en-gb-scotland")
+HIDDEN, ROUNDS = 192, 20
+#: The second hearing of a sentence is so many per cent as long; people's vocal tracts differ by as much.
+WARPS: Final = (86, 114)
+FLITE_NAMES: Final = {"pau": "SIL", "ax": "ə"}
 
 
 def words_of(texts: list[str]) -> dict[str, list[str]]:
@@ -39,7 +43,7 @@ def words_of(texts: list[str]) -> dict[str, list[str]]:
     for entry in texts:
         file, _, language = entry.partition(":")
         words = re.findall(r"[^\W\d_]{3,12}", re.sub(r"<[^>]*>", " ", Path(file).read_text(errors="ignore")).lower())
-        found.setdefault(language or "en", []).extend(set(words))
+        found.setdefault(language or "en", []).extend(sorted(set(words)))
     return found
 
 
@@ -59,20 +63,25 @@ def by_flite(voice: str, text: str) -> tuple[int, np.ndarray, list[tuple[str, fl
     return rate, sound, [(FLITE_NAMES.get(n, n.upper()), end - s) for (n, end), s in zip(ends, starts, strict=False)]
 
 
-def example(words: dict[str, list[str]]) -> tuple[np.ndarray, np.ndarray]:
-    """Return the inputs (F, 264) and the shapes' numbers (F,) of one spoken sentence."""
+def said(words: dict[str, list[str]]) -> tuple[np.ndarray, list[tuple[str, float]]]:
+    """Return one spoken sentence, `RATE_HZ` samples a second, and its phonemes with their seconds."""
     if random.random() < FLITE_SHARE:
         rate, sound, phonemes = by_flite(random.choice(FLITE), sentence(words["en"]))
     else:
         language = random.choice([key for key in words for _ in range(3 if key in ("en", "de") else 1)])
-        voice = language + random.choice(VARIANTS)
-        rate, sound, phonemes = spoken(sentence(words[language]), voice, random.randint(125, 190))
+        voice = (random.choice(ENGLISH) if language == "en" else language) + random.choice(VARIANTS)
+        rate, sound, phonemes = spoken(sentence(words[language]), voice, random.randint(115, 190))
     divisor = int(np.gcd(rate, RATE_HZ))
-    heard = resample_poly(sound / 32768.0, RATE_HZ // divisor, rate // divisor)
+    return resample_poly(sound / 32768.0, RATE_HZ // divisor, rate // divisor), phonemes
+
+
+def example(sound: np.ndarray, phonemes: list[tuple[str, float]], per_cent: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the inputs (F, 264) and the shapes' numbers (F,) of a sentence heard so long."""
+    heard = resample_poly(sound, per_cent, 100)
     heard[1:] += random.uniform(-0.5, 0.5) * heard[:-1]
     heard += random.choice([0.0, 0.0005, 0.002, 0.006]) * np.random.default_rng(len(heard)).normal(size=len(heard))
     rows = bands(heard)
-    ends = np.cumsum([seconds for _, seconds in phonemes])
+    ends = 0.01 * per_cent * np.cumsum([seconds for _, seconds in phonemes])
     shapes = np.array([VISEMES.index(viseme_of(name)) for name, _ in phonemes])
     middles = 0.0125 + 0.01 * np.arange(len(rows))
     return around(rows).astype(np.float32), shapes[np.minimum(np.searchsorted(ends, middles), len(shapes) - 1)]
@@ -89,9 +98,10 @@ def main() -> None:
     asked = parser.parse_args()
     random.seed(0)
     words, rows = words_of(asked.text), []
-    while len(rows) < asked.sentences:
+    while len(rows) < 2 * asked.sentences:
         try:
-            rows.append(example(words))
+            sound, phonemes = said(words)
+            rows += [example(sound, phonemes, per_cent) for per_cent in (100, random.randint(*WARPS))]
         except Exception as error:  # noqa: BLE001 - a word that a voice cannot say
             print("left out:", error)
     inputs, shapes = (np.concatenate(part) for part in zip(*rows, strict=True))

@@ -68,9 +68,39 @@ loader.parse(
         still_m: still, inside_m: inside,
       };
     };
-    const swinging = springs();
+    const hems = () => {
+      const joints = [...(vrm.springBoneManager?.joints ?? [])].filter((joint) => joint.bone.name.startsWith("hem"));
+      if (joints.length === 0) return null;
+      const at = () => (vrm.scene.updateMatrixWorld(true), joints.map((joint) => joint.child.getWorldPosition(new Vector3())));
+      const farthest = (a, b) => Math.max(...a.map((point, k) => point.distanceTo(b[k])));
+      const nearest = () => Math.min(...joints.flatMap((joint) => joint.colliderGroups.flatMap((group) => group.colliders.map(
+        (one) => one.shape.calculateCollision(one.matrixWorld, joint.child.getWorldPosition(new Vector3()), 0, new Vector3())))));
+      const run = (frames) => { for (let k = 0; k < frames; k++) vrm.update(1 / 60); };
+      const first = at();
+      run(180);
+      const rest = at(), inside = [nearest()];
+      const thigh = vrm.humanoid.getNormalizedBoneNode("leftUpperLeg"), knee = vrm.humanoid.getNormalizedBoneNode("leftLowerLeg");
+      thigh.rotation.x = -0.6;
+      knee.rotation.x = 0.3;
+      run(1);
+      const sudden = at();
+      run(180);
+      const lifted = at();
+      inside.push(nearest());
+      run(1);
+      const still = farthest(at(), lifted);
+      thigh.rotation.set(0, 0, 0);
+      knee.rotation.set(0, 0, 0);
+      run(180);
+      return {
+        joints: joints.length, sag_m: farthest(first, rest), lag_m: farthest(sudden, lifted), lift_m: farthest(rest, lifted),
+        still_m: still, back_m: farthest(at(), rest), inside_m: inside,
+      };
+    };
+    const skirt = hems(), swinging = springs();
     window.result = {
       springs: swinging,
+      hems: skirt,
       metaVersion: vrm.meta.metaVersion,
       bones: Object.keys(vrm.humanoid.humanBones),
       expressions: vrm.expressionManager.expressions.map((one) => one.expressionName),

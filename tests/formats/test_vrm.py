@@ -22,7 +22,7 @@ from cloner.records.terms import Terms
 from kit.browser import CHROMIUM, browser
 from kit.clones import toy_clone
 from kit.compare_clones import snapshot
-from kit.tails import with_tail
+from kit.tails import with_skirt, with_tail
 
 MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node")).resolve()
 READER = Path(__file__).with_name("read_vrm.mjs")
@@ -169,6 +169,47 @@ def test_a_tail_s_bones_pass_the_validator_and_carry_it(clone, tmp_path: Path) -
     assert gltf.nodes[gltf.skins[0].joints[joints[lowest, 0]]].name == names[-2], "the last one is but an end"
 
 
+@pytest.mark.skipif(
+    shutil.which("node") is None or not (MODULES / "node_modules/gltf-validator").is_dir(),
+    reason="gltf-validator is not here",
+)
+def test_a_skirt_s_bones_pass_the_validator_and_carry_its_hem(clone, tmp_path: Path) -> None:
+    """Chains hang on the leg beside them; what lies at the waist stays with the trunk."""
+    (path,) = export(with_skirt(with_tail(clone)), tmp_path)
+    done = subprocess.run(["node", VALIDATOR, MODULES, path], capture_output=True, text=True, check=True, timeout=120)
+    issues = json.loads(done.stdout)["issues"]
+    assert issues["numErrors"] == issues["numWarnings"] == 0
+    gltf = pygltflib.GLTF2().load_binary(str(path))
+    extension = gltf.extensions["VRMC_springBone"]
+    names = [spring["name"] for spring in extension["springs"]]
+    assert [name for name in names if name.startswith("hem")] == [f"hem{number}_1" for number in range(1, 9)]
+    assert names[0] == "hair_tail1_1", "a tail swings beside it"
+    groups = {group["name"]: group["colliders"] for group in extension["colliderGroups"]}
+    legs = [gltf.nodes[extension["colliders"][row]["node"]].name for row in groups["cloth"]]
+    assert legs == ["l_hip", "l_knee", "r_hip", "r_knee"]
+    parent = {child: number for number, node in enumerate(gltf.nodes) for child in node.children or []}
+    for spring in extension["springs"][1:]:
+        first = spring["joints"][0]["node"]
+        left = _world_x(gltf, parent, spring["joints"][-1]["node"]) > 0.0
+        assert gltf.nodes[parent[first]].name == ("l_hip" if left else "r_hip")
+    cloth = next(mesh for mesh in gltf.meshes if mesh.name == "Cloth").primitives[0].attributes
+    joints, weights = (_values(gltf, accessor) for accessor in (cloth.JOINTS_0, cloth.WEIGHTS_0))
+    assert weights.sum(axis=1) == pytest.approx(1.0, abs=1e-6)
+    bones = np.array([gltf.nodes[node].name for node in gltf.skins[0].joints])
+    swung = (weights * np.char.startswith(bones[joints], "hem")).sum(axis=1)
+    height = _values(gltf, cloth.POSITION)[:, 1]
+    assert swung[height < height.min() + 0.1].min() == pytest.approx(1.0, abs=1e-6)
+    assert swung[height > height.max() - 0.1].max() == 0.0
+
+
+def _world_x(gltf, parent: dict[int, int], node: int) -> float:
+    found = 0.0
+    while node is not None:
+        found += (gltf.nodes[node].translation or [0.0])[0]
+        node = parent.get(node)
+    return found
+
+
 def test_short_hair_has_no_springs(gltf) -> None:
     assert "VRMC_springBone" not in gltf.extensions
 
@@ -243,3 +284,18 @@ def test_a_tail_lags_behind_a_turning_head_comes_to_rest_and_stays_outside_the_b
     assert springs["lag_m"] > 0.05
     assert springs["still_m"] < 0.001
     assert min(springs["inside_m"]) > -0.002
+
+
+@needs_three_vrm
+@pytest.mark.slow
+def test_a_skirt_follows_a_lifted_leg_comes_to_rest_and_stays_outside_it(clone, tmp_path: Path) -> None:
+    """A thigh lifted at once by 0.6 rad takes a hem 45 cm below the hip 20 cm along and more."""
+    (path,) = export(with_skirt(clone), tmp_path)
+    hems = in_three_vrm(path, tmp_path)["hems"]
+    assert hems["joints"] >= 16
+    assert hems["sag_m"] < 0.03, "resting cloth hangs as in the photos"
+    assert hems["lag_m"] > 0.05
+    assert hems["lift_m"] > 0.15
+    assert hems["still_m"] < 0.001
+    assert hems["back_m"] < 0.005
+    assert min(hems["inside_m"]) > -0.002

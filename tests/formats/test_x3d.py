@@ -93,6 +93,35 @@ def test_the_face_has_displacers_in_metres(root, clone) -> None:
     assert load_generic().arkit_names[0] in {one.get("name") for one in root.iter("HAnimDisplacer")}
 
 
+def test_two_motions_have_clocks_and_a_click_changes_over(root) -> None:
+    clocks = {clock.get("DEF"): clock for clock in root.iter("TimeSensor")}
+    assert list(clocks) == ["walk_clock", "idle_clock"]
+    assert clocks["walk_clock"].get("startTime") is None
+    assert float(clocks["idle_clock"].get("stopTime")) > float(clocks["idle_clock"].get("startTime")), "it waits"
+    (touch,) = root.iter("TouchSensor")
+    group = next(group for group in root.iter("Group") if touch in list(group))
+    assert group.find("HAnimHumanoid") is not None, "what is clicked on stands beside it"
+    routes = {(route.get("toNode"), route.get("toField")) for route in root.iter("ROUTE")
+              if route.get("fromNode") == "touch"}  # fmt: skip
+    assert routes == {("walk_clock", "set_stopTime"), ("idle_clock", "set_startTime")}
+    moved = [{route.get("toNode") for route in root.iter("ROUTE") if route.get("fromNode").startswith(f"{name}_")
+              and route.get("fromField") == "value_changed"} for name in ("walk", "idle")]  # fmt: skip
+    assert moved[0] == moved[1], "nothing stays as the walk left it"
+    assert len(list(root.iter("Viewpoint"))) == 5
+
+
+def test_displacers_are_driven_the_idle_blinks(root) -> None:
+    named = {node.get("DEF"): node for node in root.iter("ScalarInterpolator")}
+    key, value = (numbers(named["idle_face_eyeBlinkLeft"].get(field)) for field in ("key", "keyValue"))
+    assert len(key) == len(value) < 60, "few keys where nothing moves"
+    assert value.max() > 0.9
+    assert value[[0, -1]] == pytest.approx(0.0)
+    assert np.diff(key).min() > 0.0
+    assert numbers(named["walk_face_eyeBlinkLeft"].get("keyValue")).max() == 0.0
+    wired = {(route.get("fromNode"), route.get("toNode"), route.get("toField")) for route in root.iter("ROUTE")}
+    assert ("idle_face_eyeBlinkLeft", "face_eyeBlinkLeft", "weight") in wired
+
+
 @needs_x_ite
 @pytest.mark.slow
 def test_x_ite_shows_the_person_upright_and_walking(x3d, tmp_path: Path) -> None:

@@ -1,6 +1,6 @@
-"""Hair that swings in a VRM: bones along every tail, and round bodies that it does not fall into.
+"""What swings in a VRM: bones along tails of hair and down loose cloth, and round bodies that these do not fall into.
 
-Other formats keep the tail on head and chest: nothing would swing it there.
+Other formats keep tails on head and chest, and cloth on trunk and thighs: nothing would swing them there.
 
 References
 ----------
@@ -9,7 +9,9 @@ VRM Consortium 2022, VRMC_springBone 1.0: joints with stiffness, gravity, drag a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Final
 
 import numpy as np
@@ -17,27 +19,54 @@ import pygltflib
 from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
+from cloner.motion.limbs.hems import hems
 from cloner.motion.limbs.tails import Tail, tails
 from cloner.records.clones import Clone
 
 Array = NDArray[np.float64]
 
 EXTENSION: Final = "VRMC_springBone"
-#: How hair swings, in the format's own numbers; taste: the first bone keeps the way in which hair leaves its band, the
-#: others hang, and a turned head's tail is still after a second.
-STIFFNESS: Final = (1.2, 0.5)
-GRAVITY: Final = 0.6
-DRAG: Final = 0.35
-#: What hair does not fall into: a joint, and where its capsule ends (the skull is a sphere).
-BODIES: Final = {"head": ("skullbase", None), "neck": ("vc4", "skullbase"), "chest": ("vt6", "vt1")}
-#: Only this far beside the spine the skin behind tells how thick a body is, metres.
+
+
+@dataclass(frozen=True, slots=True)
+class Swing:
+    """How a kind of shell swings, in the format's own numbers, and what it does not fall into.
+
+    Attributes
+    ----------
+    name : str
+        How its bones' names begin.
+    stiffness : (first, float, others)
+        The first bone keeps the way in which it leaves the body.
+    gravity, drag : float
+    bodies : mapping of str to (str, str or None)
+        A joint, and where its capsule ends (the skull is a sphere), by name.
+    """
+
+    name: str
+    stiffness: tuple[float, float]
+    gravity: float
+    drag: float
+    bodies: Mapping[str, tuple[str, str | None]]
+
+
+#: Taste: a turned head's tail is still after a second; a skirt keeps its flare and follows its leg so closely that a
+#: walk's knee does not come through (at a stiffness of 1.6 it does, at 4 now and then).
+SWINGS: Final[Mapping[str, Swing]] = MappingProxyType({
+    "hair": Swing("hair_tail", (1.2, 0.5), 0.6, 0.35,
+                  {"head": ("skullbase", None), "neck": ("vc4", "skullbase"), "chest": ("vt6", "vt1")}),
+    "cloth": Swing("hem", (8.0, 6.0), 0.12, 0.8,
+                   {f"{side}_{joint}": (f"{side}_{joint}", f"{side}_{end}")
+                    for side in ("l", "r") for joint, end in (("hip", "knee"), ("knee", "ankle"))}),
+})  # fmt: skip
+#: Only this far beside a bone the skin behind tells how thick a body is, metres.
 _BESIDE_M: Final = 0.03
 #: Smaller bodies, and less room around resting hair, are left out, metres; taste.
 _LEAST_M: Final = 0.02
 
 
-def hang_tails(gltf: Any, clone: Clone) -> dict[str, Any] | None:
-    """Add bones to a clone's tails, in place, and return what the extension says of them; None without a tail.
+def hang_loose(gltf: Any, clone: Clone) -> dict[str, Any] | None:
+    """Add bones to a clone's tails and loose cloth, in place, and return what the extension says; None without any.
 
     Parameters
     ----------
@@ -45,55 +74,62 @@ def hang_tails(gltf: Any, clone: Clone) -> dict[str, Any] | None:
         As `cloner.exporters.gltf.gltf.build` made it of this very clone, with H-Anim's joints.
     clone : Clone
     """
-    found = tails(clone)
-    if not found:
-        return None
+    told: dict[str, Any] = {"specVersion": "1.0", "colliders": [], "colliderGroups": [], "springs": []}
     nodes = {node.name: number for number, node in enumerate(gltf.nodes)}
-    chains = [_add_bones(gltf, clone, tail, number, nodes) for number, tail in enumerate(found)]
-    for shell in sorted({tail.shell for tail in found}):
-        _weigh(gltf, clone, shell, [(tail, chain) for tail, chain in zip(found, chains, strict=True)
-                                    if tail.shell == shell])  # fmt: skip
-    _bind(gltf, np.vstack([tail.points_m[:-1] for tail in found]))
-    bodies = _bodies(clone, found)
-    return {
-        "specVersion": "1.0",
-        "colliders": [{"node": nodes[BODIES[name][0]], "shape": shape} for name, shape in bodies.items()],
-        "colliderGroups": [{"name": "body", "colliders": list(range(len(bodies)))}] if bodies else [],
-        "springs": [
+    every: list[Tail] = []
+    for kind, found in (("hair", tails(clone)), ("cloth", hems(clone))):
+        if not found:
+            continue
+        swing, every = SWINGS[kind], [*every, *found]
+        chains = [_add_bones(gltf, clone, tail, f"{swing.name}{k + 1}", nodes) for k, tail in enumerate(found)]
+        for shell in sorted({tail.shell for tail in found}):
+            _weigh(gltf, clone, shell, [(tail, chain) for tail, chain in zip(found, chains, strict=True)
+                                        if tail.shell == shell])  # fmt: skip
+        bodies = _bodies(clone, swing, found)
+        first, group = len(told["colliders"]), len(told["colliderGroups"])
+        told["colliders"] += [{"node": nodes[swing.bodies[name][0]], "shape": shape} for name, shape in bodies.items()]
+        if bodies:
+            rows = list(range(first, first + len(bodies)))
+            told["colliderGroups"].append({"name": kind, "colliders": rows})
+        told["springs"] += [
             {
                 "name": gltf.nodes[chain[0]].name,
-                "joints": [_joint(node, k, float(tail.radius_m[k])) for k, node in enumerate(chain)],
-                "colliderGroups": [0] if bodies else [],
+                "joints": [_joint(swing, node, k, float(tail.radius_m[k])) for k, node in enumerate(chain)],
+                "colliderGroups": [group] if bodies else [],
             }
             for tail, chain in zip(found, chains, strict=True)
-        ],
-    }
+        ]
+    if not every:
+        return None
+    _bind(gltf, np.vstack([tail.points_m[:-1] for tail in every]))
+    return told
 
 
-def _joint(node: int, place: int, radius_m: float) -> dict[str, Any]:
+def _joint(swing: Swing, node: int, place: int, radius_m: float) -> dict[str, Any]:
     return {
-        "node": node, "hitRadius": round(radius_m, 4), "stiffness": STIFFNESS[min(place, len(STIFFNESS) - 1)],
-        "gravityPower": GRAVITY, "gravityDir": [0.0, -1.0, 0.0], "dragForce": DRAG,
+        "node": node, "hitRadius": round(radius_m, 4), "stiffness": swing.stiffness[min(place, 1)],
+        "gravityPower": swing.gravity, "gravityDir": [0.0, -1.0, 0.0], "dragForce": swing.drag,
     }  # fmt: skip
 
 
-def _add_bones(gltf: Any, clone: Clone, tail: Tail, number: int, nodes: dict[str, int]) -> list[int]:
-    """Add the nodes of a tail's chain below the skull, its end among them, and return them."""
-    skull = nodes["skullbase"]
-    first, above = len(gltf.nodes), clone.joints_m[load_generic().joint("skullbase")]
+def _add_bones(gltf: Any, clone: Clone, tail: Tail, name: str, nodes: dict[str, int]) -> list[int]:
+    """Add the nodes of a chain below the joint that it hangs on, its end among them, and return them."""
+    root = nodes[tail.joint]
+    first, above = len(gltf.nodes), clone.joints_m[load_generic().joint(tail.joint)]
     for place, point in enumerate(tail.points_m):
-        name = f"hair_tail{number + 1}_{place + 1}"
-        gltf.nodes.append(pygltflib.Node(name=name, translation=(point - above).tolist(), children=[]))
-        parent = skull if place == 0 else first + place - 1
+        own = pygltflib.Node(name=f"{name}_{place + 1}", translation=(point - above).tolist(), children=[])
+        gltf.nodes.append(own)
+        parent = root if place == 0 else first + place - 1
         gltf.nodes[parent].children = [*(gltf.nodes[parent].children or []), first + place]
         above = point
     return list(range(first, first + len(tail.points_m)))
 
 
 def _weigh(gltf: Any, clone: Clone, shell: int, hung: Sequence[tuple[Tail, list[int]]]) -> None:
-    """Let bones carry a shell's tails: its joints and weights are written anew where they lie."""
-    row = sum(one.kind == "hair" for one in clone.shells[:shell])
-    mesh = next(mesh for mesh in gltf.meshes if mesh.name == "Hair")
+    """Let bones carry a shell: its joints and weights are written anew where they lie."""
+    kind = clone.shells[shell].kind
+    row = sum(one.kind == kind for one in clone.shells[:shell])
+    mesh = next(mesh for mesh in gltf.meshes if mesh.name == kind.capitalize())
     attributes = mesh.primitives[row].attributes
     joints = [clone.shells[shell].skin_joints.astype(np.int64)]
     weights = [clone.shells[shell].skin_weights.astype(np.float64)]
@@ -129,13 +165,13 @@ def _bind(gltf: Any, points_m: Array) -> None:
     gltf.buffers[0].byteLength = len(gltf.binary_blob())
 
 
-def _bodies(clone: Clone, found: Sequence[Tail]) -> dict[str, dict[str, Any]]:
-    """Return the shapes that resting hair does not touch, by name, as large as the body and that rest allow."""
+def _bodies(clone: Clone, swing: Swing, found: Sequence[Tail]) -> dict[str, dict[str, Any]]:
+    """Return the shapes that a resting shell does not touch, by name, as large as the body and that rest allow."""
     generic, shapes = load_generic(), {}
     points = np.vstack([tail.points_m for tail in found])
     radii = np.concatenate([tail.radius_m for tail in found])
     scalp = clone.vertices_m[generic.region("scalp")]
-    for name, (joint, end) in BODIES.items():
+    for name, (joint, end) in swing.bodies.items():
         node = clone.joints_m[generic.joint(joint)]
         first = 0.5 * (scalp.min(axis=0) + scalp.max(axis=0)) if end is None else node
         last = first if end is None else clone.joints_m[generic.joint(end)]
@@ -149,7 +185,7 @@ def _bodies(clone: Clone, found: Sequence[Tail]) -> dict[str, dict[str, Any]]:
 
 
 def _thick(skin_m: Array, first: Array, last: Array) -> float:
-    """Return the median distance of the skin behind a stretch of spine from it, metres."""
+    """Return the median distance of the skin behind a bone, of the spine or a leg, from it, metres."""
     low, high = sorted((float(first[1]), float(last[1])))
     behind = (skin_m[:, 2] < first[2]) & (np.abs(skin_m[:, 0] - first[0]) < _BESIDE_M)
     level = (skin_m[:, 1] > low - _LEAST_M) & (skin_m[:, 1] < high + _LEAST_M)

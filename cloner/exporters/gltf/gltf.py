@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
+from cloner.exporters.gltf.gltf_eyes import eyes_with_depth
 from cloner.exporters.gltf.gltf_motion import animation
 from cloner.exporters.gltf.gltf_targets import targets_of
 from cloner.exporters.shared.bones import Bones, hanim_bones
@@ -41,7 +42,7 @@ from cloner.records.heads import SHELL_KINDS, Shell
 
 Array = NDArray[np.float64]
 
-_ROUGHNESS: Final = {"body": 0.85, "eyes": 0.25, "mouth": 0.45, "lashes": 0.9}  # taste; wet things shine
+_ROUGHNESS: Final = {"body": 0.85, "eyes": 0.15, "mouth": 0.45, "lashes": 0.9}  # taste; wet things shine
 _LOOSE: Final = 0.9  # roughness of hair and loose cloth; taste
 _HAIR_CUTOFF: Final = 0.4  # taste: strands stay closed when seen from afar
 _REPEAT, _LINEAR, _TRILINEAR = 10497, 9729, 9987  # the numbers GL gives them
@@ -176,14 +177,17 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, *, shades: 
     atlas = add_texture(gltf, buffer, jpeg_bytes(clone.atlas.rgb), "image/jpeg", "atlas")
     normals = surface_normals(clone.vertices_m)
     primitives = []
+    of_stone = bool(clone.atlas.shine.size)
     for surface in load_surfaces():
-        texture, mode = atlas, "OPAQUE"
+        texture, mode, shape, lit = atlas, "OPAQUE", clone, normals[surface.vertex]
+        if surface.name == "eyes" and not of_stone:  # a statue's pupils are drilled
+            surface, shape, lit = eyes_with_depth(clone, normals)
         if surface.rgba is not None:
             texture, mode = add_texture(gltf, buffer, png_bytes(surface.rgba), "image/png", surface.name), "BLEND"
         attributes = _attributes(
             buffer,
-            clone.vertices_m[surface.vertex],
-            normals[surface.vertex],
+            shape.vertices_m[surface.vertex],
+            lit,
             surface.uv,
             bones.carried(generic.skin_joints[surface.vertex], generic.skin_weights[surface.vertex]),
         )
@@ -192,7 +196,7 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, *, shades: 
                 attributes=attributes,
                 indices=buffer.indices(surface.triangles),
                 material=_material(gltf, surface.name, texture, mode, _ROUGHNESS[surface.name]),
-                targets=targets_of(buffer, clone, surface.vertex, normals=shades),
+                targets=targets_of(buffer, shape, surface.vertex, turns_of=clone if shades else None),
             )
         )
     for number, shell in enumerate(shell for shell in clone.shells if len(shell.rides)):
@@ -202,13 +206,12 @@ def _body(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, *, shades: 
         # The skin's own material, the first: skin, cloth and shoes shine each in their way. A statue is all of a piece.
         rough = add_texture(gltf, buffer, png_bytes(roughness_map(clone)), "image/png", "roughness")
         # What no photo shows, the mouth, stands in its own dark; without it every reader's sky shines in there.
-        whole = bool(clone.atlas.shine.size)
         for surface, primitive in zip(load_surfaces(), primitives, strict=False):
-            if surface.name == "body" or (whole and surface.rgba is None):
+            if surface.name == "body" or (of_stone and surface.rgba is None):
                 look = gltf.materials[primitive.material].pbrMetallicRoughness
                 look.metallicRoughnessTexture, look.roughnessFactor = pygltflib.TextureInfo(index=rough), 1.0
-                look.metallicFactor = 1.0 if whole else 0.0
-            if surface.name in ("body", "mouth") and not whole:
+                look.metallicFactor = 1.0 if of_stone else 0.0
+            if surface.name in ("body", "mouth") and not of_stone:
                 gltf.materials[primitive.material].occlusionTexture = pygltflib.OcclusionTextureInfo(index=rough)
     mesh = pygltflib.Mesh(name="Body", primitives=primitives)
     if clone.morph_names:

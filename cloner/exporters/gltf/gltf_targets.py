@@ -36,7 +36,7 @@ Turns = list[tuple[NDArray[np.int32], NDArray[np.float32]]]
 
 
 def targets_of(
-    buffer: GltfBuffer, clone: Clone, vertex: NDArray[np.int32], *, normals: bool = False
+    buffer: GltfBuffer, clone: Clone, vertex: NDArray[np.int32], *, turns_of: Clone | None = None
 ) -> list[dict[str, int]]:
     """Return the attributes of every morph target of a surface; what belongs to one vertex of the skin moves alike.
 
@@ -46,12 +46,12 @@ def targets_of(
     clone : Clone
     vertex : (N,) int32
         The generic human's vertex of every vertex of the surface.
-    normals : bool
-        Store how normals turn too.
+    turns_of : Clone or None
+        Store how normals turn too, as those of this clone do: it or what it was before its irises were laid flat.
     """
     found = [{"POSITION": number} for number in _sparse(buffer, len(vertex), _moved(clone, vertex))]
-    if normals:
-        turned = _sparse(buffer, len(vertex), turned_wedges(clone, vertex), plain=True)
+    if turns_of is not None:
+        turned = _sparse(buffer, len(vertex), turned_wedges(turns_of, vertex), plain=True)
         for target, number in zip(found, turned, strict=True):
             target["NORMAL"] = number
     return found

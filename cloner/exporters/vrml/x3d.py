@@ -1,4 +1,4 @@
-"""Write a clone as X3D 4 with the HAnim component: one seamless skin, bent by its joints, with displacers and a walk.
+"""Write a clone as X3D 4 with HAnim: one seamless skin, bent by its joints, with displacers; a walk, idle at a click.
 
 Every vertex stands once in the Coordinate that ``skinCoord`` and all shapes of the skin share: some readers bend a skin
 only when it is the very same node. Metres, +Y up, facing +Z.
@@ -10,8 +10,7 @@ ISO/IEC 19775-1:2023 (X3D 4), clause 26; ISO/IEC 19774-1:2019 (H-Anim 2).
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import replace
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -19,13 +18,15 @@ from numpy.typing import NDArray
 
 from cloner import __version__
 from cloner.exporters.hanim.hanim_limits import Limits, limits_of
-from cloner.exporters.hanim.hanim_names import identifier, joint_name_2, node_name, segment_name
+from cloner.exporters.hanim.hanim_names import identifier, joint_name_2, segment_name
 from cloner.exporters.hanim.hanim_sites import name_2, standard_sites
 from cloner.exporters.shared.credits import GENERIC_CREDITS
 from cloner.exporters.shared.files import write_bytes
 from cloner.exporters.shared.pictures import write_pictures
-from cloner.exporters.vrml.vrml_motion import STILL, joint_turns
+from cloner.exporters.vrml.vrml_motion import STILL
 from cloner.exporters.vrml.vrml_segments import SMALLEST_OFFSET_M, SkinMesh, row_text, skin_meshes
+from cloner.exporters.vrml.vrml_views import FIELD_OF_VIEW, placed_views
+from cloner.exporters.vrml.x3d_motion import TOUCH, motions_text
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import moved_wedges
 from cloner.motion.limbs.rig import centred
@@ -47,11 +48,11 @@ def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = ow
     clone = centred(clone)
     pictures = write_pictures(clone, folder, name)
     scene = folder / f"{name}.x3d"
-    write_bytes(scene, "".join(_document(clone, name, moves(clone)[0])).encode())
+    write_bytes(scene, "".join(_document(clone, name, moves(clone))).encode())
     return (scene, *pictures)
 
 
-def _document(clone: Clone, name: str, motion: Motion) -> Iterator[str]:
+def _document(clone: Clone, name: str, motions: Sequence[Motion]) -> Iterator[str]:
     generic = load_generic()
     meshes = skin_meshes(clone, generic, name)
     joints = tuple(joint_name_2(joint) for joint in generic.joint_names)
@@ -62,7 +63,8 @@ def _document(clone: Clone, name: str, motion: Motion) -> Iterator[str]:
     yield f'<meta name="stamp" content="{clone.stamp}"/>\n'
     yield '</head>\n<Scene>\n<Background skyColor="0.88 0.89 0.9"/>\n'
     yield '<NavigationInfo type="&quot;EXAMINE&quot; &quot;ANY&quot;"/>\n'
-    yield _viewpoint(clone)
+    yield from _viewpoints(clone)
+    yield f'<Group>\n<TouchSensor DEF="{TOUCH}"/>\n'
     yield (
         '<HAnimHumanoid DEF="humanoid" name="humanoid" version="2.0" loa="3" skeletalConfiguration="BASIC" '
         f'info="&quot;authorName=Cloner {__version__}&quot; &quot;height={clone.stature_m:.4f}&quot;">\n'
@@ -79,19 +81,19 @@ def _document(clone: Clone, name: str, motion: Motion) -> Iterator[str]:
     yield from (f'<HAnimSegment USE="hanim_{segment_name(joint)}" containerField="segments"/>\n'
                 for joint in generic.joint_names)  # fmt: skip
     yield from (f'<HAnimSite USE="hanim_{name_2(site.name)}" containerField="sites"/>\n' for site in standard_sites())
-    yield "</HAnimHumanoid>\n"
-    yield from _motion(replace(motion, name=node_name(motion.name)), joints)
+    yield "</HAnimHumanoid>\n</Group>\n"
+    yield from motions_text(motions, joints, [name for name, _, _ in _moved(clone, meshes)])
     yield "</Scene>\n</X3D>\n"
 
 
-def _viewpoint(clone: Clone) -> str:
-    low, high = clone.vertices_m.min(axis=0), clone.vertices_m.max(axis=0)
-    middle = (low + high) / 2.0
-    place = middle + [0.0, 0.0, 1.1 * float((high - low).max()) / (2.0 * np.tan(0.3))]
-    return (
-        f'<Viewpoint description="front" position="{row_text(place)}" '
-        f'centerOfRotation="{row_text(middle)}" fieldOfView="0.6"/>\n'
-    )
+def _viewpoints(clone: Clone) -> Iterator[str]:
+    """Yield one viewpoint a named side, the front first."""
+    for view in placed_views(clone):
+        yield (
+            f'<Viewpoint description="{view.side}" position="{row_text(view.place_m)}" '
+            f'orientation="0 1 0 {view.angle_rad:.5f}" centerOfRotation="{row_text(view.middle_m)}" '
+            f'fieldOfView="{FIELD_OF_VIEW}"/>\n'
+        )
 
 
 def _joint(
@@ -144,14 +146,19 @@ def _skin_of(joint: int, meshes: tuple[SkinMesh, ...]) -> tuple[NDArray[np.int64
     return np.concatenate(indices), np.concatenate(weights).astype(np.float64)
 
 
-def _displacers(clone: Clone, meshes: tuple[SkinMesh, ...]) -> Iterator[str]:
-    vertex = np.concatenate([mesh.vertex for mesh in meshes])
-    for target, moved, own in moved_wedges(clone, vertex, SMALLEST_OFFSET_M):
+def _moved(clone: Clone, meshes: tuple[SkinMesh, ...]) -> Iterator[tuple[str, NDArray[np.int64], NDArray[np.float32]]]:
+    """Yield the face's targets that move anything, the vertices they move and by how much, metres."""
+    for target, moved, own in moved_wedges(clone, np.concatenate([mesh.vertex for mesh in meshes]), SMALLEST_OFFSET_M):
         if len(moved):
-            yield (
-                f'<HAnimDisplacer DEF="face_{identifier(target)}" name="{target}" containerField="displacers" '
-                f'coordIndex="{_integers(moved)}" displacements="{_rows([own.astype(np.float64)])}"/>\n'
-            )
+            yield target, moved, own
+
+
+def _displacers(clone: Clone, meshes: tuple[SkinMesh, ...]) -> Iterator[str]:
+    for target, moved, own in _moved(clone, meshes):
+        yield (
+            f'<HAnimDisplacer DEF="face_{identifier(target)}" name="{target}" containerField="displacers" '
+            f'coordIndex="{_integers(moved)}" displacements="{_rows([own.astype(np.float64)])}"/>\n'
+        )
 
 
 def _shape(mesh: SkinMesh, start: int, all_meshes: tuple[SkinMesh, ...]) -> Iterator[str]:
@@ -168,26 +175,6 @@ def _shape(mesh: SkinMesh, start: int, all_meshes: tuple[SkinMesh, ...]) -> Iter
     else:
         yield '<TextureCoordinate USE="skin_uv"/>'
     yield "\n</IndexedFaceSet></Shape>\n"
-
-
-def _motion(motion: Motion, joints: tuple[str, ...]) -> Iterator[str]:
-    """Yield clock, interpolators and routes of a motion that plays for ever."""
-    duration = float(motion.times_s[-1])
-    keys = _numbers(motion.times_s / duration)
-    yield f'<TimeSensor DEF="{motion.name}_clock" cycleInterval="{duration:.4f}" loop="true"/>\n'
-    routes = []
-    for name, turns in joint_turns(motion, joints):
-        node = f"{motion.name}_{name}"
-        values = _rows([turns])
-        yield f'<OrientationInterpolator DEF="{node}" key="{keys}" keyValue="{values}"/>\n'
-        routes.append((node, name, "set_rotation"))
-    node = f"{motion.name}_way"
-    yield f'<PositionInterpolator DEF="{node}" key="{keys}" keyValue="{_rows([motion.root_m])}"/>\n'
-    routes.append((node, joints[0], "set_translation"))
-    for node, name, field in routes:
-        clock = f'fromNode="{motion.name}_clock" fromField="fraction_changed"'
-        yield f'<ROUTE {clock} toNode="{node}" toField="set_fraction"/>\n'
-        yield f'<ROUTE fromNode="{node}" fromField="value_changed" toNode="hanim_{name}" toField="{field}"/>\n'
 
 
 def _rows(parts: list[Array]) -> str:

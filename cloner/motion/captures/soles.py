@@ -29,8 +29,9 @@ FLAT_RAD: Final = 0.07
 #: On a treadmill people stay within this, metres, and soles rest on the laboratory's floor for less than this share.
 ON_THE_SPOT_M: Final = 0.6
 RESTS: Final = 0.25
-#: Within one stand a sole that turns by less than this is held, radians (20 degrees), and let go within this time.
-PIVOT_RAD: Final = 0.35
+#: Within one stand a sole that turns by less than this is held, radians (34 degrees; hips turn by 40), and let go
+#: within this time. Who turns on the spot does so by 50 to 110 degrees in one stand.
+PIVOT_RAD: Final = 0.6
 STEADY_S: Final = 0.12
 
 

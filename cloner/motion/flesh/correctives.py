@@ -40,7 +40,7 @@ TABLE: Final = {
     "shoulder": ((Bend("shoulder", "raised", (0, 20, 50, 80, 105, 130, 150)), ()),
                  (Bend("shoulder", "forward", (15, 35, 60, 90, 120, 150)), ())),
     "elbow": ((Bend("elbow", "bent", (0, 60, 100, 140)), ()),),
-    "hip": ((Bend("hip", "forward", (-20, 45, 80, 110)), (0,)), (Bend("hip", "spread", ()), (40,))),
+    "hip": ((Bend("hip", "forward", (-20, 45, 80, 110)), (0,)), (Bend("hip", "spread", (40,)), ())),
     "knee": ((Bend("knee", "bent", (50, 95, 135)), (0,)),),
 }  # fmt: skip
 _NEXT: Final = {"shoulder": "elbow", "elbow": "wrist", "hip": "knee", "knee": "ankle"}

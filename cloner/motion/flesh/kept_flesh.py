@@ -23,8 +23,9 @@ from cloner.records.clones import Clone
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-#: What is left to a joint's volume is put on by no more than this along the normals, metres; taste.
-MOST_ON_M: Final = 0.008
+#: What is left to a joint's volume is put on by no more than this along the normals, metres; with 8 mm a man in a suit
+#: lacks 7 % of his shoulder when arms of a T-pose hang, with 14 nobody more than 3.
+MOST_ON_M: Final = 0.014
 _STEP_M: Final = 1e-3
 #: Smaller offsets are left out, metres: nobody sees them.
 SMALLEST_M: Final = 3e-4

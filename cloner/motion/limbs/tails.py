@@ -47,12 +47,15 @@ class Tail:
         Half its thickness at each.
     share : (N, B) float64
         Share of every vertex of the shell that each bone carries; what is left stays with the joints before.
+    joint : str
+        The joint that it hangs on.
     """
 
     shell: int
     points_m: Array
     radius_m: Array
     share: Array
+    joint: str = "skullbase"
 
 
 def tails(clone: Clone) -> tuple[Tail, ...]:

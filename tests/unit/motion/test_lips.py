@@ -10,16 +10,13 @@ from scipy.io import wavfile
 
 from cloner.errors import ClonerError
 from cloner.generic.face_grids import lips_apart, mouth_grid
-from cloner.generic.morphs import target_offsets
 from cloner.head.targets import face_targets
 from cloner.motion.face import espeak, speech
-from cloner.motion.face.limits import limited
-from cloner.motion.face.talk import spoken_visemes, talk
-from cloner.motion.limbs.body import body_of
+from cloner.motion.face.talk import spoken_visemes
 from kit.clones import toy_clone
+from kit.lips import MIDLINE_M, closed
 
 SPEECH = Path(__file__).resolve().parents[2] / "kit" / "speech"
-MARGIN_S, MIDLINE_M, CLOSED_M = 0.02, 0.006, 0.001
 needs_espeak = pytest.mark.skipif(
     not espeak.has_espeak(), reason="espeak-ng is not here; run: apt-get install espeak-ng"
 )
@@ -28,27 +25,6 @@ needs_espeak = pytest.mark.skipif(
 @pytest.fixture(scope="module")
 def clone():
     return toy_clone(1.70)
-
-
-def closed(clone, shares: np.ndarray, phonemes: list[tuple[str, float]]) -> list[bool]:
-    """For every p, b and m: is the smallest gap of the inner lips' midline, 20 ms around it, below a millimetre?"""
-    motion = talk(body_of(clone), "x", shares)
-    weights = limited(clone, motion.weights)
-    grid = mouth_grid()
-    moves = {name: offsets[grid.rings].astype(float) for name, offsets in target_offsets(clone) if name in weights}
-    rest, found, start = clone.vertices_m[grid.rings], [], 0.0
-    middle = np.abs(rest[grid.margin][:, 0]) < MIDLINE_M
-    for phoneme, length in phonemes:
-        end = start + length
-        if speech.viseme_of(phoneme) == "PP":
-            frames = np.flatnonzero((motion.times_s >= start - MARGIN_S) & (motion.times_s <= end + MARGIN_S))
-            gaps = []
-            for frame in frames:
-                shape = rest + sum(values[frame] * moves[name] for name, values in weights.items())
-                gaps.append(lips_apart(grid, shape)[middle].max())
-            found.append(min(gaps) < CLOSED_M)
-        start = end
-    return found
 
 
 @pytest.mark.parametrize("path", sorted(SPEECH.glob("*.txt")), ids=lambda path: path.stem)
