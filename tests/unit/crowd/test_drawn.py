@@ -9,7 +9,7 @@ import pytest
 from PIL import Image
 from skimage.metrics import structural_similarity
 
-from cloner.crowd.drawing.impostors import TEXELS_PER_M, TEXELS_PER_PX
+from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.reading import casting_from, read_facts, read_stock
 from cloner.crowd.packs.still import draw_pack
