@@ -28,7 +28,7 @@ from cloner.crowd.clones.levels import LOOSE, body_levels
 from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX, Stock
 from cloner.crowd.drawing.impostors import Bake, bake, with_tiles
 from cloner.crowd.drawing.theatre import Theatre
-from cloner.crowd.packs.check import check_pack, gpu_bytes
+from cloner.crowd.packs.check import blocks_bytes, check_pack, gpu_bytes
 from cloner.crowd.packs.pack import LARGEST_PX, stock_of
 from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.crowd.staged.eye import Eye
@@ -43,6 +43,7 @@ SEED = 5
 CASES = 12
 FINEST_PX = 384  # the finest level has no largest height; half a screen of 720 lines
 MIB = 1 << 20
+SECTIONS = ("", "Looks", "Hybrid pictures against anti-aliased geometry", "Frame times")
 BARS = {"impostor": ".985, worst .975", "impostor, -10 degrees of elevation": ".98",
         "impostor, +10 degrees of elevation": ".98"}  # fmt: skip
 
@@ -207,27 +208,40 @@ def main() -> None:
     parser.add_argument("--page", type=Path, default=PAGE)
     told = parser.parse_args()
     begun = time.monotonic()
-    lines = [
-        "# Crowd",
-        "",
-        f"Written by `benchmarks/crowd.py`; {len(read_facts(told.pack)['people'])} clones in the pack.",
-        "",
-    ]
-    lines += [f"- {line}" for line in check_pack(told.pack)]
-    memory = gpu_bytes(told.pack, read_facts(told.pack))
-    lines.append(f"- texture memory {sum(memory.values()) / MIB:.0f} MiB RGBA8 (bar 150 MiB for 20 clones)")
-    if told.made:
-        lines.append(f"- making it: {told.made[0]:.0f} CPU s (bar 600), at most {told.made[1]:.0f} MiB (bar 1536)")
-    lines += ["", "## Looks", ""]
+    written = {"": facts_of(told.pack, told.made)}
     if told.clones:
-        lines += looked_at(told.pack, told.results, told.clones, told.classic, told.processes)
-    lines += ["", "## Hybrid pictures against anti-aliased geometry", "", *hybrid_table(told.pack)]
+        written["Looks"] = looked_at(told.pack, told.results, told.clones, told.classic, told.processes)
+        written["Hybrid pictures against anti-aliased geometry"] = hybrid_table(told.pack)
     if told.people:
-        lines += ["", "## Frame times", "", *in_browser(told.pack, told.results, told.people, told.rounds, told.npm,
-                                                         told.pictures)]  # fmt: skip
-    lines += ["", f"({time.monotonic() - begun:.0f} s)", ""]
-    told.page.write_text("\n".join(lines), encoding="utf-8")
-    print("\n".join(lines))
+        written["Frame times"] = in_browser(told.pack, told.results, told.people, told.rounds, told.npm, told.pictures)
+    print(f"{time.monotonic() - begun:.0f} s")
+    kept = sections(told.page) | {name: "\n".join(lines) for name, lines in written.items()}
+    text = "\n\n".join(f"## {name}\n\n{kept[name]}" if name else kept[name] for name in SECTIONS if name in kept)
+    told.page.write_text(text + "\n", encoding="utf-8")
+    print(text)
+
+
+def facts_of(pack: Path, made: list[float] | None) -> list[str]:
+    """Return the head of the page: what the pack holds and what making it took."""
+    facts = read_facts(pack)
+    lines = ["# Crowd", "", f"Written by `benchmarks/crowd.py`; {len(facts['people'])} clones in the pack.", ""]
+    lines += [f"- {line}" for line in check_pack(pack)]
+    size = sum(one.stat().st_size for one in pack.rglob("*") if one.is_file())
+    lines.append(f"- {size / len(facts['people']) / 1e6:.2f} MB a clone on the disk (bar 3)")
+    memory = gpu_bytes(pack, facts)
+    lines.append(f"- texture memory {sum(memory.values()) / MIB:.0f} MiB RGBA8 (bar 150 MiB for 20 clones), "
+                 f"{blocks_bytes(memory) / MIB:.0f} MiB in blocks (bar 64)")  # fmt: skip
+    if made:
+        lines.append(f"- making it: {made[0]:.0f} CPU s (bar 600), at most {made[1]:.0f} MiB (bar 1536)")
+    return lines
+
+
+def sections(page: Path) -> dict[str, str]:
+    """Return a page's sections by title, so that a part can be measured again alone."""
+    text = page.read_text(encoding="utf-8") if page.exists() else ""
+    head, *rest = text.split("\n## ")
+    found = {"": head.strip()} if head.strip() else {}
+    return found | {title: body.strip() for title, _, body in (one.partition("\n") for one in rest)}
 
 
 if __name__ == "__main__":

@@ -46,7 +46,7 @@ VIEW = "place: [0, 1.7, 0], target: [0, 1.4, -40], now: 3"
 FARTHEST_PX = 1e9  # the level of all triangles is never chosen but when asked for
 MODES = {"hybrid": ("hybrid", ""), "levels": ("levels alone", "5"), "impostors": ("impostors alone", ""),
          "geometry": ("every triangle", "50")}  # fmt: skip
-BROWSER = ("--use-angle=swiftshader",)  # Chromium's own
+
 RENDERER = """(() => {
   const gl = document.createElement("canvas").getContext("webgl2"), told = gl.getExtension("WEBGL_debug_renderer_info");
   return gl.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
@@ -121,7 +121,7 @@ def in_browser(
     sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
     from kit.browser import browser
 
-    with tempfile.TemporaryDirectory() as scratch, browser(Path(scratch) / "profile", *BROWSER) as page:
+    with tempfile.TemporaryDirectory() as scratch, browser(Path(scratch) / "profile") as page:
         page.bypass_policy()
         whole = Path(scratch) / "whole"
         whole.mkdir()

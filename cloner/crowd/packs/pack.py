@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -14,7 +13,6 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import Cast, cast_of
-from cloner.crowd.clones.clips import WALK_FRAMES
 from cloner.crowd.clones.glb import levels_glb
 from cloner.crowd.clones.groups import GROUPS, STEP, grey_atlas, sorted_by_group
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, body_levels
@@ -36,11 +34,9 @@ from cloner.crowd.packs.files import (
     tile_files,
     webp,
 )
+from cloner.crowd.packs.wanted import Wanted, check_wanted
 from cloner.crowd.staged import scene
 from cloner.crowd.staged.looks import casting_of, garment_masks, read_looks
-from cloner.errors import ClonerError
-from cloner.motion.moves.acts import ACTS
-from cloner.motion.moves.styles import STYLES
 from cloner.records.clones import Clone
 
 #: Width of the walking chest with arms against its depth from which arms and coats need 40 views. The source gives no
@@ -51,43 +47,6 @@ FEW_VIEWS, MANY_VIEWS = 22, 40
 LARGEST_PX: Final = (0, 192, 96, 56)
 ATLAS_QUALITY: Final = 85
 MASK_PX: Final = 128
-#: Captured walks that a clone's table has room for beside those of feelings and the acts.
-MOST_WALKS: Final = stock.MOST_CLIPS - 3 - len(STYLES) - len(ACTS)
-
-
-@dataclass(frozen=True, slots=True)
-class Wanted:
-    """What ``cloner crowd`` was asked for.
-
-    Attributes
-    ----------
-    people : int
-    views : int, 0 decides by the clones' breadth
-    poses : int
-    rings_deg : tuple of float, elevations of the impostors' rings
-    looks : Path or None
-    scene : str
-    vat : bool
-    walks : tuple of Path, captured walks besides the own one
-    feelings : bool
-        Walks of all feelings and what people do who stand, as scenarios want them.
-    classic : bool
-        Impostors as in the source: a texel a pixel, nearest view, no depth.
-    carved : callable or None
-        Makes a statue of a clone: everybody can be one then.
-    """
-
-    people: int = 5000
-    views: int = 0
-    poses: int = 16
-    rings_deg: tuple[float, ...] = (5.0,)
-    looks: Path | None = None
-    scene: str = "plaza"
-    vat: bool = False
-    walks: tuple[Path, ...] = ()
-    feelings: bool = False
-    classic: bool = False
-    carved: Callable[[Clone], Clone] | None = None
 
 
 def make_pack(
@@ -110,7 +69,7 @@ def make_pack(
     ClonerError
         If no clone can be used, one may not be shown, or the disk refuses.
     """
-    _check(wanted)
+    check_wanted(wanted)
     looks = read_looks(wanted.looks)
     found, body, generic, first_bone = find_people(results), body_levels(), "", 0
     for one in found:  # nobody waits for a bake to hear that the last clone is refused
@@ -134,6 +93,8 @@ def make_pack(
         data, body_told = packed(body_arrays(body))
         _write(folder, "body.bin", data, files)
         facts = _facts(wanted, rows, body, casting, body_told, files)
+        if wanted.compressed:
+            facts["compressed"] = True
         if tones:
             facts["statues"] = {"colour": np.mean(tones, axis=0).round(4).tolist()}
         page = player_page(folder, facts)
@@ -141,39 +102,6 @@ def make_pack(
         (folder / "player.html").write_bytes(page)
         (folder / MARK).write_text(json.dumps(facts, indent=1, sort_keys=True) + "\n", encoding="utf-8")
     return facts
-
-
-def rings_of(text: str) -> tuple[float, ...]:
-    """Return the elevations in a list with commas, degrees.
-
-    Raises
-    ------
-    ClonerError
-        If one is no number.
-    """
-    try:
-        return tuple(float(part) for part in text.split(","))
-    except ValueError as error:
-        raise ClonerError(f"{text!r} is no list of degrees", "Write it like 5,25,45", "--rings") from error
-
-
-def _check(wanted: Wanted) -> None:
-    if wanted.scene not in scene.SCENES:
-        raise ClonerError(f"{wanted.scene!r} is no scene", f"Choose one of {', '.join(scene.SCENES)}", "--scene")
-    limits = (("--people", wanted.people, 1, 200_000), ("--poses", wanted.poses, 1, WALK_FRAMES))
-    for where, value, low, high in limits:
-        if not low <= value <= high:
-            raise ClonerError(f"{value} is outside {low} to {high}", "Choose another number", where)
-    if WALK_FRAMES % wanted.poses:
-        message = f"{wanted.poses} poses do not divide a cycle of {WALK_FRAMES} frames"
-        raise ClonerError(message, "Give 8, 12, 16 or 24", "--poses")
-    if wanted.views and (wanted.views % 2 or not 8 <= wanted.views <= 64):
-        hint = "Give an even number from 8 to 64, so that front and back are exact"
-        raise ClonerError(f"{wanted.views} views are not possible", hint, "--views")
-    if not 1 <= len(wanted.rings_deg) <= 4 or not all(-30.0 <= ring <= 80.0 for ring in wanted.rings_deg):
-        raise ClonerError("the rings are not possible", "Give one to four elevations from -30 to 80 degrees", "--rings")
-    if len(wanted.walks) > MOST_WALKS:
-        raise ClonerError("these are too many walks", f"Give at most {MOST_WALKS}", "--walk")
 
 
 def _person(

@@ -9,7 +9,7 @@ const STATURE_M = 1.75, ARM_M = 0.45; // nobody walks nearer to anybody: taste
 
 const state = {
   scene: facts.scene, people: facts.people_count, now: 0, paused: false, debug: 0, mode: "hybrid", camera: "orbit",
-  stats: {}, still: 0, hour: DAY,
+  stats: {}, still: 0, hour: DAY, blocks: false,
 };
 const canvas = document.querySelector("canvas");
 let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null, live = null;
@@ -29,6 +29,7 @@ function open() {
 
 async function start(context) {
   stage = await loadStage(facts, (k, n) => say(`Loading ${k} of ${n}…`));
+  if (facts.compressed && !facts.live) state.blocks = smaller(stage.textures, context);
   const numbers = facts.numbers, sun = new THREE.Vector3(...numbers.sun).normalize();
   uniforms = {
     people: { value: null }, now: { value: 0 }, laneLength: { value: 100 }, clipFromWorld: { value: new THREE.Matrix4() },

@@ -226,7 +226,7 @@ function quadGeometry(instances) {
 }
 
 function materialOf(shaders, vertex, fragment, uniforms, options = {}) {
-  const text = (names) => HEADER + (facts.room ? "" : "#define NO_ROOM\n") + names.map((name) => shaders[name]).join("\n");
+  const text = (names) => HEADER + (facts.room ? "" : "#define NO_ROOM\n") + (state.blocks ? "#define CODES_APART\n" : "") + names.map((name) => shaders[name]).join("\n");
   return new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3, vertexShader: text(vertex), fragmentShader: text(fragment), uniforms,
     side: THREE.DoubleSide, ...options,

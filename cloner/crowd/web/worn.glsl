@@ -2,6 +2,9 @@
 // 8 shoes, 9 hair; 1 to 5 and 10 are eyes, head, arms, nails, legs and mouth.
 uniform sampler2DArray atlases;   // RGB colours, A codes (read without filter)
 uniform sampler2DArray shells;
+#ifdef CODES_APART
+uniform sampler2DArray codes;     // where atlases lie in blocks, which keep no codes
+#endif
 uniform float codeStep;
 
 in vec2 at;
@@ -11,7 +14,12 @@ flat in vec4 dyes;
 
 // Group, and in y whether a limb is there.
 ivec2 groupAt(int clone, ivec2 texel) {
-  int mark = int(texelFetch(atlases, ivec3(texel, clone), 0).a * 255.0 + 0.5), step = int(codeStep + 0.5);
+#ifdef CODES_APART
+  float code = texelFetch(codes, ivec3(texel, clone), 0).r;
+#else
+  float code = texelFetch(atlases, ivec3(texel, clone), 0).a;
+#endif
+  int mark = int(code * 255.0 + 0.5), step = int(codeStep + 0.5);
   return ivec2(mark / step, mark % step > 0 ? 1 : 0);
 }
 
