@@ -1,30 +1,34 @@
-"""Measure a crowd's pack and write ``docs/crowd_benchmark.md``: python benchmarks/crowd.py PACK RESULTS [--browser N].
+"""Measure a crowd's pack and write ``docs/crowd_benchmark.md``: python benchmarks/crowd.py PACK RESULTS [--people N].
 
 Levels against every triangle, impostors at the switch against 8 x 8 samples of geometry, both also off the baked
-elevation, beside the source's plain impostors; sizes; frame times in Chromium's software rasteriser, taken in turns in
-one session. RESULTS is the folder of the results that the pack was made from.
+elevation, beside the source's plain impostors; sizes; whole pictures; frame times (see `crowd_frames.py`). RESULTS is
+the folder of the results that the pack was made from.
 """
 
 from __future__ import annotations
 
 import argparse
-import sys
-import tempfile
+import functools
 import time
 from collections.abc import Iterator
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, replace
+from multiprocessing import get_context
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from crowd_frames import in_browser
+from crowd_pictures import hybrid_table
 from skimage.metrics import structural_similarity
 
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import Cast, cast_of
 from cloner.crowd.clones.levels import LOOSE, body_levels
-from cloner.crowd.clones.stock import Stock
-from cloner.crowd.drawing.impostors import TEXELS_PER_M, TEXELS_PER_PX, Bake, bake, with_tiles
+from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX, Stock
+from cloner.crowd.drawing.impostors import Bake, bake, with_tiles
 from cloner.crowd.drawing.theatre import Theatre
-from cloner.crowd.packs.check import check_pack, gpu_bytes
+from cloner.crowd.packs.check import blocks_bytes, check_pack, gpu_bytes
 from cloner.crowd.packs.pack import LARGEST_PX, stock_of
 from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.crowd.staged.eye import Eye
@@ -39,6 +43,9 @@ SEED = 5
 CASES = 12
 FINEST_PX = 384  # the finest level has no largest height; half a screen of 720 lines
 MIB = 1 << 20
+SECTIONS = ("", "Looks", "Hybrid pictures against anti-aliased geometry", "Frame times")
+BARS = {"impostor": ".985, worst .975", "impostor, -10 degrees of elevation": ".98",
+        "impostor, +10 degrees of elevation": ".98"}  # fmt: skip
 
 
 @dataclass
@@ -50,7 +57,7 @@ class Person:
 
     def shot(
         self, case: tuple[float, float, float, float], px: float, level: int | None, over: int, *,
-        soft: bool = False, classic: bool = False, off_deg: float = 0.0,
+        four: bool = False, classic: bool = False, off_deg: float = 0.0,
     ) -> np.ndarray:  # fmt: skip
         """One person ``px`` tall; ``case`` is heading, phase and sub-pixel place; level None is the impostor."""
         heading, phase, dx, dy = case
@@ -64,10 +71,10 @@ class Person:
         place = middle + shift + away * np.array([0.0, np.sin(up), np.cos(up)])
         side = int(px * 1.3) // 2 * 2
         eye = Eye(place, middle + shift, (side * over, side * over), FOCAL_PX * over)
-        target = self.theatre.target((side * over, side * over), 1, 4 if soft else 0)
-        self.theatre.begin(target, GREY, soft=soft and level is None)
+        target = self.theatre.target((side * over, side * over), 1, 4 if four else 0)
+        self.theatre.begin(target, GREY)
         values = {"clipFromWorld": eye.clip_from_world(), "eye": eye.place_m, "focalPx": FOCAL_PX, "coarse": 1,
-                  "cutoff": 0.0 if soft else 0.5, "classic": int(classic)}  # fmt: skip
+                  "classic": int(classic)}  # fmt: skip
         one = np.array([[0.0, 1.0]], np.float32)
         if level is None:
             self.theatre.draw_impostors(one, values)
@@ -85,20 +92,26 @@ def likeness(want: np.ndarray, got: np.ndarray) -> float:
     return float(structural_similarity(want[box], got[box], channel_axis=2, data_range=255.0))
 
 
-def people_of(pack: Path, results: Path, wanted: int) -> Iterator[tuple[Cast, Stock, Bake]]:
-    """Yield the pack's clones with every triangle before the pack's own levels."""
+@functools.cache
+def held_by(pack: Path) -> tuple[dict[str, Any], Stock]:
+    """Return a pack's facts and stock, read once a process."""
     facts = read_facts(pack)
-    held, body = read_stock(pack, facts), body_levels(full=True)
-    for k, row in enumerate(facts["people"][:wanted]):
-        clone = centred(load_clone(results / row["id"] / CLONE_FILE))
-        cast = cast_of(row["id"], clone, body, poses=facts["impostors"]["poses"])
-        budgets = (len(cast.loose.triangles[0]), *LOOSE)
-        plan = Bake(row["views"], held.elevations, facts["switch"]["texels_per_m"])
-        starts = [int(one[0]) for one in held.table[k, stock.SETS_AT : stock.SETS_AT + len(cast.clips)]]
-        own = stock_of(body, [cast], [stock.numbers_of(cast, budgets)], [starts], plan, budgets)
-        own = replace(own, tiles=held.tiles[k : k + 1], colours=held.colours[k : k + 1], shapes=held.shapes[k : k + 1],
-                      elevations=held.elevations)  # fmt: skip
-        yield cast, own, plan
+    return facts, read_stock(pack, facts)
+
+
+def person_of(pack: Path, results: Path, k: int) -> tuple[Cast, Stock, Bake]:
+    """Return one of a pack's clones with every triangle before the pack's own levels."""
+    (facts, held), body = held_by(pack), body_levels(full=True)
+    row = facts["people"][k]
+    cast = cast_of(row["id"], centred(load_clone(results / row["id"] / CLONE_FILE)), body,
+                   poses=facts["impostors"]["poses"])  # fmt: skip
+    budgets = (len(cast.loose.triangles[0]), *LOOSE)
+    plan = Bake(row["views"], held.elevations, facts["switch"]["texels_per_m"])
+    starts = [int(one[0]) for one in held.table[k, stock.SETS_AT : stock.SETS_AT + len(cast.clips)]]
+    own = stock_of(body, [cast], [stock.numbers_of(cast, budgets)], [starts], plan, budgets)
+    own = replace(own, tiles=held.tiles[k : k + 1], colours=held.colours[k : k + 1], shapes=held.shapes[k : k + 1],
+                  elevations=held.elevations)  # fmt: skip
+    return cast, own, plan
 
 
 def cases(seed: int) -> list[tuple[float, float, float, float]]:
@@ -108,42 +121,63 @@ def cases(seed: int) -> list[tuple[float, float, float, float]]:
     return [tuple(map(float, one)) for one in zip(turns, phases, across, up, strict=True)]
 
 
-def looked_at(pack: Path, results: Path, wanted: int, classic: int) -> list[str]:
+def looked_at(pack: Path, results: Path, wanted: int, classic: int, processes: int) -> list[str]:
     """Return the tables of levels and impostors."""
+    count = min(wanted, len(read_facts(pack)["people"]))
+    levels: dict[int, list[float]] = {k: [] for k in range(4)}
+    lowest: dict[int, tuple[float, str]] = {}
+    rows: dict[str, list[float]] = {}
+    with ProcessPoolExecutor(processes, get_context("spawn")) as pool:
+        every = pool.map(one_looked_at, [pack] * count, [results] * count, range(count), [classic] * count)
+        for identifier, own_levels, own_rows in every:
+            for level, found in own_levels.items():
+                levels[level] += found
+                lowest[level] = min(lowest.get(level, (2.0, "")), (float(np.mean(found)), identifier))
+            for name, found in own_rows.items():
+                rows.setdefault(name, []).extend(found)
+            print(identifier, {k: round(float(np.mean(v)), 4) for k, v in (own_levels | own_rows).items()}, flush=True)
+    told = ["| level | at px | SSIM mean | worst clone's mean | worst | bar |", "| --- | --- | --- | --- | --- | --- |"]
+    for level, found in levels.items():
+        low, who = lowest[level]
+        told.append(f"| {level} | {LARGEST_PX[level] or FINEST_PX} | {np.mean(found):.4f} | {low:.4f} ({who}) | "
+                    f"{min(found):.4f} | .98 |")  # fmt: skip
+    told += ["", "| at the switch | SSIM mean | worst | cases | bar |", "| --- | --- | --- | --- | --- |"]
+    told += [
+        f"| {name} | {np.mean(v):.4f} | {min(v):.4f} | {len(v)} | {BARS.get(name, '')} |" for name, v in rows.items()
+    ]
+    return told
+
+
+def one_looked_at(
+    pack: Path, results: Path, number: int, classic: int
+) -> tuple[str, dict[int, list[float]], dict[str, list[float]]]:
+    """Return one clone's likenesses, by level and by what was drawn at the switch."""
     levels: dict[int, list[float]] = {k: [] for k in range(4)}
     rows: dict[str, list[float]] = {}
     switch_px = FOCAL_PX * STATURE_M / (FOCAL_PX * TEXELS_PER_PX / TEXELS_PER_M)
-    for number, (cast, own, plan) in enumerate(people_of(pack, results, wanted)):
-        person = Person(cast, Theatre(own))
-        for case in cases(SEED + number):
-            for level in range(4):
-                px, over = float(LARGEST_PX[level] or FINEST_PX), 4 if 0 < LARGEST_PX[level] <= 128 else 2
-                want = person.shot(case, px, 0, over)
-                levels[level].append(likeness(want, person.shot(case, px, level + 1, over)))
-            want = person.shot(case, switch_px, 0, 8)
-            rows.setdefault("impostor", []).append(likeness(want, person.shot(case, switch_px, None, 1, soft=True)))
-            plain = person.shot(case, switch_px, 0, 1)
-            rows.setdefault("geometry, one sample a pixel", []).append(likeness(want, plain))
-            four = person.shot(case, switch_px, 0, 1, soft=True)
-            rows.setdefault("geometry, four samples a pixel", []).append(likeness(want, four))
-            for off in (-10.0, 10.0):
-                high = person.shot(case, switch_px, 0, 8, off_deg=off)
-                got = person.shot(case, switch_px, None, 1, soft=True, off_deg=off)
-                rows.setdefault(f"impostor, {off:+.0f} degrees of elevation", []).append(likeness(high, got))
-        person.theatre.close()
-        if number < classic:
-            for name, value in classics(cast, own, plan, SEED + number, switch_px):
-                rows.setdefault(name, []).append(value)
-        print(
-            f"{number + 1} {cast.identifier}: " + "  ".join(f"{n} {np.mean(v):.4f}" for n, v in rows.items()),
-            flush=True,
-        )
-    told = ["| level | at px | SSIM mean | worst | bar |", "| --- | --- | --- | --- | --- |"]
-    for level, found in levels.items():
-        told.append(f"| {level} | {LARGEST_PX[level] or FINEST_PX} | {np.mean(found):.4f} | {min(found):.4f} | .98 |")
-    told += ["", "| at the switch | SSIM mean | worst | cases |", "| --- | --- | --- | --- |"]
-    told += [f"| {name} | {np.mean(v):.4f} | {min(v):.4f} | {len(v)} |" for name, v in rows.items()]
-    return told
+    cast, own, plan = person_of(pack, results, number)
+    person = Person(cast, Theatre(own))
+    for case in cases(SEED + number):
+        for level in range(4):
+            px, over = float(LARGEST_PX[level] or FINEST_PX), 4 if 0 < LARGEST_PX[level] <= 128 else 2
+            want = person.shot(case, px, 0, over)
+            levels[level].append(likeness(want, person.shot(case, px, level + 1, over)))
+        want = person.shot(case, switch_px, 0, 8)
+        for name, got in (
+            ("impostor", person.shot(case, switch_px, None, 1)),
+            ("geometry, one sample a pixel", person.shot(case, switch_px, 0, 1)),
+            ("geometry, four samples a pixel", person.shot(case, switch_px, 0, 1, four=True)),
+        ):
+            rows.setdefault(name, []).append(likeness(want, got))
+        for off in (-10.0, 10.0):
+            high = person.shot(case, switch_px, 0, 8, off_deg=off)
+            got = person.shot(case, switch_px, None, 1, off_deg=off)
+            rows.setdefault(f"impostor, {off:+.0f} degrees of elevation", []).append(likeness(high, got))
+    person.theatre.close()
+    if number < classic:
+        for name, value in classics(cast, own, plan, SEED + number, switch_px):
+            rows.setdefault(name, []).append(value)
+    return cast.identifier, levels, rows
 
 
 def classics(cast: Cast, own: Stock, plan: Bake, seed: int, switch_px: float) -> Iterator[tuple[str, float]]:
@@ -154,63 +188,9 @@ def classics(cast: Cast, own: Stock, plan: Bake, seed: int, switch_px: float) ->
     person = Person(cast, Theatre(with_tiles(again, [tiles], thin)))
     for case in cases(seed):
         want = person.shot(case, switch_px, 0, 8)
-        got = person.shot(case, switch_px, None, 1, soft=True, classic=True)
+        got = person.shot(case, switch_px, None, 1, classic=True)
         yield "impostor of the source (classic), 1 texel a pixel", likeness(want, got)
     person.theatre.close()
-
-
-def in_browser(pack: Path, people: int, rounds: int, pictures: Path | None) -> list[str]:
-    """Return frame times, taken in turns in one session, and the choice's."""
-    sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
-    from PIL import Image
-
-    from kit.browser import browser
-
-    told: list[str] = []
-    with tempfile.TemporaryDirectory() as folder, browser(Path(folder)) as page:
-        page.open(pack / "player.html", 1280, 720)
-        page.wait_for("document.body && document.body.dataset.ready", 300)
-        best: dict[str, float] = {}
-        draws = 0
-        setup = f"scene: 'walk', people: {people}, place: [0, 1.7, 24], target: [0, 1.4, -40], now: 3"
-        for _ in range(rounds):
-            for mode in ("hybrid", "levels", "geometry"):
-                page.value(f"crowd.set({{{setup}, mode: '{mode}'}})")
-                found = min(page.value("crowd.time(3)"))  # the first one compiles shaders
-                best[mode] = min(best.get(mode, np.inf), found)
-                draws = max(draws, page.value("crowd.state.stats.draws"))
-                print(mode, f"{found:.0f} ms", page.value("JSON.stringify(crowd.state.stats.counts)"), flush=True)
-        hybrid, alone, finest = (best[mode] for mode in ("hybrid", "levels", "geometry"))
-        told.append(
-            f"{people} people, 1280 x 720, minimum of {rounds}: hybrid {hybrid:.0f} ms, levels alone {alone:.0f} ms "
-            f"({alone / hybrid:.1f} x), level 0 for everybody {finest:.0f} ms ({finest / hybrid:.1f} x); "
-            f"most draws {draws}."
-        )
-        for count in (10_000, 60_000):
-            page.value(
-                f"crowd.set({{scene: 'plaza', people: {count}, place: [0, 30, 160], target: [0, 0, 0], "
-                "mode: 'hybrid'})"
-            )
-            found = page.value("crowd.choices(60)")
-            told.append(
-                f"Choice of level, {count} people: median {np.median(found):.2f} ms, worst {max(found):.2f} ms."
-            )
-        outside = [one for one in page.requests() if not one.startswith(("file:", "blob:", "data:", "about:"))]
-        told.append(f"Requests to anywhere: {len(outside)}. Errors in the console: {len(page.complaints())}.")
-        if pictures:
-            for name, view in PICTURES.items():
-                page.value(f"crowd.set({{{view}, mode: 'hybrid'}})")
-                page.value("crowd.time(1)")
-                Image.fromarray(page.picture()).save(pictures / f"crowd_{name}.jpg", quality=82)
-    return told
-
-
-PICTURES = {
-    "plaza": "scene: 'plaza', people: 3000, place: [0, 14, 52], target: [0, 0, 0], now: 3, debug: 0",
-    "stadium": "scene: 'stadium', people: 4000, place: [0, 9, 22], target: [0, 4, -30], now: 3, debug: 0",
-    "tiers": "scene: 'plaza', people: 3000, place: [0, 14, 52], target: [0, 0, 0], now: 3, debug: 1",
-    "near": "scene: 'walk', people: 150, place: [0, 1.7, 9], target: [0, 1.2, 0], now: 3, debug: 0",
-}
 
 
 def main() -> None:
@@ -219,34 +199,49 @@ def main() -> None:
     parser.add_argument("results", type=Path)
     parser.add_argument("--clones", type=int, default=256)
     parser.add_argument("--classic", type=int, default=2)
-    parser.add_argument("--browser", type=int, default=0, help="people in the frame times; 0 leaves the browser out")
+    parser.add_argument("--made", type=float, nargs=2, metavar=("CPU_S", "PEAK_MIB"), help="as /usr/bin/time told")
+    parser.add_argument("--people", type=int, default=0, help="in the frame times; 0 leaves the browser out")
     parser.add_argument("--rounds", type=int, default=5)
+    parser.add_argument("--processes", type=int, default=2)
+    parser.add_argument("--npm", type=Path, help="folder of node_modules with three, @three.ez/instanced-mesh, esbuild")
     parser.add_argument("--pictures", type=Path)
     parser.add_argument("--page", type=Path, default=PAGE)
     told = parser.parse_args()
     begun = time.monotonic()
-    lines = [
-        "# Crowd",
-        "",
-        f"Written by `benchmarks/crowd.py`; {len(read_facts(told.pack)['people'])} clones in the pack.",
-        "",
-    ]
-    lines += [f"- {line}" for line in check_pack(told.pack)]
-    memory = gpu_bytes(told.pack, read_facts(told.pack))
-    lines += [
-        f"- texture memory {sum(memory.values()) / MIB:.0f} MiB RGBA8 (bar 150 MiB for 20 clones)",
-        "",
-        "## Looks",
-        "",
-    ]
+    written = {"": facts_of(told.pack, told.made)}
     if told.clones:
-        lines += looked_at(told.pack, told.results, told.clones, told.classic)
-    if told.browser:
-        lines += ["", "## In Chromium, software rasteriser", ""]
-        lines += [f"- {line}" for line in in_browser(told.pack, told.browser, told.rounds, told.pictures)]
-    lines += ["", f"({time.monotonic() - begun:.0f} s)", ""]
-    told.page.write_text("\n".join(lines), encoding="utf-8")
-    print("\n".join(lines))
+        written["Looks"] = looked_at(told.pack, told.results, told.clones, told.classic, told.processes)
+        written["Hybrid pictures against anti-aliased geometry"] = hybrid_table(told.pack)
+    if told.people:
+        written["Frame times"] = in_browser(told.pack, told.results, told.people, told.rounds, told.npm, told.pictures)
+    print(f"{time.monotonic() - begun:.0f} s")
+    kept = sections(told.page) | {name: "\n".join(lines) for name, lines in written.items()}
+    text = "\n\n".join(f"## {name}\n\n{kept[name]}" if name else kept[name] for name in SECTIONS if name in kept)
+    told.page.write_text(text + "\n", encoding="utf-8")
+    print(text)
+
+
+def facts_of(pack: Path, made: list[float] | None) -> list[str]:
+    """Return the head of the page: what the pack holds and what making it took."""
+    facts = read_facts(pack)
+    lines = ["# Crowd", "", f"Written by `benchmarks/crowd.py`; {len(facts['people'])} clones in the pack.", ""]
+    lines += [f"- {line}" for line in check_pack(pack)]
+    size = sum(one.stat().st_size for one in pack.rglob("*") if one.is_file())
+    lines.append(f"- {size / len(facts['people']) / 1e6:.2f} MB a clone on the disk (bar 3)")
+    memory = gpu_bytes(pack, facts)
+    lines.append(f"- texture memory {sum(memory.values()) / MIB:.0f} MiB RGBA8 (bar 150 MiB for 20 clones), "
+                 f"{blocks_bytes(memory) / MIB:.0f} MiB in blocks (bar 64)")  # fmt: skip
+    if made:
+        lines.append(f"- making it: {made[0]:.0f} CPU s (bar 600), at most {made[1]:.0f} MiB (bar 1536)")
+    return lines
+
+
+def sections(page: Path) -> dict[str, str]:
+    """Return a page's sections by title, so that a part can be measured again alone."""
+    text = page.read_text(encoding="utf-8") if page.exists() else ""
+    head, *rest = text.split("\n## ")
+    found = {"": head.strip()} if head.strip() else {}
+    return found | {title: body.strip() for title, _, body in (one.partition("\n") for one in rest)}
 
 
 if __name__ == "__main__":

@@ -28,10 +28,12 @@ def crowd(
     walks: Annotated[list[Path] | None, typer.Option("--walk", help="A captured walk (.bvh, .amc) more.")] = None,
     feelings: Annotated[bool, typer.Option("--feelings", help="Walks of feelings and acts, for behave bake.")] = False,
     classic: Annotated[bool, typer.Option("--classic", help="Impostors of the plain kind, to compare with.")] = False,
+    compressed: Annotated[bool, typer.Option("--compressed", help="A third of a card's memory, less fine.")] = False,
     statues: Annotated[str, typer.Option("--statues", help="Everybody in this material too: stone, clay ...")] = "",
 ) -> None:
     """Make a crowd of finished clones: a page for browsers, levels and impostors for engines."""
-    from cloner.crowd.packs.pack import Wanted, make_pack, rings_of
+    from cloner.crowd.packs.pack import make_pack
+    from cloner.crowd.packs.wanted import Wanted, rings_of
 
     carved = None
     if statues:
@@ -40,7 +42,18 @@ def crowd(
         check_material(statues)
         carved = partial(statue_of, material=statues)
     wanted = Wanted(
-        people, views, poses, rings_of(rings), looks, scene, vat, tuple(walks or ()), feelings, classic, carved
+        people,
+        views,
+        poses,
+        rings_of(rings),
+        looks,
+        scene,
+        vat,
+        tuple(walks or ()),
+        feelings,
+        classic,
+        compressed,
+        carved,
     )
     make_pack(results, out, wanted, lambda name, k, n: typer.echo(f"{k}/{n} {name}", err=True))
     typer.echo(str(out / "player.html"))

@@ -216,7 +216,7 @@ def crowd_bytes() -> bytes:
     arrays = {name: {"at": 0, "type": kind, "shape": shape} for name, (kind, shape) in shapes.items()}
     clip = {"name": "walk", "seconds": 1.0, "speed_m_s": 1.3, "frames": 48}
     facts = {
-        "format": "cloner-crowd", "version": 1, "scene": "walk", "people_count": 40,
+        "format": "cloner-crowd", "version": 3, "scene": "walk", "people_count": 40,
         "people": [{"id": name, "arrays": arrays, "clips": [clip]} for name in ("ada", "ben")],
         "tiers": [{"largest_px": size} for size in (900, 400, 200, 90)],
         "switch": {"texels_per_px": 1.5, "texels_per_m": 33.0, "metres_per_focal_px": 0.045},

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from cloner.crowd.packs.pack import Wanted, make_pack
+from cloner.crowd.packs.pack import make_pack
+from cloner.crowd.packs.wanted import Wanted
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import CLONE_FILE, save_clone
 from cloner.records.clones import Clone, TextureAtlas

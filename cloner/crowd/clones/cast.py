@@ -25,6 +25,8 @@ ATLAS_PX: Final = 512  # taste: 330 texels a metre, a screen pixel at 2.6 m thro
 SHELL_PX: Final = 192  # hair's density is then that of the body's
 #: Shells that have a half of the picture; beards and glasses would be painted with hair, so walkers have them as paint.
 DRAWN: Final = ("hair", "cloth")
+#: How many triangles a kind of shell gets of a level for one of its own: cloth is smoother than hair.
+NEEDS: Final = {"hair": 1.0, "cloth": 0.5}
 #: Heights from the chest's middle count as chest, share of the stature either way; taste.
 CHEST: Final = (0.68, 0.80)
 
@@ -137,10 +139,10 @@ def _loose(shells: Sequence[Shell], levels: int) -> Loose:
             none, none[:, :2], empty.astype(np.int64), empty, none, np.zeros(0, bool),
             tuple(np.zeros((0, 3), np.int32) for _ in range(levels)),
         )  # fmt: skip
-    every = sum(len(shell.triangles) for shell in shells)
+    needs = [len(shell.triangles) * NEEDS[shell.kind] for shell in shells]
     chains, start = [], 0
-    for shell in shells:
-        budgets = [max(int(budget * len(shell.triangles) / every), 1) for budget in LOOSE]
+    for shell, need in zip(shells, needs, strict=True):
+        budgets = [max(int(budget * need / sum(needs)), 1) for budget in LOOSE]
         own = [np.asarray(shell.triangles, np.int32)] * (levels - len(LOOSE)) + list(shell_levels(shell, budgets))
         chains.append([triangles + start for triangles in own])
         start += len(shell.vertices_m)

@@ -13,10 +13,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Final
 
-import fast_simplification
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.crowd.clones.fewer import fewer
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
 from cloner.records.heads import Shell
@@ -26,7 +26,7 @@ Array = NDArray[np.float64]
 
 SURFACES: Final = ("body", "eyes")
 #: Triangles of the loose shells at each level; below 500 hair tears (measured).
-LOOSE: Final = (4_000, 2_000, 1_000, 500)
+LOOSE: Final = (4_000, 2_700, 1_000, 500)
 LEVELS: Final = len(LOOSE)
 
 
@@ -143,57 +143,14 @@ class Loose:
 def shell_levels(shell: Shell, budgets: Sequence[int] = LOOSE) -> tuple[Index, ...]:
     """Return (T, 3) triangles of each level of one shell, in its own vertices; never more than the budgets.
 
-    Borders between charts hold the same places twice: places are welded first, and each corner then takes the own
-    vertex of the kept place that is nearest in the texture.
+    Borders between charts hold the same places twice: places are welded first.
     """
     places, weld = np.unique(np.round(shell.vertices_m, 7), axis=0, return_inverse=True)
-    weld = weld.reshape(-1)
-    welded = weld[shell.triangles].astype(np.int32)
+    weld = weld.reshape(-1).astype(np.int64)
     found = []
     for budget in budgets:
         if len(shell.triangles) <= budget:
             found.append(np.asarray(shell.triangles, np.int32))
             continue
-        found.append(_simplified(shell, places, weld, welded, budget))
+        found.append(fewer(places, weld, shell.triangles, budget))
     return tuple(found)
-
-
-def _simplified(shell: Shell, places: Array, weld: NDArray[np.int64], welded: Index, budget: int) -> Index:
-    target = budget
-    while True:  # ends at no triangle at the latest, or with pieces that cannot be made fewer: those are cut off
-        points, faces, collapses = fast_simplification.simplify(
-            places.astype(np.float32), welded, target_count=target, agg=5, return_collapses=True
-        )
-        if len(faces) <= budget or target == 0:
-            break
-        target = int(target * 0.9)
-    points, faces, mapping = fast_simplification.replay_simplification(places.astype(np.float32), welded, collapses)
-    kept = _nearest_member(places, np.asarray(mapping), np.asarray(points, np.float64))
-    corners = kept[np.asarray(faces)]
-    a, b, c = corners.T
-    corners = corners[(a != b) & (b != c) & (c != a)]
-    return _wedges(shell, weld, corners)[:budget]
-
-
-def _nearest_member(places: Array, mapping: NDArray[np.int64], points: Array) -> NDArray[np.int64]:
-    """Return the original place nearest to each simplified point among those that were merged into it."""
-    away = np.linalg.norm(places - points[mapping], axis=1)
-    order = np.lexsort((away, mapping))
-    first = np.unique(mapping[order], return_index=True)
-    kept = np.zeros(len(points), np.int64)
-    kept[first[0]] = order[first[1]]
-    return kept
-
-
-def _wedges(shell: Shell, weld: NDArray[np.int64], corners: NDArray[np.int64]) -> Index:
-    """Return triangles of vertices from triangles of places: of a place's vertices the one nearest in the texture."""
-    order = np.argsort(weld, kind="stable")
-    start = np.searchsorted(weld[order], np.arange(weld.max() + 2))
-    out = order[start[corners]].astype(np.int32)
-    for k in (1, 2):  # the first corner decides the chart
-        for row in np.flatnonzero(start[corners[:, k] + 1] - start[corners[:, k]] > 1):
-            place = corners[row, k]
-            members = order[start[place] : start[place + 1]]
-            gap = np.linalg.norm(shell.uv[members] - shell.uv[out[row, 0]], axis=1)
-            out[row, k] = members[int(gap.argmin())]
-    return out

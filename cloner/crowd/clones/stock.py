@@ -23,6 +23,13 @@ BOX_STEP_M: Final = BOX_M / 65535.0
 #: Farthest translation of a bone, metres; 16 bits of it are .12 mm.
 BONE_REACH_M: Final = 4.0
 BONE_FULL: Final = 32767
+#: Texels a metre of impostors; a person of 1.75 m is 58 texels tall, 38 px at the switch: 20 clones fit
+#: 150 MiB of a card with their atlases.
+TEXELS_PER_M: Final = 33.0
+#: Texels a screen pixel where geometry gives way to impostors (measured best, 1 to 2 tried).
+TEXELS_PER_PX: Final = 1.5
+#: The bake's eye stands where the switch happens through a lens of 869 px (45 degrees over 720 lines), metres.
+BAKED_FROM_M: Final = 869.0 * TEXELS_PER_PX / TEXELS_PER_M
 #: Widths of textures, texels: vertices, loose vertices (two texels each), loose corners.
 WIDE: Final = 128
 CORNERS_WIDE: Final = 256
@@ -194,12 +201,14 @@ def level_arrays(body: BodyLevels, level: int, budgets: Sequence[int] = LOOSE) -
     """Return the vertex attributes and indices that all clones' geometry of a level is drawn with.
 
     ``which`` (N,) float32 counts the body's wedges, then the loose corners from ``len(body.vertex)`` on; ``uv``,
-    ``joints`` and ``weights`` are the body's; ``index`` (3 T,) uint32.
+    ``joints`` and ``weights`` are the body's; ``index`` (3 T,) uint32, fronts only: what is loose comes with either
+    winding.
     """
     own, corners = body.counts[level], 3 * budgets[level]
     rest = np.zeros((corners, 4))
     which = np.concatenate([np.arange(own), len(body.vertex) + np.arange(corners)])
-    index = np.concatenate([body.triangles[level].reshape(-1), own + np.arange(corners)])
+    loose = own + np.arange(corners).reshape(-1, 3)
+    index = np.concatenate([body.triangles[level], loose, loose[:, [0, 2, 1]]]).reshape(-1)
     return {
         "which": which.astype(np.float32),
         "uv": np.concatenate([body.uv[:own], rest[:, :2]]).astype(np.float32),

@@ -13,34 +13,25 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.crowd.clones.cast import Cast, posed
 from cloner.crowd.clones.clips import Clip
 from cloner.crowd.clones.levels import BodyLevels
-from cloner.crowd.clones.stock import Stock, middle_m
+from cloner.crowd.clones.stock import BAKED_FROM_M, TEXELS_PER_M, Stock, middle_m
+from cloner.crowd.drawing.texels import SAMPLES, reduced
 from cloner.crowd.drawing.theatre import Theatre
 
 Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 
-#: Texels a metre; a person of 1.75 m is 58 texels tall, 38 px at the switch: 20 clones fit
-#: 150 MiB of a card with their atlases.
-TEXELS_PER_M: Final = 33.0
-#: Texels a screen pixel where geometry gives way to impostors (measured best, 1 to 2 tried).
-TEXELS_PER_PX: Final = 1.5
-#: The bake's eye stands where the switch happens through a lens of 869 px (45 degrees over 720 lines), metres.
-BAKE_FROM_M: Final = 869.0 * TEXELS_PER_PX / TEXELS_PER_M
-SAMPLES: Final = 3  # a texel's side; as in the bakes that were measured
 BAKED_LEVEL: Final = 0
+BAND: Final = 256  # rows of a page that are drawn at once, for the memory's sake
 PAGE_WIDE: Final = 1024  # one ring of 22 views then is about as tall
 _ALIGNED: Final = 4  # two levels of mips stay inside a tile
 _MARGIN: Final = 1.25  # texels around the person, for filters and the search of depth
 _NEAR_M: Final = 1.0
-_GROWN: Final = 3  # texels that colours go on beyond the outline
-CODES: Final = 5  # nothing, top, bottom, shoes, hair
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,7 +44,7 @@ class Tiles:
         Two a tile: place and size in the page, texels; where the person's middle lies in it.
     starts : first tile of each clip
     colours : (H, W, 4) uint8, RGB and coverage
-    shapes : (H/2, W/2, 4) uint8: normal x and y in eye axes, depth, code (place in ``CODES`` times 63)
+    shapes : (H/2, W/2, 4) uint8: normal x and y in eye axes, depth, code (place in ``texels.CODES`` times 63)
     """
 
     rows: NDArray[np.float32]
@@ -168,7 +159,7 @@ def _plan(cast: Cast, body: BodyLevels, wanted: Bake) -> tuple[list[_Tile], list
 
 def _tile(clip: int, frame: int, way: Array, cloud: Array, texels_per_m: float) -> _Tile:
     seen = cloud @ way.T
-    plane = seen[:, :2] * (BAKE_FROM_M / (BAKE_FROM_M - seen[:, 2:]))
+    plane = seen[:, :2] * (BAKED_FROM_M / (BAKED_FROM_M - seen[:, 2:]))
     low = plane.min(axis=0) - _MARGIN / texels_per_m
     high = plane.max(axis=0) + _MARGIN / texels_per_m
     size = np.ceil((high - low) * texels_per_m / _ALIGNED).astype(int) * _ALIGNED
@@ -213,74 +204,59 @@ def _drawn(
     middle: float,
 ) -> tuple[Pixels, Pixels]:
     """Return the page's colours (H, W, 4) and shapes (H/2, W/2, 4)."""
-    size = (page[0] * SAMPLES, page[1] * SAMPLES)
+    colours = np.zeros((page[1], page[0], 4), np.uint8)
+    shapes = np.zeros((page[1] // 2, page[0] // 2, 4), np.uint8)
+    size = (page[0] * SAMPLES, BAND * SAMPLES)
     target = theatre.target(size, 2)
-    theatre.begin(target, (0.0, 0.0, 0.0, 0.0))
     centre = np.array([0.0, middle, 0.0])
-    for tile, (x, y), row in zip(tiles, places, rows, strict=True):
-        wide, high = tile.size
-        theatre.viewport((x * SAMPLES, size[1] - (y + high) * SAMPLES, wide * SAMPLES, high * SAMPLES))
-        eye = centre + BAKE_FROM_M * tile.axes[2]
-        values = {
-            "clipFromWorld": _window(tile, centre), "eye": eye, "tileRight": tile.axes[0], "tileUp": tile.axes[1],
-            "tileBack": tile.axes[2], "tileCentre": centre,
-        }  # fmt: skip
-        theatre.draw_people(BAKED_LEVEL, np.array([[row, 1.0]], np.float32), values, "bake")
-    return _reduced(theatre.read(target), theatre.read(target, 1))
+    for first, last in _bands(tiles, places):
+        theatre.begin(target, (0.0, 0.0, 0.0, 0.0))
+        for tile, (x, y), row in zip(tiles, places, rows, strict=True):
+            if not first <= y < last:
+                continue
+            wide, high = tile.size
+            theatre.viewport((x * SAMPLES, size[1] - (y - first + high) * SAMPLES, wide * SAMPLES, high * SAMPLES))
+            eye = centre + BAKED_FROM_M * tile.axes[2]
+            values = {
+                "clipFromWorld": _window(tile, centre), "eye": eye, "tileRight": tile.axes[0], "tileUp": tile.axes[1],
+                "tileBack": tile.axes[2], "tileCentre": centre,
+            }  # fmt: skip
+            theatre.draw_people(BAKED_LEVEL, np.array([[row, 1.0]], np.float32), values, "bake")
+        used = (last - first) * SAMPLES
+        found = reduced(theatre.read(target)[:used], theatre.read(target, 1)[:used])
+        colours[first:last], shapes[first // 2 : last // 2] = found
+    return colours, shapes
+
+
+def _bands(tiles: Sequence[_Tile], places: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Return the first and the last row of runs of whole shelves that fit ``BAND``."""
+    shelves: dict[int, int] = {}
+    for tile, (_, y) in zip(tiles, places, strict=True):
+        shelves[y] = max(shelves.get(y, 0), y + tile.size[1])
+    bands: list[tuple[int, int]] = []
+    for first, last in sorted(shelves.items()):
+        if bands and last - bands[-1][0] <= BAND:
+            bands[-1] = (bands[-1][0], last)
+        else:
+            bands.append((first, last))
+    return bands
 
 
 def _window(tile: _Tile, centre: Array) -> Array:
     """Return the (4, 4) clip space that shows just the tile's box on the plane through the middle, in perspective."""
     left, bottom, right, top = tile.box_m
     view = np.eye(4)
-    view[:3, :3], view[:3, 3] = tile.axes, -tile.axes @ (centre + BAKE_FROM_M * tile.axes[2])
-    far, near = 2.0 * BAKE_FROM_M, _NEAR_M
+    view[:3, :3], view[:3, 3] = tile.axes, -tile.axes @ (centre + BAKED_FROM_M * tile.axes[2])
+    far, near = 2.0 * BAKED_FROM_M, _NEAR_M
     lens = np.array(
         [
-            [2 * BAKE_FROM_M / (right - left), 0, (right + left) / (right - left), 0],
-            [0, 2 * BAKE_FROM_M / (top - bottom), (top + bottom) / (top - bottom), 0],
+            [2 * BAKED_FROM_M / (right - left), 0, (right + left) / (right - left), 0],
+            [0, 2 * BAKED_FROM_M / (top - bottom), (top + bottom) / (top - bottom), 0],
             [0, 0, -(far + near) / (far - near), -2 * far * near / (far - near)],
             [0, 0, -1, 0],
         ]
     )
     return np.asarray(lens @ view)
-
-
-def _reduced(colour: Pixels, shape: Pixels) -> tuple[Pixels, Pixels]:
-    """Return the page's texels from its samples; colours and shapes go on a little beyond the outline."""
-    cover = colour[..., 3:].astype(np.float32) / 255.0
-    rgba = _blocks(np.dstack([colour[..., :3] * cover, cover]), SAMPLES)
-    solid = _grown(rgba)
-    colours = np.dstack([solid, 255.0 * rgba[..., 3:]])
-    form = _blocks(np.dstack([shape[..., :3] * cover, cover]), 2 * SAMPLES)
-    code = np.round(shape[..., 3] / 255.0 * 4.0).astype(np.uint8)
-    counts = np.dstack([_blocks((cover[..., 0] * (code == k))[..., None], 2 * SAMPLES)[..., 0] for k in range(CODES)])
-    codes = counts.argmax(axis=2).astype(np.float32) * 63.0
-    shapes = np.dstack([_grown(form), codes])
-    return tuple(np.clip(np.round(one), 0, 255).astype(np.uint8) for one in (colours, shapes))  # type: ignore[return-value]
-
-
-def _blocks(values: NDArray[np.float32], side: int) -> NDArray[np.float32]:
-    """Return means of side x side blocks of (H, W, k)."""
-    height, width, parts = values.shape
-    out = cv2.resize(values, (width // side, height // side), interpolation=cv2.INTER_AREA)
-    return np.asarray(out, np.float32).reshape(height // side, width // side, parts)
-
-
-def _grown(premultiplied: NDArray[np.float32]) -> NDArray[np.float32]:
-    """Return (H, W, 3) values of (H, W, 3 + 1) ones times their coverage, continued beyond it."""
-    total, weight = premultiplied[..., :3].copy(), premultiplied[..., 3].copy()
-    out = np.zeros_like(total)
-    filled = weight > 1.0 / 255.0
-    out[filled] = total[filled] / weight[filled][:, None]
-    for _ in range(_GROWN):
-        mass = filled.astype(np.float32)
-        near = cv2.blur(mass, (3, 3))
-        new = ~filled & (near > 0.01)
-        mean = cv2.blur(out * mass[..., None], (3, 3))
-        out[new] = mean[new] / near[new][:, None]
-        filled = filled | new
-    return out
 
 
 def with_tiles(held: Stock, tiles: Sequence[Tiles], wanted: Bake) -> Stock:

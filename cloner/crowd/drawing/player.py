@@ -22,6 +22,7 @@ ACTED_FILE: Final = "acted.bin"
 _SCRIPTS: Final = (
     "scene.js",
     "stage.js",
+    "blocks.js",
     "footing.js",
     "daylight.js",
     "room.js",

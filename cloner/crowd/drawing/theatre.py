@@ -21,7 +21,6 @@ DEPTH_RANGE_M: Final = 1.4
 SUN: Final = (0.45, 0.75, 0.48)
 #: The level whose shadow people cast: its outline is within a texel of the shadow's map.
 CAST_LEVEL: Final = 2
-_A2C: Final = 0x809E  # GL_SAMPLE_ALPHA_TO_COVERAGE
 _UNITS: Final = ("people", "clones", "vertices", "loose", "corners", "bones", "atlases", "shells", "tiles", "colours",
                  "shapes", "glow", "roomLooks", "roomLight", "roomSun", "shadows", "stones", "stoneShells")  # fmt: skip
 
@@ -160,7 +159,7 @@ class Theatre:
             "boneReach": stock.BONE_REACH_M, "codeStep": float(STEP), "depthRange": DEPTH_RANGE_M,
             "rings": len(self.stock.elevations), "sunWay": _unit(SUN), "debugView": 0,
             "ringElevations": (*self.stock.elevations, 0.0, 0.0, 0.0)[:4], "classic": 0, "dearFromPx": 24.0,
-            "now": 0.0, "coarse": 0, "laneLength": 100.0, "cutoff": 0.5,
+            "bakedFrom": stock.BAKED_FROM_M, "rim": 0, "now": 0.0, "coarse": 0, "laneLength": 100.0,
             **UNROOMED,
         }  # fmt: skip
         for name, value in {**fixed, **values}.items():
@@ -183,16 +182,11 @@ class Theatre:
             self._targets[key] = self._gl.framebuffer(layers, depth)
         return self._targets[key]
 
-    def begin(self, target: Any, background: Sequence[float], *, soft: bool = False) -> None:
-        """Clear a target and draw to it from now on; ``soft`` lets coverage decide how many samples are drawn."""
+    def begin(self, target: Any, background: Sequence[float]) -> None:
+        """Clear a target and draw to it from now on."""
         target.use()
         target.clear(*background)
         self._gl.enable_only(self._gl.DEPTH_TEST)
-        self.soft(soft)
-
-    def soft(self, on: bool) -> None:
-        """Let coverage decide from now on how many of a pixel's samples are drawn, or no longer."""
-        (self._gl.enable_direct if on else self._gl.disable_direct)(_A2C)
 
     def viewport(self, box: tuple[int, int, int, int]) -> None:
         """Draw into a part of the target only."""
@@ -208,14 +202,21 @@ class Theatre:
         starts = np.cumsum([0, *(3 * budget for budget in self.stock.budgets)])
         self.uniforms(program, {"looseStart": int(starts[level]), **values})
         mesh = self.level(level, program)
+        self._gl.enable(self._gl.CULL_FACE)
         mesh.render(instances=len(instances))
+        self._gl.disable(self._gl.CULL_FACE)
         mesh.release()
 
     def draw_impostors(self, instances: NDArray[np.float32], values: Mapping[str, Any]) -> None:
-        """Draw (N, 2) instances (who, fade) as impostors."""
+        """Draw (N, 2) instances (who, fade) as impostors: what covers pixels whole, then all rims over it."""
         if not len(instances):
             return
         self._quads("impostor", instances, values)
+        self._gl.enable(self._gl.BLEND)
+        self._gl.fbo.depth_mask, self._gl.depth_func = False, "<"
+        self._quads("impostor", instances, {**values, "rim": 1})
+        self._gl.fbo.depth_mask, self._gl.depth_func = True, "<="
+        self._gl.disable(self._gl.BLEND)
 
     def draw_ground(self, instances: NDArray[np.float32], values: Mapping[str, Any]) -> None:
         """Draw the floor and a soft shadow under each of (N, 2) instances."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
@@ -14,19 +13,18 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import Cast, cast_of
-from cloner.crowd.clones.clips import WALK_FRAMES
 from cloner.crowd.clones.glb import levels_glb
 from cloner.crowd.clones.groups import GROUPS, STEP, grey_atlas, sorted_by_group
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, body_levels
 from cloner.crowd.clones.people import find_people, load_person
 from cloner.crowd.clones.vat import vat_files
-from cloner.crowd.drawing.impostors import TEXELS_PER_PX, Bake, bake
+from cloner.crowd.drawing.impostors import Bake, bake
 from cloner.crowd.drawing.player import player_page
 from cloner.crowd.drawing.theatre import DEPTH_RANGE_M, SUN
 from cloner.crowd.packs.files import (
     FORMAT,
     MARK,
-    SHAPE_QUALITY,
+    SHELL_QUALITY,
     VERSION,
     digest,
     pack_folder,
@@ -36,58 +34,19 @@ from cloner.crowd.packs.files import (
     tile_files,
     webp,
 )
+from cloner.crowd.packs.wanted import Wanted, check_wanted
 from cloner.crowd.staged import scene
 from cloner.crowd.staged.looks import casting_of, garment_masks, read_looks
-from cloner.errors import ClonerError
-from cloner.motion.moves.acts import ACTS
-from cloner.motion.moves.styles import STYLES
 from cloner.records.clones import Clone
 
-#: People from which wide views of arms and coats need 40 views: width of the walking chest with arms against its depth.
-#: The source gives no number; chests of 18 clones that walk lie between 1.6 and 2.3.
+#: Width of the walking chest with arms against its depth from which arms and coats need 40 views. The source gives no
+#: number; chests of 18 clones that walk lie between 1.6 and 2.3.
 WIDE_RATIO: Final = 3.0
 FEW_VIEWS, MANY_VIEWS = 22, 40
-#: Tallest person, pixels, that each level is good for (SSIM .98 against every triangle); none for the finest.
-LARGEST_PX: Final = (0, 256, 128, 64)
+#: Tallest person, pixels, that each level is good for (SSIM .98 against every triangle); no end for the finest.
+LARGEST_PX: Final = (0, 192, 96, 56)
 ATLAS_QUALITY: Final = 85
 MASK_PX: Final = 128
-#: Captured walks that a clone's table has room for beside those of feelings and the acts.
-MOST_WALKS: Final = stock.MOST_CLIPS - 3 - len(STYLES) - len(ACTS)
-
-
-@dataclass(frozen=True, slots=True)
-class Wanted:
-    """What ``cloner crowd`` was asked for.
-
-    Attributes
-    ----------
-    people : int
-    views : int, 0 decides by the clones' breadth
-    poses : int
-    rings_deg : tuple of float, elevations of the impostors' rings
-    looks : Path or None
-    scene : str
-    vat : bool
-    walks : tuple of Path, captured walks besides the own one
-    feelings : bool
-        Walks of all feelings and what people do who stand, as scenarios want them.
-    classic : bool
-        Impostors as in the source: a texel a pixel, nearest view, no depth.
-    carved : callable or None
-        Makes a statue of a clone: everybody can be one then.
-    """
-
-    people: int = 5000
-    views: int = 0
-    poses: int = 16
-    rings_deg: tuple[float, ...] = (5.0,)
-    looks: Path | None = None
-    scene: str = "plaza"
-    vat: bool = False
-    walks: tuple[Path, ...] = ()
-    feelings: bool = False
-    classic: bool = False
-    carved: Callable[[Clone], Clone] | None = None
 
 
 def make_pack(
@@ -110,10 +69,9 @@ def make_pack(
     ClonerError
         If no clone can be used, one may not be shown, or the disk refuses.
     """
-    _check(wanted)
+    check_wanted(wanted)
     looks = read_looks(wanted.looks)
-    found = find_people(results)
-    body, generic, first_bone = body_levels(), "", 0
+    found, body, generic, first_bone = find_people(results), body_levels(), "", 0
     for one in found:  # nobody waits for a bake to hear that the last clone is refused
         _, generic = load_person(one, generic)
     files: dict[str, str] = {}
@@ -132,9 +90,11 @@ def make_pack(
                 tones.append(cast.stone[cast.codes > 0].mean(axis=0) / 255.0)
             masks.append(garment_masks(cast.codes[:: len(cast.codes) // MASK_PX, :: len(cast.codes) // MASK_PX]))
         casting = casting_of(masks, looks)
-        data, body_told = packed(_body_arrays(body))
+        data, body_told = packed(body_arrays(body))
         _write(folder, "body.bin", data, files)
         facts = _facts(wanted, rows, body, casting, body_told, files)
+        if wanted.compressed:
+            facts["compressed"] = True
         if tones:
             facts["statues"] = {"colour": np.mean(tones, axis=0).round(4).tolist()}
         page = player_page(folder, facts)
@@ -142,39 +102,6 @@ def make_pack(
         (folder / "player.html").write_bytes(page)
         (folder / MARK).write_text(json.dumps(facts, indent=1, sort_keys=True) + "\n", encoding="utf-8")
     return facts
-
-
-def rings_of(text: str) -> tuple[float, ...]:
-    """Return the elevations in a list with commas, degrees.
-
-    Raises
-    ------
-    ClonerError
-        If one is no number.
-    """
-    try:
-        return tuple(float(part) for part in text.split(","))
-    except ValueError as error:
-        raise ClonerError(f"{text!r} is no list of degrees", "Write it like 5,25,45", "--rings") from error
-
-
-def _check(wanted: Wanted) -> None:
-    if wanted.scene not in scene.SCENES:
-        raise ClonerError(f"{wanted.scene!r} is no scene", f"Choose one of {', '.join(scene.SCENES)}", "--scene")
-    limits = (("--people", wanted.people, 1, 200_000), ("--poses", wanted.poses, 1, WALK_FRAMES))
-    for where, value, low, high in limits:
-        if not low <= value <= high:
-            raise ClonerError(f"{value} is outside {low} to {high}", "Choose another number", where)
-    if WALK_FRAMES % wanted.poses:
-        message = f"{wanted.poses} poses do not divide a cycle of {WALK_FRAMES} frames"
-        raise ClonerError(message, "Give 8, 12, 16 or 24", "--poses")
-    if wanted.views and (wanted.views % 2 or not 8 <= wanted.views <= 64):
-        hint = "Give an even number from 8 to 64, so that front and back are exact"
-        raise ClonerError(f"{wanted.views} views are not possible", hint, "--views")
-    if not 1 <= len(wanted.rings_deg) <= 4 or not all(-30.0 <= ring <= 80.0 for ring in wanted.rings_deg):
-        raise ClonerError("the rings are not possible", "Give one to four elevations from -30 to 80 degrees", "--rings")
-    if len(wanted.walks) > MOST_WALKS:
-        raise ClonerError("these are too many walks", f"Give at most {MOST_WALKS}", "--walk")
 
 
 def _person(
@@ -202,7 +129,7 @@ def _person(
     }
     if cast.stone is not None and cast.stone_shell is not None:
         content["stone.webp"] = webp(cast.stone, ATLAS_QUALITY)
-        content["stone_shell.webp"] = webp(cast.stone_shell, SHAPE_QUALITY)
+        content["stone_shell.webp"] = webp(cast.stone_shell, SHELL_QUALITY)
     if wanted.vat:
         content |= vat_files(cast, body)
     for name, one in content.items():
@@ -232,7 +159,7 @@ def bake_of(wanted: Wanted, cast: Cast) -> Bake:
     views = wanted.views or (MANY_VIEWS if cast.width_to_depth > WIDE_RATIO else FEW_VIEWS)
     elevations = tuple(float(np.radians(ring)) for ring in wanted.rings_deg)
     plan = Bake(views, elevations)
-    return Bake(views, elevations, plan.texels_per_m / TEXELS_PER_PX) if wanted.classic else plan
+    return Bake(views, elevations, plan.texels_per_m / stock.TEXELS_PER_PX) if wanted.classic else plan
 
 
 def stock_of(
@@ -255,7 +182,8 @@ def stock_of(
     )  # fmt: skip
 
 
-def _body_arrays(body: BodyLevels) -> dict[str, NDArray[Any]]:
+def body_arrays(body: BodyLevels) -> dict[str, NDArray[Any]]:
+    """Return what the page reads of all clones' body."""
     arrays: dict[str, NDArray[Any]] = {
         "uv": body.uv.astype(np.float32), "joints": body.joints.astype(np.uint8),
         "weights": body.weights.astype(np.float32),
@@ -272,8 +200,8 @@ def _facts(
     files: dict[str, str],
 ) -> dict[str, Any]:
     plan = Bake(wanted.views or max(row["views"] for row in rows))
-    texels = plan.texels_per_m / (TEXELS_PER_PX if wanted.classic else 1.0)
-    texels_per_px = 1.0 if wanted.classic else TEXELS_PER_PX
+    per_px = 1.0 if wanted.classic else stock.TEXELS_PER_PX
+    texels = plan.texels_per_m * per_px / stock.TEXELS_PER_PX
     tiers = [
         {"level": k, "body_triangles": len(triangles), "loose_triangles": LOOSE[k], "vertices": body.counts[k],
          "largest_px": LARGEST_PX[k]}
@@ -282,10 +210,10 @@ def _facts(
     return {
         "format": FORMAT, "version": VERSION, "made_with": f"Cloner {__version__}", "scene": wanted.scene,
         "people_count": wanted.people, "people": rows, "tiers": tiers,
-        "switch": {"texels_per_px": texels_per_px, "texels_per_m": texels,
-                   "metres_per_focal_px": texels_per_px / texels},
+        "switch": {"texels_per_px": per_px, "texels_per_m": texels, "metres_per_focal_px": per_px / texels},
         "impostors": {"views": max(row["views"] for row in rows), "rings_deg": list(wanted.rings_deg),
-                      "poses": wanted.poses, "depth_range_m": DEPTH_RANGE_M, "classic": wanted.classic},
+                      "poses": wanted.poses, "depth_range_m": DEPTH_RANGE_M, "baked_from_m": stock.BAKED_FROM_M,
+                      "classic": wanted.classic},
         "regions": {"names": list(GROUPS), "codes": {name: STEP * (k + 1) for k, name in enumerate(GROUPS)}},
         "looks": scene.facts(casting), "body_arrays": body_told, "files": files,
         "numbers": {"box_min_m": list(stock.BOX_MIN_M), "box_step_m": stock.BOX_STEP_M,

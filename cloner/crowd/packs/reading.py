@@ -45,6 +45,8 @@ def read_facts(pack: Path) -> dict[str, Any]:
         raise ClonerError("the crowd's description cannot be read", _AGAIN, MARK) from error
     if facts["version"] > VERSION:
         raise ClonerError("the crowd was made by a newer version", "Update Cloner", MARK)
+    if facts["version"] < VERSION:
+        raise ClonerError("the crowd was made by an older version and cannot be read", _AGAIN, MARK)
     if wrong := why_unfit(facts):
         raise ClonerError(f"the crowd's description cannot be read: {plain(wrong)} is unfit", _AGAIN, MARK)
     return dict(facts)

@@ -139,7 +139,7 @@ class Painter:
         target = theatre.target(self._size, 1, SAMPLES)
         values = {
             "clipFromWorld": eye.clip_from_world(), "eye": eye.place_m, "focalPx": eye.focal_px, "now": now,
-            "laneLength": self._scene.lane_m if isinstance(self._scene, Scene) else 1.0, "cutoff": 0.0,
+            "laneLength": self._scene.lane_m if isinstance(self._scene, Scene) else 1.0,
             "classic": int(bool(self._facts["impostors"]["classic"])),
         }  # fmt: skip
         if "statues" in self._facts:
@@ -159,9 +159,7 @@ class Painter:
         theatre.draw_ground(_instances(np.concatenate(chosen)), values)
         for level, who in enumerate(chosen[:-1]):
             theatre.draw_people(level, _instances(who), {**values, "coarse": int(level >= 2)})
-        theatre.soft(True)
         theatre.draw_impostors(_instances(chosen[-1]), values)
-        theatre.soft(False)
         return np.ascontiguousarray(theatre.read(target)[..., :3])
 
     def film_picture(self, now: float) -> Pixels:
@@ -189,7 +187,7 @@ class Painter:
         if mode == "levels":
             limits[-1] = np.inf
         if mode == "geometry":
-            limits[0] = np.inf
+            limits = [np.inf] * len(limits)  # one that is lower behind a higher one would not be found
         level = np.searchsorted(np.array(limits), away, side="right")
         shown = np.ones(len(level), bool) if here is None else here
         return [np.flatnonzero((level == k) & shown) for k in range(len(tiers) + 1)]

@@ -29,6 +29,8 @@ AISLE_M: Final = 2.6
 CLASSES: Final = 3
 #: Clones from which on every class has enough of them.
 ENOUGH: Final = 9
+#: From so many in a row on they change places; the same clone then comes again after one place fewer at the earliest.
+MIXED: Final = 5
 PERSON_TEXELS: Final = 5
 WALK, IDLE, SIT = 0, 1, 2
 _MASK: Final = 0xFFFFFFFF
@@ -150,6 +152,7 @@ def _stadium(people: int, casting: Casting, dice: Dice) -> Scene:
         arc = 2.0 * math.pi / 3.0 - AISLE_M / radius
         each = math.floor(arc * radius / SEAT_M)
         for k in range(min(each, people - len(rows) // PERSON_TEXELS)):
+            _mixed(order, k, dice)
             angle = math.pi - arc / 2.0 + (k + 0.5) * arc / each + tier * 2.0 * math.pi / 3.0
             path = [
                 0.0,
@@ -170,6 +173,17 @@ def _order(line: int, casting: Casting, dice: Dice) -> list[int]:
         other = dice.pick(k + 1)
         own[k], own[other] = own[other], own[k]
     return own
+
+
+def _mixed(order: list[int], k: int, dice: Dice) -> None:
+    """Let some neighbours change places after each time round: an eye sees rows that come again and again.
+
+    Rings and lanes close, and a clone would meet itself there.
+    """
+    if k and k % len(order) == 0 and len(order) >= MIXED:
+        for j in range(k // len(order) % 2, len(order) - 1, 2):
+            if dice.roll() < 0.5:
+                order[j], order[j + 1] = order[j + 1], order[j]
 
 
 def _add(

@@ -12,6 +12,7 @@ void main() {
   int group, owner;
   vec4 found = wornAt(group, owner);
   if (isLoose > 0.5 && found.a < 0.4) discard;
+  if (isLoose < 0.5) group = groupAt(whose.x, ivec2(at * vec2(textureSize(atlases, 0).xy))).x;
   vec3 n = normalize(normal);
   if (dot(n, eye - world) < 0.0) n = -n;  // back faces would be lit from behind
   float depth = dot(world - tileCentre, tileBack) / depthRange + 0.5;

@@ -13,18 +13,15 @@ uniform float dearFromPx;         // taller people get two views and the full se
 out vec2 plane;                   // metres on the plane through the person's middle
 flat out vec4 tileA, tileB;
 flat out vec4 middles;            // of both tiles
-flat out vec4 turnA, turnB;       // sine and cosine of azimuth and of elevation off the baked view
-flat out vec3 axesA, axesB;       // heading of the baked camera and its elevation, for lighting
-flat out vec2 blend;              // share of B; level of the page
+flat out vec4 turns;              // sine and cosine of the azimuth off each baked view
+flat out vec4 lifts;              // of the eye's elevation and of the baked one
+flat out vec4 ways;               // of the headings of the baked cameras, for light
+flat out vec4 sizes;              // texels a metre; distance in metres of the person's own size; share of B; level of the page
 flat out vec2 fades;
-flat out int wearer;
-flat out int page;
-flat out int dear;
-flat out float texelsPerM;
+flat out ivec4 marks;             // who it is; page; near enough for two views; whether anything is dyed or exchanged
 flat out ivec4 whose;
 flat out vec4 dyes;
-flat out float stone;
-flat out vec3 seat;
+flat out vec4 seat;               // where its middle is; how much of it is stone
 
 int slotOf(int view, int views, float around) {
   if (around > 0.5) return view < 0 ? view + views : view >= views ? view - views : view;  // % is for whole positives
@@ -40,8 +37,8 @@ void main() {
   vec3 middle = p.place + vec3(0.0, facts.x * p.scale, 0.0);
   vec3 to = eye - middle;
   float c = cos(p.heading), s = sin(p.heading);
-  vec2 own = vec2(to.x * c - to.z * s, to.x * s + to.z * c);
-  float azimuth = atan(own.x, own.y), elevation = atan(to.y, length(to.xz));
+  vec2 turned = vec2(to.x * c - to.z * s, to.x * s + to.z * c);
+  float azimuth = atan(turned.x, turned.y), elevation = atan(to.y, length(to.xz));
   int ring = 0;
   for (int k = 1; k < rings; k++)
     if (abs(elevation - ringElevations[k]) < abs(elevation - ringElevations[ring])) ring = k;
@@ -59,15 +56,13 @@ void main() {
   tileA = texelFetch(tiles, ivec2(2 * a, p.clone), 0);
   tileB = texelFetch(tiles, ivec2(2 * b, p.clone), 0);
   middles = vec4(texelFetch(tiles, ivec2(2 * a + 1, p.clone), 0).xy, texelFetch(tiles, ivec2(2 * b + 1, p.clone), 0).xy);
-  float dA = azimuth - float(first) * stepAngle, dB = azimuth - float(other) * stepAngle;
-  float e = elevation - ringElevations[ring];
-  turnA = vec4(sin(dA), cos(dA), sin(e), cos(e));
-  turnB = vec4(sin(dB), cos(dB), sin(e), cos(e));
-  axesA = vec3(p.heading + float(first) * stepAngle, ringElevations[ring], 0.0);
-  axesB = vec3(p.heading + float(other) * stepAngle, ringElevations[ring], 0.0);
-  texelsPerM = facts.y;
+  float dA = azimuth - float(first) * stepAngle, dB = azimuth - float(other) * stepAngle, low = ringElevations[ring];
+  turns = vec4(sin(dA), cos(dA), sin(dB), cos(dB));
+  lifts = vec4(sin(elevation), cos(elevation), sin(low), cos(low));
+  float wayA = p.heading + float(first) * stepAngle, wayB = p.heading + float(other) * stepAngle;
+  ways = vec4(sin(wayA), cos(wayA), sin(wayB), cos(wayB));
   vec4 reach = vec4(max(middles.x, middles.z), max(tileA.z - middles.x, tileB.z - middles.z),
-                    max(middles.y, middles.w), max(tileA.w - middles.y, tileB.w - middles.w)) / texelsPerM;
+                    max(middles.y, middles.w), max(tileA.w - middles.y, tileB.w - middles.w)) / facts.y;
   plane = vec2(mix(-reach.x, reach.y, corner.x), mix(-reach.w, reach.z, corner.y));
   float away = length(to);
   vec3 back = to / away;
@@ -75,13 +70,12 @@ void main() {
   vec3 world = middle + p.scale * (plane.x * right + plane.y * cross(back, right));
   gl_Position = clipFromWorld * vec4(world, 1.0);
   float pxPerM = focalPx * p.scale / away;
-  dear = pxPerM * 1.7 > dearFromPx ? 1 : 0;
-  blend = vec2(dear > 0 ? share : 0.0, clamp(log2(texelsPerM / pxPerM) - 0.7, 0.0, 2.0));  // bias measured: .7
-  page = p.clone;
+  bool near = pxPerM * 1.7 > dearFromPx;
+  sizes = vec4(facts.y, away / p.scale, near ? share : 0.0, clamp(log2(facts.y / pxPerM) - 0.7, 0.0, 2.0));  // bias measured: .7
+  bool own = p.donors == ivec3(p.clone) && max(max(p.dyes.x, p.dyes.y), max(p.dyes.z, p.dyes.w)) < 0.0;
+  marks = ivec4(int(instance.x + 0.5), p.clone, near ? 1 : 0, own ? 0 : 1);
   fades = vec2(instance.y, p.shown);
-  wearer = int(instance.x + 0.5);
   whose = ivec4(p.clone, p.donors);
   dyes = p.dyes;
-  stone = p.stone;
-  seat = middle;
+  seat = vec4(middle, p.stone);
 }

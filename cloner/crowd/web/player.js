@@ -9,7 +9,7 @@ const STATURE_M = 1.75, ARM_M = 0.45; // nobody walks nearer to anybody: taste
 
 const state = {
   scene: facts.scene, people: facts.people_count, now: 0, paused: false, debug: 0, mode: "hybrid", camera: "orbit",
-  stats: {}, still: 0, hour: DAY,
+  stats: {}, still: 0, hour: DAY, blocks: false,
 };
 const canvas = document.querySelector("canvas");
 let acted = null, blocks = null, room = null, passes = null, staging = null, sound = null, echo = null, live = null;
@@ -29,11 +29,12 @@ function open() {
 
 async function start(context) {
   stage = await loadStage(facts, (k, n) => say(`Loading ${k} of ${n}…`));
+  if (facts.compressed && !facts.live) state.blocks = smaller(stage.textures, context);
   const numbers = facts.numbers, sun = new THREE.Vector3(...numbers.sun).normalize();
   uniforms = {
     people: { value: null }, now: { value: 0 }, laneLength: { value: 100 }, clipFromWorld: { value: new THREE.Matrix4() },
     eye: { value: new THREE.Vector3() }, focalPx: { value: 900 }, debugView: { value: 0 },
-    cutoff: { value: context.getParameter(context.SAMPLES) > 1 ? 0 : 0.5 }, sunWay: { value: sun },
+    rim: { value: 0 }, bakedFrom: { value: facts.impostors.baked_from_m }, sunWay: { value: sun },
     boxMin: { value: numbers.box_min_m }, boxStep: { value: numbers.box_step_m },
     boneReach: { value: numbers.bone_reach_m }, codeStep: { value: numbers.code_step },
     bodyVertices: { value: stage.body.uv.length / 2 }, depthRange: { value: facts.impostors.depth_range_m },
@@ -87,13 +88,16 @@ function buildTiers() {
     const { geometry, start, triangles } = levelGeometry(facts, stage.body, level, instancesOf(MOST));
     const own = { ...uniforms, looseStart: { value: start }, coarse: { value: level >= 2 ? 1 : 0 } };
     add(geometry, materialOf(shaders, ["common.glsl", "person.vert"],
-      ["common.glsl", "light.glsl", "shading.glsl", "worn.glsl", "person.frag"], own), 2).userData.triangles = triangles;
+      ["common.glsl", "light.glsl", "shading.glsl", "worn.glsl", "person.frag"], own, { side: THREE.FrontSide }), 2).userData.triangles = triangles;
   }
-  add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "impostor.vert"],
-    ["common.glsl", "light.glsl", "shading.glsl", "impostor.frag"], uniforms, {
-      alphaToCoverage: uniforms.cutoff.value === 0, blending: THREE.CustomBlending, blendEquation: THREE.AddEquation,
-      blendSrc: THREE.OneFactor, blendDst: THREE.ZeroFactor, blendSrcAlpha: THREE.ZeroFactor, blendDstAlpha: THREE.OneFactor,
-    }), 3).userData.triangles = 2;
+  const far = (rim, options) => materialOf(shaders, ["common.glsl", "impostor.vert"],
+    ["common.glsl", "light.glsl", "shading.glsl", "impostor.frag"], { ...uniforms, rim: { value: rim } }, options);
+  const whole = add(quadGeometry(instancesOf(MOST)), far(0), 3);
+  whole.userData.triangles = 4; // drawn twice
+  const rims = new THREE.Mesh(whole.geometry, far(1, { transparent: true, depthWrite: false, depthFunc: 2 })); // less
+  rims.frustumCulled = false;
+  rims.renderOrder = 4;
+  world.add(rims);
   const shadows = add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "ground.vert"], ["light.glsl", "ground.frag"],
     uniforms, { transparent: true, depthWrite: false }), 1);
   shadows.userData.triangles = 2;
@@ -204,7 +208,8 @@ function bin() {
     if (y[i] < low[c]) low[c] = y[i];
     if (y[i] > high[c]) high[c] = y[i];
   }
-  walkers.cells = { x0, z0, wide, deep, starts, low, high };
+  const order = [...starts.keys()].slice(0, -1).filter((c) => starts[c] < starts[c + 1]);
+  walkers.cells = { x0, z0, wide, deep, starts, low, high, order };
 }
 
 // Positions are brought up to date a slice a frame; cells are made anew when all slices are through.
@@ -246,7 +251,7 @@ function limitsOf() {
   const limits = facts.tiers.map((tier, k) =>
     k + 1 < LEVELS ? (f * STATURE_M) / facts.tiers[k + 1].largest_px : far).map((d) => Math.min(d, far));
   if (state.mode === "levels") limits[LEVELS - 1] = Infinity;
-  if (state.mode === "geometry") limits[0] = Infinity;
+  if (state.mode === "geometry") limits.fill(Infinity);
   if (state.mode === "impostors") limits.fill(0);
   return limits;
 }
@@ -256,10 +261,11 @@ function choose() {
   const eye = uniforms.eye.value, limits = limitsOf(), far = limits[LEVELS - 1] * (1 + HYSTERESIS) + 2;
   const arrays = tiers.map((mesh) => mesh.geometry.attributes.instance.array), counts = new Uint32Array(LEVELS + 2);
   const shadows = LEVELS + 1;
+  const away = (c) => ((c % cells.wide) * CELL_M + cells.x0 + CELL_M / 2 - eye.x) ** 2
+    + (Math.floor(c / cells.wide) * CELL_M + cells.z0 + CELL_M / 2 - eye.z) ** 2;
   const put = (t, who, fade) => { const k = counts[t]++; arrays[t][2 * k] = who; arrays[t][2 * k + 1] = fade; };
-  for (let c = 0; c < cells.wide * cells.deep; c++) {
+  for (const c of cells.order.sort((a, b) => away(a) - away(b))) { // near ones first: what they hide is not shaded
     const from = cells.starts[c], to = cells.starts[c + 1];
-    if (from === to) continue;
     const cx = cells.x0 + (c % cells.wide) * CELL_M, cz = cells.z0 + Math.floor(c / cells.wide) * CELL_M;
     const x0 = cx - 1.5, x1 = cx + CELL_M + 1.5, z0 = cz - 1.5, z1 = cz + CELL_M + 1.5;
     if (!boxSeen(x0, cells.low[c] - 0.1, z0, x1, cells.high[c] + 2.2, z1)) continue;

@@ -2,7 +2,7 @@
 // Who stands, walks and sits where, in which look: the same rules as cloner/crowd/staged/scene.py, number for number.
 
 const LANE_M = 0.85, ALONG_M = 1.8, RING_FROM_M = 6, RING_M = 0.95, SEAT_M = 0.56, ROW_M = 0.85, ROW_UP_M = 0.42;
-const STAND_FROM_M = 24, AISLE_M = 2.6, CLASSES = 3, ENOUGH = 9, PERSON_TEXELS = 5, WALK = 0, IDLE = 1, SIT = 2;
+const STAND_FROM_M = 24, AISLE_M = 2.6, CLASSES = 3, ENOUGH = 9, MIXED = 5, PERSON_TEXELS = 5, WALK = 0, IDLE = 1, SIT = 2;
 
 class Dice {
   constructor(seed) { this.state = seed >>> 0; }
@@ -25,6 +25,12 @@ function orderOf(line, casting, dice) {
     [own[k], own[other]] = [own[other], own[k]];
   }
   return own;
+}
+
+function mixed(order, k, dice) {
+  if (!k || k % order.length || order.length < MIXED) return;
+  for (let j = (k / order.length) % 2; j < order.length - 1; j += 2)
+    if (dice.roll() < 0.5) [order[j], order[j + 1]] = [order[j + 1], order[j]];
 }
 
 function lookOf(clone, casting, dice) {
@@ -93,6 +99,7 @@ const SCENES = {
       const each = Math.floor((arc * radius) / SEAT_M);
       const count = Math.min(each, people - counted(rows));
       for (let k = 0; k < count; k++) {
+        mixed(order, k, dice);
         const angle = Math.PI - arc / 2 + ((k + 0.5) * arc) / each + (tier * 2 * Math.PI) / 3;
         const heading = angle + Math.PI + (dice.roll() - 0.5) * 0.3;
         const clip = dice.roll() < 0.15 ? IDLE : SIT, clone = order[k % order.length];

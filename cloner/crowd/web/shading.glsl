@@ -1,7 +1,6 @@
 // Colour of cloth, light, and the pattern that fades tiers into one another.
 uniform sampler2D glow;    // four texels a person
 uniform int debugView;     // 1: tiers in plain colours, impostors green
-uniform float cutoff;      // above 0: nothing below this coverage, the rest solid; else coverage goes out as alpha
 
 // Feet stand in the dark of their own contact shadow: so much of the light is gone at the floor, fading so fast, metres.
 const float DARK_BELOW = 0.35, DARK_M = 0.18;  // taste
@@ -17,6 +16,9 @@ vec3 dyed(vec3 rgb, vec4 look, vec3 dye) {
 // Who stands in a lit room (solid: is more than a picture) gets the light of its probes: four numbers a colour, and how much of the sun is seen.
 vec3 lit(vec3 rgb, vec3 normal, int who, vec3 world, bool solid) {
   vec3 light = mix(EARTH, SKY, normal.y * 0.5 + 0.5) + SUN * 0.55 * max(dot(normal, sunWay), 0.0);
+#ifdef NO_ROOM
+  return min(rgb * pow(light, vec3(1.0 / 2.2)), vec3(1.0));  // as below, in half of the powers
+#else
   if (roomed > 0 && who >= 0) {
     ivec2 first = ivec2((who % 256) * 4, who / 256);
     vec4 n = vec4(1.0, normal);
@@ -27,19 +29,11 @@ vec3 lit(vec3 rgb, vec3 normal, int who, vec3 world, bool solid) {
     light = light * daylight + lanternOn(world, normal);
   }
   return toned(pow(rgb, vec3(2.2)) * light);
+#endif
 }
 
 // fade f > 0 keeps the share f of the pixels, f < 0 the ones that -f leaves.
 bool fadedOut(float fade, float shown) {
   float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
   return (fade >= 0.0 ? noise >= fade : noise < -fade) || noise >= shown;
-}
-
-vec4 covered(vec3 rgb, float coverage) {
-  if (cutoff > 0.0) {
-    if (coverage < cutoff) discard;
-    return vec4(rgb, 1.0);
-  }
-  if (coverage < 0.02) discard;
-  return vec4(rgb, coverage);
 }

@@ -134,7 +134,8 @@ function bodyTextures(people) {
 // What is seen of those who are far, or of stone.
 function farTextures(people) {
   const textures = {
-    colours: arrayTexture(...filled(people.map((one) => one.colours), () => 0), MIPPED),
+    colours: arrayTexture(...filled(people.map((one) => ({ width: one.colours.width, height: one.colours.height / 3 })),
+      () => 0), MIPPED),
     shapes: arrayTexture(...filled(people.map((one) => ({ width: one.shapes.width, height: one.shapes.height / 3 })),
       () => 0), SMOOTH),
   };
@@ -166,12 +167,16 @@ function fillLooks(one, k, textures) {
 
 function fillFar(one, k, textures) {
   const colours = layerOf(textures, "colours", k), shapes = layerOf(textures, "shapes", k);
-  for (let p = 0; p < one.colours.data.length; p += 4) {
-    colours.set(one.colours.data.subarray(p, p + 3), p);
+  const below = one.colours.data.length / 3, parts = one.colours.data; // luma and two differences of colour
+  for (let p = 0; p < below; p += 4) {
+    const y = parts[p], co = parts[below + p] - 128, cg = parts[2 * below + p] - 128;
+    colours[p] = Math.max(0, Math.min(255, y - cg + co));
+    colours[p + 1] = Math.max(0, Math.min(255, y + cg));
+    colours[p + 2] = Math.max(0, Math.min(255, y - cg - co));
     colours[p + 3] = one.covers.data[p];
   }
   const { width, height } = one.shapes, rows = height / 3, plane = width * rows * 4;
-  const below = one.colours.data.length, wide = one.covers.width * 4;
+  const wide = one.covers.width * 4;
   for (let y = 0; y < rows; y++)
     for (let x = 0; x < width; x++) {
       const p = (y * width + x) * 4;
@@ -192,9 +197,13 @@ function levelGeometry(facts, body, level, instances) {
   uv.set(body.uv.subarray(0, own * 2));
   joints.set(body.joints.subarray(0, own * 4));
   weights.set(body.weights.subarray(0, own * 4));
-  const triangles = body[`level_${level}`], index = new Uint32Array(triangles.length + corners);
+  // Bodies are closed: only their fronts are drawn. What is loose is there from both sides, once with every winding.
+  const triangles = body[`level_${level}`], index = new Uint32Array(triangles.length + 2 * corners);
   index.set(triangles);
-  for (let k = 0; k < corners; k++) index[triangles.length + k] = own + k;
+  for (let k = 0; k < corners; k++) {
+    index[triangles.length + k] = own + k;
+    index[triangles.length + corners + k] = own + k - (k % 3) + [0, 2, 1][k % 3];
+  }
   const geometry = new THREE.InstancedBufferGeometry();
   const add = (name, values, parts) => geometry.setAttribute(name, new THREE.BufferAttribute(values, parts));
   add("which", which, 1);
@@ -204,7 +213,7 @@ function levelGeometry(facts, body, level, instances) {
   geometry.setIndex(new THREE.BufferAttribute(index, 1));
   geometry.setAttribute("instance", instances);
   geometry.instanceCount = 0;
-  return { geometry, start: 3 * loose.slice(0, level).reduce((a, b) => a + b, 0), triangles: index.length / 3 };
+  return { geometry, start: 3 * loose.slice(0, level).reduce((a, b) => a + b, 0), triangles: (triangles.length + corners) / 3 };
 }
 
 function quadGeometry(instances) {
@@ -217,7 +226,7 @@ function quadGeometry(instances) {
 }
 
 function materialOf(shaders, vertex, fragment, uniforms, options = {}) {
-  const text = (names) => HEADER + names.map((name) => shaders[name]).join("\n");
+  const text = (names) => HEADER + (facts.room ? "" : "#define NO_ROOM\n") + (state.blocks ? "#define CODES_APART\n" : "") + names.map((name) => shaders[name]).join("\n");
   return new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3, vertexShader: text(vertex), fragmentShader: text(fragment), uniforms,
     side: THREE.DoubleSide, ...options,

@@ -9,16 +9,20 @@ import pytest
 from PIL import Image
 from skimage.metrics import structural_similarity
 
-from cloner.crowd.drawing.impostors import TEXELS_PER_M, TEXELS_PER_PX
+from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX
+from cloner.crowd.drawing.player import player_page
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.reading import casting_from, read_facts, read_stock
-from cloner.crowd.packs.still import draw_pack
+from cloner.crowd.packs.still import Painter, draw_pack
 from cloner.crowd.staged.eye import Eye
 from cloner.crowd.staged.scene import scene_of
 from cloner.errors import ClonerError
 from kit.browser import CHROMIUM, browser
+from kit.firefox import FIREFOX, SCREEN, opened
 
 pytestmark = [pytest.mark.gl, pytest.mark.slow]
+HELD_BYTES = """["colours", "atlases", "shells", "codes"].map((name) => stage.textures[name]).filter(Boolean)
+  .flatMap((one) => one.mipmaps.length ? one.mipmaps : [one.image]).reduce((sum, one) => sum + one.data.length, 0)"""
 GREY = (0.5, 0.5, 0.5, 1.0)
 
 
@@ -117,6 +121,51 @@ def test_the_player_opens_from_the_disk_and_asks_nobody(pack: Path, tmp_path: Pa
         assert ((green[..., 1] > 150) & (green[..., 0] < 80)).sum() > 30  # impostors
         assert not page.complaints()
         assert all(address.startswith(("file:", "blob:", "data:", "about:")) for address in page.requests())
+
+
+@pytest.mark.skipif(not (FIREFOX and SCREEN), reason="no Firefox with a screen here: apt-get install firefox-esr xvfb")
+def test_firefox_shows_the_player_too_and_it_asks_nobody(pack: Path, tmp_path: Path) -> None:
+    setup = "crowd.set({scene: 'plaza', people: 60, place: [0, 6, 22], target: [0, 1, 0], now: 3})"
+    told = opened(pack / "player.html", tmp_path / "profile", "document.body && document.body.dataset.ready",
+                  [f"({setup}, crowd.draw())", "crowd.time(1).length"])  # fmt: skip
+    assert sum(told["values"][0]["counts"]) == 60
+    assert told["values"][1] == 1
+    assert not told["errors"]
+    assert all(address.startswith(("file:", "blob:", "data:", "about:")) for address in told["requests"])
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine: the player is not opened")
+def test_textures_in_blocks_look_the_same_in_less_memory(pack: Path, tmp_path: Path) -> None:
+    shown, sizes = [], []
+    for compressed in (False, True):
+        facts = read_facts(pack) | ({"compressed": True} if compressed else {})
+        page_file = tmp_path / f"{compressed}.html"
+        page_file.write_bytes(player_page(pack, facts))
+        with browser(tmp_path / f"profile{compressed}") as page:
+            page.open(page_file, 320, 200)
+            page.wait_for("document.body && document.body.dataset.ready", 120)
+            assert page.value("state.blocks") is compressed
+            page.value("crowd.set({scene: 'plaza', people: 60, place: [0, 6, 22], target: [0, 1, 0], now: 3})")
+            page.value("document.querySelectorAll('#stats, #knobs').forEach((one) => { one.style.display = 'none'; })")
+            page.value("crowd.time(2)")
+            shown.append(page.picture()[40:180])
+            sizes.append(page.value(HELD_BYTES))
+            assert not page.complaints()
+    assert structural_similarity(*shown, channel_axis=2, data_range=255) > 0.97
+    assert sizes[1] < 0.45 * sizes[0]
+
+
+def test_geometry_alone_shows_nobody_as_an_impostor(pack: Path) -> None:
+    facts = read_facts(pack)
+    made = scene_of("plaza", 60, casting_from(facts))
+    theatre = Theatre(read_stock(pack, facts))
+    eye = Eye(np.array([0.0, 9.0, 90.0]), np.zeros(3), (320, 180), 200.0)
+    painter = Painter(theatre, facts, made, (320, 180))
+    count = {mode: [len(who) for who in painter._tiers(eye, 0.0, mode)] for mode in ("hybrid", "levels", "geometry")}
+    theatre.close()
+    assert count["hybrid"][-1] > 50
+    assert count["levels"][-1] == 0
+    assert count["geometry"] == [60, 0, 0, 0, 0]
 
 
 def test_scene_rows_fit_the_shaders(pack: Path) -> None:

@@ -21,8 +21,9 @@ from cloner.crowd.clones.levels import body_levels
 from cloner.crowd.clones.vat import LEVEL
 from cloner.crowd.packs.check import check_pack
 from cloner.crowd.packs.files import pack_folder
-from cloner.crowd.packs.pack import make_pack, rings_of
+from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.reading import read_facts
+from cloner.crowd.packs.wanted import rings_of
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, skin
@@ -35,6 +36,7 @@ from cloner.motion.moves.styles import REGULAR, STYLES, Style
 from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import export_data, forget
 from cloner.project.clone_file import CLONE_FILE, load_clone
+from kit import readers
 from kit.crowds import WANTED, dressed_toy, saved
 
 NODE_MODULES = Path(os.environ.get("CLONER_NODE_MODULES", ".cache/npm"))
@@ -78,6 +80,14 @@ def test_the_levels_leave_under_their_names_with_the_very_same_vertices(pack: Pa
             views = [gltf.accessors[getattr(one, name)].bufferView for one in (first, own)]
             assert views[0] == views[1]  # one buffer: bit-equal by construction
     assert {one.name for one in gltf.animations} == {"walk", "idle"}
+
+
+@pytest.mark.skipif(readers.GODOT is None, reason="Godot is not here; run: apt-get install godot3-server")
+def test_godot_reads_the_levels(pack: Path) -> None:
+    told = readers.godot(pack / "people/ada/ada.glb")
+    assert told.get("error") is None
+    assert (told["joints"], told["clips"]) == (94, 2)
+    assert told["high"] - told["low"] == pytest.approx(1.70, abs=0.05)
 
 
 def test_vertex_animation_decodes_to_the_skinned_walk(pack: Path, results: Path) -> None:

@@ -1,0 +1,172 @@
+"""Fewer triangles over a shell's own vertices: pairs of neighbours become one of the two where that shows least.
+
+References
+----------
+Garland and Heckbert 1997 (quadric errors); half-edge collapses keep original vertices. Hair has hundreds of charts in
+its texture: a triangle that would lie in two of them costs as if it had moved by a centimetre.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+Array = NDArray[np.float64]
+Whole = NDArray[np.int64]
+
+#: An open edge that moves counts as so many of its own squares of surface.
+BORDER: Final = 1.0
+TORN_M: Final = 0.01  # tried: 3 mm, 10 mm and never; at 128 px SSIM .979, .981, .966 on long curls
+LEAST_COSINE: Final = 0.2  # no triangle turns farther; as others' simplifiers
+_AT_ONCE: Final = 12  # a twelfth of the triangles a round: quadrics are brought up to date between rounds
+_TRIED: Final = 6  # so many collapses are looked at for each that is wanted
+
+
+@dataclass(slots=True)
+class _Mesh:
+    places: Array  # (P, 3)
+    faces: Whole  # (T, 3) places
+    charts: Whole  # (T,)
+    held: Whole  # sorted: place times count plus chart of every vertex
+    count: int  # of charts
+    quadrics: Array  # (P, 4, 4)
+
+
+def fewer(places: Array, weld: Whole, triangles: NDArray[np.int32], most: int) -> NDArray[np.int32]:
+    """Return at most ``most`` (T, 3) triangles of the given ones' vertices.
+
+    Parameters
+    ----------
+    places : (P, 3) float64, metres
+    weld : (V,) int64
+        Place of each vertex.
+    triangles : (T, 3) int32
+    most : int
+    """
+    links = np.concatenate([triangles[:, :2], triangles[:, 1:]])
+    graph = coo_matrix((np.ones(len(links)), links.T), shape=(len(weld), len(weld)))
+    count, own = connected_components(graph, directed=False)
+    own = own.astype(np.int64)
+    faces, charts = weld[triangles].astype(np.int64), own[triangles[:, 0]]
+    solid = _solid(faces)
+    faces, charts = faces[solid], charts[solid]
+    held = np.unique(weld * count + own)
+    mesh = _Mesh(places, faces, charts, held, int(count), _quadrics(places, faces))
+    tried, cosine = _TRIED, LEAST_COSINE
+    while len(mesh.faces) > most:
+        if _round(mesh, most, tried, cosine):
+            continue
+        if tried == _TRIED:  # tear charts if it must be
+            tried = len(mesh.faces)
+        elif cosine > -1.0:  # fold too
+            cosine = -2.0
+        else:  # pieces that cannot be made fewer are cut off
+            break
+    return _vertices(mesh, weld, own)[:most]
+
+
+def _solid(faces: Whole) -> NDArray[np.bool_]:
+    a, b, c = faces.T
+    return np.asarray((a != b) & (b != c) & (c != a))
+
+
+def _planes(normals: Array, points: Array, weights: Array) -> Array:
+    plane = np.column_stack([normals, -np.einsum("ij,ij->i", normals, points)])
+    return np.asarray(weights[:, None, None] * plane[:, :, None] * plane[:, None, :])
+
+
+def _quadrics(places: Array, faces: Whole) -> Array:
+    """Return (P, 4, 4): squared distances to the planes of a place's triangles and through its open edges."""
+    a, b, c = (places[faces[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    area = np.linalg.norm(normals, axis=1)
+    normals /= np.maximum(area, 1e-20)[:, None]
+    out = np.zeros((len(places), 4, 4))
+    surface = _planes(normals, a, area / 2.0)
+    for k in range(3):
+        np.add.at(out, faces[:, k], surface)
+    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    _, back, times = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True, return_counts=True)
+    open_ = np.flatnonzero(times[back.reshape(-1)] == 1)
+    along = places[edges[open_, 1]] - places[edges[open_, 0]]
+    across = np.cross(along, np.tile(normals, (3, 1))[open_])
+    across /= np.maximum(np.linalg.norm(across, axis=1), 1e-20)[:, None]
+    walls = _planes(across, places[edges[open_, 0]], BORDER * np.einsum("ij,ij->i", along, along))
+    for k in range(2):
+        np.add.at(out, edges[open_, k], walls)
+    return out
+
+
+def _round(mesh: _Mesh, most: int, tried: int, cosine: float) -> int:
+    """Collapse the cheapest pairs that do not touch one another; return how many."""
+    places, faces = mesh.places, mesh.faces
+    edges = np.unique(np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1), axis=0)
+    ways = np.concatenate([edges, edges[:, ::-1]])  # the first goes to the second
+    to = np.column_stack([places[ways[:, 1]], np.ones(len(ways))])
+    cost = np.einsum("ni,nij,nj->n", to, mesh.quadrics[ways[:, 0]] + mesh.quadrics[ways[:, 1]], to)
+    cost += 1e-9 * np.linalg.norm(places[ways[:, 0]] - places[ways[:, 1]], axis=1)
+    wanted = max(min((len(faces) - most) // 2, len(faces) // _AT_ONCE), 1)
+    order = np.argsort(cost, kind="stable")[: wanted * tried]
+    limit = cost[order[-1]] if tried == _TRIED else np.inf
+    corner = np.argsort(faces.reshape(-1), kind="stable")
+    starts = np.searchsorted(faces.reshape(-1)[corner], np.arange(len(places) + 1))
+    around = corner // 3
+    taken, goes, done = np.zeros(len(places), bool), np.arange(len(places)), 0
+    for k in order:
+        u, v = (int(one) for one in ways[k])
+        own = around[starts[u] : starts[u + 1]]
+        ring = faces[own].reshape(-1)
+        if taken[v] or taken[ring].any():
+            continue
+        kept = own[~(faces[own] == v).any(axis=1)]
+        if cost[k] + _torn(mesh, kept, v) > limit or _turned(places, faces[kept], u, v, cosine):
+            continue
+        goes[u] = v
+        taken[ring] = taken[faces[around[starts[v] : starts[v + 1]]].reshape(-1)] = True
+        mesh.quadrics[v] += mesh.quadrics[u]
+        done += 1
+        if done == wanted:
+            break
+    mesh.faces = goes[faces]
+    solid = _solid(mesh.faces)
+    mesh.faces, mesh.charts = mesh.faces[solid], mesh.charts[solid]
+    return done
+
+
+def _torn(mesh: _Mesh, kept: Whole, v: int) -> float:
+    """Return what it costs that triangles get a corner at a place that their chart does not have."""
+    codes = v * mesh.count + mesh.charts[kept]
+    missing = kept[mesh.held[np.minimum(np.searchsorted(mesh.held, codes), len(mesh.held) - 1)] != codes]
+    if not len(missing):
+        return 0.0
+    a, b, c = (mesh.places[mesh.faces[missing, k]] for k in range(3))
+    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2.0 * TORN_M**2
+
+
+def _turned(places: Array, faces: Whole, u: int, v: int, cosine: float) -> bool:
+    """Return whether a triangle turns too far, or to nothing, when its corner ``u`` goes to ``v``."""
+    before, after = (
+        np.cross(places[f[:, 1]] - places[f[:, 0]], places[f[:, 2]] - places[f[:, 0]])
+        for f in (faces, np.where(faces == u, v, faces))
+    )
+    least = cosine * np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1) - 1e-18
+    return bool((np.einsum("ij,ij->i", before, after) < least).any())
+
+
+def _vertices(mesh: _Mesh, weld: Whole, own: Whole) -> NDArray[np.int32]:
+    """Return a vertex for every corner: its place's in the triangle's chart, any of the place's where there is none."""
+    codes = weld * mesh.count + own
+    order = np.argsort(codes, kind="stable")
+    wanted = mesh.faces * mesh.count + mesh.charts[:, None]
+    at = np.minimum(np.searchsorted(codes[order], wanted), len(order) - 1)
+    found = order[at]
+    missing = codes[found] != wanted
+    first = np.argsort(weld, kind="stable")
+    starts = np.searchsorted(weld[first], np.arange(len(mesh.places)))
+    found[missing] = first[starts[mesh.faces[missing]]]
+    return found.astype(np.int32)

@@ -1,0 +1,52 @@
+"""From the samples of a bake to an impostor's texels."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+Pixels = NDArray[np.uint8]
+
+SAMPLES: Final = 6  # a texel's side: 3 cost .002 of SSIM at the switch
+_GROWN: Final = 3  # texels that colours go on beyond the outline
+CODES: Final = 5  # nothing, top, bottom, shoes, hair
+
+
+def reduced(colour: Pixels, shape: Pixels) -> tuple[Pixels, Pixels]:
+    """Return the page's texels from its samples; colours and shapes go on a little beyond the outline."""
+    cover = colour[..., 3:].astype(np.float32) / 255.0
+    rgba = _blocks(np.dstack([colour[..., :3] * cover, cover]), SAMPLES)
+    solid = _grown(rgba)
+    colours = np.dstack([solid, 255.0 * rgba[..., 3:]])
+    form = _blocks(np.dstack([shape[..., :3] * cover, cover]), 2 * SAMPLES)
+    code = np.round(shape[..., 3] / 255.0 * 4.0).astype(np.uint8)
+    counts = np.dstack([_blocks((cover[..., 0] * (code == k))[..., None], 2 * SAMPLES)[..., 0] for k in range(CODES)])
+    codes = counts.argmax(axis=2).astype(np.float32) * 63.0
+    shapes = np.dstack([_grown(form), codes])
+    return tuple(np.clip(np.round(one), 0, 255).astype(np.uint8) for one in (colours, shapes))  # type: ignore[return-value]
+
+
+def _blocks(values: NDArray[np.float32], side: int) -> NDArray[np.float32]:
+    """Return means of side x side blocks of (H, W, k)."""
+    height, width, parts = values.shape
+    out = cv2.resize(values, (width // side, height // side), interpolation=cv2.INTER_AREA)
+    return np.asarray(out, np.float32).reshape(height // side, width // side, parts)
+
+
+def _grown(premultiplied: NDArray[np.float32]) -> NDArray[np.float32]:
+    """Return (H, W, 3) values of (H, W, 3 + 1) ones times their coverage, continued beyond it."""
+    total, weight = premultiplied[..., :3].copy(), premultiplied[..., 3].copy()
+    out = np.zeros_like(total)
+    filled = weight > 1.0 / 255.0
+    out[filled] = total[filled] / weight[filled][:, None]
+    for _ in range(_GROWN):
+        mass = filled.astype(np.float32)
+        near = cv2.blur(mass, (3, 3))
+        new = ~filled & (near > 0.01)
+        mean = cv2.blur(out * mass[..., None], (3, 3))
+        out[new] = mean[new] / near[new][:, None]
+        filled = filled | new
+    return out
