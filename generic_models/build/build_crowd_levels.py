@@ -27,7 +27,7 @@ from cloner.geometry.articulation.skinning import joint_transforms, skin
 
 DATA = Path(__file__).resolve().parents[2] / "cloner" / "crowd" / "data"
 SURFACES = ("body", "eyes")  # lips and lids cover the rest at the sizes of a crowd
-#: Triangles of each level, body and eyes: figures of the issue less the hair's (4000, 2700, 1000, 500). Eyes of a person
+#: Triangles of each level, body and eyes: those wanted less the hair (4000, 2700, 1000, 500). Eyes of a person
 #: of 256 px have three pixels.
 TARGETS = {"body": (12_000, 6_700, 2_872, 1_440), "eyes": (1_536, 128, 128, 60)}
 #: Bends of the poses whose places count, degrees about model axes.
@@ -37,7 +37,7 @@ BENDS = (
     {"r_hip": (-28, 0, 0), "l_hip": (14, 0, 0), "r_knee": (12, 0, 0), "l_knee": (60, 0, 0),
      "r_elbow": (-40, 0, 0), "l_elbow": (-14, 0, 0), "r_shoulder": (25, 0, 50), "l_shoulder": (-25, 0, -50)},
 )  # fmt: skip
-# A pose's metre counts as a metre, a normal's unit as 2 cm. Tried: normals from 5 mm to 10 cm, poses from a quarter, the
+# A pose counts in metres, a normal in 2 cm. Tried: normals from 5 mm to 10 cm, poses from a quarter, the
 # texture's places too (knees then lose their triangles): SSIM moves by .0005.
 POSE_WEIGHT, NORMAL_WEIGHT = 1.0, 0.02
 NODE = """
