@@ -29,7 +29,7 @@ from cloner.records.clones import Clone
 Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
-CORNEA_M: Final = 0.0077
+CORNEA_M: Final = 0.0077  # radius of the front of the cornea (Gullstrand, above)
 #: Angles from the gaze between which the ring of the iris' rim lies on the shipped ball, radians.
 _RIM_RAD: Final = (np.radians(22.0), np.radians(24.0))
 
