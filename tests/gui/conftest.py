@@ -5,11 +5,17 @@ import gc
 import shutil
 
 import pytest
+from pytestqt.qtbot import QtBot
 
 from cloner_gui.event.session import Session
 from cloner_gui.main_window import MainWindow
 from kit.stand_ins import Jobs
 from kit.studio_window import Studio
+
+#: A busy machine is slow, not wrong: what is waited for comes late there, and pytest-qt gives up after 5 s by itself.
+PATIENCE_MS = 60_000
+for wait in (QtBot.waitUntil, QtBot.waitSignal, QtBot.waitSignals):
+    wait.__kwdefaults__["timeout"] = PATIENCE_MS
 
 
 @pytest.fixture(autouse=True)

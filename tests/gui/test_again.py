@@ -59,14 +59,14 @@ def test_the_clone_before_is_one_press_away_and_so_is_the_other(event, twice, qt
     assert event.clone.before_button.isVisible()
     new = stature(twice)
     qtbot.mouseClick(event.clone.before_button, LEFT)
-    qtbot.waitUntil(lambda: bool(event.notice.messages), timeout=60000)
+    qtbot.waitUntil(lambda: bool(event.notice.messages))
     assert "the clone before is back" in event.notice.text.text()
     assert stature(twice) == pytest.approx(new - 0.2, abs=0.02)
     seen = event.session.clone_now()
     assert round(float(np.ptp(seen.vertices_m[:, 1])), 2) == stature(twice), "it is the one that is seen"
     assert event.stack.currentIndex() == CLONE
     qtbot.mouseClick(event.clone.before_button, LEFT)
-    qtbot.waitUntil(lambda: stature(twice) == new, timeout=60000)
+    qtbot.waitUntil(lambda: stature(twice) == new)
 
 
 def test_the_gallery_takes_clones_before_back_of_all_who_are_marked(event, twice, qtbot):  # noqa: F811
@@ -78,7 +78,7 @@ def test_the_gallery_takes_clones_before_back_of_all_who_are_marked(event, twice
     gallery.list.selectAll()
     new = stature(twice)
     qtbot.mouseClick(gallery.before_button, LEFT)
-    qtbot.waitUntil(lambda: stature(twice) < new, timeout=60000)
+    qtbot.waitUntil(lambda: stature(twice) < new)
     gallery.close()
 
 
@@ -95,13 +95,13 @@ def test_as_many_are_cloned_at_the_same_time_as_the_settings_say(event, jobs, qt
         drop(event.photos, samples / "anna" / "plain" / "body_front.jpg")
         settled(event, qtbot)
         event.session.clone()
-    qtbot.waitUntil(lambda: len(jobs.seen) == 2, timeout=60000)
+    qtbot.waitUntil(lambda: len(jobs.seen) == 2)
     assert [folder for folder, _ in jobs.seen] == folders[:2]
     assert event.session.queue.size() == 3
     assert event.session.queue.at_work == folders[0]
     event.session.queue.withdraw(folders[0])
-    qtbot.waitUntil(lambda: len(jobs.seen) == 3, timeout=60000)
+    qtbot.waitUntil(lambda: len(jobs.seen) == 3)
     assert read_visit(folders[0]).state is State.NONE
     jobs.wait_for_cancel = False
-    qtbot.waitUntil(lambda: event.session.queue.size() == 0, timeout=60000)
+    qtbot.waitUntil(lambda: event.session.queue.size() == 0)
     assert [read_visit(folder).state for folder in folders[1:]] == [State.CLONED] * 2

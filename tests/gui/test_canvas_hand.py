@@ -26,7 +26,7 @@ def drawn(window, qtbot):
     session.photos = PhotoSet({view: Photo(view, rgb, None, view.value, "") for view in BODY_VIEWS})
     session.opened.emit()
     window.show_page(window.points)
-    qtbot.waitUntil(lambda: session.points(VIEW) is not None and not session.busy, timeout=60000)
+    qtbot.waitUntil(lambda: session.points(VIEW) is not None and not session.busy)
     qtbot.waitUntil(lambda: not window.points.live.busy)
     ready = make_linkable(rgb, mask)
     outline = LiveOutline(ready, (extract_outline(rgb, mask).loops[0].polygon,))

@@ -71,7 +71,7 @@ def busy_event(event, qtbot, jobs, samples, monkeypatch, tmp_path):  # noqa: F81
     settled(event, qtbot)
     event.session.propose()
     qtbot.waitUntil(lambda: bool(event.session.proposed) and not event.session.busy)
-    with qtbot.waitSignal(event.session.cloned, timeout=20000):
+    with qtbot.waitSignal(event.session.cloned):
         event.session.clone()
     qtbot.waitUntil(lambda: not event.session.busy)
     event.session.place_point(ViewId.BODY_FRONT, "nose_tip", 610.0, 300.0)
@@ -82,7 +82,7 @@ def busy_event(event, qtbot, jobs, samples, monkeypatch, tmp_path):  # noqa: F81
     for name in ("clone.npz", "report.json"):
         (before / name).touch()
     event.go(TAKEAWAY)
-    qtbot.waitUntil(lambda: bool(event.takeaway.sticks.sticks), timeout=10000)
+    qtbot.waitUntil(lambda: bool(event.takeaway.sticks.sticks))
     event.notice.clear()
     yield event
     jobs.hold_copies = None
@@ -173,7 +173,7 @@ def test_no_text_is_cut_while_everything_is_under_way(busy_event, code, jobs, qt
     busy_event.takeaway.handing.start(tmp_path / "out", ("glb",))
     busy_event.booth.change(phone=True)
     busy_event.notice.tell(ClonerError("nobody is seen in this photo", "Retake it", "face_side.jpg"))
-    qtbot.waitUntil(lambda: busy_event.takeaway.handing.step == "copy", timeout=10000)
+    qtbot.waitUntil(lambda: busy_event.takeaway.handing.step == "copy")
     cut = cut_everywhere(busy_event, code, SCREENS[:1], beside=False)
     busy_event.session.cancel()
     assert not cut, "\n".join(cut)
@@ -200,7 +200,7 @@ def test_a_cut_text_is_found(busy_event, qtbot):
     assert "placeholder" in told
     held = HeldWindow(busy_event.booth, busy_event)
     held.show()
-    qtbot.waitUntil(lambda: held.table.rowCount() > 0, timeout=10000)
+    qtbot.waitUntil(lambda: held.table.rowCount() > 0)
     held.table.horizontalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
     held.table.setColumnWidth(0, 30)
     settle()

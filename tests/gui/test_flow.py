@@ -23,7 +23,7 @@ pytestmark = pytest.mark.gui
 
 def settled(window, qtbot):
     """Wait until no photo is on its way and nobody is being opened."""
-    qtbot.waitUntil(lambda: window.booth.intake.pending() == 0 and window.booth._opening is None, timeout=20000)
+    qtbot.waitUntil(lambda: window.booth.intake.pending() == 0 and window.booth._opening is None)
 
 
 @pytest.fixture
@@ -41,7 +41,7 @@ def event(qtbot, jobs, tmp_path):
 
 def begin(window, qtbot):
     """Take a new visitor who agrees."""
-    with qtbot.waitSignal(window.booth.page_wanted, timeout=10000):
+    with qtbot.waitSignal(window.booth.page_wanted):
         qtbot.mouseClick(window.visitor.new_button, Qt.MouseButton.LeftButton)
     box = window.visitor.form.consent_box
     left = box.width() - 10 if box.layoutDirection() is Qt.LayoutDirection.RightToLeft else 10
@@ -62,7 +62,7 @@ def test_the_first_page_shows_who_is_open_and_the_height(window):
 
 
 def test_no_photo_is_stored_before_the_visitor_agrees(event, qtbot, samples):
-    with qtbot.waitSignal(event.booth.page_wanted, timeout=10000):
+    with qtbot.waitSignal(event.booth.page_wanted):
         qtbot.mouseClick(event.visitor.new_button, Qt.MouseButton.LeftButton)
     assert not event.next.isEnabled()
     assert "agree" in event.reason.text()
@@ -98,7 +98,7 @@ def test_what_is_typed_never_goes_to_the_next_visitor(event, qtbot):
     first = begin(event, qtbot)
     event.visitor.form.name_field.setFocus()
     qtbot.keyClicks(event.visitor.form.name_field, "Guest 12")
-    with qtbot.waitSignal(event.booth.page_wanted, timeout=10000):
+    with qtbot.waitSignal(event.booth.page_wanted):
         event.booth.new_visitor()
     assert read_person(first).name == "Guest 12"
     assert event.session.folder != first
@@ -159,7 +159,7 @@ def test_a_tethered_camera_fills_the_places(event, jobs, qtbot, samples, tmp_pat
     (camera / "old.jpg").write_bytes((samples / "boris" / "plain" / "body_back.jpg").read_bytes())
     event.booth.change(camera_folder=str(camera))
     (camera / "body_front.jpg").write_bytes((samples / "anna" / "plain" / "body_front.jpg").read_bytes())
-    qtbot.waitUntil(lambda: ViewId.BODY_FRONT in event.session.photos.photos, timeout=10000)
+    qtbot.waitUntil(lambda: ViewId.BODY_FRONT in event.session.photos.photos)
     settled(event, qtbot)
     assert set(event.session.photos.photos) == {ViewId.BODY_FRONT}, "what lay there before belongs to somebody else"
     assert event.session.tray == ()
@@ -177,7 +177,7 @@ def test_an_unusable_folder_is_told_and_the_old_one_stays(window, tmp_path, fold
 
 def test_clone_shows_progress_and_the_result(window, jobs, qtbot, folder):
     window.show_page(window.clone)
-    with qtbot.waitSignal(window.session.cloned, timeout=20000):
+    with qtbot.waitSignal(window.session.cloned):
         window.session.clone()
     qtbot.waitUntil(lambda: not window.session.busy)
     assert jobs.seen == [(folder, ("glb", "wrl"))]
@@ -202,7 +202,7 @@ def test_one_visitor_is_cloned_while_the_next_is_photographed(event, jobs, qtbot
     event.show_page(event.clone)
     assert event.next.isEnabled()
     assert "visitor" in event.next.text(), "nobody waits for a clone before the next one steps up"
-    with qtbot.waitSignal(event.session.opened, timeout=60000):
+    with qtbot.waitSignal(event.session.opened):
         qtbot.mouseClick(event.next, Qt.MouseButton.LeftButton)
     third = event.session.folder
     assert third not in folders
@@ -210,7 +210,7 @@ def test_one_visitor_is_cloned_while_the_next_is_photographed(event, jobs, qtbot
     qtbot.waitUntil(lambda: "fitting" in event.queue_bar.text.text().lower())
     assert "1 more wait" in event.queue_bar.text.text()
     jobs.wait_for_cancel = False
-    qtbot.waitUntil(lambda: event.session.queue.size() == 0, timeout=20000)
+    qtbot.waitUntil(lambda: event.session.queue.size() == 0)
     assert [read_visit(folder).state for folder in (*folders, third)] == [State.CLONED, State.CLONED, State.NONE]
     assert event.session.outcome is None, "another visitor's clone is not shown"
     assert event.notice.messages == ("Visitor 2: the clone is ready.", "Visitor 1: the clone is ready.")
@@ -222,7 +222,7 @@ def test_cancel_stops_and_tells_nothing(window, jobs, qtbot, folder):
     assert jobs.started.wait(60)
     qtbot.waitUntil(lambda: window.queue_bar.bar.value() == 500)
     qtbot.mouseClick(window.queue_bar.cancel, Qt.MouseButton.LeftButton)
-    qtbot.waitUntil(lambda: not window.session.busy, timeout=60000)
+    qtbot.waitUntil(lambda: not window.session.busy)
     assert window.session.outcome is None
     assert not window.notice.isVisible()
     assert read_visit(folder).state is State.NONE
@@ -250,7 +250,7 @@ def test_closing_the_window_stops_the_work_and_who_waits_is_cloned_next_time(win
 )
 def test_a_failed_clone_is_told_in_the_quiet_bar(window, jobs, qtbot, folder, error, text):
     jobs.error = error
-    with qtbot.waitSignal(window.session.failed, timeout=60000):
+    with qtbot.waitSignal(window.session.failed):
         window.session.clone()
     qtbot.waitUntil(lambda: not window.session.busy)
     assert window.notice.isVisible()
@@ -261,14 +261,14 @@ def test_a_failed_clone_is_told_in_the_quiet_bar(window, jobs, qtbot, folder, er
     assert text in window.clone.warnings.text(), "who comes back to the visitor later still learns why"
     assert text in window.visitor.list.item(0).toolTip()
     jobs.error = None
-    with qtbot.waitSignal(window.session.cloned, timeout=20000):
+    with qtbot.waitSignal(window.session.cloned):
         window.session.clone()
     qtbot.waitUntil(lambda: not window.session.busy)
     assert text not in window.clone.warnings.text()
 
 
 def test_the_visitor_takes_the_chosen_files(window, jobs, qtbot, tmp_path, monkeypatch):
-    with qtbot.waitSignal(window.session.cloned, timeout=20000):
+    with qtbot.waitSignal(window.session.cloned):
         window.session.clone()
     window.show_page(window.takeaway)
     box = window.takeaway.formats["obj"]
@@ -341,7 +341,7 @@ def test_reopening_goes_on_where_the_work_was_left(window, jobs, qtbot, folder):
     window.points.show_view(ViewId.FACE_SIDE)
     again = MainWindow(Session(jobs.services()))
     qtbot.addWidget(again)
-    with qtbot.waitSignal(again.booth.page_wanted, timeout=10000):
+    with qtbot.waitSignal(again.booth.page_wanted):
         again.booth.open(folder)
     assert again.stack.currentWidget() is again.points
     assert again.points.view is ViewId.FACE_SIDE

@@ -55,7 +55,7 @@ def test_the_whole_path_by_keyboard(event, qtbot, samples, jobs):
 
     event.visitor.new_button.setFocus()
     qtbot.waitUntil(lambda: QApplication.focusWidget() is event.visitor.new_button)
-    with qtbot.waitSignal(event.booth.page_wanted, timeout=10000):
+    with qtbot.waitSignal(event.booth.page_wanted):
         press(Qt.Key.Key_Space)
     to(event.visitor.form.name_field)
     qtbot.keyClicks(event.visitor.form.name_field, "7")
@@ -75,7 +75,7 @@ def test_the_whole_path_by_keyboard(event, qtbot, samples, jobs):
     QGuiApplication.clipboard().clear()
     assert len(event.session.photos.photos) == 5
     to(event.next)
-    with qtbot.waitSignal(event.session.cloned, timeout=20000):
+    with qtbot.waitSignal(event.session.cloned):
         press(Qt.Key.Key_Space)
     assert event.stack.currentWidget() is event.clone
     to(event.next)

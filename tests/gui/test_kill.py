@@ -56,7 +56,7 @@ def reopened(event, qtbot):
     window = MainWindow(Session(walker.services()))
     qtbot.addWidget(window)
     window.booth.open(event)
-    qtbot.waitUntil(lambda: window.booth._opening is None and window.booth.intake.pending() == 0, timeout=20000)
+    qtbot.waitUntil(lambda: window.booth._opening is None and window.booth.intake.pending() == 0)
     told = walker.known(window)
     window.session.queue.close()
     window.booth.close()

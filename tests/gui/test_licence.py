@@ -27,7 +27,7 @@ def allow(window, qtbot, licence):
 
 def somebody(window, qtbot):
     """Take a new visitor who has read nothing yet."""
-    with qtbot.waitSignal(window.booth.page_wanted, timeout=10000):
+    with qtbot.waitSignal(window.booth.page_wanted):
         qtbot.mouseClick(window.visitor.new_button, LEFT)
     return window.session.folder
 
@@ -57,7 +57,7 @@ def test_a_visitor_chooses_as_far_as_the_event_asks_and_the_next_one_begins_anew
     qtbot.mouseClick(form.agree_button, LEFT)
     assert read_terms(second).licence == "own"
     allow(event, qtbot, "event")
-    with qtbot.waitSignal(event.booth.page_wanted, timeout=10000):
+    with qtbot.waitSignal(event.booth.page_wanted):
         event.booth.open_visitor(first)
     assert form.licence.chosen() == "event"
     form.consent_box.click()

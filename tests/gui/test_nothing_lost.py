@@ -38,7 +38,7 @@ def photographed(window, qtbot, samples, *views):
 
 
 def new_by_mouse(window, qtbot):
-    with qtbot.waitSignal(window.booth.page_wanted, timeout=10000):
+    with qtbot.waitSignal(window.booth.page_wanted):
         qtbot.mouseClick(window.visitor.new_button, LEFT)
 
 
@@ -56,7 +56,7 @@ def test_clone_is_pressed_while_points_are_still_sought(event, jobs, qtbot, samp
     assert read_visit(folder).state is State.WAITING
     assert event.stack.currentIndex() == CLONE
     hold.set()
-    qtbot.waitUntil(lambda: read_visit(folder).state is State.CLONED, timeout=20000)
+    qtbot.waitUntil(lambda: read_visit(folder).state is State.CLONED)
 
 
 def test_who_is_left_without_a_clone_is_put_into_the_queue_and_it_is_said(event, jobs, qtbot, samples):  # noqa: F811
@@ -65,7 +65,7 @@ def test_who_is_left_without_a_clone_is_put_into_the_queue_and_it_is_said(event,
     new_by_mouse(event, qtbot)
     assert event.session.folder != folder
     assert "Visitor 1 waits for the clone" in event.notice.text.text()
-    qtbot.waitUntil(lambda: read_visit(folder).state is State.CLONED, timeout=20000)
+    qtbot.waitUntil(lambda: read_visit(folder).state is State.CLONED)
 
 
 def test_who_was_taken_out_of_the_queue_stays_out(event, jobs, qtbot, samples):  # noqa: F811
@@ -155,7 +155,7 @@ def test_the_list_has_a_menu_and_delete_asks_by_name(event, qtbot):  # noqa: F81
 
 
 def test_a_correction_after_the_clone_is_said_on_both_pages(window, jobs, qtbot):
-    with qtbot.waitSignal(window.session.cloned, timeout=20000):
+    with qtbot.waitSignal(window.session.cloned):
         window.session.clone()
     qtbot.waitUntil(lambda: not window.session.busy)
     window.go(CLONE)
@@ -173,7 +173,7 @@ def test_a_correction_after_the_clone_is_said_on_both_pages(window, jobs, qtbot)
 
 
 def test_the_code_never_holds_a_path_of_this_computer(window, jobs, qtbot, tmp_path):
-    with qtbot.waitSignal(window.session.cloned, timeout=20000):
+    with qtbot.waitSignal(window.session.cloned):
         window.session.clone()
     window.show_page(window.takeaway)
     window.takeaway.handing.target = tmp_path / "stick"
@@ -202,7 +202,7 @@ def test_all_dropped_photos_are_stored_before_the_first_is_judged(event, jobs, q
     jobs.hold_looks = threading.Event()
     drop(event.photos, *(samples / "anna" / "plain" / f"{view}.jpg" for view in ViewId))
     try:
-        qtbot.waitUntil(lambda: len(new_photos(folder)) == 5, timeout=10000)
+        qtbot.waitUntil(lambda: len(new_photos(folder)) == 5)
     finally:
         jobs.hold_looks.set()
     settled(event, qtbot)
@@ -224,7 +224,7 @@ def test_photos_stored_and_not_judged_before_a_crash_find_their_places_afterward
     again = MainWindow(Session(jobs.services()))
     qtbot.addWidget(again)
     again.booth.open(event.booth.root)
-    qtbot.waitUntil(lambda: set(again.session.photos.photos) == {FRONT, SIDE}, timeout=20000)
+    qtbot.waitUntil(lambda: set(again.session.photos.photos) == {FRONT, SIDE})
     settled(again, qtbot)
     again.booth.close()
 

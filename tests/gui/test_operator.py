@@ -55,7 +55,7 @@ def window(qtbot, jobs, root):
 
 def asked(window, qtbot):
     """Return the question that comes when everybody's files were counted."""
-    qtbot.waitUntil(lambda: any(box.isVisible() for box in window.findChildren(QMessageBox)), timeout=10000)
+    qtbot.waitUntil(lambda: any(box.isVisible() for box in window.findChildren(QMessageBox)))
     return _box(window)
 
 
@@ -79,7 +79,7 @@ def test_the_list_says_what_is_held_and_deletes_who_is_marked(window, root, qtbo
     window.booth.open(root)
     held = HeldWindow(window.booth, window)
     held.show()
-    qtbot.waitUntil(lambda: held.table.rowCount() == 2, timeout=10000)
+    qtbot.waitUntil(lambda: held.table.rowCount() == 2)
     assert held.table.item(0, 4).text() == "2026-10-01 10:00 UTC, en"
     assert held.table.item(0, 4).toolTip().startswith("yes"), "all of it, where somebody asks"
     assert held.table.item(1, 4).text() == "not recorded"
@@ -90,7 +90,7 @@ def test_the_list_says_what_is_held_and_deletes_who_is_marked(window, root, qtbo
     assert target.stat().st_size > 100
     qtbot.mouseClick(held.forget_button, Qt.MouseButton.LeftButton)
     next(one for one in _box(held).buttons() if "Delete" in one.text()).click()
-    qtbot.waitUntil(lambda: held.table.rowCount() == 1, timeout=10000)
+    qtbot.waitUntil(lambda: held.table.rowCount() == 1)
     assert not (root / "visitor-001").exists()
 
 

@@ -43,7 +43,7 @@ def served(event, qtbot, monkeypatch, samples):  # noqa: F811
         if len(tokens) == 1:
             event.takeaway.phone_box.click()
     links = [f"{base}/{token}/" for token in tokens]
-    qtbot.waitUntil(lambda: event.takeaway.code_note.text() == links[1], timeout=60000)  # what the code holds
+    qtbot.waitUntil(lambda: event.takeaway.code_note.text() == links[1])  # what the code holds
     return event, links
 
 

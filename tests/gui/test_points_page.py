@@ -19,7 +19,7 @@ VIEW = ViewId.BODY_FRONT
 
 @pytest.fixture
 def canvas(window, qtbot):
-    with qtbot.waitSignal(window.session.points_changed, timeout=60000):
+    with qtbot.waitSignal(window.session.points_changed):
         qtbot.mouseClick(window.aside, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: not window.session.busy)
     return window.points.views[VIEW]
@@ -170,12 +170,12 @@ def test_corrections_of_the_folder_are_shown(window, canvas, qtbot, folder):
 
 def test_a_failed_proposal_says_why_and_can_be_tried_again(window, jobs, qtbot):
     jobs.error = ClonerError("no person found in this photo", "Take it again", "body_front.jpg")
-    with qtbot.waitSignal(window.session.failed, timeout=60000):
+    with qtbot.waitSignal(window.session.failed):
         window.show_page(window.points)
     qtbot.waitUntil(lambda: not window.session.busy)
     assert window.points.again.isVisible()
     jobs.error = None
-    with qtbot.waitSignal(window.session.points_changed, timeout=60000):
+    with qtbot.waitSignal(window.session.points_changed):
         qtbot.mouseClick(window.points.again, Qt.MouseButton.LeftButton)
     assert place_of(window, "nose_tip") == tuple(PLACES[0])
     qtbot.waitUntil(lambda: not window.session.busy)

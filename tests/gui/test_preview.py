@@ -41,7 +41,7 @@ def preview(qtbot, clone):
     qtbot.addWidget(widget)
     widget.resize(240, 320)
     widget.show()
-    with qtbot.waitSignal(widget.drawn, timeout=10000):
+    with qtbot.waitSignal(widget.drawn):
         widget.set_clone(clone)
     return widget
 
@@ -50,7 +50,7 @@ def picture(widget, qtbot, change=None):
     """Return the (H, W, 3) pixels after a change was drawn."""
     (change or widget.refresh)()
     film = widget._film  # while it runs there is always another picture to come
-    qtbot.waitUntil(lambda: film.isActive() or (not widget._soon.isActive() and newest().idle), timeout=10000)
+    qtbot.waitUntil(lambda: film.isActive() or (not widget._soon.isActive() and newest().idle))
     image = widget.pixmap().toImage().convertToFormat(widget.pixmap().toImage().Format.Format_RGB888)
     rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), image.bytesPerLine())
     return rows[:, : 3 * image.width()].reshape(image.height(), image.width(), 3).astype(int)
@@ -150,7 +150,7 @@ def test_every_motion_moves_what_it_should(clone, kind):
 
 def test_a_motion_plays_by_itself_and_stops(preview, qtbot):
     first = picture(preview, qtbot, lambda: preview.play("walk"))
-    qtbot.waitUntil(lambda: np.abs(picture(preview, qtbot) - first).mean() > 1.0, timeout=60000)
+    qtbot.waitUntil(lambda: np.abs(picture(preview, qtbot) - first).mean() > 1.0)
     preview.play("stand")
     qtbot.waitUntil(lambda: not preview._film.isActive())
 
@@ -194,7 +194,7 @@ def test_a_body_that_is_being_cloned_grows_from_shape_to_shape(qtbot, clone):
     growth.take(small)
     assert np.allclose(seen[-1], small.vertices_m), "the first one stands there at once"
     growth.take(tall)
-    qtbot.waitUntil(lambda: np.allclose(seen[-1], tall.vertices_m), timeout=60000)
+    qtbot.waitUntil(lambda: np.allclose(seen[-1], tall.vertices_m))
     heights = [np.ptp(one[:, 1]) for one in seen[1:]]
     assert len(heights) > 3, "it moves"
     assert heights == sorted(heights)
@@ -210,10 +210,10 @@ def test_the_panel_shows_an_unfinished_body_without_its_controls(qtbot, clone):
     qtbot.addWidget(panel)
     panel.resize(400, 500)
     panel.show()
-    with qtbot.waitSignal(panel.preview.drawn, timeout=10000):
+    with qtbot.waitSignal(panel.preview.drawn):
         panel.show_growing(plain_clone(clone.vertices_m))
     assert not panel.motion.isEnabled()
-    with qtbot.waitSignal(panel.preview.drawn, timeout=10000):
+    with qtbot.waitSignal(panel.preview.drawn):
         panel.set_clone(clone, {})
     assert panel.motion.isEnabled()
     assert panel.preview.mode == "textured", "the finished person has colours again"
@@ -226,7 +226,7 @@ def test_a_picture_that_is_still_drawn_is_never_shown_of_the_next_person(preview
     other = plain_clone(clone.vertices_m)
     preview.set_clone(other)
     preview._draw(fine=False)
-    qtbot.waitUntil(lambda: newest().idle and not preview._soon.isActive(), timeout=10000)
+    qtbot.waitUntil(lambda: newest().idle and not preview._soon.isActive())
     assert shown
     assert all(one is other for one in shown)
     preview._draw(fine=False)

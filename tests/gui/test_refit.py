@@ -56,24 +56,24 @@ def outline_x(canvas, row_px):
 def test_a_drag_after_cloning_moves_the_shown_body_and_says_so(cloned, qtbot):
     canvas = cloned.points.views[VIEW]
     start = cloned.session.points(VIEW).get("waist_left")
-    qtbot.waitUntil(lambda: not canvas._clone.isEmpty(), timeout=60000)
+    qtbot.waitUntil(lambda: not canvas._clone.isEmpty())
     before = outline_x(canvas, start[1])
     assert np.abs(before - start[0]).min() < 6.0, "the clone's outline is drawn as soon as there is a clone"
-    with qtbot.waitSignal(cloned.session.refitted, timeout=60000):
+    with qtbot.waitSignal(cloned.session.refitted):
         drag(qtbot, canvas, tuple(start), (start[0] + 10, start[1]), (start[0] + 25, start[1]))
     place = cloned.session.points(VIEW).get("waist_left")
     assert place[0] > start[0] + 20
-    qtbot.waitUntil(lambda: np.abs(outline_x(canvas, place[1]) - place[0]).min() < 2.5, timeout=60000)
+    qtbot.waitUntil(lambda: np.abs(outline_x(canvas, place[1]) - place[0]).min() < 2.5)
     assert "follows" in cloned.points.status.text()
     moved = cloned.session.clone_now().vertices_m - cloned.session.outcome.values["clone"].vertices_m
     assert 0.02 < np.linalg.norm(moved, axis=1).max() < 0.05, "the turntable shows the bend"
-    with qtbot.waitSignal(cloned.session.refitted, timeout=60000):
+    with qtbot.waitSignal(cloned.session.refitted):
         cloned.undo_action.trigger()
-    qtbot.waitUntil(lambda: np.array_equal(outline_x(canvas, start[1]), before), timeout=60000)
+    qtbot.waitUntil(lambda: np.array_equal(outline_x(canvas, start[1]), before))
 
 
 def test_a_point_that_the_body_cannot_follow_is_told(cloned, qtbot):
-    with qtbot.waitSignal(cloned.session.refitted, timeout=60000):
+    with qtbot.waitSignal(cloned.session.refitted):
         start = cloned.session.points(VIEW).get("waist_left")
         cloned.session.place_point(VIEW, "waist_left", start[0] + 200, start[1])
     assert "waist, left" in cloned.points.status.text()

@@ -26,7 +26,7 @@ def bodies(studio_window, monkeypatch):
 
 
 def rested(qtbot, window):
-    qtbot.waitUntil(lambda: not window.busy and not window._stale and window._base is not None, timeout=60000)
+    qtbot.waitUntil(lambda: not window.busy and not window._stale and window._base is not None)
 
 
 def girth(clone, key):

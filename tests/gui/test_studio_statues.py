@@ -33,7 +33,7 @@ def booth(studio_window, monkeypatch):
 
 
 def rested(qtbot, window):
-    qtbot.waitUntil(lambda: not window.busy, timeout=60000)
+    qtbot.waitUntil(lambda: not window.busy)
 
 
 def test_a_clone_is_cut_from_bronze_and_lies_beside_it(booth, qtbot, tom):
@@ -41,7 +41,7 @@ def test_a_clone_is_cut_from_bronze_and_lies_beside_it(booth, qtbot, tom):
     window.show()
     assert not window.save_button.isEnabled()
     window.subject.choose(tom)
-    qtbot.waitUntil(lambda: not window.preview.pixmap().isNull(), timeout=60000)
+    qtbot.waitUntil(lambda: not window.preview.pixmap().isNull())
     window.material.setCurrentIndex(window.material.findData("bronze"))
     window.material.activated.emit(0)
     rested(qtbot, window)
@@ -61,7 +61,7 @@ def laid(booth, qtbot, samples):
     window.resize(1100, 700)
     window.show()
     window.open_photo(samples / "boris" / "plain" / "face_front.jpg")
-    qtbot.waitUntil(lambda: window._fit is not None and bool(window.drags_s), timeout=60000)
+    qtbot.waitUntil(lambda: window._fit is not None and bool(window.drags_s))
     rested(qtbot, window)
     yield window
     window.close()
@@ -81,7 +81,7 @@ def test_markers_are_dragged_and_the_clone_shows_it_live(laid, qtbot):
     for step in range(1, 9):
         count = len(laid.drags_s)
         qtbot.mouseMove(laid.view, start + QPoint(2 * step, step))
-        qtbot.waitUntil(lambda count=count: len(laid.drags_s) > count, timeout=20000)
+        qtbot.waitUntil(lambda count=count: len(laid.drags_s) > count)
     qtbot.mouseRelease(laid.view, Qt.MouseButton.LeftButton, pos=start + QPoint(16, 8))
     qtbot.waitUntil(lambda: laid._fit is not before)
     vertex = known_points()["nose_tip"]
@@ -95,7 +95,7 @@ def test_markers_are_dragged_and_the_clone_shows_it_live(laid, qtbot):
 def test_markers_are_added_on_the_clone_and_taken_away_on_the_photo(laid, qtbot):
     middle = laid.preview.rect().center() + QPoint(12, -30)
     qtbot.mouseDClick(laid.preview, Qt.MouseButton.LeftButton, pos=middle)
-    qtbot.waitUntil(lambda: len(laid.markers().at) == 41 and laid._marked is not None, timeout=20000)
+    qtbot.waitUntil(lambda: len(laid.markers().at) == 41 and laid._marked is not None)
     added = laid.markers().at[-1]
     assert isinstance(added, int)
     assert laid.view.chosen == f"vertex_{added}"
@@ -128,7 +128,7 @@ def test_a_photo_without_a_face_begins_with_markers_in_its_middle(booth, qtbot, 
     window = PhotographWindow(booth)
     window.show()
     window.open_photo(tmp_path / "wall.png")
-    qtbot.waitUntil(lambda: window._fit is not None, timeout=60000)
+    qtbot.waitUntil(lambda: window._fit is not None)
     px = window.markers().px
     assert np.abs(px.mean(axis=0) - (250, 300)).max() < 120
     assert 100 < np.ptp(px[:, 1]) < 500
@@ -141,13 +141,13 @@ def blobs(booth, qtbot):
     window = BlobsWindow(booth)
     window.resize(1100, 760)
     window.show()
-    qtbot.waitUntil(lambda: bool(window.blobs) and not window.busy and not window._stale, timeout=60000)
+    qtbot.waitUntil(lambda: bool(window.blobs) and not window.busy and not window._stale)
     yield window
     window.close()
 
 
 def laid_on(qtbot, window):
-    qtbot.waitUntil(lambda: not window.busy and not window._stale, timeout=60000)
+    qtbot.waitUntil(lambda: not window.busy and not window._stale)
 
 
 def test_a_radius_makes_the_body_stouter(blobs, qtbot):
@@ -166,7 +166,7 @@ def test_a_radius_makes_the_body_stouter(blobs, qtbot):
 
 def test_a_blob_is_dragged_in_the_picture(blobs, qtbot):
     shown = blobs.preview
-    qtbot.waitUntil(lambda: not shown.pixmap().isNull(), timeout=20000)
+    qtbot.waitUntil(lambda: not shown.pixmap().isNull())
     scene = shown.scene()
     row = next(number for number, blob in enumerate(blobs.blobs) if blob.name == "chest")
     camera = scene.orbit.camera(scene.clone, shown.width(), shown.height(), np.zeros(3))

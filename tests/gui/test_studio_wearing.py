@@ -50,7 +50,7 @@ def wearing(studio_window, eva):
 
 
 def on(qtbot, window, step):
-    qtbot.waitUntil(lambda: window.step == step and not window.busy, timeout=60000)
+    qtbot.waitUntil(lambda: window.step == step and not window.busy)
 
 
 def test_a_skirt_is_arranged_sewn_walked_in_and_saved(wearing, qtbot, monkeypatch, tmp_path):
@@ -80,7 +80,7 @@ def test_a_skirt_is_arranged_sewn_walked_in_and_saved(wearing, qtbot, monkeypatc
     on(qtbot, wearing, EXPORT)
     assert target.read_bytes()[:4] == b"glTF"
     assert wearing.written.isVisible()
-    qtbot.waitUntil(lambda: any(one.draped is not None for one in seen if hasattr(one, "draped")), timeout=10000)
+    qtbot.waitUntil(lambda: any(one.draped is not None for one in seen if hasattr(one, "draped")))
 
 
 def test_a_cape_is_worn_over_a_skirt(wearing, qtbot):
@@ -156,7 +156,7 @@ def test_a_bad_file_is_refused_in_one_sentence(wearing, qtbot, monkeypatch, tmp_
     wearing.garment.activated.emit(last)
     assert wearing.outfit().garment == str(path)
     press(qtbot, wearing.next_button)
-    qtbot.waitUntil(lambda: bool(wearing.notice.messages), timeout=20000)
+    qtbot.waitUntil(lambda: bool(wearing.notice.messages))
     assert "SVG" in wearing.notice.messages[0]
     on(qtbot, wearing, ARRANGE)
 
@@ -178,7 +178,7 @@ def test_a_clone_that_is_deleted_is_seen_no_longer(wearing, qtbot, eva, tmp_path
     gone = tmp_path / "gone"
     shutil.copytree(eva, gone)
     wearing.subject.choose(gone)
-    qtbot.waitUntil(lambda: wearing.preview._clone is not None, timeout=20000)
+    qtbot.waitUntil(lambda: wearing.preview._clone is not None)
     press(qtbot, wearing.next_button)
     on(qtbot, wearing, SEW)
     shutil.rmtree(gone)

@@ -33,7 +33,7 @@ def taken(event, qtbot, samples):  # noqa: F811
     event.visitor.form.name_field.setText("Anna Long")
     event.visitor.form.save()
     event.go(TAKEAWAY)
-    qtbot.waitUntil(lambda: event.takeaway.keepsakes.content() is not None, timeout=30000)
+    qtbot.waitUntil(lambda: event.takeaway.keepsakes.content() is not None)
     return event
 
 
@@ -139,23 +139,23 @@ def test_a_stick_is_found_by_itself_written_read_back_and_let_go(taken, qtbot, t
     assert "No stick" in row.note.text()
     install(tmp_path, monkeypatch, lsblk="exit 1")
     mounts.write_text("something odd")
-    qtbot.waitUntil(lambda: "does not tell" in row.note.text(), timeout=10000)
+    qtbot.waitUntil(lambda: "does not tell" in row.note.text())
     install(tmp_path, monkeypatch, lsblk=lsblk(stick))
     mounts.write_text("one more")
-    qtbot.waitUntil(lambda: row.copy_button.isVisible(), timeout=10000)
+    qtbot.waitUntil(lambda: row.copy_button.isVisible())
     assert row.copy_button.text().replace("&&", "+").replace("&", "") == "Copy to FAIR + CO"
     assert row.note.text() == "7.5 GB are free."
     qtbot.wait(50)
     letters = [letter_of(one.text()) for one in lettered_in(taken.takeaway) if one.isVisible()]
     assert len(letters) == len(set(letters)), "a stick that comes by itself takes nobody's letter"
     qtbot.mouseClick(row.copy_button, LEFT)
-    qtbot.waitUntil(lambda: not taken.takeaway.handing.busy, timeout=20000)
+    qtbot.waitUntil(lambda: not taken.takeaway.handing.busy)
     assert (stick / "visitor-001" / "clone.glb").is_file()
     assert "stick/visitor-001" in taken.takeaway.status.text()
     install(tmp_path, monkeypatch, lsblk="echo '{}'")
     qtbot.mouseClick(row.eject_button, LEFT)
-    qtbot.waitUntil(lambda: row.note.text() == "FAIR & CO can be pulled out.", timeout=10000)
-    qtbot.waitUntil(lambda: not row.busy and row.copy_button.isHidden(), timeout=10000)
+    qtbot.waitUntil(lambda: row.note.text() == "FAIR & CO can be pulled out.")
+    qtbot.waitUntil(lambda: not row.busy and row.copy_button.isHidden())
     assert log.read_text().splitlines()[0].startswith("unmount")
 
 
@@ -166,16 +166,16 @@ def test_copying_is_stopped_by_a_button_and_nothing_is_left(taken, qtbot, tmp_pa
     jobs.hold_copies = threading.Event()
     assert not page.stop_button.isVisible()
     qtbot.mouseClick(page.folder_button, LEFT)
-    qtbot.waitUntil(lambda: page.handing.step == "copy", timeout=10000)
+    qtbot.waitUntil(lambda: page.handing.step == "copy")
     assert page.stop_button.isVisible()
     qtbot.mouseClick(page.stop_button, LEFT)
-    qtbot.waitUntil(lambda: not page.handing.busy, timeout=60000)
+    qtbot.waitUntil(lambda: not page.handing.busy)
     assert page.status.text() == "Stopped: nothing of it was left there."
     assert list(stick.iterdir()) == []
     assert not taken.notice.isVisible(), "that was no error"
     jobs.hold_copies = None
     qtbot.mouseClick(page.folder_button, LEFT)
-    qtbot.waitUntil(lambda: not page.handing.busy, timeout=20000)
+    qtbot.waitUntil(lambda: not page.handing.busy)
     assert (stick / "visitor-001" / "clone.glb").is_file()
     assert "stick/visitor-001" in page.status.text()
     assert not page.stop_button.isVisible()
@@ -186,7 +186,7 @@ def test_where_sticks_cannot_be_found_it_is_said(taken, qtbot, tmp_path, monkeyp
     install(tmp_path, monkeypatch, lsblk="exit 1")
     row._known = None
     row.look()
-    qtbot.waitUntil(lambda: "does not tell" in row.note.text(), timeout=10000)
+    qtbot.waitUntil(lambda: "does not tell" in row.note.text())
     monkeypatch.setattr("cloner_gui.widgets.stick_row.MOUNTS", tmp_path / "none")
     row.look()
     assert "Linux only" in row.note.text()

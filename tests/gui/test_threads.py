@@ -69,7 +69,7 @@ def test_what_became_of_work_is_told_after_its_thread_ended(qtbot, error, told):
     getattr(task, told).connect(hear, Qt.ConnectionType.DirectConnection)
     task.finished.connect(lambda: heard.append("over"))
     task.start()
-    qtbot.waitUntil(lambda: len(heard) == 2, timeout=10000)
+    qtbot.waitUntil(lambda: len(heard) == 2)
     assert heard == [(True, True), "over"]
 
 
@@ -81,7 +81,7 @@ def test_work_goes_outside_its_own_signals(qtbot):
     task.destroyed.connect(lambda: gone.append(1))
     task.start()
     del task
-    qtbot.waitUntil(lambda: bool(gone), timeout=10000)
+    qtbot.waitUntil(lambda: bool(gone))
     assert inside == [0]
     stop_all_tasks()
 
@@ -99,6 +99,6 @@ def test_what_short_work_holds_goes_on_the_windows_thread(qtbot):
     owner = QObject()
     for number in range(200):
         newest().ask(owner, "held", Work(), lambda _: None, lambda _: None)
-        qtbot.waitUntil(lambda: newest().idle, timeout=10000)
-        qtbot.waitUntil(lambda number=number: len(went) == number + 1, timeout=10000)
+        qtbot.waitUntil(lambda: newest().idle)
+        qtbot.waitUntil(lambda number=number: len(went) == number + 1)
     assert set(went) == {threading.main_thread().name}

@@ -50,7 +50,7 @@ def test_sample_people_turn_until_a_visitor_may_be_seen(event, stage, qtbot):  #
     folder = begin(event, qtbot)
     with_result(folder, shown=True)
     stage.go_on()
-    qtbot.waitUntil(lambda: stage._shown == folder, timeout=20000)
+    qtbot.waitUntil(lambda: stage._shown == folder)
     assert not loop.active
     assert stage.middle.currentWidget() is stage.preview
     event.booth.forget(folder)
@@ -95,7 +95,7 @@ def test_the_gallery_tells_the_numbers_of_the_day_and_saves_them(event, qtbot, t
     keep_look(second, Look("a", None, (Trouble.BLURRED,)))
     gallery = GalleryWindow(event.booth, event)
     gallery.show()
-    qtbot.waitUntil(lambda: gallery.numbers_label.text() != "", timeout=10000)
+    qtbot.waitUntil(lambda: gallery.numbers_label.text() != "")
     told = gallery.numbers_label.text()
     assert "2 visitors, 2 clones" in told
     assert "3.0 minutes in the middle, 3.0 at most" in told
@@ -110,7 +110,7 @@ def test_the_gallery_tells_the_numbers_of_the_day_and_saves_them(event, qtbot, t
     gallery.list.setCurrentRow(1)
     gallery.list.item(1).setSelected(True)
     qtbot.mouseClick(gallery.trash_button, LEFT)
-    qtbot.waitUntil(lambda: "1 of them lie in the trash" in gallery.numbers_label.text(), timeout=10000)
+    qtbot.waitUntil(lambda: "1 of them lie in the trash" in gallery.numbers_label.text())
     assert "2 visitors, 2 clones" in gallery.numbers_label.text()
     assert "Refused: 1 × It is blurred." in gallery.numbers_label.text(), "what was refused was refused"
     gallery.close()
@@ -124,7 +124,7 @@ def day(event, stage, qtbot, monkeypatch):  # noqa: F811
     for folder, shown in zip(folders, (True, True, False), strict=True):
         with_result(folder, shown=shown)
     event.booth.visits_changed.emit()
-    qtbot.waitUntil(lambda: all((one / FILE).is_file() for one in folders[:2]), timeout=60000)
+    qtbot.waitUntil(lambda: all((one / FILE).is_file() for one in folders[:2]))
     return folders
 
 
@@ -133,7 +133,7 @@ def test_the_day_s_crowd_walks_by_and_who_is_forgotten_leaves_it_at_once(event, 
     assert not (unseen / FILE).exists(), "nobody is drawn who did not agree"
     stage._seen = 3  # clones have shown themselves one by one
     stage.go_on()
-    qtbot.waitUntil(lambda: stage.middle.currentWidget() is stage.parade, timeout=60000)
+    qtbot.waitUntil(lambda: stage.middle.currentWidget() is stage.parade)
     assert set(stage.parade.walkers) == {seen, gone}
     assert stage.who.text() == "Everybody of today"
     stage.parade._timer.stop()  # only the test moves them, however slow the machine is
@@ -160,4 +160,4 @@ def test_one_alone_is_no_crowd_and_a_new_clone_is_drawn_anew(event, stage, day, 
     drawn = (first / FILE).stat().st_mtime_ns
     os.utime(first / "clones" / first.name / "clone.npz")
     event.booth.visits_changed.emit()
-    qtbot.waitUntil(lambda: (first / FILE).stat().st_mtime_ns > drawn, timeout=60000)
+    qtbot.waitUntil(lambda: (first / FILE).stat().st_mtime_ns > drawn)

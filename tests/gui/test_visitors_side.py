@@ -42,7 +42,7 @@ def cloned(window, qtbot, samples):
     window.go(1)
     drop(window.photos, samples / "anna" / "plain" / f"{ViewId.BODY_FRONT}.jpg")
     settled(window, qtbot)
-    with qtbot.waitSignal(window.session.cloned, timeout=20000):
+    with qtbot.waitSignal(window.session.cloned):
         qtbot.mouseClick(window.next, LEFT)
     qtbot.waitUntil(lambda: not window.session.cloning)
     return folder
@@ -91,7 +91,7 @@ def test_the_screen_for_visitors_shows_who_agreed_and_forgets_who_goes(event, qt
     with_result(unseen, shown=False)
     stage = StageWindow(event.booth)  # it deletes itself when it is closed
     stage.show()
-    qtbot.waitUntil(lambda: stage._shown == seen, timeout=20000)
+    qtbot.waitUntil(lambda: stage._shown == seen)
     assert stage.who.text() == "1", "no name was given"
     stage.welcome(unseen)
     assert stage._shown == seen
@@ -143,7 +143,7 @@ def test_the_page_for_telephones_is_off_until_it_is_switched_on_and_takes_its_co
     assert page.code.isHidden()
     page.phone_box.click()
     assert event.phone.is_on
-    qtbot.waitUntil(lambda: page.code_note.text().startswith("http"), timeout=30000)
+    qtbot.waitUntil(lambda: page.code_note.text().startswith("http"))
     link = event.phone.link()
     assert page.code_note.text() == link
     assert not page.code.pixmap().isNull()
@@ -207,16 +207,16 @@ def test_from_a_new_visitor_to_the_take_away_in_a_few_clicks(event, jobs, qtbot,
     QApplication.instance().installEventFilter(counter)
     try:
         clicks = 0
-        with qtbot.waitSignal(event.booth.page_wanted, timeout=10000):
+        with qtbot.waitSignal(event.booth.page_wanted):
             qtbot.mouseClick(event.visitor.new_button, LEFT)
         clicks += 1
         qtbot.mouseClick(event.visitor.form.agree_button, LEFT)
         assert event.stack.currentWidget() is event.photos
         for view in (ViewId.BODY_FRONT, ViewId.FACE_FRONT):
             (camera / f"{view}.jpg").write_bytes((samples / "anna" / "plain" / f"{view}.jpg").read_bytes())
-        qtbot.waitUntil(lambda: len(event.session.photos.photos) == 2, timeout=20000)
+        qtbot.waitUntil(lambda: len(event.session.photos.photos) == 2)
         settled(event, qtbot)
-        with qtbot.waitSignal(event.session.cloned, timeout=20000):
+        with qtbot.waitSignal(event.session.cloned):
             qtbot.mouseClick(event.next, LEFT)
         qtbot.waitUntil(lambda: not event.session.cloning)
         qtbot.mouseClick(event.next, LEFT)

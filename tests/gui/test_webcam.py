@@ -54,7 +54,7 @@ def test_a_photo_is_taken_after_the_countdown_and_the_next_view_is_asked_for(cam
     dialog._timer.setInterval(10)
     qtbot.mouseClick(dialog.turn_button, Qt.MouseButton.LeftButton)
     qtbot.waitUntil(lambda: dialog.live.picture.shape == (160, 90, 3))
-    with qtbot.waitSignal(dialog.taken, timeout=60000) as taken:
+    with qtbot.waitSignal(dialog.taken) as taken:
         qtbot.mouseClick(dialog.take_button, Qt.MouseButton.LeftButton)
         assert dialog.live.count == "3"
     data, view = taken.args
@@ -91,10 +91,10 @@ def test_a_camera_s_photo_goes_whole_to_the_visitor(window, qtbot, samples, tmp_
     qtbot.waitUntil(lambda: dialog.live.picture is not None)
     assert dialog.live.picture.shape == (720, 480, 3)
     dialog._timer.setInterval(10)
-    with qtbot.waitSignal(dialog.taken, timeout=60000):
+    with qtbot.waitSignal(dialog.taken):
         dialog.take()
     dialog.close()
-    qtbot.waitUntil(lambda: window.session.photos.photos[ViewId.BODY_FRONT].digest != before, timeout=10000)
+    qtbot.waitUntil(lambda: window.session.photos.photos[ViewId.BODY_FRONT].digest != before)
     taken = window.session.photos.photos[ViewId.BODY_FRONT].rgb
     assert taken.shape == (1080, 720, 3)
     assert np.abs(taken.astype(int) - photo[..., ::-1]).mean() < 6.0, "colours and sides are the camera's"
