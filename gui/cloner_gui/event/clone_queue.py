@@ -96,8 +96,9 @@ class CloneQueue(QObject):
 
     def clone_at_once(self, many: int) -> None:
         """Clone so many visitors at the same time from now on."""
-        self._at_once = many
-        self._next()
+        if many != self._at_once:
+            self._at_once = many
+            self._next()
 
     def holds(self, folder: Path | None) -> bool:
         """Return whether a visitor waits or is cloned just now."""
