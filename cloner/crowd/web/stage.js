@@ -207,6 +207,8 @@ function levelGeometry(facts, body, level, instances) {
   const geometry = new THREE.InstancedBufferGeometry();
   const add = (name, values, parts) => geometry.setAttribute(name, new THREE.BufferAttribute(values, parts));
   add("which", which, 1);
+  geometry.setAttribute("position", geometry.attributes.which); // three draws no wires of what has no positions
+  geometry.boundingSphere = { center: new THREE.Vector3(), radius: 1 }; // nobody is left out by it: shaders place people
   add("uv", uv, 2);
   add("joints", joints, 4);
   add("weights", weights, 4);

@@ -115,7 +115,8 @@ def test_the_player_opens_from_the_disk_and_asks_nobody(pack: Path, tmp_path: Pa
         picture = page.picture().astype(int)[40:180]
         shirts = (picture[..., 2] > picture[..., 0] + 25) & (picture[..., 0] < 140)
         assert shirts.sum() > 40
-        page.value("crowd.set({debug: 1, place: [0, 30, 90], target: [0, 0, 0]})")
+        assert page.value("crowd.set({debug: 1, mode: 'levels'}), crowd.draw().draws") >= 3, "wires are drawn"
+        page.value("crowd.set({debug: 1, mode: 'hybrid', place: [0, 30, 90], target: [0, 0, 0]})")
         page.value("crowd.time(1)")
         green = page.picture().astype(int)[40:180]
         assert ((green[..., 1] > 150) & (green[..., 0] < 80)).sum() > 30  # impostors
