@@ -50,6 +50,7 @@ class Params:
     focal_35mm: float = _CALIBRATED.number("focal_35mm", "mm")
     face_m: float = _CALIBRATED.number("face_m", "m")
     drift: float = _CALIBRATED.number("drift", "factor")
+    own: float = _CALIBRATED.number("own", "factor")
     shoulder_m: float = _CALIBRATED.number("shoulder_m", "m")
     most_sigmas: float = _CALIBRATED.number("most_sigmas", "spreads")
     turns: int = 4
@@ -79,9 +80,10 @@ def _model(generic: GenericHuman, params: Params) -> tuple[Array, Array, Array, 
     shoulders = [generic.joint("l_shoulder"), generic.joint("r_shoulder")]
     corners = generic.shape_basis[: params.shapes, net.places.corners].astype(np.float64)
     modes = load_head_modes()
-    heads = np.zeros((1 + len(modes.basis_m), *generic.vertices_m.shape))
-    heads[:, generic.head_vertices] = np.concatenate([modes.mean_m[None], modes.basis_m])
-    own = np.einsum("nk,cnka->cna", net.places.weights, heads[:, net.places.corners])
+    row = np.zeros(len(generic.vertices_m), np.intp)
+    row[generic.head_vertices] = np.arange(len(generic.head_vertices))
+    heads = np.concatenate([modes.mean_m[None], params.own * modes.basis_m])[:, row[net.places.corners]]
+    own = np.einsum("nk,cnka->cna", net.places.weights, heads)
     face = net.places.at(generic.vertices_m.astype(np.float64)) + own[0]
     mean = np.vstack([face, generic.joints_m[shoulders]])
     moves = np.einsum("nk,cnka->cna", net.places.weights, corners)
