@@ -14,7 +14,9 @@ import pytest
 from cloner.exporters.gltf import meshopt
 
 MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node"))
-pytestmark = pytest.mark.skipif(shutil.which("node") is None or not MODULES.is_dir(), reason="needs node and three")
+pytestmark = pytest.mark.skipif(
+    shutil.which("node") is None or not (MODULES / "node_modules" / "three").is_dir(), reason="needs node and three"
+)
 
 DECODE = """
 import { pathToFileURL } from "node:url";

@@ -259,7 +259,7 @@ def test_a_failed_clone_is_told_in_the_quiet_bar(window, jobs, qtbot, folder, er
     qtbot.mouseClick(window.notice.close_button, Qt.MouseButton.LeftButton)
     assert not window.notice.isVisible()
     assert text in window.clone.warnings.text(), "who comes back to the visitor later still learns why"
-    assert text in window.visitor.list.item(0).toolTip()
+    qtbot.waitUntil(lambda: text in window.visitor.list.item(0).toolTip())
     jobs.error = None
     with qtbot.waitSignal(window.session.cloned):
         window.session.clone()
