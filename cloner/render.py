@@ -69,9 +69,16 @@ def render_mask(clone: Clone, camera: Camera, rotations: Array | None = None) ->
 
 def render_rgba(clone: Clone, camera: Camera, rotations: Array | None = None, *, shading: Shading = "photo") -> Image:
     """Return the (H, W, 4) uint8 cut-out of a clone, alpha not multiplied in."""
-    layers = clone_layers(clone, rotations)
-    alpha = coverage(layers, camera)[..., None]
-    colour = draw(layers, camera, shading=shading, background=(0, 0, 0)) / np.maximum(alpha, 1e-3)
+    return cut_out(clone_layers(clone, rotations), camera, shading=shading)
+
+
+def cut_out(
+    layers: Sequence[Layer], camera: Camera, *, shading: Shading = "photo", supersample: int = SUPERSAMPLE
+) -> Image:
+    """Return the (H, W, 4) uint8 picture of meshes seen through beside them, alpha not multiplied in."""
+    alpha = coverage(layers, camera, supersample=supersample)[..., None]
+    dark = draw(layers, camera, shading=shading, background=(0, 0, 0), supersample=supersample)
+    colour = dark / np.maximum(alpha, 1e-3)
     return np.concatenate([np.clip(colour, 0, 255), 255 * alpha], axis=2).round().astype(np.uint8)
 
 

@@ -90,7 +90,7 @@ def _model(generic: GenericHuman, params: Params) -> tuple[Array, Array, Array, 
     basis = np.concatenate([moves, generic.joint_basis[: params.shapes, shoulders]], axis=1)
     sigma = np.append(np.hypot(net.alone_m, params.face_m), [params.shoulder_m] * 2)
     drift = np.concatenate([net.drift_m * (params.drift, -params.drift), own[1:, :, :2]])
-    drift = np.concatenate([drift, np.zeros((len(drift), 2, 2))], axis=1)
+    drift = np.pad(drift, ((0, 0), (0, 2), (0, 0)))  # shoulders have neither
     return mean, basis, drift, sigma
 
 

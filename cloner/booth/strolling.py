@@ -66,7 +66,7 @@ def _strip(clone: Clone, progress: Progress) -> tuple[NDArray[np.uint8], dict[st
     from cloner.geometry.cameras.viewpoints import framing_camera
     from cloner.motion.limbs.body import body_of
     from cloner.motion.moves.gait import walk
-    from cloner.render import draw
+    from cloner.render import cut_out
 
     motion = walk(body_of(clone))
     frames = np.linspace(0, len(motion.times_s) - 1, FRAMES, endpoint=False).round().astype(int)
@@ -76,12 +76,7 @@ def _strip(clone: Clone, progress: Progress) -> tuple[NDArray[np.uint8], dict[st
     sides = []
     for number, layers in enumerate(posed):
         progress("previews", number / FRAMES)
-        dark, bright = (
-            draw(layers, camera, background=(grey, grey, grey), supersample=2).astype(int) for grey in (0, 255)
-        )
-        seen = 255 - np.clip((bright - dark).mean(axis=2), 0, 255)  # how much of the background is covered
-        colour = np.where(seen[..., None] > 0, dark * 255 / np.maximum(seen, 1)[..., None], 0)
-        sides.append(np.dstack([np.clip(colour, 0, 255), seen]).round().astype(np.uint8))
+        sides.append(cut_out(layers, camera, supersample=2))
     below = np.array([[0.0, points[:, 1].min(), 0.0]])
     facts = {
         PACE: motion.speed_m_s * float(np.sin(np.radians(AZIMUTH_DEG))),

@@ -180,9 +180,10 @@ def hides_its_side(proposal: Proposal, photo: Photo) -> bool:
     Bare shoulders below a fall of hair are taken for a face at times, so a little face is none unless the face net sees
     one from the front.
     """
-    faceless = not shows(proposal.labels, Label.FACE_SKIN).any()
-    little = belief_in_pose(proposal) < 1.0 and _front_face_odds(photo) == 0.0
-    return (faceless or little) and not _shows_whole_body(proposal) and side_face_odds(proposal, photo) < 0.0
+    little = belief_in_pose(proposal) < 1.0
+    if not little or _shows_whole_body(proposal) or side_face_odds(proposal, photo) >= 0.0:
+        return False
+    return not shows(proposal.labels, Label.FACE_SKIN).any() or _front_face_odds(photo) == 0.0
 
 
 def profile_odds(proposal: Proposal) -> float:

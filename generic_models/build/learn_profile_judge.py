@@ -18,15 +18,13 @@ from archives import save
 from numpy.typing import NDArray
 
 from cloner.detectors.face.face_net import load_face_net
-from cloner.detectors.face.face_side import lay_anywhere, lay_near, pose_hints, told_by
-from cloner.detectors.face.profile import outline
+from cloner.detectors.face.face_side import lay_anywhere, lay_near, pose_hints, told_by, whole_outline
 from cloner.detectors.face.profile_fit import named_px
 from cloner.detectors.face.profile_judge import COST, features
 from cloner.errors import ClonerError
 from cloner.evaluate.truths.kit import kit_people, read_kit
 from cloner.evaluate.truths.truth import TruthView
 from cloner.frames import ViewId, mm_from_m
-from cloner.geometry.outlines.contour_match import contour_normals
 from cloner.project.folder import load_photo
 from cloner.records.points import Proposal
 from cloner.stages.proposals import propose
@@ -63,12 +61,10 @@ class Examples:
 def examples(proposal: Proposal, truth: TruthView) -> Examples | None:
     """Return all profiles that the search lays on a photo's outline, None where it lays none."""
     model, hints = load_face_net().profile, pose_hints(proposal)
-    ring = outline(proposal.mask)
-    if len(ring) < 50:
+    full = whole_outline(proposal.mask)
+    if full is None:
         return None
-    full = np.hstack([ring, contour_normals(ring)])
-    laid = [] if hints is None else [(hints.facing, one) for one in lay_near(proposal.mask, full, model, hints)]
-    laid += [(facing, one) for facing in (1, -1) for one in lay_anywhere(proposal.mask, full, model, facing)]
+    laid = lay_near(proposal.mask, full, model, hints) + lay_anywhere(proposal.mask, full, model)
     if not laid:
         return None
     rows = [model.names.index(name) for name in MARKS]

@@ -3,20 +3,15 @@
 from __future__ import annotations
 
 import json
-import os
-import shutil
 import subprocess
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from cloner.exporters.gltf import meshopt
+from kit.readers import HAS_DECODER, NODE
 
-MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node"))
-pytestmark = pytest.mark.skipif(
-    shutil.which("node") is None or not (MODULES / "node_modules" / "three").is_dir(), reason="needs node and three"
-)
+pytestmark = pytest.mark.skipif(not HAS_DECODER, reason="needs node and three")
 
 DECODE = """
 import { pathToFileURL } from "node:url";
@@ -30,7 +25,7 @@ console.log(JSON.stringify(Array.from(out)));
 
 
 def decoded(packed: bytes, count: int, stride: int, mode: str) -> np.ndarray:
-    decoder = MODULES / "node_modules/three/examples/jsm/libs/meshopt_decoder.module.js"
+    decoder = NODE / "three/examples/jsm/libs/meshopt_decoder.module.js"
     command = ["node", "--input-type=module", "-e", DECODE, decoder, str(count), str(stride), mode, packed.hex()]
     done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=60)
     return np.array(json.loads(done.stdout), np.uint8)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import json
-import os
 import re
 import shutil
 import subprocess
@@ -35,13 +34,11 @@ from cloner.motion.moves.gait import idle, walk
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
 from kit.clones import toy_clone
+from kit.readers import HAS_DECODER, MODULES
 
 VALIDATOR = Path(__file__).with_name("validate_gltf.mjs")
-MODULES = Path(os.environ.get("CLONER_NODE_MODULES", "/tmp/cloner-node"))
 UNPACK = Path(__file__).with_name("unpack_glb.mjs")
-THREE = pytest.mark.skipif(
-    shutil.which("node") is None or not (MODULES / "node_modules" / "three").is_dir(), reason="needs node and three"
-)
+THREE = pytest.mark.skipif(not HAS_DECODER, reason="needs node and three")
 GENERIC = load_generic()
 KINDS = {5120: np.int8, 5121: np.uint8, 5122: np.int16, 5123: np.uint16, 5125: np.uint32, 5126: np.float32}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
@@ -57,7 +54,7 @@ def folder(clone, tmp_path_factory) -> Path:
     made = tmp_path_factory.mktemp("variants")
     for exporter in (gltf_small, mixamo, vrml_flat):
         exporter.export(clone, made)
-    if shutil.which("node") and (MODULES / "node_modules" / "three").is_dir():
+    if HAS_DECODER:
         files = [made / "clone_small.glb", made / "clone_small_unpacked.glb"]
         subprocess.run(["node", UNPACK, MODULES, *files], check=True, timeout=120)
     return made

@@ -19,7 +19,7 @@ from cloner_gui.pages.gallery import GalleryWindow
 from cloner_gui.pages.settings import SettingsWindow
 from kit.stand_ins import drop
 
-from .test_flow import begin, event, settled  # noqa: F401  (event is a fixture)
+from .test_flow import asked, begin, event, settled  # noqa: F401  (event is a fixture)
 
 pytestmark = pytest.mark.gui
 LEFT = Qt.MouseButton.LeftButton
@@ -89,12 +89,7 @@ def test_as_many_are_cloned_at_the_same_time_as_the_settings_say(event, jobs, qt
     dialog.accept()
     assert json.loads((event.booth.root / "event.json").read_text())["at_once"] == 2
     jobs.wait_for_cancel = True
-    folders = []
-    for _ in range(3):
-        folders.append(begin(event, qtbot))
-        drop(event.photos, samples / "anna" / "plain" / "body_front.jpg")
-        settled(event, qtbot)
-        event.session.clone()
+    folders = asked(event, qtbot, samples, 3)
     qtbot.waitUntil(lambda: len(jobs.seen) == 2)
     assert [folder for folder, _ in jobs.seen] == folders[:2]
     assert event.session.queue.size() == 3

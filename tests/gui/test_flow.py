@@ -187,14 +187,20 @@ def test_clone_shows_progress_and_the_result(window, jobs, qtbot, folder):
     assert not window.queue_bar.isVisible()
 
 
-def test_one_visitor_is_cloned_while_the_next_is_photographed(event, jobs, qtbot, samples):
-    jobs.wait_for_cancel = True
+def asked(event, qtbot, samples, many):
+    """Begin visitors with a photo each and ask for their clones; return their folders."""
     folders = []
-    for _ in range(2):
+    for _ in range(many):
         folders.append(begin(event, qtbot))
         drop(event.photos, samples / "anna" / "plain" / "body_front.jpg")
         settled(event, qtbot)
         event.session.clone()
+    return folders
+
+
+def test_one_visitor_is_cloned_while_the_next_is_photographed(event, jobs, qtbot, samples):
+    jobs.wait_for_cancel = True
+    folders = asked(event, qtbot, samples, 2)
     assert jobs.started.wait(60)
     assert event.session.queue.at_work == folders[0]
     assert event.session.busy, "the second visitor waits"

@@ -21,7 +21,12 @@ _ALONE: Final = threading.Lock()
 def held(root: Path) -> tuple[Holding, ...]:
     """Return what is held of every visitor of an event: without a photo, in the trash and put aside as well."""
     folders = (*visitor_folders(root), *thrown_away(root), *_aside(root))
-    return tuple(holding_of(folder.name.removeprefix(ASIDE), folder, None) for folder in folders)
+    return tuple(_holding(folder) for folder in folders)
+
+
+def _holding(folder: Path) -> Holding:
+    """Return what is held of a visitor, put aside or not."""
+    return holding_of(folder.name.removeprefix(ASIDE), folder, None)
 
 
 def overdue(root: Path, days: int, now: datetime) -> tuple[Holding, ...]:
@@ -89,5 +94,5 @@ def forget_visitors(folders: Sequence[Path], root: Path | None) -> tuple[str, ..
     ClonerError
         If not everything can be deleted.
     """
-    held = [holding_of(folder.name.removeprefix(ASIDE), folder, None) for folder in folders]
-    return forget_all(held, root, None) if held else ()
+    gone = [_holding(folder) for folder in folders]
+    return forget_all(gone, root, None) if gone else ()

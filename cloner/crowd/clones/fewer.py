@@ -16,6 +16,8 @@ from numpy.typing import NDArray
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from cloner.geometry.meshes.triangles import edges_of, sides
+
 Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
@@ -90,7 +92,7 @@ def _quadrics(places: Array, faces: Whole) -> Array:
     surface = _planes(normals, a, area / 2.0)
     for k in range(3):
         np.add.at(out, faces[:, k], surface)
-    edges = np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]])
+    edges = sides(faces)
     _, back, times = np.unique(np.sort(edges, axis=1), axis=0, return_inverse=True, return_counts=True)
     open_ = np.flatnonzero(times[back.reshape(-1)] == 1)
     along = places[edges[open_, 1]] - places[edges[open_, 0]]
@@ -105,7 +107,7 @@ def _quadrics(places: Array, faces: Whole) -> Array:
 def _round(mesh: _Mesh, most: int, tried: int, cosine: float) -> int:
     """Collapse the cheapest pairs that do not touch one another; return how many."""
     places, faces = mesh.places, mesh.faces
-    edges = np.unique(np.sort(np.concatenate([faces[:, [0, 1]], faces[:, [1, 2]], faces[:, [2, 0]]]), axis=1), axis=0)
+    edges, _ = edges_of(faces)
     ways = np.concatenate([edges, edges[:, ::-1]])  # the first goes to the second
     to = np.column_stack([places[ways[:, 1]], np.ones(len(ways))])
     cost = np.einsum("ni,nij,nj->n", to, mesh.quadrics[ways[:, 0]] + mesh.quadrics[ways[:, 1]], to)

@@ -13,7 +13,7 @@ from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
 from cloner.detectors.face.profile import front_contour, outline
 from cloner.detectors.face.profile_fit import Laid, lay_all, named_px
-from cloner.detectors.face.profile_judge import face_share, features, load_judge
+from cloner.detectors.face.profile_judge import FACE_SHARE, features, load_judge
 from cloner.detectors.face.profile_search import ProfileModel
 from cloner.detectors.nets.results import POSE_NAMES
 from cloner.frames import mm_from_m
@@ -109,20 +109,20 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
 
     Where the pose net tells the nose is looked first; unless a profile is sure there, all fronts are tried, either way.
     """
-    ring = outline(proposal.mask)
-    if len(ring) < 50:
+    full = whole_outline(proposal.mask)
+    if full is None:
         return None
-    full = np.hstack([ring, contour_normals(ring)])
     hints = pose_hints(proposal)
-    found = [] if hints is None else [(hints.facing, laid) for laid in lay_near(proposal.mask, full, model, hints)]
-    doubts = [doubt_against(proposal, model, hints, *one) for one in found]
-    if not found or min(doubts)[0] > _DOUBTED:
-        more = [(facing, laid) for facing in (1, -1) for laid in lay_anywhere(proposal.mask, full, model, facing)]
-        found, doubts = found + more, doubts + [doubt_against(proposal, model, hints, *one) for one in more]
-    if not found:
+
+    def rate(found: list[tuple[int, Laid]]) -> list[tuple[tuple[float, float], int, Laid]]:
+        return [(doubt_against(proposal, model, hints, facing, laid), facing, laid) for facing, laid in found]
+
+    rated = rate(lay_near(proposal.mask, full, model, hints))
+    if not rated or min(doubt for doubt, *_ in rated)[0] > _DOUBTED:
+        rated += rate(lay_anywhere(proposal.mask, full, model))
+    if not rated:
         return None
-    best = min(range(len(found)), key=lambda one: doubts[one])
-    (facing, laid), (odds, lost_iod) = found[best], doubts[best]
+    (odds, lost_iod), facing, laid = min(rated, key=lambda one: one[0])
     points, spread_m = named_px(model, laid)
     # a mean distance in the plane is 1.25 times the spread along one axis
     error = 1.25 * spread_m / IOD_M + lost_iod / (1.0 + np.exp(-odds))
@@ -130,6 +130,12 @@ def find_side_face(proposal: Proposal, model: ProfileModel) -> SideFace | None:
     paired = ("eye", "pupil", "ala", "mouth", "ear")
     names = tuple(f"{name}_{side}" if name.startswith(paired) else name for name in model.names)
     return SideFace(facing, full, laid, names, points, error)
+
+
+def whole_outline(mask: NDArray[np.uint8]) -> Array | None:
+    """Return (N, 4) the outline of a person's probability (H, W) and its outward normals, px; None for a speck."""
+    ring = outline(mask)
+    return np.hstack([ring, contour_normals(ring)]) if len(ring) >= 50 else None
 
 
 def told_by(hints: Hints | None) -> tuple[int, Array] | None:
@@ -146,9 +152,10 @@ def doubt_against(
     """
     if not proposal.labels.any():
         return (laid.cost - WRONG) / _WRONG_TURN, WRONG_ERROR
-    if face_share(model, laid, proposal.labels) < _HIDDEN_SHARE:
+    seen = features(model, laid, facing, proposal.labels, told_by(hints))
+    if seen[FACE_SHARE] < _HIDDEN_SHARE:
         return _HIDDEN_ODDS, WRONG_ERROR
-    error_mm = load_judge().error_mm(features(model, laid, facing, proposal.labels, told_by(hints)))
+    error_mm = load_judge().error_mm(seen)
     lost_iod = min(error_mm / mm_from_m(IOD_M), WRONG_ERROR)
     return float(np.log(error_mm / _WRONG_MM)) / _WRONG_RATIO, lost_iod
 
@@ -172,8 +179,10 @@ def doubt_of(rgb: NDArray[np.uint8], model: ProfileModel, laid: Laid) -> float:
     return float(np.clip((_EDGE_SHARE - share) / (0.7 * _EDGE_SHARE), 0.0, 1.0))
 
 
-def lay_near(mask: NDArray[np.uint8], full: Array, model: ProfileModel, hints: Hints) -> list[Laid]:
-    """Return profiles laid on the outline (N, 4) near a hinted nose."""
+def lay_near(mask: NDArray[np.uint8], full: Array, model: ProfileModel, hints: Hints | None) -> list[tuple[int, Laid]]:
+    """Return profiles laid on the outline (N, 4) near a hinted nose, and which way they look; none without hints."""
+    if hints is None:
+        return []
     top = float(full[:, 1].min())
     front = front_contour(full, hints.facing, float(full[:, 1].max()) + 1.0)
     down = hints.mouth_px - hints.eye_px
@@ -186,20 +195,22 @@ def lay_near(mask: NDArray[np.uint8], full: Array, model: ProfileModel, hints: H
     near = front[np.abs(front[:, 1] - hints.nose_px[1]) < _NOSE_REACH_M * size]
     lean = float(np.arctan2(hints.facing * down[0], down[1])) - _LEAN
     step = max(1, int(_STEP_M * size))
-    return lay_all(mask, full, model, near[::step, :2], facing=hints.facing, size=size, lean=lean)
+    found = lay_all(mask, full, model, near[::step, :2], facing=hints.facing, size=size, lean=lean)
+    return [(hints.facing, laid) for laid in found]
 
 
-def lay_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel, facing: int) -> list[Laid]:
-    """Return profiles laid along the whole front of an outline (N, 4), by stretches of heights.
+def lay_anywhere(mask: NDArray[np.uint8], full: Array, model: ProfileModel) -> list[tuple[int, Laid]]:
+    """Return profiles laid along both fronts of an outline (N, 4), by stretches of heights, and which way they look.
 
     How far a nose lies below the head's top tells the head's size, so each stretch has a size of its own.
     """
     top, height = float(full[:, 1].min()), float(np.ptp(full[:, 1]))
-    front = front_contour(full, facing, float(full[:, 1].max()) + 1.0)
     out = []
-    for low, high in itertools.pairwise(_STRETCHES):
+    fronts = {facing: front_contour(full, facing, float(full[:, 1].max()) + 1.0) for facing in (1, -1)}
+    for (facing, front), (low, high) in itertools.product(fronts.items(), itertools.pairwise(_STRETCHES)):
         noses = front[(front[:, 1] > top + low * height) & (front[:, 1] <= top + high * height), :2]
         size = 0.5 * (low + high) * height / _TOP_OVER_NOSE_M
         step = max(1, round(2.0 * _STEP_M * size))
-        out += lay_all(mask, full, model, noses[::step], facing=facing, size=size, lean=0.0)
+        found = lay_all(mask, full, model, noses[::step], facing=facing, size=size, lean=0.0)
+        out += [(facing, laid) for laid in found]
     return out

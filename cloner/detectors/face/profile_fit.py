@@ -171,7 +171,7 @@ def lay_all(
     size, lean : float
         First guesses: px per metre, and the tilt in radians.
     """
-    if len(noses_px) == 0 or len(outline_px) < 50:
+    if len(noses_px) == 0:
         return []
     starts = search(mask, model, noses_px, facing, size, lean)
     return [lay(outline_px, model, start, weights, size) for start, weights in starts]

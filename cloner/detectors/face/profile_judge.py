@@ -19,12 +19,11 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.profile_fit import Laid
 from cloner.detectors.face.profile_search import ProfileModel, normals_of
+from cloner.records.arrays import Array
 from cloner.records.labels import FACE, Label, labels_at, shows
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.profile_judge")
-
-Array = NDArray[np.float64]
 
 #: Where labels are read, metres forward of the nose tip and over it: from behind the ear to before the nose, from the
 #: throat to the hair over the forehead.
@@ -42,8 +41,8 @@ INSIDE_M: Final = _CALIBRATED.number("inside_m", "m")
 #: Places of nose, eye and mouth of the pose net against the nose tip, metres (the mean profile's own).
 _USUAL_M: Final = np.array([(0.0, 0.0), _CALIBRATED.pair("eye_m", "m"), _CALIBRATED.pair("mouth_m", "m")])
 _EYE_TO_MOUTH_M: Final = float(np.linalg.norm(_USUAL_M[1] - _USUAL_M[2]))
-#: Where the outline's cost stands among the features.
-COST: Final = -5
+#: Where the share of face behind the outline, and the outline's cost, stand among the features.
+FACE_SHARE, COST = -7, -5
 #: Farther off than this the pose net's places tell no more, metres and logarithm of the size.
 _FAR_M: Final = _CALIBRATED.number("far_m", "m")
 _FAR_SIZE: Final = 1.0
@@ -94,7 +93,7 @@ def features(
     told : (int, (3, 2) float64) or None
         Which way the head looks by the pose net, and where it has nose, eye and mouth, px.
     """
-    tip = model.shape(np.zeros(len(laid.weights)))[model.samples + model.names.index("nose_tip")]
+    tip = model.mean[model.samples + model.names.index("nose_tip")]
     linear, shift = laid.px_from_m[:, :2], laid.px_from_m[:, 2]
     grid = np.stack(np.meshgrid(FORWARD_M, UP_M), axis=-1).reshape(-1, 2) + tip
     seen = _CLASS_OF[labels_at(labels, grid @ linear.T + shift)]

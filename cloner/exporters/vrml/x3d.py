@@ -35,6 +35,8 @@ from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
 Array = NDArray[np.float64]
+#: One of the face's targets, the vertices (K,) that it moves and by how much (K, 3), metres.
+Moved = tuple[str, NDArray[np.int64], NDArray[np.float32]]
 
 
 def export(clone: Clone, folder: Path, *, name: str = "clone", moves: Moves = own_motions) -> tuple[Path, ...]:
@@ -72,7 +74,8 @@ def _document(clone: Clone, name: str, motions: Sequence[Motion]) -> Iterator[st
     yield f'<Coordinate DEF="skin_coord" containerField="skinCoord" point="{_rows([m.vertices_m for m in meshes])}"/>\n'
     yield f'<Normal DEF="skin_normal" containerField="skinNormal" vector="{_rows([m.normals for m in meshes])}"/>\n'
     root = int(np.flatnonzero(generic.joint_parents < 0)[0])
-    yield from _joint(clone, generic, root, meshes, joints, limits_of(clone))
+    moved = tuple(_moved(clone, meshes))
+    yield from _joint(clone, generic, root, meshes, joints, limits_of(clone), moved)
     start = 0
     for number, mesh in enumerate(meshes):
         yield from _shape(mesh, start, meshes if number == 0 else ())
@@ -82,7 +85,7 @@ def _document(clone: Clone, name: str, motions: Sequence[Motion]) -> Iterator[st
                 for joint in generic.joint_names)  # fmt: skip
     yield from (f'<HAnimSite USE="hanim_{name_2(site.name)}" containerField="sites"/>\n' for site in standard_sites())
     yield "</HAnimHumanoid>\n</Group>\n"
-    yield from motions_text(motions, joints, [name for name, _, _ in _moved(clone, meshes)])
+    yield from motions_text(motions, joints, [target for target, _, _ in moved])
     yield "</Scene>\n</X3D>\n"
 
 
@@ -103,6 +106,7 @@ def _joint(
     meshes: tuple[SkinMesh, ...],
     names: tuple[str, ...],
     limits: Mapping[str, Limits],
+    moved: Sequence[Moved],
 ) -> Iterator[str]:
     """Yield a joint with its share of the skin, its segment and sites, its displacers and every joint below it."""
     index, weight = _skin_of(joint, meshes)
@@ -121,9 +125,9 @@ def _joint(
             yield f'<HAnimSite DEF="hanim_{name}" name="{name}" translation="{place}"/>\n'
     yield "</HAnimSegment>\n"
     if generic.joint_names[joint] == "skullbase":
-        yield from _displacers(clone, meshes)
+        yield from _displacers(moved)
     for child in np.flatnonzero(generic.joint_parents == joint):
-        yield from _joint(clone, generic, int(child), meshes, names, limits)
+        yield from _joint(clone, generic, int(child), meshes, names, limits, moved)
     yield "</HAnimJoint>\n"
 
 
@@ -146,18 +150,17 @@ def _skin_of(joint: int, meshes: tuple[SkinMesh, ...]) -> tuple[NDArray[np.int64
     return np.concatenate(indices), np.concatenate(weights).astype(np.float64)
 
 
-def _moved(clone: Clone, meshes: tuple[SkinMesh, ...]) -> Iterator[tuple[str, NDArray[np.int64], NDArray[np.float32]]]:
+def _moved(clone: Clone, meshes: tuple[SkinMesh, ...]) -> Iterator[Moved]:
     """Yield the face's targets that move anything, the vertices they move and by how much, metres."""
-    for target, moved, own in moved_wedges(clone, np.concatenate([mesh.vertex for mesh in meshes]), SMALLEST_OFFSET_M):
-        if len(moved):
-            yield target, moved, own
+    vertex = np.concatenate([mesh.vertex for mesh in meshes])
+    return (one for one in moved_wedges(clone, vertex, SMALLEST_OFFSET_M) if len(one[1]))
 
 
-def _displacers(clone: Clone, meshes: tuple[SkinMesh, ...]) -> Iterator[str]:
-    for target, moved, own in _moved(clone, meshes):
+def _displacers(moved: Sequence[Moved]) -> Iterator[str]:
+    for target, rows, own in moved:
         yield (
             f'<HAnimDisplacer DEF="face_{identifier(target)}" name="{target}" containerField="displacers" '
-            f'coordIndex="{_integers(moved)}" displacements="{_rows([own.astype(np.float64)])}"/>\n'
+            f'coordIndex="{_integers(rows)}" displacements="{_rows([own.astype(np.float64)])}"/>\n'
         )
 
 

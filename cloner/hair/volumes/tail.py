@@ -80,13 +80,14 @@ def find_tail(views: list[HairView], cap_m: Array, triangles: NDArray[np.int32],
     middle_m : float
         x of the head's middle, used where no back photo tells.
     """
+    behind = any(view.posed.view is ViewId.BODY_BACK for view in views)
     for wanted in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
         for view in views:
             if view.posed.view is not wanted or view.flip_m is not None:
                 continue
             head = covered(view, cap_m, triangles)
             free = free_hair(view, head, cap_m)
-            if not any(each.posed.view is ViewId.BODY_BACK for each in views):
+            if not behind:
                 free = free & hangs_clear(view, free, head, cap_m)
             course = tail_course(views, view, free, cap_m.mean(axis=0), middle_m) if free.any() else None
             if course is not None:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
-from cloner.motion.limbs.tails import SHORTEST_M, Tail
+from cloner.motion.limbs.tails import SHORTEST_M, Tail, of_shells, passed_on
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 
@@ -28,12 +28,7 @@ RADIUS_M: Final = 0.012
 
 def hems(clone: Clone) -> tuple[Tail, ...]:
     """Return the chains of a clone's loose cloth, each hanging on the leg beside it; none where it ends too high."""
-    return tuple(
-        chain
-        for number, shell in enumerate(clone.shells)
-        if shell.kind == "cloth"
-        for chain in _chains(clone, shell, number)
-    )
+    return of_shells(clone, "cloth", _chains)
 
 
 def _chains(clone: Clone, shell: Shell, number: int) -> list[Tail]:
@@ -68,9 +63,4 @@ def _course(points_m: Array, top_m: float, bones: int) -> Array:
 
 def _along(heights_m: Array, ends_m: Array) -> Array:
     """Return (N, B) shares of a chain's bones: none at its start, then each passes on to the next along its length."""
-    place = np.interp(-heights_m, -ends_m, np.arange(len(ends_m), dtype=np.float64))
-    middles = np.arange(len(ends_m) - 1) + 0.5
-    found = np.clip(1.0 - np.abs(place[:, None] - middles), 0.0, 1.0)
-    found[:, 0] = np.clip(np.minimum(2.0 * place, 1.5 - place), 0.0, 1.0)
-    found[:, -1] = np.where(place > middles[-1], 1.0, found[:, -1])
-    return np.asarray(found)
+    return passed_on(np.interp(-heights_m, -ends_m, np.arange(len(ends_m), dtype=np.float64)), len(ends_m) - 1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
@@ -60,12 +61,13 @@ class Tail:
 
 def tails(clone: Clone) -> tuple[Tail, ...]:
     """Return the tails of a clone; none where hair is short or hangs loose."""
-    return tuple(
-        tail
-        for number, shell in enumerate(clone.shells)
-        if shell.kind == "hair"
-        for tail in _tails(clone, shell, number)
-    )
+    return of_shells(clone, "hair", _tails)
+
+
+def of_shells(clone: Clone, kind: str, find: Callable[[Clone, Shell, int], list[Tail]]) -> tuple[Tail, ...]:
+    """Return what a search finds on a clone's shells of one kind; it takes the clone, the shell and its place."""
+    shells = [(number, shell) for number, shell in enumerate(clone.shells) if shell.kind == kind]
+    return tuple(tail for number, shell in shells for tail in find(clone, shell, number))
 
 
 def _tails(clone: Clone, shell: Shell, number: int) -> list[Tail]:
@@ -143,8 +145,12 @@ def _shares(points_m: Array, ends_m: Array) -> Array:
     share = np.clip(share, 0.0, 1.0)
     away = np.linalg.norm(points_m[:, None] - first - share[..., None] * way, axis=2)
     nearest = away.argmin(axis=1)
-    place = nearest + share[np.arange(len(points_m)), nearest]  # in bones from the start
-    middles = np.arange(len(way)) + 0.5
+    return passed_on(nearest + share[np.arange(len(points_m)), nearest], len(way))
+
+
+def passed_on(place: Array, bones: int) -> Array:
+    """Return (N, B) shares of a chain's bones at places (N,), in bones from its start: 1 at middles, less between."""
+    middles = np.arange(bones) + 0.5
     found = np.clip(1.0 - np.abs(place[:, None] - middles), 0.0, 1.0)
     found[:, 0] = np.clip(np.minimum(2.0 * place, 1.5 - place), 0.0, 1.0)
     found[:, -1] = np.where(place > middles[-1], 1.0, found[:, -1])

@@ -152,9 +152,10 @@ class Ovens:
     def call(self, method: str, *arguments: object, progress: Progress, show: Show = not_shown) -> Any:
         """Do a job in a process that has none; see `Worker.call`."""
         with self._lock:
-            worker = self._free.pop() if self._free else Worker()
-            if worker not in self._all:
-                self._all.append(worker)
+            if not self._free:
+                self._free.append(Worker())
+                self._all += self._free
+            worker = self._free.pop()
         try:
             return worker.call(method, *arguments, progress=progress, show=show)
         finally:

@@ -27,6 +27,8 @@ SIZE = (420, 640)
 #: How far into its second the walk is, seconds.
 AT_S = 0.1
 
+#: The decoder of packed files that three.js ships, for node alone.
+HAS_DECODER = shutil.which("node") is not None and (NODE / "three").is_dir()
 HAS_THREE = CHROMIUM is not None and all((NODE / name).is_dir() for name in ("three", "@pixiv/three-vrm", "esbuild"))
 HAS_X_ITE = CHROMIUM is not None and X_ITE.is_dir()
 #: A Python that has Blender as a module (bpy from the package index), in stead of the program.
