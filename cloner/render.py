@@ -17,6 +17,7 @@ from cloner.generic.gl_painter import Frame, Stage, new_context
 from cloner.generic.layers import Layer, clone_layers, whitened
 from cloner.generic.painter import mean_of_samples, paint
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
 
@@ -27,7 +28,6 @@ __all__ = [
 
 log = logging.getLogger(__name__)
 
-Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 Shading = Literal["photo", "soft", "wire"]
 

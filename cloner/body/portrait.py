@@ -13,19 +13,17 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.generic.load import GenericHuman
 from cloner.head.modes import load_head_modes
+from cloner.records.arrays import Array
 from cloner.records.points import Proposal, Proposals
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.portrait")
-
-Array = NDArray[np.float64]
 
 # BlazePose's shoulders; Google's face mesh's outer eye corners
 _SHOULDERS: Final = (11, 12)

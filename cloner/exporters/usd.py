@@ -21,7 +21,6 @@ from pathlib import Path
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.exporters.gltf.gltf_motion import quaternions
@@ -36,10 +35,9 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import moved_wedges
 from cloner.motion.limbs.rig import centred
 from cloner.motion.moves.own import Moves, own_motions
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: Bytes at whose multiples a USDZ's files begin (its specification).
 ALIGNMENT: Final = 64

@@ -17,12 +17,11 @@ from scipy.spatial import cKDTree
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.load import GenericHuman
+from cloner.records.arrays import Array
 from cloner.records.points import ViewPoints, expected_face_error
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.ears")
-
-Array = NDArray[np.float64]
 
 ALIKE: Final = _CALIBRATED.numbers("alike", "m, rad")
 APART: Final = _CALIBRATED.numbers("apart", "m, rad")

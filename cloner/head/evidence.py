@@ -18,6 +18,7 @@ from cloner.head.flank import Flank
 from cloner.head.inside import Together, read_inside_front
 from cloner.head.model import Model
 from cloner.head.outline import Outline, read_outline
+from cloner.records.arrays import Array
 from cloner.records.labels import Label, labels_at
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import FacePoints, Proposals, ViewPoints
@@ -26,8 +27,6 @@ from cloner.records.silhouettes import SilhouetteSet
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.evidence")
-
-Array = NDArray[np.float64]
 
 SKIN_DEPTH = _CALIBRATED.number("skin_depth", "share")
 #: Whose outline is the face's own; no beard's, no cap's, no lock's.

@@ -19,11 +19,11 @@ from cloner.head.inside import Together
 from cloner.head.jaw import FRONT, PHOTOS, RARITY, SIDE
 from cloner.head.model import Model
 from cloner.head.rim import HAIR_M, rim_evidence
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.fit")
-Array = NDArray[np.float64]
 #: Iterations of the joint fit; the profile's curve joins after the named points have found the pose.
 ITERATIONS, CURVE_FROM = 12, 4
 GATES_M = _CALIBRATED.pair("gates_m", "m")

@@ -21,12 +21,11 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.surface import SurfacePoints
 from cloner.geometry.meshes.triangles import areas
 from cloner.geometry.outlines.rims import vertex_normals
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.flank")
-
-Array = NDArray[np.float64]
 
 #: Places looked up, feature or FDP names of the person's left and right.
 PLACES: Final = (

@@ -17,13 +17,12 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.cascade import Found, Pose, load_cascades, sided
 from cloner.detectors.face.face_front_features import find_half
+from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal, ViewPoints
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.inside")
-
-Array = NDArray[np.float64]
 
 FEATURE: Final = "front_nose"
 HARDER: Final = _CALIBRATED.number("harder", "factor")

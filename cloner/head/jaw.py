@@ -9,17 +9,15 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.jaw")
-
-Array = NDArray[np.float64]
 
 JOINT: Final = "temporomandibular"
 #: The photos that have an opening each, in the order of the fit's unknowns.

@@ -15,11 +15,10 @@ from cloner.calibration.loader import calibrated
 from cloner.easing import smoothstep
 from cloner.generic.face_grids import Grid
 from cloner.geometry.meshes.eyeballs import BALL_M, CORNEA, Ball, cornea
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.lids")
-
-Array = NDArray[np.float64]
 
 #: Millimetres of the rings from the margin on, as metres.
 OVER_M = np.array(_CALIBRATED.numbers("over_mm", "mm")) / 1000.0

@@ -9,16 +9,14 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid, lips_apart
 from cloner.generic.lip_steps import SHARE
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.lips")
-
-Array = NDArray[np.float64]
 
 SEAL_SHARE = np.array(_CALIBRATED.triple("seal_share", "share"))
 PRESS_M = _CALIBRATED.number("press_m", "m")

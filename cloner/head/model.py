@@ -12,9 +12,8 @@ from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.meshes.surface import SurfacePoints
 from cloner.head.jaw import PHOTOS, USUAL_RAD, jaw_way
 from cloner.head.modes import HeadModes, load_head_modes
+from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, eq=False)

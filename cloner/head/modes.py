@@ -22,12 +22,11 @@ from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.alignment import similarity
 from cloner.head.ears import ear_fields
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.modes")
-
-Array = NDArray[np.float64]
 
 REACH_M = _CALIBRATED.number("reach_m", "m")
 BEND_M = _CALIBRATED.number("bend_m", "m")

@@ -11,12 +11,11 @@ from scipy.spatial import cKDTree
 
 from cloner.body.outlined import masked_field
 from cloner.calibration.loader import calibrated
+from cloner.records.arrays import Array
 from cloner.records.points import Proposal
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.outline")
-
-Array = NDArray[np.float64]
 
 BORDER: Final = _CALIBRATED.number("border", "share")
 #: Fewer samples are no outline.

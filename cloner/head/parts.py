@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
@@ -14,12 +13,11 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.alignment import similarity
 from cloner.geometry.meshes.eyeballs import BALL_M, Ball, ball_points
 from cloner.head import lids, lips, tongue
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.parts")
-
-Array = NDArray[np.float64]
 
 PUPIL_UP_M = _CALIBRATED.number("pupil_up_m", "m")
 IRIS_REACH_M = _CALIBRATED.number("iris_reach_m", "m")

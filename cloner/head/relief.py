@@ -17,9 +17,8 @@ from cloner.head.evidence import Front, Params, Side
 from cloner.head.fit import GATES_M, Fitted, net_errors, net_errors_m, outline_vertices, profile_candidates
 from cloner.head.jaw import FRONT, SIDE
 from cloner.head.model import Model
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
-
-Array = NDArray[np.float64]
 
 
 def _rows(weights: csr_matrix, model: Model, surface: SurfacePoints, movable: NDArray[np.bool_]) -> csr_matrix:

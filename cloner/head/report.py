@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.geometry.outlines.contour_match import match
@@ -11,10 +10,9 @@ from cloner.head.evidence import Front, Log, Side
 from cloner.head.fit import Fitted, outline_vertices, profile_candidates
 from cloner.head.jaw import FRONT, SIDE, opened
 from cloner.head.model import Model
+from cloner.records.arrays import Array
 from cloner.records.points import FacePoints, Proposals
 from cloner.records.results import Residual
-
-Array = NDArray[np.float64]
 
 #: Names that front and side photos both propose.
 SHARED = ("nasion", "nose_tip", "subnasale", "lip_top", "stomion", "lip_bottom")

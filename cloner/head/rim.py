@@ -25,12 +25,11 @@ from cloner.geometry.outlines.contour_match import farthest, turning_points
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.head.model import Model
 from cloner.head.outline import Outline
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.rim")
-
-Array = NDArray[np.float64]
 
 #: Numbers of the hair's thickness: everywhere, more on top, more behind, more at the sides; usual and spread, metres.
 HAIR_M: Final = tuple(

@@ -6,7 +6,6 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
@@ -17,14 +16,13 @@ from cloner.head.evidence import Front, Params
 from cloner.head.fit import Fitted
 from cloner.head.jaw import opened
 from cloner.head.model import Model
+from cloner.records.arrays import Array
 from cloner.records.bodies import Phenotype, PosedView
 from cloner.records.points import Proposals
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.size")
-
-Array = NDArray[np.float64]
 
 USUAL_M: Final = _CALIBRATED.triple("usual_m", "m")
 BY_STATURE: Final = _CALIBRATED.number("by_stature", "factor")

@@ -14,12 +14,11 @@ from cloner.calibration.loader import calibrated
 from cloner.generic.head_controls import HeadControls
 from cloner.geometry.deformation.dffd import deform
 from cloner.head.model import Model
+from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.skull")
-
-Array = NDArray[np.float64]
 
 HAIR_M = _CALIBRATED.number("hair_m", "m")
 EXPECTED = np.array(_CALIBRATED.triple("expected", "share"))

@@ -21,11 +21,11 @@ from cloner.geometry.meshes.alignment import similarity
 from cloner.geometry.meshes.eyeballs import Ball
 from cloner.geometry.meshes.local_maps import LocalMaps, local_maps
 from cloner.head import lids, lips, tongue
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.targets")
 
-Array = NDArray[np.float64]
 Targets = tuple[tuple[str, ...], NDArray[np.int32], NDArray[np.float32], NDArray[np.int32]]
 
 REACH_M = _CALIBRATED.number("reach_m", "m")

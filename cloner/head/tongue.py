@@ -9,17 +9,15 @@ import itertools
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import PchipInterpolator
 
 from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid
 from cloner.geometry.meshes.vectors import unit
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/head.toml``.
 _CALIBRATED: Final = calibrated("head.tongue")
-
-Array = NDArray[np.float64]
 
 TIP_M = _CALIBRATED.number("tip_m", "m")
 BLUNT = _CALIBRATED.number("blunt", "share")

@@ -11,7 +11,7 @@ import numpy as np
 
 from cloner import pipeline
 from cloner.bodies.made import clone_of_measures
-from cloner.booth.studio.values import Array, Figure, MarkedPhoto, Markers, Pixels, StatueWish
+from cloner.booth.studio.values import Figure, MarkedPhoto, Markers, Pixels, StatueWish
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -20,6 +20,7 @@ from cloner.picture import clone_file, clone_of
 from cloner.pipeline import Progress
 from cloner.project.corrections import no_corrections
 from cloner.project.folder import load_photo
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.photos import Photo, PhotoSet
 from cloner.stages.proposals import propose, settle_hidden

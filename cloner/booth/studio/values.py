@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
 Floats = NDArray[np.float32]
-Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 Rgb = tuple[float, float, float]
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from cloner.bodies.undressed import undressed_clone
 from cloner.bodies.written import sex_of
-from cloner.booth.studio.values import Arranged, Array, Draped, Outfit, Rgb
+from cloner.booth.studio.values import Arranged, Draped, Outfit, Rgb
 from cloner.booth.worker import Show, not_shown
 from cloner.cloth.drafting.pattern import Pattern, curve
 from cloner.cloth.dressing import Dressed, Dressing, Watch, fabric_named, motion_of, pattern_of
@@ -20,6 +20,7 @@ from cloner.cloth.written import clean_up, write_dressed
 from cloner.motion.limbs.rig import centred
 from cloner.picture import clone_file, clone_of
 from cloner.pipeline import Progress
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
 #: Places along an edge that is drawn.

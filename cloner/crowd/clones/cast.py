@@ -15,10 +15,10 @@ from cloner.crowd.clones.groups import GroupLook, looks_of, marks_of, smaller, t
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose, shell_levels
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.meshes.wedges import welded_normals
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 
-Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 
 ATLAS_PX: Final = 512  # taste: 330 texels a metre, a screen pixel at 2.6 m through a 50 degree lens of 720 lines

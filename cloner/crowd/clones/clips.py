@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.generic.load import load_generic
@@ -31,10 +30,9 @@ from cloner.motion.moves.gait import aim_limb, follow, idle, stands_at, upright,
 from cloner.motion.moves.planting import planted
 from cloner.motion.moves.slide import posed_at
 from cloner.motion.moves.styles import REGULAR, RUN, STYLES, Style
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: Frames of a walk that geometry shows; impostors take every third of them, or as ``--poses`` says.
 WALK_FRAMES: Final = 48

@@ -17,8 +17,8 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from cloner.geometry.meshes.triangles import edges_of, sides
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Whole = NDArray[np.int64]
 
 #: An open edge that moves counts as so many of its own squares of surface.

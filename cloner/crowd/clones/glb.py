@@ -24,10 +24,9 @@ from cloner.exporters.gltf.gltf_motion import animation
 from cloner.exporters.shared.bones import hanim_bones
 from cloner.exporters.shared.credits import CREDITS
 from cloner.exporters.shared.files import jpeg_bytes, png_bytes
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 JPEG_QUALITY: Final = 85  # taste: crowds are seen from some metres
 #: OpenGL's numbers, which glTF uses.

@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 from cloner.crowd.clones.fewer import fewer
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
+from cloner.records.arrays import Array
 from cloner.records.heads import Shell
 
 Index = NDArray[np.int32]
-Array = NDArray[np.float64]
 
 SURFACES: Final = ("body", "eyes")
 #: Triangles of the loose shells at each level; below 500 hair tears (measured).

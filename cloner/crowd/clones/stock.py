@@ -13,8 +13,7 @@ from cloner.crowd.clones.cast import Cast
 from cloner.crowd.clones.clips import Clip
 from cloner.crowd.clones.groups import WORN, skin_colours
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: All rest poses lie in this box: its corner and side, metres. 16 bits of it are .04 mm.
 BOX_MIN_M: Final = (-1.28, -0.1, -1.28)

@@ -25,8 +25,7 @@ from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.shared.credits import CREDITS
 from cloner.exporters.shared.files import jpeg_bytes
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: The finest level under 8,192 vertices with its hair: what readers of the layout take.
 LEVEL: Final = 1

@@ -22,8 +22,8 @@ from cloner.crowd.clones.levels import BodyLevels
 from cloner.crowd.clones.stock import BAKED_FROM_M, TEXELS_PER_M, Stock, middle_m
 from cloner.crowd.drawing.texels import SAMPLES, reduced
 from cloner.crowd.drawing.theatre import Theatre
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
 
 BAKED_LEVEL: Final = 0

@@ -10,12 +10,10 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.crowd.staged.eye import Eye
 from cloner.crowd.staged.rooms import CHEST_M, Probes, light_at
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Shares of red, green and blue in how bright a colour is (ITU-R BT.709).
 LUMA: Final = np.array([0.2126, 0.7152, 0.0722])

@@ -26,8 +26,7 @@ from cloner.crowd.clones.stock import BONE_FULL, BONE_REACH_M, BOX_MIN_M, BOX_ST
 from cloner.crowd.staged.scene import IDLE
 from cloner.easing import smoothstep
 from cloner.generic.load import load_generic
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Columns of a footing: seconds from, until; clip; frame of the idle that it is blended with, or -1 less the walk that
 #: it goes over from; first and last frame; shares of the clip there (the rest is the idle); where the body is at first,

@@ -14,7 +14,7 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 ROOM_FILE, LOOKS_FILE, LIGHT_FILE = "room.bin", "room_looks.webp", "room_light.webp"
 SUN_FILE: Final = "room_sun.webp"

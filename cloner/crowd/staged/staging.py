@@ -17,8 +17,8 @@ from PIL import Image, ImageDraw, ImageFont
 from cloner.crowd.staged.daylight import Hour
 from cloner.crowd.staged.footing import GONE, Acted, rows_at
 from cloner.easing import smoothstep
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Place = tuple[float, float, float]
 Keys = Sequence[Sequence[float]]
 

@@ -18,14 +18,13 @@ from cloner.detectors.face.profile_search import ProfileModel
 from cloner.detectors.nets.results import POSE_NAMES
 from cloner.frames import mm_from_m
 from cloner.geometry.outlines.contour_match import contour_normals
+from cloner.records.arrays import Array
 from cloner.records.points import Proposal
 from cloner.remembered import once_each
 from cloner.vision.contours.snake import look_along, normals, snake_picture
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.face_side")
-
-Array = NDArray[np.float64]
 
 VISIBLE: Final = _CALIBRATED.number("visible", "score")
 _TOP_OVER_NOSE_M: Final = _CALIBRATED.number("top_over_nose_m", "m")

@@ -16,11 +16,10 @@ from scipy.spatial import cKDTree
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.profile_search import ProfileModel, normals_of, search, size_of
+from cloner.records.arrays import Array
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.profile_fit")
-
-Array = NDArray[np.float64]
 
 _SIGMA_M: Final = _CALIBRATED.number("sigma_m", "m")
 _GATES_M: Final = _CALIBRATED.numbers("gates_m", "m")

@@ -16,14 +16,12 @@ from typing import Any, Final
 
 import numpy as np
 import pygltflib
-from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
 from cloner.motion.limbs.hems import hems
 from cloner.motion.limbs.tails import Tail, tails
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
-
-Array = NDArray[np.float64]
 
 EXTENSION: Final = "VRMC_springBone"
 

@@ -37,10 +37,9 @@ from cloner.geometry.meshes.wedges import welded_normals
 from cloner.motion.flesh.correctives import Driver, corrected, driven
 from cloner.motion.limbs.rig import centred
 from cloner.motion.moves.own import Moves, own_motions
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import SHELL_KINDS, Shell
-
-Array = NDArray[np.float64]
 
 _ROUGHNESS: Final = {"body": 0.85, "eyes": 0.15, "mouth": 0.45, "lashes": 0.9}  # taste; wet things shine
 _LOOSE: Final = 0.9  # roughness of hair and loose cloth; taste

@@ -8,7 +8,7 @@ import numpy as np
 import pygltflib
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 _COMPONENT: Final = {
     np.dtype(np.uint8): pygltflib.UNSIGNED_BYTE,

@@ -24,9 +24,9 @@ from cloner.generic.load import load_generic
 from cloner.generic.surfaces import Surface, load_surfaces
 from cloner.geometry.meshes.eyeballs import IRIS_M
 from cloner.geometry.meshes.vectors import unit
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 CORNEA_M: Final = 0.0077  # radius of the front of the cornea (Gullstrand, above)

@@ -26,10 +26,9 @@ from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.gltf.gltf_packed import pack
 from cloner.exporters.shared.files import write_bytes
 from cloner.motion.limbs.rig import centred
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
-
-Array = NDArray[np.float64]
 
 EXTENSION: Final = "KHR_mesh_quantization"
 WEBP: Final = "EXT_texture_webp"

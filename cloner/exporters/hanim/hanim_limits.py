@@ -23,16 +23,15 @@ from types import MappingProxyType
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from cloner.generic.load import load_generic
 from cloner.motion.flesh.rest import hanging_pose
 from cloner.motion.limbs.body import body_of
 from cloner.motion.limbs.twist import FOREARM_PART
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
-Array = NDArray[np.float64]
 _Span = tuple[float, float]
 _STILL: Final[_Span] = (0.0, 0.0)
 _TWIST: Final[_Span] = (-90.0 * FOREARM_PART, 90.0 * FOREARM_PART)  # pronation and supination, shared by two joints

@@ -24,9 +24,9 @@ from scipy.spatial import cKDTree
 from cloner.exporters.hanim.hanim_names import identifier
 from cloner.exporters.hanim.partition import dominant_joint
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.integer]
 
 #: How far from a ray skin may lie to be where it leaves the body, metres: half of a ring on the trunk.

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
 from cloner.motion.limbs import turns
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 

@@ -36,10 +36,9 @@ from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.motion.flesh.rest import in_hanging_pose
 from cloner.motion.limbs.rig import centred
 from cloner.motion.moves.own import Moves, own_motions
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: Pictures of the whole skin a second of a motion, and of one that hardly moves. Between two of them the straight ways
 #: of the skin leave its arcs by 1.2 mm on average and 13 mm at most, on a swinging foot (with 12: 3.5 and 40).

@@ -16,9 +16,9 @@ from cloner.generic.load import GenericHuman
 from cloner.generic.morphs import target_offsets
 from cloner.generic.surfaces import load_surfaces, surface_normals
 from cloner.geometry.meshes.wedges import welded_normals
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
-Array = NDArray[np.float64]
 Targets = list[tuple[str, NDArray[np.int32], Array]]
 
 #: Smaller offsets of a displacer are left out, metres; taste: keeps the text readable by old programs.

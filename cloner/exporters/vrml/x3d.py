@@ -31,10 +31,10 @@ from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.morphs import moved_wedges
 from cloner.motion.limbs.rig import centred
 from cloner.motion.moves.own import Moves, own_motions
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
-Array = NDArray[np.float64]
 #: One of the face's targets, the vertices (K,) that it moves and by how much (K, 3), metres.
 Moved = tuple[str, NDArray[np.int64], NDArray[np.float32]]
 

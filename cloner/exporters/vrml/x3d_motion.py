@@ -17,9 +17,8 @@ from numpy.typing import NDArray
 
 from cloner.exporters.hanim.hanim_names import identifier, node_name
 from cloner.exporters.vrml.vrml_motion import joint_turns
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: The sensor that is clicked on.
 TOUCH: Final = "touch"

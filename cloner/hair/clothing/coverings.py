@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId
 from cloner.hair.clothing.hoods import seen_scalp
 from cloner.hair.volumes.views import HairView, distances_px
+from cloner.records.arrays import Array
 from cloner.records.labels import Label, shows
 from cloner.records.photos import Photo
 from cloner.records.points import Proposals
 
-Array = NDArray[np.float64]
 Bools = NDArray[np.bool_]
 
 #: Something is worn where more than this of the scalp that all photos show is labelled so, and not as hair; and where

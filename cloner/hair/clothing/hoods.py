@@ -9,8 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.hair.volumes.views import HairView, cover, distances_px
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 HOOD = 0.5  # of the scalp that photos show clothed
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from cloner.frames import ViewId, m_from_mm
@@ -12,9 +11,8 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.charts.tubes import directions, hull_radii, ring_angles, tube_points
 from cloner.geometry.meshes.triangles import sides
 from cloner.hair.clothing.loose_views import LooseView
+from cloner.records.arrays import Array
 from cloner.records.clones import Joined
-
-Array = NDArray[np.float64]
 
 RINGS, COLUMNS = 44, 96  # of the mesh: counts, taste
 HULL_RINGS, HULL_COLUMNS, STEPS = 24, 48, 54  # the hull is smooth: found coarsely, then refined

@@ -13,11 +13,10 @@ from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.paint.lookups.posed import parents_of
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.loose import LooseRegion
-
-Array = NDArray[np.float64]
 
 LEG_SHARE = 0.92  # of the motion of cloth well below the hips that is the thigh's
 FIRST_LEG, LEG_RAMP = 0.2, 1.1  # legs begin this far above the hip joints, over this height; in distances between them

@@ -16,11 +16,10 @@ from scipy.ndimage import gaussian_filter1d, label
 
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.hair.volumes.views import HairView, distances_px
+from cloner.records.arrays import Array
 from cloner.records.labels import Label, labels_at
 from cloner.records.points import Proposals
 from cloner.vision.retouching.aligning import sample
-
-Array = NDArray[np.float64]
 
 STEP_M: Final = 0.0015  # of profiles: a pixel of a face photo
 REACH_M: Final = 0.15  # peaks are some 70 mm long, this is how far beyond the cap they are looked for

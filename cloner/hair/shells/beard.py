@@ -40,13 +40,13 @@ from cloner.hair.volumes.volume import (
     cap_mm,
     near_skin,
 )
+from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.labels import FACE, Label, shows
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 
-Array = NDArray[np.float64]
 Floats = NDArray[np.float32]
 
 #: A face photo with less of its face bearded shows a shadow (`cloner.labels.states.BEARD_SHARE` in the whole face).

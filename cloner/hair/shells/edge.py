@@ -13,8 +13,7 @@ from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.cap import VOTE_MM, hairline_mm
 from cloner.hair.volumes.views import HairView
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 FADE_MM = (-1.5, 2.0)  # taste: transparent this far outside the hairline, opaque this far inside
 SEEN_COSINE = 0.15  # surfaces turned farther away are seen too narrowly

@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.hair.volumes.views import HairView
+from cloner.records.arrays import Array
 from cloner.records.photos import Photo
 from cloner.vision.photographs.blending import push_pull
 
-Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 #: Beyond the outline shares are told ring by ring, mm; background is what lies farther out than all rings.

@@ -20,10 +20,9 @@ from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.frizz import Frizz
 from cloner.hair.volumes.cap import VOTE_MM, surface_mm
+from cloner.records.arrays import Array
 from cloner.records.heads import Shell
 from cloner.vision.photographs.blending import Image
-
-Array = NDArray[np.float64]
 
 #: Hairs on a card, and how thick a tuft of them is, mm; taste.
 TUFTS: Final = 10

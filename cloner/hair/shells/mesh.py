@@ -10,8 +10,7 @@ from skimage.measure import marching_cubes
 
 from cloner.hair.volumes.views import HairView
 from cloner.hair.volumes.volume import VOXEL_M
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 LOOK_PX = 4  # of the lowest hair, a margin is added
 HIDDEN_MM = 3.0  # this deep in the head nothing is seen

@@ -15,11 +15,11 @@ from cloner.geometry.charts.unwrapping import unwrap
 from cloner.hair.shells.edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge
 from cloner.hair.shells.shell_paint import ShellView, paint_shell
 from cloner.hair.volumes.views import HairView
+from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import NO_RIDES, Shell
 from cloner.records.photos import PhotoSet
 
-Array = NDArray[np.float64]
 Skinned = tuple[NDArray[np.int32], Array]
 
 CLAIM: Final = {  # taste: face photos have three times the pixels

@@ -18,6 +18,7 @@ from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.strands import grow_strands, roughness
 from cloner.paint.lookups.posed import parents_of
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.photos import Photo
@@ -25,8 +26,6 @@ from cloner.vision.photographs.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.evening import REFERENCE_HOLD, apply_light, common_balance, even_light, light_basis
 from cloner.vision.retouching.repair import own_pixels, repair_bleeding
-
-Array = NDArray[np.float64]
 
 SHARPNESS = 5  # weights are (claim x cosine)**5: mostly one photo a texel, so strands do not ghost
 LEVELS = 2  # charts are small islands: wide bands would make them differ along their borders

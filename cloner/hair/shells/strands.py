@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from cloner.easing import smoothstep
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import SurfaceGraph
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Picture = NDArray[np.float32]
 
 SEEN_CLAIM: Final = 0.15  # photos that claim less show stretched pixels

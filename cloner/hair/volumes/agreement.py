@@ -21,12 +21,11 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.hair.volumes.views import clean_hair, hairline
 from cloner.paint.lookups.prepared import person_mask
+from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh, PosedView
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.aligning import sample
-
-Array = NDArray[np.float64]
 
 #: Height of the reduced photo in which distances are told, px.
 PICTURE_HEIGHT = 900

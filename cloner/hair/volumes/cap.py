@@ -15,10 +15,9 @@ from cloner.geometry.meshes.graphs import SurfaceGraph, surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.tail import Tail
 from cloner.hair.volumes.views import MASK_SCALE, HairView, cover_cut
+from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.repair import signed_distance
-
-Array = NDArray[np.float64]
 
 VOTE_MM = 12.0  # farther from the hairline than this a photo is no surer
 VOTE_COSINE = 0.05  # surfaces turned farther away have no vote

@@ -9,12 +9,10 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.frames import m_from_mm
 from cloner.hair.volumes.views import HairView
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: A crown is where hair is so wide: a single lock is none, mm.
 CROWN_MM: Final = 40.0

@@ -8,9 +8,8 @@ from numpy.typing import NDArray
 from cloner.frames import ViewId, mm_from_m
 from cloner.hair.volumes.cap import FACE_PHOTO
 from cloner.hair.volumes.views import FAR_MM, HairView
+from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
-
-Array = NDArray[np.float64]
 
 ROUND_MM = 70.0  # half a head's width: thick hair between the sides that show it is as round as a head
 LONGER = 1.25  # anatomy: heads are so much longer than wide, and so is hair of which no side photo tells

@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId, mm_from_m
 from cloner.hair.volumes.views import FAR_MM, HairView, cover
+from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
-
-Array = NDArray[np.float64]
 
 ROUND_TAIL = (0.6, 2.5)  # a tail's width against its depth: limits of what is believed
 WIDEST_TAIL_MM = 110.0  # wider hair in the back photo is the head's, not a tail's

@@ -18,6 +18,7 @@ from cloner.geometry.meshes.rasters import nearest_depth
 from cloner.hair.volumes.headwear import headwear
 from cloner.paint.lookups.posed import parents_of, pose
 from cloner.paint.lookups.prepared import person_mask
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.labels import Label, shows
@@ -26,8 +27,6 @@ from cloner.records.silhouettes import SilhouetteSet
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.repair import signed_distance
 from cloner.vision.segmentation.pieces import pieces_of
-
-Array = NDArray[np.float64]
 
 NEVER_ON_SCALPS = (Label.BODY_SKIN, Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES)
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller

@@ -16,8 +16,7 @@ from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, hairline_mm, see
 from cloner.hair.volumes.rows import SIDES, agreed_mm
 from cloner.hair.volumes.tail import Tail, find_tail
 from cloner.hair.volumes.views import FAR_MM, HairView, hull_mm
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
 LYING_MM = 8.0  # taste: hair that a photo shows on neck, shoulders or back is so thick at least

@@ -11,9 +11,9 @@ from scipy.spatial import cKDTree
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.hair.volumes.views import Hanger
+from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 
-Array = NDArray[np.float64]
 Skinned = tuple[NDArray[np.int32], Array]
 
 #: Hair nearer to the body's skin than the first lies on it, farther than the second it hangs free, metres: the outside

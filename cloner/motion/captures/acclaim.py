@@ -17,14 +17,12 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from cloner.errors import ClonerError
 from cloner.motion.captures.bvh import LARGEST_BYTES, MOST_JOINTS, Capture
 from cloner.outside import text_outside
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: The files do not tell their rate; the public laboratory's is 120 frames a second.
 FRAME_S: Final = 1.0 / 120.0

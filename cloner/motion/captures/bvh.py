@@ -17,9 +17,7 @@ from numpy.typing import NDArray
 from cloner.errors import ClonerError
 from cloner.motion.limbs import turns
 from cloner.outside import text_outside
-from cloner.records.arrays import freeze
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array, freeze
 
 LARGEST_BYTES: Final = 200_000_000  # taste: an hour of capture at 120 Hz
 #: More is no skeleton but an attack or an error.

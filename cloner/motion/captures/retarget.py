@@ -12,7 +12,6 @@ from itertools import pairwise
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.motion.captures.anatomy import Anatomy, Limb, find_anatomy
 from cloner.motion.captures.bvh import Capture
@@ -21,9 +20,8 @@ from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import FOOT, NECK, SIDES, SPINE, Body, below
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.planting import planted
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: Frames a second of what comes out; places between two captured frames are interpolated.
 FRAMES_PER_S: Final = 60.0

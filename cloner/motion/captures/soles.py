@@ -6,15 +6,13 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d, minimum_filter1d
 
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import FOOT, SIDES, Body
 from cloner.motion.moves.contact import NEAR_M, Mask, grounded, runs, standing
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: Nobody flies longer than this, seconds: the longest jumps of athletes.
 FLIGHT_S: Final = 1.2

@@ -16,11 +16,9 @@ from types import MappingProxyType
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.easing import half_wave
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: The six expressions of MPEG-4 as weights of the face's targets; taste, after the standard's wording.
 EXPRESSIONS: Final[Mapping[str, Mapping[str, float]]] = MappingProxyType({

@@ -20,8 +20,7 @@ from scipy.optimize import lsq_linear
 
 from cloner.motion.face.expressions import EXPRESSIONS
 from cloner.motion.face.speech import VISEMES
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: A lid's parameter of so much takes it all the way to the other one: the distance of the lids is 1024 units.
 FULL: Final = 1024.0

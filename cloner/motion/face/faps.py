@@ -24,10 +24,8 @@ from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
 from cloner.motion.face.fap_faces import FULL, LIDS, expression_weights, frame_weights, viseme_weights
 from cloner.outside import text_outside
-from cloner.records.arrays import freeze
+from cloner.records.arrays import Array, freeze
 from cloner.records.clones import Clone
-
-Array = NDArray[np.float64]
 
 #: Number of MPEG-4's facial animation parameters.
 COUNT: Final = 68

@@ -16,9 +16,8 @@ import importlib.resources
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 FILE: Final = "visemes.npz"
 #: Samples a second; bands of the spectrum and their range, Hz: usual in recognising speech, not tried against others.

@@ -10,14 +10,12 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.generic.face_grids import Grid, eye_grid, lips_apart, mouth_grid
 from cloner.generic.load import load_generic
 from cloner.generic.morphs import target_offsets
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
-
-Array = NDArray[np.float64]
 
 #: Points that no sum takes farther than the target that takes them farthest.
 POINTS: Final = ("chin_front", "mouth_corner_L", "mouth_corner_R", "lip_top", "lip_bottom", "nose_tip")

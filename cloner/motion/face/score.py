@@ -30,13 +30,11 @@ from types import MappingProxyType
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
 from cloner.motion.face.expressions import EXPRESSIONS, Beat, Envelope, play
 from cloner.outside import text_outside
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 FACE_TRACKS: Final = ("eyes", "brows", "mouth", "emotion")
 HEAD: Final = "head"

@@ -21,7 +21,6 @@ from types import MappingProxyType
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.io import wavfile
 from scipy.linalg import solve_toeplitz
 from scipy.signal import resample_poly
@@ -30,9 +29,7 @@ from cloner.errors import ClonerError
 from cloner.motion.face.speech import LONGEST_S, STEP_S, VISEMES
 from cloner.motion.moves.contact import runs
 from cloner.outside import UnfitFile, read_outside
-from cloner.records.arrays import freeze
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array, freeze
 
 #: Samples a second, length of a frame, order of the linear prediction and range of voices: usual in the
 #: analysis of speech, not tried against others.

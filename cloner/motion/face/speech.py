@@ -11,14 +11,12 @@ from types import MappingProxyType
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from cloner.errors import ClonerError
 from cloner.motion.moves.contact import runs
 from cloner.outside import text_outside
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: From one row of mouth shapes to the next, seconds.
 STEP_S: Final = 0.01

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d
 
 from cloner.motion.face.espeak import spoken
@@ -21,9 +20,8 @@ from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import Body
 from cloner.motion.moves.gait import idle
 from cloner.outside import text_outside
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: Frames a second of every clip.
 FRAMES_PER_S: Final = 30.0

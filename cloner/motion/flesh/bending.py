@@ -18,8 +18,8 @@ from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import FOOT, Body, below
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.gait import X, Z, aim_limb
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 

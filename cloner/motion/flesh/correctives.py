@@ -26,11 +26,11 @@ from cloner.motion.flesh.bending import Bend, bent
 from cloner.motion.flesh.kept_flesh import kept_flesh
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body, body_of
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from cloner.remembered import once_each
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: How the names of corrective targets begin.

@@ -18,9 +18,9 @@ from cloner.generic.load import load_generic
 from cloner.geometry.articulation.dual import skin_dual
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
 from cloner.motion.flesh.bending import flesh
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: What is left to a joint's volume is put on by no more than this along the normals, metres; with 8 mm a man in a suit

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
@@ -17,11 +16,10 @@ from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import FOOT, SIDES, Body, below, body_of
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.gait import aim_limb, follow, palm_normal
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 from cloner.remembered import once_each
-
-Array = NDArray[np.float64]
 
 #: Joints that turn less than this keep their flesh by themselves, radians; taste.
 LEAST_RAD = np.radians(3.0)

@@ -11,10 +11,9 @@ from numpy.typing import NDArray
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.clearance import arms_out, legs_out
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 SIDES: Final = ("l", "r")
 #: H-Anim's joints from the hips up.

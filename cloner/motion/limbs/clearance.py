@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman, load_generic
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Least and most that an arm is held away, degrees: sleeves have thickness; with more it looks stiff (taste).
 LEAST_DEG: Final = 9.0

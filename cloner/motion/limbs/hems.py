@@ -5,14 +5,12 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.generic.load import load_generic
 from cloner.motion.limbs.tails import SHORTEST_M, Tail, of_shells, passed_on
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
-
-Array = NDArray[np.float64]
 
 #: Chains around a hem; the first turns so far from straight ahead that each hangs beside one leg; taste.
 CHAINS: Final = 8

@@ -22,10 +22,9 @@ from numpy.typing import NDArray
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.motion.limbs.body import SIDES
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.remembered import once_each
-
-Array = NDArray[np.float64]
 
 #: A bending joint with the joints before and after it.
 RINGED: Final = {

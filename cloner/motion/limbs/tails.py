@@ -15,10 +15,10 @@ from scipy.spatial import cKDTree
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.geometry.meshes.vectors import arc_lengths, places_along
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 
-Array = NDArray[np.float64]
 Ints = NDArray[np.int64]
 
 #: Hair farther from the scalp than this hangs, metres: the cap is at most 25 mm thick there (`hair.volumes.volume`).

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 
 def between(first: Array, second: Array) -> Array:

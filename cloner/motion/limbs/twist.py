@@ -5,12 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: The part that the elbow takes of a hand's turn against its upper arm: both joints then close by 8 % at a quarter
 #: turn, where the wrist alone closed by 29 % (linear blend skinning, cosine of half the angle).

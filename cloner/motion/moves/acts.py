@@ -12,7 +12,6 @@ from types import MappingProxyType
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.easing import smoothstep
 from cloner.motion.limbs import turns
@@ -21,9 +20,8 @@ from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.gait import FRAMES_PER_S, X, Y, aim_limb, follow, idle
 from cloner.motion.moves.slide import posed_at
 from cloner.motion.moves.wave import wave
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: How long each act takes, seconds, and claps in one (taste).
 LOOK_S: Final = 6.0

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.motion.limbs.body import Body
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
 
-Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 #: A sole stands while its lowest point is this near to the floor and this slow against it; taste, human gait.

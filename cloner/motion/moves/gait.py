@@ -25,9 +25,8 @@ from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.contact import grounded
 from cloner.motion.moves.planting import planted
 from cloner.motion.moves.styles import REGULAR, Style
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: Axes.
 X, Y, Z = 0, 1, 2

@@ -12,16 +12,14 @@ from itertools import pairwise
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 
 from cloner.geometry.meshes.vectors import unit
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body
 from cloner.motion.moves.contact import Mask, cyclic_runs, runs, standing
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: A foot that leaves the ground or comes to it does so at this speed upright, metres a second, up to this height, m:
 #: a sixtieth of a second after it left it is higher than the 4 mm below which it would touch. Walkers clear 10 to 20;

@@ -14,9 +14,8 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation, Slerp
 
 from cloner.motion.limbs.body import Body
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: A sole's lowest point touches below this height, metres, and is looked at so often a second: the ruler's definition.
 TOUCHES_M: Final = 0.004

@@ -6,16 +6,14 @@ from dataclasses import replace
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.easing import smoothstep
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import Body, below
 from cloner.motion.limbs.twist import shared_twist
 from cloner.motion.moves.gait import X, Z, aim_limb, idle, palm_normal
+from cloner.records.arrays import Array
 from cloner.records.motions import Motion
-
-Array = NDArray[np.float64]
 
 #: Of the upper arm from hanging, and of the forearm from hanging to upright, degrees; taste.
 LIFTED_DEG: Final = 62.0

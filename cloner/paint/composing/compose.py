@@ -22,11 +22,10 @@ from cloner.paint.lookups.materials import Materials, always_bare
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.sources import Source, covered_by_hair, shown_colours, visible_points
 from cloner.paint.lookups.zones import hair_allowed, hair_kept
+from cloner.records.arrays import Array
 from cloner.vision.photographs.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.evening import apply_light
-
-Array = NDArray[np.float64]
 
 OWNERS = 0.01  # who has less of a texel than this is asked only where nobody has more
 SECOND_CHOICE = 0.002  # of a full share: paints only where the owner is hidden at that very texel

@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.triangles import areas
 from cloner.paint.composing.tiles import Tile
 from cloner.paint.lookups.sources import Source
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 HALF_GRAIN = 0.55  # photo pixels a texel: at half the texels there is still about one texel a pixel
 OWN_SHARE = 0.3  # of a photo in a surface: less adds no detail

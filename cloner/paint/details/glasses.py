@@ -16,14 +16,13 @@ from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.labels.glasses import frame_of
 from cloner.paint.lookups.posed import parents_of
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.photos import Photo
 from cloner.records.points import Proposal
 from cloner.vision.retouching.repair import spread_nearest
-
-Array = NDArray[np.float64]
 
 #: The sheet stands this far before the nasion, and bends back with this radius: the face form of usual frames (taste).
 BEFORE_M, BEND_M = 0.006, 0.16

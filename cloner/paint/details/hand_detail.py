@@ -24,8 +24,7 @@ from cloner.easing import smoothstep
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.geometry.meshes.wedges import vertex_normals
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: Where the crease at a finger's root lies between its first two joints: the web. The thumb's lie in the palm's lines.
 ROOTS: Final = {"thumb": None, "index": 0.32, "middle": 0.30, "ring": 0.36, "pinky": 0.50}

@@ -16,8 +16,8 @@ from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.paint.details.hand_detail import hand_gains
 from cloner.paint.lookups.materials import Materials
+from cloner.records.arrays import Array
 
-Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
 #: A photo with this claim on skin is believed entirely, with half of it not at all.

@@ -11,9 +11,8 @@ from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.arrays import Array
 from cloner.records.heads import Shell
-
-Array = NDArray[np.float64]
 
 BELOW_MM = 1.5  # the scalp lies this far below the shell
 #: How deep skin is tucked at most, mm, and neighbours that tell how deep (taste).

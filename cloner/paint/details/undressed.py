@@ -12,8 +12,7 @@ from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.materials import Materials, always_bare, hands_beyond_cuffs, shown_bare
 from cloner.paint.lookups.sources import Source
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 SQUARE: Final = 0.5  # cosine from which a sight of cloth is believed
 LEAST_CLOTH: Final = 30  # vertices; fewer are a scarf's end or noise

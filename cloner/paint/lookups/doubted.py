@@ -14,10 +14,9 @@ from cloner.generic.photo_shares import mirrored_share, photo_shares
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.materials import SQUARE, Materials, always_bare, shown_bare, shown_surfaces
 from cloner.paint.lookups.sources import CLAIM_POWER, Source
+from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.evening import beyond_light, log_levels
-
-Array = NDArray[np.float64]
 
 #: Share of bareness by which two photos call a texel skin and cloth (taste).
 STRANGE_KIND: Final = 0.5

@@ -18,9 +18,8 @@ from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.geometry.cameras.seeing import DEPTH_SCALE, Sight
 from cloner.geometry.meshes.graphs import surface_graph
+from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
-
-Array = NDArray[np.float64]
 
 FARTHEST_MM, STEP_MM = 32.0, 2.0  # an ear farther off is a wrong head
 RING_MM = 5.0  # hair is looked for this far outside the ear's border, skin this far inside

@@ -12,6 +12,7 @@ from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.flattened import flatten_halves, flatten_slants, soften_glare
 from cloner.paint.lookups.materials import Materials, shown_bare
 from cloner.paint.lookups.sources import Source, shown_colours
+from cloner.records.arrays import Array
 from cloner.records.results import Residual
 from cloner.vision.retouching.evening import (
     FLATTENED_CLOTH,
@@ -26,8 +27,6 @@ from cloner.vision.retouching.evening import (
     unsaturated,
 )
 from cloner.vision.retouching.painting import paint_mouth
-
-Array = NDArray[np.float64]
 
 TRUSTED_COSINE = 0.45  # photos are compared where both see the surface at less than 63 degrees
 SKIN_PRIOR = 1.0  # taste: how much one colour of skin counts against another photo of the same place

@@ -11,10 +11,9 @@ from cloner.generic.load import GenericHuman
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.sources import Source
 from cloner.paint.lookups.zones import hair_allowed
+from cloner.records.arrays import Array
 from cloner.records.labels import SURFACE_OF, SURFACES, labels_at
 from cloner.vision.retouching.aligning import sample
-
-Array = NDArray[np.float64]
 
 SQUARE = 0.5  # cosine from which a sight is believed by itself
 KIND_STIFFNESS = 0.4  # an island of one or two edges is outvoted by what surrounds it

@@ -11,11 +11,10 @@ from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.geometry.cameras.seeing import Sight, look, nearest_of
+from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
-
-Array = NDArray[np.float64]
 
 
 def parents_of(generic: GenericHuman) -> NDArray[np.int32]:

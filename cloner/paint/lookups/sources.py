@@ -21,6 +21,7 @@ from cloner.paint.lookups.ear_match import shift_ear
 from cloner.paint.lookups.posed import Stood, stand
 from cloner.paint.lookups.prepared import PERSON_LEVEL, Limits, make_plate, person_mask, person_skin, without_glasses
 from cloner.paint.lookups.zones import hair_allowed, hair_kept, in_arm_zone, near_bare_head, near_shell
+from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
 from cloner.records.photos import PhotoSet
@@ -33,8 +34,6 @@ from cloner.vision.retouching.open_mouth import own_edges
 from cloner.vision.retouching.plates import Plate
 from cloner.vision.retouching.repair import without_room
 from cloner.vision.retouching.strangers import own_colours
-
-Array = NDArray[np.float64]
 
 HAIR_CLEARANCE_M = 0.006  # hair that stands off less than this hugs the skin: its colour is the hairline's
 CLAIM_POWER = 1.5  # taste: grazing photos give way early, their pixels are stretched

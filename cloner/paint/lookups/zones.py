@@ -8,10 +8,9 @@ from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import arms_beside_head, lower_arms
+from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.plates import Plate
-
-Array = NDArray[np.float64]
 
 STRAY_SHARE = 0.006  # of the figure, 1 cm: how far lookups stray where a shoulder is misjudged
 

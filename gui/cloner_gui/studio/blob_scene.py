@@ -15,12 +15,11 @@ from PySide6.QtWidgets import QWidget
 
 from cloner.generic.layers import Layer
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.arrays import Array
 from cloner.render import draw
 from cloner.statues.blobs import Blob, Field, field_of
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.canvas.clones.scene import BACKGROUND, Image, Scene
-
-Array = NDArray[np.float64]
 
 _COLOUR: Final = (0.62, 0.68, 0.76)
 _CHOSEN: Final = (0.95, 0.55, 0.20)

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QWidget
@@ -15,11 +14,11 @@ from PySide6.QtWidgets import QWidget
 from cloner.booth.studio.values import Draped
 from cloner.generic.layers import Layer, clone_layers
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.arrays import Array
 from cloner.render import draw
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.canvas.clones.scene import BACKGROUND, Image, Scene
 
-Array = NDArray[np.float64]
 #: Between two pieces of a cutting plan, and round them: share of the width of all.
 _BETWEEN: Final = 0.04
 

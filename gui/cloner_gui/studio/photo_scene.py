@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QPointF, Signal
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QWidget
@@ -19,8 +18,6 @@ from cloner.statues.meshes import Mesh
 from cloner.statues.photo_fit import Fit
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.canvas.clones.scene import BACKGROUND, Image, Scene
-
-Array = NDArray[np.float64]
 
 #: The photo is shown on triangles that face its camera by this cosine at least; taste, as the texture's own rule.
 _SQUARE = 0.15

@@ -17,10 +17,10 @@ from cloner.motion.face.talk import talk
 from cloner.motion.limbs.body import body_of
 from cloner.motion.moves.gait import idle, walk
 from cloner.motion.moves.wave import wave
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
-Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
 #: Ways of looking at a clone.

@@ -6,12 +6,10 @@ import time
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from cloner.booth.growing import Shape, plain_clone
-
-Array = NDArray[np.float64]
+from cloner.records.arrays import Array
 
 #: How long the body takes from one shape to the next, seconds; taste.
 GROWS_S: Final = 0.9

@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.framing import standard_camera
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.views import Camera
 
-Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
 _TILT_MOST: Final = math.radians(80.0)

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from cloner_gui.background.newest import newest
@@ -22,7 +23,6 @@ from cloner_gui.canvas.clones.orbit import Orbit
 from cloner_gui.canvas.clones.scene import Scene
 from cloner_gui.canvas.photos.touch import TouchHand
 
-Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
 _RADIANS_PER_PIXEL: Final = 0.01  # taste: half a turn for a drag over 300 px

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from PySide6.QtGui import QImage
 
 from cloner.frames import ViewId
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from cloner.render import Shading, coverage, draw
@@ -18,7 +19,6 @@ from cloner_gui.canvas.clones.acting import OUTLINE, acted, dressed
 from cloner_gui.canvas.clones.orbit import Orbit, photo_camera
 from cloner_gui.canvas.photos.painting import image_of
 
-Array = NDArray[np.float64]
 Image = NDArray[np.uint8]
 
 BACKGROUND: Final = (226, 228, 232)

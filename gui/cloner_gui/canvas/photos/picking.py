@@ -6,12 +6,10 @@ from collections.abc import Iterable, Mapping
 from typing import Final
 
 import numpy as np
-from numpy.typing import NDArray
 
 from cloner.frames import ViewId
+from cloner.records.arrays import Array
 from cloner.records.points import ViewPoints
-
-Array = NDArray[np.float64]
 
 _PARTNER_ENDS: Final = (("_L", "_R"), ("_left", "_right"))
 _PARTNER_STARTS: Final = (("l_", "r_"),)
