@@ -37,8 +37,9 @@ def clone_as_the_worker_does(folder, stature_m):
 
 
 def stature(folder):
-    clone = read_cloned(folder, placed_photos(folder)).values["clone"]
-    return round(float(np.ptp(clone.vertices_m[:, 1])), 2)
+    """Return the stature of the clone that is there, in metres; None in the moment of an exchange."""
+    cloned = read_cloned(folder, placed_photos(folder))
+    return cloned and round(float(np.ptp(cloned.values["clone"].vertices_m[:, 1])), 2)
 
 
 @pytest.fixture
