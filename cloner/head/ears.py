@@ -27,6 +27,7 @@ ALIKE: Final = _CALIBRATED.numbers("alike", "m, rad")
 APART: Final = _CALIBRATED.numbers("apart", "m, rad")
 FADE_M: Final = _CALIBRATED.number("fade_m", "m")
 TOGETHER: Final = _CALIBRATED.number("together", "factor")
+INSIDE_ERROR: Final = _CALIBRATED.number("inside_error", "factor")
 #: Points inside the outline of a side photo that tell the head's turn; in front photos the net tells them.
 INSIDE: Final = ("eye_outer", "ala", "mouth_corner")
 IOD_M: Final = _CALIBRATED.number("iod_m", "m")
@@ -65,7 +66,7 @@ def read_ears(generic: GenericHuman, points: ViewPoints | None, corrected_m: flo
 
 def read_inside(generic: GenericHuman, points: ViewPoints, corrected_m: float) -> Spots:
     """Return what a side photo's named points say of ``INSIDE``."""
-    return _read(generic, points, INSIDE, 1.0, corrected_m)
+    return _read(generic, points, INSIDE, INSIDE_ERROR, corrected_m)
 
 
 def _read(
