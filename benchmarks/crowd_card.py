@@ -3,9 +3,9 @@
     python benchmarks/crowd_card.py prepare PACK RESULTS --npm node_modules --scene BUILT ... --out FOLDER
     python FOLDER/crowd_card.py measure FOLDER --out OUT [--quick]
 
-`prepare` copies into FOLDER all that `measure` needs, which asks for Chromium, NumPy and Pillow alone, so that it runs on a
-machine without Cloner. A frame's time is that of a run of frames with one reading of a pixel behind them, so that a card's
-work and a processor's may overlap as they do when shown, and nothing waits in a queue when the clock stops.
+`prepare` copies into FOLDER all that `measure` needs, which asks for Chromium, NumPy and Pillow alone, so that it runs
+on a machine without Cloner. A frame's time is that of a run of frames with one reading of a pixel behind them, so that
+a card's work and a processor's may overlap as they do when shown, and nothing waits in a queue when the clock stops.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ SIZE, QUICK_SIZE = (1920, 1080), (320, 180)
 PEOPLE = (1_000, 10_000, 60_000)
 QUICK_PEOPLE = (50,)
 HEAP_S = 120.0
+OVERVIEW = "place: [0, 9, 34], target: [0, 1, 0], now: 3"
 FLAGS = (
     "--disable-frame-rate-limit", "--disable-gpu-vsync", "--enable-precise-memory-info",
     "--enable-unsafe-swiftshader", "--autoplay-policy=no-user-gesture-required",
@@ -32,53 +33,6 @@ RENDERER = """(() => {
   const gl = document.createElement("canvas").getContext("webgl2"), told = gl.getExtension("WEBGL_debug_renderer_info");
   return gl.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
 })()"""
-PROBES = """
-window.burst = (most, seconds) => {
-  const gl = renderer.getContext(), pixel = new Uint8Array(4);
-  const wait = () => gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-  const rounds = [], choices = [], asks = [];
-  draw(); wait(); draw(); wait();
-  const one = performance.now(); draw(); wait();
-  const frames = Math.max(1, Math.min(most, Math.floor((seconds * 1000) / (5 * Math.max(performance.now() - one, 0.1)))));
-  for (let round = 0; round < 5; round++) {
-    const begun = performance.now();
-    for (let k = 0; k < frames; k++) { state.now += 1 / 60; const at = performance.now(); draw(); asks.push(performance.now() - at); choices.push(state.stats.choice); }
-    wait();
-    rounds.push((performance.now() - begun) / frames);
-  }
-  const middle = (list) => list.sort((a, b) => a - b)[list.length >> 1], high = (list) => list[Math.floor(list.length * 0.9)];
-  return { ms: Math.min(...rounds), rounds, frames, choice: middle(choices), choice_high: high(choices), asked: middle(asks),
-           counts: state.stats.counts, draws: state.stats.draws, triangles: state.stats.triangles };
-};
-window.cardTime = async (times) => {
-  const gl = renderer.getContext(), timer = gl.getExtension("EXT_disjoint_timer_query_webgl2"), found = [];
-  if (!timer) return null;
-  for (let k = 0; k < times; k++) {
-    const query = gl.createQuery();
-    gl.beginQuery(timer.TIME_ELAPSED_EXT, query); draw(); gl.endQuery(timer.TIME_ELAPSED_EXT); gl.flush();
-    const end = performance.now() + 4000;
-    while (!gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE) && performance.now() < end) await new Promise((done) => setTimeout(done, 1));
-    if (gl.getQueryParameter(query, gl.QUERY_RESULT_AVAILABLE) && !gl.getParameter(timer.GPU_DISJOINT_EXT)) found.push(gl.getQueryParameter(query, gl.QUERY_RESULT) / 1e6);
-    gl.deleteQuery(query);
-  }
-  return found.length ? found.sort((a, b) => a - b)[found.length >> 1] : null;
-};
-window.shown = (seconds) => new Promise((done) => {
-  const gl = renderer.getContext(), pixel = new Uint8Array(4), begun = performance.now();
-  let frames = 0;
-  const next = () => {
-    if (performance.now() - begun > seconds * 1000) return done((frames * 1000) / (performance.now() - begun));
-    state.now += 1 / 60; draw(); gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel); frames++;
-    requestAnimationFrame(next);
-  };
-  requestAnimationFrame(next);
-});
-window.nobody = () => {
-  window.choose = () => tiers.slice(0, LEVELS + 2).forEach((mesh) => { mesh.geometry.instanceCount = 0; mesh.visible = false; });
-  state.stats.counts = [];
-  if (passes) passes.cast = () => {};
-};
-0"""
 
 
 def prepare(pack: Path, results: Path, npm: Path, scenes: list[Path], out: Path) -> None:
@@ -113,7 +67,8 @@ def prepare(pack: Path, results: Path, npm: Path, scenes: list[Path], out: Path)
     plan = {"names": names, "field": frames.FIELD, "view": frames.VIEW, "places": frames.PLACES,
             "modes": {mode: name for mode, (name, _) in frames.MODES.items()}}  # fmt: skip
     (out / "plan.json").write_text(json.dumps(plan))
-    shutil.copyfile(__file__, out / Path(__file__).name)
+    for name in (Path(__file__).name, "crowd_card.js"):
+        shutil.copyfile(Path(__file__).with_name(name), out / name)
     tests = Path(__file__).resolve().parents[1] / "tests" / "kit" / "browser.py"
     (out / "kit").mkdir()
     shutil.copyfile(tests, out / "kit" / "browser.py")
@@ -141,7 +96,7 @@ class Measured:
         self.page.open(self.folder / file, *(QUICK_SIZE if self.quick else SIZE))
         self.page.wait_for("document.body && document.body.dataset.ready", 300)
         self.keep(f"{file} ready_s", round(time.monotonic() - begun, 2))
-        self.page.value(PROBES)
+        self.page.value((self.folder / "crowd_card.js").read_text())
 
     def burst(self, name: str, card: bool = True) -> dict[str, Any]:
         """Measure what is set."""
@@ -173,13 +128,12 @@ class Measured:
         self.page.value((self.folder / "beside.js").read_text())
         self.page.value(self.plan["places"])
         for people in (20,) if self.quick else (20, 200, 1_000):
-            self.page.value(
-                f"crowd.set({{scene: 'field', people: {people}, {self.plan['view']}, mode: 'hybrid'}})"
-            )
+            self.page.value(f"crowd.set({{scene: 'field', people: {people}, {self.plan['view']}, mode: 'hybrid'}})")
             self.burst(f"field {people} hybrid beside")
             for name, way in (("three skinned", "naive(whole"), ("three.ez", "instanced(levels")):
                 told = self.page.value(f"beside.{way}, places({people}), {2 if self.quick else 30})")
-                self.keep(f"field {people} {name}", {"ms": min(told["found"][1:]), **{k: told[k] for k in ("draws", "triangles")}})
+                least = {"ms": min(told["found"][1:]), "draws": told["draws"], "triangles": told["triangles"]}
+                self.keep(f"field {people} {name}", least)
 
     def crowds(self) -> None:
         """Time twenty clones' page with 1,000 to 60,000 people: each way, frames a second as shown, pictures."""
@@ -189,9 +143,7 @@ class Measured:
             for mode in self.plan["modes"]:
                 if people == PEOPLE[-1] and mode == "geometry":
                     continue
-                self.page.value(
-                    f"crowd.set({{scene: 'plaza', people: {people}, place: [0, 9, 34], target: [0, 1, 0], now: 3, mode: '{mode}'}})"
-                )
+                self.page.value(f"crowd.set({{scene: 'plaza', people: {people}, {OVERVIEW}, mode: '{mode}'}})")
                 self.burst(f"plaza {people} {mode}")
             self.page.value("crowd.set({mode: 'hybrid'})")
             self.keep(f"plaza {people} shown a second", self.page.value("shown(3)"))
@@ -247,7 +199,7 @@ def measure(folder: Path, out: Path, quick: bool, only: list[str]) -> None:
         for step in only:
             try:
                 getattr(all_of, step)()
-            except Exception as problem:  # a machine is lent for minutes: the other figures are still wanted
+            except Exception as problem:  # noqa: BLE001 - a machine is lent for minutes: the other figures are still wanted
                 all_of.keep(f"{step} failed", str(problem)[:2000])
         all_of.keep("complaints", page.complaints()[:10])
 
