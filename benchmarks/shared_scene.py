@@ -5,8 +5,7 @@
 BUILT is what ``cloner scene build --walk SCENARIO.crowd`` wrote. Each page keeps the footings it was sent; every five
 seconds all are asked for everybody's row at one moment that is over. Each minute one page after the other loses its
 link. Pictures are drawn once in ten seconds: a processor that draws three pages would measure itself. PHOTOS, a folder
-of one person with a recorded consent, is cloned beside it, and the time is told until the clone takes its first step in a
-page.
+of one person with a recorded consent, is cloned beside it, and the time is told until the clone takes its first step.
 """
 
 from __future__ import annotations
