@@ -2,6 +2,7 @@
 
     python benchmarks/crowd_card.py prepare PACK RESULTS --npm node_modules --scene BUILT ... --out FOLDER
     python FOLDER/crowd_card.py measure FOLDER --out OUT [--quick]
+    python benchmarks/crowd_card.py page OUT/figures.json --out docs/crowd_card.md
 
 `prepare` copies into FOLDER all that `measure` needs, which asks for Chromium, NumPy and Pillow alone, so that it runs
 on a machine without Cloner. A frame's time is that of a run of frames with one reading of a pixel behind them, so that
@@ -204,6 +205,34 @@ def measure(folder: Path, out: Path, quick: bool, only: list[str]) -> None:
         all_of.keep("complaints", page.complaints()[:10])
 
 
+def row_of(name: str, one: dict[str, Any], other: dict[str, Any] | None) -> str:
+    """Return a line of the table; times are also told over another way's."""
+    card = one.get("card_ms")
+    cells = [name, f"{one['ms']:.2f}", f"{1000.0 / one['ms']:.0f}", "" if card is None else f"{card:.2f}",
+             f"{one['choice']:.2f}" if "choice" in one else "", str(one.get("draws", "")),
+             f"{one.get('triangles', 0) / 1e6:.2f}", f"{one['ms'] / other['ms']:.1f}" if other else ""]  # fmt: skip
+    return f"| {' | '.join(cells)} |"
+
+
+def page_of(found: dict[str, Any]) -> list[str]:
+    """Return the page's lines."""
+    lines = ["# Crowds and scenes on a graphics card", "",
+             "Written by `benchmarks/crowd_card.py`, which tells how times are taken.", "",
+             f"{found.get('renderer')}, {SIZE[0]} x {SIZE[1]}, four samples a pixel; others' ways 1280 x 720.", "",
+             "| drawn | ms a frame | frames/s | the card's own ms | choice of level ms | draws | million triangles | "
+             "times the hybrid |", "| --- | --- | --- | --- | --- | --- | --- | --- |"]  # fmt: skip
+    for name, one in found.items():
+        if isinstance(one, dict) and "ms" in one:
+            scene, people = [*name.split(), ""][:2]
+            other = found.get(f"{scene} {people} hybrid", found.get(f"{scene} {people} hybrid beside"))
+            lines.append(row_of(name, one, other))
+    lines.append("")
+    for name, one in found.items():
+        if not (isinstance(one, dict) and "ms" in one) and name != "renderer":
+            lines.append(f"- {name}: {json.dumps(one)}")
+    return lines
+
+
 def main() -> None:
     """Read the command line."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -217,11 +246,15 @@ def main() -> None:
     measuring.add_argument("folder", type=Path)
     measuring.add_argument("--quick", action="store_true", help="few frames: does it run at all?")
     measuring.add_argument("--only", nargs="+", default=["ways", "crowds", "scenes"])
-    for one in (making, measuring):
+    telling = commands.add_parser("page")
+    telling.add_argument("figures", type=Path)
+    for one in (making, measuring, telling):
         one.add_argument("--out", type=Path, required=True)
     args = parser.parse_args()
     if args.command == "prepare":
         prepare(args.pack, args.results, args.npm, args.scene, args.out)
+    elif args.command == "page":
+        args.out.write_text("\n".join(page_of(json.loads(args.figures.read_text()))) + "\n")
     else:
         measure(args.folder, args.out, args.quick, args.only)
 

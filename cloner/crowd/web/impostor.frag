@@ -76,8 +76,7 @@ vec4 viewAt(vec2 uv, vec4 found, vec2 way, float share, inout vec3 normal) {
 }
 
 void main() {
-  for (int once = 0; once < (fades == vec2(1.0) ? 0 : 1); once++)  // as in person.frag
-    if (fadedOut(fades.x, fades.y)) discard;
+  if (fadedOut(fades.x, fades.y)) discard;
   if (debugView > 0) { shownColour = vec4(0.1, 0.8, 0.2, 1.0); return; }
   vec2 size = vec2(textureSize(colours, 0).xy);
   float page = float(marks.y), share = classic == 0 && sizes.z > 0.02 ? sizes.z : 0.0;
@@ -92,7 +91,6 @@ void main() {
   vec3 normal = vec3(0.0);
   vec4 sum = viewAt(uvA, a, ways.xy, 1.0 - share, normal) + viewAt(uvB, b, ways.zw, share, normal);
   vec3 rgb = sum.rgb / sum.a;
-  for (int once = 0; once < (seat.w > 0.0 ? 1 : 0); once++)
-    rgb = mix(rgb, min(stoneColour * (0.55 + 0.9 * lumaOf(rgb)), vec3(1.0)), seat.w);
+  if (seat.w > 0.0) rgb = mix(rgb, min(stoneColour * (0.55 + 0.9 * lumaOf(rgb)), vec3(1.0)), seat.w);
   shownColour = vec4(lit(rgb, normalize(normal), marks.x, seat.xyz, false), rim == 0 ? 1.0 : coverage);
 }

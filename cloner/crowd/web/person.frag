@@ -19,20 +19,17 @@ float stoneAt(vec3 place) {
 }
 
 void main() {
-  // Loops that nobody enters are skipped by software rasterisers too, branches are not.
-  for (int once = 0; once < (fades == vec2(1.0) ? 0 : 1); once++)
-    if (fadedOut(fades.x, fades.y)) discard;
-  for (int once = 0; once < (partial > 0.5 ? 1 : 0); once++)
-    if (leftOut(headness, partial)) discard;
+  if (fadedOut(fades.x, fades.y)) discard;
+  if (leftOut(headness, partial)) discard;
   int group, owner;
   vec4 found = wornAt(group, owner);
   if (isLoose > 0.5 && found.a < 0.4) discard;  // as the material in the glTF
   vec3 n = normalize(normal);
   if (dot(n, eye - world) < 0.0) n = -n;  // cloth and hair that turn inside out
   vec3 rgb = finished(found.rgb, group, owner);
-  for (int once = 0; once < (stone > 0.0 ? 1 : 0); once++)
-    rgb = mix(rgb, (isLoose > 0.5 ? texture(stoneShells, vec3(at, float(whose.x)))
-                                  : texture(stones, vec3(at, float(whose.x)))).rgb, stoneAt(rested));
+  float hard = stone > 0.0 ? stoneAt(rested) : 0.0;
+  if (hard > 0.0) rgb = mix(rgb, (isLoose > 0.5 ? texture(stoneShells, vec3(at, float(whose.x)))
+                                                : texture(stones, vec3(at, float(whose.x)))).rgb, hard);
   rgb = lit(rgb, n, wearer, world, true);
   if (debugView > 0) rgb = mix(rgb, vec3(0.85, 0.3, 0.2), 0.35);
   shownColour = vec4(rgb, 1.0);
