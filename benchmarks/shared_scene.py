@@ -4,8 +4,9 @@
 
 BUILT is what ``cloner scene build --walk SCENARIO.crowd`` wrote. Each page keeps the footings it was sent; every five
 seconds all are asked for everybody's row at one moment that is over. Each minute one page after the other loses its
-link. Pictures are drawn once in ten seconds: a processor that draws three pages would measure itself. PHOTOS, a folder
-of one person with a recorded consent, is cloned beside it, and the time is told until the clone takes its first step.
+link. People are placed in each frame, but drawn once in ten seconds: a processor that draws three pages would measure
+itself. PHOTOS, a folder of one person with a recorded consent, is cloned beside it, and the time is told until the
+clone takes its first step.
 """
 
 from __future__ import annotations
@@ -31,7 +32,10 @@ from cloner.scenes.served.serving import going_on, served
 
 EVERY_S, CUT_EVERY_S, OVER_S, PAGES = 5.0, 60.0, 1.5, 3
 SELDOM = """(() => { const once = draw; let last = -1e9;
-  window.draw = () => { if (performance.now() - last > 1e4) { last = performance.now(); once(); } }; return 0; })()"""
+  window.draw = () => {
+    if (performance.now() - last > 1e4) { last = performance.now(); once(); } else keepCells();
+  };
+  return 0; })()"""
 ROWS = "(() => { const rows = acted.people.slice(); acted.at(AT, rows); return Array.from(rows); })()"
 
 
