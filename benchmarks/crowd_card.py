@@ -2,7 +2,7 @@
 
     python benchmarks/crowd_card.py prepare PACK RESULTS --npm node_modules --scene BUILT ... --out FOLDER
     python FOLDER/crowd_card.py measure FOLDER --out OUT [--quick]
-    python benchmarks/crowd_card.py page OUT/figures.json --out docs/crowd_card.md
+    python benchmarks/crowd_card.py page OUT/figures.json --out PAGE.md
 
 `prepare` copies into FOLDER all that `measure` needs, which asks for Chromium, NumPy and Pillow alone, so that it runs
 on a machine without Cloner. A frame's time is that of a run of frames with one reading of a pixel behind them, so that
