@@ -60,12 +60,15 @@ def class_scores(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Floats:
         joined = [planes[k] for k in entering]
         if side >= SIDE_PX // 2:
             joined.append(_relu(_convolved(weights, f"r{side}", _halved(picture, side))))
-        if x is not None:
-            joined.append(_doubled(x))
-        x = _relu(_mixed(weights, f"i{side}", np.concatenate(joined)))
-        for block in range(2):
-            if f"b{side}.{block}.dw.weight" in weights:
-                x = _separable(weights, f"b{side}.{block}", x)
+        new = np.concatenate(joined)
+        mixed = _mixed(weights, f"i{side}", new)
+        if x is not None:  # mixed before it is enlarged: the same, for a quarter of the work
+            mixed += _doubled(_products(weights[f"i{side}.weight"][:, len(new) :], x))
+        x = _relu(mixed)
+        block = 0
+        while f"b{side}.{block}.dw.weight" in weights:
+            x = _separable(weights, f"b{side}.{block}", x)
+            block += 1
     assert x is not None
     return _mixed(weights, "o", x)
 
@@ -84,10 +87,13 @@ def _relu(x: Floats) -> Floats:
 
 
 def _mixed(weights: dict[str, Floats], name: str, x: Floats) -> Floats:
-    """Return a 1 x 1 convolution of (C, h, w) planes."""
-    matrix, shift = weights[f"{name}.weight"], weights[f"{name}.bias"]
-    mixed = matrix @ x.reshape(len(x), -1) + shift[:, None]
-    return np.asarray(mixed.reshape(len(matrix), *x.shape[1:]), np.float32)
+    """Return a 1 x 1 convolution of (C, h, w) planes by the first C columns of a matrix."""
+    return _products(weights[f"{name}.weight"][:, : len(x)], x) + weights[f"{name}.bias"][:, None, None]
+
+
+def _products(matrix: Floats, x: Floats) -> Floats:
+    """Return the (D, h, w) mixtures of (C, h, w) planes by a (D, C) matrix."""
+    return np.asarray(matrix @ x.reshape(len(x), -1), np.float32).reshape(len(matrix), *x.shape[1:])
 
 
 def _separable(weights: dict[str, Floats], name: str, x: Floats) -> Floats:

@@ -1,8 +1,8 @@
 """Photographs of the people kit as the label net sees them: crops, features, labels.
 
-``python generic_models/build/label_crops.py KIT PEOPLE WORK``: KIT is the folder of the generator of labelled people
-(``make_people.py``), PEOPLE how many to draw, WORK where photographs and crops are kept. What is there already is kept,
-so a stopped run goes on.
+``python generic_models/build/label_crops.py KIT PEOPLE WORK --workers 2``: KIT is the folder of the generator of
+labelled people (``make_people.py``), PEOPLE how many to draw, WORK where photographs and crops are kept. What is there
+already is kept, so a stopped run goes on.
 """
 
 from __future__ import annotations
@@ -11,6 +11,9 @@ import argparse
 import json
 import sys
 from collections.abc import Iterator
+from functools import lru_cache
+from itertools import count, islice
+from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -43,23 +46,32 @@ def is_wanted(person: dict[str, Any], seed: int) -> bool:
     return bool(rng.random() < (1.0 if rare else 0.7))
 
 
-def photograph(kit: Path, count: int, work: Path) -> None:
-    """Draw ``count`` people and photograph them, without the truth that labels do not need."""
+@lru_cache(maxsize=1)
+def generator(kit: Path) -> tuple[Any, Any]:
+    """Return the generator's module and its workshop, one a process."""
     sys.path.insert(0, str(kit))
     import make_people
 
-    maker = make_people.Kit(None)
-    seed, drawn = FIRST_SEED, 0
-    while drawn < count:
-        if is_wanted(make_people.draw_person(seed, maker.inv), seed):
-            for kind, (views, width) in VIEWS.items():
-                folder = work / kind / f"p{seed:05d}"
-                if not (folder / "done").exists():
-                    make_people.person(maker, seed, str(work / kind), list(views), width, quiet=True)
-                    (folder / "truth_body.npz").unlink()
-                    (folder / "done").touch()
-            drawn += 1
-        seed += 1
+    return make_people, make_people.Kit(None)
+
+
+def wanted_seeds(kit: Path, people: int) -> list[int]:
+    """Return the seeds of so many people who teach."""
+    make_people, maker = generator(kit)
+    drawn = ((seed, make_people.draw_person(seed, maker.inv)) for seed in count(FIRST_SEED))
+    return list(islice((seed for seed, person in drawn if is_wanted(person, seed)), people))
+
+
+def photograph(task: tuple[Path, Path, int]) -> None:
+    """Photograph one person, without the truth that labels do not need."""
+    kit, work, seed = task
+    for kind, (views, width) in VIEWS.items():
+        folder = work / kind / f"p{seed:05d}"
+        if not (folder / "done").exists():
+            make_people, maker = generator(kit)
+            make_people.person(maker, seed, str(work / kind), list(views), width, quiet=True)
+            (folder / "truth_body.npz").unlink()
+            (folder / "done").touch()
 
 
 def crops_of(view: str, labels: NDArray[np.uint8], points: dict[str, Any], rng: np.random.Generator) -> Iterator[Crop]:
@@ -143,23 +155,32 @@ def cut_pair(
     return cut(np.ascontiguousarray(rgb), crop, width=SIDE, height=SIDE), np.asarray(kind, np.uint8)
 
 
+def cut_to_file(task: tuple[Path, Path]) -> None:
+    """Keep crops, features and labels of one person's photos."""
+    folder, target = task
+    if not target.with_suffix(".npz").exists():
+        features, rgb, labels = cut_person(folder)
+        np.save(target.with_suffix(".npy"), features)
+        np.savez_compressed(target.with_suffix(".npz"), rgb=rgb, labels=labels)
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("kit", type=Path)
     parser.add_argument("people", type=int)
     parser.add_argument("work", type=Path)
+    parser.add_argument("--workers", type=int, default=2)
     given = parser.parse_args()
-    photograph(given.kit, given.people, given.work)
     crops = given.work / "crops"
     crops.mkdir(parents=True, exist_ok=True)
-    for kind in VIEWS:
-        for done in sorted((given.work / kind).glob("p*/done")):
-            target = crops / f"{kind}_{done.parent.name}"
-            if not target.with_suffix(".npz").exists():
-                features, rgb, labels = cut_person(done.parent)
-                np.save(target.with_suffix(".npy"), features)
-                np.savez_compressed(target.with_suffix(".npz"), rgb=rgb, labels=labels)
-                print(target.name, flush=True)
+    with get_context("spawn").Pool(given.workers) as pool:
+        seeds = wanted_seeds(given.kit, given.people)
+        for _ in pool.imap_unordered(photograph, [(given.kit, given.work, seed) for seed in seeds]):
+            pass
+        folders = [done.parent for kind in VIEWS for done in sorted((given.work / kind).glob("p*/done"))]
+        tasks = [(folder, crops / f"{folder.parent.name}_{folder.name}") for folder in folders]
+        for done, _ in enumerate(pool.imap_unordered(cut_to_file, tasks), 1):
+            print(f"{done} of {len(tasks)}", flush=True)
 
 
 if __name__ == "__main__":
