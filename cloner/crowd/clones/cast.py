@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from cloner.crowd.clones.clips import Clip, clips_of
 from cloner.crowd.clones.groups import GroupLook, looks_of, marks_of, smaller, texel_groups, triangle_groups
+from cloner.crowd.clones.hems import hemmed
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose, shell_levels
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.meshes.wedges import welded_normals
@@ -91,7 +92,8 @@ def cast_of(
         If a captured walk cannot be laid on.
     """
     groups, shells = triangle_groups(clone), [shell for shell in clone.shells if shell.kind in DRAWN]
-    atlas, codes = smaller(clone.atlas.rgb, atlas_px), texel_groups(groups, atlas_px)
+    atlas = smaller(clone.atlas.rgb, atlas_px)
+    codes = hemmed(atlas, texel_groups(groups, atlas_px))
     clips = clips_of(clone, poses, walks, feelings=feelings)
     statue = carved(clone) if carved else None
     normals = surface_normals(clone.vertices_m)[body.vertex]
