@@ -28,6 +28,8 @@ BAND: Final = 7
 _UNSURE: Final = 4
 #: How far a group's colours count from where they are, standard deviation, texels.
 _AROUND: Final = 8.0
+#: Share of sure texels around from which a group's colour is known.
+_ENOUGH: Final = 1e-3
 #: Variance that every colour has besides its own, squares of CIELAB.
 _NOISE: Final = 9.0
 #: What it costs to leave the triangle's group, as a logarithm of likelihood; taste.
@@ -48,12 +50,13 @@ def hemmed(rgb: Pixels, codes: Pixels) -> Pixels:
     band = (np.sum(reach, axis=0) > 1) & np.any([reach[held.index(code)] for code in worn], axis=0) if worn else None
     if band is None or not band.any():
         return codes
-    costs = [_cost(lab, codes, code, scale) + _LEAVING * (codes != code) for code in held]
-    shared = [_mean(cost * band, band.astype(np.float32), _SHARED * scale) for cost in costs]
-    found = np.where(reach, np.stack(shared), np.inf)
-    best = np.array(held, np.uint8)[found.argmin(axis=0)]
+    costs, known = zip(*(_cost(lab, codes, code, scale) for code in held), strict=True)
+    shared = [_mean((cost + _LEAVING * (codes != code)) * band, band.astype(np.float32), _SHARED * scale)
+              for cost, code in zip(costs, held, strict=True)]  # fmt: skip
+    own = np.any([(codes == code) & told for code, told in zip(held, known, strict=True)], axis=0)
+    best = np.array(held, np.uint8)[np.where(np.array(reach) & known, shared, np.inf).argmin(axis=0)]
     skins = ~np.isin(best, worn) & ~np.isin(codes, worn)  # limbs keep their borders with one another
-    return np.where(band & np.isin(codes, held) & ~skins, best, codes).astype(np.uint8)
+    return np.where(band & own & ~skins, best, codes).astype(np.uint8)
 
 
 def _grown(mask: _Mask, texels: float, charts: _Mask) -> _Mask:
@@ -61,8 +64,8 @@ def _grown(mask: _Mask, texels: float, charts: _Mask) -> _Mask:
     return np.asarray(binary_dilation(mask, iterations=max(round(texels), 1), mask=charts))
 
 
-def _cost(lab: NDArray[np.float32], codes: Pixels, code: int, scale: float) -> Array:
-    """Return how unlikely each texel's colour is among those of a group around it, less where nobody can tell."""
+def _cost(lab: NDArray[np.float32], codes: Pixels, code: int, scale: float) -> tuple[Array, _Mask]:
+    """Return how unlikely each texel's colour is among those of a group around it, and where any are around."""
     sure = (codes == code) & ~_grown((codes > 0) & (codes != code), _UNSURE * scale, codes > 0)
     weight = sure.astype(np.float32)
     around = _AROUND * scale
@@ -71,7 +74,8 @@ def _cost(lab: NDArray[np.float32], codes: Pixels, code: int, scale: float) -> A
     square = _mean((lab * lab).sum(axis=2) * weight, weight, around)
     spread = np.maximum(square - (mean * mean).sum(axis=2), 0.0) / 3.0 + _NOISE
     cost = 0.5 * ((lab - mean) ** 2).sum(axis=2) / spread + 1.5 * np.log(spread)
-    return np.asarray(np.where(near > 1e-3, cost, np.inf if not sure.any() else 1e3), np.float64)
+    known = near > _ENOUGH
+    return np.asarray(np.where(known, cost, 0.0), np.float64), known
 
 
 def _mean(summed: NDArray[np.floating], weight: NDArray[np.float32], sigma: float) -> Array:
