@@ -142,7 +142,8 @@ def _loose(shells: Sequence[Shell], levels: int, walk: Clip) -> Loose:
             tuple(np.zeros((0, 3), np.int32) for _ in range(levels)),
         )  # fmt: skip
     starts = np.cumsum([0, *(len(shell.vertices_m) for shell in shells)])
-    whole = np.concatenate([shell.triangles + start for shell, start in zip(shells, starts, strict=False)]).astype(np.int32)
+    moved = [shell.triangles + start for shell, start in zip(shells, starts[:-1], strict=True)]
+    whole = np.concatenate(moved).astype(np.int32)
     cloth = np.concatenate([np.full(len(shell.vertices_m), shell.kind == "cloth") for shell in shells])
     uv = np.concatenate([np.clip(shell.uv, 0.0, 1.0) for shell in shells])
     weights = np.maximum(np.concatenate([shell.skin_weights for shell in shells]), 0.0).astype(np.float64)

@@ -90,9 +90,7 @@ def _lists(clone: Clone) -> list[dict[int, tuple[Index, ...]]]:
     return [
         body,
         *(
-            {row: _levels(clone, shell) for row, shell in enumerate(shells)}
-            if kind != CARDS
-            else {}
+            {row: _levels(clone, shell) for row, shell in enumerate(shells)} if kind != CARDS else {}
             for kind, shells in loose
             if shells
         ),
