@@ -5,7 +5,7 @@ import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { clone } from "three/addons/utils/SkeletonUtils.js";
 import { createInstancedMesh2From } from "@three.ez/instanced-mesh";
 
-const LEVELS_M = [0, 5.9, 13.6, 27.2]; // where a person of 1.75 m is as tall as each level is good for
+const LEVELS_M = [0, 9.2, 15.8, 30.4]; // where a person of 1.75 m is as tall as each level is good for
 
 async function opened(base64) {
   const bytes = Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0));

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from cloner.crowd.clones.clips import Clip, clips_of
 from cloner.crowd.clones.groups import GroupLook, looks_of, marks_of, smaller, texel_groups, triangle_groups
+from cloner.crowd.clones.hems import hemmed
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose, shell_levels
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.meshes.wedges import welded_normals
@@ -25,8 +26,8 @@ ATLAS_PX: Final = 512  # taste: 330 texels a metre, a screen pixel at 2.6 m thro
 SHELL_PX: Final = 192  # hair's density is then that of the body's
 #: Shells that have a half of the picture; beards and glasses would be painted with hair, so walkers have them as paint.
 DRAWN: Final = ("hair", "cloth")
-#: How many triangles a kind of shell gets of a level for one of its own: cloth is smoother than hair.
-NEEDS: Final = {"hair": 1.0, "cloth": 0.5}
+#: Poses of a walk in which loose shells' coarse levels must look well.
+STRIDES: Final = 4
 #: Heights from the chest's middle count as chest, share of the stature either way; taste.
 CHEST: Final = (0.68, 0.80)
 
@@ -91,7 +92,8 @@ def cast_of(
         If a captured walk cannot be laid on.
     """
     groups, shells = triangle_groups(clone), [shell for shell in clone.shells if shell.kind in DRAWN]
-    atlas, codes = smaller(clone.atlas.rgb, atlas_px), texel_groups(groups, atlas_px)
+    atlas = smaller(clone.atlas.rgb, atlas_px)
+    codes = hemmed(atlas, texel_groups(groups, atlas_px))
     clips = clips_of(clone, poses, walks, feelings=feelings)
     statue = carved(clone) if carved else None
     normals = surface_normals(clone.vertices_m)[body.vertex]
@@ -100,7 +102,7 @@ def cast_of(
         clone.stature_m,
         clone.vertices_m[body.vertex],
         normals / np.linalg.norm(normals, axis=1, keepdims=True),
-        _loose(shells, len(body.triangles)),
+        _loose(shells, len(body.triangles), clips[0]),
         clips,
         atlas,
         codes,
@@ -130,8 +132,8 @@ def _width_to_depth(vertices_m: Array, body: BodyLevels, walk: Clip, stature_m: 
     return float(np.median(ratios))
 
 
-def _loose(shells: Sequence[Shell], levels: int) -> Loose:
-    """Return all shells as one mesh; where there are several, each level's budget is shared by their triangles."""
+def _loose(shells: Sequence[Shell], levels: int, walk: Clip) -> Loose:
+    """Return all shells as one mesh: who has hair and a skirt has triangles where they show most."""
     if not shells:
         none = np.zeros((0, 3))
         empty = np.zeros((0, 4))
@@ -139,24 +141,25 @@ def _loose(shells: Sequence[Shell], levels: int) -> Loose:
             none, none[:, :2], empty.astype(np.int64), empty, none, np.zeros(0, bool),
             tuple(np.zeros((0, 3), np.int32) for _ in range(levels)),
         )  # fmt: skip
-    needs = [len(shell.triangles) * NEEDS[shell.kind] for shell in shells]
-    chains, start = [], 0
-    for shell, need in zip(shells, needs, strict=True):
-        budgets = [max(int(budget * need / sum(needs)), 1) for budget in LOOSE]
-        own = [np.asarray(shell.triangles, np.int32)] * (levels - len(LOOSE)) + list(shell_levels(shell, budgets))
-        chains.append([triangles + start for triangles in own])
-        start += len(shell.vertices_m)
+    starts = np.cumsum([0, *(len(shell.vertices_m) for shell in shells)])
+    moved = [shell.triangles + start for shell, start in zip(shells, starts[:-1], strict=True)]
+    whole = np.concatenate(moved).astype(np.int32)
     cloth = np.concatenate([np.full(len(shell.vertices_m), shell.kind == "cloth") for shell in shells])
     uv = np.concatenate([np.clip(shell.uv, 0.0, 1.0) for shell in shells])
-    weights = np.maximum(np.concatenate([shell.skin_weights for shell in shells]), 0.0)
+    weights = np.maximum(np.concatenate([shell.skin_weights for shell in shells]), 0.0).astype(np.float64)
+    weights /= weights.sum(axis=1, keepdims=True)
+    places = np.concatenate([shell.vertices_m for shell in shells])
+    joints = np.concatenate([shell.skin_joints for shell in shells]).astype(np.int64)
+    strides = walk.frames[:: max(len(walk.frames) // STRIDES, 1)][:STRIDES]
+    fewer = shell_levels(places, whole, moved_m=[posed(places, joints, weights, frame) for frame in strides])
     return Loose(
-        np.concatenate([shell.vertices_m for shell in shells]),
+        places,
         np.column_stack([uv[:, 0] * 0.5 + np.where(cloth, 0.5, 0.0), uv[:, 1]]),
-        np.concatenate([shell.skin_joints for shell in shells]).astype(np.int64),
-        weights / weights.sum(axis=1, keepdims=True),
+        joints,
+        weights,
         np.concatenate([welded_normals(shell.vertices_m, shell.triangles) for shell in shells]),
         cloth,
-        tuple(np.concatenate([chain[level] for chain in chains]) for level in range(levels)),
+        (whole,) * (levels - len(LOOSE)) + fewer,
     )
 
 

@@ -2,7 +2,8 @@
 
 References
 ----------
-Garland and Heckbert 1997 (quadric errors); half-edge collapses keep original vertices. Hair has hundreds of charts in
+Garland and Heckbert 1997 (quadric errors); half-edge collapses keep original vertices. Mohr and Gleicher 2003: errors
+are summed over poses, or a skirt loses what is flat at rest and spread by a stride. Hair has hundreds of charts in
 its texture: a triangle that would lie in two of them costs as if it had moved by a centimetre.
 """
 
@@ -31,12 +32,12 @@ _TRIED: Final = 6  # so many collapses are looked at for each that is wanted
 
 @dataclass(slots=True)
 class _Mesh:
-    places: Array  # (P, 3)
+    places: Array  # (K, P, 3): of every pose, the first one at rest
     faces: Whole  # (T, 3) places
     charts: Whole  # (T,)
     held: Whole  # sorted: place times count plus chart of every vertex
     count: int  # of charts
-    quadrics: Array  # (P, 4, 4)
+    quadrics: Array  # (K, P, 4, 4)
 
 
 def fewer(places: Array, weld: Whole, triangles: NDArray[np.int32], most: int) -> NDArray[np.int32]:
@@ -44,7 +45,8 @@ def fewer(places: Array, weld: Whole, triangles: NDArray[np.int32], most: int) -
 
     Parameters
     ----------
-    places : (P, 3) float64, metres
+    places : (K, P, 3) float64, metres
+        In K poses, the first one at rest.
     weld : (V,) int64
         Place of each vertex.
     triangles : (T, 3) int32
@@ -58,7 +60,7 @@ def fewer(places: Array, weld: Whole, triangles: NDArray[np.int32], most: int) -
     solid = _solid(faces)
     faces, charts = faces[solid], charts[solid]
     held = np.unique(weld * count + own)
-    mesh = _Mesh(places, faces, charts, held, int(count), _quadrics(places, faces))
+    mesh = _Mesh(places, faces, charts, held, int(count), np.stack([_quadrics(one, faces) for one in places]))
     tried, cosine = _TRIED, LEAST_COSINE
     while len(mesh.faces) > most:
         if _round(mesh, most, tried, cosine):
@@ -106,11 +108,13 @@ def _quadrics(places: Array, faces: Whole) -> Array:
 
 def _round(mesh: _Mesh, most: int, tried: int, cosine: float) -> int:
     """Collapse the cheapest pairs that do not touch one another; return how many."""
-    places, faces = mesh.places, mesh.faces
+    places, faces = mesh.places[0], mesh.faces
     edges, _ = edges_of(faces)
     ways = np.concatenate([edges, edges[:, ::-1]])  # the first goes to the second
-    to = np.column_stack([places[ways[:, 1]], np.ones(len(ways))])
-    cost = np.einsum("ni,nij,nj->n", to, mesh.quadrics[ways[:, 0]] + mesh.quadrics[ways[:, 1]], to)
+    cost = np.zeros(len(ways))
+    for own, quadrics in zip(mesh.places, mesh.quadrics, strict=True):
+        to = np.column_stack([own[ways[:, 1]], np.ones(len(ways))])
+        cost += np.einsum("ni,nij,nj->n", to, quadrics[ways[:, 0]] + quadrics[ways[:, 1]], to) / len(mesh.places)
     cost += 1e-9 * np.linalg.norm(places[ways[:, 0]] - places[ways[:, 1]], axis=1)
     wanted = max(min((len(faces) - most) // 2, len(faces) // _AT_ONCE), 1)
     order = np.argsort(cost, kind="stable")[: wanted * tried]
@@ -130,7 +134,7 @@ def _round(mesh: _Mesh, most: int, tried: int, cosine: float) -> int:
             continue
         goes[u] = v
         taken[ring] = taken[faces[around[starts[v] : starts[v + 1]]].reshape(-1)] = True
-        mesh.quadrics[v] += mesh.quadrics[u]
+        mesh.quadrics[:, v] += mesh.quadrics[:, u]
         done += 1
         if done == wanted:
             break
@@ -146,7 +150,7 @@ def _torn(mesh: _Mesh, kept: Whole, v: int) -> float:
     missing = kept[mesh.held[np.minimum(np.searchsorted(mesh.held, codes), len(mesh.held) - 1)] != codes]
     if not len(missing):
         return 0.0
-    a, b, c = (mesh.places[mesh.faces[missing, k]] for k in range(3))
+    a, b, c = (mesh.places[0, mesh.faces[missing, k]] for k in range(3))
     return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2.0 * TORN_M**2
 
 
@@ -169,6 +173,6 @@ def _vertices(mesh: _Mesh, weld: Whole, own: Whole) -> NDArray[np.int32]:
     found = order[at]
     missing = codes[found] != wanted
     first = np.argsort(weld, kind="stable")
-    starts = np.searchsorted(weld[first], np.arange(len(mesh.places)))
+    starts = np.searchsorted(weld[first], np.arange(mesh.places.shape[1]))
     found[missing] = first[starts[mesh.faces[missing]]]
     return found.astype(np.int32)

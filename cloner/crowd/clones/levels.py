@@ -20,7 +20,6 @@ from cloner.crowd.clones.fewer import fewer
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import load_surfaces
 from cloner.records.arrays import Array
-from cloner.records.heads import Shell
 
 Index = NDArray[np.int32]
 
@@ -140,17 +139,29 @@ class Loose:
     triangles: tuple[Index, ...]
 
 
-def shell_levels(shell: Shell, budgets: Sequence[int] = LOOSE) -> tuple[Index, ...]:
-    """Return (T, 3) triangles of each level of one shell, in its own vertices; never more than the budgets.
+def shell_levels(
+    vertices_m: Array, triangles: Index, budgets: Sequence[int] = LOOSE, moved_m: Sequence[Array] = ()
+) -> tuple[Index, ...]:
+    """Return (T, 3) triangles of each level of loose shells, in their own vertices; never more than the budgets.
 
     Borders between charts hold the same places twice: places are welded first.
+
+    Parameters
+    ----------
+    vertices_m : (V, 3) float64
+        At rest.
+    triangles : (T, 3) int32
+    budgets : sequence of int
+    moved_m : sequence of (V, 3) float64
+        The same vertices in poses that they must look well in, too.
     """
-    places, weld = np.unique(np.round(shell.vertices_m, 7), axis=0, return_inverse=True)
+    _, first, weld = np.unique(np.round(vertices_m, 7), axis=0, return_index=True, return_inverse=True)
     weld = weld.reshape(-1).astype(np.int64)
+    places = np.stack([one[first] for one in (vertices_m, *moved_m)]).astype(np.float64)
     found = []
     for budget in budgets:
-        if len(shell.triangles) <= budget:
-            found.append(np.asarray(shell.triangles, np.int32))
+        if len(triangles) <= budget:
+            found.append(np.asarray(triangles, np.int32))
             continue
-        found.append(fewer(places, weld, shell.triangles, budget))
+        found.append(fewer(places, weld, triangles, budget))
     return tuple(found)

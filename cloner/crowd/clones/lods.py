@@ -85,18 +85,20 @@ def _lists(clone: Clone) -> list[dict[int, tuple[Index, ...]]]:
     surfaces = load_surfaces()
     body = {row: shipped[one.name] for row, one in enumerate(surfaces) if one.name in shipped}
     riding = [shell for shell in clone.shells if len(shell.rides)]
-    body |= {len(surfaces) + row: shell_levels(shell, _budgets(clone, shell)) for row, shell in enumerate(riding)}
+    body |= {len(surfaces) + row: _levels(clone, shell) for row, shell in enumerate(riding)}
     loose = [(kind, [one for one in clone.shells if one.kind == kind and not len(one.rides)]) for kind in SHELL_KINDS]
     return [
         body,
         *(
-            {row: shell_levels(shell, _budgets(clone, shell)) for row, shell in enumerate(shells)}
-            if kind != CARDS
-            else {}
+            {row: _levels(clone, shell) for row, shell in enumerate(shells)} if kind != CARDS else {}
             for kind, shells in loose
             if shells
         ),
     ]
+
+
+def _levels(clone: Clone, shell: Shell) -> tuple[Index, ...]:
+    return shell_levels(shell.vertices_m, shell.triangles, _budgets(clone, shell))
 
 
 def _budgets(clone: Clone, shell: Shell) -> tuple[int, ...]:

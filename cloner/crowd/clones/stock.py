@@ -201,13 +201,14 @@ def level_arrays(body: BodyLevels, level: int, budgets: Sequence[int] = LOOSE) -
 
     ``which`` (N,) float32 counts the body's wedges, then the loose corners from ``len(body.vertex)`` on; ``uv``,
     ``joints`` and ``weights`` are the body's; ``index`` (3 T,) uint32, fronts only: what is loose comes with either
-    winding.
+    winding, one behind the other: a processor that shades vertices then remembers them.
     """
     own, corners = body.counts[level], 3 * budgets[level]
     rest = np.zeros((corners, 4))
     which = np.concatenate([np.arange(own), len(body.vertex) + np.arange(corners)])
     loose = own + np.arange(corners).reshape(-1, 3)
-    index = np.concatenate([body.triangles[level], loose, loose[:, [0, 2, 1]]]).reshape(-1)
+    both = np.concatenate([loose, loose[:, [0, 2, 1]]], axis=1).reshape(-1, 3)
+    index = np.concatenate([body.triangles[level], both]).reshape(-1)
     return {
         "which": which.astype(np.float32),
         "uv": np.concatenate([body.uv[:own], rest[:, :2]]).astype(np.float32),

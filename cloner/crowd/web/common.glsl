@@ -5,7 +5,7 @@ uniform sampler2D clones;    // one row a clone: see cloner/crowd/clones/stock.p
 uniform float now;           // seconds
 uniform float laneLength;    // metres
 
-const int PERSON = 5, ROW = 256;
+const int PERSON = 5;        // whole numbers are divided by shifts: software rasterisers divide one by one
 const int CLIPS = 1, SETS = 25, LOOKS = 49, COLOURS = 53, SKIN = 58;  // columns of the clones' table
 const float PI = 3.14159265;
 
@@ -20,7 +20,7 @@ struct Person {
   float part;     // 0: whole, 1: without the head, from 2: the head alone, leaned by the rest, in turns
 };
 
-vec4 personTexel(int who, int k) { return texelFetch(people, ivec2((who % ROW) * PERSON + k, who / ROW), 0); }
+vec4 personTexel(int who, int k) { return texelFetch(people, ivec2((who & 255) * PERSON + k, who >> 8), 0); }
 vec4 cloneTexel(int clone, int k) { return texelFetch(clones, ivec2(k, clone), 0); }
 
 // Between two poses a walker stays where the last pose stood, so that no foot slides: the ground moves by whole poses.
@@ -40,17 +40,19 @@ Person personOf(int who, bool coarse) {
   vec4 clip = cloneTexel(p.clone, CLIPS + p.clip);  // first row of bones, frames, seconds, metres a cycle
   float cycles = clip.w > 0.0 ? pace.x / (clip.w * p.scale) : 1.0 / clip.z;
   p.frames = int(clip.y + 0.5);
+#ifndef NO_ACTORS
   if (path.x > 2.5) {         // by footings: see footing.js
     p.frame = int(pace.x + 0.5);
     p.place = vec3(path.y, where.z, path.z);
     p.stone = where.y;
     p.part = where.w;
     p.heading = path.w;
-    p.other = int(where.x + 0.5) / 1024;
-    p.second = int(where.x + 0.5) % 1024;
+    p.other = int(where.x + 0.5) >> 10;
+    p.second = int(where.x + 0.5) & 1023;
     p.share = pace.y;
     return p;
   }
+#endif
   float turns = pace.y + cycles * now;
   float poses = coarse ? cloneTexel(p.clone, SETS + p.clip).w : clip.y;
   float posed = floor(turns * poses) / poses;
@@ -76,5 +78,5 @@ bool leftOut(float headness, float part) { return part > 0.5 && (part < 1.5 ? he
 
 vec3 unpacked(float dye) {
   int whole = int(dye);  // whole already; half more would not fit a float
-  return vec3(float(whole / 65536), float((whole / 256) % 256), float(whole % 256)) / 255.0;
+  return vec3(float(whole >> 16), float((whole >> 8) & 255), float(whole & 255)) / 255.0;
 }

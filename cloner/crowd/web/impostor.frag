@@ -72,7 +72,7 @@ vec4 viewAt(vec2 uv, vec4 found, vec2 way, float share, inout vec3 normal) {
   float z = sqrt(max(1.0 - dot(n, n), 0.0));
   float ahead = z * lifts.w - n.y * lifts.z;
   normal += weight * vec3(n.x * way.y + ahead * way.x, n.y * lifts.w + z * lifts.z, ahead * way.y - n.x * way.x);
-  return vec4((marks.w > 0 ? worn(found.rgb, uv) : found.rgb) * weight, weight);
+  return vec4(found.rgb * weight, weight);
 }
 
 void main() {
@@ -91,6 +91,7 @@ void main() {
   vec3 normal = vec3(0.0);
   vec4 sum = viewAt(uvA, a, ways.xy, 1.0 - share, normal) + viewAt(uvB, b, ways.zw, share, normal);
   vec3 rgb = sum.rgb / sum.a;
+  if (marks.w > 0) rgb = worn(rgb, b.a * share > a.a * (1.0 - share) ? uvB : uvA);
   if (seat.w > 0.0) rgb = mix(rgb, min(stoneColour * (0.55 + 0.9 * lumaOf(rgb)), vec3(1.0)), seat.w);
   shownColour = vec4(lit(rgb, normalize(normal), marks.x, seat.xyz, false), rim == 0 ? 1.0 : coverage);
 }

@@ -88,21 +88,21 @@ function buildTiers() {
     const { geometry, start, triangles } = levelGeometry(facts, stage.body, level, instancesOf(MOST));
     const own = { ...uniforms, looseStart: { value: start }, coarse: { value: level >= 2 ? 1 : 0 } };
     add(geometry, materialOf(shaders, ["common.glsl", "person.vert"],
-      ["common.glsl", "light.glsl", "shading.glsl", "worn.glsl", "person.frag"], own, { side: THREE.FrontSide }), 2).userData.triangles = triangles;
+      ["common.glsl", "light.glsl", "shading.glsl", "worn.glsl", "person.frag"], own, { side: THREE.FrontSide }), 0).userData.triangles = triangles;
   }
   const far = (rim, options) => materialOf(shaders, ["common.glsl", "impostor.vert"],
     ["common.glsl", "light.glsl", "shading.glsl", "impostor.frag"], { ...uniforms, rim: { value: rim } }, options);
-  const whole = add(quadGeometry(instancesOf(MOST)), far(0), 3);
+  const whole = add(quadGeometry(instancesOf(MOST)), far(0), 1);
   whole.userData.triangles = 4; // drawn twice
   const rims = new THREE.Mesh(whole.geometry, far(1, { transparent: true, depthWrite: false, depthFunc: 2 })); // less
   rims.frustumCulled = false;
   rims.renderOrder = 4;
   world.add(rims);
   const shadows = add(quadGeometry(instancesOf(MOST)), materialOf(shaders, ["common.glsl", "ground.vert"], ["light.glsl", "ground.frag"],
-    uniforms, { transparent: true, depthWrite: false }), 1);
+    uniforms, { transparent: true, depthWrite: false }), 3);
   shadows.userData.triangles = 2;
   const floor = add(quadGeometry(instancesOf(1)), materialOf(shaders, ["common.glsl", "ground.vert"], ["light.glsl", "ground.frag"],
-    uniforms), 0);
+    uniforms), 2); // behind people nothing of it is shaded
   floor.geometry.attributes.instance.array[0] = -1;
   floor.geometry.instanceCount = 1;
   floor.userData.triangles = 2;

@@ -20,7 +20,7 @@ vec3 lit(vec3 rgb, vec3 normal, int who, vec3 world, bool solid) {
   return min(rgb * pow(light, vec3(1.0 / 2.2)), vec3(1.0));  // as below, in half of the powers
 #else
   if (roomed > 0 && who >= 0) {
-    ivec2 first = ivec2((who % 256) * 4, who / 256);
+    ivec2 first = ivec2((who & 255) * 4, who >> 8);
     vec4 n = vec4(1.0, normal);
     for (int k = 0; k < 3; k++) light[k] = max(dot(texelFetch(glow, first + ivec2(k, 0), 0), n), 0.0);
     light *= 1.0 - DARK_BELOW * exp(-max(world.y, 0.0) / DARK_M) * (0.6 - 0.4 * normal.y);

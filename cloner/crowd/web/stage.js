@@ -197,12 +197,14 @@ function levelGeometry(facts, body, level, instances) {
   uv.set(body.uv.subarray(0, own * 2));
   joints.set(body.joints.subarray(0, own * 4));
   weights.set(body.weights.subarray(0, own * 4));
-  // Bodies are closed: only their fronts are drawn. What is loose is there from both sides, once with every winding.
+  // Bodies are closed: only their fronts are drawn. What is loose is there from both sides, once with every winding,
+  // one behind the other: a processor that shades vertices then remembers them.
   const triangles = body[`level_${level}`], index = new Uint32Array(triangles.length + 2 * corners);
   index.set(triangles);
   for (let k = 0; k < corners; k++) {
-    index[triangles.length + k] = own + k;
-    index[triangles.length + corners + k] = own + k - (k % 3) + [0, 2, 1][k % 3];
+    const at = triangles.length + 2 * k - (k % 3);
+    index[at] = own + k;
+    index[at + 3] = own + k - (k % 3) + [0, 2, 1][k % 3];
   }
   const geometry = new THREE.InstancedBufferGeometry();
   const add = (name, values, parts) => geometry.setAttribute(name, new THREE.BufferAttribute(values, parts));
@@ -228,7 +230,7 @@ function quadGeometry(instances) {
 }
 
 function materialOf(shaders, vertex, fragment, uniforms, options = {}) {
-  const text = (names) => HEADER + (facts.room ? "" : "#define NO_ROOM\n") + (state.blocks ? "#define CODES_APART\n" : "") + names.map((name) => shaders[name]).join("\n");
+  const text = (names) => HEADER + (facts.room ? "" : "#define NO_ROOM\n") + (state.blocks ? "#define CODES_APART\n" : "") + (facts.acted ? "" : "#define NO_ACTORS\n") + names.map((name) => shaders[name]).join("\n");
   return new THREE.RawShaderMaterial({
     glslVersion: THREE.GLSL3, vertexShader: text(vertex), fragmentShader: text(fragment), uniforms,
     side: THREE.DoubleSide, ...options,
