@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.spatial import cKDTree
 
-from cloner.geometry.cameras.resection import projection_derivatives
+from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
