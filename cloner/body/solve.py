@@ -32,8 +32,6 @@ Tick = Callable[[float], None]
 USUAL_POSE, USUAL_HEIGHT = "usual pose", "usual height"
 #: Spreads from which on a photo that differs from the others, or a side from the other, is let go.
 LOOSE: Final = 2.0
-#: Share by which each step holds the unknowns: the first rounds' outlines are matched roughly.
-DAMPING: Final = 1e-3
 #: Nominal direction of the camera around the person for each side that a photo shows, radians.
 NOMINAL = {"front": 0.0, "back": math.pi, "left": math.pi / 2, "right": -math.pi / 2}
 
@@ -118,7 +116,7 @@ def solve(body: Family, evidence: dict[ViewId, Evidence], params: Params, tick: 
         solved = _problem(values, evidence, mean, params).solve(
             look,
             turns=params.turns_per_round,
-            damping=DAMPING,
+            damping=params.damping,
             tick=lambda share, number=number: tick((number + share) / len(params.shapes)),
         )
         values = solved.values

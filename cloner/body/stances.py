@@ -50,13 +50,12 @@ class Params:
     tip_degrees: float = _CALIBRATED.number("tip_degrees", "deg")
     camera_degrees: tuple[float, float, float] = _CALIBRATED.triple("camera_degrees", "deg")
     camera_mm: tuple[float, float, float] = _CALIBRATED.triple("camera_mm", "mm")
+    most_step: float = _CALIBRATED.number("most_step", "m, rad")
     outline_mm: float = _CALIBRATED.number("outline_mm", "mm")
     piece_mm: float = _CALIBRATED.number("piece_mm", "mm")
     reach_mm: tuple[float, ...] = _CALIBRATED.triple("reach_mm", "mm")
 
 
-#: Longest step of an angle, radians, and of a camera, metres.
-MOST_STEP: Final = 0.2
 #: Joints that turn: limbs about all axes, knees about their hinge alone.
 LIMBS = (("shoulder", (0, 1, 2)), ("elbow", (0, 1, 2)), ("hip", (0, 1, 2)), ("knee", (0,)))
 TIPS = (("wrist", (0, 1, 2)), ("ankle", (0, 1, 2)))
@@ -145,7 +144,7 @@ def fit_stances(
     mean, spread = size
     usual, most = angle_spread(params), 3.0 * spread
     blocks = {"sizes": Block(mean, mean, spread, least=mean - most, most=mean + most)}
-    blocks |= {view.value: Block(np.zeros(len(usual)), spread=usual, longest=MOST_STEP) for view in photos}
+    blocks |= {view.value: Block(np.zeros(len(usual)), spread=usual, longest=params.most_step) for view in photos}
     middle = _middle(sizer(mean))
     pivots = {view: photo.posed.camera.to_camera(middle[None])[0] for view, photo in photos.items()}
 
