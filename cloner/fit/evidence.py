@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import csr_matrix
 
 from cloner.records.arrays import Array
 
@@ -23,7 +24,7 @@ class Rows:
         Blocks of unknowns that it depends on.
     value : (R,) float64
         What it is away from what is wanted, in spreads.
-    slopes : (R, n) float64
+    slopes : (R, n) float64, dense or sparse
         Its change with the blocks' unknowns, one block after the other.
     weight : float or (R,)
         How far it is believed, at these values.
@@ -31,7 +32,7 @@ class Rows:
 
     of: tuple[str, ...]
     value: Array
-    slopes: Array
+    slopes: Array | csr_matrix
     weight: Array | float = 1.0
 
 

@@ -17,6 +17,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.sparse import diags_array, issparse
 
 from cloner.fit.evidence import Rows, cauchy
 from cloner.records.arrays import Array
@@ -103,8 +104,9 @@ class Problem:
         for rows in found:
             columns = np.concatenate([np.arange(self.places[name].start, self.places[name].stop) for name in rows.of])
             root = np.sqrt(np.broadcast_to(rows.weight, rows.value.shape))
-            slopes = rows.slopes * root[:, None]
-            matrix[np.ix_(columns, columns)] += slopes.T @ slopes
+            slopes = diags_array(root) @ rows.slopes if issparse(rows.slopes) else rows.slopes * root[:, None]
+            squared = slopes.T @ slopes
+            matrix[np.ix_(columns, columns)] += squared.toarray() if issparse(squared) else squared
             right[columns] -= slopes.T @ (rows.value * root)
         return matrix, right
 

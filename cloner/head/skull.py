@@ -59,7 +59,7 @@ def skull_moves(model: Model, controls: HeadControls) -> tuple[Array, NDArray[np
 def _depth_maps(
     masks: Sequence[tuple[Camera, NDArray[np.uint8]]], centre_m: Array
 ) -> list[tuple[Camera, Array, list[Array], int]]:
-    """Return per photo the signed depth inside the outline, metres, on a coarser grid, its slopes, and the step in px."""
+    """Return per photo the depth inside the outline, metres, on a coarser grid, its slopes, and the step, px."""
     out = []
     for camera, mask in masks:
         metres = camera.metres_per_pixel(centre_m)
