@@ -27,6 +27,7 @@ from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 Tick = Callable[[float], None]
+Terms = dict[ViewId, list[Term]]
 
 #: The person's usual pose and the cameras' usual height.
 USUAL_POSE, USUAL_HEIGHT = "usual pose", "usual height"
@@ -106,20 +107,16 @@ def solve(body: Family, evidence: dict[ViewId, Evidence], params: Params, tick: 
             view: gathered(body, seen, state, params, reach_mm=reach, fade=fade) for view, seen in evidence.items()
         }
 
-        def look(now: Values, turn: int, terms: dict[ViewId, list[Term]] = terms) -> Iterator[Rows]:
+        def look(now: Values, turn: int, number: int = number, terms: Terms = terms) -> Iterator[Rows]:
+            tick((number + turn / params.turns_per_round) / len(params.shapes))
             for view, seen in evidence.items():
                 yield from _alike(now, view, params)
                 shape, stand, pose = (now[name] for name in unknowns(view))
                 for term in terms[view]:
                     yield term.rows(draw(term.model, shape, stand, pose, seen.view.camera))
 
-        solved = _problem(values, evidence, mean, params).solve(
-            look,
-            turns=params.turns_per_round,
-            damping=params.damping,
-            tick=lambda share, number=number: tick((number + share) / len(params.shapes)),
-        )
-        values = solved.values
+        problem = _problem(values, evidence, mean, params)
+        values = problem.solve(look, turns=params.turns_per_round, damping=params.damping).values
     return _state(values, evidence)
 
 

@@ -81,8 +81,9 @@ def show_face(joined: Joined, before: FacePoints, after: FacePoints) -> tuple[Jo
     shape, vertices = joined.vertices_m.copy(), np.unique([one.vertex for one in moved])
     own = np.asarray(weights[np.searchsorted(generic.head_vertices, vertices)].todense(), dtype=np.float64)
     reached = _kinship() @ own.T
-    root = np.linalg.cholesky(own @ reached + 1e-6 * np.eye(len(vertices)))  # neighbours stay two
-    shift = reached @ np.linalg.solve(root.T, _pulls(shape[vertices], vertices, root, moved))
+    # neighbours stay two
+    root = np.asarray(np.linalg.cholesky(own @ reached + 1e-6 * np.eye(len(vertices))), dtype=np.float64)
+    shift = reached @ np.asarray(np.linalg.solve(root.T, _pulls(shape[vertices], vertices, root, moved)))
     shape[generic.head_vertices] += deform(weights, shift)
     told = tuple(_tell(one, joined.vertices_m, shape) for one in moved)
     return replace(joined, vertices_m=shape, features_m=named_features(generic, shape)), told

@@ -1,4 +1,4 @@
-"""Named unknowns, what is expected of each, and the values that evidence makes likeliest.
+"""Named unknowns, what is expected of each, and the values that evidence makes likeliest, by their normal equations.
 
 Damped Gauss-Newton on the negative log likelihood: robust rows are weighted by what they are now (iterated
 reweighting), values stay within bounds by holding those that would leave them (active set). The normal equations of the
@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -110,15 +109,7 @@ class Problem:
             right[columns] -= slopes.T @ (rows.value * root)
         return matrix, right
 
-    def solve(
-        self,
-        look: Look,
-        *,
-        turns: int,
-        damping: float = 1e-9,
-        still: float = 0.0,
-        tick: Callable[[float], Any] = lambda share: None,
-    ) -> Solution:
+    def solve(self, look: Look, *, turns: int, damping: float = 1e-9, still: float = 0.0) -> Solution:
         """Return the likeliest values.
 
         Parameters
@@ -131,8 +122,6 @@ class Problem:
             Share by which every unknown is held more than it is known (Levenberg).
         still : float
             A step shorter than so many spreads of every unknown (of one, without a spread) is the last.
-        tick : callable
-            Is told the share of turns done.
         """
         vector, told = self._told["start"].copy(), self._told
         scale = np.where(np.isfinite(told["spread"]), told["spread"], 1.0)
@@ -142,7 +131,6 @@ class Problem:
             step = bounded(damped, right, told["least"] - vector, told["most"] - vector)
             step = np.clip(step, -told["longest"], told["longest"])
             vector = np.clip(vector + step, told["least"], told["most"])
-            tick((turn + 1) / turns)
             if (np.abs(step) < still * scale).all():
                 break
         return Solution(self.values(vector), matrix, self.places)

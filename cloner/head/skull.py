@@ -67,7 +67,7 @@ def _depth_maps(
         inside = mask[::step, ::step] > 127
         depth = distance_transform_edt(inside) - distance_transform_edt(~inside)
         depth = np.asarray(depth, dtype=np.float64) * step * metres
-        out.append((camera, depth, np.gradient(depth), step))
+        out.append((camera, depth, list(np.gradient(depth)), step))
     return out
 
 
