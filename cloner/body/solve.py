@@ -68,8 +68,7 @@ def _stand(seen: Evidence, start: Array, params: Params) -> Block:
 
 def _problem(values: Values, evidence: dict[ViewId, Evidence], mean: Array, params: Params) -> Problem:
     """Return the unknowns, and what is likely of any person and any photographer."""
-    most = params.most_sigmas
-    blocks = {"shape": Block(values["shape"], spread=1.0, least=-most, most=most)}
+    blocks = {"shape": Block(values["shape"], spread=1.0, farthest=params.most_sigmas)}
     blocks[USUAL_POSE] = Block(values[USUAL_POSE], mean, SIGMAS, longest=params.most_step)
     blocks[USUAL_HEIGHT] = Block(values[USUAL_HEIGHT], *params.height_m, longest=params.most_step)
     for view, seen in evidence.items():

@@ -142,8 +142,8 @@ def fit_stances(
     photos : the body photos
     """
     mean, spread = size
-    usual, most = angle_spread(params), 3.0 * spread
-    blocks = {"sizes": Block(mean, mean, spread, least=mean - most, most=mean + most)}
+    usual = angle_spread(params)
+    blocks = {"sizes": Block(mean, mean, spread, farthest=3.0)}
     blocks |= {view.value: Block(np.zeros(len(usual)), spread=usual, longest=params.most_step) for view in photos}
     middle = _middle(sizer(mean))
     pivots = {view: photo.posed.camera.to_camera(middle[None])[0] for view, photo in photos.items()}

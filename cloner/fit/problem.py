@@ -41,7 +41,9 @@ class Block:
     rarity : float or (n,)
         Decline of the expected logarithm beside the normal prior: for what is mostly absent.
     least, most : float or (n,)
-        No value lies beyond.
+        No value lies beyond; the others explain what it may not.
+    farthest : float
+        Values that evidence takes farther from what is expected, in spreads, are cut off there: a guard.
     longest : float or (n,)
         No value moves farther in one turn: so far the linear model is good.
     """
@@ -53,6 +55,7 @@ class Block:
     rarity: Array | float = 0.0
     least: Array | float = -np.inf
     most: Array | float = np.inf
+    farthest: Array | float = np.inf
     longest: Array | float = np.inf
 
     def even(self, name: str) -> Array:
@@ -88,7 +91,7 @@ class Problem:
         self.places = {name: slice(*pair) for name, *pair in zip(self.blocks, ends, ends[1:], strict=False)}
         self._told = {
             name: np.concatenate([block.even(name) for block in self.blocks.values()])
-            for name in ("start", "expected", "spread", "tail", "rarity", "least", "most", "longest")
+            for name in ("start", "expected", "spread", "tail", "rarity", "least", "most", "farthest", "longest")
         }
 
     def values(self, vector: Array) -> Values:
@@ -125,12 +128,14 @@ class Problem:
         """
         vector, told = self._told["start"].copy(), self._told
         scale = np.where(np.isfinite(told["spread"]), told["spread"], 1.0)
+        room = np.where(np.isfinite(told["farthest"]), told["farthest"] * scale, np.inf)
+        guard = np.maximum(told["least"], told["expected"] - room), np.minimum(told["most"], told["expected"] + room)
         for turn in range(turns):
             matrix, right = self.equations(vector, look(self.values(vector), turn))
             damped = matrix + np.diag(damping * np.diag(matrix) + 1e-12)
             step = bounded(damped, right, told["least"] - vector, told["most"] - vector)
             step = np.clip(step, -told["longest"], told["longest"])
-            vector = np.clip(vector + step, told["least"], told["most"])
+            vector = np.clip(vector + step, *guard)
             if (np.abs(step) < still * scale).all():
                 break
         return Solution(self.values(vector), matrix, self.places)

@@ -61,6 +61,12 @@ def test_values_stay_within_bounds_and_the_others_explain_the_rest() -> None:
     )
 
 
+def test_a_guard_cuts_off_what_evidence_takes_too_far() -> None:
+    problem = Problem({"x": Block(np.zeros(1), expected=1.0, spread=0.5, farthest=2.0)})
+    found = problem.solve(lambda values, turn: [Rows(("x",), 1e3 * (values["x"] - 9.0), 1e3 * np.eye(1))], turns=2)
+    assert found.values["x"] == pytest.approx([2.0])
+
+
 def test_no_step_is_longer_than_the_model_is_good() -> None:
     turns = []
     problem = Problem({"x": Block(np.zeros(1), longest=0.5)})
