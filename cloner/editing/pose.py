@@ -69,8 +69,7 @@ class Params:
 class _Held:
     """One photo's part: its wishes, and the points that they and the joints to be kept are (N).
 
-    Points depend on how corrected joints move in rest pose (3 M), then on the pose: on 1, times the photo's own,
-    and on the angles that may turn.
+    Points depend on how corrected joints move in rest pose (3 M), then on the angles that may turn.
     """
 
     posed: PosedView
@@ -80,13 +79,13 @@ class _Held:
 
     def rotations(self, turned: Array) -> Array:
         """Return the (94, 3) rotations after the angles turned by (F,) radians."""
-        return self.points.rotations(np.append(1.0, turned))
+        return self.points.rotations(turned)
 
     def seen(self, shift_m: Array, turned: Array) -> tuple[Array, Array]:
         """Return where the points are seen, (N, 2) px, and their change with both (N, 2, 3 M + F)."""
-        moved = self.points.moved(shift_m, np.append(1.0, turned))
+        moved = self.points.moved(shift_m, turned)
         pixels, by_points, _ = projection_derivatives(self.posed.camera, moved.points_m)
-        return pixels, by_points @ np.concatenate([moved.by_shape, moved.by_pose[..., 1:]], axis=2)
+        return pixels, by_points @ np.concatenate([moved.by_shape, moved.by_pose], axis=2)
 
 
 def obey_pose(
@@ -138,7 +137,6 @@ def _hold(
         limb = next((LIMB_OF[word] for word in words if word in LIMB_OF), "")
         starts |= {f"{side}_{part}" for part in LIMBS[limb]} if limb else {"neck"}
     columns = [k for k, freedom in enumerate(FREEDOMS) if freedom.name.startswith(tuple(starts))]
-    pose = np.column_stack([posed.rotations.ravel(), pose_matrix(generic.joint_names)[:, columns]])
     names = (*(wish.name for wish in wishes), *KEPT)
     moves = np.zeros((len(joints_m), 3, 3 * len(rows)))
     for place, row in enumerate(rows):
@@ -154,7 +152,8 @@ def _hold(
         np.asarray(generic.joint_parents, dtype=np.int64),
         np.where(is_joint[:, None], np.array(own)[:, None], generic.skin_joints[skin]),
         np.where(is_joint[:, None], np.eye(influences)[0], generic.skin_weights[skin].astype(np.float64)),
-        pose,
+        pose_matrix(generic.joint_names)[:, columns],
+        posed.rotations.ravel(),
     )
     return _Held(posed, wishes, points, params.angle_share * SIGMAS[columns])
 

@@ -49,6 +49,8 @@ class Chosen:
     parents : (J,) parents before children, -1 for the root
     skin_joints, skin_weights : (N, K)
     pose : (3 J, D) matrix from pose vector to stacked rotation vectors
+    start : float or (3 J,)
+        Rotation vectors of the pose vector 0, stacked.
     """
 
     mean_m: Array
@@ -59,10 +61,11 @@ class Chosen:
     skin_joints: NDArray[np.integer]
     skin_weights: Array
     pose: Array
+    start: Array | float = 0.0
 
     def rotations(self, pose: Array) -> Array:
         """Return (J, 3) rotation vectors of a pose vector."""
-        return (self.pose @ pose).reshape(-1, 3)
+        return np.asarray(self.start + self.pose @ pose).reshape(-1, 3)
 
     def part(self, rows: slice | NDArray[np.integer]) -> Chosen:
         """Return the model of some of the points."""
@@ -75,6 +78,7 @@ class Chosen:
             self.skin_joints[rows],
             self.skin_weights[rows],
             self.pose,
+            self.start,
         )
 
     def posed(self, shape: Array, pose: Array) -> Array:
