@@ -12,14 +12,16 @@ about the face, whose place is known already: no photo of a face tells its nod w
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from typing import Final
 
 import numpy as np
 
-from cloner.body.carriage_sight import HAIR, Head, Params, Sight, angles_of, sight_of, turned
+from cloner.body.carriage_sight import Head, Params, Sight, sight_of, turned
 from cloner.body.outlined import Outlined
 from cloner.calibration.loader import calibrated
+from cloner.fit.evidence import Rows
+from cloner.fit.problem import Block, Problem, Values
 from cloner.frames import ViewId
 from cloner.hair.volumes.agreement import HairField, agreement
 from cloner.head.flank import Flank
@@ -66,37 +68,32 @@ def carry_heads(
         Gives the skin that is found in some photos, from the poses so far.
     """
     params, head = Params(), Head.of(mesh)
-    usual = np.deg2rad([(0.0, degrees) for view in photos for degrees in _usual_deg(view, params)])
-    rest, spread = np.concatenate([usual.reshape(-1, 2), params.thickness_mm]).T
-    ends = np.cumsum([angles_of(view) for view in photos])
-    own = {view: slice(end - angles_of(view), end) for view, end in zip(photos, ends, strict=True)}
-    state, hair = rest.copy(), slice(len(rest) - HAIR, None)
     turning = {view: functools.partial(turned, photos[view].posed, pivot_m=head.pivot_m) for view in lines}
-    spots: Mapping[ViewId, Flank] = {}
+    spots: dict[ViewId, Flank] = {}
 
-    def seen(view: ViewId, angles: Array, spot: Flank) -> Sight:
-        face = faces_px.get(view, UNSEEN)
+    def seen(view: ViewId, angles: Array) -> Sight:
+        face, spot = faces_px.get(view, UNSEEN), spots.get(view, NOTHING)
         return sight_of(head, photos[view], angles, points.get(view), face, face_errors_m, spot, params)
 
-    for step in range(params.turns):
-        if step == params.looks_at:
-            spots = look({view: turned(photo.posed, state[own[view]], head.pivot_m) for view, photo in photos.items()})
-        sights = {view: seen(view, state[own[view]], spots.get(view, NOTHING)) for view in photos}
-        if step == 0:  # from usual hair an afro's outline would count as another thing's
-            state[hair.start] = usual_thickness_mm(sights, rest[hair.start])
-        values, slopes = [(state - rest) / spread], [np.diag(1.0 / spread)]
-        for view, sight in sights.items():
-            value, slope = sight.linear(state[own[view]], state[hair])
-            values, slopes = [*values, value], [*slopes, _placed({view: slope[:, :-HAIR]}, own, len(state))]
-            slopes[-1][:, hair] = slope[:, -HAIR:]
-        for value, by_view in agreement(mesh, lines, turning, {view: state[own[view]] for view in lines}):
-            values.append(value)
-            slopes.append(_placed(by_view, own, len(state)))
-        jacobian = np.concatenate(slopes)
-        move = np.linalg.solve(jacobian.T @ jacobian, -jacobian.T @ np.concatenate(values))
-        move[: hair.start] = np.clip(move[: hair.start], -_STEP_RAD, _STEP_RAD)
-        state = state + move
-    return {view: turned(photo.posed, state[own[view]], head.pivot_m) for view, photo in photos.items()}
+    def stood(values: Values) -> dict[ViewId, PosedView]:
+        return {view: turned(photo.posed, values[view], head.pivot_m) for view, photo in photos.items()}
+
+    def evidence(values: Values, turn: int) -> Iterator[Rows]:
+        if turn == params.looks_at:
+            spots.update(look(stood(values)))
+        for view in photos:
+            sight = first[view] if turn == 0 else seen(view, values[view])
+            yield Rows((view, "hair"), *sight.linear(values[view], values["hair"]))
+        yield from agreement(mesh, lines, turning, {view: values[view] for view in lines})
+
+    usual = {view: np.deg2rad(_usual_deg(view, params)) for view in photos}
+    blocks = {view.value: Block(np.zeros(len(u)), spread=u, longest=_STEP_RAD) for view, u in usual.items()}
+    first = {view: seen(view, np.zeros(len(u))) for view, u in usual.items()}
+    mean, spread = np.transpose(params.thickness_mm)
+    # from usual hair an afro's outline would count as another thing's
+    begin = np.append(usual_thickness_mm(first, mean[0]), mean[1:])
+    blocks["hair"] = Block(begin, mean, spread)
+    return stood(Problem(blocks).solve(evidence, turns=params.turns).values)
 
 
 def usual_thickness_mm(sights: Mapping[ViewId, Sight], otherwise_mm: float) -> float:
@@ -105,13 +102,6 @@ def usual_thickness_mm(sights: Mapping[ViewId, Sight], otherwise_mm: float) -> f
     return float(np.median(told)) if len(told) else otherwise_mm
 
 
-def _placed(slopes: Mapping[ViewId, Array], own: Mapping[ViewId, slice], width: int) -> Array:
-    """Return (R, width) derivatives by all angles from those by some photos' own."""
-    found = np.zeros((len(next(iter(slopes.values()))), width))
-    for view, slope in slopes.items():
-        found[:, own[view]] = slope
-    return found
-
-
 def _usual_deg(view: ViewId, params: Params) -> tuple[float, ...]:
+    """Return a photo's usual angles, degrees: three of the neck and three of the head, or a face photo's nod."""
     return (params.nod_deg,) if view.is_face else (*[params.neck_deg] * 3, *[params.head_deg] * 3)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from cloner.body.outlined import Outlined, see
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
-from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.frames import m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.skinning import joint_transforms, skin
@@ -109,11 +109,6 @@ def _spread() -> Array:
         for name in SKULL:
             matrix[generic.joint(name) * 3 + axis, [axis, 3 + axis]] = -1.0 / len(SKULL), 1.0 / len(SKULL)
     return matrix
-
-
-def angles_of(view: ViewId) -> int:
-    """Return how many angles a photo has: three of the neck and three of the head, or a face photo's nod."""
-    return 1 if view.is_face else 6
 
 
 def turned(posed: PosedView, angles: Array, pivot_m: Array) -> PosedView:

@@ -57,6 +57,7 @@ class Params:
     fade: tuple[float, float] = _CALIBRATED.pair("fade", "spreads")
     height_px: int = 640
     most_step: float = _CALIBRATED.number("most_step", "m, rad")
+    damping: float = _CALIBRATED.number("damping", "share")
     most_sigmas: float = _CALIBRATED.number("most_sigmas", "spreads")
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from cloner.body.clothes import EASES, eased
 from cloner.body.footwear import BAREFOOT, FOOTWEAR, SHOES, Footwear, shod
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman
-from cloner.geometry.articulation.poses import FREEDOMS, pose_matrix
+from cloner.geometry.articulation.poses import pose_matrix
 from cloner.geometry.articulation.posing import Chosen
 from cloner.geometry.cameras.tripods import STAND_NAMES, projected
 from cloner.records.arrays import Array
@@ -20,8 +20,6 @@ Rows = NDArray[np.integer]
 
 #: Modes of what the family wears, before those of its shape: footwear's, then the clothes'.
 WORN = FOOTWEAR + len(EASES)
-#: Unknowns that belong to one photo: where the camera stands, and the pose.
-OWN = len(STAND_NAMES) + len(FREEDOMS)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

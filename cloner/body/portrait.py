@@ -16,18 +16,19 @@ import numpy as np
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_net import load_face_net
+from cloner.fit.shapes import Evidence, ShapeFit, fit_shape
 from cloner.frames import ViewId, focal_px_from_35mm
 from cloner.generic.load import GenericHuman
+from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.head.modes import load_head_modes
 from cloner.records.arrays import Array
-from cloner.records.points import Proposal, Proposals
+from cloner.records.points import Proposals
 
 #: What each number is and where it comes from: ``cloner/calibration/body.toml``.
 _CALIBRATED: Final = calibrated("body.portrait")
 
-# BlazePose's shoulders; Google's face mesh's outer eye corners
+# BlazePose's shoulders
 _SHOULDERS: Final = (11, 12)
-_EYES: Final = (33, 263)
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,11 +63,15 @@ def portrait_shape(generic: GenericHuman, proposals: Proposals) -> Array:
     if proposal is None or proposal.face_presence == 0.0:
         return coefficients
     mean, basis, drift, sigma = _model(generic, params)
-    seen = np.vstack([proposal.face_px, proposal.pose_px[list(_SHOULDERS)]]) * (1.0, -1.0)  # y up, as the model has it
-    for _ in range(params.turns):
-        coefficients = _step(coefficients, mean, basis, drift, seen, sigma, _focal_px(proposal, params))
-        coefficients = np.clip(coefficients, -params.most_sigmas, params.most_sigmas)
-    return coefficients
+    seen = np.vstack([proposal.face_px, proposal.pose_px[list(_SHOULDERS)]])
+    height, width = proposal.mask.shape
+    focal = focal_px_from_35mm(params.focal_35mm, width, height)
+    camera = facing_camera(mean[:-2], seen[:-2], azimuth=0.0, focal_px=focal, width_px=width, height_px=height)
+    metres = camera.metres_per_pixel(mean[:-2].mean(axis=0))
+    told = Evidence(0, mean, basis, seen, sigma / metres, outlier=np.inf, drift_px=drift / metres)
+    start = ShapeFit(np.zeros(len(basis) + len(drift)), (camera,), np.zeros((1, 3)))
+    found = fit_shape(start, lambda fit, turn: [told], iterations=params.turns).coefficients[: len(basis)]
+    return np.clip(found, -params.most_sigmas, params.most_sigmas)
 
 
 def _model(generic: GenericHuman, params: Params) -> tuple[Array, Array, Array, Array]:
@@ -87,50 +92,6 @@ def _model(generic: GenericHuman, params: Params) -> tuple[Array, Array, Array, 
     moves = np.einsum("nk,cnka->cna", net.places.weights, corners)
     basis = np.concatenate([moves, generic.joint_basis[: params.shapes, shoulders]], axis=1)
     sigma = np.append(np.hypot(net.alone_m, params.face_m), [params.shoulder_m] * 2)
-    drift = np.concatenate([net.drift_m * (params.drift, -params.drift), own[1:, :, :2]])
+    drift = np.concatenate([params.drift * net.drift_m, own[1:, :, :2] * (1.0, -1.0)])  # down in the picture
     drift = np.pad(drift, ((0, 0), (0, 2), (0, 0)))  # shoulders have neither
     return mean, basis, drift, sigma
-
-
-def _step(
-    coefficients: Array, mean: Array, basis: Array, drift: Array, seen: Array, sigma: Array, focal_px: float
-) -> Array:
-    """Return better coefficients: one linear solution for shape, the net's common errors, and the head's place."""
-    points = mean + np.tensordot(coefficients, basis, axes=1)
-    points = points - points[:-2].mean(axis=0)
-    eyes_m = np.linalg.norm(points[_EYES[0]] - points[_EYES[1]])
-    distance_m = focal_px * eyes_m / np.linalg.norm(seen[_EYES[0]] - seen[_EYES[1]])
-    nearer = (distance_m / (distance_m - points[:, 2]))[:, None]
-    drawn = points[:, :2] * nearer
-    moves = basis[:, :, :2] * nearer + basis[:, :, 2:] * drawn / (distance_m - points[:, 2])[:, None]
-    still = np.zeros(len(points))
-    freedoms = [
-        np.stack([still + 1.0, still], axis=1),
-        np.stack([still, still + 1.0], axis=1),
-        drawn,
-        np.stack([-drawn[:, 1], drawn[:, 0]], axis=1),
-        np.stack([points[:, 2], still], axis=1),
-        np.stack([still, points[:, 2]], axis=1),
-    ]
-    certain = len(basis) + len(drift)
-    design = np.concatenate([moves, drift, np.array(freedoms)]).reshape(certain + len(freedoms), -1).T
-    wanted = _laid_on(seen, drawn) - drawn + np.tensordot(coefficients, moves, axes=1)
-    weights = np.repeat(sigma, 2) ** -2.0
-    prior = np.append(np.ones(certain), np.full(len(freedoms), 1e-6))
-    normal = design.T @ (design * weights[:, None]) + np.diag(prior)
-    return np.asarray(np.linalg.solve(normal, design.T @ (wanted.ravel() * weights))[: len(basis)])
-
-
-def _laid_on(seen: Array, drawn: Array) -> Array:
-    """Return the seen points moved, turned and scaled on to the drawn ones, fitted to the face alone."""
-    source, target = (each @ (1.0, 1.0j) for each in (seen, drawn))
-    middle, wanted = source[:-2].mean(), target[:-2].mean()
-    from_middle = source - middle
-    factor = np.vdot(from_middle[:-2], target[:-2] - wanted) / np.vdot(from_middle[:-2], from_middle[:-2])
-    moved = factor * from_middle + wanted
-    return np.stack([moved.real, moved.imag], axis=1)
-
-
-def _focal_px(proposal: Proposal, params: Params) -> float:
-    height, width = proposal.mask.shape
-    return focal_px_from_35mm(params.focal_35mm, width, height)

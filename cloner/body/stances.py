@@ -17,14 +17,16 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.body.outlined import Outlined, Seen, see
+from cloner.body.outlined import Outlined, see
 from cloner.calibration.loader import calibrated
+from cloner.fit.evidence import Rows, points
+from cloner.fit.problem import Block, Problem, Values
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.articulation.posing import moved_camera
-from cloner.geometry.articulation.skinning import joint_transforms
-from cloner.geometry.articulation.turning import carried_share, pixel_slope, turned_motion, turned_rotation
+from cloner.geometry.articulation.skinning import joint_transforms, turning_axes
+from cloner.geometry.articulation.turning import carried_share, turned_motion, turned_rotation
+from cloner.geometry.cameras.motions import motion_twists, moved_camera, projection_derivatives
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.records.arrays import Array
@@ -48,6 +50,7 @@ class Params:
     tip_degrees: float = _CALIBRATED.number("tip_degrees", "deg")
     camera_degrees: tuple[float, float, float] = _CALIBRATED.triple("camera_degrees", "deg")
     camera_mm: tuple[float, float, float] = _CALIBRATED.triple("camera_mm", "mm")
+    most_step: float = _CALIBRATED.number("most_step", "m, rad")
     outline_mm: float = _CALIBRATED.number("outline_mm", "mm")
     piece_mm: float = _CALIBRATED.number("piece_mm", "mm")
     reach_mm: tuple[float, ...] = _CALIBRATED.triple("reach_mm", "mm")
@@ -80,19 +83,18 @@ def angle_spread(params: Params) -> Array:
     )
 
 
-def _motion(mesh: BodyMesh, photo: Outlined, seen: Seen, vertices: NDArray[np.int64]) -> Array:
-    """Return (N, 3, A) motion of posed vertices per radian of every angle."""
+def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[np.int64], angles: Array) -> Array:
+    """Return (N, 3, A) motion of posed vertices per radian of every joint's angle, turned by ``angles`` already."""
     generic = load_generic()
-    transforms = joint_transforms(mesh.joints_m, generic.joint_parents, photo.posed.rotations)
-    posed = seen.posed_m[vertices]
-    blocks = []
+    transforms = joint_transforms(mesh.joints_m, generic.joint_parents, posed.rotations)
+    blocks, start = [], 0
     for joint, axes, share, _ in _turns():
         pivot = transforms[joint, :3, :3] @ mesh.joints_m[joint] + transforms[joint, :3, 3]
-        frame = transforms[generic.joint_parents[joint], :3, :3].T
-        blocks.append(turned_motion(posed, pivot, frame[list(axes)], share[vertices]))
-    camera = photo.posed.camera.camera_from_model[:3, :3]
-    blocks.append(turned_motion(posed, _middle(mesh), camera, np.ones(len(posed))))
-    blocks.append(np.broadcast_to(camera.T, (len(posed), 3, 3)))
+        turn = np.zeros(3)
+        turn[list(axes)] = angles[start : start + len(axes)]
+        frame = transforms[generic.joint_parents[joint], :3, :3] @ turning_axes(turn)
+        blocks.append(turned_motion(places_m[vertices], pivot, frame.T[list(axes)], share[vertices]))
+        start += len(axes)
     return np.concatenate(blocks, axis=2)
 
 
@@ -102,27 +104,26 @@ def _middle(mesh: BodyMesh) -> Array:
 
 
 def _rows(
-    mesh: BodyMesh, grown: Array, photo: Outlined, reach_mm: float, params: Params
-) -> tuple[Array, Array, Array, Array]:
-    """Return slopes by size (K, S) and by angle (K, A), wanted changes (K,) and weights, in spreads, of one photo."""
+    mesh: BodyMesh, grown: Array, photo: Outlined, values: Array, pivot: Array, reach_mm: float, params: Params
+) -> Rows:
+    """Return the outline's rows by sizes (S) and by one photo's angles and camera (A), which ``values`` hold."""
     seen = see(mesh, photo)
     rim = np.flatnonzero(seen.body.on_rim)
     camera = photo.posed.camera
     normals = np.einsum("vab,vb->va", seen.blended[:, :, :3], vertex_normals(mesh.vertices_m, body_triangles()))[rim]
-    flat = (normals @ camera.camera_from_model[:3, :3].T)[:, :2]
-    flat = unit(flat)
+    flat = unit((normals @ camera.camera_from_model[:3, :3].T)[:, :2])
     reach_px = reach_mm / seen.mm_per_px
     nearest, distance = photo.field.nearest_rim(seen.body.pixels[rim], flat, reach_px)
     keep = (distance < reach_px) & ~photo.field.veiled
-    vertex, normal = rim[nearest[keep]], photo.field.normals[keep]
-    wanted = np.einsum("ka,ka->k", photo.field.samples_px[keep] - seen.body.pixels[vertex], normal)
-    used, place = np.unique(vertex, return_inverse=True)
-    across = np.einsum("ka,kab->kb", normal, pixel_slope(camera, seen.posed_m[used])[place])
-    by_angle = np.einsum("kb,kba->ka", across, _motion(mesh, photo, seen, used)[place])
-    by_size = np.einsum("kb,kbs->ks", across, np.einsum("vab,vbs->vas", seen.blended[used, :, :3], grown[used])[place])
+    used, place = np.unique(rim[nearest[keep]], return_inverse=True)
+    pixels, by_points, by_step = projection_derivatives(camera, seen.posed_m[used])
+    by_size = by_points @ (seen.blended[used, :, :3] @ grown[used])
+    by_angle = by_points @ motion(mesh, photo.posed, seen.posed_m, used, values)
+    slopes = np.concatenate([by_size, by_angle, by_step @ motion_twists(values[-6:], pivot)], axis=2)
     pieces = photo.field.step_px * seen.mm_per_px / params.piece_mm
-    weight = seen.mm_per_px / params.outline_mm * np.sqrt(min(pieces, 1.0)) * (1.0 - distance[keep] / reach_px)
-    return by_size, by_angle, wanted, weight
+    sigma_px = params.outline_mm / seen.mm_per_px / np.sqrt(min(pieces, 1.0)) / (1.0 - distance[keep] / reach_px)
+    away = (pixels[place] - photo.field.samples_px[keep], slopes[place])
+    return points(("sizes", photo.view), *away, sigma_px, along=photo.field.normals[keep])
 
 
 def fit_stances(
@@ -141,27 +142,25 @@ def fit_stances(
     photos : the body photos
     """
     mean, spread = size
-    angle = angle_spread(params)
-    count, turns = len(mean), len(angle)
-    values, turned = mean.copy(), {view: np.zeros(turns) for view in photos}
-    for reach in params.reach_mm:
-        mesh, grown = _grown(sizer, values)
-        normal = np.diag(np.concatenate([1.0 / spread**2, *(1.0 / angle**2 for _ in photos)]))
-        right = np.concatenate([(mean - values) / spread**2, *(-turned[view] / angle**2 for view in photos)])
-        for number, photo in enumerate(photos.values()):
-            by_size, by_angle, wanted, weight = _rows(mesh, grown, photo, reach, params)
-            rows = np.hstack([by_size, by_angle]) * weight[:, None]
-            columns = np.r_[np.arange(count), count + number * turns + np.arange(turns)]
-            # no BLAS: its threads wait for each other longer than this product takes
-            normal[np.ix_(columns, columns)] += np.einsum("ka,kb->ab", rows, rows)
-            right[columns] += np.einsum("ka,k->a", rows, weight * wanted)
-        step = np.linalg.solve(normal, right)
-        values = np.clip(values + step[:count], mean - 3.0 * spread, mean + 3.0 * spread)
-        for number, (view, photo) in enumerate(photos.items()):
-            change = np.clip(step[count + number * turns :][:turns], -0.2, 0.2)
-            turned[view] = turned[view] + change
-            photos = {**photos, view: Outlined(turned_pose(photo.posed, change, _middle(mesh)), photo.field)}
-    return sizer(values), photos
+    usual = angle_spread(params)
+    blocks = {"sizes": Block(mean, mean, spread, farthest=3.0)}
+    blocks |= {view.value: Block(np.zeros(len(usual)), spread=usual, longest=params.most_step) for view in photos}
+    middle = _middle(sizer(mean))
+    pivots = {view: photo.posed.camera.to_camera(middle[None])[0] for view, photo in photos.items()}
+
+    def stood(values: Values) -> dict[ViewId, Outlined]:
+        poses = {view: turned_pose(photo.posed, values[view], middle) for view, photo in photos.items()}
+        return {view: Outlined(posed, photos[view].field) for view, posed in poses.items()}
+
+    def look(values: Values, turn: int) -> list[Rows]:
+        mesh, grown = _grown(sizer, values["sizes"])
+        return [
+            _rows(mesh, grown, photo, values[view], pivots[view], params.reach_mm[turn], params)
+            for view, photo in stood(values).items()
+        ]
+
+    found = Problem(blocks).solve(look, turns=len(params.reach_mm)).values
+    return sizer(found["sizes"]), stood(found)
 
 
 def _grown(sizer: Sizer, values: Array) -> tuple[BodyMesh, Array]:
@@ -182,5 +181,5 @@ def turned_pose(posed: PosedView, angles: Array, middle_m: Array) -> PosedView:
         turn[list(axes)] = angles[start : start + len(axes)]
         rotations[joint] = turned_rotation(rotations[joint], turn)
         start += len(axes)
-    matrix = moved_camera(posed.camera.camera_from_model, angles[start:], middle_m)
-    return replace(posed, camera=replace(posed.camera, camera_from_model=matrix), rotations=rotations)
+    camera = moved_camera(posed.camera, angles[start:], posed.camera.to_camera(middle_m[None])[0])
+    return replace(posed, camera=camera, rotations=rotations)

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from cloner.body.evidence import Evidence, Params
 from cloner.body.model import Drawn, Family
 from cloner.detectors.body.body_points import ENDS
-from cloner.frames import mm_from_m
+from cloner.fit.evidence import Rows, cauchy, points
+from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.articulation.posing import Chosen
@@ -25,7 +26,10 @@ from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import rim_vertices, vertex_normals
 from cloner.records.arrays import Array
 
-Rows = tuple[Array, Array]
+
+def unknowns(view: ViewId) -> tuple[str, str, str]:
+    """Return the names of the unknowns that a photo's points depend on: shape, and its own stand and pose."""
+    return "shape", f"stand {view}", f"pose {view}"
 
 
 class Term(Protocol):
@@ -34,13 +38,7 @@ class Term(Protocol):
     model: Chosen
 
     def rows(self, drawn: Drawn) -> Rows:
-        """Return residuals (M,) in spreads and their derivatives (M, U)."""
-
-
-def faded(value: Array, jacobian: Array, weight: Array) -> Rows:
-    """Return residuals and derivatives with the square roots of weights on them."""
-    root = np.sqrt(weight)
-    return value * root, jacobian * root[:, None]
+        """Return residuals in spreads and their derivatives."""
 
 
 def sole_vertices(generic: GenericHuman) -> NDArray[np.int64]:
@@ -77,16 +75,13 @@ class PointTerm:
         joints = [generic.joint(bases[k]) for k in order if is_joint[k]]
         model = body.points(np.array(features, dtype=np.int64), np.array(joints, dtype=np.int64), modes=modes)
         self.model = replace(model, mean_m=model.mean_m + offsets[order])
-        self.target_px, self.fixed, self.fade = targets[order], fixed[order].astype(bool), fade
-        self.weight = evidence.mm_per_px / spreads[order]
+        self.of, self.target_px = unknowns(evidence.view.view), targets[order]
+        self.outlier = np.where(fixed[order].astype(bool), np.inf, fade)
+        self.sigma_px = spreads[order] / evidence.mm_per_px
 
     def rows(self, drawn: Drawn) -> Rows:
         """Return residuals (2 N,) and derivatives."""
-        away = (drawn.pixels - self.target_px) * self.weight[:, None]
-        weight = 1.0 / (1.0 + (away**2).sum(axis=1) / self.fade**2)
-        weight = np.repeat(np.where(self.fixed, 1.0, weight), 2)
-        jacobian = drawn.by_pixels * self.weight[:, None, None]
-        return faded(away.ravel(), jacobian.reshape(len(weight), -1), weight)
+        return points(self.of, drawn.pixels - self.target_px, drawn.by_pixels, self.sigma_px, outlier=self.outlier)
 
 
 def _own_points(generic: GenericHuman, evidence: Evidence, params: Params) -> list[tuple[str, Array, float, bool]]:
@@ -130,7 +125,7 @@ class GroundTerm:
             lowest = int(own[np.argmax(drawn.pixels[own, 1])])
             values.append(np.array([(drawn.pixels[lowest, 1] - row_px) * mm / params.corrected_mm]))
             slopes.append(drawn.by_pixels[lowest : lowest + 1, 1] * mm / params.corrected_mm)
-        return np.concatenate(values), np.vstack(slopes)
+        return Rows(unknowns(self.evidence.view.view), np.concatenate(values), np.vstack(slopes))
 
 
 def outline_trust(generic: GenericHuman) -> Array:
@@ -167,7 +162,7 @@ class OutlineTerm:
         rim, _ = rim_vertices(small, posed, triangles, camera.position_m, (height, width), 2.5)
         normals = vertex_normals(posed, triangles)[rim] @ camera.camera_from_model[:3, :3].T
         self.normals = unit(normals[:, :2])
-        self.model, self.field = skin.part(rim), field
+        self.model, self.field, self.of = skin.part(rim), field, unknowns(evidence.view.view)
         self.trust = outline_trust(body.generic)[rim]
         mm, sigma = evidence.mm_per_px, params.outline_mm
         self.reach_px = reach_mm / mm
@@ -194,8 +189,7 @@ class OutlineTerm:
         inside = self._one_sided(drawn.pixels) & (beyond < 0.0)
         beyond[inside], by_beyond[inside] = 0.0, 0.0
         value = np.concatenate([towards, beyond])
-        weight = (1.0 + (value / self.soft) ** 2) ** -2.0
-        return faded(value, np.vstack([by_towards, by_beyond]), weight)
+        return Rows(self.of, value, np.vstack([by_towards, by_beyond]), cauchy(value**2, self.soft) ** 2)
 
     def _matched(self, pixels: Array) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
         """Return the rim's points that samples of the outline are matched with, and which samples count."""

@@ -7,16 +7,21 @@ points' vertices where they were dragged, through the cameras of the last run, a
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
+from cloner.fit import evidence
+from cloner.fit.problem import Block, Problem, Values
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.features import named_features
 from cloner.generic.head_controls import load_head_controls
 from cloner.generic.load import load_generic
+from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.geometry.deformation.dffd import deform
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
@@ -28,7 +33,9 @@ _CALIBRATED: Final = calibrated("editing.face")
 
 
 REACH_M = _CALIBRATED.number("reach_m", "m")
-#: Rounds in which moved points that share skin are solved (taste).
+USUAL_M = _CALIBRATED.number("usual_m", "m")
+EXACT_PX = _CALIBRATED.number("exact_px", "px")
+#: Steps; perspective alone bends what is solved.
 TURNS = 3
 
 
@@ -55,12 +62,6 @@ class _Moved:
         """Return (2,) how far the vertex still has to go in the photo."""
         return np.asarray(self.target_px - self.camera.project(vertices_m[self.vertex][None])[0])
 
-    def slope(self, vertices_m: Array) -> Array:
-        """Return (2, 3) pixels per metre that the vertex moves."""
-        point = vertices_m[self.vertex]
-        ahead = self.camera.project(point + 1e-4 * np.eye(3)) - self.camera.project(point[None])
-        return np.asarray(ahead.T / 1e-4)
-
 
 def show_face(joined: Joined, before: FacePoints, after: FacePoints) -> tuple[Joined, tuple[ObeyedPoint, ...]]:
     """Return the person with the face bent to the points that were moved since the last run.
@@ -77,19 +78,30 @@ def show_face(joined: Joined, before: FacePoints, after: FacePoints) -> tuple[Jo
     if not moved:
         return joined, ()
     weights = controls.weights[:, : len(controls.names)]
-    rows = np.searchsorted(generic.head_vertices, [one.vertex for one in moved])
-    own = np.asarray(weights[rows].todense(), dtype=np.float64)
-    mixed = own @ _kinship() @ own.T
-    shape = joined.vertices_m.copy()
-    for _ in range(TURNS):
-        gaps = np.stack([one.gap_px(shape) for one in moved])
-        slopes = np.stack([one.slope(shape) for one in moved])
-        system = np.einsum("iax,ij,jbx->iajb", slopes, mixed, slopes).reshape(gaps.size, gaps.size)
-        pull = np.linalg.lstsq(system, gaps.ravel(), rcond=1e-4)[0].reshape(-1, 2)
-        shift = _kinship() @ own.T @ np.einsum("ia,iax->ix", pull, slopes)
-        shape[generic.head_vertices] += deform(weights, shift)
+    shape, vertices = joined.vertices_m.copy(), np.unique([one.vertex for one in moved])
+    own = np.asarray(weights[np.searchsorted(generic.head_vertices, vertices)].todense(), dtype=np.float64)
+    reached = _kinship() @ own.T
+    # neighbours stay two
+    root = np.asarray(np.linalg.cholesky(own @ reached + 1e-6 * np.eye(len(vertices))), dtype=np.float64)
+    shift = reached @ np.asarray(np.linalg.solve(root.T, _pulls(shape[vertices], vertices, root, moved)))
+    shape[generic.head_vertices] += deform(weights, shift)
     told = tuple(_tell(one, joined.vertices_m, shape) for one in moved)
     return replace(joined, vertices_m=shape, features_m=named_features(generic, shape)), told
+
+
+def _pulls(places_m: Array, vertices: NDArray[np.int64], root: Array, moved: list[_Moved]) -> Array:
+    """Return the likeliest pulls (N, 3), of which ``root`` (N, N) makes the moves of the vertices, metres."""
+
+    def look(values: Values, turn: int) -> Iterator[evidence.Rows]:
+        now = places_m + root @ values["pulls"].reshape(-1, 3)
+        for one in moved:
+            row = np.searchsorted(vertices, one.vertex)
+            seen, by_point, _ = projection_derivatives(one.camera, now[row][None])
+            slopes = np.einsum("nia,v->niva", by_point, root[row]).reshape(1, 2, -1)
+            yield evidence.points(("pulls",), seen - one.target_px, slopes, EXACT_PX)
+
+    problem = Problem({"pulls": Block(np.zeros(places_m.size), spread=USUAL_M)})
+    return problem.solve(look, turns=TURNS).values["pulls"].reshape(-1, 3)
 
 
 def _moved(joined: Joined, before: FacePoints, after: FacePoints) -> list[_Moved]:

@@ -7,7 +7,7 @@ pose stays as it is.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -15,10 +15,13 @@ import numpy as np
 
 from cloner.calibration.loader import calibrated
 from cloner.editing.wishes import Wish
+from cloner.fit.evidence import Rows, points
+from cloner.fit.problem import Block, Problem, Values
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.poses import FREEDOMS, SIGMAS, pose_matrix
-from cloner.geometry.articulation.skinning import joint_transforms
+from cloner.geometry.articulation.posing import Chosen
+from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
 from cloner.records.points import ObeyedPoint
@@ -64,17 +67,25 @@ class Params:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _Held:
-    """One photo's part: its wishes, the angles that may turn (282, F) and their spreads (F,), and where joints stay."""
+    """One photo's part: its wishes, and the points that they and the joints to be kept are (N).
+
+    Points depend on how corrected joints move in rest pose (3 M), then on the angles that may turn.
+    """
 
     posed: PosedView
     wishes: tuple[Wish, ...]
-    angles: Array
+    points: Chosen
     spread: Array
-    kept_px: Array
 
     def rotations(self, turned: Array) -> Array:
-        """Return the (..., 94, 3) rotations after the angles turned by (..., F) radians."""
-        return np.asarray(self.posed.rotations + (turned @ self.angles.T).reshape(*turned.shape[:-1], -1, 3))
+        """Return the (94, 3) rotations after the angles turned by (F,) radians."""
+        return self.points.rotations(turned)
+
+    def seen(self, shift_m: Array, turned: Array) -> tuple[Array, Array]:
+        """Return where the points are seen, (N, 2) px, and their change with both (N, 2, 3 M + F)."""
+        moved = self.points.moved(shift_m, turned)
+        pixels, by_points, _ = projection_derivatives(self.posed.camera, moved.points_m)
+        return pixels, by_points @ np.concatenate([moved.by_shape, moved.by_pose], axis=2)
 
 
 def obey_pose(
@@ -93,108 +104,78 @@ def obey_pose(
     if not wishes:
         return joints_m, dict(views), []
     params, generic = Params(), load_generic()
-    held = [
-        _hold(vertices_m, joints_m, views[view], tuple(wish for wish in wishes if wish.view is view), params)
-        for view in dict.fromkeys(wish.view for wish in wishes)
-    ]
     rows = sorted({generic.joint(wish.name) for wish in wishes if wish.name in generic.joint_names})
-    shift_m, turned = _solved(vertices_m, joints_m, held, rows, params)
+    held = {
+        view.value: _hold(
+            vertices_m, joints_m, rows, views[view], tuple(one for one in wishes if one.view is view), params
+        )
+        for view in dict.fromkeys(wish.view for wish in wishes)
+    }
+    found = _solved(held, len(rows), params)
+    shift_m, poses, told = found["places"].reshape(-1, 3), dict(views), {}
     joints = joints_m.copy()
     joints[rows] += shift_m
-    poses, told = dict(views), {}
-    for one, angles in zip(held, turned, strict=True):
+    for name, one in held.items():
         view = one.posed.view
-        poses[view] = PosedView(view, one.posed.camera, one.rotations(angles))
-        was = _seen(one.posed, one.wishes, vertices_m, joints_m, one.posed.rotations, ())
-        now = _seen(one.posed, one.wishes, vertices_m, joints, poses[view].rotations, ())
-        for wish, old, new in zip(one.wishes, was, now, strict=True):
+        poses[view] = PosedView(view, one.posed.camera, one.rotations(found[name]))
+        was, _ = one.seen(0.0 * found["places"], 0.0 * found[name])
+        now, _ = one.seen(found["places"], found[name])
+        for wish, old, new in zip(one.wishes, was, now, strict=False):  # joints to be kept follow the wishes
             row = rows.index(generic.joint(wish.name)) if wish.name in generic.joint_names else -1
             told[id(wish)] = _tell(wish, old, new, float(np.linalg.norm(shift_m[row])) if row >= 0 else 0.0)
     return joints, poses, [told[id(wish)] for wish in wishes]
 
 
-def _hold(vertices_m: Array, joints_m: Array, posed: PosedView, wishes: tuple[Wish, ...], params: Params) -> _Held:
-    """Return one photo's part of the solution."""
-    starts: set[str] = set()
+def _hold(
+    vertices_m: Array, joints_m: Array, rows: list[int], posed: PosedView, wishes: tuple[Wish, ...], params: Params
+) -> _Held:
+    """Return one photo's part of the solution; ``rows`` are the joints that may move in rest pose."""
+    generic, starts = load_generic(), set[str]()
     for wish in wishes:
         words = wish.name.split("_")
         side = next((word[0] for word in words if word in ("l", "r", "left", "right")), "")
         limb = next((LIMB_OF[word] for word in words if word in LIMB_OF), "")
         starts |= {f"{side}_{part}" for part in LIMBS[limb]} if limb else {"neck"}
     columns = [k for k, freedom in enumerate(FREEDOMS) if freedom.name.startswith(tuple(starts))]
-    angles = pose_matrix(load_generic().joint_names)[:, columns]
-    kept = _seen(posed, (), vertices_m, joints_m, posed.rotations, KEPT)
-    return _Held(posed, wishes, angles, params.angle_share * SIGMAS[columns], kept)
-
-
-def _seen(
-    posed: PosedView,
-    wishes: tuple[Wish, ...],
-    vertices_m: Array,
-    joints_m: Array,
-    rotations: Array,
-    others: tuple[str, ...],
-) -> Array:
-    """Return where the wishes' joints and features, and other joints, are seen, (..., N, 2) px.
-
-    Joints (..., 94, 3) and rotations (..., 94, 3) may have leading axes: many poses at once.
-    """
-    generic = load_generic()
-    transforms = joint_transforms(joints_m, generic.joint_parents, rotations)
-    points = []
-    for name in (*(wish.name for wish in wishes), *others):
-        if name in generic.joint_names:
-            row = generic.joint(name)
-            turn, place = transforms[..., row, :3, :], joints_m[..., row, :]
-        else:
-            row = generic.feature(name)
-            weights, carriers = generic.skin_weights[row].astype(np.float64), generic.skin_joints[row]
-            turn = np.einsum("k,...kab->...ab", weights, transforms[..., carriers, :3, :])
-            place = vertices_m[row]
-        points.append(np.einsum("...ab,...b->...a", turn[..., :3], place) + turn[..., 3])
-    every = np.stack(points, axis=-2)
-    return posed.camera.project(every.reshape(-1, 3)).reshape(*every.shape[:-1], 2)
-
-
-def _solved(
-    vertices_m: Array, joints_m: Array, held: list[_Held], rows: list[int], params: Params
-) -> tuple[Array, list[Array]]:
-    """Return how joints move in rest pose (M, 3), and the angles' changes of every photo; Gauss-Newton."""
-    places = 3 * len(rows)
-    ends = np.cumsum([places, *(len(one.spread) for one in held)])
-    spread = np.concatenate([np.full(places, m_from_mm(params.place_mm)), *(one.spread for one in held)])
-    most = np.concatenate(
-        [np.full(places, m_from_mm(params.most_mm)), np.full(int(ends[-1]) - places, params.most_angle)]
+    names = (*(wish.name for wish in wishes), *KEPT)
+    moves = np.zeros((len(joints_m), 3, 3 * len(rows)))
+    for place, row in enumerate(rows):
+        moves[row, :, 3 * place : 3 * place + 3] = np.eye(3)
+    own = [generic.joint(name) if name in generic.joint_names else -1 for name in names]
+    skin = [0 if joint >= 0 else generic.feature(name) for name, joint in zip(names, own, strict=True)]
+    is_joint, influences = np.array(own) >= 0, generic.skin_joints.shape[1]
+    points = Chosen(
+        np.where(is_joint[:, None], joints_m[own], vertices_m[skin]),
+        np.where(is_joint[:, None, None], moves[own], 0.0),
+        joints_m,
+        moves,
+        np.asarray(generic.joint_parents, dtype=np.int64),
+        np.where(is_joint[:, None], np.array(own)[:, None], generic.skin_joints[skin]),
+        np.where(is_joint[:, None], np.eye(influences)[0], generic.skin_weights[skin].astype(np.float64)),
+        pose_matrix(generic.joint_names)[:, columns],
+        posed.rotations.ravel(),
     )
+    return _Held(posed, wishes, points, params.angle_share * SIGMAS[columns])
 
-    def residuals(number: int, tried: Array) -> Array:
-        """Return (B, R) residuals of one photo for (B, X) trials."""
-        one = held[number]
-        joints = np.repeat(joints_m[None], len(tried), axis=0)
-        joints[:, rows] += tried[:, :places].reshape(len(tried), -1, 3)
-        turned = one.rotations(tried[:, ends[number] : ends[number + 1]])
-        seen = _seen(one.posed, one.wishes, vertices_m, joints, turned, KEPT)
-        exact = (seen[:, : len(one.wishes)] - [wish.target_px for wish in one.wishes]) / params.exact_px
-        kept = (seen[:, len(one.wishes) :] - one.kept_px) / params.kept_px
-        return np.concatenate([exact, kept], axis=1).reshape(len(tried), -1)
 
-    x = np.zeros(int(ends[-1]))
-    for _ in range(params.turns):
-        parts, right = [np.diag(1.0 / spread)], [-x / spread]
-        for number in range(len(held)):
-            columns = np.array([*range(places), *range(int(ends[number]), int(ends[number + 1]))])
-            tried = np.repeat(x[None], len(columns) + 1, axis=0)
-            tried[np.arange(len(columns)) + 1, columns] += 1e-4
-            value, *ahead = residuals(number, tried)
-            jacobian = np.zeros((len(value), len(x)))
-            jacobian[:, columns] = (np.array(ahead) - value).T / 1e-4
-            parts.append(jacobian)
-            right.append(-value)
-        step = np.linalg.lstsq(np.vstack(parts), np.concatenate(right), rcond=None)[0]
-        x = np.clip(x + step, -most, most)
-        if np.abs(step / spread).max() < params.still:
-            break
-    return x[:places].reshape(-1, 3), [x[ends[k] : ends[k + 1]] for k in range(len(held))]
+def _solved(held: Mapping[str, _Held], count: int, params: Params) -> Values:
+    """Return how ``count`` joints move in rest pose ("places", (3 count,)), and every photo's angles' changes."""
+    most_m, still = m_from_mm(params.most_mm), np.zeros(3 * count)
+    blocks = {"places": Block(still, spread=m_from_mm(params.place_mm), least=-most_m, most=most_m)}
+    goals, sigma_px = {}, {}
+    for name, one in held.items():
+        start, most = np.zeros(len(one.spread)), params.most_angle
+        blocks[name] = Block(start, spread=one.spread, least=-most, most=most)
+        kept_px = one.seen(still, start)[0][len(one.wishes) :]
+        goals[name] = np.concatenate([[wish.target_px for wish in one.wishes], kept_px])
+        sigma_px[name] = np.repeat([params.exact_px, params.kept_px], [len(one.wishes), len(kept_px)])
+
+    def look(values: Values, turn: int) -> Iterator[Rows]:
+        for name, one in held.items():
+            seen, slopes = one.seen(values["places"], values[name])
+            yield points(("places", name), seen - goals[name], slopes, sigma_px[name])
+
+    return Problem(blocks).solve(look, turns=params.turns, still=params.still).values
 
 
 def _tell(wish: Wish, was_px: Array, now_px: Array, shift_m: float) -> ObeyedPoint:

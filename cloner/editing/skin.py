@@ -20,6 +20,7 @@ from cloner.editing.wishes import Wish
 from cloner.frames import ViewId, m_from_mm, mm_from_m
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.articulation.skin_bends import Place, bump, smallest_step
+from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.geometry.outlines.rim_search import outermost
 from cloner.geometry.outlines.rims import triangle_normals
 from cloner.records.arrays import Array
@@ -237,13 +238,8 @@ def _equations(work: _Work, handles: list[_Handle], bend: _Bend) -> tuple[Array,
 
 def _slope(place: Place, normal: Array, seen: Scene) -> Array:
     """Return how far (px, along ``normal``) a place is seen to go per metre of its move in rest pose, (3,)."""
-    posed = place.at(seen.posed_m)
-    turn = seen.camera.camera_from_model[:3, :3]
-    across = turn[:2]
-    if seen.camera.pixels_per_m is None:  # moves along the ray are not seen
-        inside = seen.camera.to_camera(posed[None])[0]
-        across = turn[:2] - (inside[:2] / inside[2])[:, None] * turn[2]
-    return np.asarray(normal @ across @ place.at(seen.blended)[:, :3] / seen.camera.metres_per_pixel(posed))
+    by_point = projection_derivatives(seen.camera, place.at(seen.posed_m)[None])[1][0]
+    return np.asarray(normal @ by_point @ place.at(seen.blended)[:, :3])
 
 
 def _folds(work: _Work, bend: _Bend) -> bool:

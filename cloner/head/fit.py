@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.profile import lay_profile
-from cloner.geometry.cameras.resection import facing_camera, resect
-from cloner.geometry.deformation.shape_fit import Evidence, ShapeFit, fit_shape, misfit
+from cloner.fit.cameras import resect
+from cloner.fit.shapes import Evidence, ShapeFit, fit_shape, misfit
+from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.geometry.outlines.contour_match import foremost, match
 from cloner.head.ears import INSIDE, Spots
 from cloner.head.evidence import Front, Params, Side
@@ -48,7 +49,7 @@ def start_front(model: Model, front: Front, size: tuple[int, int, float], params
     places = model.net.places.at(model.vertices_m)
     first = facing_camera(places, front.net_px, azimuth=0.0, focal_px=focal, width_px=width, height_px=height)
     sigma = _net_sigma(model, params) * focal / first.to_camera(places)[:, 2].mean()
-    return resect(places, front.net_px, first, sigma_px=sigma).camera
+    return resect(places, front.net_px, first, sigma_px=sigma)
 
 
 def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, float]) -> list[Camera]:
@@ -63,7 +64,7 @@ def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, floa
     first = facing_camera(points, side.points_px, azimuth=azimuth, focal_px=focal, width_px=width, height_px=height)
     sigma = side.sigma_m * focal / first.to_camera(points)[:, 2].mean()
     tight = np.array([0.02, 0.02, 0.3])
-    named = resect(points, side.points_px, first, sigma_px=sigma, turn_sigma=tight, outlier=1.5, iterations=40).camera
+    named = resect(points, side.points_px, first, sigma_px=sigma, turn_sigma=tight, outlier=1.5, iterations=40)
     if len(side.contour_px) == 0 or "nose_tip" not in side.names:  # no found point is certain to be there
         return [named]
     whole = model.whole(head)
@@ -76,7 +77,7 @@ def start_side(model: Model, head: Array, side: Side, size: tuple[int, int, floa
     if error > LAID_M:
         return [named]
     laid = flat @ px_from_m[:, :2].T + px_from_m[:, 2]
-    return [named, resect(whole[vertices], laid, first, sigma_px=1.0, turn_sigma=tight, iterations=40).camera]
+    return [named, resect(whole[vertices], laid, first, sigma_px=1.0, turn_sigma=tight, iterations=40)]
 
 
 def _net_sigma(model: Model, params: Params) -> Array:

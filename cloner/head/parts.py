@@ -10,6 +10,7 @@ import numpy as np
 from cloner.calibration.loader import calibrated
 from cloner.generic.face_grids import Grid, eye_grid, eyeball, lashes, mouth_grid
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.geometry.meshes.alignment import similarity
 from cloner.geometry.meshes.eyeballs import BALL_M, Ball, ball_points
 from cloner.head import lids, lips, tongue
@@ -94,9 +95,8 @@ def _between_lids(grid: Grid, margin: Array) -> Array:
 def _way_to(ball: Ball, camera: Camera, iris_px: Array) -> Array:
     """Return how far (2,) to the left and up, metres, a ball has to move until its pupil is seen at a pixel."""
     pupil = ball.centre + np.array([0.0, 0.0, BALL_M])
-    seen = camera.project(pupil + np.vstack([np.zeros(3), 1e-4 * np.eye(3)[:2]]))
-    slope = (seen[1:] - seen[0]).T / 1e-4
-    return np.asarray(np.linalg.solve(slope, iris_px - seen[0]))
+    seen, by_point, _ = projection_derivatives(camera, pupil[None])
+    return np.asarray(np.linalg.solve(by_point[0, :, :2], iris_px - seen[0]))
 
 
 def _seat_lashes(generic: GenericHuman, out: Array, side: str) -> None:

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
+from cloner.fit.controls import Leftover, solve_relief
 from cloner.generic.head_controls import HeadControls
 from cloner.geometry.deformation.dffd import deform
-from cloner.geometry.deformation.relief import Leftover, solve_relief
 from cloner.geometry.meshes.surface import SurfacePoints
 from cloner.geometry.outlines.contour_match import match
 from cloner.head.evidence import Front, Params, Side

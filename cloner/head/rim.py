@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
+from cloner.fit.shapes import Evidence
 from cloner.generic.load import load_generic
-from cloner.geometry.deformation.shape_fit import Evidence
 from cloner.geometry.meshes.surface import SurfacePoints
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.geometry.meshes.vectors import unit

@@ -8,10 +8,10 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
+from cloner.fit.cameras import resect
 from cloner.frames import ViewId
 from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.geometry.articulation.skinning import joint_transforms
-from cloner.geometry.cameras.resection import resect
 from cloner.head.evidence import Front, Params
 from cloner.head.fit import Fitted
 from cloner.head.jaw import opened
@@ -105,7 +105,7 @@ def seen_scale(model: Model, places: Array, made: Array, camera: Camera, face_px
     turned = camera
     for _ in range(2):
         errors = (made + model.modes.turn_errors_m(turned.camera_from_model[:3, :3])) / metres
-        found = resect(places, face_px - errors, camera, sigma_px=1.0 / (np.sqrt(weight) * metres)).camera
+        found = resect(places, face_px - errors, camera, sigma_px=1.0 / (np.sqrt(weight) * metres))
         pose = np.array(found.camera_from_model)
         pose[:3, 3] += middle - found.to_camera(places.mean(axis=0)[None])[0]
         turned = replace(camera, camera_from_model=pose)

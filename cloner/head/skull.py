@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt, map_coordinates
-from scipy.optimize import least_squares
 
 from cloner.calibration.loader import calibrated
+from cloner.fit.evidence import Rows, cauchy
+from cloner.fit.problem import Block, Problem, Values
 from cloner.generic.head_controls import HeadControls
+from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.geometry.deformation.dffd import deform
 from cloner.head.model import Model
 from cloner.records.arrays import Array
@@ -25,6 +27,8 @@ EXPECTED = np.array(_CALIBRATED.triple("expected", "share"))
 LEAST = _CALIBRATED.number("least", "factor")
 OUTSIDE_M = _CALIBRATED.number("outside_m", "m")
 MAP_PX_PER_M = _CALIBRATED.number("map_px_per_m", "px/m")
+#: Steps at most.
+TURNS = 12
 
 
 def skull_moves(model: Model, controls: HeadControls) -> tuple[Array, NDArray[np.int64]]:
@@ -52,15 +56,18 @@ def skull_moves(model: Model, controls: HeadControls) -> tuple[Array, NDArray[np
     return fields, rows
 
 
-def _depth_maps(masks: Sequence[tuple[Camera, NDArray[np.uint8]]], centre_m: Array) -> list[tuple[Camera, Array, int]]:
-    """Return per photo the signed depth inside the outline, metres, on a coarser grid, and its step in px."""
+def _depth_maps(
+    masks: Sequence[tuple[Camera, NDArray[np.uint8]]], centre_m: Array
+) -> list[tuple[Camera, Array, list[Array], int]]:
+    """Return per photo the depth inside the outline, metres, on a coarser grid, its slopes, and the step, px."""
     out = []
     for camera, mask in masks:
         metres = camera.metres_per_pixel(centre_m)
         step = max(1, round(1.0 / (metres * MAP_PX_PER_M)))
         inside = mask[::step, ::step] > 127
         depth = distance_transform_edt(inside) - distance_transform_edt(~inside)
-        out.append((camera, np.asarray(depth, dtype=np.float64) * step * metres, step))
+        depth = np.asarray(depth, dtype=np.float64) * step * metres
+        out.append((camera, depth, list(np.gradient(depth)), step))
     return out
 
 
@@ -71,18 +78,21 @@ def fit_skull(
     if not masks:
         return head, np.ones(3)
     fields, rows = skull_moves(model, controls)
-    maps = _depth_maps(masks, head[rows].mean(axis=0))
+    maps, own = _depth_maps(masks, head[rows].mean(axis=0)), fields[:, rows].transpose(1, 2, 0)
 
-    def outside(factors: Array) -> Array:
-        moved = head[rows] + np.tensordot(factors - 1.0, fields[:, rows], axes=1)
-        errors = [(factors - 1.0) / EXPECTED]
-        for camera, depth, step in maps:
-            x, y = camera.project(moved).T / step
-            seen = map_coordinates(depth, [y, x], order=1, mode="nearest")
-            # A vertex over the photo's edge tells nothing.
-            seen = np.where((y < 1) | (x < 1) | (x > depth.shape[1] - 2), HAIR_M, seen)
-            errors.append(np.maximum(HAIR_M - seen, 0.0) / OUTSIDE_M)
-        return np.concatenate(errors)
+    def outside(values: Values, turn: int) -> Iterator[Rows]:
+        moved = head[rows] + own @ (values["factors"] - 1.0)
+        for camera, depth, steep, step in maps:
+            seen, by_points, _ = projection_derivatives(camera, moved)
+            places = seen.T[::-1] / step
+            lacking = HAIR_M - map_coordinates(depth, places, order=1, mode="nearest")
+            inside = (places >= 1.0).all(axis=0) & (places[1] <= depth.shape[1] - 2)
+            counts = np.flatnonzero(inside & (lacking > 0.0))  # a vertex over the photo's edge tells nothing
+            deeper = np.stack([map_coordinates(each, places[:, counts], order=1) for each in steep[::-1]], axis=1)
+            by_factors = np.einsum("ni,nia,naf->nf", deeper / step, by_points[counts], own[counts], optimize=True)
+            value = lacking[counts] / OUTSIDE_M
+            yield Rows(("factors",), value, -by_factors / OUTSIDE_M, np.sqrt(cauchy(value**2, 1.0)))
 
-    found = least_squares(outside, np.full(3, 0.995), bounds=(LEAST, 1.0), loss="soft_l1", diff_step=1e-3)
-    return head + np.tensordot(found.x - 1.0, fields, axes=1), np.asarray(found.x)
+    block = Block(np.ones(3), 1.0, EXPECTED, least=LEAST, most=1.0)
+    factors = Problem({"factors": block}).solve(outside, turns=TURNS, still=0.01).values["factors"]
+    return head + np.tensordot(factors - 1.0, fields, axes=1), factors

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
 from cloner.errors import ClonerError
-from cloner.geometry.cameras.resection import facing_camera, resect
+from cloner.fit.cameras import resect
+from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.geometry.deformation.dffd import deform, enclosing_points, sibson_weights
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
@@ -173,7 +174,7 @@ def fit_markers(
         camera, height = _found(places, markers, sigma, size_px, focal_px)
     else:
         height = start.height
-        camera = resect(_higher(places, height), markers, start.camera, sigma_px=sigma).camera
+        camera = resect(_higher(places, height), markers, start.camera, sigma_px=sigma)
     target = camera.back_project(markers, places)
     vertices = marked.mesh.vertices_m.copy()
     vertices[marked.reached] += deform(marked.weights, target - places)
@@ -231,8 +232,9 @@ def _found(
                 own, markers_px, azimuth=azimuth, focal_px=focal_px, width_px=width, height_px=height
             )  # fmt: skip
             seen = resect(own, markers_px, start, sigma_px=sigma_px)
-            cost = float(np.minimum(seen.error_px / sigma_px, 3.0).mean()) + abs(np.log(high)) / USUAL_STRETCH
-            found.append((cost, high, azimuth, seen.camera))
+            error_px = np.linalg.norm(seen.project(own) - markers_px, axis=1)
+            cost = float(np.minimum(error_px / sigma_px, 3.0).mean()) + abs(np.log(high)) / USUAL_STRETCH
+            found.append((cost, high, azimuth, seen))
         return found
 
     best = min((one for high in HEIGHTS for one in tried(high, AZIMUTHS)), key=lambda each: each[0])

@@ -15,7 +15,7 @@ from cloner.booth.studio.values import Figure, MarkedPhoto, Markers, Pixels, Sta
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
-from cloner.geometry.cameras.resection import facing_camera
+from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.picture import clone_file, clone_of
 from cloner.pipeline import Progress
 from cloner.project.corrections import no_corrections

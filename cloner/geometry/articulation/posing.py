@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, rotation_matrices
+from cloner.geometry.articulation.skinning import joint_transforms, posed_joints, turning_axes
 from cloner.geometry.meshes.vectors import cross
 from cloner.records.arrays import Array
 
@@ -49,6 +49,8 @@ class Chosen:
     parents : (J,) parents before children, -1 for the root
     skin_joints, skin_weights : (N, K)
     pose : (3 J, D) matrix from pose vector to stacked rotation vectors
+    start : float or (3 J,)
+        Rotation vectors of the pose vector 0, stacked.
     """
 
     mean_m: Array
@@ -59,10 +61,11 @@ class Chosen:
     skin_joints: NDArray[np.integer]
     skin_weights: Array
     pose: Array
+    start: Array | float = 0.0
 
     def rotations(self, pose: Array) -> Array:
         """Return (J, 3) rotation vectors of a pose vector."""
-        return (self.pose @ pose).reshape(-1, 3)
+        return np.asarray(self.start + self.pose @ pose).reshape(-1, 3)
 
     def part(self, rows: slice | NDArray[np.integer]) -> Chosen:
         """Return the model of some of the points."""
@@ -75,6 +78,7 @@ class Chosen:
             self.skin_joints[rows],
             self.skin_weights[rows],
             self.pose,
+            self.start,
         )
 
     def posed(self, shape: Array, pose: Array) -> Array:
@@ -137,34 +141,5 @@ def descendants(parents: NDArray[np.integer]) -> Array:
 
 def _world_axes(turns: Array, parents: NDArray[np.integer], rotations: Array) -> Array:
     """Return (J, 3, 3), columns: axes about which a joint turns when a component of its rotation vector grows."""
-    angle = np.linalg.norm(rotations, axis=1)
-    safe = np.maximum(angle, 1e-9)
-    axis = rotations / safe[:, None]
-    x, y, z = axis.T
-    zero = np.zeros_like(x)
-    cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=1).reshape(-1, 3, 3)
-    sine, cosine = (np.sin(angle) / safe)[:, None, None], ((1.0 - np.cos(angle)) / safe)[:, None, None]
-    sine = np.where(angle[:, None, None] < 1e-9, 1.0, sine)
-    left = sine * np.eye(3) + (1.0 - sine) * axis[:, :, None] * axis[:, None] + cosine * cross
     above = np.where((parents >= 0)[:, None, None], turns[parents], np.eye(3))
-    return np.asarray(above @ left)
-
-
-def moved_camera(camera_from_model: Array, motion: Array, pivot_m: Array) -> Array:
-    """Return a rigid matrix moved by a small motion.
-
-    Parameters
-    ----------
-    camera_from_model : (4, 4)
-    motion : (6,)
-        Rotation vector about the model's ``pivot_m`` in camera axes (radians), then
-        translation in camera axes (metres).
-    pivot_m : (3,) model point that the rotation leaves in place
-    """
-    turn = rotation_matrices(motion[None, :3])[0]
-    rotation = turn @ camera_from_model[:3, :3]
-    pivot = camera_from_model[:3, :3] @ pivot_m + camera_from_model[:3, 3]
-    matrix = np.eye(4)
-    matrix[:3, :3] = rotation
-    matrix[:3, 3] = pivot - rotation @ pivot_m + motion[3:]
-    return matrix
+    return np.asarray(above @ turning_axes(rotations))

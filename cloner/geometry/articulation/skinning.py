@@ -9,15 +9,29 @@ from scipy.sparse import csr_matrix
 from cloner.records.arrays import Array
 
 
+def skew(vectors: Array) -> Array:
+    """Return the matrices (..., 3, 3) that make cross products with vectors (..., 3)."""
+    x, y, z = np.moveaxis(vectors, -1, 0)
+    zero = np.zeros_like(x)
+    return np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=-1).reshape(*vectors.shape, 3)
+
+
 def rotation_matrices(rotations: Array) -> Array:
     """Return (..., 3, 3) matrices of (..., 3) rotation vectors (Rodrigues), radians."""
     angle = np.linalg.norm(rotations, axis=-1)
-    axis = rotations / np.maximum(angle, 1e-12)[..., None]
-    x, y, z = np.moveaxis(axis, -1, 0)
-    zero = np.zeros_like(x)
-    cross = np.stack([zero, -z, y, z, zero, -x, -y, x, zero], axis=-1).reshape(*angle.shape, 3, 3)
+    cross = skew(rotations / np.maximum(angle, 1e-12)[..., None])
     sine, cosine = np.sin(angle)[..., None, None], np.cos(angle)[..., None, None]
     return np.asarray(np.eye(3) + sine * cross + (1.0 - cosine) * (cross @ cross))
+
+
+def turning_axes(rotations: Array) -> Array:
+    """Return (..., 3, 3), columns: axes about which things turn as components of rotation vectors (..., 3) grow."""
+    angle = np.linalg.norm(rotations, axis=-1)[..., None, None]
+    safe = np.maximum(angle, 1e-9)
+    axis = rotations / safe[..., 0]
+    sine = np.where(angle < 1e-9, 1.0, np.sin(angle) / safe)
+    cosine = (1.0 - np.cos(angle)) / safe
+    return np.asarray(sine * np.eye(3) + (1.0 - sine) * axis[..., :, None] * axis[..., None, :] + cosine * skew(axis))
 
 
 def joint_transforms(joints_m: Array, parents: NDArray[np.integer], rotations: Array) -> Array:

@@ -1,4 +1,4 @@
-"""How posed points and their pixels move when joints turn a little."""
+"""How posed points move when joints turn a little."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from scipy.spatial.transform import Rotation
 
 from cloner.geometry.meshes.vectors import cross
 from cloner.records.arrays import Array
-from cloner.records.views import Camera
 
 
 def below(parents: NDArray[np.integer], joint: int) -> NDArray[np.bool_]:
@@ -44,16 +43,6 @@ def turned_motion(posed_m: Array, pivot_m: Array, axes: Array, share: Array) -> 
     """
     arm = (posed_m - pivot_m) * share[:, None]
     return np.asarray(np.stack([cross(axis, arm) for axis in axes], axis=2))
-
-
-def pixel_slope(camera: Camera, points_m: Array) -> Array:
-    """Return (V, 2, 3) pixels per metre that points move in the model frame."""
-    rotation = camera.camera_from_model[:3, :3]
-    if camera.pixels_per_m is not None:
-        return np.broadcast_to(camera.pixels_per_m * rotation[:2], (len(points_m), 2, 3))
-    inside = camera.to_camera(points_m)
-    across = inside[:, :2, None] / inside[:, 2, None, None]
-    return np.asarray(camera.focal_px / inside[:, 2, None, None] * (rotation[None, :2] - across * rotation[None, 2:3]))
 
 
 def turned_rotation(rotation: Array, turn: Array) -> Array:

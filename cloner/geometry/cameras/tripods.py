@@ -8,8 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.geometry.cameras.resection import pixels_by_inside
-from cloner.geometry.meshes.vectors import cross
+from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
@@ -68,21 +67,24 @@ def stand_of(camera: Camera) -> Array:
 def projected(stand: Array, like: Camera, points_m: Array) -> tuple[Array, Array, Array]:
     """Return pixels (N, 2), their change with the points (N, 2, 3) and with the stand (N, 2, 6)."""
     camera = placed_camera(stand, like)
-    rotation = camera.camera_from_model[:3, :3]
-    inside = camera.to_camera(points_m)
-    by_inside = pixels_by_inside(camera, inside)
+    pixels, by_points, by_step = projection_derivatives(camera, points_m)
+    return pixels, by_points, by_step @ _twists(stand, camera.camera_from_model[:3, :3])
+
+
+def _twists(stand: Array, rotation: Array) -> Array:
+    """Return the (6, 6) turns about the camera and shifts that the stand's numbers make."""
     roll, tilt, _ = _turns(stand)
     azimuth, distance = stand[AZIMUTH], stand[DISTANCE]
     away, aside = (
         np.array([math.sin(azimuth), 0.0, math.cos(azimuth)]),
         np.array([math.cos(azimuth), 0.0, -math.sin(azimuth)]),
     )
-    turned = cross((roll @ tilt)[:, 1], inside)  # the model's up axis, as heading parts leave it upside down
-    by_stand = np.empty((len(points_m), 3, 6))
-    by_stand[:, :, AZIMUTH] = turned - distance * (rotation @ aside)
-    by_stand[:, :, HEIGHT] = -rotation[:, 1]
-    by_stand[:, :, DISTANCE] = -rotation @ away
-    by_stand[:, :, FACING] = turned
-    by_stand[:, :, PITCH] = cross(roll[:, 0], inside)
-    by_stand[:, :, ROLL] = cross(np.array([0.0, 0.0, 1.0]), inside)
-    return camera.project(points_m), by_inside @ rotation, by_inside @ by_stand
+    twists = np.zeros((6, 6))
+    turns, shifts = twists[:3], twists[3:]
+    turns[:, AZIMUTH] = turns[:, FACING] = (roll @ tilt)[:, 1]  # the model's up axis: heading leaves it upside down
+    turns[:, PITCH] = roll[:, 0]
+    turns[2, ROLL] = 1.0
+    shifts[:, AZIMUTH] = -distance * (rotation @ aside)
+    shifts[:, HEIGHT] = -rotation[:, 1]
+    shifts[:, DISTANCE] = -rotation @ away
+    return twists

@@ -1,4 +1,4 @@
-"""Cameras that look at a body from a named side."""
+"""Cameras that look at a body from a named side, or at points where a photo shows them."""
 
 from __future__ import annotations
 
@@ -72,3 +72,31 @@ def framing_cameras(
         distances.append(float((np.abs(inside[:, :2]) * focal / half - inside[:, 2:3]).max()))
     places = [target + max(distances) * outward for outward in outwards]
     return tuple(Camera(width_px, height_px, focal, look_at(place, target)) for place in places)
+
+
+def facing_camera(
+    points_m: Array, points_px: Array, *, azimuth: float, focal_px: float, width_px: int, height_px: int
+) -> Camera:
+    """Return an upright camera that sees the points at their size and middle in the photo.
+
+    Parameters
+    ----------
+    points_m : (N, 3), points_px : (N, 2)
+        The same points in the model frame and in the photo.
+    azimuth : float
+        Direction of the camera around the person, radians: 0 front, positive towards the person's left.
+    """
+    across = np.array([np.cos(azimuth), 0.0, -np.sin(azimuth)])
+    towards = np.array([np.sin(azimuth), 0.0, np.cos(azimuth)])
+    rotation = np.stack([across, [0.0, -1.0, 0.0], -towards])
+    middle_m, middle_px = points_m.mean(axis=0), points_px.mean(axis=0)
+    flat = (points_m - middle_m) @ rotation.T[:, :2]
+    seen = points_px - middle_px
+    size_m, size_px = np.sqrt((flat**2).sum()), np.sqrt((seen**2).sum())
+    depth = focal_px * float(size_m / max(size_px, 1e-6))
+    centre = np.array([(width_px - 1) / 2.0, (height_px - 1) / 2.0])
+    offset = np.append((middle_px - centre) * depth / focal_px, depth)
+    pose = np.eye(4)
+    pose[:3, :3] = rotation
+    pose[:3, 3] = offset - rotation @ middle_m
+    return Camera(width_px, height_px, focal_px, pose)

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.body.carriage_sight import placed
+from cloner.fit.evidence import Rows
 from cloner.frames import ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
@@ -139,10 +140,10 @@ def agreement(
     lines: Mapping[ViewId, HairField],
     turned: Mapping[ViewId, Callable[[Array], PosedView]],
     angles: Mapping[ViewId, Array],
-) -> Iterator[tuple[Array, dict[ViewId, Array]]]:
-    """Yield each photo's differences (R,) from what all photos say of the same vertices, in spreads, and their slopes.
+) -> Iterator[Rows]:
+    """Yield each photo's differences (R,) from what all photos say of the same vertices.
 
-    Slopes are (R, angles) by every photo's angles, as the mean that all are compared with moves too.
+    They depend on every photo's angles, as the mean that all are compared with moves too.
 
     Parameters
     ----------
@@ -160,14 +161,14 @@ def agreement(
     trust = np.stack([reading.trust for reading in readings.values()])
     share = trust / np.maximum(trust.sum(axis=0), 1e-9)
     mean = np.einsum("kn,kn->n", share, np.stack([reading.distance_mm for reading in readings.values()]))
-    several = (trust > 0.0).sum(axis=0) > 1
-    for place, (view, reading) in enumerate(readings.items()):
+    several, of = (trust > 0.0).sum(axis=0) > 1, tuple(view.value for view in readings)
+    for place, reading in enumerate(readings.values()):
         used = several & (trust[place] > 0.0)
         away = np.tanh((reading.distance_mm - mean)[used] / SPREAD_MM / 4.0)
         weight = np.sqrt(trust[place][used] / max(np.count_nonzero(used) / INDEPENDENT, 1.0))
         steep = (weight * (1.0 - away**2) / SPREAD_MM)[:, None]
-        slopes = {
-            other: steep * (float(other is view) - share[row][used])[:, None] * theirs.slopes[used]
-            for row, (other, theirs) in enumerate(readings.items())
-        }
-        yield 4.0 * away * weight, slopes
+        slopes = [
+            steep * (float(row == place) - share[row][used])[:, None] * theirs.slopes[used]
+            for row, theirs in enumerate(readings.values())
+        ]
+        yield Rows(of, 4.0 * away * weight, np.hstack(slopes))

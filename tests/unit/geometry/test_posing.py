@@ -7,7 +7,7 @@ import pytest
 
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.poses import SIGMAS, pose_matrix, standing_pose
-from cloner.geometry.articulation.posing import Chosen, descendants, moved_camera
+from cloner.geometry.articulation.posing import Chosen, descendants
 
 QUARTER = math.pi / 2
 
@@ -81,22 +81,3 @@ def test_derivatives_of_a_whole_person_agree_with_differences():
         change = step * np.eye(len(pose))[axis]
         slope = (whole.posed(shape, pose + change) - whole.posed(shape, pose - change)) / (2.0 * step)
         assert moved.by_pose[..., axis] == pytest.approx(slope, abs=1e-8)
-
-
-def test_a_camera_turns_about_its_pivot_and_then_shifts():
-    camera = np.eye(4)
-    camera[:3, 3] = [0.1, 0.2, 3.0]
-    pivot = np.array([0.0, 1.0, 0.0])
-    turned = moved_camera(camera, np.array([0.0, 0.0, QUARTER, 0.0, 0.0, 0.0]), pivot)
-    shifted = moved_camera(camera, np.array([0.0, 0.0, QUARTER, 0.01, 0.02, 0.03]), pivot)
-    before = camera[:3, :3] @ pivot + camera[:3, 3]
-    assert turned[:3, :3] @ pivot + turned[:3, 3] == pytest.approx(before)
-    assert shifted[:3, 3] - turned[:3, 3] == pytest.approx([0.01, 0.02, 0.03])
-    beside = pivot + [1.0, 0.0, 0.0]
-    assert turned[:3, :3] @ beside + turned[:3, 3] == pytest.approx(before + [0.0, 1.0, 0.0])
-
-
-def test_no_motion_leaves_the_camera():
-    camera = np.eye(4)
-    camera[:3, 3] = [0.0, 0.0, 2.0]
-    assert np.array_equal(moved_camera(camera, np.zeros(6), np.array([0.3, 0.4, 0.5])), camera)

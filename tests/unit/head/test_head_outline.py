@@ -7,7 +7,7 @@ import numpy as np
 from cloner.evaluate.figures.skins import skin_triangles
 from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.generic.load import load_generic
-from cloner.geometry.cameras.resection import facing_camera
+from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.head.fit import outline_vertices, profile_candidates
 from cloner.head.model import make_model
 from cloner.records.bodies import Phenotype

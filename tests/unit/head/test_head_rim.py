@@ -8,9 +8,9 @@ import pytest
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
+from cloner.fit.shapes import ShapeFit, fit_shape
 from cloner.generic.load import load_generic
-from cloner.geometry.cameras.resection import facing_camera
-from cloner.geometry.deformation.shape_fit import ShapeFit, fit_shape
+from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.geometry.outlines.contour_match import turning_points
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.head.model import make_model

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cloner.geometry.articulation.skinning import rotation_matrices
-from cloner.geometry.cameras.resection import facing_camera
+from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.head.model import make_model
 from cloner.head.size import seen_scale
 from cloner.records.bodies import Phenotype

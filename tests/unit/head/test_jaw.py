@@ -10,7 +10,7 @@ from cloner.detectors.face.face_net import load_face_net
 from cloner.frames import ViewId
 from cloner.generic.face_grids import mouth_grid
 from cloner.generic.load import load_generic
-from cloner.geometry.cameras.resection import facing_camera
+from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.head.ears import Spots
 from cloner.head.evidence import Front, Params
 from cloner.head.fit import fit_basis

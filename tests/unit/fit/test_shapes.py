@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from cloner.geometry.deformation.shape_fit import Evidence, ShapeFit, fit_shape
+from cloner.fit.shapes import Evidence, ShapeFit, fit_shape
 from cloner.records.views import Camera
 
 PLACES = np.random.default_rng(3).uniform(-0.09, 0.09, (40, 3))

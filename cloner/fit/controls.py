@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 import numpy as np
-from scipy.sparse import csr_matrix
+from scipy.sparse import csr_matrix, identity, kron
 from scipy.spatial import cKDTree
 
-from cloner.geometry.cameras.resection import projection_derivatives
+from cloner.fit.evidence import Rows, cauchy
+from cloner.fit.problem import Block, Problem, Values
+from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.records.arrays import Array
 from cloner.records.views import Camera
 
 #: Errors beyond this many sigmas lose their weight (Cauchy).
 OUTLIER: Final = 2.5
+#: Solutions, each with the last one's weights: the rows are linear.
+TURNS: Final = 5
 #: Controls with which each one bends.
 NEIGHBOURS: Final = 8
 
@@ -66,36 +70,31 @@ def solve_relief(
     limit_m : float
         No displacement is longer.
     """
-    count = len(controls_m)
-    normal_prior = np.kron(_stiffness(controls_m, size_m, bend_m), np.eye(3))
-    blocks = [_linear_rows(item) for item in leftovers]
-    moved = np.zeros(3 * count)
-    for _ in range(5):
-        normal, right = normal_prior.copy(), np.zeros(3 * count)
-        for rows, error, group in blocks:
-            left = error - rows @ moved
-            weight = 1.0 / (1.0 + (left.reshape(-1, group) ** 2).sum(1) / OUTLIER**2)
-            weighted = rows.multiply(np.repeat(weight, group)[:, None]).tocsr()
-            normal += (weighted.T @ rows).toarray()
-            right += np.asarray(weighted.T @ error).ravel()
-        moved = np.linalg.solve(normal, right)
-    out = moved.reshape(-1, 3)
+    alike, told = _alike(controls_m) / bend_m, [_linear_rows(item) for item in leftovers]
+
+    def look(values: Values, turn: int) -> Iterator[Rows]:
+        moved = values["controls"]
+        yield Rows(("controls",), alike @ moved, alike)
+        for slopes, error, group in told:
+            value = slopes @ moved - error
+            weight = cauchy((value.reshape(-1, group) ** 2).sum(axis=1), OUTLIER)
+            yield Rows(("controls",), value, slopes, np.repeat(weight, group))
+
+    problem = Problem({"controls": Block(np.zeros(controls_m.size), spread=size_m)})
+    out = problem.solve(look, turns=TURNS).values["controls"].reshape(-1, 3)
     length = np.linalg.norm(out, axis=1, keepdims=True)
     # Smooth limit: small displacements pass unchanged, none exceeds the limit.
     return out * np.where(length > 1e-12, limit_m * np.tanh(length / limit_m) / np.maximum(length, 1e-12), 1.0)
 
 
-def _stiffness(controls_m: Array, size_m: float, bend_m: float) -> Array:
-    """Return the (K, K) prior: small displacements, alike among neighbours."""
+def _alike(controls_m: Array) -> csr_matrix:
+    """Return the (3K, 3K) rows that tell how each control moves otherwise than its neighbours on the mean."""
     count = len(controls_m)
     _, near = cKDTree(controls_m).query(controls_m, k=min(NEIGHBOURS + 1, count))
-    matrix = np.eye(count) / size_m**2
-    for row, others in enumerate(near[:, 1:]):
-        difference = np.zeros(count)
-        difference[row] = 1.0
-        difference[others] = -1.0 / len(others)
-        matrix += np.outer(difference, difference) / bend_m**2
-    return matrix
+    others = near[:, 1:]
+    rows = np.repeat(np.arange(count), others.shape[1])
+    mean = csr_matrix((np.full(len(rows), 1.0 / others.shape[1]), (rows, others.ravel())), shape=(count, count))
+    return kron(identity(count) - mean, identity(3), format="csr")
 
 
 def _linear_rows(item: Leftover) -> tuple[csr_matrix, Array, int]:
