@@ -38,8 +38,7 @@ CLEAR: Final = _CALIBRATED.number("clear", "score")
 DIM: Final = _CALIBRATED.number("dim", "score")
 CERTAIN: Final = _CALIBRATED.number("certain", "score")
 ROOM: Final = _CALIBRATED.number("room", "share")
-#: Rows at the upper edge in which a head that is cut or nearly cut shows, share of the height.
-AT_EDGE: Final = 0.01
+AT_EDGE: Final = _CALIBRATED.number("at_edge", "share")
 
 
 def _find_people(photo: Photo) -> list[Box]:
