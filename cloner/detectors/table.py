@@ -7,6 +7,7 @@ from cloner.registry import Registry
 DETECTORS = Registry("detector")
 DETECTORS.add("people", "cloner.detectors.nets.people:detect_people")
 DETECTORS.add("pose", "cloner.detectors.nets.litert:detect_pose")
+DETECTORS.add("pose_with_room", "cloner.detectors.nets.people:pose_with_room")
 DETECTORS.add("label_features", "cloner.detectors.nets.litert:label_features")
 DETECTORS.add("let_nets_go", "cloner.detectors.nets.litert:let_nets_go")
 DETECTORS.add("face", "cloner.detectors.nets.litert:detect_face")

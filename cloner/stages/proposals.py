@@ -118,7 +118,10 @@ def find_figure(photo: Photo) -> Figure:
     ClonerError
         If the photo does not show exactly one person.
     """
-    pose = DETECTORS.get("pose")(photo.rgb, check_people(photo))
+    try:
+        pose = DETECTORS.get("pose")(photo.rgb, check_people(photo))
+    except NobodySeen:
+        pose = DETECTORS.get("pose_with_room")(photo.rgb) if photo.view is ViewId.FACE_SIDE else None
     if pose is None:
         raise nobody_in(photo)
     if float((pose.mask > 0.5).mean()) < LEAST_PERSON:

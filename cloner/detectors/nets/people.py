@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Final
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.nets.litert import detect, face_mesh, find_faces, pose_net, selfie_net
+from cloner.detectors.nets.litert import detect, detect_pose, face_mesh, find_faces, pose_net, selfie_net
 from cloner.detectors.nets.placing import (
     around_body,
     face_crop,
@@ -24,7 +26,7 @@ from cloner.detectors.nets.placing import (
 )  # fmt: skip
 from cloner.detectors.nets.portraits import is_cut_below
 from cloner.detectors.nets.pose_passes import CONFIRMED, look, look_at_portrait
-from cloner.detectors.nets.results import Box
+from cloner.detectors.nets.results import Box, PoseResult
 from cloner.vision.photographs.crops import Crop
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
@@ -35,6 +37,8 @@ Photo = NDArray[np.uint8]
 CLEAR: Final = _CALIBRATED.number("clear", "score")
 DIM: Final = _CALIBRATED.number("dim", "score")
 CERTAIN: Final = _CALIBRATED.number("certain", "score")
+ROOM: Final = _CALIBRATED.number("room", "share")
+AT_EDGE: Final = _CALIBRATED.number("at_edge", "share")
 
 
 def _find_people(photo: Photo) -> list[Box]:
@@ -108,3 +112,30 @@ def detect_people(rgb: Photo) -> list[Box]:
         portrait = look_at_portrait(rgb, pose_net, selfie_net, None)
         people = [] if portrait is None else [portrait.box(portrait.score)]
     return sorted(people, key=lambda p: -p.height_px)
+
+
+def pose_with_room(rgb: Photo) -> PoseResult | None:
+    """Find the person whose head fills a portrait up to its upper edge, where the nets see nobody: give it room.
+
+    The edge is continued above and on both sides.
+
+    Parameters
+    ----------
+    rgb : (H, W, 3) uint8
+
+    Returns
+    -------
+    PoseResult or None
+        In the photo's own pixels; None without exactly one person who reaches the upper edge.
+    """
+    height, width = rgb.shape[:2]
+    room = round(ROOM * height)
+    wide = cv2.copyMakeBorder(rgb, room, 0, room, room, cv2.BORDER_REPLICATE)
+    people = detect_people(wide)
+    pose = detect_pose(wide, people[0]) if len(people) == 1 else None
+    if pose is None:
+        return None
+    mask = pose.mask[room:, room : room + width]
+    if not (mask[: max(round(AT_EDGE * height), 1)] > 0.5).any():
+        return None
+    return replace(pose, points_px=pose.points_px - room, mask=np.ascontiguousarray(mask))

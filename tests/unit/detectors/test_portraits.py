@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from cloner.detectors.nets import people as nets
 from cloner.detectors.nets.litert import detect_pose
-from cloner.detectors.nets.people import detect_people
+from cloner.detectors.nets.people import detect_people, pose_with_room
 from cloner.detectors.nets.portraits import is_cut_below
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
@@ -14,7 +15,7 @@ from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.views import Camera
 from cloner.stages.photo_checks import check_photos
-from cloner.stages.proposals import propose
+from cloner.stages.proposals import NobodySeen, propose
 from kit import painted, people
 from kit.visitors import photo
 
@@ -51,6 +52,46 @@ def test_a_profile_that_fills_the_picture_is_a_face_side_photo(facing):
     assert np.hypot(*(proposal.pose_px[0] - tip_px)) < 30, "the nose is hinted within a tenth of the head"
     ears = proposal.pose_px[[7, 8], 0].mean()
     assert np.sign(proposal.pose_px[0, 0] - ears) == facing
+
+
+def cut_at_the_crown(facing):
+    """Return a painted profile whose head is cut a finger's breadth below its crown, and where its nose tip is, px."""
+    picture, tip_px = profile(facing)
+    wall = np.abs(picture.astype(int) - WALL).sum(axis=2) < 60
+    top = int(np.flatnonzero(~wall.all(axis=1))[0]) + 12
+    return np.ascontiguousarray(picture[top:]), tip_px - [0, top]
+
+
+def test_a_head_that_is_cut_above_is_seen_with_room():
+    picture, tip_px = cut_at_the_crown(1)
+    pose = pose_with_room(picture)
+    assert pose is not None
+    assert np.hypot(*(pose.points_px[0] - tip_px)) < 30, "the nose is hinted within a tenth of the head"
+    assert pose.mask.shape == picture.shape[:2]
+    person = np.abs(picture.astype(int) - WALL).sum(axis=2) > 60
+    inside = pose.mask > 0.5
+    assert (inside & person).sum() > 0.85 * (inside | person).sum()
+
+
+def test_room_finds_nobody_on_a_wall_nor_below_a_free_crown():
+    assert pose_with_room(np.full((600, 450, 3), WALL, np.uint8)) is None
+    assert pose_with_room(profile(1)[0]) is None
+
+
+@pytest.mark.parametrize("view", [ViewId.FACE_SIDE, ViewId.FACE_FRONT])
+def test_side_photos_alone_are_given_room_where_nobody_is_seen(monkeypatch, view):
+    picture, tip_px = cut_at_the_crown(-1)
+    seen = Photo(view, picture, None, "", "face.png")
+
+    def blind(rgb):
+        return [] if rgb.shape == picture.shape else detect_people(rgb)
+
+    monkeypatch.setattr(nets, "detect_people", blind)
+    if view is ViewId.FACE_FRONT:
+        with pytest.raises(NobodySeen):
+            propose(seen)
+        return
+    assert np.hypot(*(propose(seen).pose_px[0] - tip_px)) < 30
 
 
 def test_a_whole_body_stays_one():
