@@ -131,7 +131,7 @@ def test_a_known_face_comes_back(seed, azimuth_deg, shown):
 
 
 def test_ears_go_where_both_photos_show_them():
-    """Ears some 8 mm off where this face usually has them come nearer; the rest may be a turn of the side photo."""
+    """Ears some 11 mm off where this face usually has them come nearer; the rest may be a turn of the side photo."""
     generic = load_generic()
     names = ("ear_top", "ear_lobe", "ear_outer")
     both, near = tuple(f"{n}_{s}" for n in names for s in "LR"), tuple(f"{n}_R" for n in names)
