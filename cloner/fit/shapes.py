@@ -124,31 +124,40 @@ def fit_shape(
     zoom_sigma : float
         Expected relative error of the cameras' common focal length; 0 keeps it.
     """
-    names = [f"camera {k}" for k in range(len(start.cameras))]
-    blocks = {"shape": Block(start.coefficients, 0.0, 1.0, np.inf, rarity, at_least, longest=MOST_SHAPE)}
+    fit = start
+    for iteration in range(iterations):  # cameras turn on from where they are, so that their turns add up
+        fit = _stepped(fit, gather(fit, iteration), at_least, rarity, turn_sigma, zoom_sigma)
+    return fit
+
+
+def _stepped(
+    fit: ShapeFit,
+    found: Sequence[Evidence],
+    at_least: Array | float,
+    rarity: Array | float,
+    turn_sigma: Array | None,
+    zoom_sigma: float,
+) -> ShapeFit:
+    """Return the fit after one turn of the solver."""
+    names = [f"camera {k}" for k in range(len(fit.cameras))]
+    blocks = {"shape": Block(fit.coefficients, 0.0, 1.0, np.inf, rarity, at_least, longest=MOST_SHAPE)}
     for number, name in enumerate(names):
         spread, expected, longest = np.full(6, np.inf), np.zeros(6), np.repeat([MOST_TURN, np.inf], 3)
-        expected[:3] = -start.turned[number]
+        expected[:3] = -fit.turned[number]
         spread[:3] = np.inf if turn_sigma is None else turn_sigma[number]
         blocks[name] = Block(np.zeros(6), expected, spread, TURN_OUTLIER, longest=longest)
-    depths = np.zeros(len(names))
     if zoom_sigma > 0.0:
-        blocks["zoom"] = Block(np.zeros(1), -start.zoomed, zoom_sigma, longest=MOST_ZOOM)
-        depths = _depths(start, gather(start, 0))
-    aims = [Aim(camera, float(depth)) for camera, depth in zip(start.cameras, depths, strict=True)]
+        blocks["zoom"] = Block(np.zeros(1), -fit.zoomed, zoom_sigma, longest=MOST_ZOOM)
+    aims = [Aim(camera, float(depth)) for camera, depth in zip(fit.cameras, _depths(fit, found), strict=True)]
 
-    def fit_at(values: Values) -> ShapeFit:
-        zoom = float(values["zoom"][0]) if "zoom" in values else 0.0
-        motions = [values[name] for name in names]
-        cameras = tuple(aim.camera(motion, zoom) for aim, motion in zip(aims, motions, strict=True))
-        turned = start.turned + np.array([motion[:3] for motion in motions]).reshape(-1, 3)
-        return ShapeFit(values["shape"], cameras, turned, start.zoomed + zoom)
-
-    def look(values: Values, iteration: int) -> list[Rows]:
-        found, zoom = gather(fit_at(values), iteration), values.get("zoom")
+    def look(values: Values, turn: int) -> list[Rows]:
+        zoom = values.get("zoom")
         return [one.rows(values["shape"], aims[one.camera], values[names[one.camera]], zoom) for one in found]
 
-    return fit_at(Problem(blocks).solve(look, turns=iterations).values)
+    values = Problem(blocks).solve(look, turns=1).values
+    zoom, motions = float(values["zoom"][0]) if "zoom" in values else 0.0, np.array([values[name] for name in names])
+    cameras = tuple(aim.camera(motion, zoom) for aim, motion in zip(aims, motions, strict=True))
+    return ShapeFit(values["shape"], cameras, fit.turned + motions[:, :3], fit.zoomed + zoom)
 
 
 def _depths(fit: ShapeFit, found: Sequence[Evidence]) -> Array:
