@@ -108,7 +108,8 @@ def _families(rows: Sequence[Row], scans: Sequence[Row]) -> str:
         "| below 55 % of the generic | " + " | ".join(f"{(s < 0.55).sum()} of {len(s)}" for s in shares) + " |"
     )
     for view in ("face_front", "face_side"):
-        cells = [f"{np.mean([abs(row['yaw_deg'].get(view, np.nan)) for row in group]):.1f}" for group in groups]
+        used = [[abs(row["yaw_deg"][view]) for row in group if view in row["yaw_deg"]] for group in groups]
+        cells = [f"{np.mean(errors):.1f} ({len(errors)} photos used)" for errors in used]
         lines.append(f"| error of {view}'s yaw, degrees | {' | '.join(cells)} |")
     return "\n".join(lines)
 
