@@ -8,7 +8,7 @@ export OMP_NUM_THREADS ?= 2
 export QT_QPA_PLATFORM ?= offscreen
 export CLONER_NODE_MODULES ?= $(CURDIR)/.cache/npm
 
-.PHONY: demo test quick lint types docs bench fuzz wheel constraints sbom audit clean environment
+.PHONY: demo test tests quick lint types docs bench fuzz wheel constraints sbom audit clean environment
 
 environment: $(STAMP)
 
@@ -17,7 +17,7 @@ environment: $(STAMP)
 $(STAMP): pyproject.toml constraints.txt
 	$(PYTHON) -c 'import sys; sys.exit(not (3, 11) <= sys.version_info[:2] < (3, 14) and "Cloner wants Python 3.11 to 3.13: run make PYTHON=python3.11")'
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --require-hashes -r constraints.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --no-compile --require-hashes -r constraints.txt
 	PYTHONWARNINGS=ignore $(BIN)/python -m pip install --quiet --disable-pip-version-check --no-deps --no-build-isolation -e .
 	touch $(STAMP)
 
@@ -28,8 +28,12 @@ demo: $(STAMP)
 	@echo "The clone lies in    demo_out/anna (clone.glb, clone.wrl, previews/)"
 	@echo "Open the report with a browser: file://$(CURDIR)/demo_out/anna/report.html"
 
+# Types are checked beside the tests, which leave a core idle now and then.
+test: lint
+	$(MAKE) --no-print-directory --jobs 2 types tests
+
 # Two processes, a file of tests each: pictures and windows of one file share what they made.
-test: lint types
+tests: $(STAMP)
 	OMP_NUM_THREADS=1 $(BIN)/python -m pytest --numprocesses 2 --dist loadfile
 
 quick: $(STAMP)

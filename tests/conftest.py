@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
+import pickle
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, cast
 
 import pytest
 from hypothesis import settings
@@ -29,9 +31,21 @@ def samples() -> Path:
 
 @pytest.fixture(scope="session")
 def cloned_anna(tmp_path_factory: pytest.TempPathFactory) -> CloneOutcome:
-    """Return the clone of samples/anna/plain, made once a session by the real pipeline in all formats."""
+    """Return the clone of samples/anna/plain, made once by the real pipeline in all formats; nobody writes into it.
+
+    All processes of one run share it: the first that asks makes it, the others wait and read what it kept.
+    """
     from cloner.cloning import clone_folder
     from cloner.exporters.table import EXPORTERS
 
-    out = tmp_path_factory.mktemp("cloned")
-    return clone_folder(SAMPLES / "anna" / "plain", out, formats=tuple(EXPORTERS), identifier="anna")
+    shared = tmp_path_factory.getbasetemp()
+    if "PYTEST_XDIST_WORKER" in os.environ:
+        shared = shared.parent  # a worker's own folder lies in the run's
+    kept = shared / "cloned_anna.pickle"
+    with (shared / "cloned_anna.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if kept.is_file():
+            return cast("CloneOutcome", pickle.loads(kept.read_bytes()))
+        made = clone_folder(SAMPLES / "anna" / "plain", shared / "cloned", formats=tuple(EXPORTERS), identifier="anna")
+        kept.write_bytes(pickle.dumps(made))
+        return made
