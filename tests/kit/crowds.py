@@ -9,11 +9,12 @@ import numpy as np
 
 from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.wanted import Wanted
+from cloner.exporters.shared.regions import texel_triangles
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import CLONE_FILE, save_clone
 from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.regions import REGIONS
-from kit.clones import toy_clone
+from kit.clones import SHIRT, toy_clone
 
 WANTED = Wanted(people=60, views=8, poses=8, vat=True)
 
@@ -38,7 +39,11 @@ def dressed_toy(stature_m: float = 1.70, *, sleeves: bool = False, shift: int = 
     regions[np.isin(part, [k for k, n in enumerate(generic.part_names) if n[:5] in ("teeth", "tongu")])] = (
         REGIONS.index("mouth")
     )
-    rgb = clone.atlas.rgb.astype(int) + [shift, shift, 0]
+    rgb = clone.atlas.rgb.astype(int)
+    if sleeves:
+        forearms = np.append(np.isin(segment, ["left_forearm", "right_forearm"]), False)
+        rgb[forearms[texel_triangles(len(rgb))]] = SHIRT
+    rgb += [shift, shift, 0]
     atlas = TextureAtlas(np.clip(rgb, 0, 255).astype(np.uint8), clone.atlas.coverage)
     return replace(
         clone,

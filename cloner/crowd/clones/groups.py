@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import distance_transform_edt
 
+from cloner.crowd.clones.zones import zone_texels
 from cloner.exporters.shared.regions import texel_triangles
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.meshes.vectors import unit
@@ -32,8 +33,8 @@ GROUPS: Final = ("eyes", "head", "arms", "nails", "legs", "top", "bottom", "shoe
 STEP: Final = 255 // len(GROUPS)
 #: What outfits dye; nothing else is ever dyed, hair only where it was asked for.
 WORN: Final = ("top", "bottom", "shoes")
-#: Added to the code where a limb is: clothes that end earlier there show skin, on the trunk the wearer's own cloth.
-LIMB: Final = 5
+#: Added to the code for each zone of a limb: clothes that end earlier there show skin, on the trunk the wearer's cloth.
+ZONE_STEP: Final = 2
 #: Codes go on this far beyond the charts, texels, so that their borders show no gap.
 GROWN: Final = 6
 #: Brightest share of a group that may be cut off when its grey is scaled to 8 bits; taste.
@@ -117,21 +118,16 @@ def texel_groups(groups: NDArray[np.uint8], size: int) -> Pixels:
     return np.asarray(codes[texel_triangles(size)])
 
 
+def garment_masks(codes: NDArray[np.uint8]) -> dict[str, NDArray[np.bool_]]:
+    """Return which texels each garment covers."""
+    return {name: codes == STEP * (GROUPS.index(name) + 1) for name in WORN}
+
+
 def marks_of(codes: Pixels) -> Pixels:
-    """Return the codes as the shaders read them: `LIMB` more on arms and legs, and grown beyond the charts."""
-    marked = codes + np.where((codes > 0) & _limb_texels(len(codes)), LIMB, 0).astype(np.uint8)
+    """Return the codes as the shaders read them: `ZONE_STEP` more a zone, and grown beyond the charts."""
+    marked = codes + np.where(codes > 0, ZONE_STEP * zone_texels(len(codes)), 0).astype(np.uint8)
     away, (row, column) = distance_transform_edt(codes == 0, return_indices=True)
     return np.where(away <= GROWN, marked[row, column], 0).astype(np.uint8)
-
-
-@functools.lru_cache(maxsize=3)
-def _limb_texels(size: int) -> NDArray[np.bool_]:
-    generic = load_generic()
-    triangles, _ = generic.triangles()
-    parts = ("arm", "hand", "thigh", "calf", "foot")
-    limbs = [k for k, name in enumerate(generic.segment_names) if any(part in name for part in parts)]
-    on_limb = np.isin(generic.vertex_segment[triangles[:, 0]], limbs)
-    return np.asarray(np.append(on_limb, False)[texel_triangles(size)])
 
 
 def sorted_by_group(
@@ -240,7 +236,7 @@ def exchanged(
     code = STEP * (GROUPS.index(garment) + 1)
     new, old = donor_codes == code, codes == code
     out, told = rgb.copy(), codes.copy()
-    bare = old & ~new & _limb_texels(len(codes))
+    bare = old & ~new & (zone_texels(len(codes)) > 0)
     if bare.any():
         for name, colour in skin_colours(rgb, codes).items():
             part = bare & (_naked_codes(codes.shape[0]) == STEP * (GROUPS.index(name) + 1))

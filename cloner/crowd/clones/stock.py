@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from cloner.crowd.clones.cast import Cast
 from cloner.crowd.clones.clips import Clip
-from cloner.crowd.clones.groups import WORN, skin_colours
+from cloner.crowd.clones.groups import WORN, garment_masks, skin_colours
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose
+from cloner.crowd.clones.zones import reach
 from cloner.records.arrays import Array
 
 #: All rest poses lie in this box: its corner and side, metres. 16 bits of it are .04 mm.
@@ -32,9 +33,9 @@ BAKED_FROM_M: Final = 869.0 * TEXELS_PER_PX / TEXELS_PER_M
 #: Widths of textures, texels: vertices, loose vertices (two texels each), loose corners.
 WIDE: Final = 128
 CORNERS_WIDE: Final = 256
-#: Columns of the clones' table: facts, clips, sets of tiles, looks, colours of garments, skin.
+#: Columns of the clones' table: facts, clips, sets of tiles, looks, colours of garments, skin, reach of top and bottom.
 COLUMNS: Final = 64
-CLIPS_AT, SETS_AT, LOOKS_AT, COLOURS_AT, SKIN_AT = 1, 25, 49, 53, 58
+CLIPS_AT, SETS_AT, LOOKS_AT, COLOURS_AT, SKIN_AT, REACH_AT = 1, 25, 49, 53, 58, 61
 MOST_CLIPS: Final = SETS_AT - CLIPS_AT
 _DYED: Final = (*WORN, "hair")
 
@@ -181,6 +182,8 @@ def table_row(
         row[LOOKS_AT + 3, :2] = _shell_look(cast)
     for k, colour in enumerate(skin_colours(cast.atlas, cast.codes).values()):
         row[SKIN_AT + k, :3] = colour / 255.0
+    for k, covered in enumerate(reach(garment_masks(cast.codes)).values()):
+        row[REACH_AT + k] = covered
     return row
 
 

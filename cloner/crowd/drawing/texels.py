@@ -12,7 +12,9 @@ Pixels = NDArray[np.uint8]
 
 SAMPLES: Final = 6  # a texel's side: 3 cost .002 of SSIM at the switch
 _GROWN: Final = 3  # texels that colours go on beyond the outline
-CODES: Final = 5  # nothing, top, bottom, shoes, hair
+CODE_STEP: Final = (
+    3.0  # levels between codes: nothing, top, bottom, shoes, hair, and eight more for each zone of a limb
+)
 
 
 def reduced(colour: Pixels, shape: Pixels) -> tuple[Pixels, Pixels]:
@@ -22,9 +24,10 @@ def reduced(colour: Pixels, shape: Pixels) -> tuple[Pixels, Pixels]:
     solid = _grown(rgba)
     colours = np.dstack([solid, 255.0 * rgba[..., 3:]])
     form = _blocks(np.dstack([shape[..., :3] * cover, cover]), 2 * SAMPLES)
-    code = np.round(shape[..., 3] / 255.0 * 4.0).astype(np.uint8)
-    counts = np.dstack([_blocks((cover[..., 0] * (code == k))[..., None], 2 * SAMPLES)[..., 0] for k in range(CODES)])
-    codes = counts.argmax(axis=2).astype(np.float32) * 63.0
+    code = np.round(shape[..., 3] / CODE_STEP).astype(np.uint8)
+    known = np.unique(code)
+    counts = np.dstack([_blocks((cover[..., 0] * (code == k))[..., None], 2 * SAMPLES)[..., 0] for k in known])
+    codes = known[counts.argmax(axis=2)].astype(np.float32) * CODE_STEP
     shapes = np.dstack([_grown(form), codes])
     return tuple(np.clip(np.round(one), 0, 255).astype(np.uint8) for one in (colours, shapes))  # type: ignore[return-value]
 

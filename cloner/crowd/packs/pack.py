@@ -14,7 +14,7 @@ from cloner import __version__
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import Cast, cast_of
 from cloner.crowd.clones.glb import levels_glb
-from cloner.crowd.clones.groups import GROUPS, STEP, grey_atlas, sorted_by_group
+from cloner.crowd.clones.groups import GROUPS, STEP, garment_masks, grey_atlas, sorted_by_group
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, body_levels
 from cloner.crowd.clones.people import find_people, load_person
 from cloner.crowd.clones.vat import vat_files
@@ -36,7 +36,7 @@ from cloner.crowd.packs.files import (
 )
 from cloner.crowd.packs.wanted import Wanted, check_wanted
 from cloner.crowd.staged import scene
-from cloner.crowd.staged.looks import casting_of, garment_masks, read_looks
+from cloner.crowd.staged.looks import casting_of, read_looks
 from cloner.records.clones import Clone
 
 #: Width of the walking chest with arms against its depth from which arms and coats need 40 views. The source gives no

@@ -12,7 +12,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.crowd.clones.groups import GROUPS, STEP, WORN
+from cloner.crowd.clones.groups import WORN
+from cloner.crowd.clones.zones import REACHED, zone_texels
 from cloner.crowd.staged.scene import Casting
 from cloner.errors import ClonerError
 from cloner.project.texts import read_text
@@ -27,7 +28,8 @@ PALETTES: Final[Mapping[str, tuple[int, ...]]] = MappingProxyType({
 })  # fmt: skip
 #: Natural colours of hair, for those who ask for them by ``hair = "natural"``.
 NATURAL_HAIR: Final = (0x1C1714, 0x3A2A20, 0x5A4030, 0x7A5A3C, 0xA88A5C, 0x8C8680, 0x6A3A22)
-#: Garments fit another person when they cover nearly the same of the atlas: shared part of both, 0..1; taste.
+#: Garments fit another person when they cover nearly the same of the trunk (shoes: of the feet): shared part of both,
+#: 0..1; taste. On limbs they may end elsewhere, where the wearer's own skin begins.
 FITS: Final = 0.6
 _KEYS: Final = {"palette", "own_share", "dyed_share", "wardrobe"}
 
@@ -77,17 +79,13 @@ def casting_of(masks: Sequence[Mapping[str, NDArray[np.bool_]]], told: Mapping[s
     return Casting(len(masks), palettes, wardrobe, own, min(dyed, 1.0 - own))
 
 
-def garment_masks(codes: NDArray[np.uint8]) -> dict[str, NDArray[np.bool_]]:
-    """Return which texels each garment covers."""
-    return {name: codes == STEP * (GROUPS.index(name) + 1) for name in WORN}
-
-
 def _fitting(masks: Sequence[Mapping[str, NDArray[np.bool_]]], garment: str, wearer: int) -> list[int]:
     own = masks[wearer][garment]
+    here = zone_texels(len(own)) == 0 if garment in REACHED else np.ones_like(own)
     found = []
     for other, mask in enumerate(masks):
-        either = int((own | mask[garment]).sum())
-        if other != wearer and either and int((own & mask[garment]).sum()) / either >= FITS:
+        either = int(((own | mask[garment]) & here).sum())
+        if other != wearer and either and int((own & mask[garment] & here).sum()) / either >= FITS:
             found.append(other)
     return found
 

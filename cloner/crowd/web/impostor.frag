@@ -13,7 +13,7 @@ flat in vec4 seat;
 
 uniform vec3 stoneColour;
 uniform sampler2DArray colours;  // RGB colour, A coverage
-uniform sampler2DArray shapes;   // normal x, y; depth; code of what may be dyed
+uniform sampler2DArray shapes;   // normal x, y; depth; code: what may be dyed, and eight times the zone of a limb
 uniform float depthRange;
 uniform float bakedFrom;         // metres from the middle where the bake's eye stood
 uniform int classic;             // the source's way: nearest view, no depth
@@ -54,7 +54,15 @@ vec2 seenAt(vec4 tile, vec2 middle, vec2 off, vec2 size) {
 
 vec3 worn(vec3 rgb, vec2 uv) {
   float code = texelFetch(shapes, ivec3(uv * vec2(textureSize(shapes, 0).xy), marks.y), 0).a;
-  int group = int(code * 4.0 + 0.5);
+  int whole = int(code * 255.0 / CODE_STEP + 0.5), group = whole & 7, zone = whole >> 3;
+  int limb = zone > 0 && zone < 5 ? 1 : zone > 4 && zone < 9 ? 2 : 0;  // where tops reach, where bottoms do
+  int lender = limb == 1 ? whose.y : limb == 2 ? whose.z : whose.x;
+  if (lender != whose.x && (group == 0 || group == limb)) {  // the lent garment may end elsewhere
+    bool covers = cloneTexel(lender, REACH + limb - 1)[(zone - 1) & 3] > 0.5;
+    vec3 skin = cloneTexel(whose.x, SKIN + limb).rgb;
+    if (covers && group == 0) return dyed(rgb, vec4(255.0 * lumaOf(skin), 1.0, 0.0, 0.0), cloneTexel(lender, COLOURS + limb - 1).rgb);
+    if (!covers && group > 0) return dyed(rgb, cloneTexel(whose.x, LOOKS + limb - 1), skin);
+  }
   if (group == 0) return rgb;
   float dye = dyes[group - 1];
   vec4 look = cloneTexel(whose.x, LOOKS - 1 + group);

@@ -12,7 +12,7 @@ flat in float isLoose;
 flat in ivec4 whose;
 flat in vec4 dyes;
 
-// Group, and in y whether a limb is there.
+// Group, and in y the zone of a limb or 0.
 ivec2 groupAt(int clone, ivec2 texel) {
 #ifdef CODES_APART
   float code = texelFetch(codes, ivec3(texel, clone), 0).r;
@@ -20,7 +20,7 @@ ivec2 groupAt(int clone, ivec2 texel) {
   float code = texelFetch(atlases, ivec3(texel, clone), 0).a;
 #endif
   float mark = code * 255.0, group = floor((mark + 0.5) / codeStep);
-  return ivec2(int(group), mark - group * codeStep > 0.5 ? 1 : 0);
+  return ivec2(int(group), int((mark - group * codeStep + 0.5) / ZONE_STEP));
 }
 
 // Returns colour and alpha; group and the garment's owner go out. Only who is dyed or wears others' clothes needs them.

@@ -34,10 +34,11 @@ def theatre(pack: Path):
 
 
 def row(
-    *, heading: float = 0.0, clone: int = 0, phase: float = 0.26, clip: int = 0, dyes=(-1, -1, -1, -1)
+    *, heading: float = 0.0, clone: int = 0, phase: float = 0.26, clip: int = 0, dyes=(-1, -1, -1, -1), top=None
 ) -> np.ndarray:
     out = np.zeros((5, 4), np.float32)
     out[0, 3], out[1], out[2, :3], out[2, 3], out[3] = heading, (0, phase, clone, 1.0), clone, clip, dyes
+    out[2, 0] = clone if top is None else top
     return out
 
 
@@ -82,6 +83,21 @@ def test_a_dye_reaches_geometry_and_impostor_alike_and_only_cloth(theatre: Theat
         assert rows.min() > 28  # the shirt: between chin and hips of a person from row 28 to 68
         assert rows.max() < 60
         assert (after[changed][:, 0] > after[changed][:, 2] + 20).mean() > 0.9
+
+
+@pytest.mark.parametrize("wearer", [0, 1])
+def test_lent_sleeves_end_alike_near_and_far(theatre: Theatre, wearer: int) -> None:
+    """Ada's shirt has short sleeves, ben's long ones: forearms change between skin and cloth, hands never do."""
+    own, lent = row(clone=wearer), row(clone=wearer, top=1 - wearer)
+    blueness = {}
+    for level in (0, None):
+        before, after = shot(theatre, own, level), shot(theatre, lent, level)
+        bluer = (after[..., 2] - after[..., 0]) - (before[..., 2] - before[..., 0])
+        blueness[level] = bluer if wearer == 0 else -bluer
+    forearms = blueness[0] > 40
+    assert forearms.sum() > 10
+    assert (blueness[None][forearms] > 25).mean() > 0.8
+    assert (blueness[None] > 40).sum() < 2.0 * forearms.sum()
 
 
 def test_a_white_dye_is_white(theatre: Theatre) -> None:
