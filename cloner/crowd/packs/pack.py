@@ -14,7 +14,7 @@ from cloner import __version__
 from cloner.crowd.clones import stock
 from cloner.crowd.clones.cast import Cast, cast_of
 from cloner.crowd.clones.glb import levels_glb
-from cloner.crowd.clones.groups import GROUPS, STEP, garment_masks, grey_atlas, sorted_by_group
+from cloner.crowd.clones.groups import GROUPS, STEP, grey_atlas, sorted_by_group
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, body_levels
 from cloner.crowd.clones.people import find_people, load_person
 from cloner.crowd.clones.vat import vat_files
@@ -36,7 +36,7 @@ from cloner.crowd.packs.files import (
 )
 from cloner.crowd.packs.wanted import Wanted, check_wanted
 from cloner.crowd.staged import scene
-from cloner.crowd.staged.looks import casting_of, read_looks
+from cloner.crowd.staged.looks import casting_of, lendable, read_looks
 from cloner.records.clones import Clone
 
 #: Width of the walking chest with arms against its depth from which arms and coats need 40 views. The source gives no
@@ -47,7 +47,6 @@ FEW_VIEWS, MANY_VIEWS = 22, 40
 #: end for the finest. Patterns on cloth decide, which slide where triangles are fewer.
 LARGEST_PX: Final = (0, 166, 96, 50)
 ATLAS_QUALITY: Final = 85
-MASK_PX: Final = 128
 
 
 def make_pack(
@@ -89,7 +88,7 @@ def make_pack(
             rows.append(row)
             if cast.stone is not None:
                 tones.append(cast.stone[cast.codes > 0].mean(axis=0) / 255.0)
-            masks.append(garment_masks(cast.codes[:: len(cast.codes) // MASK_PX, :: len(cast.codes) // MASK_PX]))
+            masks.append(lendable(cast, body))
         casting = casting_of(masks, looks)
         data, body_told = packed(body_arrays(body))
         _write(folder, "body.bin", data, files)

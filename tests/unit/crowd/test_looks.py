@@ -1,0 +1,53 @@
+"""Whose garments fit whom: trunks covered alike; a skirt that hangs loose stays its wearer's."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from cloner.crowd.clones.cast import cast_of
+from cloner.crowd.clones.groups import garment_masks
+from cloner.crowd.clones.levels import body_levels
+from cloner.crowd.clones.zones import ENDS, REACHED, reach, zone_texels
+from cloner.crowd.staged.looks import MASK_PX, casting_of, lendable
+from kit.clones import toy_clone
+from kit.crowds import dressed_toy
+
+
+def trousers(cut: int) -> dict[str, np.ndarray]:
+    """Trousers on the hips and on the zones below them up to one."""
+    zones = zone_texels(MASK_PX)
+    nothing = np.zeros(zones.shape, bool)
+    hips = np.zeros_like(nothing)
+    hips[MASK_PX // 2 :] = zones[MASK_PX // 2 :] == 0
+    return {"top": nothing, "bottom": hips | np.isin(zones, range(5, cut)), "shoes": nothing}
+
+
+def test_shorts_and_trousers_are_exchanged_but_not_with_who_wears_neither() -> None:
+    bare = {name: np.zeros((MASK_PX, MASK_PX), bool) for name in ("top", "bottom", "shoes")}
+    casting = casting_of([trousers(9), trousers(6), bare], {})
+    assert casting.wardrobe["bottom"] == [[1], [0], []]
+    assert casting.wardrobe["top"] == [[], [], []]
+
+
+def test_reach_tells_the_zones_that_are_covered() -> None:
+    assert reach(trousers(9))["bottom"] == [1.0, 1.0, 1.0, 1.0]
+    assert reach(trousers(7))["bottom"] == [1.0, 1.0, 0.0, 0.0]
+    assert reach(trousers(7))["top"] == [0.0] * len(REACHED["top"])
+
+
+def test_every_limb_has_its_zones() -> None:
+    assert np.unique(zone_texels(256)).tolist() == list(range(ENDS + 1))
+
+
+def test_a_skirt_that_hangs_loose_is_not_lent() -> None:
+    body, clone = body_levels(), dressed_toy()
+    plain = cast_of("ada", clone, body, poses=4)
+    cap = toy_clone().shells[0]
+    drop = np.array([0.0, clone.joints_m[0, 1] - cap.vertices_m[:, 1].max(), 0.0])
+    skirt = replace(cap, kind="cloth", vertices_m=cap.vertices_m + drop)
+    hung = cast_of("ada", replace(clone, shells=(skirt,)), body, poses=4)
+    assert lendable(plain, body)["bottom"].sum() == garment_masks(plain.codes[::4, ::4])["bottom"].sum() > 0
+    assert lendable(hung, body)["bottom"].sum() == 0
+    assert lendable(hung, body)["top"].sum() > 0
