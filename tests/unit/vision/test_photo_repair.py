@@ -96,3 +96,9 @@ def test_white_balance_is_that_of_all_photos_and_exposure_the_reference_s():
     mirrored = common_balance(photos, light, weights, np.array([True, False, False]))
     assert np.abs(mirrored).max() < 1e-9
     assert np.abs(common_balance(photos, light, 0.0 * weights, np.ones(3, bool))).max() == 0.0
+
+
+def test_a_mask_without_an_outline_is_far_and_not_infinite():
+    everything = np.ones((20, 30), bool)
+    assert np.array_equal(signed_distance(everything), -signed_distance(~everything))
+    assert 1e3 < signed_distance(everything).max() < 1e5
