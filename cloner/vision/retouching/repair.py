@@ -167,7 +167,7 @@ def _local_mean(
 
 
 def signed_distance(mask: NDArray[np.bool_]) -> NDArray[np.float32]:
-    """Return (H, W) float32 distance to a mask's outline in px, positive inside; without an outline `FAR_PX` either way."""
+    """Return (H, W) float32 distance to a mask's outline in px, positive inside; without an outline `FAR_PX`."""
     if mask.all() or not mask.any():
         return np.full(mask.shape, FAR_PX if mask.all() else -FAR_PX, np.float32)
     inside = cv2.distanceTransform(mask.astype(np.uint8), cv2.DIST_L2, 5)
