@@ -71,8 +71,9 @@ def make_pack(
     """
     check_wanted(wanted)
     looks = read_looks(wanted.looks)
+    casting_of([], looks)  # nobody waits for a bake to hear that a colour is none, or that the last clone is refused
     found, body, generic, first_bone = find_people(results), body_levels(), "", 0
-    for one in found:  # nobody waits for a bake to hear that the last clone is refused
+    for one in found:
         _, generic = load_person(one, generic)
     files: dict[str, str] = {}
     rows, masks, tones = [], [], []

@@ -179,6 +179,10 @@ def test_clones_that_may_not_or_cannot_are_refused_by_name(
     assert not (tmp_path / "out").exists()
 
 
+def nobody_is_made(*told: object) -> None:
+    raise AssertionError(f"{told} was begun before the looks were read")
+
+
 def test_bad_words_end_in_one_sentence(results: Path, tmp_path: Path) -> None:
     (tmp_path / "empty").mkdir()
     with pytest.raises(ClonerError, match="no clones were given"):
@@ -196,7 +200,7 @@ def test_bad_words_end_in_one_sentence(results: Path, tmp_path: Path) -> None:
     for text in ('[palette]\nskin = ["#112233"]', "own_share = 3", '[palette]\ntop = ["red"]', "x = 1", "= ="):
         looks.write_text(text)
         with pytest.raises(ClonerError):
-            make_pack([results], tmp_path / "out", replace(WANTED, looks=looks))
+            make_pack([results], tmp_path / "out", replace(WANTED, looks=looks), told=nobody_is_made)
     assert not (tmp_path / "out").exists()
 
 
