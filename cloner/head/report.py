@@ -67,16 +67,29 @@ def report_side(model: Model, fitted: Fitted, side: Side | None, points: FacePoi
     error = np.abs(((seen[kept] - target) * normal).sum(axis=1)) * metres
     view = str(ViewId.FACE_SIDE)
     log.residuals.append(Residual("profile", mm_from_m(float(error.mean())) if len(kept) else 0.0, "mm", view))
+    apart = height_disagreement_m(model, fitted, side, points, jaws_rad)
+    if apart is not None:
+        log.residuals.append(Residual("height disagreement", mm_from_m(apart), "mm", view))
+
+
+def height_disagreement_m(
+    model: Model, fitted: Fitted, side: Side | None, points: FacePoints, jaws_rad: Array
+) -> float | None:
+    """Return how far apart in height both photos put the points of `SHARED` on the average; None where one is missing.
+
+    A profile that was laid on hair or a hood agrees with its own outline, and not with the front photo.
+    """
     front = points.views.get(ViewId.FACE_FRONT)
-    if front is None or fitted.front is None:
-        return
+    if side is None or front is None or fitted.front is None or fitted.side is None:
+        return None
+    whole = opened(model.generic, model.whole(fitted.head_m), model.joints_m, jaws_rad[SIDE])
+    beside = dict(zip(side.names, side.points_px, strict=True))
     heights = []
     for name in SHARED:
-        from_front, from_side = front.get(name), dict(zip(side.names, side.points_px, strict=True)).get(name)
+        from_front, from_side = front.get(name), beside.get(name)
         if from_front is not None and from_side is not None:
             near = whole[[model.generic.feature(name)]]
             pair = [c.back_project(p[None], near)[0, 1] for c, p in
                     ((fitted.front, from_front), (fitted.side, from_side))]  # fmt: skip
             heights.append(abs(pair[0] - pair[1]))
-    if heights:
-        log.residuals.append(Residual("height disagreement", mm_from_m(float(np.mean(heights))), "mm", view))
+    return float(np.mean(heights)) if heights else None

@@ -27,7 +27,7 @@ from cloner.head.jaw import FRONT, PHOTOS, SIDE
 from cloner.head.model import Model, make_model
 from cloner.head.parts import Sight, seat_parts
 from cloner.head.relief import add_relief
-from cloner.head.report import report_front, report_side, warn_missing
+from cloner.head.report import height_disagreement_m, report_front, report_side, warn_missing
 from cloner.head.size import body_camera, head_scale
 from cloner.head.skull import fit_skull
 from cloner.records.arrays import Array
@@ -44,6 +44,8 @@ _CALIBRATED: Final = calibrated("stages.head")
 
 
 BROWN = np.array(_CALIBRATED.triple("brown", "grey"))
+#: Both photos' heights of the same points may differ so much on the average.
+APART_MM: Final = _CALIBRATED.number("apart_mm", "mm")
 #: Iterations after each look into the side photo.
 LOOK_TURNS = 6
 
@@ -80,9 +82,13 @@ def run(
     model = make_model(phenotype)
     front = read_front(model, photos, proposals, face_points, params)
     side = read_side(model, proposals, silhouettes, face_points, params)
-    warn_missing(front, side, proposals, log)
     shaped = shape_head(model, photos, phenotype, (front, side), params, log, tick)
+    apart = height_disagreement_m(model, shaped.relief, shaped.side, face_points, shaped.jaws_rad)
+    if apart is not None and mm_from_m(apart) > APART_MM:  # the profile was laid on something else
+        log = Log()
+        shaped = shape_head(model, photos, phenotype, (front, None), params, log, tick)
     fitted, side, moved = shaped.relief, shaped.side, shaped.moved
+    warn_missing(front, side, proposals, log)
     controls = load_head_controls()
     tick(0.8)
     masks = _masks(fitted, front, proposals)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
@@ -190,6 +191,21 @@ def test_without_a_side_photo_it_warns_and_stays_human():
     assert fitted.side_shown == ""
     assert any("side photo" in w for w in result.warnings)
     assert face_error_mm(fitted.vertices_m, true) < 2.5
+
+
+def test_a_profile_laid_on_something_else_is_not_believed():
+    """The side photo's points stand where hair hangs: a face twice as tall as the one in the front photo."""
+    true = true_person(5)
+    photos, proposals, points = photographed(true)
+    beside = points.views[ViewId.FACE_SIDE]
+    nose = beside.points_px[beside.names.index("nose_tip")]
+    tall = nose + (beside.points_px - nose) * [0.3, 2.2]
+    wrong = replace(beside, points_px=tall)
+    result = fit(photos, proposals, PointSet({**points.views, ViewId.FACE_SIDE: wrong}))
+    fitted = result.values["head"]
+    assert fitted.side_shown == ""
+    assert ViewId.FACE_SIDE not in fitted.cameras
+    assert sum("no profile was found in the side photo" in warning for warning in result.warnings) == 1
 
 
 def test_without_any_face_it_gives_the_generic_head_and_says_so():
