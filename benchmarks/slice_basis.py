@@ -27,7 +27,7 @@ from cloner.body.outlined import GRID_SEGMENTS, Outlined, outlined_photos, see
 from cloner.frames import m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
-from cloner.geometry.articulation.turning import pixel_slope
+from cloner.geometry.cameras.motions import projection_derivatives
 from cloner.geometry.meshes.vectors import unit
 from cloner.geometry.outlines.rims import vertex_normals
 from cloner.geometry.outlines.settling import smoothed_directions, unfolded
@@ -120,7 +120,8 @@ def observed(mesh: BodyMesh, photo: Outlined, reach_mm: float) -> tuple[NDArray[
     keep &= ~field.veiled | (field.draped & (field.signed_distance(seen.body.pixels[rim[nearest]]) > 0.0))
     vertices, normal = rim[nearest[keep]], field.normals[keep]
     wanted = np.einsum("ka,ka->k", field.samples_px[keep] - seen.body.pixels[vertices], normal)
-    slope = pixel_slope(camera, seen.posed_m[vertices]) @ seen.blended[vertices, :, :3]
+    _, by_points, _ = projection_derivatives(camera, seen.posed_m[vertices])
+    slope = by_points @ seen.blended[vertices, :, :3]
     size_m = m_from_mm(seen.mm_per_px)
     belief = trust[vertices] * (1.0 - distance[keep] / reach_px)
     pieces = min(field.step_px * seen.mm_per_px / PIECE_MM, 1.0)

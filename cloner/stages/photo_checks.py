@@ -19,7 +19,7 @@ from cloner.detectors.face.face_side import side_face_of
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
-from cloner.records.labels import Label, shows
+from cloner.records.labels import FACE, Label, shows
 from cloner.records.photos import Photo, PhotoSet
 from cloner.records.points import Proposal, Proposals
 
@@ -90,7 +90,7 @@ def _trouble_in_body(proposal: Proposal, photo: Photo, hidden: float = 0.0) -> s
     if view is ViewId.BODY_FRONT:
         away = forwards + (_FACE if proposal.face_presence > 0.0 else _NO_FACE) + 1.5 < 0.0
         return "this photo shows the person's back, not the front" if away else ""
-    if forwards > 0.0 and forwards + (_FACE if _sees_face(photo) else _NO_FACE + hidden) - 1.5 > 0.0:
+    if forwards > 0.0 and forwards + (_FACE if _sees_face(photo) else _NO_FACE + hidden + hair_odds(proposal)) > 1.5:
         return "this photo shows the person's front, not the back"
     return ""
 
@@ -124,6 +124,17 @@ def front_odds(proposal: Proposal) -> float:
     return (2.0 if left > right else -2.0) + weight(lead, 0.08, 0.08, 2.0)
 
 
+def hair_odds(proposal: Proposal) -> float:
+    """Return the log odds, at most 0, that a head without a face is seen from the front: less where it is all hair.
+
+    Of heads seen from the front .18 to .94 are face and not hair, curtains of hair before faces among them; from
+    behind 0 to .18, and more where hair is thin, so much skin tells nothing.
+    """
+    face, hair = (int(shows(proposal.labels, *classes).sum()) for classes in (FACE, (Label.HAIR,)))
+    return min(weight(face / (face + hair), _FACE_SHARE, 0.04, 3.0), 0.0) if face + hair else 0.0
+
+
+_FACE_SHARE: Final = _CALIBRATED.number("face_share", "share")
 _FACE = _CALIBRATED.number("face", "score")
 _NO_FACE = _CALIBRATED.number("no_face", "score")
 _SEEN_IN_FRONT: Final = _CALIBRATED.number("seen_in_front", "score")
