@@ -207,18 +207,25 @@ def main() -> None:
     parser.add_argument("--pictures", type=Path)
     parser.add_argument("--page", type=Path, default=PAGE)
     told = parser.parse_args()
+    if told.pictures:
+        told.pictures.mkdir(parents=True, exist_ok=True)
     begun = time.monotonic()
-    written = {"": facts_of(told.pack, told.made)}
+    keep(told.page, "", facts_of(told.pack, told.made))
     if told.clones:
-        written["Looks"] = looked_at(told.pack, told.results, told.clones, told.classic, told.processes)
-        written["Hybrid pictures against anti-aliased geometry"] = hybrid_table(told.pack)
+        keep(told.page, "Looks", looked_at(told.pack, told.results, told.clones, told.classic, told.processes))
+        keep(told.page, "Hybrid pictures against anti-aliased geometry", hybrid_table(told.pack))
     if told.people:
-        written["Frame times"] = in_browser(told.pack, told.results, told.people, told.rounds, told.npm, told.pictures)
+        lines = in_browser(told.pack, told.results, told.people, told.rounds, told.npm, told.pictures)
+        keep(told.page, "Frame times", lines)
     print(f"{time.monotonic() - begun:.0f} s")
-    kept = sections(told.page) | {name: "\n".join(lines) for name, lines in written.items()}
-    text = "\n\n".join(f"## {name}\n\n{kept[name]}" if name else kept[name] for name in SECTIONS if name in kept)
-    told.page.write_text(text + "\n", encoding="utf-8")
-    print(text)
+    print(told.page.read_text(encoding="utf-8"))
+
+
+def keep(page: Path, name: str, lines: list[str]) -> None:
+    """Write one section of the page and leave the others."""
+    kept = sections(page) | {name: "\n".join(lines)}
+    text = "\n\n".join(f"## {one}\n\n{kept[one]}" if one else kept[one] for one in SECTIONS if one in kept)
+    page.write_text(text + "\n", encoding="utf-8")
 
 
 def facts_of(pack: Path, made: list[float] | None) -> list[str]:
