@@ -24,12 +24,20 @@ def reduced(colour: Pixels, shape: Pixels) -> tuple[Pixels, Pixels]:
     solid = _grown(rgba)
     colours = np.dstack([solid, 255.0 * rgba[..., 3:]])
     form = _blocks(np.dstack([shape[..., :3] * cover, cover]), 2 * SAMPLES)
-    code = np.round(shape[..., 3] / CODE_STEP).astype(np.uint8)
-    known = np.unique(code)
-    counts = np.dstack([_blocks((cover[..., 0] * (code == k))[..., None], 2 * SAMPLES)[..., 0] for k in known])
-    codes = known[counts.argmax(axis=2)].astype(np.float32) * CODE_STEP
-    shapes = np.dstack([_grown(form), codes])
+    shapes = np.dstack([_grown(form), _commonest(shape[..., 3], cover[..., 0] > 0.5)])
     return tuple(np.clip(np.round(one), 0, 255).astype(np.uint8) for one in (colours, shapes))  # type: ignore[return-value]
+
+
+def _commonest(codes: Pixels, covered: NDArray[np.bool_]) -> Pixels:
+    """Return the commonest code of the covered samples of each block of half a page's texel; every third one votes."""
+    tall, wide, votes = codes.shape[0] // (2 * SAMPLES), codes.shape[1] // (2 * SAMPLES), 2 * SAMPLES // 3
+    picked = np.where(covered, codes, 0)[1::3, 1::3].reshape(tall, votes, wide, votes).swapaxes(1, 2)
+    picked = picked.reshape(tall, wide, votes * votes)
+    best, most = np.zeros((tall, wide), np.uint8), np.zeros((tall, wide), np.int64)
+    for code in np.unique(picked):
+        count = (picked == code).sum(axis=2)
+        best, most = np.where(count > most, code, best), np.maximum(count, most)
+    return best
 
 
 def _blocks(values: NDArray[np.float32], side: int) -> NDArray[np.float32]:
