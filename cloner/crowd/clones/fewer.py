@@ -18,6 +18,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from cloner.geometry.meshes.triangles import edges_of, sides
+from cloner.geometry.meshes.vectors import cross
 from cloner.records.arrays import Array
 
 Whole = NDArray[np.int64]
@@ -122,15 +123,11 @@ def _round(mesh: _Mesh, most: int, tried: int, cosine: float) -> int:
     corner = np.argsort(faces.reshape(-1), kind="stable")
     starts = np.searchsorted(faces.reshape(-1)[corner], np.arange(len(places) + 1))
     around = corner // 3
+    refused = _refused(mesh, ways[order], starts, around, cosine, limit - cost[order])
     taken, goes, done = np.zeros(len(places), bool), np.arange(len(places)), 0
-    for k in order:
-        u, v = (int(one) for one in ways[k])
-        own = around[starts[u] : starts[u + 1]]
-        ring = faces[own].reshape(-1)
+    for u, v in ways[order[~refused]].tolist():
+        ring = faces[around[starts[u] : starts[u + 1]]].reshape(-1)
         if taken[v] or taken[ring].any():
-            continue
-        kept = own[~(faces[own] == v).any(axis=1)]
-        if cost[k] + _torn(mesh, kept, v) > limit or _turned(places, faces[kept], u, v, cosine):
             continue
         goes[u] = v
         taken[ring] = taken[faces[around[starts[v] : starts[v + 1]]].reshape(-1)] = True
@@ -144,24 +141,33 @@ def _round(mesh: _Mesh, most: int, tried: int, cosine: float) -> int:
     return done
 
 
-def _torn(mesh: _Mesh, kept: Whole, v: int) -> float:
-    """Return what it costs that triangles get a corner at a place that their chart does not have."""
-    codes = v * mesh.count + mesh.charts[kept]
-    missing = kept[mesh.held[np.minimum(np.searchsorted(mesh.held, codes), len(mesh.held) - 1)] != codes]
-    if not len(missing):
-        return 0.0
-    a, b, c = (mesh.places[0, mesh.faces[missing, k]] for k in range(3))
-    return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum()) / 2.0 * TORN_M**2
+def _refused(mesh: _Mesh, ways: Whole, starts: Whole, around: Whole, cosine: float, most: Array) -> NDArray[np.bool_]:
+    """Return which collapses (N, 2) turn a triangle too far, or to nothing, or tear charts for more than they may cost.
+
+    A triangle is torn that gets a corner at a place where its chart has none. Collapses of one round touch no triangle
+    of one another, so all are judged as they lie.
+    """
+    places, (leaves, stays) = mesh.places[0], ways.T
+    many = starts[leaves + 1] - starts[leaves]
+    which = np.repeat(np.arange(len(ways)), many)
+    own = around[np.arange(len(which)) + np.repeat(starts[leaves] - np.cumsum(many) + many, many)]
+    kept = ~(mesh.faces[own] == stays[which, None]).any(axis=1)
+    own, which = own[kept], which[kept]
+    faces = mesh.faces[own]
+    before = _area_normals(places, faces)
+    after = _area_normals(places, np.where(faces == leaves[which, None], stays[which, None], faces))
+    was, becomes = np.linalg.norm(before, axis=1), np.linalg.norm(after, axis=1)
+    turned = np.einsum("ij,ij->i", before, after) < cosine * was * becomes - 1e-18
+    codes = stays[which] * mesh.count + mesh.charts[own]
+    torn = mesh.held[np.minimum(np.searchsorted(mesh.held, codes), len(mesh.held) - 1)] != codes
+    cost = np.bincount(which, was * torn, len(ways)) / 2.0 * TORN_M**2
+    return np.asarray((np.bincount(which, turned, len(ways)) > 0) | (cost > most))
 
 
-def _turned(places: Array, faces: Whole, u: int, v: int, cosine: float) -> bool:
-    """Return whether a triangle turns too far, or to nothing, when its corner ``u`` goes to ``v``."""
-    before, after = (
-        np.cross(places[f[:, 1]] - places[f[:, 0]], places[f[:, 2]] - places[f[:, 0]])
-        for f in (faces, np.where(faces == u, v, faces))
-    )
-    least = cosine * np.linalg.norm(before, axis=1) * np.linalg.norm(after, axis=1) - 1e-18
-    return bool((np.einsum("ij,ij->i", before, after) < least).any())
+def _area_normals(places: Array, faces: Whole) -> Array:
+    """Return the (T, 3) normals of triangles, twice as long as their areas."""
+    first = places[faces[:, 0]]
+    return cross(places[faces[:, 1]] - first, places[faces[:, 2]] - first)
 
 
 def _vertices(mesh: _Mesh, weld: Whole, own: Whole) -> NDArray[np.int32]:
