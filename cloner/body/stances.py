@@ -3,8 +3,10 @@
 The phenotype's poses were found with nobody's body. Once slices made it the
 person's, limbs turn a little until the body lies on each photo's outline, and hands
 and feet, which no slice may push, get one size for all photos and a direction for
-each (method §7, issue 4 "hands and feet oriented and sized from the photos"). The
-cameras give a little too; the skin settles afterwards, on the cameras found here.
+each (method §7, issue 4 "hands and feet oriented and sized from the photos"). Fingers
+curl, all knuckles of a hand alike: those of people who hang their arms are never
+straight. The cameras give a little too; the skin settles afterwards, on the cameras
+found here.
 """
 
 from __future__ import annotations
@@ -48,6 +50,7 @@ class Params:
 
     limb_degrees: float = _CALIBRATED.number("limb_degrees", "deg")
     tip_degrees: float = _CALIBRATED.number("tip_degrees", "deg")
+    curl_degrees: tuple[float, float] = _CALIBRATED.pair("curl_degrees", "deg")
     camera_degrees: tuple[float, float, float] = _CALIBRATED.triple("camera_degrees", "deg")
     camera_mm: tuple[float, float, float] = _CALIBRATED.triple("camera_mm", "mm")
     most_step: float = _CALIBRATED.number("most_step", "m, rad")
@@ -59,6 +62,8 @@ class Params:
 #: Joints that turn: limbs about all axes, knees about their hinge alone.
 LIMBS = (("shoulder", (0, 1, 2)), ("elbow", (0, 1, 2)), ("hip", (0, 1, 2)), ("knee", (0,)))
 TIPS = (("wrist", (0, 1, 2)), ("ankle", (0, 1, 2)))
+#: Fingers whose knuckles curl together.
+FINGERS: Final = ("index", "middle", "ring", "pinky")
 
 
 @functools.cache
@@ -75,12 +80,42 @@ def _turns() -> tuple[tuple[int, tuple[int, ...], Array, bool], ...]:
     return tuple(rows)
 
 
-def angle_spread(params: Params) -> Array:
-    """Return the (A,) usual turn of every angle, radians."""
+@functools.cache
+def _curls() -> tuple[tuple[tuple[int, Array, Array], ...], ...]:
+    """Return for each hand joint, axis (3,) at rest and carried share (V,) of all knuckles that curl together."""
+    generic = load_generic()
+    joints, weights = generic.skin_joints, generic.skin_weights.astype(np.float64)
+    hands = []
+    for side in "lr":
+        wrist, index, little = (
+            generic.joints_m[generic.joint(f"{side}_{one}")] for one in ("wrist", "index1", "pinky1")
+        )
+        palm = np.cross(index - wrist, little - wrist) * (-1.0 if side == "l" else 1.0)
+        rows = []
+        for finger in FINGERS:
+            knuckles = [generic.joint(f"{side}_{finger}{number}") for number in (1, 2, 3)]
+            axis = unit(np.cross(generic.joints_m[knuckles[2]] - generic.joints_m[knuckles[0]], palm))
+            rows += [
+                (knuckle, axis, carried_share(generic.joint_parents, knuckle, joints, weights)) for knuckle in knuckles
+            ]
+        hands.append(tuple(rows))
+    return tuple(hands)
+
+
+def usual_angles(params: Params) -> tuple[Array, Array]:
+    """Return what every angle usually is and by how much it differs, (A,) radians each; the camera's last six too."""
     degrees = [params.tip_degrees if tip else params.limb_degrees for _, axes, _, tip in _turns() for _ in axes]
-    return np.concatenate(
-        [np.deg2rad(degrees), np.deg2rad(params.camera_degrees), [m_from_mm(x) for x in params.camera_mm]]
-    )
+    curl, curl_spread = np.deg2rad(params.curl_degrees)
+    hands = len(_curls())
+    spread = np.concatenate(
+        [
+            np.deg2rad(degrees), np.full(hands, curl_spread), np.deg2rad(params.camera_degrees),
+            [m_from_mm(x) for x in params.camera_mm],
+        ]
+    )  # fmt: skip
+    usual = np.zeros(len(spread))
+    usual[len(degrees) : len(degrees) + hands] = curl
+    return usual, spread
 
 
 def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[np.int64], angles: Array) -> Array:
@@ -95,6 +130,13 @@ def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[
         frame = transforms[generic.joint_parents[joint], :3, :3] @ turning_axes(turn)
         blocks.append(turned_motion(places_m[vertices], pivot, frame.T[list(axes)], share[vertices]))
         start += len(axes)
+    for knuckles in _curls():
+        moved = np.zeros((len(vertices), 3, 1))
+        for joint, axis, share in knuckles:
+            pivot = transforms[joint, :3, :3] @ mesh.joints_m[joint] + transforms[joint, :3, 3]
+            turned = transforms[generic.joint_parents[joint], :3, :3] @ axis
+            moved += turned_motion(places_m[vertices], pivot, turned[None], share[vertices])
+        blocks.append(moved)
     return np.concatenate(blocks, axis=2)
 
 
@@ -142,9 +184,9 @@ def fit_stances(
     photos : the body photos
     """
     mean, spread = size
-    usual = angle_spread(params)
+    usual, differs = usual_angles(params)
     blocks = {"sizes": Block(mean, mean, spread, farthest=3.0)}
-    blocks |= {view.value: Block(np.zeros(len(usual)), spread=usual, longest=params.most_step) for view in photos}
+    blocks |= {view.value: Block(usual, usual, differs, longest=params.most_step) for view in photos}
     middle = _middle(sizer(mean))
     pivots = {view: photo.posed.camera.to_camera(middle[None])[0] for view, photo in photos.items()}
 
@@ -173,7 +215,7 @@ def _grown(sizer: Sizer, values: Array) -> tuple[BodyMesh, Array]:
 
 
 def turned_pose(posed: PosedView, angles: Array, middle_m: Array) -> PosedView:
-    """Return the pose after every joint turned by its angles, in its parent's axes, and the camera by the last six."""
+    """Return the pose after every joint turned by its angles in its parent's axes, fingers curled, the camera moved."""
     rotations = posed.rotations.copy()
     start = 0
     for joint, axes, _, _ in _turns():
@@ -181,5 +223,8 @@ def turned_pose(posed: PosedView, angles: Array, middle_m: Array) -> PosedView:
         turn[list(axes)] = angles[start : start + len(axes)]
         rotations[joint] = turned_rotation(rotations[joint], turn)
         start += len(axes)
-    camera = moved_camera(posed.camera, angles[start:], posed.camera.to_camera(middle_m[None])[0])
+    for knuckles, curl in zip(_curls(), angles[start:-6], strict=True):
+        for joint, axis, _ in knuckles:
+            rotations[joint] = turned_rotation(rotations[joint], curl * axis)
+    camera = moved_camera(posed.camera, angles[-6:], posed.camera.to_camera(middle_m[None])[0])
     return replace(posed, camera=camera, rotations=rotations)

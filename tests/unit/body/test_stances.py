@@ -63,6 +63,7 @@ def test_turned_limbs_are_found_and_the_rest_stays(body):
         assert before > 3.0, "the turns are seen"
         assert after < 0.5 * before, f"{view}: {before:.1f} -> {after:.1f} px"
     free = {f"{side}_{name}" for name, _ in (*stances.LIMBS, *stances.TIPS) for side in "lr"}
+    free |= {f"{side}_{finger}{k}" for finger in stances.FINGERS for side in "lr" for k in (1, 2, 3)}
     kept = [row for row, name in enumerate(generic.joint_names) if name not in free]
     for view, photo in found.items():
         assert np.array_equal(photo.posed.rotations[kept], believed[kept]), view
@@ -116,10 +117,10 @@ def test_turns_follow_the_parents_axes(body, already):
     pose = people.known_pose(2, spread=0.3)
     photo = photographed(body, pose, pose)["body_front"]
     foot = np.flatnonzero(generic.segment_weights[:, generic.segment_names.index("left_foot")] > 0.999)[:20]
-    angles = np.zeros(stances.angle_spread(stances.Params()).size)
-    angles[-12:-9] = already  # the left ankle's; the right one's and the camera's come after
+    angles = np.zeros(stances.usual_angles(stances.Params())[0].size)
+    angles[-14:-11] = already  # the left ankle's; the right one's, the hands' curls and the camera's come after
     small = np.zeros(len(angles))
-    small[-12:-9] = [1e-4, -2e-4, 3e-4]
+    small[-14:-11] = [1e-4, -2e-4, 3e-4]
     there = stances.turned_pose(photo.posed, angles, np.zeros(3))
     person = people.KnownPerson("known", 1.70, np.zeros(1), body.vertices_m, body.joints_m)
     places = person.posed(there.rotations)[0]
@@ -129,3 +130,21 @@ def test_turns_follow_the_parents_axes(body, already):
         for way in (1.0, -1.0)
     )
     np.testing.assert_allclose(motion @ small[:-6], (beyond - before) / 2.0, atol=2e-8)
+
+
+def test_curled_fingers_are_found(body):
+    generic = load_generic()
+    believed = people.known_pose(1, spread=0.0)
+    photos = photographed(body, believed, believed)
+    curled = np.zeros(stances.usual_angles(stances.Params())[0].size)
+    curled[-8:-6] = np.deg2rad([25.0, 0.0])
+    true = stances.turned_pose(photos["body_front"].posed, curled, np.zeros(3)).rotations
+    photos = photographed(body, true, believed)
+    sizer, size = unsized(body)
+    _, found = stances.fit_stances(sizer, size, photos, stances.Params())
+    bent = {
+        side: np.rad2deg(np.linalg.norm(found["body_front"].posed.rotations[generic.joint(f"{side}_middle2")]))
+        for side in "lr"
+    }
+    assert 14.0 < bent["l"] < 30.0, "expected are 8, shown 25"
+    assert bent["r"] < 10.0
