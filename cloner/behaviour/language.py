@@ -38,6 +38,7 @@ _MOST_EXPECTED: Final = 6  # more words than this say less
 _FLAGS: Final[dict[str, dict[str, Any]]] = {
     "one_at_a_time": {"holds": 1}, "shared": {"holds": 0},
     "flocking": {"flocking": True}, "adapts": {"adapts": True}, "wanders": {"wanders": True},
+    "outside": {"outside": True},
 }  # fmt: skip
 #: What the one value of a clause is called.
 _TOLD: Final = {"region": "size"} | {name: name for name in ("holds", "look_at", "leader", "memory", "starts_at")}

@@ -32,6 +32,7 @@ from cloner.crowd.packs.reading import read_acted, read_facts
 from cloner.crowd.staged.footing import FROM, UNTIL
 from cloner.errors import ClonerError
 from cloner.project.folder import safe_identifier
+from cloner.scenes.served.guests import Guests, Place
 from cloner.scenes.served.minds import Look, Minds, minds_of
 from cloner.scenes.served.newcomers import Newcomer, made_at, newcomer_of
 
@@ -124,6 +125,7 @@ class Living:
         self._minds: Minds = minds_of(world, self._acted, self._facts["people"][0]["clips"])
         self._begun, self._seed = time.monotonic(), self._seed + 1
         self._ways: dict[int, NDArray[np.float32]] = {}
+        self._guests = Guests()
         self._heard = 0
         self._awake: list[tuple[str, float]] = []
         self._walk_on()
@@ -162,9 +164,15 @@ class Living:
         with self._turn:
             guide(self._minds.world, text)
 
+    def walks(self, page: object, place: Place | None) -> int:
+        """Let who watches a page walk in the scene (`Guests.hear`); return whose part that is."""
+        with self._turn:
+            return self._guests.hear(self._minds.world, page, place, self.now())
+
     def _walk_on(self) -> dict[int, NDArray[np.float32]]:
         """Let everybody walk on, keep what is not over, and return what is new."""
         now = self._shown_s = self.now()
+        self._guests.go_on(self._minds.world, now)
         new = self._minds.go_on(now)
         for who, rows in new.items():
             kept = self._ways.get(who, rows[:0])
