@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import threading
 import time
 from pathlib import Path
 
@@ -87,6 +88,34 @@ def test_who_walks_along_in_a_page_is_there_on_feet_and_gone_when_the_page_falls
     assert shown_at[-0.3][0] == shown_at[14.0][0] == GONE
     assert shown_at[0.5][1:3] == pytest.approx((4.0, -4.0), abs=0.3)
     assert shown_at[6.0][1:3] == pytest.approx((4.0, -2.0), abs=0.5), "it has walked"
+
+
+def test_who_joins_while_minds_think_does_not_wait_for_them(built: Path, hot: Path, monkeypatch) -> None:
+    scene, _ = shown(built, hot)
+    finished(hot, "eve")
+    scene.look()
+    key = hello_of(scene)["newcomers"][0]["key"]
+    thinks, free = threading.Event(), threading.Event()
+
+    def think(minds: Minds, shown_s: float) -> dict:
+        thinks.set()
+        free.wait(60.0)
+        return {}
+
+    monkeypatch.setattr(Minds, "go_on", think)
+    going = threading.Thread(target=scene.go_on, daemon=True)
+    going.start()
+    assert thinks.wait(10.0)
+    joined: list[object] = []
+    asking = threading.Thread(
+        target=lambda: joined.extend((hello_of(scene), scene.file(key, "numbers.bin"))), daemon=True
+    )
+    asking.start()
+    asking.join(20.0)
+    free.set()
+    going.join(20.0)
+    assert len(joined) == 2
+    assert joined[1], "a newcomer's file"
 
 
 def test_who_leaves_is_gone_when_the_feet_have_left_and_no_part_is_free_then(built: Path) -> None:
