@@ -251,18 +251,8 @@ class Walker:
         if self.rows[-1][5] < 0.0:
             self._idle = self._frame(IDLE)
         idle = self._idle if before < 0 else -1.0 - before
-        row = [
-            self.now,
-            self.now + seconds,
-            clip,
-            idle,
-            first,
-            last,
-            *shares,
-            *self.at,
-            self.heading,
-            self.heading + turn,
-        ]
+        row = [self.now, self.now + seconds, clip, idle, first, last, *shares, *self.at,
+               self.heading, self.heading + turn]  # fmt: skip
         whole = np.array(row, np.float32)
         self.rows.append(row)
         self.at = parts_of(whole, self.touches, self.scale).places[-1]

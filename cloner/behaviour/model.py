@@ -87,7 +87,7 @@ class Group:
 
     ``leader`` is "random", "emerging" (the highest domination) or a name. ``knows`` None is every point. ``likes``
     holds pairs of a group and a liking 0..1. Without ``visits`` they go to known points at random, or wander. Who comes
-    from ``outside`` is not there before somebody comes, and is led by nobody here (`guests`).
+    from ``outside`` is not there before somebody comes, and is led by nobody here (`together.guests`).
     """
 
     name: str

@@ -9,9 +9,9 @@ import numpy as np
 from cloner.behaviour import dice
 from cloner.behaviour.dice import purpose
 from cloner.behaviour.ground import Indices
-from cloner.behaviour.guests import keep
 from cloner.behaviour.together.adaptability import give_spots
 from cloner.behaviour.together.flocking import natural_speed
+from cloner.behaviour.together.guests import keep
 from cloner.behaviour.walking import NOWHERE, STEP_S, walk
 from cloner.behaviour.world import World
 

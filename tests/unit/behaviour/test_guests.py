@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from cloner.behaviour.guests import free_guest, leave, receive
 from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import run, step
+from cloner.behaviour.together.guests import free_guest, leave, receive
 from cloner.behaviour.world import World, world_of
 
 HALL = """floor 0, 0 to 16, 6
