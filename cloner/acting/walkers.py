@@ -96,11 +96,18 @@ class Walker:
         self.at = self.track.place(self.now)
         self.heading = float(self.track.headings[0])
 
+    def enter(self, now: float, place: Array, heading: float) -> None:
+        """Stand at a place from a time on, as who was not there before."""
+        self.now, self.at, self.heading = now, place, heading
+        self.clip, self.share, self._left = IDLE, 0.0, True
+        self.rows.clear()
+
     def footings(self) -> Array:
-        """Return (n, COLUMNS) all footings from the track's begin to its end."""
+        """Return (n, COLUMNS) all footings from the track's begin to its end; none where that is the same."""
         end = float(self.track.times_s[-1])
         self._go_on(end)
-        self.rows[-1][1] = max(self.rows[-1][1], end)
+        if self.rows:
+            self.rows[-1][1] = max(self.rows[-1][1], end)
         return np.array(self.rows).reshape(-1, COLUMNS)
 
     def more(self, until: float) -> NDArray[np.float32]:
@@ -244,18 +251,8 @@ class Walker:
         if self.rows[-1][5] < 0.0:
             self._idle = self._frame(IDLE)
         idle = self._idle if before < 0 else -1.0 - before
-        row = [
-            self.now,
-            self.now + seconds,
-            clip,
-            idle,
-            first,
-            last,
-            *shares,
-            *self.at,
-            self.heading,
-            self.heading + turn,
-        ]
+        row = [self.now, self.now + seconds, clip, idle, first, last, *shares, *self.at,
+               self.heading, self.heading + turn]  # fmt: skip
         whole = np.array(row, np.float32)
         self.rows.append(row)
         self.at = parts_of(whole, self.touches, self.scale).places[-1]

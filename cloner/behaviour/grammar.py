@@ -34,6 +34,7 @@ group: "group" NAME _COLON INT "people" (_COMMA group_part)*
            | "flocking" -> flocking
            | "adapts" "to" "space" -> adapts
            | "wanders" -> wanders
+           | "from" "outside" -> outside
            | "starts" "at" NAME -> starts_at
 at_rule: "at" NUMBER "s" _COLON actions
 when_rule: "when" trigger _COLON actions

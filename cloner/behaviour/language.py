@@ -36,7 +36,7 @@ _MOST_EXPECTED: Final = 6  # more words than this say less
 
 #: What a clause tells without a value of its own.
 _FLAGS: Final[dict[str, dict[str, Any]]] = {
-    "one_at_a_time": {"holds": 1}, "shared": {"holds": 0},
+    "one_at_a_time": {"holds": 1}, "shared": {"holds": 0}, "outside": {"outside": True},
     "flocking": {"flocking": True}, "adapts": {"adapts": True}, "wanders": {"wanders": True},
 }  # fmt: skip
 #: What the one value of a clause is called.

@@ -86,7 +86,8 @@ class Group:
     """People with one mind; or, ``alone``, a crowd of people each with a mind of their own.
 
     ``leader`` is "random", "emerging" (the highest domination) or a name. ``knows`` None is every point. ``likes``
-    holds pairs of a group and a liking 0..1. Without ``visits`` they go to known points at random, or wander.
+    holds pairs of a group and a liking 0..1. Without ``visits`` they go to known points at random, or wander. Who comes
+    from ``outside`` is not there before somebody comes, and is led by nobody here (`together.guests`).
     """
 
     name: str
@@ -104,6 +105,7 @@ class Group:
     adapts: bool = False
     wanders: bool = False
     starts_at: str = ""
+    outside: bool = False
 
 
 @dataclass(frozen=True, slots=True)

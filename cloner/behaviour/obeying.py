@@ -11,6 +11,7 @@ from cloner.behaviour.dice import purpose
 from cloner.behaviour.ground import Indices
 from cloner.behaviour.together.adaptability import give_spots
 from cloner.behaviour.together.flocking import natural_speed
+from cloner.behaviour.together.guests import keep
 from cloner.behaviour.walking import NOWHERE, STEP_S, walk
 from cloner.behaviour.world import World
 
@@ -31,6 +32,7 @@ def obey(world: World) -> None:
     bodies.looks[:] = people.gaze >= 0
     bodies.look[bodies.looks] = world.things[people.gaze[bodies.looks]]
     walk(bodies)
+    keep(world)
     _pose(world)
     gone = bodies.present & people.leaving & bodies.settled
     bodies.present &= ~gone

@@ -101,7 +101,7 @@ def _go_on(world: World, done: Indices) -> None:
         if band.group.flocking:
             if not all_there(world, world.members(int(number))):
                 continue
-        if band.group.wanders and not band.visits:
+        if band.group.outside or (band.group.wanders and not band.visits):
             continue
         for one in ready:
             goal = next_goal(world, band, int(one))

@@ -26,6 +26,15 @@ WALKING, WAITING, CALLED, ACTING, DONE = range(5)
 
 
 @dataclass(slots=True, eq=False)
+class Guest:
+    """Somebody from outside: where his body is, where it is to be, and unit direction of where he looks; (2,) each."""
+
+    at: Array
+    wanted: Array
+    facing: Array
+
+
+@dataclass(slots=True, eq=False)
 class Place:
     """Where one can go: its middle, corners (k, 2), act, how many it holds (0: any number), whether ways are known."""
 
@@ -102,6 +111,7 @@ class World:
     fired: set[int] = field(default_factory=set)
     expiring: list[tuple[float, int, NDArray[np.int64], tuple[str, ...]]] = field(default_factory=list)
     told: list[tuple[float, str]] = field(default_factory=list)
+    guests: dict[int, Guest] = field(default_factory=dict)
 
     @property
     def time_s(self) -> float:
@@ -162,6 +172,7 @@ def world_of(scenario: Scenario, seed: int = 0) -> World:
     begin = _begin_at(scenario, ground, places, people, seed)
     bodies = bodies_on(ground, begin, places=len(places), seed=seed)
     bodies.spotted[:] = True
+    bodies.present[:] = ~np.array([group.outside for group in scenario.groups])[people.home]
     angle = dice.uniform(seed, purpose("facing"), np.arange(count))
     bodies.facing[:, 0] = 2.0 * angle - 1.0
     bodies.facing[:, 1] = np.where(angle < 0.5, 1.0, -1.0) * np.sqrt(1.0 - (2.0 * angle - 1.0) ** 2)

@@ -21,9 +21,9 @@ from cloner.crowd.staged.footing import Acted
 from cloner.crowd.staged.rooms import ECHO_FILE, LIGHT_FILE, LOOKS_FILE, ROOM_FILE, SUN_FILE, Probes
 from cloner.errors import ClonerError
 from cloner.pipeline import Progress, quiet
-from cloner.scenes.building import looks
 from cloner.scenes.building.charts import charts_of
 from cloner.scenes.building.gltf import meshes_of
+from cloner.scenes.building.looks import sheet_of
 from cloner.scenes.building.pieces import plain_of
 from cloner.scenes.building.plan import Block, Plan
 from cloner.scenes.building.solids import Panel, Room
@@ -92,7 +92,7 @@ def room_parts(
     except (OSError, ValueError) as error:
         raise ClonerError("the light map is not this room's", "Make it with cloner scene light", where) from error
     boxes = np.array([plain_of(one)[1][0] for one in statues]).reshape(-1, 2, 3)
-    meshes = meshes_of(tuple(one for one in charts if not _within(one.panel, boxes)), size)
+    meshes = meshes_of(tuple(one for one in charts if not _within(one.panel, boxes)), size, room.looks)
     corners = [
         np.column_stack([one.places, one.uv, one.light_uv, np.full(len(one.places), k)])[one.triangles.ravel()]
         for k, one in enumerate(meshes)
@@ -103,13 +103,13 @@ def room_parts(
         "walkable": walkable,
     }  # fmt: skip
     data, told = packed(arrays)
-    sheet = np.concatenate([looks.texture(one.look) for one in meshes])
+    sheet = sheet_of([room.looks[one.look] for one in meshes])
     sun = room.plan.sun
     facts = {
         "name": room.plan.name, "arrays": told, "low": probes.low.tolist(), "heights": probes.heights.tolist(),
         "step": probes.step, "shape": list(probes.sun.shape), "brightest": brightest,
         "ground_low": list(ground_low), "ground_step": ground_step,
-        "sky_light": list(room.plan.sky.light), "ground": looks.albedo(room.plan.floors[-1].look).tolist(),
+        "sky_light": list(room.plan.sky.light), "ground": room.looks[room.plan.floors[-1].look].albedo.tolist(),
         "sun_way": sun_way(sun).tolist() if sun else [0.0, 1.0, 0.0],
         "sun_light": list(sun.light) if sun else [0.0] * 3,
     }  # fmt: skip

@@ -17,8 +17,9 @@ from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import safe_output
 from cloner.scenes.building.charts import charts_of
 from cloner.scenes.building.gltf import meshes_of, room_glb, to_bytes
+from cloner.scenes.building.photos import kept, photos_beside, photos_kept
 from cloner.scenes.building.pieces import plan_place
-from cloner.scenes.building.plan import read_plan
+from cloner.scenes.building.reading import read_plan
 from cloner.scenes.building.solids import Room, room_of
 from cloner.scenes.building.x3d import room_x3d
 from cloner.scenes.lighting.echoes import EAR_M, echo_at, wav_bytes
@@ -46,12 +47,15 @@ def make_folder(source: str, out: Path) -> list[str]:
         If the plan or the folder is no good.
     """
     plan, text = read_plan(source)
-    room = room_of(plan)
+    photos = photos_beside(plan, Path(source).parent)
+    room = room_of(plan, photos)
     safe_output(out)
     data = room_glb(room)
     write_bytes(out / PLAN_FILE, text.encode("utf-8"))
     write_bytes(out / ROOM_FILE, data)
-    triangles = sum(len(one.triangles) for one in meshes_of(*charts_of(room)))
+    for name, picture in kept(plan, photos).items():
+        write_bytes(out / name, picture)
+    triangles = sum(len(one.triangles) for one in meshes_of(*charts_of(room), room.looks))
     floor = sum((one.high[0] - one.low[0]) * (one.high[1] - one.low[1]) for one in plan.floors)
     return [
         f"{plan.name}: {floor:.0f} m2 of floor, {triangles} triangles, {len(data) / 1e3:.0f} kB",
@@ -122,11 +126,12 @@ def room_in(folder: Path) -> Room:
     Raises
     ------
     ClonerError
-        If there is none.
+        If there is none, or it is damaged.
     """
     if not (folder / PLAN_FILE).is_file():
         raise ClonerError("there is no room", "Make it with cloner scene make", folder.name)
-    return room_of(read_plan(folder / PLAN_FILE)[0])
+    plan = read_plan(folder / PLAN_FILE)[0]
+    return room_of(plan, photos_kept(plan, folder))
 
 
 def light_in(folder: Path) -> tuple[bytes, float, Probes]:

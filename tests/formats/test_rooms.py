@@ -15,7 +15,7 @@ import trimesh
 
 from cloner.scenes.building.charts import charts_of
 from cloner.scenes.building.gltf import LIGHT_MAP, room_glb
-from cloner.scenes.building.plan import SHIPPED, read_plan
+from cloner.scenes.building.reading import SHIPPED, read_plan
 from cloner.scenes.building.solids import room_of
 from kit import readers
 

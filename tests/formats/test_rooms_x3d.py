@@ -14,7 +14,7 @@ from PIL import Image
 
 from cloner.scenes.building.charts import charts_of
 from cloner.scenes.building.gltf import meshes_of
-from cloner.scenes.building.plan import read_plan
+from cloner.scenes.building.reading import read_plan
 from cloner.scenes.building.solids import room_of
 from cloner.scenes.building.x3d import room_x3d
 from kit import readers
@@ -38,7 +38,8 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def test_every_face_has_both_coordinates(folder: Path) -> None:
     root = ET.parse(folder / "room.x3d").getroot()
-    meshes = {one.look: one for one in meshes_of(*charts_of(room_of(read_plan("museum")[0])))}
+    room = room_of(read_plan("museum")[0])
+    meshes = {one.look: one for one in meshes_of(*charts_of(room), room.looks)}
     shapes = list(root.iter("Shape"))
     assert len(shapes) == len(meshes)
     for shape in shapes:

@@ -52,7 +52,7 @@ from cloner.project.results import foreign_files
 from cloner.project.stamps import why_not_current
 from cloner.project.values_file import load_values, save_values
 from cloner.records.points import Correction, Corrections
-from cloner.scenes.building.plan import read_plan
+from cloner.scenes.building.reading import read_plan
 from cloner.scenes.building.solids import room_of
 from cloner.scenes.films.sequence import read_sequence
 from cloner.statues.blobs import field_of, read_blobs
@@ -241,6 +241,11 @@ PLAN = b"""name = "hall"
 towards_deg = 90
 elevation_deg = 40
 light = [4, 3.6, 3]
+[[photo]]
+name = "oil"
+file = "oil.png"
+corners = [[10, 10], [400, 20], [390, 300], [20, 310]]
+size = [2.4, 1.6]
 [[floor]]
 from = [0, 0]
 to = [8, 6]

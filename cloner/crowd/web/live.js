@@ -4,7 +4,7 @@
 // nobody does. A lost link is taken up again, and then everything is told anew.
 
 const FOLLOW_S = 45, SHOT_S = 14, IDLE_S = 30, LOST_S = 10, AGAIN_S = 0.5, PULL = 1.6, TURN_RAD_S = 0.02, LOOK_M = 1.15, EYE_M = 1.6; // taste
-const ASIDE = [0.5, -0.5, 1.1, -1.1, 1.8, -1.8, 2.6, -2.6], AWAY_M = [3.4, 2.6, 1.9], BESIDE_M = 0.55, NEAR_M = 1.2, LOOKS_S = 1.5; // taste
+const ASIDE = [0.5, -0.5, 1.1, -1.1, 1.8, -1.8, 2.6, -2.6], AWAY_M = [3.4, 2.6, 1.9], BESIDE_M = 0.55, NEAR_M = 1.2, LOOKS_S = 1.5, WALK_EVERY_S = 0.5; // taste
 const OFF_S = 0.25, AWAKENS_S = 4, NEVER_S = 1e9; // a clock so far off is put right; a statue awakes in so long
 
 function liveOf() {
@@ -125,6 +125,7 @@ function liveOf() {
     answer(told) {
       if (told.staff) { staff = true; knobs.style.display = stats.style.display = ""; }
       if (told.error) window.alert(told.error);
+      if (told.who !== undefined && walked > 0) own_part = told.who;
     },
     over({ text }) {
       ended = true;
@@ -155,6 +156,17 @@ function liveOf() {
     link.onmessage = (event) => { const told = JSON.parse(event.data); heard[told.kind](told); };
     link.onclose = () => { if (ended) return; lost ??= clock(); setTimeout(join, AGAIN_S * 1000); };
   }
+  // Who walks along is a guest whom the scenario's people see; the own double is not shown here.
+  let own_part = -1, walked = -1e9;
+  function stroll(now) {
+    const inside = state.camera === "walk along";
+    if (inside ? now - walked < WALK_EVERY_S : walked < 0) return;
+    walked = inside ? now : -1e9;
+    if (!inside) own_part = -1;
+    const { x, z } = camera.position;
+    tell({ walk: inside ? `${x.toFixed(3)} ${z.toFixed(3)} ${wrapped(fly.yaw + Math.PI).toFixed(3)}` : "" });
+  }
+  const wrapped = (angle) => angle - 2 * Math.PI * Math.round(angle / (2 * Math.PI));
   const tell = (what) => { if (link.readyState === WebSocket.OPEN) link.send(JSON.stringify(what)); };
 
   // ---- camera ----
@@ -238,6 +250,7 @@ function liveOf() {
       if (one.fresh) follow(one.who, clock() + FOLLOW_S, true);
     }
     if (state.camera === "live") direct(step);
+    stroll(now);
     for (const one of newcomers.values()) {
       if (one.step !== null || turns.some((each) => each.who === one.who)) continue;
       const at = [walkers.x[one.who], walkers.z[one.who]];
@@ -260,6 +273,7 @@ function liveOf() {
     if (at) controls.target.set(...at);
   });
   window.addEventListener("keydown", (event) => {
+    if (room && event.key.startsWith("Arrow") && ["live", "orbit"].includes(state.camera)) setCamera("walk along");
     if (!(event.ctrlKey && event.shiftKey && event.key.toLowerCase() === "k")) return;
     event.preventDefault();
     keys.clear();
@@ -271,5 +285,5 @@ function liveOf() {
   shut();
   state.camera = "live";
   join();
-  return { order: (order) => tell({ order }), get rejoined() { return rejoined; }, cut: () => { rejoined = null; link.close(); }, get settled() { return !turns.length; }, frame, parts, newcomers, history, get followed() { return followed; }, get staff() { return staff; } };
+  return { order: (order) => tell({ order }), get rejoined() { return rejoined; }, cut: () => { rejoined = null; link.close(); }, get settled() { return !turns.length; }, frame, parts, newcomers, history, get own() { return own_part; }, get followed() { return followed; }, get staff() { return staff; } };
 }

@@ -159,6 +159,7 @@ function act() {
     staging.dress(walkers.rows, now);
     state.hour = staging.hour(now);
   }
+  if (live && live.own >= 0) walkers.rows[live.own * 4 * PERSON_TEXELS] = GONE; // nobody sees the own body
   walkers.data.set(walkers.rows);
   uniforms.people.value.needsUpdate = true;
   if (room) room.light(walkers.rows, walkers.count);

@@ -8,6 +8,7 @@ References: Khronos Group 2021, glTF 2.0; Mozilla Hubs 2020, MOZ_lightmap.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -20,9 +21,9 @@ from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.shared.files import jpeg_bytes, png_bytes
 from cloner.records.arrays import Array
-from cloner.scenes.building import looks
 from cloner.scenes.building.charts import Chart, charts_of
-from cloner.scenes.building.solids import Room
+from cloner.scenes.building.looks import Look
+from cloner.scenes.building.solids import Panel, Room
 
 LIGHT_MAP: Final = "MOZ_lightmap"
 #: What a full texel of the map stands for: brighter is white on any surface that gives back half of it.
@@ -42,15 +43,14 @@ class Mesh:
     triangles: NDArray[np.int64]
 
 
-def meshes_of(charts: tuple[Chart, ...], size: tuple[int, int]) -> list[Mesh]:
+def meshes_of(charts: tuple[Chart, ...], size: tuple[int, int], looks: Mapping[str, Look]) -> list[Mesh]:
     """Return what is drawn of a room, a mesh a look."""
     found: dict[str, list[tuple[Array, Array, Array, Array]]] = {}
     for chart in charts:
         panel = chart.panel
-        begin = np.array([panel.corner @ panel.along, panel.corner @ panel.up])
         for (u0, v0, u1, v1), look in panel.parts:
             u, v = np.array([u0, u1, u1, u0]), np.array([v0, v0, v1, v1])
-            uv = (begin + np.stack([u, v], axis=1)) * (1.0, -1.0) / looks.span_m(look)
+            uv = (np.stack([u, v], axis=1) - _begin(panel, look, looks)) * (1.0, -1.0) / looks[look].span_m
             normals = np.tile(panel.normal, (4, 1))
             found.setdefault(look, []).append((panel.at(u, v), normals, uv, chart.uv(u, v, size)))
     made = []
@@ -60,6 +60,13 @@ def meshes_of(charts: tuple[Chart, ...], size: tuple[int, int]) -> list[Mesh]:
         triangles = (4 * np.arange(len(rows))[:, None, None] + corners).reshape(-1, 3)
         made.append(Mesh(look, parts[0], parts[1], parts[2], parts[3], triangles))
     return made
+
+
+def _begin(panel: Panel, name: str, looks: Mapping[str, Look]) -> Array:
+    """Return where on a panel a look begins, metres: the lower left corner of all that has it, or the plan's."""
+    if looks[name].fits:
+        return np.asarray(np.min([rect[:2] for rect, look in panel.parts if look == name], axis=0))
+    return -np.array([panel.corner @ panel.along, panel.corner @ panel.up])
 
 
 def to_bytes(light: NDArray[np.float32], brightest: float = BRIGHTEST) -> NDArray[np.uint8]:
@@ -91,8 +98,8 @@ def room_glb(room: Room, light: NDArray[np.float32] | None = None) -> bytes:
         lamp = {LIGHT_MAP: {"index": number, "texCoord": 1, "intensity": BRIGHTEST}}
         gltf.extensionsUsed = [LIGHT_MAP]
     primitives = []
-    for mesh in meshes_of(charts, size):
-        number = _picture(gltf, buffer, mesh.look, jpeg_bytes(looks.texture(mesh.look)), "image/jpeg", 0)
+    for mesh in meshes_of(charts, size, room.looks):
+        number = _picture(gltf, buffer, mesh.look, jpeg_bytes(room.looks[mesh.look].pixels), "image/jpeg", 0)
         shine = pygltflib.PbrMetallicRoughness(
             baseColorTexture=pygltflib.TextureInfo(index=number), metallicFactor=0.0, roughnessFactor=0.9
         )

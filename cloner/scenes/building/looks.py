@@ -1,9 +1,13 @@
-"""Procedural textures: what floors, walls and blocks are made of. Colours and patterns are taste."""
+"""What floors, walls and blocks look like: procedural textures, of which colours and patterns are taste, and photos."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
 from typing import Final
 
+import cv2
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
@@ -24,9 +28,62 @@ _BASE: Final[dict[str, tuple[float, tuple[float, float, float]]]] = {
 }
 
 
-def span_m(look: str) -> float:
-    """Return how many metres a texture's side spans."""
-    return _BASE[look][0]
+LOOKS: Final = tuple(_BASE)
+#: A page's textures have one side, at most so many texels, and lie one below another in a WebP, which has no more rows.
+LARGEST_SIDE_PX, MOST_ROWS = 1024, 16383
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Look:
+    """A texture that is repeated.
+
+    Attributes
+    ----------
+    pixels : (H, W, 3) sRGB
+    span_m : how wide and high it is, metres
+    albedo : (3,) mean share of light that it gives back, linear
+    fits : whether it begins at each surface's own lower left corner, as photos do, instead of the plan's
+    """
+
+    pixels: NDArray[np.uint8]
+    span_m: tuple[float, float]
+    albedo: Array
+    fits: bool = False
+
+
+@cache
+def drawn(name: str) -> Look:
+    """Return one of the procedural looks."""
+    pixels, span = texture(name), _BASE[name][0]
+    return Look(pixels, (span, span), np.full(3, 0.8) if name == "white" else albedo_of(pixels))
+
+
+def albedo_of(pixels: NDArray[np.uint8]) -> Array:
+    """Return the (3,) mean share of light that (H, W, 3) sRGB pixels give back, linear."""
+    return np.asarray(((pixels / 255.0) ** 2.2).mean(axis=(0, 1)))
+
+
+def sheet_of(found: Sequence[Look]) -> NDArray[np.uint8]:
+    """Return textures one below another, all as squares of one side: the procedural ones', or larger with photos."""
+    side, wanted = SIDE_PX, max(max(one.pixels.shape[:2]) for one in found)
+    while side < min(wanted, LARGEST_SIDE_PX) and 2 * side * len(found) <= MOST_ROWS:
+        side *= 2
+    return np.concatenate([_squared(one.pixels, side) for one in found])
+
+
+def _squared(pixels: NDArray[np.uint8], side: int) -> NDArray[np.uint8]:
+    """Return a texture of another size that still has no border where it is repeated."""
+    tall, wide = pixels.shape[:2]
+    if (tall, wide) == (side, side):
+        return pixels
+    scale = np.array([wide, tall]) / side
+    at = np.arange(side) + 0.5
+    if scale.max() > 1.0:
+        return np.asarray(cv2.resize(pixels, (side, side), interpolation=cv2.INTER_AREA))
+    x, y = np.meshgrid(at * scale[0] - 0.5, at * scale[1] - 0.5)
+    return np.asarray(
+        cv2.remap(pixels, x.astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR, borderMode=cv2.BORDER_WRAP)
+    )
 
 
 def texture(look: str) -> NDArray[np.uint8]:
@@ -54,11 +111,6 @@ def texture(look: str) -> NDArray[np.uint8]:
         vein = np.abs(np.sin(np.pi * (2 * x + 2 * y) + 1.5 * broad))
         shade -= 0.12 * np.exp(-8.0 * vein) - 0.02 * fine
     return np.asarray(np.clip(base * shade[..., None] * 255.0 + 0.5, 0, 255).astype(np.uint8))
-
-
-def albedo(look: str) -> Array:
-    """Return the (3,) mean share of light that a look gives back, linear."""
-    return np.asarray(((texture(look) / 255.0) ** 2.2).mean(axis=(0, 1))) if look != "white" else np.full(3, 0.8)
 
 
 def _noise(rng: np.random.Generator, sigma: float) -> Array:

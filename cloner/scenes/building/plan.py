@@ -1,29 +1,18 @@
-"""A room's plan as a readable file: floors, walls with openings, pillars, lamps; metres on the plan.
+"""What a room is made of: floors, walls with openings, pillars, lamps, photographs; metres on the plan.
 
 The plan's frame is that of scenarios (`docs/behaviour.md`): x to the right, y up on the plan, heights above the floor.
 """
 
 from __future__ import annotations
 
-import importlib.resources
-import tomllib
-from dataclasses import MISSING, dataclass, field, fields
-from pathlib import Path
-from typing import Any, Final
+from dataclasses import dataclass, field
+from typing import Final
 
-from cloner.errors import ClonerError, plain
-from cloner.outside import UnfitFile, read_outside
-
-#: Plans that come with Cloner.
-SHIPPED: Final = ("museum", "nave", "pit")
-LARGEST_PLAN_BYTES: Final = 1_000_000
 #: More than this is no room: it bounds what a hostile plan can make us hold.
 LARGEST: Final = 360.0  # metres, or degrees
-LARGEST_FLOOR_M2: Final = 20_000.0
-MOST_PARTS: Final = 500
-LOOKS: Final = ("flags", "cobbles", "plaster", "stone", "timber", "marble", "earth", "white")
 XY = tuple[float, float]
 RGB = tuple[float, float, float]
+Corners = tuple[XY, XY, XY, XY]
 
 
 @dataclass(frozen=True, slots=True)
@@ -119,6 +108,31 @@ class Lamp:
 
 
 @dataclass(frozen=True, slots=True)
+class Photographed:
+    """A look from a photo: what lies between four corners of it, put straight.
+
+    Attributes
+    ----------
+    name : what surfaces call it
+    file : beside the plan
+    corners : pixels of the upright photo: top left, top right, bottom right, bottom left of the surface
+    size : how wide and high that is, metres
+    texel : side of a texel of what becomes of it, metres
+    """
+
+    name: str
+    file: str
+    corners: Corners
+    size: XY
+    texel: float = 0.005
+
+    @property
+    def texels(self) -> tuple[int, int]:
+        """Return how many texels wide and high it becomes."""
+        return round(self.size[0] / self.texel), round(self.size[1] / self.texel)
+
+
+@dataclass(frozen=True, slots=True)
 class Plan:
     """Everything that a room is made of."""
 
@@ -129,149 +143,6 @@ class Plan:
     vaults: tuple[Vault, ...] = ()
     blocks: tuple[Block, ...] = ()
     lamps: tuple[Lamp, ...] = ()
+    photos: tuple[Photographed, ...] = ()
     sun: Sun | None = None
     sky: Sky = field(default_factory=lambda: Sky((0.0, 0.0, 0.0)))
-
-
-def read_plan(source: str | Path) -> tuple[Plan, str]:
-    """Return a shipped plan by its name, or a file's, and its text.
-
-    Raises
-    ------
-    ClonerError
-        If there is none, or it says something that cannot be built.
-    """
-    if str(source) in SHIPPED:
-        text = (importlib.resources.files("cloner.scenes") / "plans" / f"{source}.toml").read_text(encoding="utf-8")
-        return plan_of(text, str(source)), text
-    path = Path(source)
-    try:
-        text = read_outside(path, LARGEST_PLAN_BYTES).decode("utf-8")
-    except (OSError, UnfitFile, UnicodeDecodeError) as error:
-        hint = f"Give {', '.join(SHIPPED)} or a plan's file (docs/scenes.md)"
-        raise ClonerError("there is no plan", hint, path.name) from error
-    return plan_of(text, path.name), text
-
-
-def plan_of(text: str, where: str) -> Plan:
-    """Return the plan that a text tells; see :func:`read_plan`."""
-    try:
-        return _plan(tomllib.loads(text))
-    except _Wrong as error:
-        raise ClonerError(f"the plan says {plain(str(error))}", "Write it as docs/scenes.md shows", where) from error
-    except (ValueError, RecursionError) as error:  # numbers of thousands of digits are no TOML errors
-        hint = "Write it as docs/scenes.md shows"
-        raise ClonerError(f"the plan cannot be read: {plain(str(error))}", hint, where) from error
-
-
-class _Wrong(ValueError):
-    pass
-
-
-_RENAMED: Final = {"from": "low", "to": "high"}
-
-
-def _plan(told: dict[str, Any]) -> Plan:
-    known = ("name", "sun", "sky", "floor", "wall", "ceiling", "vault", "pillar", "block", "lamp")
-    for key in told:
-        if key not in known:
-            raise _Wrong(f"{key!r}, which is none of {', '.join(known)}")
-    blocks = [_row(Block, one, "block", {"pillar": False}) for one in _rows(told, "block")]
-    for row in _rows(told, "pillar"):
-        names, places = row.pop("names", None), row.pop("at", None)
-        if not (isinstance(names, list) and isinstance(places, list) and len(names) == len(places)):
-            raise _Wrong("a pillar without as many names as places (at)")
-        blocks += [_row(Block, {**row, "name": a, "at": b}, "pillar", {"pillar": True})
-                   for a, b in zip(names, places, strict=True)]  # fmt: skip
-    walls = []
-    for row in _rows(told, "wall"):
-        if "high" in row:
-            row["height"] = row.pop("high")
-        openings = row.pop("openings", [])
-        if not isinstance(openings, list):
-            raise _Wrong("openings that are no list")
-        made = tuple(_row(Opening, one, "opening", {}, {}) for one in openings)
-        walls.append(_row(Wall, row, "wall", {"openings": made}))
-    plan = Plan(
-        str(told.get("name", "room")), tuple(_row(Floor, one, "floor") for one in _rows(told, "floor")), tuple(walls),
-        tuple(_row(Ceiling, one, "ceiling") for one in _rows(told, "ceiling")),
-        tuple(_row(Vault, one, "vault") for one in _rows(told, "vault")), tuple(blocks),
-        tuple(_row(Lamp, one, "lamp") for one in _rows(told, "lamp")),
-        _row(Sun, told["sun"], "sun") if "sun" in told else None,
-        _row(Sky, told["sky"], "sky") if "sky" in told else Sky((0.0, 0.0, 0.0)),
-    )  # fmt: skip
-    return _checked(plan)
-
-
-def _rows(told: dict[str, Any], name: str) -> list[dict[str, Any]]:
-    rows = told.get(name, [])
-    if not isinstance(rows, list) or not all(isinstance(one, dict) for one in rows) or len(rows) > MOST_PARTS:
-        raise _Wrong(f"{name} not as [[{name}]], or more than {MOST_PARTS} of them")
-    return [dict(one) for one in rows]
-
-
-def _row(kind: Any, told: Any, name: str, given: dict[str, Any] | None = None, renamed: Any = _RENAMED) -> Any:
-    """Return a record of what a table tells; only numbers in bounds, names and looks get through."""
-    if not isinstance(told, dict):
-        raise _Wrong(f"a {name} that is no table")
-    given = given or {}
-    own = {renamed.get(key, key): value for key, value in told.items()}
-    shown = {value: key for key, value in renamed.items()}
-    known = {one.name: one for one in fields(kind) if one.name not in given}
-    for key in own:
-        if key not in known:
-            raise _Wrong(f"{shown.get(key, key)!r} of a {name}, which has none")
-    for key, one in known.items():
-        if key not in own and one.default is MISSING:
-            raise _Wrong(f"a {name} without {('high' if key == 'height' else shown.get(key, key))!r}")
-    return kind(**given, **{key: _value(str(known[key].type), value, f"{name}'s {key}") for key, value in own.items()})
-
-
-def _value(kind: str, value: Any, name: str) -> Any:
-    if kind == "str":
-        if not isinstance(value, str) or len(value) > 100 or (name.endswith("look") and value not in LOOKS):
-            raise _Wrong(f"a {name} that is none of {', '.join(LOOKS)}" if name.endswith("look") else f"an odd {name}")
-        return value
-    long = {"float": 0, "XY": 2, "RGB": 3, "tuple[float, float, float]": 3}[kind]
-    parts = value if long else [value]
-    if not isinstance(parts, list) or len(parts) != max(long, 1) or not all(_number(one) for one in parts):
-        raise _Wrong(f"a {name} that is not {long or 'one'} number{'s' if long else ''} up to {LARGEST:g}")
-    return tuple(float(one) for one in parts) if long else float(value)
-
-
-def _number(value: Any) -> bool:
-    whole = isinstance(value, int | float) and not isinstance(value, bool)
-    return whole and abs(value) <= LARGEST  # neither inf nor nan
-
-
-def _checked(plan: Plan) -> Plan:
-    """Refuse what has no inside."""
-    if not plan.floors:
-        raise _Wrong("no floor")
-    for name, parts in (
-        ("floor", plan.floors),
-        ("wall", plan.walls),
-        ("ceiling", plan.ceilings),
-        ("vault", plan.vaults),
-    ):
-        for one in parts:
-            if not (one.low[0] < one.high[0] and one.low[1] < one.high[1]):
-                raise _Wrong(f"a {name} whose 'to' is not right of and above its 'from'")
-    if sum((one.high[0] - one.low[0]) * (one.high[1] - one.low[1]) for one in plan.floors) > LARGEST_FLOOR_M2:
-        raise _Wrong(f"more than {LARGEST_FLOOR_M2:g} m2 of floor")
-    for wall in plan.walls:
-        long = 0 if wall.high[0] - wall.low[0] >= wall.high[1] - wall.low[1] else 1
-        if wall.height <= 0.0:
-            raise _Wrong("a wall without height")
-        for hole in wall.openings:
-            inside = wall.low[long] < hole.at - hole.wide / 2.0 and hole.at + hole.wide / 2.0 < wall.high[long]
-            if not (inside and 0.0 <= hole.low < hole.high < wall.height and hole.wide > 0.0):
-                raise _Wrong("an opening that does not lie in its wall")
-    for block in plan.blocks:
-        if min(block.size) <= 0.0 or not 0.0 <= block.low < block.high:
-            raise _Wrong(f"{block.name!r} without a size")
-    if any(one.radius <= 0.0 or min(one.light) < 0.0 for one in plan.lamps):
-        raise _Wrong("a lamp without radius, or darker than dark")
-    if plan.sun and not (0.0 < plan.sun.elevation_deg <= 90.0 and min(plan.sun.light) >= 0.0):
-        raise _Wrong("a sun below the horizon, or darker than dark")
-    return plan

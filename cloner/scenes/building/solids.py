@@ -8,14 +8,17 @@ a flat surface.
 from __future__ import annotations
 
 from collections import defaultdict
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
+from types import MappingProxyType
 from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.records.arrays import Array
+from cloner.scenes.building.looks import LOOKS, Look, drawn
 from cloner.scenes.building.pieces import (
     Quad,
     axes_of,
@@ -31,13 +34,15 @@ from cloner.scenes.building.pieces import (
     wall_boxes,
     wall_quads,
 )
-from cloner.scenes.building.plan import Ceiling, Plan, Vault
+from cloner.scenes.building.plan import LARGEST, Ceiling, Plan, Vault
 
 Rect = tuple[float, float, float, float]
 
 #: Slabs of ceilings and vaults, metres.
 SLAB_M: Final = 0.3
 _TOUCH: Final = 1e-6
+#: Faces are looked at in so many places each way: what hangs before a wall hides its middle.
+LOOKED_AT: Final = 7
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,6 +83,7 @@ class Room:
     stops : all that stops rays, drawn or not; one-sided, solids are closed
     boxes : (B, 2, 3) lowest and highest corners of solids, to tell what is inside one
     portals : openings to the sky, facing the room
+    looks : what the surfaces look like, by name
     """
 
     plan: Plan
@@ -85,10 +91,11 @@ class Room:
     stops: tuple[Quad, ...]
     boxes: Array
     portals: tuple[Quad, ...]
+    looks: Mapping[str, Look]
 
 
-def room_of(plan: Plan) -> Room:
-    """Return the surfaces of a plan."""
+def room_of(plan: Plan, photos: Mapping[str, Look] = MappingProxyType({})) -> Room:
+    """Return the surfaces of a plan whose photos have been put straight (`photos.photos_of`)."""
     quads: list[Quad] = []
     boxes: list[Array] = []
     slants: list[Quad] = []
@@ -111,11 +118,12 @@ def room_of(plan: Plan) -> Room:
         slants += vault_quads(vault.low, vault.high, vault.spring, vault.rise, vault.look)
     ground = [faces_of(box_over(one.low, one.high, -SLAB_M, 0.0), one.look)[3] for one in plan.floors]
     held = np.array(boxes).reshape(-1, 2, 3)
-    drawn = [one for one in [*quads, *slants] if _seen(one, plan, held)]
-    panels = _merged([*ground, *(one for one in drawn if is_level(one))])
-    panels += [_alone(one) for one in drawn if not is_level(one)]
+    shown = [one for one in [*quads, *slants] if _seen(one, plan, held)]
+    panels = _merged([*ground, *(one for one in shown if is_level(one))])
+    panels += [_alone(one) for one in shown if not is_level(one)]
     both = [Quad(one.corner + one.along, -one.along, one.up, one.look) for one in slants if _over(one)]
-    return Room(plan, tuple(panels), (*ground, *quads, *slants, *both, *roofs), held, _portals(plan))
+    looks = {name: drawn(name) for name in LOOKS} | dict(photos)
+    return Room(plan, tuple(panels), (*ground, *quads, *slants, *both, *roofs), held, _portals(plan), looks)
 
 
 def inside(places: Array, boxes: Array, slack: float = 1e-6) -> NDArray[np.bool_]:
@@ -141,15 +149,14 @@ def _over(quad: Quad) -> bool:
 
 
 def _seen(quad: Quad, plan: Plan, boxes: Array) -> bool:
-    """Return whether somebody on a floor may see a face: before it is free space over a floor, or a door."""
-    front = quad.middle() + quad.normal * 0.02
-    if front[1] <= 0.0 or inside(front[None], boxes)[0]:
-        return False
-    over = any(one.low[0] - _TOUCH <= front[0] <= one.high[0] + _TOUCH
-               and one.low[1] - _TOUCH <= -front[2] <= one.high[1] + _TOUCH for one in plan.floors)  # fmt: skip
-    hole = any(((front >= box[0] - _TOUCH) & (front <= box[1] + _TOUCH)).all()
-               for wall in plan.walls for box in holes_in(wall)[1])  # fmt: skip
-    return over or hole
+    """Return whether somebody on a floor may see a face: before some of it is free space over a floor, or a door."""
+    share = np.stack(np.meshgrid(*[(np.arange(LOOKED_AT) + 0.5) / LOOKED_AT] * 2), axis=-1).reshape(-1, 2)
+    front = quad.corner + share[:, :1] * quad.along + share[:, 1:] * quad.up + quad.normal * 0.02
+    front = front[front[:, 1] > 0.0]
+    front = front[~inside(front, boxes)]
+    free = [box for wall in plan.walls for box in holes_in(wall)[1]]
+    free += [box_over(one.low, one.high, 0.0, LARGEST) for one in plan.floors]
+    return any(((front >= low - _TOUCH) & (front <= high + _TOUCH)).all(axis=1).any() for low, high in free)
 
 
 def _alone(quad: Quad) -> Panel:

@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.exporters.shared.files import jpeg_bytes
-from cloner.scenes.building import looks
 from cloner.scenes.building.charts import charts_of
 from cloner.scenes.building.gltf import meshes_of
 from cloner.scenes.building.solids import Room
@@ -37,8 +36,8 @@ def room_x3d(room: Room, light: str) -> dict[str, bytes]:
     light : str
         Where the light map lies, from there.
     """
-    meshes = meshes_of(*charts_of(room))
-    found = {f"{TEXTURES}/{one.look}.jpg": jpeg_bytes(looks.texture(one.look)) for one in meshes}
+    meshes = meshes_of(*charts_of(room), room.looks)
+    found = {f"{TEXTURES}/{one.look}.jpg": jpeg_bytes(room.looks[one.look].pixels) for one in meshes}
     x, _, z = _middle(room)
     rows = [_HEAD, f'<head><meta name="title" content={quoteattr(room.plan.name)}/></head>\n<Scene>\n']
     rows.append('<NavigationInfo type=\'"WALK" "EXAMINE" "ANY"\' headlight="false" avatarSize="0.25 1.6 0.75"/>\n')

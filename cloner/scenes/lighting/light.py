@@ -10,6 +10,7 @@ Units: irradiance, of which 1 shows a white surface white. References: Goral, To
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Final
 
@@ -20,8 +21,8 @@ from scipy.sparse import csr_matrix
 
 from cloner.pipeline import Progress, quiet
 from cloner.records.arrays import Array
-from cloner.scenes.building import looks
 from cloner.scenes.building.charts import Chart, Grid, between, charts_of, filled, grid_of, laid
+from cloner.scenes.building.looks import Look
 from cloner.scenes.building.pieces import Quad
 from cloner.scenes.building.solids import Panel, Room
 from cloner.scenes.lighting.direct import lamp_on, sun_on
@@ -92,7 +93,7 @@ def lit_room(room: Room, *, texel_m: float | None = None, rays: int = RAYS, prog
     patches = Patches(first, cells, *_panels_of(room), np.zeros((int(first[-1]) + 1, 3)))
     met, sky = _gathered(room, lattice, stops, portals, patches, rays, progress)
     albedo = np.concatenate(
-        [np.tile(_albedo(one), (count, 1)) for one, count in zip(room.panels, np.diff(first), strict=True)]
+        [np.tile(_albedo(one, room.looks), (count, 1)) for one, count in zip(room.panels, np.diff(first), strict=True)]
     )
     steady = [_cell_means(own, grid.there, _averages(grid, count))
               for own, grid, count in zip(direct, fine, cells, strict=True)]  # fmt: skip
@@ -131,10 +132,10 @@ def _counts(size: tuple[float, float], step: float, more: int) -> tuple[int, int
     return max(int(np.ceil(size[0] / step)) + 1, 2), max(int(np.ceil(size[1] / step)) + 1, 2)
 
 
-def _albedo(panel: Panel) -> Array:
+def _albedo(panel: Panel, looks: Mapping[str, Look]) -> Array:
     """Return what a panel gives back, its parts weighed by area."""
     areas = np.array([(u1 - u0) * (v1 - v0) for (u0, v0, u1, v1), _ in panel.parts])
-    own = np.array([looks.albedo(look) for _, look in panel.parts])
+    own = np.array([looks[look].albedo for _, look in panel.parts])
     return np.asarray((areas[:, None] * own).sum(axis=0) / areas.sum())
 
 

@@ -32,6 +32,7 @@ from cloner.crowd.packs.reading import read_acted, read_facts
 from cloner.crowd.staged.footing import FROM, UNTIL
 from cloner.errors import ClonerError
 from cloner.project.folder import safe_identifier
+from cloner.scenes.served.guests import Guests, Place
 from cloner.scenes.served.minds import Look, Minds, minds_of
 from cloner.scenes.served.newcomers import Newcomer, made_at, newcomer_of
 
@@ -91,7 +92,8 @@ class Living:
         self._old = frozenset(self._marks())
         self._events: deque[Event] = deque(maxlen=KEPT_EVENTS)
         self._count = 0
-        self._turn = threading.Condition()
+        self._minding = threading.RLock()  # whoever touches minds; first, where both are taken
+        self._turn = threading.Condition()  # whoever touches what pages are told: nobody thinks meanwhile
         try:
             told = self._facts["scenario"]
             self._scenario, self._seed = read_text(str(told["text"]), "the scene's scenario"), int(told["seed"])
@@ -122,25 +124,38 @@ class Living:
         if len(world.people.home) > len(self._acted.people):
             raise ClonerError("the scene acts fewer people than its scenario has", "Build it again", self.pack.name)
         self._minds: Minds = minds_of(world, self._acted, self._facts["people"][0]["clips"])
-        self._begun, self._seed = time.monotonic(), self._seed + 1
-        self._ways: dict[int, NDArray[np.float32]] = {}
-        self._heard = 0
-        self._awake: list[tuple[str, float]] = []
-        self._walk_on()
-        for one in self._there.values():
-            one.who = -1
-        for one in self._there.values():
-            self._cast(one)
+        self._guests, self._heard, self._seed = Guests(), 0, self._seed + 1
+        new = self._minds.go_on(0.0)
+        with self._turn:
+            self._begun, self._shown_s = time.monotonic(), 0.0
+            self._ways: dict[int, NDArray[np.float32]] = new
+            self._awake: list[tuple[str, float]] = []
+            for one in self._there.values():
+                one.who = -1
+            for one in self._there.values():
+                self._cast(one)
 
     def go_on(self) -> None:
         """Let the scene go on to now, and tell the pages."""
-        with self._turn:
+        with self._minding:
             self._begun += max(self.now() - self._shown_s - LATE_S, 0.0)
             if self._minds.over() and self.now() > max(self._minds.gone_s.values(), default=0.0):
                 self._begin()
-                self._tell("hello", self._hello())
+                with self._turn:
+                    self._tell("hello", self._hello())
                 return
-            self._tell("steps", {"now": self.now(), **_steps(self._walk_on())})
+            now = self._shown_s = self.now()
+            self._guests.go_on(self._minds.world, now)
+            self._publish(self._minds.go_on(now))
+
+    def _publish(self, new: dict[int, NDArray[np.float32]]) -> None:
+        """Tell the pages where everybody goes and what has happened, and keep of it what is not over."""
+        with self._turn:
+            for who, rows in new.items():
+                kept = self._ways.get(who, rows[:0])
+                kept = kept[(kept[:, UNTIL] > self._shown_s - PAST_S) & (kept[:, FROM] < rows[0, FROM])]
+                self._ways[who] = np.concatenate([kept, rows])
+            self._tell("steps", {"now": self.now(), **_steps(new)})
             for when, text in self._minds.world.told[self._heard :]:
                 if text.endswith(AWAKENS):
                     self._awake.append((text.removesuffix(AWAKENS), when))
@@ -159,18 +174,13 @@ class Living:
         ClonerError
             If the order says something wrong.
         """
-        with self._turn:
+        with self._minding:
             guide(self._minds.world, text)
 
-    def _walk_on(self) -> dict[int, NDArray[np.float32]]:
-        """Let everybody walk on, keep what is not over, and return what is new."""
-        now = self._shown_s = self.now()
-        new = self._minds.go_on(now)
-        for who, rows in new.items():
-            kept = self._ways.get(who, rows[:0])
-            kept = kept[(kept[:, UNTIL] > now - PAST_S) & (kept[:, FROM] < rows[0, FROM])]
-            self._ways[who] = np.concatenate([kept, rows])
-        return new
+    def walks(self, page: object, place: Place | None) -> int:
+        """Let who watches a page walk in the scene (`Guests.hear`); return whose part that is."""
+        with self._minding:
+            return self._guests.hear(self._minds.world, page, place, self.now())
 
     def _cast(self, one: _There) -> None:
         """Give a newcomer the part of whoever goes farthest just now."""
@@ -253,7 +263,7 @@ class Living:
             if made_at(mark[0]) != mark[1]:  # forgotten, or made anew, in the meantime
                 self._keys.pop(mark)
                 return
-            with self._turn:
+            with self._minding, self._turn:
                 key = secrets.token_urlsafe(12)
                 one = _There({"key": key, "row": dict(newcomer.row)}, newcomer, -1, 0.0)
                 self._cast(one)
@@ -266,7 +276,7 @@ class Living:
         self._said(f"{name} is in the scene")
 
     def _leave(self, key: str) -> None:
-        with self._turn:
+        with self._minding, self._turn:
             one = self._there.pop(key, None)
             if one is None:
                 return

@@ -68,6 +68,10 @@ class Minds:
         found = {}
         for who, walker in enumerate(self.walkers):
             until = self.world.time_s - SEEN_S
+            if there[who, -1] and who in self.gone_s:
+                first = len(times) - int(np.argmin(np.append(there[who][::-1], False)))
+                walker.enter(float(times[first]), places[who, first], float(headings[who, first]))
+                del self.gone_s[who]
             if not there[who, -1]:
                 until = self.gone_s.setdefault(who, float(times[there[who]][-1]) if there[who].any() else 0.0)
             walker.track = Track(times, places[who], headings[who], acts[who], walks[who])
@@ -101,8 +105,8 @@ class Minds:
         return walker.now
 
     def over(self) -> bool:
-        """Return whether nobody is there any more."""
-        return not self.world.bodies.present.any()
+        """Return whether nobody is there any more, but for guests."""
+        return int(self.world.bodies.present.sum()) == len(self.world.guests)
 
     def _frame(self) -> int:
         return self.world.steps // STEPS

@@ -36,6 +36,8 @@ ALIVE_S: Final = 10.0
 #: A page is listened to at least so often, and has so long to hear that it is over, seconds.
 TURN_S: Final = 0.25
 TOLD_S: Final = 0.3
+#: Nobody walks farther away, metres.
+FARTHEST_M: Final = 1e4
 #: Closing codes (RFC 6455): who comes when all places are taken, and who says what is no message.
 TOO_MANY, NO_MESSAGE = 1013, 1003
 _KINDS: Final = {".webp": "image/webp", ".bin": "application/octet-stream"}
@@ -217,11 +219,12 @@ def _receive(state: _State, page: Any) -> None:
                 if said is None:
                     page.close(NO_MESSAGE, "that is no message")
                     return
-                staff, answer = _asked(state, staff, said)
+                staff, answer = _asked(state, page, staff, said)
                 page.send(json.dumps({"kind": "answer", **answer}))
     except ConnectionClosed:
         pass
     finally:
+        state.living.walks(page, None)
         state.places.release()
 
 
@@ -235,12 +238,25 @@ def _message(said: str | bytes) -> tuple[str, str] | None:
         return None
     [(kind, text)] = found.items()
     said_plainly = isinstance(text, str) and text.isprintable()  # halves of letters cannot be written
-    return (kind, text) if kind in ("number", "order") and said_plainly else None
+    if kind == "walk" and said_plainly and text:
+        said_plainly = _place(text) is not None
+    return (kind, text) if kind in ("number", "order", "walk") and said_plainly else None
 
 
-def _asked(state: _State, staff: bool, said: tuple[str, str]) -> tuple[bool, dict[str, Any]]:
+def _place(text: str) -> tuple[float, float, float] | None:
+    """Return the place and heading that a text tells, None where it tells none."""
+    try:
+        x, z, heading = (float(one) for one in text.split())
+    except ValueError:
+        return None
+    return (x, z, heading) if all(abs(one) < FARTHEST_M for one in (x, z, heading)) else None  # not for nan
+
+
+def _asked(state: _State, page: Any, staff: bool, said: tuple[str, str]) -> tuple[bool, dict[str, Any]]:
     """Return whether a page is the staff's after what it has said, and what to answer."""
     kind, text = said
+    if kind == "walk":
+        return staff, {"who": state.living.walks(page, _place(text))}
     if kind == "number":
         staff = state.opens(text)
         if not staff:

@@ -8,7 +8,7 @@ import wave
 import numpy as np
 import pytest
 
-from cloner.scenes.building.plan import plan_of
+from cloner.scenes.building.reading import plan_of
 from cloner.scenes.building.solids import Room, room_of
 from cloner.scenes.lighting.echoes import (
     APART_M,

@@ -7,7 +7,7 @@ import pytest
 
 from cloner.crowd.staged.rooms import light_at
 from cloner.scenes.building.charts import grid_of
-from cloner.scenes.building.plan import plan_of
+from cloner.scenes.building.reading import plan_of
 from cloner.scenes.building.solids import Room, room_of
 from cloner.scenes.lighting.direct import lamp_at, sun_way
 from cloner.scenes.lighting.light import Lit, cell_of, lit_room

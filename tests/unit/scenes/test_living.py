@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import shutil
+import threading
 import time
 from pathlib import Path
 
@@ -15,7 +16,7 @@ from cloner.behaviour.language import read_text
 from cloner.behaviour.loop import guide
 from cloner.behaviour.world import world_of
 from cloner.crowd.packs.reading import read_acted, read_facts
-from cloner.crowd.staged.footing import FROM, UNTIL, Acted, rows_at
+from cloner.crowd.staged.footing import FROM, GONE, UNTIL, Acted, rows_at
 from cloner.errors import ClonerError
 from cloner.personal_data.holdings import find_holding, holdings
 from cloner.personal_data.privacy import forget
@@ -24,7 +25,9 @@ from cloner.scenes.served.minds import HEAD_S, Look, Minds, minds_of
 from cloner.scenes.served.newcomers import Newcomer
 from cloner.scenes.served.serving import serve_folder
 from kit.crowds import dressed_toy, saved
-from kit.living import SECONDS, finished, hello_of, shown
+from kit.living import SCENARIO, SECONDS, finished, hello_of, shown
+
+GUESTS = "crowd 2 guests: from outside"
 
 pytestmark = [pytest.mark.gl, pytest.mark.slow]
 
@@ -54,6 +57,65 @@ def test_who_goes_on_takes_the_very_steps_that_were_baked(built: Path) -> None:
             assert len(way) > 4
             assert np.array_equal(way[:-1], baked[: len(way) - 1])
             assert way[-1, UNTIL] >= times[-1] + 1.9, "feet are ahead of what is shown"
+
+
+def test_who_walks_along_in_a_page_is_there_on_feet_and_gone_when_the_page_falls_silent(
+    built, hot, monkeypatch
+) -> None:
+    clock = [time.monotonic()]
+    monkeypatch.setattr(living.time, "monotonic", lambda: clock[0])
+    scene, _ = shown(built, hot)
+    scene._scenario = read_text(SCENARIO.replace("group watchers: 2 people, visits b, starts at b", GUESTS))
+    scene._begin()
+    told, way = scene.told(0.01), np.zeros((0, 12), np.float32)
+    assert 3 not in dict(next(told)[1]["of"])
+    assert scene.walks("one", (4.0, -4.0, 0.0)) == 3
+    assert scene.walks("two", (5.0, -4.0, 0.0)) == 4
+    assert scene.walks("three", (5.0, -4.0, 0.0)) == -1, "two are expected"
+    come = scene._minds.world.time_s
+    for k in range(24):
+        clock[0] += 0.5
+        if k < 12:
+            scene.walks("one", (4.0, -4.0 + 0.25 * min(k, 8), 0.0))
+        scene.go_on()
+        rows = scene._ways.get(3, way[:0])
+        if len(rows):
+            way = np.concatenate([way[way[:, FROM] < rows[0, FROM]], rows])
+    assert scene.walks("three", (4.0, -4.0, 0.0)) >= 3, "both are free again"
+    acted = read_acted(built, read_facts(built))
+    alone = Acted(way, np.array([0, len(way)], np.uint32), acted.people[3:4].copy(), acted.touches, acted.clips)
+    shown_at = {t: rows_at(alone, come + t)[0, 0] for t in (-0.3, 0.5, 6.0, 14.0)}
+    assert shown_at[-0.3][0] == shown_at[14.0][0] == GONE
+    assert shown_at[0.5][1:3] == pytest.approx((4.0, -4.0), abs=0.3)
+    assert shown_at[6.0][1:3] == pytest.approx((4.0, -2.0), abs=0.5), "it has walked"
+
+
+def test_who_joins_while_minds_think_does_not_wait_for_them(built: Path, hot: Path, monkeypatch) -> None:
+    scene, _ = shown(built, hot)
+    finished(hot, "eve")
+    scene.look()
+    key = hello_of(scene)["newcomers"][0]["key"]
+    thinks, free = threading.Event(), threading.Event()
+
+    def think(minds: Minds, shown_s: float) -> dict:
+        thinks.set()
+        free.wait(60.0)
+        return {}
+
+    monkeypatch.setattr(Minds, "go_on", think)
+    going = threading.Thread(target=scene.go_on, daemon=True)
+    going.start()
+    assert thinks.wait(10.0)
+    joined: list[object] = []
+    asking = threading.Thread(
+        target=lambda: joined.extend((hello_of(scene), scene.file(key, "numbers.bin"))), daemon=True
+    )
+    asking.start()
+    asking.join(20.0)
+    free.set()
+    going.join(20.0)
+    assert len(joined) == 2
+    assert joined[1], "a newcomer's file"
 
 
 def test_who_leaves_is_gone_when_the_feet_have_left_and_no_part_is_free_then(built: Path) -> None:

@@ -11,7 +11,7 @@ from cloner.behaviour.language import read_scenario
 from cloner.errors import ClonerError
 from cloner.scenes.building.charts import PAD, charts_of
 from cloner.scenes.building.gltf import meshes_of
-from cloner.scenes.building.plan import SHIPPED, plan_of, read_plan
+from cloner.scenes.building.reading import SHIPPED, plan_of, read_plan
 from cloner.scenes.building.solids import room_of
 
 SAMPLE = Path(__file__).parents[3] / "samples" / "museum.crowd"
@@ -61,6 +61,15 @@ def test_every_pillar_has_all_its_sides(name: str) -> None:
     assert len(shafts) == 8 * sum(one.pillar for one in room.plan.blocks)
 
 
+def test_a_wall_is_there_behind_what_hangs_before_its_middle_and_a_base_has_a_top() -> None:
+    hung = '[[block]]\nname = "a"\nat = [2, 2.95]\nsize = [1, 0.1]\nlow = 1\nhigh = 2\nlook = "stone"\n'
+    stood = '[[pillar]]\nnames = ["b"]\nat = [[1, 1]]\nsize = [0.8, 0.8]\nhigh = 3\nlook = "stone"\n'
+    room = room_of(plan_of(FLOOR + WALL + hung + stood, "x.toml"))
+    assert any(one.normal[2] > 0.99 and one.size == pytest.approx((4.0, 3.0)) for one in room.panels)
+    level = [one for one in room.panels if abs(one.normal[1]) > 0.99 and one.size == pytest.approx((0.8, 0.8))]
+    assert sorted(float(one.normal[1]) for one in level) == [-1.0, 1.0, 1.0]  # below the capital, on it, on the base
+
+
 @pytest.mark.parametrize("name", SHIPPED)
 def test_charts_do_not_overlap_and_floors_have_texels_of_4_cm(name: str) -> None:
     room = room_of(read_plan(name)[0])
@@ -71,7 +80,7 @@ def test_charts_do_not_overlap_and_floors_have_texels_of_4_cm(name: str) -> None
         if chart.panel.normal[1] > 0.99 and chart.panel.corner[1] < 1e-6:
             assert max(np.array(chart.panel.size) / (np.array(chart.size) - 1)) <= 0.04 + 1e-9
     assert taken.max() == 1
-    for mesh in meshes_of(charts, (wide, tall)):
+    for mesh in meshes_of(charts, (wide, tall), room.looks):
         assert ((mesh.light_uv > 0.0) & (mesh.light_uv < 1.0)).all()
         corners = mesh.places[mesh.triangles]
         turned = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -82,7 +91,7 @@ def test_charts_do_not_overlap_and_floors_have_texels_of_4_cm(name: str) -> None
     ("text", "said"),
     [
         ("", "no floor"),
-        (FLOOR.replace("flags", "gold"), "look that is none of"),
+        (FLOOR.replace("flags", "gold"), "the look 'gold', which is none of"),
         (FLOOR.replace("[4, 3]", "[0, 3]"), "not right of"),
         (FLOOR.replace("[4, 3]", "[4, nan]"), "not 2 numbers"),
         (FLOOR + WALL + "openings = [{ at = 3.9, wide = 1, low = 0, high = 2 }]\n", "does not lie in its wall"),

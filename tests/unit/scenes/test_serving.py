@@ -102,9 +102,24 @@ def test_only_the_operator_is_obeyed(open_scene) -> None:
             assert "number" in answered(other, '{"order": "walkers goes to b"}')["error"], "staff on one page alone"
 
 
+def test_who_walks_along_tells_where_and_needs_no_number(open_scene) -> None:
+    scene, url = open_scene
+    heard = []
+    scene.walks = lambda page, place: heard.append(place) or 3  # type: ignore[method-assign]
+    with page_at(url) as page:
+        assert answered(page, '{"walk": "4.5 -3 1.57"}')["who"] == 3
+        answered(page, '{"walk": ""}')
+    for _ in range(100):
+        if len(heard) == 3:
+            break
+        time.sleep(0.1)
+    assert heard == [(4.5, -3.0, 1.57), None, None], "a page that is closed walks no more"
+
+
 @pytest.mark.parametrize(
     "said",
     [
+        '{"walk": "4"}', '{"walk": "1 nan 0"}', '{"walk": "0 0 inf"}', '{"walk": "1e9 0 0"}', '{"walk": "a b c"}',
         "", "{", "[]", "null", '"order"', '{"order": 1}', '{"order": "a", "number": "42"}', '{"hello": "a"}',
         b"\xff\x00",
         '{"number": "\\ud800"}', "[" * 900, "x" * (LONGEST_BYTES + 1), '{"order": "' + "a" * 2 * LONGEST_BYTES + '"}',

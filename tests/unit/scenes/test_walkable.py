@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cloner.scenes.building.plan import plan_of
+from cloner.scenes.building.reading import plan_of
 from cloner.scenes.building.solids import room_of
 from cloner.scenes.building.walkable import BODY_M, CELL_M, walkable_of
 
