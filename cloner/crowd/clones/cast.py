@@ -9,9 +9,19 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
 from cloner.crowd.clones.clips import Clip, clips_of
-from cloner.crowd.clones.groups import GroupLook, looks_of, marks_of, smaller, texel_groups, triangle_groups
+from cloner.crowd.clones.groups import (
+    WORN,
+    GroupLook,
+    garment_masks,
+    looks_of,
+    marks_of,
+    smaller,
+    texel_groups,
+    triangle_groups,
+)
 from cloner.crowd.clones.hems import hemmed
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose, shell_levels
 from cloner.generic.surfaces import surface_normals
@@ -28,6 +38,8 @@ SHELL_PX: Final = 192  # hair's density is then that of the body's
 DRAWN: Final = ("hair", "cloth")
 #: Poses of a walk in which loose shells' coarse levels must look well.
 STRIDES: Final = 4
+#: Height from which a loose shell's vertices are its upper rim, quantile; taste.
+RIM: Final = 0.9
 #: Heights from the chest's middle count as chest, share of the stature either way; taste.
 CHEST: Final = (0.68, 0.80)
 
@@ -52,6 +64,8 @@ class Cast:
     groups : (T,) uint8, place in ``GROUPS`` of the generic triangles
     width_to_depth : float
         Of the box around the walking chest and arms.
+    hung : str
+        The garment that goes on as a loose shell of cloth, "" without one.
     stone : (A, A, 3) uint8, stone_shell : (B, 2 B, 3) uint8, or None
         Atlas and shells as a statue's.
     """
@@ -69,6 +83,7 @@ class Cast:
     looks: Mapping[str, GroupLook]
     groups: NDArray[np.uint8]
     width_to_depth: float
+    hung: str = ""
     stone: Pixels | None = None
     stone_shell: Pixels | None = None
 
@@ -111,6 +126,7 @@ def cast_of(
         looks_of(atlas, codes),
         groups,
         _width_to_depth(clone.vertices_m[body.vertex], body, clips[0], clone.stature_m),
+        _hung(clone, body, codes),
         smaller(statue.atlas.rgb, atlas_px) if statue else None,
         _shell_picture([one for one in statue.shells if one.kind in DRAWN])[..., :3] if statue else None,
     )
@@ -120,6 +136,18 @@ def posed(vertices_m: Array, joints: NDArray[np.int64], weights: Array, frame: A
     """Return (N, 3) vertices moved by one frame of bones (J, 3, 4), metres."""
     blended = np.einsum("nk,nkab->nab", weights, frame[joints])
     return np.asarray(np.einsum("nab,nb->na", blended[:, :, :3], vertices_m) + blended[:, :, 3])
+
+
+def _hung(clone: Clone, body: BodyLevels, codes: Pixels) -> str:
+    """Return the garment that the upper rim of a clone's loose cloth lies on, "" without cloth."""
+    cloth = [shell.vertices_m for shell in clone.shells if shell.kind == "cloth"]
+    if not cloth:
+        return ""
+    places = np.concatenate(cloth)
+    rim = places[places[:, 1] >= np.quantile(places[:, 1], RIM)]
+    _, wedge = cKDTree(clone.vertices_m[body.vertex]).query(rim)
+    column, row = (body.uv[wedge].T * len(codes)).astype(int).clip(0, len(codes) - 1)
+    return max(WORN, key=lambda name: int(garment_masks(codes)[name][row, column].sum()))
 
 
 def _width_to_depth(vertices_m: Array, body: BodyLevels, walk: Clip, stature_m: float) -> float:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from cloner.crowd.clones.cast import Cast
 from cloner.crowd.clones.clips import Clip
-from cloner.crowd.clones.groups import WORN, garment_masks, skin_colours
+from cloner.crowd.clones.groups import GROUPS, WORN, garment_masks, skin_colours
 from cloner.crowd.clones.levels import LOOSE, BodyLevels, Loose
 from cloner.crowd.clones.zones import reach
 from cloner.records.arrays import Array
@@ -33,11 +33,14 @@ BAKED_FROM_M: Final = 869.0 * TEXELS_PER_PX / TEXELS_PER_M
 #: Widths of textures, texels: vertices, loose vertices (two texels each), loose corners.
 WIDE: Final = 128
 CORNERS_WIDE: Final = 256
-#: Columns of the clones' table: facts, clips, sets of tiles, looks, colours of garments, skin, reach of top and bottom.
+#: Columns of the clones' table: facts, clips, sets of tiles, looks, colours of garments, skin, reach of top and bottom,
+#: group of the garment that hangs on as a shell.
 COLUMNS: Final = 64
-CLIPS_AT, SETS_AT, LOOKS_AT, COLOURS_AT, SKIN_AT, REACH_AT = 1, 25, 49, 53, 58, 61
+CLIPS_AT, SETS_AT, LOOKS_AT, COLOURS_AT, SKIN_AT, REACH_AT, HUNG_AT = 1, 25, 49, 53, 58, 61, 63
 MOST_CLIPS: Final = SETS_AT - CLIPS_AT
 _DYED: Final = (*WORN, "hair")
+#: How much brighter than its median what has no look of its own may be; a dye shows no more.
+BRIGHT: Final = 2.0
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -174,8 +177,9 @@ def table_row(
         frame += len(clip.frames)
     for k, name in enumerate(_DYED):
         look = cast.looks.get(name)
-        row[LOOKS_AT + k] = (look.median, look.evenness, look.share, 0.0) if look else (128.0, 1.0, 0.0, 0.0)
+        row[LOOKS_AT + k] = (128.0, 1.0, 0.0, BRIGHT)
         if look:
+            row[LOOKS_AT + k] = look.median, look.evenness, look.share, look.scale / look.median
             shade = look.median / look.scale / 255.0
             row[COLOURS_AT + k, :3] = np.clip(np.array(look.colour) * shade, 0.0, 1.0)
     if not cast.looks.get("hair"):
@@ -184,6 +188,7 @@ def table_row(
         row[SKIN_AT + k, :3] = colour / 255.0
     for k, covered in enumerate(reach(garment_masks(cast.codes)).values()):
         row[REACH_AT + k] = covered
+    row[HUNG_AT] = GROUPS.index(cast.hung or "bottom") + 1
     return row
 
 

@@ -89,7 +89,7 @@ def make_pack(
             rows.append(row)
             if cast.stone is not None:
                 tones.append(cast.stone[cast.codes > 0].mean(axis=0) / 255.0)
-            masks.append(lendable(cast, body))
+            masks.append(lendable(cast))
         casting = casting_of(masks, looks)
         data, body_told = packed(body_arrays(body))
         _write(folder, "body.bin", data, files)

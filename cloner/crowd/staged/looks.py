@@ -11,11 +11,9 @@ from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from cloner.crowd.clones.cast import Cast
 from cloner.crowd.clones.groups import WORN, garment_masks
-from cloner.crowd.clones.levels import BodyLevels
 from cloner.crowd.clones.zones import REACHED, zone_texels
 from cloner.crowd.staged.scene import Casting
 from cloner.errors import ClonerError
@@ -36,8 +34,6 @@ NATURAL_HAIR: Final = (0x1C1714, 0x3A2A20, 0x5A4030, 0x7A5A3C, 0xA88A5C, 0x8C868
 FITS: Final = 0.6
 #: Masks of garments are that small, texels a side.
 MASK_PX: Final = 128
-#: Height from which a loose shell's vertices are its upper rim, quantile.
-RIM: Final = 0.9
 _KEYS: Final = {"palette", "own_share", "dyed_share", "wardrobe"}
 
 
@@ -86,21 +82,15 @@ def casting_of(masks: Sequence[Mapping[str, NDArray[np.bool_]]], told: Mapping[s
     return Casting(len(masks), palettes, wardrobe, own, min(dyed, 1.0 - own))
 
 
-def lendable(cast: Cast, body: BodyLevels) -> dict[str, NDArray[np.bool_]]:
+def lendable(cast: Cast) -> dict[str, NDArray[np.bool_]]:
     """Return which texels each of a clone's garments covers, (S, S) each; none where it hangs on as a loose shell.
 
-    A skirt's or a coat's shell belongs to its wearer alone: what its upper rim lies on is neither lent nor put off.
+    A skirt's or a coat's shell belongs to its wearer alone: what it hangs from is neither lent nor put off.
     """
     step = len(cast.codes) // MASK_PX
-    codes = cast.codes[::step, ::step]
-    masks = garment_masks(codes)
-    cloth = cast.loose.vertices_m[cast.loose.cloth]
-    if len(cloth):
-        rim = cloth[cloth[:, 1] >= np.quantile(cloth[:, 1], RIM)]
-        _, wedge = cKDTree(cast.vertices_m).query(rim)
-        column, row = (body.uv[wedge].T * len(codes)).astype(int).clip(0, len(codes) - 1)
-        hung = max(WORN, key=lambda name: int(masks[name][row, column].sum()))
-        masks[hung] = np.zeros_like(masks[hung])
+    masks = garment_masks(cast.codes[::step, ::step])
+    if cast.hung:
+        masks[cast.hung] = np.zeros_like(masks[cast.hung])
     return masks
 
 

@@ -6,7 +6,7 @@ uniform float now;           // seconds
 uniform float laneLength;    // metres
 
 const int PERSON = 5;        // whole numbers are divided by shifts: software rasterisers divide one by one
-const int CLIPS = 1, SETS = 25, LOOKS = 49, COLOURS = 53, SKIN = 58, REACH = 61;  // columns of the clones' table
+const int CLIPS = 1, SETS = 25, LOOKS = 49, COLOURS = 53, SKIN = 58, REACH = 61, HUNG = 63;  // columns of the clones' table
 const float PI = 3.14159265;
 const float ZONE_STEP = 2.0, CODE_STEP = 3.0;  // levels between zones in codes, and between impostors' codes
 

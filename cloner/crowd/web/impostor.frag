@@ -60,7 +60,7 @@ vec3 worn(vec3 rgb, vec2 uv) {
   if (lender != whose.x && (group == 0 || group == limb)) {  // the lent garment may end elsewhere
     bool covers = cloneTexel(lender, REACH + limb - 1)[(zone - 1) & 3] > 0.5;
     vec3 skin = cloneTexel(whose.x, SKIN + limb).rgb;
-    if (covers && group == 0) return dyed(rgb, vec4(255.0 * lumaOf(skin), 1.0, 0.0, 0.0), cloneTexel(lender, COLOURS + limb - 1).rgb);
+    if (covers && group == 0) return dyed(rgb, vec4(255.0 * lumaOf(skin), 1.0, 0.0, 2.0), cloneTexel(lender, COLOURS + limb - 1).rgb);
     if (!covers && group > 0) return dyed(rgb, cloneTexel(whose.x, LOOKS + limb - 1), skin);
   }
   if (group == 0) return rgb;

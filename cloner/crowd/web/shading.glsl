@@ -8,9 +8,10 @@ const vec3 SKY = vec3(0.62, 0.68, 0.78), EARTH = vec3(0.42, 0.39, 0.35), SUN = v
 
 float lumaOf(vec3 rgb) { return dot(rgb, vec3(0.2126, 0.7152, 0.0722)); }
 
-// What is dyed shows the dye in its own folds: its grey over the garment's median, evened where cloth is dark.
+// What is dyed shows the dye in its own folds: its grey over the garment's median, evened where cloth is dark, and no
+// brighter than the garment is: skin that a filter mixes into a dark hem would be a bead of light.
 vec3 dyed(vec3 rgb, vec4 look, vec3 dye) {
-  return min(dye * pow(max(lumaOf(rgb) * 255.0, 1.0) / look.x, look.y), vec3(1.0));
+  return min(dye * pow(min(max(lumaOf(rgb) * 255.0, 1.0) / look.x, look.w), look.y), vec3(1.0));
 }
 
 // Who stands in a lit room (solid: is more than a picture) gets the light of its probes: four numbers a colour, and how much of the sun is seen.

@@ -29,8 +29,8 @@ vec4 wornAt(out int group, out int owner) {
   ivec2 texel = ivec2(at * vec2(textureSize(atlases, 0).xy));
   bool loose = isLoose > 0.5, bare = false, lent = !loose && whose.yzw != whose.xxx;
   owner = whose.x;
-  group = at.x > 0.5 ? 7 : 9;
-  if (!loose) group = 0;
+  group = 0;
+  if (loose) group = at.x > 0.5 ? int(cloneTexel(whose.x, HUNG).x + 0.5) : 9;  // a coat's skirt is dyed with the coat
   if (!loose && (lent || max(max(dyes.x, dyes.y), max(dyes.z, dyes.w)) >= 0.0)) {
     ivec2 mark = groupAt(whose.x, texel);
     group = mark.x;

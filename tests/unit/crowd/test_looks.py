@@ -7,10 +7,12 @@ from dataclasses import replace
 import numpy as np
 
 from cloner.crowd.clones.cast import cast_of
-from cloner.crowd.clones.groups import garment_masks
+from cloner.crowd.clones.groups import GROUPS, garment_masks
 from cloner.crowd.clones.levels import body_levels
+from cloner.crowd.clones.stock import HUNG_AT, table_row
 from cloner.crowd.clones.zones import ENDS, REACHED, reach, zone_texels
 from cloner.crowd.staged.looks import MASK_PX, casting_of, lendable
+from cloner.records.heads import Shell
 from kit.clones import toy_clone
 from kit.crowds import dressed_toy
 
@@ -41,13 +43,22 @@ def test_every_limb_has_its_zones() -> None:
     assert np.unique(zone_texels(256)).tolist() == list(range(ENDS + 1))
 
 
-def test_a_skirt_that_hangs_loose_is_not_lent() -> None:
-    body, clone = body_levels(), dressed_toy()
+def hanging(from_m: float, cap: Shell) -> Shell:
+    """A shell of cloth whose upper end lies at some height."""
+    drop = np.array([0.0, from_m - cap.vertices_m[:, 1].max(), 0.0])
+    return replace(cap, kind="cloth", vertices_m=cap.vertices_m + drop)
+
+
+def test_a_skirt_that_hangs_loose_is_not_lent_and_a_coats_is_dyed_with_the_coat() -> None:
+    body, clone, cap = body_levels(), dressed_toy(), toy_clone().shells[0]
     plain = cast_of("ada", clone, body, poses=4)
-    cap = toy_clone().shells[0]
-    drop = np.array([0.0, clone.joints_m[0, 1] - cap.vertices_m[:, 1].max(), 0.0])
-    skirt = replace(cap, kind="cloth", vertices_m=cap.vertices_m + drop)
-    hung = cast_of("ada", replace(clone, shells=(skirt,)), body, poses=4)
-    assert lendable(plain, body)["bottom"].sum() == garment_masks(plain.codes[::4, ::4])["bottom"].sum() > 0
-    assert lendable(hung, body)["bottom"].sum() == 0
-    assert lendable(hung, body)["top"].sum() > 0
+    skirt, coat = hanging(float(clone.joints_m[0, 1]), cap), hanging(1.25, cap)
+    hung, wrapped = (cast_of("ada", replace(clone, shells=(one,)), body, poses=4) for one in (skirt, coat))
+    assert wrapped.hung == "top"
+    for cast in (hung, wrapped):
+        row = table_row(cast, [0] * len(cast.clips), 33.0, 22, 0)
+        assert GROUPS[int(row[HUNG_AT, 0]) - 1] == cast.hung
+    assert (plain.hung, hung.hung) == ("", "bottom")
+    assert lendable(plain)["bottom"].sum() == garment_masks(plain.codes[::4, ::4])["bottom"].sum() > 0
+    assert lendable(hung)["bottom"].sum() == 0
+    assert lendable(hung)["top"].sum() > 0
