@@ -9,11 +9,9 @@ from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.spatial import cKDTree
 
 from cloner.crowd.clones.clips import Clip, clips_of
 from cloner.crowd.clones.groups import (
-    WORN,
     GroupLook,
     garment_masks,
     looks_of,
@@ -38,8 +36,8 @@ SHELL_PX: Final = 192  # hair's density is then that of the body's
 DRAWN: Final = ("hair", "cloth")
 #: Poses of a walk in which loose shells' coarse levels must look well.
 STRIDES: Final = 4
-#: Height from which a loose shell's vertices are its upper rim, quantile; taste.
-RIM: Final = 0.9
+#: Distance of two colours, 0..255 each channel, from which a skirt that covers all below it is no part of the top; taste.
+UNLIKE: Final = 25.0
 #: Heights from the chest's middle count as chest, share of the stature either way; taste.
 CHEST: Final = (0.68, 0.80)
 
@@ -112,6 +110,7 @@ def cast_of(
     clips = clips_of(clone, poses, walks, feelings=feelings)
     statue = carved(clone) if carved else None
     normals = surface_normals(clone.vertices_m)[body.vertex]
+    shell = _shell_picture(shells)
     return Cast(
         identifier,
         clone.stature_m,
@@ -122,11 +121,11 @@ def cast_of(
         atlas,
         codes,
         marks_of(codes),
-        _shell_picture(shells),
+        shell,
         looks_of(atlas, codes),
         groups,
         _width_to_depth(clone.vertices_m[body.vertex], body, clips[0], clone.stature_m),
-        _hung(clone, body, codes),
+        _hung(shell, atlas, codes),
         smaller(statue.atlas.rgb, atlas_px) if statue else None,
         _shell_picture([one for one in statue.shells if one.kind in DRAWN])[..., :3] if statue else None,
     )
@@ -138,16 +137,15 @@ def posed(vertices_m: Array, joints: NDArray[np.int64], weights: Array, frame: A
     return np.asarray(np.einsum("nab,nb->na", blended[:, :, :3], vertices_m) + blended[:, :, 3])
 
 
-def _hung(clone: Clone, body: BodyLevels, codes: Pixels) -> str:
-    """Return the garment that the upper rim of a clone's loose cloth lies on, "" without cloth."""
-    cloth = [shell.vertices_m for shell in clone.shells if shell.kind == "cloth"]
-    if not cloth:
+def _hung(shell: Pixels, atlas: Pixels, codes: Pixels) -> str:
+    """Return the garment that goes on as a clone's loose cloth, "" without any: top where it has the coat's colour."""
+    cloth = shell[:, SHELL_PX:].reshape(-1, 4)
+    shown = cloth[cloth[:, 3] > 127, :3]
+    if not len(shown):
         return ""
-    places = np.concatenate(cloth)
-    rim = places[places[:, 1] >= np.quantile(places[:, 1], RIM)]
-    _, wedge = cKDTree(clone.vertices_m[body.vertex]).query(rim)
-    column, row = (body.uv[wedge].T * len(codes)).astype(int).clip(0, len(codes) - 1)
-    return max(WORN, key=lambda name: int(garment_masks(codes)[name][row, column].sum()))
+    masks, middle = garment_masks(codes), shown.mean(axis=0)
+    away = {name: np.linalg.norm(atlas[masks[name]].mean(axis=0) - middle) for name in masks if masks[name].any()}
+    return "top" if away.get("top", np.inf) < away.get("bottom", UNLIKE) else "bottom"
 
 
 def _width_to_depth(vertices_m: Array, body: BodyLevels, walk: Clip, stature_m: float) -> float:

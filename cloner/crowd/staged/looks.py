@@ -29,8 +29,8 @@ PALETTES: Final[Mapping[str, tuple[int, ...]]] = MappingProxyType({
 })  # fmt: skip
 #: Natural colours of hair, for those who ask for them by ``hair = "natural"``.
 NATURAL_HAIR: Final = (0x1C1714, 0x3A2A20, 0x5A4030, 0x7A5A3C, 0xA88A5C, 0x8C8680, 0x6A3A22)
-#: Garments fit another person when they cover nearly the same of the trunk (shoes: of the feet): shared part of both,
-#: 0..1; taste. On limbs they may end elsewhere, where the wearer's own skin begins.
+#: Garments fit another person when of the trunk (shoes: of the feet) the smaller one lies in the larger one by this
+#: share; taste. On limbs they may end elsewhere, where the wearer's own skin begins.
 FITS: Final = 0.6
 #: Masks of garments are that small, texels a side.
 MASK_PX: Final = 128
@@ -99,8 +99,8 @@ def _fitting(masks: Sequence[Mapping[str, NDArray[np.bool_]]], garment: str, wea
     here = zone_texels(len(own)) == 0 if garment in REACHED else np.ones_like(own)
     found = []
     for other, mask in enumerate(masks):
-        either = int(((own | mask[garment]) & here).sum())
-        if other != wearer and either and int((own & mask[garment] & here).sum()) / either >= FITS:
+        smaller = min(int((own & here).sum()), int((mask[garment] & here).sum()))
+        if other != wearer and smaller and int((own & mask[garment] & here).sum()) / smaller >= FITS:
             found.append(other)
     return found
 

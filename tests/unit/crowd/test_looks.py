@@ -13,7 +13,7 @@ from cloner.crowd.clones.stock import HUNG_AT, table_row
 from cloner.crowd.clones.zones import ENDS, REACHED, reach, zone_texels
 from cloner.crowd.staged.looks import MASK_PX, casting_of, lendable
 from cloner.records.heads import Shell
-from kit.clones import toy_clone
+from kit.clones import SHIRT, TROUSERS, toy_clone
 from kit.crowds import dressed_toy
 
 
@@ -43,16 +43,15 @@ def test_every_limb_has_its_zones() -> None:
     assert np.unique(zone_texels(256)).tolist() == list(range(ENDS + 1))
 
 
-def hanging(from_m: float, cap: Shell) -> Shell:
-    """A shell of cloth whose upper end lies at some height."""
-    drop = np.array([0.0, from_m - cap.vertices_m[:, 1].max(), 0.0])
-    return replace(cap, kind="cloth", vertices_m=cap.vertices_m + drop)
+def hanging(cap: Shell, colour: tuple[int, int, int]) -> Shell:
+    """A shell of cloth of some colour."""
+    return replace(cap, kind="cloth", rgba=np.dstack([np.full_like(cap.rgba[..., :3], colour), cap.rgba[..., 3:]]))
 
 
 def test_a_skirt_that_hangs_loose_is_not_lent_and_a_coats_is_dyed_with_the_coat() -> None:
     body, clone, cap = body_levels(), dressed_toy(), toy_clone().shells[0]
     plain = cast_of("ada", clone, body, poses=4)
-    skirt, coat = hanging(float(clone.joints_m[0, 1]), cap), hanging(1.25, cap)
+    skirt, coat = hanging(cap, TROUSERS), hanging(cap, SHIRT)
     hung, wrapped = (cast_of("ada", replace(clone, shells=(one,)), body, poses=4) for one in (skirt, coat))
     assert wrapped.hung == "top"
     for cast in (hung, wrapped):
