@@ -36,7 +36,7 @@ SHELL_PX: Final = 192  # hair's density is then that of the body's
 DRAWN: Final = ("hair", "cloth")
 #: Poses of a walk in which loose shells' coarse levels must look well.
 STRIDES: Final = 4
-#: Distance of two colours, 0..255 each channel, from which a skirt that covers all below it is no part of the top; taste.
+#: Distance of colours, 0..255 a channel, from which a skirt that covers all below it is no part of the top; taste.
 UNLIKE: Final = 25.0
 #: Heights from the chest's middle count as chest, share of the stature either way; taste.
 CHEST: Final = (0.68, 0.80)
