@@ -17,6 +17,9 @@ CODE_STEP: Final = (
 )
 
 
+_UNCOVERED: Final = 255  # no code is as large
+
+
 def reduced(colour: Pixels, shape: Pixels) -> tuple[Pixels, Pixels]:
     """Return the page's texels from its samples; colours and shapes go on a little beyond the outline."""
     cover = colour[..., 3:].astype(np.float32) / 255.0
@@ -31,11 +34,11 @@ def reduced(colour: Pixels, shape: Pixels) -> tuple[Pixels, Pixels]:
 def _commonest(codes: Pixels, covered: NDArray[np.bool_]) -> Pixels:
     """Return the commonest code of the covered samples of each block of half a page's texel; every third one votes."""
     tall, wide, votes = codes.shape[0] // (2 * SAMPLES), codes.shape[1] // (2 * SAMPLES), 2 * SAMPLES // 3
-    picked = np.where(covered, codes, 0)[1::3, 1::3].reshape(tall, votes, wide, votes).swapaxes(1, 2)
-    picked = picked.reshape(tall, wide, votes * votes)
+    picked = np.where(covered, codes, _UNCOVERED)[1::3, 1::3]
+    voters = picked.reshape(tall, votes, wide, votes).swapaxes(1, 2).reshape(tall, wide, votes * votes)
     best, most = np.zeros((tall, wide), np.uint8), np.zeros((tall, wide), np.int64)
-    for code in np.unique(picked):
-        count = (picked == code).sum(axis=2)
+    for code in np.setdiff1d(picked, [_UNCOVERED]):
+        count = (voters == code).sum(axis=2)
         best, most = np.where(count > most, code, best), np.maximum(count, most)
     return best
 

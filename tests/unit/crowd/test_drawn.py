@@ -11,6 +11,7 @@ from skimage.metrics import structural_similarity
 
 from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX
 from cloner.crowd.drawing.player import player_page
+from cloner.crowd.drawing.texels import SAMPLES, reduced
 from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.reading import casting_from, read_facts, read_stock
 from cloner.crowd.packs.still import Painter, draw_pack
@@ -189,3 +190,13 @@ def test_scene_rows_fit_the_shaders(pack: Path) -> None:
     made = scene_of("plaza", 60, casting_from(read_facts(pack)))
     assert made.rows.shape == (60, 5, 4)
     assert set(np.unique(made.rows[:, 1, 2])) <= {0.0, 1.0}
+
+
+def test_a_texel_at_the_rim_has_its_persons_code() -> None:
+    side = 2 * SAMPLES
+    colour, shape = np.zeros((2, side, side, 4), np.uint8)
+    colour[:, : side // 3] = 255  # a third of the block is covered, all of it shirt
+    shape[:, : side // 3, 3] = 3
+    _, shapes = reduced(colour, shape)
+    assert shapes.shape == (1, 1, 4)
+    assert shapes[0, 0, 3] == 3
