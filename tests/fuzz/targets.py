@@ -32,6 +32,7 @@ from cloner.cloth.drafting.cut import cut
 from cloner.cloth.drafting.drawn import read_drawing
 from cloner.cloth.drafting.pattern import pattern_text, read_pattern
 from cloner.crowd.clones.groups import WORN
+from cloner.crowd.packs.files import VERSION
 from cloner.crowd.packs.reading import casting_from, read_facts
 from cloner.crowd.staged.looks import casting_of
 from cloner.crowd.staged.looks import read_looks as read_dyes
@@ -216,7 +217,7 @@ def crowd_bytes() -> bytes:
     arrays = {name: {"at": 0, "type": kind, "shape": shape} for name, (kind, shape) in shapes.items()}
     clip = {"name": "walk", "seconds": 1.0, "speed_m_s": 1.3, "frames": 48}
     facts = {
-        "format": "cloner-crowd", "version": 3, "scene": "walk", "people_count": 40,
+        "format": "cloner-crowd", "version": VERSION, "scene": "walk", "people_count": 40,
         "people": [{"id": name, "arrays": arrays, "clips": [clip]} for name in ("ada", "ben")],
         "tiers": [{"largest_px": size} for size in (900, 400, 200, 90)],
         "switch": {"texels_per_px": 1.5, "texels_per_m": 33.0, "metres_per_focal_px": 0.045},
