@@ -136,7 +136,10 @@ def _order(axes: str) -> str:
 
 def _parents(lines: list[str]) -> dict[str, str]:
     rows = [line.split() for line in lines if line not in ("begin", "end")]
-    return {child: parent for parent, *children in rows for child in children}
+    parents = {child: parent for parent, *children in rows for child in children}
+    if ROOT in parents:  # whoever follows the bones from there would never come to an end
+        raise ValueError("the root hangs on a bone")
+    return parents
 
 
 def _ordered(parents: dict[str, str]) -> Iterator[str]:

@@ -287,6 +287,7 @@ def test_an_acclaim_capture_of_two_bones_is_the_one_by_hand(tmp_path: Path) -> N
         (ASF, ":DEGREES\n", "no frames"),
         (ASF.replace(":hierarchy", ":nothing"), AMC, "hierarchy"),
         (ASF.replace("length 5", "length inf"), AMC, "ltibia"),
+        (ASF.replace("    root lfemur", "    root lfemur root"), AMC, "root hangs"),
     ],
 )
 def test_broken_acclaim_files_are_refused_in_words(skeleton: str, motion: str, words: str, tmp_path: Path) -> None:
