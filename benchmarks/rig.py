@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.layers import clone_layers
+from cloner.geometry.articulation.fingers import FINGERS, knuckles
 from cloner.geometry.articulation.skinning import joint_transforms
 from cloner.geometry.cameras.viewpoints import framing_cameras
 from cloner.motion.flesh.rest import t_pose
@@ -26,7 +27,7 @@ from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body, below, body_of
 from cloner.motion.limbs.rig import centred
 from cloner.motion.limbs.twist import shared_twist
-from cloner.motion.moves.gait import FINGERS, aim_limb, palm_normal
+from cloner.motion.moves.gait import aim_limb
 from cloner.picture import clone_of
 from cloner.records.clones import Clone
 from cloner.render import draw
@@ -94,11 +95,10 @@ def fist(body: Body) -> Array:
     rotations = np.zeros((len(body.names), 3))
     for side in SIDES:
         for finger in (*FINGERS, "thumb"):
-            knuckles = [body.joint(f"{side}_{finger}{number}") for number in (1, 2, 3)]
-            axis = np.cross(body.joints_m[knuckles[2]] - body.joints_m[knuckles[0]], palm_normal(body, side))
+            bones, axis = knuckles(body, side, finger)
             angles = THUMB_DEG if finger == "thumb" else FIST_DEG
-            for knuckle, degrees in zip(knuckles, angles, strict=True):
-                rotations[knuckle] = axis / np.linalg.norm(axis) * np.radians(degrees)
+            for knuckle, degrees in zip(bones, angles, strict=True):
+                rotations[knuckle] = axis * np.radians(degrees)
     return rotations
 
 

@@ -26,6 +26,7 @@ from cloner.fit.problem import Block, Problem, Values
 from cloner.frames import ViewId, m_from_mm
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import body_triangles
+from cloner.geometry.articulation.fingers import FINGERS, knuckles
 from cloner.geometry.articulation.skinning import joint_transforms, turning_axes
 from cloner.geometry.articulation.turning import carried_share, turned_motion, turned_rotation
 from cloner.geometry.cameras.motions import motion_twists, moved_camera, projection_derivatives
@@ -62,8 +63,6 @@ class Params:
 #: Joints that turn: limbs about all axes, knees about their hinge alone.
 LIMBS = (("shoulder", (0, 1, 2)), ("elbow", (0, 1, 2)), ("hip", (0, 1, 2)), ("knee", (0,)))
 TIPS = (("wrist", (0, 1, 2)), ("ankle", (0, 1, 2)))
-#: Fingers whose knuckles curl together.
-FINGERS: Final = ("index", "middle", "ring", "pinky")
 
 
 @functools.cache
@@ -87,17 +86,10 @@ def _curls() -> tuple[tuple[tuple[int, Array, Array], ...], ...]:
     joints, weights = generic.skin_joints, generic.skin_weights.astype(np.float64)
     hands = []
     for side in "lr":
-        wrist, index, little = (
-            generic.joints_m[generic.joint(f"{side}_{one}")] for one in ("wrist", "index1", "pinky1")
-        )
-        palm = np.cross(index - wrist, little - wrist) * (-1.0 if side == "l" else 1.0)
         rows = []
         for finger in FINGERS:
-            knuckles = [generic.joint(f"{side}_{finger}{number}") for number in (1, 2, 3)]
-            axis = unit(np.cross(generic.joints_m[knuckles[2]] - generic.joints_m[knuckles[0]], palm))
-            rows += [
-                (knuckle, axis, carried_share(generic.joint_parents, knuckle, joints, weights)) for knuckle in knuckles
-            ]
+            bones, axis = knuckles(generic, side, finger)
+            rows += [(bone, axis, carried_share(generic.joint_parents, bone, joints, weights)) for bone in bones]
         hands.append(tuple(rows))
     return tuple(hands)
 
@@ -130,9 +122,9 @@ def motion(mesh: BodyMesh, posed: PosedView, places_m: Array, vertices: NDArray[
         frame = transforms[generic.joint_parents[joint], :3, :3] @ turning_axes(turn)
         blocks.append(turned_motion(places_m[vertices], pivot, frame.T[list(axes)], share[vertices]))
         start += len(axes)
-    for knuckles in _curls():
+    for hand in _curls():
         moved = np.zeros((len(vertices), 3, 1))
-        for joint, axis, share in knuckles:
+        for joint, axis, share in hand:
             pivot = transforms[joint, :3, :3] @ mesh.joints_m[joint] + transforms[joint, :3, 3]
             turned = transforms[generic.joint_parents[joint], :3, :3] @ axis
             moved += turned_motion(places_m[vertices], pivot, turned[None], share[vertices])
@@ -223,8 +215,8 @@ def turned_pose(posed: PosedView, angles: Array, middle_m: Array) -> PosedView:
         turn[list(axes)] = angles[start : start + len(axes)]
         rotations[joint] = turned_rotation(rotations[joint], turn)
         start += len(axes)
-    for knuckles, curl in zip(_curls(), angles[start:-6], strict=True):
-        for joint, axis, _ in knuckles:
+    for hand, curl in zip(_curls(), angles[start:-6], strict=True):
+        for joint, axis, _ in hand:
             rotations[joint] = turned_rotation(rotations[joint], curl * axis)
     camera = moved_camera(posed.camera, angles[-6:], posed.camera.to_camera(middle_m[None])[0])
     return replace(posed, camera=camera, rotations=rotations)

@@ -18,7 +18,7 @@ from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from cloner.geometry.meshes.triangles import edges_of, sides
-from cloner.geometry.meshes.vectors import cross
+from cloner.geometry.outlines.rims import triangle_normals
 from cloner.records.arrays import Array
 
 Whole = NDArray[np.int64]
@@ -87,12 +87,11 @@ def _planes(normals: Array, points: Array, weights: Array) -> Array:
 
 def _quadrics(places: Array, faces: Whole) -> Array:
     """Return (P, 4, 4): squared distances to the planes of a place's triangles and through its open edges."""
-    a, b, c = (places[faces[:, k]] for k in range(3))
-    normals = np.cross(b - a, c - a)
+    normals = triangle_normals(places, faces)
     area = np.linalg.norm(normals, axis=1)
     normals /= np.maximum(area, 1e-20)[:, None]
     out = np.zeros((len(places), 4, 4))
-    surface = _planes(normals, a, area / 2.0)
+    surface = _planes(normals, places[faces[:, 0]], area / 2.0)
     for k in range(3):
         np.add.at(out, faces[:, k], surface)
     edges = sides(faces)
@@ -154,20 +153,14 @@ def _refused(mesh: _Mesh, ways: Whole, starts: Whole, around: Whole, cosine: flo
     kept = ~(mesh.faces[own] == stays[which, None]).any(axis=1)
     own, which = own[kept], which[kept]
     faces = mesh.faces[own]
-    before = _area_normals(places, faces)
-    after = _area_normals(places, np.where(faces == leaves[which, None], stays[which, None], faces))
+    before = triangle_normals(places, faces)
+    after = triangle_normals(places, np.where(faces == leaves[which, None], stays[which, None], faces))
     was, becomes = np.linalg.norm(before, axis=1), np.linalg.norm(after, axis=1)
     turned = np.einsum("ij,ij->i", before, after) < cosine * was * becomes - 1e-18
     codes = stays[which] * mesh.count + mesh.charts[own]
     torn = mesh.held[np.minimum(np.searchsorted(mesh.held, codes), len(mesh.held) - 1)] != codes
     cost = np.bincount(which, was * torn, len(ways)) / 2.0 * TORN_M**2
     return np.asarray((np.bincount(which, turned, len(ways)) > 0) | (cost > most))
-
-
-def _area_normals(places: Array, faces: Whole) -> Array:
-    """Return the (T, 3) normals of triangles, twice as long as their areas."""
-    first = places[faces[:, 0]]
-    return cross(places[faces[:, 1]] - first, places[faces[:, 2]] - first)
 
 
 def _vertices(mesh: _Mesh, weld: Whole, own: Whole) -> NDArray[np.int32]:

@@ -21,6 +21,7 @@ from scipy.ndimage import distance_transform_edt
 from cloner.crowd.clones.zones import zone_texels
 from cloner.exporters.shared.regions import texel_triangles
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.articulation.fingers import palm_normal
 from cloner.geometry.meshes.vectors import unit
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
@@ -106,8 +107,7 @@ def _nails(generic: GenericHuman) -> NDArray[np.bool_]:
 
 def _back(generic: GenericHuman, side: str, axis: NDArray[np.float64]) -> NDArray[np.float64]:
     """Return the unit direction of a finger's back: square to the finger, away from the palm."""
-    wrist, index, little = (generic.joints_m[generic.joint(f"{side}_{one}")] for one in ("wrist", "index1", "pinky1"))
-    palm = np.cross(index - wrist, little - wrist) * (-1.0 if side == "l" else 1.0)
+    palm = palm_normal(generic, side)
     back = -palm + (palm @ axis) * axis
     return np.asarray(back / np.linalg.norm(back))
 

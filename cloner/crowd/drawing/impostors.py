@@ -44,7 +44,7 @@ class Tiles:
         Two a tile: place and size in the page, texels; where the person's middle lies in it.
     starts : first tile of each clip
     colours : (H, W, 4) uint8, RGB and coverage
-    shapes : (H/2, W/2, 4) uint8: normal x and y in eye axes, depth, code (``texels.CODE_STEP`` times garment and zone)
+    shapes : (H/2, W/2, 4) uint8: normal x and y in eye axes, depth, code of garment and zone (``bake.frag``)
     """
 
     rows: NDArray[np.float32]

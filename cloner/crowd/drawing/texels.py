@@ -12,11 +12,6 @@ Pixels = NDArray[np.uint8]
 
 SAMPLES: Final = 6  # a texel's side: 3 cost .002 of SSIM at the switch
 _GROWN: Final = 3  # texels that colours go on beyond the outline
-CODE_STEP: Final = (
-    3.0  # levels between codes: nothing, top, bottom, shoes, hair, and eight more for each zone of a limb
-)
-
-
 _UNCOVERED: Final = 255  # no code is as large
 
 

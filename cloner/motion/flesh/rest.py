@@ -9,13 +9,14 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.generic.surfaces import surface_normals
+from cloner.geometry.articulation.fingers import palm_normal
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms, posed_joints, skin
 from cloner.motion.flesh.bending import CLAVICLE_RAD, FLESHED
 from cloner.motion.flesh.kept_flesh import kept_flesh
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import FOOT, SIDES, Body, below, body_of
 from cloner.motion.limbs.twist import shared_twist
-from cloner.motion.moves.gait import aim_limb, follow, palm_normal
+from cloner.motion.moves.gait import aim_limb, follow
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell

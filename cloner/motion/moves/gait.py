@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from cloner.geometry.articulation.fingers import FINGERS, knuckles, palm_normal
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import FOOT, NECK, SIDES, SPINE, Body, below
 from cloner.motion.limbs.twist import shared_twist
@@ -50,7 +51,6 @@ _LEG: Final[Mapping[str, tuple[tuple[float, float], ...]]] = MappingProxyType({
              (0.88, 8.0), (0.95, 17.0)),
     "toes": ((0.0, 8.0), (0.12, 0.0), (0.38, 0.0), (0.5, 16.0), (0.6, 32.0), (0.7, 4.0), (0.85, 4.0)),
 })  # fmt: skip
-FINGERS: Final = ("index", "middle", "ring", "pinky")
 CURL: Final = 0.30  # of each knuckle of a relaxed hand, radians
 PALM_BACK: Final = 0.5  # how much a hanging palm faces backwards, against inwards
 STEP_WIDTH_M: Final = 0.10  # between the ankles, at a stature of 1.70 m
@@ -168,18 +168,9 @@ def follow(body: Body, world: Array, side: str) -> None:
     twist = turns.between(now, wanted)
     world[:, below(body, wrist)] = (twist @ forearm)[:, None]
     for finger in FINGERS:
-        knuckles = [body.joint(f"{side}_{finger}{number}") for number in (1, 2, 3)]
-        axis = np.cross(body.joints_m[knuckles[2]] - body.joints_m[knuckles[0]], palm)
-        axis /= np.linalg.norm(axis)
-        for number, knuckle in enumerate(knuckles, start=1):
+        bones, axis = knuckles(body, side, finger)
+        for number, knuckle in enumerate(bones, start=1):
             world[:, below(body, knuckle)] = (twist @ forearm @ turns.matrices(axis * number * CURL))[:, None]
-
-
-def palm_normal(body: Body, side: str) -> Array:
-    """Return (3,) the direction that the palm faces at rest."""
-    wrist, index, little = (body.joints_m[body.joint(f"{side}_{name}")] for name in ("wrist", "index1", "pinky1"))
-    normal = np.cross(index - wrist, little - wrist) * (-1.0 if side == "l" else 1.0)
-    return np.asarray(normal / np.linalg.norm(normal))
 
 
 def _swing_leg(body: Body, world: Array, side: str, phase: Array, style: Style) -> None:

@@ -8,10 +8,11 @@ from typing import Final
 import numpy as np
 
 from cloner.easing import smoothstep
+from cloner.geometry.articulation.fingers import palm_normal
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import Body, below
 from cloner.motion.limbs.twist import shared_twist
-from cloner.motion.moves.gait import X, Z, aim_limb, idle, palm_normal
+from cloner.motion.moves.gait import X, Z, aim_limb, idle
 from cloner.records.arrays import Array
 from cloner.records.motions import Motion
 

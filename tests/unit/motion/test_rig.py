@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from cloner.generic.load import load_generic
+from cloner.geometry.articulation.fingers import palm_normal
 from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.motion.flesh.rest import t_pose
 from cloner.motion.limbs import turns
 from cloner.motion.limbs.body import SIDES, Body, below, body_of
 from cloner.motion.limbs.rig import BY_AXIS, RINGED, centred, joint_ring, limb_ring, middle
 from cloner.motion.limbs.twist import shared_twist
-from cloner.motion.moves.gait import palm_normal
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 from kit.clones import toy_clone
