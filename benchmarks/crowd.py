@@ -106,9 +106,9 @@ def person_of(pack: Path, results: Path, k: int) -> tuple[Cast, Stock, Bake]:
     cast = cast_of(row["id"], centred(load_clone(results / row["id"] / CLONE_FILE)), body,
                    poses=facts["impostors"]["poses"])  # fmt: skip
     budgets = (len(cast.loose.triangles[0]), *LOOSE)
-    plan = Bake(row["views"], held.elevations, facts["switch"]["texels_per_m"])
-    starts = [int(one[0]) for one in held.table[k, stock.SETS_AT : stock.SETS_AT + len(cast.clips)]]
-    own = stock_of(body, [cast], [stock.numbers_of(cast, budgets)], [starts], plan, budgets)
+    plan = Bake(row["views"], elevations=held.elevations, texels_per_m=facts["switch"]["texels_per_m"])
+    sets = [(int(one[0]), stock.Baked(int(one[2]))) for one in held.table[k, stock.SETS_AT :][: len(cast.clips)]]
+    own = stock_of(body, [cast], [stock.numbers_of(cast, budgets)], [sets], plan, budgets)
     own = replace(own, tiles=held.tiles[k : k + 1], colours=held.colours[k : k + 1], shapes=held.shapes[k : k + 1],
                   elevations=held.elevations)  # fmt: skip
     return cast, own, plan
@@ -182,9 +182,9 @@ def one_looked_at(
 
 def classics(cast: Cast, own: Stock, plan: Bake, seed: int, switch_px: float) -> Iterator[tuple[str, float]]:
     """Yield the source's way: one texel a pixel, the nearest view, no depth; colours directly, not by UV map."""
-    body, thin = body_levels(full=True), Bake(plan.views, plan.elevations, plan.texels_per_m / TEXELS_PER_PX)
+    body, thin = body_levels(full=True), replace(plan, texels_per_m=plan.texels_per_m / TEXELS_PER_PX)
     tiles = bake(cast, body, own, thin)
-    again = stock_of(body, [cast], own.numbers, [tiles.starts], thin, own.budgets)
+    again = stock_of(body, [cast], own.numbers, [tiles.sets], thin, own.budgets)
     person = Person(cast, Theatre(with_tiles(again, [tiles], thin)))
     for case in cases(seed):
         want = person.shot(case, switch_px, 0, 8)

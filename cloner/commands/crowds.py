@@ -29,6 +29,7 @@ def crowd(
     feelings: Annotated[bool, typer.Option("--feelings", help="Walks of feelings and acts, for behave bake.")] = False,
     classic: Annotated[bool, typer.Option("--classic", help="Impostors of the plain kind, to compare with.")] = False,
     compressed: Annotated[bool, typer.Option("--compressed", help="A third of a card's memory, less fine.")] = False,
+    mirror: Annotated[bool, typer.Option("--mirror", help="Impostors of one side where both look alike.")] = False,
     statues: Annotated[str, typer.Option("--statues", help="Everybody in this material too: stone, clay ...")] = "",
 ) -> None:
     """Make a crowd of finished clones: a page for browsers, levels and impostors for engines."""
@@ -53,6 +54,7 @@ def crowd(
         feelings,
         classic,
         compressed,
+        mirror,
         carved,
     )
     make_pack(results, out, wanted, lambda name, k, n: typer.echo(f"{k}/{n} {name}", err=True))

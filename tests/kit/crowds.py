@@ -6,9 +6,13 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
+from skimage.metrics import structural_similarity
 
+from cloner.crowd.clones.stock import TEXELS_PER_M, TEXELS_PER_PX
+from cloner.crowd.drawing.theatre import Theatre
 from cloner.crowd.packs.pack import make_pack
 from cloner.crowd.packs.wanted import Wanted
+from cloner.crowd.staged.eye import Eye
 from cloner.exporters.shared.regions import texel_triangles
 from cloner.generic.load import load_generic
 from cloner.project.clone_file import CLONE_FILE, save_clone
@@ -16,6 +20,7 @@ from cloner.records.clones import Clone, TextureAtlas
 from cloner.records.regions import REGIONS
 from kit.clones import SHIRT, toy_clone
 
+GREY = (0.5, 0.5, 0.5, 1.0)
 WANTED = Wanted(people=60, views=8, poses=8, vat=True)
 
 
@@ -71,3 +76,38 @@ def saved(folder: Path, clone: Clone) -> Path:
     folder.mkdir(parents=True)
     save_clone(clone, folder / CLONE_FILE)
     return folder
+
+
+def row(
+    *, heading: float = 0.0, clone: int = 0, phase: float = 0.26, clip: int = 0, dyes=(-1, -1, -1, -1), top=None
+) -> np.ndarray:
+    out = np.zeros((5, 4), np.float32)
+    out[0, 3], out[1], out[2, :3], out[2, 3], out[3] = heading, (0, phase, clone, 1.0), clone, clip, dyes
+    out[2, 0] = clone if top is None else top
+    return out
+
+
+def shot(theatre: Theatre, person: np.ndarray, level: int | None, size: int = 96, over: int = 4) -> np.ndarray:
+    """One person at the switch: 869 px of focal length, 1.5 texels a pixel; ``level`` None is the impostor."""
+    away = 869.0 * TEXELS_PER_PX / TEXELS_PER_M
+    place = np.array([0.0, 0.9 + away * np.sin(np.radians(5)), away * np.cos(np.radians(5))])
+    eye = Eye(place, np.array([0.0, 0.9, 0.0]),
+              (size * over, size * over), 869.0 * over)  # fmt: skip
+    theatre.send_people(person[None])
+    target = theatre.target((size * over, size * over))
+    theatre.begin(target, GREY)
+    values = {"clipFromWorld": eye.clip_from_world(), "eye": eye.place_m, "focalPx": 869.0, "coarse": 1}
+    one = np.array([[0.0, 1.0]], np.float32)
+    if level is None:
+        theatre.draw_impostors(one, values)
+    else:
+        theatre.draw_people(level, one, values)
+    picture = theatre.read(target)[..., :3].astype(float)
+    return picture.reshape(size, over, size, over, 3).mean(axis=(1, 3))
+
+
+def likeness(want: np.ndarray, got: np.ndarray) -> float:
+    """SSIM of two shots in the box of the person with four pixels around."""
+    at = np.argwhere(np.abs(want - 127.5).max(axis=2) > 4)
+    box = np.s_[at[:, 0].min() - 4 : at[:, 0].max() + 5, at[:, 1].min() - 4 : at[:, 1].max() + 5]
+    return float(structural_similarity(want[box], got[box], channel_axis=2, data_range=255))

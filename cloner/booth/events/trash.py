@@ -65,15 +65,22 @@ def thrown_away(root: Path) -> tuple[Path, ...]:
     return visitor_folders(place) if place.is_dir() else ()
 
 
-def ends(folder: Path, days: int) -> datetime:
-    """Return when a visitor of the trash goes for good, UTC; counted from the folder's time where nothing says when."""
+def ends(folder: Path, days: int) -> datetime | None:
+    """Return when a visitor of the trash goes for good, UTC; None who went meanwhile.
+
+    It is counted from the folder's time where nothing says when.
+    """
     try:
         came = datetime.fromisoformat(read_visit(folder).trashed)
     except ValueError:
-        came = datetime.fromtimestamp(folder.stat().st_mtime, UTC)
+        try:
+            came = datetime.fromtimestamp(folder.stat().st_mtime, UTC)
+        except FileNotFoundError:
+            return None
     return (came if came.tzinfo is not None else came.replace(tzinfo=UTC)) + timedelta(days=days)
 
 
 def over(root: Path, days: int, now: datetime) -> tuple[Path, ...]:
     """Return who has been in the trash for so long that it goes for good."""
-    return tuple(folder for folder in thrown_away(root) if now >= ends(folder, days))
+    ended = ((folder, ends(folder, days)) for folder in thrown_away(root))
+    return tuple(folder for folder, end in ended if end is not None and now >= end)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from enum import IntEnum
 from typing import Any, Final
 
 import numpy as np
@@ -150,16 +151,31 @@ def octahedral(normals: Array) -> NDArray[np.uint16]:
     return np.asarray(whole[:, 0] | (whole[:, 1] << 8), np.uint16)
 
 
-def table_row(
-    cast: Cast, tile_starts: Sequence[int], texels_per_m: float, views: int, first_bone: int
-) -> NDArray[np.float32]:
+class Baked(IntEnum):
+    """Which views of a clip have impostors; shaders read the number."""
+
+    FRONT = 0  # for those in a stand
+    ALL = 1
+    LEFT = 2  # front, left and back; the right is the left half a cycle later, mirrored
+
+
+#: First tile of each clip, and which views follow.
+Sets = Sequence[tuple[int, Baked]]
+
+
+def no_sets(cast: Cast) -> Sets:
+    """Return the sets of a clone without impostors."""
+    return [(0, Baked.ALL)] * len(cast.clips)
+
+
+def table_row(cast: Cast, sets: Sets, texels_per_m: float, views: int, first_bone: int) -> NDArray[np.float32]:
     """Return a clone's (COLUMNS, 4) row of the clones' table.
 
     Parameters
     ----------
     cast : Cast
-    tile_starts : sequence of int
-        First tile of each clip.
+    sets : sequence of (int, Baked)
+        First tile of each clip and its views.
     texels_per_m : float
         Of the impostors.
     views : int
@@ -173,7 +189,7 @@ def table_row(
     for k, clip in enumerate(cast.clips):
         row[CLIPS_AT + k] = frame, len(clip.frames), clip.seconds, clip.seconds * clip.speed_m_s
         far = next(one for one in cast.clips if one.name == (clip.far or clip.name))
-        row[SETS_AT + k] = tile_starts[k], far.poses, float(far.around), clip.poses
+        row[SETS_AT + k] = sets[k][0], far.poses, sets[k][1], clip.poses
         frame += len(clip.frames)
     for k, name in enumerate(_DYED):
         look = cast.looks.get(name)

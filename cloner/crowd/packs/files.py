@@ -27,7 +27,7 @@ Pixels = NDArray[np.uint8]
 
 FORMAT: Final = "cloner-crowd"
 #: Version of the pack's format, and JPEG quality of its pictures of shape (taste).
-VERSION: Final = 4
+VERSION: Final = 5
 COLOUR_QUALITY: Final = 90  # SSIM at the switch .001 below all values; 80 is .003 below
 SHAPE_QUALITY: Final = 60  # .001 below; 88 had the same
 SHELL_QUALITY: Final = 88
@@ -138,7 +138,8 @@ def tiles_from(files: Mapping[str, bytes], rows: NDArray[np.float32]) -> Tiles:
     half = height // 2
     colours = _colours(*(parts[k * height : (k + 1) * height] for k in range(3)))
     planes = [shapes[k * half : (k + 1) * half] for k in range(3)]
-    return Tiles(rows, (), np.dstack([colours, covers[:height]]), np.dstack([*planes, covers[height:, : width // 2]]))
+    covered = covers[:height], covers[height:, : width // 2]
+    return Tiles(rows, (), 0, np.dstack([colours, covered[0]]), np.dstack([*planes, covered[1]]))
 
 
 def shell_bytes(shell: Pixels) -> bytes:

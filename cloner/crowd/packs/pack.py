@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, Final
 
@@ -43,6 +44,7 @@ from cloner.records.clones import Clone
 #: number; chests of 18 clones that walk lie between 1.6 and 2.3.
 WIDE_RATIO: Final = 3.0
 FEW_VIEWS, MANY_VIEWS = 22, 40
+MIRRORED_VIEWS: Final = 30  # of which 16 are baked, as Tecchia does
 #: Tallest person, pixels, that each level is good for: SSIM .98 against every triangle, mean of each of 20 clones; no
 #: end for the finest. Patterns on cloth decide, which slide where triangles are fewer.
 LARGEST_PX: Final = (0, 166, 96, 50)
@@ -111,8 +113,8 @@ def _person(
     """Write one clone's files and return its row of ``crowd.json`` and the next clone's first bone."""
     plan = bake_of(wanted, cast)
     own = stock.numbers_of(cast)
-    tiles = bake(cast, body, stock_of(body, [cast], [own], [[0] * len(cast.clips)], plan), plan)
-    table = stock.table_row(cast, tiles.starts, plan.texels_per_m, plan.views, first_bone)
+    tiles = bake(cast, body, stock_of(body, [cast], [own], [stock.no_sets(cast)], plan), plan)
+    table = stock.table_row(cast, tiles.sets, plan.texels_per_m, tiles.views, first_bone)
     arrays: dict[str, NDArray[Any]] = {
         "vertices": own.vertices, "loose": own.loose, "corners": own.corners, "bones": own.bones, "table": table,
         "tiles": tiles.rows,
@@ -140,13 +142,13 @@ def _person(
         "consent": "recorded",
         "stature_m": round(cast.stature_m, 4),
         "width_to_depth": round(cast.width_to_depth, 3),
-        "views": plan.views,
+        "views": tiles.views,
         "stamp": clone.stamp,
         "arrays": told,
         "clips": [
             {"name": clip.name, "seconds": clip.seconds, "speed_m_s": round(clip.speed_m_s, 4),
-             "frames": len(clip.frames), "poses": clip.poses, "around": clip.around}
-            for clip in cast.clips
+             "frames": len(clip.frames), "poses": clip.poses, "impostors": seen.name.lower()}
+            for clip, (_, seen) in zip(cast.clips, tiles.sets, strict=True)
         ],
         "outfit": {name: [round(value) for value in look.colour] for name, look in cast.looks.items()},
         "loose_triangles": [len(triangles) for triangles in cast.loose.triangles],
@@ -159,15 +161,15 @@ def bake_of(wanted: Wanted, cast: Cast) -> Bake:
     """Return how a clone's impostors are baked."""
     views = wanted.views or (MANY_VIEWS if cast.width_to_depth > WIDE_RATIO else FEW_VIEWS)
     elevations = tuple(float(np.radians(ring)) for ring in wanted.rings_deg)
-    plan = Bake(views, elevations)
-    return Bake(views, elevations, plan.texels_per_m / stock.TEXELS_PER_PX) if wanted.classic else plan
+    plan = Bake(views, (wanted.views or MIRRORED_VIEWS) if wanted.mirror else 0, elevations)
+    return replace(plan, texels_per_m=plan.texels_per_m / stock.TEXELS_PER_PX) if wanted.classic else plan
 
 
 def stock_of(
     body: BodyLevels,
     casts: Sequence[Cast],
     numbers: Sequence[stock.Numbers],
-    starts: Sequence[Sequence[int]],
+    sets: Sequence[stock.Sets],
     plan: Bake,
     budgets: tuple[int, ...] = LOOSE,
 ) -> stock.Stock:
@@ -175,7 +177,7 @@ def stock_of(
     first = stock.frames_before([cast.clips for cast in casts])
     rows = [
         stock.table_row(cast, own, plan.texels_per_m, plan.views, bone)
-        for cast, own, bone in zip(casts, starts, first, strict=True)
+        for cast, own, bone in zip(casts, sets, first, strict=True)
     ]
     return stock.Stock(
         body, budgets, tuple(numbers), np.stack(rows), np.stack([np.dstack([c.atlas, c.marks]) for c in casts]),
@@ -200,9 +202,8 @@ def _facts(
     body_told: dict[str, Any],
     files: dict[str, str],
 ) -> dict[str, Any]:
-    plan = Bake(wanted.views or max(row["views"] for row in rows))
     per_px = 1.0 if wanted.classic else stock.TEXELS_PER_PX
-    texels = plan.texels_per_m * per_px / stock.TEXELS_PER_PX
+    texels = stock.TEXELS_PER_M * per_px / stock.TEXELS_PER_PX
     tiers = [
         {"level": k, "body_triangles": len(triangles), "loose_triangles": LOOSE[k], "vertices": body.counts[k],
          "largest_px": LARGEST_PX[k]}

@@ -81,7 +81,7 @@ def read_stock(pack: Path, facts: dict[str, Any]) -> Stock:
         held = Stock(body, LOOSE, tuple(numbers), np.stack(rows), np.stack(atlases), np.stack(shells))
         if stones:
             held = replace(held, stones=np.stack(stones[STONES[0]]), stone_shells=np.stack(stones[STONES[1]]))
-        return with_tiles(held, tiles, Bake(int(facts["impostors"]["views"]), elevations))
+        return with_tiles(held, tiles, Bake(elevations=elevations))
     except (ValueError, LookupError, TypeError, OSError) as error:
         raise ClonerError("the crowd's files do not fit together", _AGAIN, pack.name) from error
 

@@ -39,6 +39,8 @@ class Wanted:
         Impostors as in the source: a texel a pixel, nearest view, no depth.
     compressed : bool
         Cards hold the page's textures in blocks: a third of the memory, less fine.
+    mirror : bool
+        Those whose sides look alike get impostors of one side, mirrored for the other.
     carved : callable or None
         Makes a statue of a clone: everybody can be one then.
     """
@@ -54,6 +56,7 @@ class Wanted:
     feelings: bool = False
     classic: bool = False
     compressed: bool = False
+    mirror: bool = False
     carved: Callable[[Clone], Clone] | None = None
 
 

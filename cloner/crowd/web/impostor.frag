@@ -1,6 +1,7 @@
 in vec2 plane;
 flat in vec4 tileA, tileB;
 flat in vec4 middles;
+flat in vec2 sides;
 flat in vec4 turns;
 flat in vec4 lifts;
 flat in vec4 ways;
@@ -37,15 +38,15 @@ mat3 turned(vec2 off) {
 }
 
 // The baked point that is seen at `plane` when the eye stands off the baked view: depth moves it, found by repeating.
-vec2 seenAt(vec4 tile, vec2 middle, vec2 off, vec2 size) {
-  vec2 p = plane;
+vec2 seenAt(vec4 tile, vec2 middle, vec2 off, float side, vec2 size) {
+  vec2 own = vec2(side * plane.x, plane.y), p = own;
   if (classic == 0) {
-    mat3 rows = turned(off);
+    mat3 rows = turned(vec2(side * off.x, off.y));
     for (int k = 0; k <= marks.z; k++) {  // measured: once far away, twice near, more times gain nothing
       vec2 uv = inPage(p, tile, middle, size);
       float z = uv.x < 0.0 ? 0.0 : (textureLod(shapes, vec3(uv, float(marks.y)), 0.0).b - 0.5) * depthRange;
-      float back = (z - dot(rows[2].xy, plane)) / rows[2].z;
-      vec3 seen = vec3(plane * (1.0 - back / sizes.y), back);
+      float back = (z - dot(rows[2].xy, own)) / rows[2].z;
+      vec3 seen = vec3(own * (1.0 - back / sizes.y), back);
       p = vec2(dot(rows[0], seen), dot(rows[1], seen)) * (1.0 + dot(rows[2], seen) / bakedFrom);
     }
   }
@@ -73,10 +74,11 @@ vec3 worn(vec3 rgb, vec2 uv) {
 }
 
 // Colour times coverage, and coverage; what a view of it adds to the normal goes out, in the world's axes.
-vec4 viewAt(vec2 uv, vec4 found, vec2 way, float share, inout vec3 normal) {
+vec4 viewAt(vec2 uv, vec4 found, vec2 way, float side, float share, inout vec3 normal) {
   float weight = found.a * share;
   if (weight < 0.004) return vec4(0.0);
   vec2 n = textureLod(shapes, vec3(uv, float(marks.y)), 0.0).rg * 2.0 - 1.0;
+  n.x *= side;
   float z = sqrt(max(1.0 - dot(n, n), 0.0));
   float ahead = z * lifts.w - n.y * lifts.z;
   normal += weight * vec3(n.x * way.y + ahead * way.x, n.y * lifts.w + z * lifts.z, ahead * way.y - n.x * way.x);
@@ -88,16 +90,16 @@ void main() {
   if (debugView > 0) { shownColour = vec4(0.1, 0.8, 0.2, 1.0); return; }
   vec2 size = vec2(textureSize(colours, 0).xy);
   float page = float(marks.y), share = classic == 0 && sizes.z > 0.02 ? sizes.z : 0.0;
-  vec2 uvA = seenAt(tileA, middles.xy, turns.xy, size), uvB = vec2(-1.0);
+  vec2 uvA = seenAt(tileA, middles.xy, turns.xy, sides.x, size), uvB = vec2(-1.0);
   vec4 a = uvA.x < 0.0 ? vec4(0.0) : textureLod(colours, vec3(uvA, page), sizes.w), b = vec4(0.0);
   if (share > 0.0) {
-    uvB = seenAt(tileB, middles.zw, turns.zw, size);
+    uvB = seenAt(tileB, middles.zw, turns.zw, sides.y, size);
     if (uvB.x >= 0.0) b = textureLod(colours, vec3(uvB, page), sizes.w);
   }
   float coverage = mix(a.a, b.a, share);
   if (rim == 0 ? coverage < WHOLE : coverage < 0.02) discard;
   vec3 normal = vec3(0.0);
-  vec4 sum = viewAt(uvA, a, ways.xy, 1.0 - share, normal) + viewAt(uvB, b, ways.zw, share, normal);
+  vec4 sum = viewAt(uvA, a, ways.xy, sides.x, 1.0 - share, normal) + viewAt(uvB, b, ways.zw, sides.y, share, normal);
   vec3 rgb = sum.rgb / sum.a;
   if (marks.w > 0) rgb = worn(rgb, b.a * share > a.a * (1.0 - share) ? uvB : uvA);
   if (seat.w > 0.0) rgb = mix(rgb, min(stoneColour * (0.55 + 0.9 * lumaOf(rgb)), vec3(1.0)), seat.w);

@@ -13,6 +13,7 @@ uniform float dearFromPx;         // taller people get two views and the full se
 out vec2 plane;                   // metres on the plane through the person's middle
 flat out vec4 tileA, tileB;
 flat out vec4 middles;            // of both tiles
+flat out vec2 sides;              // 1, or -1 for a tile that is shown mirrored
 flat out vec4 turns;              // sine and cosine of the azimuth off each baked view
 flat out vec4 lifts;              // of the eye's elevation and of the baked one
 flat out vec4 ways;               // of the headings of the baked cameras, for light
@@ -23,17 +24,22 @@ flat out ivec4 whose;
 flat out vec4 dyes;
 flat out vec4 seat;               // where its middle is; how much of it is stone
 
-int slotOf(int view, int views, float around) {
-  if (around > 0.5) return view < 0 ? view + views : view >= views ? view - views : view;  // % is for whole positives
+const int FRONT = 0, ALL = 1, LEFT = 2;  // which views are baked: see Baked in cloner/crowd/clones/stock.py
+
+// Where a view's tiles lie among those of its ring, and -1 where they are shown mirrored.
+ivec2 slotOf(int view, int views, int baked) {
+  int v = view < 0 ? view + views : view >= views ? view - views : view;  // % is for whole positives
+  if (baked == ALL) return ivec2(v, 1);
+  if (baked == LEFT) return 2 * v > views ? ivec2(views - v, -1) : ivec2(v, 1);
   int front = views / 4;
-  int v = clamp(view, -front, front);
-  return v >= 0 ? v : v + 2 * front + 1;
+  v = clamp(view, -front, front);
+  return ivec2(v >= 0 ? v : v + 2 * front + 1, 1);
 }
 
 void main() {
   Person p = personOf(int(instance.x + 0.5), true);
   vec4 facts = cloneTexel(p.clone, 0);                 // middle's height, texels a metre, views, -
-  vec4 set = cloneTexel(p.clone, SETS + p.clip);       // first tile, poses, all around, coarse poses
+  vec4 set = cloneTexel(p.clone, SETS + p.clip);       // first tile, poses, which views are baked, coarse poses
   vec3 middle = p.place + vec3(0.0, facts.x * p.scale, 0.0);
   vec3 to = eye - middle;
   float c = cos(p.heading), s = sin(p.heading);
@@ -50,9 +56,12 @@ void main() {
   if (share > 0.5) { int swap = first; first = other; other = swap; share = 1.0 - share; }
   int poses = int(set.y + 0.5);
   int pose = p.frame * poses / p.frames;
-  int perRing = set.z > 0.5 ? views : 2 * (views / 4) + 1;
-  int base = int(set.x + 0.5) + ring * perRing * poses + pose;
-  int a = base + slotOf(first, views, set.z) * poses, b = base + slotOf(other, views, set.z) * poses;
+  int baked = int(set.z + 0.5), perRing = baked == ALL ? views : baked == LEFT ? views / 2 + 1 : 2 * (views / 4) + 1;
+  int base = int(set.x + 0.5) + ring * perRing * poses;
+  int later = pose + poses / 2 < poses ? pose + poses / 2 : pose + poses / 2 - poses;
+  ivec2 slotA = slotOf(first, views, baked), slotB = slotOf(other, views, baked);
+  int a = base + slotA.x * poses + (slotA.y > 0 ? pose : later), b = base + slotB.x * poses + (slotB.y > 0 ? pose : later);
+  sides = vec2(slotA.y, slotB.y);
   tileA = texelFetch(tiles, ivec2(2 * a, p.clone), 0);
   tileB = texelFetch(tiles, ivec2(2 * b, p.clone), 0);
   middles = vec4(texelFetch(tiles, ivec2(2 * a + 1, p.clone), 0).xy, texelFetch(tiles, ivec2(2 * b + 1, p.clone), 0).xy);
@@ -61,7 +70,10 @@ void main() {
   lifts = vec4(sin(elevation), cos(elevation), sin(low), cos(low));
   float wayA = p.heading + float(first) * stepAngle, wayB = p.heading + float(other) * stepAngle;
   ways = vec4(sin(wayA), cos(wayA), sin(wayB), cos(wayB));
-  vec4 reach = vec4(max(middles.x, middles.z), max(tileA.z - middles.x, tileB.z - middles.z),
+  vec2 rights = vec2(tileA.z, tileB.z) - middles.xz;
+  vec2 lefts = mix(rights, middles.xz, greaterThan(sides, vec2(0.0)));
+  rights = vec2(tileA.z, tileB.z) - lefts;
+  vec4 reach = vec4(max(lefts.x, lefts.y), max(rights.x, rights.y),
                     max(middles.y, middles.w), max(tileA.w - middles.y, tileB.w - middles.w)) / facts.y;
   plane = vec2(mix(-reach.x, reach.y, corner.x), mix(-reach.w, reach.z, corner.y));
   float away = length(to);

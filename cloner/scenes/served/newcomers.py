@@ -63,7 +63,7 @@ def newcomer_of(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> New
     lengths = np.array([[len(one.frames), one.seconds] for one in cast.clips], np.float32)
     arrays: dict[str, NDArray[Any]] = {
         "vertices": numbers.vertices, "loose": numbers.loose, "corners": numbers.corners, "bones": numbers.bones,
-        "table": stock.table_row(cast, [0] * len(cast.clips), texels, int(own["views"]), 0),
+        "table": stock.table_row(cast, stock.no_sets(cast), texels, int(own["views"]), 0),
         "tiles": np.zeros((2, 4), np.float32), "touches": touches, "clips": lengths,
     }  # fmt: skip
     data, told = packed(arrays)

@@ -143,6 +143,8 @@ class GalleryWindow(QDialog):
         self.list.clear()
         for folder, visit in shown.items():
             state = self._told_end(folder) if in_trash else STATES[visit.state]
+            if not state:
+                continue  # gone between the look into the folder and this one
             item = QListWidgetItem(f"{self._booth.name_of(folder)}\n{state}")
             item.setData(Qt.ItemDataRole.UserRole, folder)
             self.list.addItem(item)
@@ -176,6 +178,8 @@ class GalleryWindow(QDialog):
 
     def _told_end(self, folder: Path) -> str:
         end = trash.ends(folder, self._booth.settings.trash_days)
+        if end is None:
+            return ""
         return translate("gallery", "deleted for good on {when}").format(when=f"{end.astimezone():%d.%m. %H:%M}")
 
     def _show_buttons(self) -> None:

@@ -46,6 +46,7 @@ def test_the_end_is_counted_from_the_day_it_was_thrown_away(tmp_path):
     assert trash.over(tmp_path, 2, NOW + timedelta(days=2)) == (lies,)
     keeping.forget_visitors((lies,), tmp_path)
     assert not lies.exists()
+    assert trash.ends(lies, 2) is None, "who went between a look into the trash and this one"
 
 
 def test_who_is_put_aside_is_gone_at_once_held_still_and_deleted_at_the_next_opening(tmp_path):

@@ -9,7 +9,7 @@ import numpy as np
 from cloner.crowd.clones.cast import cast_of
 from cloner.crowd.clones.groups import GROUPS, garment_masks
 from cloner.crowd.clones.levels import body_levels
-from cloner.crowd.clones.stock import HUNG_AT, table_row
+from cloner.crowd.clones.stock import HUNG_AT, no_sets, table_row
 from cloner.crowd.clones.zones import ENDS, REACHED, reach, zone_texels
 from cloner.crowd.staged.looks import MASK_PX, casting_of, lendable
 from cloner.records.heads import Shell
@@ -55,7 +55,7 @@ def test_a_skirt_that_hangs_loose_is_not_lent_and_a_coats_is_dyed_with_the_coat(
     hung, wrapped = (cast_of("ada", replace(clone, shells=(one,)), body, poses=4) for one in (skirt, coat))
     assert wrapped.hung == "top"
     for cast in (hung, wrapped):
-        row = table_row(cast, [0] * len(cast.clips), 33.0, 22, 0)
+        row = table_row(cast, no_sets(cast), 33.0, 22, 0)
         assert GROUPS[int(row[HUNG_AT, 0]) - 1] == cast.hung
     assert (plain.hung, hung.hung) == ("", "bottom")
     assert lendable(plain)["bottom"].sum() == garment_masks(plain.codes[::4, ::4])["bottom"].sum() > 0

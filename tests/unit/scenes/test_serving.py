@@ -140,11 +140,11 @@ def test_there_are_so_many_places_and_they_are_given_back(open_scene) -> None:
     _, url = open_scene
     with ExitStack() as stack:
         pages = [stack.enter_context(page_at(url)) for _ in range(MOST_PAGES)]
+        assert all(json.loads(page.recv(timeout=60))["kind"] == "hello" for page in pages)
         with page_at(url) as late, pytest.raises(ConnectionClosed) as closed:
             late.recv(timeout=60)
         assert closed.value.rcvd is not None
         assert closed.value.rcvd.code == 1013
-        assert all(json.loads(page.recv(timeout=60))["kind"] == "hello" for page in pages)
     end = time.monotonic() + 60.0
     while time.monotonic() < end:
         with page_at(url) as again:
