@@ -15,9 +15,8 @@ import cv2
 import numpy as np
 
 from cloner.cloth.simulation.moving import Worn
-from cloner.cloth.simulation.solver import leash
-from cloner.cloth.simulation.threads import limit, pull
-from cloner.cloth.simulation.wearer import planes_under, skin_between
+from cloner.cloth.simulation.solver import Lead, State
+from cloner.cloth.simulation.wearer import FRAMES_PER_S, planes_under, skin_between
 from cloner.easing import smoothstep
 from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.records.arrays import Array
@@ -34,8 +33,9 @@ PICTURE_PX: Final = 200
 #: A finished frame's cloth lies at least so far outside the skin, metres.
 CLEAR_M: Final = 0.004
 PUSHES: Final = 4
-#: Times that a closed frame's threads are pulled to their lengths again.
-RELAXATIONS: Final = 24
+#: Share of the cycle in which cloth is led back, and of the way left that it is led in the last frame (taste).
+LED: Final = 0.6
+LED_SHARE: Final = 0.8
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,6 +48,8 @@ class Loop:
         Frame k goes with frame k of the motion's cycle.
     gap_mm, median_mm : float
         RMS between its first frame and the one a cycle later, before closing, and of the median stretch.
+    left_mm : float
+        RMS between the first frame and where the last ones were led.
     edge_px : float
         Mean distance between the edges in both frames' pictures.
     moved_mm : float
@@ -57,6 +59,7 @@ class Loop:
     frames_m: Array
     gap_mm: float
     median_mm: float
+    left_mm: float
     edge_px: float
     moved_mm: float
 
@@ -82,9 +85,9 @@ def best_loop(worn: Worn, places_m: Array) -> Loop:
             break
     edges = [_edge_px(worn, places_m[start], places_m[start + period]) for start in finalists]
     chosen = finalists[int(np.argmin(edges))]
-    closed, moved = _closed(worn, places_m[chosen : chosen + period + 1], chosen)
+    closed, left, moved = _closed(worn, places_m, chosen)
     gap = float(gaps[chosen - starts[0]])
-    return Loop(closed, 1e3 * gap, 1e3 * float(np.median(gaps)), float(min(edges)), 1e3 * moved)
+    return Loop(closed, 1e3 * gap, 1e3 * float(np.median(gaps)), 1e3 * left, float(min(edges)), 1e3 * moved)
 
 
 def _gap_m(places_m: Array, start: int, period: int) -> float:
@@ -110,34 +113,47 @@ def _edge_px(worn: Worn, first_m: Array, last_m: Array) -> float:
     return float(np.mean(found)) if found else 0.0
 
 
-def _closed(worn: Worn, stretch_m: Array, start: int) -> tuple[Array, float]:
-    """Return (F, N, 3) the stretch closed, in the order of the motion, and how far a vertex was moved, metres."""
-    period = len(stretch_m) - 1
-    gap = stretch_m[0] - stretch_m[-1]
-    share = np.arange(period) / period
-    spread = stretch_m[:-1] + smoothstep(share)[:, None, None] * gap
-    out = np.empty_like(spread)
+def _closed(worn: Worn, places_m: Array, start: int) -> tuple[Array, float, float]:
+    """Return (F, N, 3) the closed stretch in the motion's order, the gap left and how far a vertex went, metres."""
+    period = len(worn.rotations)
+    stretch = places_m[start : start + period + 1]
+    led = _led_back(worn, places_m, start)
+    gap = stretch[0] - led[-1]
+    from_m = period - len(led)
+    share = smoothstep(np.arange(1, len(led)) / len(led))[:, None, None]
+    closed = np.concatenate([stretch[: from_m + 1], led[:-1] + share * gap])
+    out = np.empty_like(closed)
     for number in range(period):
         frame = (start + number) % period
-        out[frame] = cleared(worn, spread[number], frame)
-    straight = np.roll(stretch_m[:-1], start % period, axis=0)
-    return out, float(np.linalg.norm(out - straight, axis=2).max())
+        out[frame] = cleared(worn, closed[number], frame)
+    straight = np.roll(stretch[:-1], start % period, axis=0)
+    left = float(np.sqrt((gap**2).sum(axis=1).mean()))
+    return out, left, float(np.linalg.norm(out - straight, axis=2).max())
+
+
+def _led_back(worn: Worn, places_m: Array, start: int) -> Array:
+    """Return (L, N, 3) the stretch's last frames simulated again, led to where they were a cycle earlier.
+
+    Cloth that is led keeps to its threads, out of the skin and apart from itself, which a mean of two frames does not.
+    """
+    period = len(worn.rotations)
+    first = start + period - round(LED * period)
+    last, before, earlier = (places_m[first - k] for k in range(3))
+    state = State(last, (3.0 * last - 4.0 * before + earlier) * FRAMES_PER_S / 2.0)
+    met, out = worn.met_in(first), []
+    for number in range(first + 1, start + period + 1):
+        now = worn.met_in(number)
+        share = LED_SHARE * float(smoothstep((number - first) / (start + period - first)))
+        lead = Lead(places_m[number - 1 - period], places_m[number - period], share)
+        state, met = worn.after(state, met, now, lead=lead), now
+        out.append(state.places_m)
+    return np.array(out)
 
 
 def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
-    """Return a frame's cloth with its threads' lengths and out of the skin; the same start always gives the same."""
-    below_m = None if worn.under is None else worn.under.loop_m[frame]
-    skin_m = worn.met_m(worn.root_m[frame], worn.rotations[frame], below_m)
-    now = skin_between(worn.body, skin_m, skin_m)
-    tree, out = now.tree, places_m.copy()
-    free = 1.0 / worn.sheet.mass_kg
-    free[worn.sheet.held] = 0.0
-    for number in range(RELAXATIONS + PUSHES):
-        if number < RELAXATIONS:  # what was spread lies askew over folds: threads go back to their lengths
-            leash(worn.sheet, out)
-            pull(worn.sheet.stretch, out, free, SPEED_S / 20.0)
-            limit(worn.sheet.stretch, out, free)
-            if number % 4 < 3:
-                continue
-        planes_under(now, tree, out, 0.05).push_out(out, CLEAR_M)
+    """Return a frame's cloth out of the skin; the same start always gives the same."""
+    skin_m = worn.met_in(frame).skin_m
+    now, out = skin_between(worn.body, skin_m, skin_m), places_m.copy()
+    for _ in range(PUSHES):
+        planes_under(now, now.tree, out, 0.05).push_out(out, CLEAR_M)
     return out

@@ -11,10 +11,11 @@ import numpy as np
 from cloner.cloth.drafting.cut import Cloth, cut
 from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.drafting.sections import sections
+from cloner.cloth.simulation.contact import keep_apart, pairs_of
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.layered import Under, wearer_over
 from cloner.cloth.simulation.placing import Band, Ring, band, outside, placed
-from cloner.cloth.simulation.solver import THICK_M, Sheet, State, leash, sheet_of, step
+from cloner.cloth.simulation.solver import THICK_M, Lead, Sheet, State, leash, sheet_of, step
 from cloner.cloth.simulation.threads import pull
 from cloner.cloth.simulation.wearer import FRAMES_PER_S, Wearer, frames, planes_under, skin_between, wearer
 from cloner.cloth.simulation.wrapping import DEEP_M, PUSHES, wrapped
@@ -31,8 +32,18 @@ SETTLE, BLEND = 24, 24
 NECK: Final = 0.75
 #: Times that threads are drawn to their lengths before a sewn garment is let go.
 EASING: Final = 90
+#: Of these, between two searches of what may meet.
+SEARCHED: Final = 5
 #: Speed kept between frames while the cloth settles.
 CALM: Final = 0.6
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Met:
+    """What cloth meets in a frame: points of skin (B, 3), those of what is worn below after them; the held places."""
+
+    skin_m: Array
+    held_m: Array
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -64,10 +75,22 @@ class Worn:
     start: State
     under: Under | None = None
 
-    def met_m(self, root_m: Array, rotations: Array, below_m: Array | None) -> Array:
-        """Return (B, 3) the skin of a pose, and the points (N, 3) of what is worn below after it."""
+    def met(self, root_m: Array, rotations: Array, below_m: Array | None) -> Met:
+        """Return what the cloth meets in a pose, with the points (N, 3) of what is worn below."""
         skin_m = self.body.posed(root_m, rotations)
-        return skin_m if below_m is None else np.concatenate([skin_m, below_m])
+        return Met(skin_m if below_m is None else np.concatenate([skin_m, below_m]), self.band.posed(root_m, rotations))
+
+    def met_in(self, frame: int) -> Met:
+        """Return what the cloth meets in a frame of the walk, once what is worn below goes in its loop."""
+        frame %= len(self.rotations)
+        below_m = None if self.under is None else self.under.loop_m[frame]
+        return self.met(self.root_m[frame], self.rotations[frame], below_m)
+
+    def after(self, state: State, before: Met, now: Met, *, walks: bool = True, lead: Lead | None = None) -> State:
+        """Return the cloth's state a frame later."""
+        skin = skin_between(self.body, before.skin_m, now.skin_m)
+        wind = np.array([0.0, 0.0, -self.speed_m_s if walks else 0.0])
+        return step(self.sheet, state, skin, (before.held_m, now.held_m), 1.0 / FRAMES_PER_S, SUBSTEPS, wind, lead)
 
 
 def put_on(
@@ -122,6 +145,9 @@ def _eased(sheet: Sheet, body: Wearer, met_m: Array, places_m: Array) -> Array:
     for number in range(EASING):
         leash(sheet, out)  # drawn back later in one step, it would fly
         pull(sheet.stretch, out, free, 1.0, slack=True)  # what is short folds when it hangs
+        if number % SEARCHED == 0:
+            pairs = pairs_of(sheet.spacing, out, np.zeros_like(out), 0.0)
+        keep_apart(pairs, out, free)
         if number % 3 == 2:
             planes_under(now, now.tree, out, DEEP_M).push_out(out, THICK_M, sheet.held)
     return out
@@ -138,15 +164,11 @@ def simulate(worn: Worn, cycles: int) -> Iterator[tuple[int, State]]:
     poses += [(worn.root_m[k % count], worn.rotations[k % count]) for k in range(1, cycles * count)]
     state = worn.start
     under = worn.under
-    before_skin = worn.met_m(*poses[0], None if under is None else under.at(0))
-    before_band = worn.band.posed(*poses[0])
+    before = worn.met(*poses[0], None if under is None else under.at(0))
     for number, pose in enumerate(poses):
-        now_skin = worn.met_m(*pose, None if under is None else under.at(number))
-        now_band = worn.band.posed(*pose)
-        between = skin_between(worn.body, before_skin, now_skin)
-        wind = np.array([0.0, 0.0, -worn.speed_m_s if number >= put else 0.0])
-        state = step(worn.sheet, state, between, (before_band, now_band), 1.0 / FRAMES_PER_S, SUBSTEPS, wind)
+        now = worn.met(*pose, None if under is None else under.at(number))
+        state = worn.after(state, before, now, walks=number >= put)
         if number < SETTLE:
             state = State(state.places_m, CALM * state.speeds_m_s)
-        before_skin, before_band = now_skin, now_band
+        before = now
         yield number - put + 1, state

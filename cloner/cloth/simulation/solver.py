@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.cloth.drafting.cut import Cloth
+from cloner.cloth.simulation.contact import Pairs, Spacing, keep_apart, pairs_of, spacing_of
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.threads import Threads, grouped, limit, pull
 from cloner.cloth.simulation.wearer import Planes, Skin, planes_under
@@ -60,6 +61,7 @@ class Sheet:
         Vertices that the body holds.
     anchor : (N,) int64, leash_m : (N,) float64
         The held vertex nearest to each in the plane of its piece, and how far: cloth cannot hang lower.
+    spacing : Spacing
     fabric : Fabric
     """
 
@@ -73,6 +75,7 @@ class Sheet:
     held: Ints
     anchor: Ints
     leash_m: Array
+    spacing: Spacing
     fabric: Fabric
 
 
@@ -108,6 +111,7 @@ def sheet_of(cloth: Cloth, fabric: Fabric, held: Ints) -> Sheet:
         rest,
         held,
         *_leashes(cloth, held),
+        spacing_of(ends, rest, bends, flat_m, cloth.count),
         fabric,
     )
 
@@ -164,6 +168,15 @@ def _across(cloth: Cloth) -> tuple[Ints, Array, Array]:
     return np.asarray(opposite, dtype=np.int64), height, np.hypot(height, along)
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class Lead:
+    """Where cloth is led: places (N, 3) at a frame's beginning and end, and the share of the way that is gone."""
+
+    early_m: Array
+    late_m: Array
+    share: float
+
+
 def step(
     sheet: Sheet,
     state: State,
@@ -172,6 +185,7 @@ def step(
     seconds: float,
     substeps: int,
     wind_m_s: Array,
+    lead: Lead | None = None,
 ) -> State:
     """Return the state a frame later.
 
@@ -188,6 +202,7 @@ def step(
     substeps : int
     wind_m_s : (3,)
         Speed of the air.
+    lead : Lead or None
     """
     places, speeds, h = state.places_m.copy(), state.speeds_m_s.copy(), seconds / substeps
     free = 1.0 / sheet.mass_kg
@@ -195,9 +210,11 @@ def step(
     kept = KEPT**h
     tree, half = skin_now.tree, max(1, substeps // 2)
     planes: Planes | None = None
+    pairs: Pairs | None = None
     for number in range(substeps):
         if number % half == 0:
             planes = planes_under(skin_now, tree, places, REACH_M)
+            pairs = pairs_of(sheet.spacing, places, speeds, half * h)
             thrust = _air(sheet, places, speeds, wind_m_s) * free[:, None]
             thrust[:, 1] -= GRAVITY_M_S2
         before = places.copy()
@@ -207,12 +224,17 @@ def step(
         places += h * speeds
         share = (number + 1) / substeps
         places[sheet.held] = (1.0 - share) * held_m[0] + share * held_m[1]
+        if lead is not None:
+            gone = 1.0 - (1.0 - lead.share) ** (1.0 / substeps)
+            places += gone * ((1.0 - share) * lead.early_m + share * lead.late_m - places)
         if number % 2 == 0:
             pull(sheet.bend, places, free, h)
         leash(sheet, places)
         pull(sheet.stretch, places, free, h)
         if number % 2:
             limit(sheet.stretch, places, free)
+        if pairs is not None:
+            keep_apart(pairs, places, free)
         if planes is not None:
             _keep_out(planes, places, before, sheet.fabric.friction, share, 1.0 / substeps)
         speeds = (places - before) * (kept / h)

@@ -34,8 +34,8 @@ _ALIGNED: Final = 4  # two levels of mips stay inside a tile
 _MARGIN: Final = 1.25  # texels around the person, for filters and the search of depth
 _NEAR_M: Final = 1.0
 _SIDES: Final = (np.pi / 4, np.pi / 2, 3 * np.pi / 4)
-#: Likeness of both sides from which one stands for both. Eight clones have .88 to .96; with those from .9 mirrored their
-#: impostors at the switch have .9855 in the mean (worst .962) instead of .9900 (.974): the bar for all is .985.
+#: Likeness of both sides from which one stands for both. Eight clones have .88 to .96; with those from .9 mirrored the
+#: impostors of all have .9855 in the mean (worst .962) at the switch instead of .9900 (.974): the bar is .985.
 MIRRORED_FROM: Final = 0.9
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -12,6 +14,7 @@ from cloner.cloth.simulation.fabrics import FABRICS, Fabric
 from cloner.cloth.simulation.solver import THICK_M, Sheet, State, sheet_of, step, strains
 from cloner.cloth.simulation.threads import LONGEST, grouped, limit
 from cloner.cloth.simulation.wearer import Skin
+from cloner.evaluate.measures.crossings import self_crossings
 
 CALM = np.zeros(3)
 
@@ -68,10 +71,7 @@ def test_free_cloth_falls_as_everything_does() -> None:
     cloth = strip(0.1, 0.2, 0.03)
     airless = FABRICS["wool"].__class__("x", 0.22, (0.05, 0.05), (0.1, 0.1), 0.6, 0.3, 0.0, (0, 0, 0))
     sheet = sheet_of(cloth, airless, np.array([0]))
-    sheet = Sheet(
-        sheet.faces, sheet.mass_kg, sheet.area_m2, sheet.stretch, sheet.bend, sheet.edges, sheet.rest_m,
-        np.zeros(0, dtype=np.int64), sheet.anchor, np.full(cloth.count, 1e6), airless,
-    )  # fmt: skip
+    sheet = replace(sheet, held=np.zeros(0, dtype=np.int64), leash_m=np.full(cloth.count, 1e6))
     state = run(sheet, upright(cloth), far_floor(-9.0), 6)
     dropped = -float((state.places_m - upright(cloth))[:, 1].mean())
     assert dropped == pytest.approx(9.81 * 0.2**2 / 2.0, rel=0.2)  # its own rubbing slows it by up to a fifth
@@ -80,10 +80,7 @@ def test_free_cloth_falls_as_everything_does() -> None:
 def test_cloth_comes_to_rest_on_the_skin_and_friction_holds_it() -> None:
     cloth = strip(0.2, 0.2, 0.025)
     sheet = sheet_of(cloth, FABRICS["cotton"], np.array([0]))
-    sheet = Sheet(
-        sheet.faces, sheet.mass_kg, sheet.area_m2, sheet.stretch, sheet.bend, sheet.edges, sheet.rest_m,
-        np.zeros(0, dtype=np.int64), sheet.anchor, np.full(cloth.count, 1e6), FABRICS["cotton"],
-    )  # fmt: skip
+    sheet = replace(sheet, held=np.zeros(0, dtype=np.int64), leash_m=np.full(cloth.count, 1e6))
     flat = np.zeros((cloth.count, 3))
     flat[cloth.vertex] = np.column_stack([cloth.flat_m[:, 0], np.full(len(cloth.flat_m), 0.02), cloth.flat_m[:, 1]])
     state = run(sheet, flat, far_floor(0.0), 30)
@@ -117,3 +114,26 @@ def test_no_thread_stays_long_and_nothing_is_moved_that_is_held() -> None:
     short = places * 0.5
     limit(threads, short, free)
     assert short.tolist() == (places * 0.5).tolist(), "what is short folds as it likes"
+
+
+@pytest.mark.parametrize("together", [False, True])
+def test_cloth_that_flies_into_itself_does_not_pass(together: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A strip folded up in front of itself, its flap thrown at it askew; without contact it goes through."""
+    cloth = strip(0.15, 0.45, 0.02)
+    if together:
+        monkeypatch.setattr("cloner.cloth.simulation.solver.keep_apart", lambda *_: None)
+    top = np.flatnonzero(cloth.flat_m[:, 1] > -1e-6)
+    sheet = sheet_of(cloth, FABRICS["cotton"], top)
+    x, y = cloth.flat_m.T
+    fold, thick = -0.2, 0.08
+    turn = (fold - y).clip(0.0, np.pi * thick / 2.0) / (thick / 2.0)
+    up = (fold - y - np.pi * thick / 2.0).clip(0.0)
+    low = np.maximum(y, fold) - thick / 2.0 * np.sin(turn) + up
+    places = np.column_stack([x, low, thick / 2.0 * (1.0 - np.cos(turn))])
+    speeds = np.zeros_like(places)
+    speeds[up > 0.0] = 0.3, 0.0, -2.0
+    state, most = State(places, speeds), 0
+    for _ in range(20):
+        state = step(sheet, state, far_floor(-5.0), (places[top], places[top]), 1 / 30, 20, CALM)
+        most = max(most, len(self_crossings(state.places_m, sheet.faces).pairs))
+    assert (most > 10) if together else most == 0
