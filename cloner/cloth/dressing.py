@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.drafting.drawn import read_drawing
 from cloner.cloth.drafting.pattern import Pattern, read_pattern
-from cloner.cloth.drafting.sections import sections
+from cloner.cloth.drafting.sections import Sections, sections
 from cloner.cloth.drafting.tailored import TAILORED, TROUSERS, tailored
 from cloner.cloth.simulation.fabrics import FABRICS, Fabric
 from cloner.cloth.simulation.layered import Under
@@ -40,6 +40,10 @@ Watch = Callable[[Array, Array, Array], None]
 
 WALK: Final = "walk"
 WAIST: Final = "natural_waist"
+#: A skirt clears the hips from so far below the waist on, metres, with so much ease (4 cm of a metre: a usual block's);
+#: above, it has no darts.
+HIPS_M: Final = 0.12
+HIP_EASE: Final = 1.04
 #: Everything that is cut to measure by name.
 GARMENTS: Final = (*BLOCKS, *TAILORED)
 #: What a garment of one's own is read by.
@@ -219,7 +223,16 @@ def pattern_of(clone: Clone, garment: str, length_cm: float | None) -> tuple[Pat
     high = float(ring.points_m[0, 1])
     length = block.share * high if length is None else length
     _check_length(garment, length, LENGTHS_M[0], high)
-    return draft(block, ring.girth_m, length), block.ring
+    least = _clear_of_hips(sections(clone), ring.girth_m) if block.ring == WAIST else 0.0
+    return draft(block, ring.girth_m, length, least), block.ring
+
+
+def _clear_of_hips(body: Sections, ring_m: float) -> float:
+    """Return the sectors' least angle, radians, with which what hangs from the waist goes round the hips with ease."""
+    depths = np.arange(HIPS_M, body.waist_m - float(body.place("crotch")[1]), 0.02)
+    return max(
+        (HIP_EASE * body.girth("trunk", body.waist_m - float(depth)) - ring_m) / float(depth) for depth in depths
+    )
 
 
 def _check_length(garment: str, length: float, lowest: float, high: float) -> None:

@@ -49,7 +49,7 @@ BLOCKS: Final = MappingProxyType({
 })  # fmt: skip
 
 
-def draft(block: Block, ring_m: float, length_m: float) -> Pattern:
+def draft(block: Block, ring_m: float, length_m: float, least_rad: float = 0.0) -> Pattern:
     """Return the two pieces of a block: sectors of a ring, whose inner edge is half of the body's.
 
     Parameters
@@ -58,8 +58,10 @@ def draft(block: Block, ring_m: float, length_m: float) -> Pattern:
     ring_m : float
         Girth that the upper edge closes round, metres.
     length_m : float
+    least_rad : float
+        That both sectors take together at least: a metre farther down they are so many metres wider.
     """
-    angle = 2.0 * np.pi * block.circle
+    angle = max(2.0 * np.pi * block.circle, least_rad)
     inner = ring_m / angle
     segments = []
     for name in ("left", "right") if block.is_open else ("front", "back"):

@@ -30,6 +30,8 @@ Ints = NDArray[np.int64]
 
 #: The ring lies this far outside the skin, metres.
 OUTSIDE_M: Final = 0.006
+#: What opens in front gapes so far at the ring, metres: its edges neither cross nor catch.
+OPEN_M: Final = 0.02
 #: No piece is placed flatter than this, radians from upright: what is wider lies in folds.
 FLATTEST: Final = 1.2
 TOP, HEM = "top", "hem"
@@ -82,7 +84,8 @@ def placed(pattern: Pattern, cloth: Cloth, ring: Ring) -> tuple[Array, Ints, Arr
         tops.append(length_m(segment.edges[TOP]))
     shares = np.array(tops) / sum(tops)
     middles = np.cumsum(shares) - shares / 2.0 - shares[0] / 2.0
-    if len(pattern.seams) < len(tops):
+    is_open = len(pattern.seams) < len(tops)
+    if is_open:
         middles += shares[0] / 2.0  # what is not sewn all round opens in front
     points = np.zeros((len(cloth.flat_m), 3))
     centre = ring.points_m.mean(axis=0)
@@ -91,6 +94,8 @@ def placed(pattern: Pattern, cloth: Cloth, ring: Ring) -> tuple[Array, Ints, Arr
         line = even(segment.edges[TOP], RING)
         down, near = cKDTree(line).query(cloth.flat_m[own])
         way = middles[number] + shares[number] * (0.5 - near / RING)
+        if is_open:
+            way = 0.5 + (way - 0.5) * (1.0 - OPEN_M / ring.girth_m)
         base = ring.at(way)
         length = max(float(down.max()), 1e-6)
         wider = (length_m(segment.edges[HEM]) - tops[number]) / shares[number] / (2.0 * np.pi * length)
