@@ -22,7 +22,7 @@ Point = tuple[float, float]
 #: An armhole ends so far below the armpit, a shoulder lies so far over the skin, metres.
 DROP_M, OVER_M = 0.025, 0.012
 #: Crotch below the body's, and how far the rise of front and back reaches between the legs, shares of the hips' girth.
-SEAT_M, SEAT_EASE = 0.035, 1.0
+SEAT_M, SEAT_EASE = 0.035, 1.04
 RISES: Final = (0.055, 0.085)
 HALVINGS: Final = 40
 
@@ -194,6 +194,14 @@ def _sleeve(part: str, cut: Cut, body: Sections, hole: float) -> Segment:
     return Segment(f"{part}_sleeve", edges, arm)
 
 
+def _through(start: Point, one: Point, other: Point, end: Point) -> Array:
+    """Return the (4, 2) cubic that goes through four points, a third of it between each."""
+    a, b, c, d = (np.asarray(each, np.float64) for each in (start, one, other, end))
+    return np.array(
+        [a, (-5.0 * a + 18.0 * b - 9.0 * c + 2.0 * d) / 6.0, (2.0 * a - 9.0 * b + 18.0 * c - 5.0 * d) / 6.0, d]
+    )
+
+
 def _trousers(body: Sections, length: float | None) -> Pattern:
     crotch = float(body.place("crotch")[1]) - body.waist_m - SEAT_M
     ankle = -body.waist_m + 0.06 * body.stature_m
@@ -201,6 +209,7 @@ def _trousers(body: Sections, length: float | None) -> Pattern:
     buttock = float(body.place("buttock_left")[1])
     hips, seat = SEAT_EASE * body.girth("trunk", buttock), buttock - body.waist_m
     waist = body.girth("trunk", body.waist_m) / 4.0
+    fulls = [SEAT_EASE * body.girth("trunk", body.waist_m + share * seat) / 4.0 for share in (2 / 3, 1 / 3)]
     leg = body.girth("left_leg", body.waist_m + hem + 0.02)
     segments = []
     for side, rise in zip(("front", "back"), RISES, strict=True):
@@ -212,7 +221,9 @@ def _trousers(body: Sections, length: float | None) -> Pattern:
         edges = {
             "hem": line(*bottom),
             "out": np.array([bottom[1], (middle + half, 0.6 * hem + 0.4 * seat), (wide[0], seat + 0.4 * crotch), wide]),
-            "hip": np.array([wide, (wide[0], 0.6 * seat), (waist, 0.3 * seat), (waist, 0.0)]),
+            "hip": _through(
+                wide, *((full, share * seat) for full, share in zip(fulls, (2 / 3, 1 / 3), strict=True)), (waist, 0.0)
+            ),
             "waist": line((waist, 0.0), (0.0, 0.0)),
             "rise": np.array([(0.0, 0.0), (0.0, 0.8 * crotch), (-0.15 * reach, crotch), (-reach, crotch)]),
             "in": line((-reach, crotch), bottom[0]),

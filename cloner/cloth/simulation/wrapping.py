@@ -80,8 +80,9 @@ def _width(pattern: Pattern, part: str, body: Sections) -> Callable[[Array], Arr
     closed = np.array([w >= CLOSES * body.girth(part, base + y) for y, w in zip(heights, total, strict=True)])
     if closed.any():
         last = int(np.flatnonzero(closed)[-1])
-        first = max(0, last - ARMHOLE)
-        last = first + int(np.argmax(total[first : last + 1]))  # an armhole cuts in before the cloth is too narrow
+        if last < np.flatnonzero(total)[-1]:  # an armhole, which cuts in before the cloth is too narrow
+            first = max(0, last - ARMHOLE)
+            last = first + int(np.argmax(total[first : last + 1]))
         total[last:] = total[last]
     return lambda y: np.interp(y, heights, np.maximum(total, 1e-3))
 
