@@ -1,4 +1,4 @@
-"""A garment's moving points for other programs: PC2 beside an OBJ, and USD with a time sample a frame.
+"""A garment's moving points for other programs: PC2 beside an OBJ, USD with a time sample a frame, and VAT.
 
 References
 ----------
@@ -14,11 +14,19 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+import pygltflib
 from numpy.typing import NDArray
 
+from cloner import __version__
 from cloner.cloth.dressing import Dressed
+from cloner.cloth.glb import ROUGHNESS
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
+from cloner.exporters.gltf.glb_file import glb_bytes
+from cloner.exporters.gltf.gltf_buffer import GltfBuffer
+from cloner.exporters.shared.credits import CREDITS
 from cloner.exporters.usd import usd_library
+from cloner.exporters.vat import columns, vat_pictures
+from cloner.geometry.meshes.wedges import vertex_normals
 
 
 def _closed_m(found: Dressed) -> NDArray[np.float64]:
@@ -44,6 +52,40 @@ def obj(found: Dressed) -> bytes:
         for face, flat in zip(own.tolist(), (cloth.triangles + 1).tolist(), strict=True)
     ]
     return ("\n".join(lines) + "\n").encode()
+
+
+def vat(found: Dressed) -> dict[str, bytes]:
+    """Return the outermost garment as a vertex animation texture: picture, remap file and mesh by their names' ends."""
+    cloth, frames = found.worn.cloth, found.loop.frames_m
+    faces = cloth.faces.astype(np.int32)
+    points = frames[:, cloth.vertex]
+    normals = np.array([vertex_normals(frame, faces) for frame in frames])[:, cloth.vertex]
+    walk = {"startFrame": 0, "endFrame": len(frames) - 1, "framerate": FRAMES_PER_S, "looping": True}
+    files = vat_pictures(points[0], points, normals, {found.motion.name: walk})
+    gltf = pygltflib.GLTF2(
+        asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}", copyright=CREDITS), scene=0
+    )
+    buffer = GltfBuffer(gltf, np.zeros((2, 3)))
+    look = pygltflib.PbrMetallicRoughness(
+        baseColorFactor=[*found.fabric.linear_rgb(), 1.0], metallicFactor=0.0, roughnessFactor=ROUGHNESS
+    )
+    gltf.materials.append(pygltflib.Material(name=found.fabric.name, pbrMetallicRoughness=look, doubleSided=True))
+    attributes = pygltflib.Attributes(
+        POSITION=buffer.positions(points[0]), NORMAL=buffer.normals(normals[0]), TEXCOORD_0=buffer.uv(cloth.flat_m),
+        TEXCOORD_1=buffer.uv(columns(points.shape[1], len(points))),
+    )  # fmt: skip
+    triangles = buffer.indices(cloth.triangles.astype(np.int32))
+    gltf.meshes.append(
+        pygltflib.Mesh(
+            name="Garment", primitives=[pygltflib.Primitive(attributes=attributes, indices=triangles, material=0)]
+        )
+    )
+    gltf.nodes.append(pygltflib.Node(name="Garment", mesh=0))
+    gltf.scenes.append(pygltflib.Scene(name="Garment", nodes=[0]))
+    data = buffer.data()
+    gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
+    gltf.set_binary_blob(data)
+    return files | {".glb": glb_bytes(gltf)}
 
 
 def usd(found: Dressed) -> bytes:

@@ -6,14 +6,18 @@ import functools
 from collections.abc import Callable, Mapping, Sequence
 from glob import escape
 from pathlib import Path
+from types import MappingProxyType
 from typing import Final
 
-from cloner.cloth.caches import obj, pc2, usd
-from cloner.cloth.dressing import WALK, Dressed, dressed, fabric_named, motion_of, pattern_of, pictures
+from cloner.cloth.caches import obj, pc2, usd, vat
+from cloner.cloth.drafting.cut import cut
+from cloner.cloth.drafting.pattern import Pattern
+from cloner.cloth.dressing import STEP_M, WALK, Dressed, dressed, fabric_named, motion_of, pattern_of, pictures
 from cloner.cloth.glb import glb
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import write_bytes
+from cloner.exporters.vat import MOST_VERTICES, PICTURE, REMAP
 from cloner.motion.limbs.rig import centred
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
@@ -23,6 +27,9 @@ from cloner.vision.photographs.films import write_film
 
 PC2: Final = ".pc2"
 WRITERS: Final[Mapping[str, Callable[[Dressed], bytes]]] = {".glb": glb, PC2: pc2, ".usdc": usd}
+ENDINGS: Final = (*WRITERS, PICTURE, *FILMS)
+#: Ends of the names of what is written beside a file.
+BESIDE: Final = MappingProxyType({PC2: (".obj",), PICTURE: (REMAP, ".glb")})
 
 
 def dress_file(
@@ -42,7 +49,8 @@ def dress_file(
     ----------
     clone_path : Path
     out : Path
-        A .glb, a film (.gif, .webp, .mp4), or the garment's points alone: .pc2 (its mesh, .obj, beside it) or .usdc.
+        A .glb, a film (.gif, .webp, .mp4), or the garment's points alone: .pc2 (its mesh, .obj, beside it), .usdc, or
+        .png, a vertex animation texture (remap file and mesh beside it).
     garment : str
         One of `GARMENTS`, or a file of a garment (.json, .svg).
     fabric : str
@@ -64,6 +72,8 @@ def dress_file(
     fabrics = [fabric_named(name) for name in (fabric, *(name for _, name in over))]
     clone = centred(clone_of(clone_path))
     cuts = [pattern_of(clone, garment, length_cm), *(pattern_of(clone, name, None) for name, _ in over)]
+    if out.suffix.lower() == PICTURE:
+        _check_count(cuts[-1][0])
     walk, found = motion_of(clone, motion), None
     for number, ((pattern, ring_level), cloth) in enumerate(zip(cuts, fabrics, strict=True)):
         share = functools.partial(_share, progress, number, len(cuts))
@@ -77,6 +87,15 @@ def dress_file(
         for one in found.layers
     )
     return (*said, str(out))
+
+
+def _check_count(pattern: Pattern) -> None:
+    """Refuse a garment that has more points than a vertex animation texture, before it is simulated."""
+    count = len(cut(pattern, STEP_M).flat_m)
+    if count > MOST_VERTICES:
+        hint = "Give a shorter one with --length, or --out a name that ends with .pc2"
+        message = f"{count} points are more than the {MOST_VERTICES} that readers of vertex animation textures take"
+        raise ClonerError(message, hint, pattern.name)
 
 
 def _share(progress: Progress, number: int, count: int, step: str, fraction: float) -> None:
@@ -93,12 +112,16 @@ def check_target(out: Path) -> None:
         If its ending is not known, or the file exists.
     """
     kind = out.suffix.lower()
-    if kind not in (*WRITERS, *FILMS):
-        hint = f"Give --out a name that ends with {', '.join((*WRITERS, *FILMS))}"
+    if kind not in ENDINGS:
+        hint = f"Give --out a name that ends with {', '.join(ENDINGS)}"
         raise ClonerError(f"no dressed clone is written as {out.suffix or 'this'}", hint, out.name)
-    safe_output(out)
-    if kind == PC2:
-        safe_output(out.with_suffix(".obj"))
+    for path in (out, *_beside(out)):
+        safe_output(path)
+
+
+def _beside(out: Path) -> tuple[Path, ...]:
+    """Return the files that are written beside one."""
+    return tuple(out.with_name(out.stem + end) for end in BESIDE.get(out.suffix.lower(), ()))
 
 
 def write_dressed(found: Dressed, out: Path) -> None:
@@ -116,12 +139,16 @@ def write_dressed(found: Dressed, out: Path) -> None:
         if kind == PC2:
             write_bytes(out.with_suffix(".obj"), obj(found))
         return
+    if kind == PICTURE:
+        for end, data in vat(found).items():
+            write_bytes(out if end == PICTURE else out.with_name(out.stem + end), data)
+        return
     with appears(out) as temporary:
         write_film(list(pictures(found)), FRAMES_PER_S, temporary)
 
 
 def clean_up(out: Path) -> None:
     """Remove what a process that was killed while it wrote a dressed clone left beside it."""
-    for name in (out.name, out.with_suffix(".obj").name):
-        for rest in out.parent.glob(f".{escape(name)}.*"):
+    for path in (out, *_beside(out)):
+        for rest in out.parent.glob(f".{escape(path.name)}.*"):
             rest.unlink(missing_ok=True)

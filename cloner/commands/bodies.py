@@ -82,7 +82,9 @@ def undress(
 
 def dress(
     clone_path: CloneArgument,
-    out: Annotated[Path, typer.Option("--out", help="The file: .glb, .pc2, .usdc, or a film: .gif, .webp, .mp4.")],
+    out: Annotated[
+        Path, typer.Option("--out", help="The file: .glb, .pc2, .usdc, .png (VAT), or a film: .gif, .webp, .mp4.")
+    ],
     garment: Annotated[
         str,
         typer.Option(help="skirt, circle-, straight-, long-skirt, cape, tee, dress, coat, trousers, .json or .svg."),

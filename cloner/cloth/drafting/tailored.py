@@ -221,9 +221,7 @@ def _trousers(body: Sections, length: float | None) -> Pattern:
         edges = {
             "hem": line(*bottom),
             "out": np.array([bottom[1], (middle + half, 0.6 * hem + 0.4 * seat), (wide[0], seat + 0.4 * crotch), wide]),
-            "hip": _through(
-                wide, *((full, share * seat) for full, share in zip(fulls, (2 / 3, 1 / 3), strict=True)), (waist, 0.0)
-            ),
+            "hip": _through(wide, (fulls[0], 2.0 * seat / 3.0), (fulls[1], seat / 3.0), (waist, 0.0)),
             "waist": line((waist, 0.0), (0.0, 0.0)),
             "rise": np.array([(0.0, 0.0), (0.0, 0.8 * crotch), (-0.15 * reach, crotch), (-reach, crotch)]),
             "in": line((-reach, crotch), bottom[0]),

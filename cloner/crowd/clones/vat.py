@@ -1,19 +1,9 @@
-"""A clone's walk and idle as vertex animation textures in OpenVAT's layout: one mesh, offsets of every vertex.
-
-``NAME.png`` (16 bits, RGB): frames below one another, a column a vertex; the upper half are offsets from the rest pose
-in the box of ``NAME-remap_info.json``, the lower half normals. Axes are OpenVAT's (z up: a reader takes (x, z, -y)).
-
-References
-----------
-OpenVAT (sharpen3d): layout of pictures and remap file, read off its documentation and readers.
-"""
+"""A clone's walk and idle as vertex animation textures: one mesh, offsets of every vertex."""
 
 from __future__ import annotations
 
-import json
 from typing import Any, Final
 
-import cv2
 import numpy as np
 import pygltflib
 from numpy.typing import NDArray
@@ -25,11 +15,11 @@ from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.shared.credits import CREDITS
 from cloner.exporters.shared.files import jpeg_bytes
+from cloner.exporters.vat import columns, vat_pictures
 from cloner.records.arrays import Array
 
 #: The finest level under 8,192 vertices with its hair: what readers of the layout take.
 LEVEL: Final = 1
-FULL: Final = 65_535
 
 
 def vat_files(cast: Cast, body: BodyLevels) -> dict[str, bytes]:
@@ -41,27 +31,9 @@ def vat_files(cast: Cast, body: BodyLevels) -> dict[str, bytes]:
     ])  # fmt: skip
     rest = np.concatenate([cast.vertices_m[:count], cast.loose.vertices_m[used]])
     moved, turned, animations = _frames(cast, body, count, used)
-    offsets = _engine_axes(moved - rest)
-    low, high = offsets.min(axis=(0, 1)), offsets.max(axis=(0, 1))
-    whole = np.round((offsets - low) / (high - low) * FULL).astype(np.uint16)
-    normals = np.round((_engine_axes(turned) + 1.0) / 2.0 * FULL).astype(np.uint16)
-    name = f"{cast.identifier}_vat"
-    remap = {
-        "os-remap": {"Min": low.tolist(), "Max": high.tolist(), "Frames": len(moved)}, "animations": animations,
-    }  # fmt: skip
-    done, data = cv2.imencode(".png", np.concatenate([whole, normals])[..., ::-1])
-    if not done:
-        raise ValueError("a picture could not be encoded")
-    return {
-        f"vat/{name}.png": data.tobytes(),
-        f"vat/{name}-remap_info.json": (json.dumps(remap, indent=1) + "\n").encode(),
-        f"vat/{name}.glb": _mesh(cast, body, count, used, triangles, rest, len(moved)),
-    }
-
-
-def _engine_axes(vectors: Array) -> Array:
-    """Return (..., 3) vectors of the model frame (Y up) in the layout's axes (Z up)."""
-    return np.stack([vectors[..., 0], -vectors[..., 2], vectors[..., 1]], axis=-1)
+    name = f"vat/{cast.identifier}_vat"
+    files = {name + end: data for end, data in vat_pictures(rest, moved, turned, animations).items()}
+    return files | {f"{name}.glb": _mesh(cast, body, count, used, triangles, rest, len(moved))}
 
 
 def _frames(cast: Cast, body: BodyLevels, count: int, used: NDArray[np.int64]) -> tuple[Array, Array, dict[str, Any]]:
@@ -101,8 +73,6 @@ def _mesh(
         asset=pygltflib.Asset(version="2.0", generator=f"Cloner {__version__}", copyright=CREDITS), scene=0
     )
     buffer = GltfBuffer(gltf, np.zeros((2, 3)))
-    total = len(rest)
-    column = np.column_stack([(np.arange(total) + 0.5) / total, np.full(total, 1.0 - 0.5 / (2 * frames))])
     normals = np.concatenate([cast.normals[:count], cast.loose.normals[used]])
     picture = np.concatenate([cast.atlas, np.zeros((cast.shell.shape[0], cast.atlas.shape[1], 3), np.uint8)])
     picture[len(cast.atlas) :, : cast.shell.shape[1]] = cast.shell[..., :3]
@@ -121,7 +91,7 @@ def _mesh(
     gltf.materials.append(pygltflib.Material(name="atlas", pbrMetallicRoughness=look, doubleSided=True))
     attributes = pygltflib.Attributes(
         POSITION=buffer.positions(rest), NORMAL=buffer.normals(normals), TEXCOORD_0=buffer.uv(uv),
-        TEXCOORD_1=buffer.uv(column),
+        TEXCOORD_1=buffer.uv(columns(len(rest), frames)),
     )  # fmt: skip
     primitive = pygltflib.Primitive(attributes=attributes, indices=buffer.indices(triangles), material=0)
     name = f"{cast.identifier}_LOD{LEVEL}"

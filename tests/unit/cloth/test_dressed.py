@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import struct
 from pathlib import Path
 
+import cv2
 import numpy as np
 import pygltflib
 import pytest
@@ -12,7 +14,7 @@ from scipy.spatial import cKDTree
 
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
-from cloner.cloth.caches import obj, pc2, usd
+from cloner.cloth.caches import obj, pc2, usd, vat
 from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.dressing import Dressed, dressed
 from cloner.cloth.glb import MASKED, glb
@@ -140,6 +142,33 @@ def test_caches_hold_every_frame(walking: Dressed) -> None:
         frames[0, 0], abs=1e-6
     )
     assert sum(line.startswith("f ") for line in lines) == len(walking.worn.cloth.faces)
+
+
+def test_a_vertex_animation_texture_decodes_to_the_loop(walking: Dressed) -> None:
+    """Read as the layout's documentation says, by nothing of ours: at most 1 mm off."""
+    files, frames = vat(walking), walking.loop.frames_m[:, walking.worn.cloth.vertex]
+    image = cv2.imdecode(np.frombuffer(files[".png"], np.uint8), cv2.IMREAD_UNCHANGED)[..., ::-1] / 65535.0
+    told = json.loads(files["-remap_info.json"])
+    gltf = pygltflib.GLTF2.load_from_bytes(files[".glb"])
+    accessor = gltf.accessors[gltf.meshes[0].primitives[0].attributes.POSITION]
+    view = gltf.bufferViews[accessor.bufferView]
+    rest = np.frombuffer(gltf.binary_blob(), np.float32, 3 * accessor.count, view.byteOffset).reshape(-1, 3)
+    assert image.shape[:2] == (2 * len(frames), len(rest))
+    assert told["animations"]["walk"]["endFrame"] == len(frames) - 1
+    low, high = np.array(told["os-remap"]["Min"]), np.array(told["os-remap"]["Max"])
+    for row in range(0, len(frames), 7):
+        off = low + image[row] * (high - low)
+        moved = rest + np.column_stack([off[:, 0], off[:, 2], -off[:, 1]])
+        assert np.linalg.norm(moved - frames[row], axis=1).max() < 1e-3
+
+
+def test_a_garment_of_too_many_points_is_refused_before_it_is_simulated(eva: Clone, tmp_path: Path) -> None:
+    path = tmp_path / "clone.npz"
+    save_clone(eva, path)
+    with pytest.raises(ClonerError, match="readers of vertex animation textures") as caught:
+        dress_file(path, tmp_path / "skirt.png", garment="circle-skirt", fabric="silk", length_cm=95.0)
+    assert "--length" in caught.value.hint
+    assert [path.name for path in tmp_path.iterdir()] == ["clone.npz"]
 
 
 def test_usd_moves_the_points(walking: Dressed, tmp_path: Path) -> None:
