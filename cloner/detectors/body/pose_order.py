@@ -13,6 +13,7 @@ import numpy as np
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body import pose_rows as net
+from cloner.detectors.nets.results import PoseResult
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
 from cloner.records.points import PhotoState, StateKind
@@ -40,13 +41,29 @@ def in_order(figure: Figure, pose_px: Array, view: ViewId) -> tuple[Array, tuple
     """
     pose, states = pose_px.copy(), list[PhotoState]()
     if view is not ViewId.BODY_SIDE:
-        expected = 1.0 if view is ViewId.BODY_FRONT else -1.0
-        pose, exchanged = _sides_put_right(pose, expected, TIE * figure.height_px)
+        pose, exchanged = _sides_put_right(pose, view, TIE * figure.height_px)
         states += exchanged
         pose, crossed = _own_leg(figure, pose)
         states += crossed
     pose, beside = _on_person(figure, pose, view)
     return pose, tuple(states + beside)
+
+
+def is_exchanged(pose_px: Array, view: ViewId) -> bool:
+    """Return whether left and right of the whole person (33, 2) lie on each other's side in a front or back photo."""
+    if view not in (ViewId.BODY_FRONT, ViewId.BODY_BACK):
+        return False
+    return _apart(pose_px, (net.SHOULDERS, net.HIPS), 1.0 if view is ViewId.BODY_FRONT else -1.0) < 0.0
+
+
+def from_mirror(seen: PoseResult, width: int) -> PoseResult:
+    """Return the pose of a photo so many pixels wide from that of its mirror image."""
+    rows = np.arange(len(seen.points_px))
+    for left, right in net.TWINS:
+        rows[[left, right]] = right, left
+    points = seen.points_px[rows] * (-1.0, 1.0) + (width - 1.0, 0.0)
+    mask = np.ascontiguousarray(seen.mask[:, ::-1])
+    return PoseResult(points, seen.visibility[rows], seen.presence[rows], seen.score, mask)
 
 
 def _apart(pose: Array, pairs: Sequence[tuple[int, int]], expected: float) -> float:
@@ -61,10 +78,10 @@ def _exchanged(pose: Array, pairs: Sequence[tuple[int, int]]) -> Array:
     return swapped
 
 
-def _sides_put_right(pose: Array, expected: float, tie_px: float) -> tuple[Array, list[PhotoState]]:
+def _sides_put_right(pose: Array, view: ViewId, tie_px: float) -> tuple[Array, list[PhotoState]]:
     """Return the pose with left on the expected side: the whole person, then arms and legs, then single joints."""
-    states = []
-    if _apart(pose, (net.SHOULDERS, net.HIPS), expected) < 0.0:
+    states, expected = [], 1.0 if view is ViewId.BODY_FRONT else -1.0
+    if is_exchanged(pose, view):
         pose = _exchanged(pose, net.TWINS)
         states.append(_exchange_state("the whole person"))
     for name, pairs, checked in (
