@@ -159,7 +159,7 @@ def covered_share(views: list[HairView], points_m: Array, normals: Array) -> Arr
 def hairline_mm(view: HairView, points_m: Array) -> NDArray[np.float32]:
     """Return (N,) signed distance to the hairline in one photo, mm, at most VOTE_MM, positive on the hair's side."""
     posed = view.to_view(points_m)
-    line = sample(view.line_px, view.posed.camera.project(posed))[:, 0] * view.pixel_mm(posed)
+    line = sample(view.line_px, view.posed.camera.project(posed))[:, 0].astype(np.float64) * view.pixel_mm(posed)
     return np.asarray(np.clip(line, -VOTE_MM, VOTE_MM), np.float32)
 
 
