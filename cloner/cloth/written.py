@@ -11,13 +11,12 @@ from typing import Final
 
 from cloner.cloth.caches import obj, pc2, usd, vat
 from cloner.cloth.drafting.cut import cut
-from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.dressing import STEP_M, WALK, Dressed, dressed, fabric_named, motion_of, pattern_of, pictures
 from cloner.cloth.glb import glb
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import write_bytes
-from cloner.exporters.vat import MOST_VERTICES, PICTURE, REMAP
+from cloner.exporters.vat import PICTURE, REMAP, check_count
 from cloner.motion.limbs.rig import centred
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
@@ -73,7 +72,7 @@ def dress_file(
     clone = centred(clone_of(clone_path))
     cuts = [pattern_of(clone, garment, length_cm), *(pattern_of(clone, name, None) for name, _ in over)]
     if out.suffix.lower() == PICTURE:
-        _check_count(cuts[-1][0])
+        check_count(len(cut(cuts[-1][0], STEP_M).flat_m), cuts[-1][0].name)
     walk, found = motion_of(clone, motion), None
     for number, ((pattern, ring_level), cloth) in enumerate(zip(cuts, fabrics, strict=True)):
         share = functools.partial(_share, progress, number, len(cuts))
@@ -87,15 +86,6 @@ def dress_file(
         for one in found.layers
     )
     return (*said, str(out))
-
-
-def _check_count(pattern: Pattern) -> None:
-    """Refuse a garment that has more points than a vertex animation texture, before it is simulated."""
-    count = len(cut(pattern, STEP_M).flat_m)
-    if count > MOST_VERTICES:
-        hint = "Give a shorter one with --length, or --out a name that ends with .pc2"
-        message = f"{count} points are more than the {MOST_VERTICES} that readers of vertex animation textures take"
-        raise ClonerError(message, hint, pattern.name)
 
 
 def _share(progress: Progress, number: int, count: int, step: str, fraction: float) -> None:

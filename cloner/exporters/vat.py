@@ -17,13 +17,28 @@ from typing import Any, Final
 import cv2
 import numpy as np
 
+from cloner.errors import ClonerError
 from cloner.records.arrays import Array
 
+#: What one is in a picture of 16 bits.
 FULL: Final = 65_535
 #: Readers of the layout take no mesh with more vertices: a picture is as wide.
 MOST_VERTICES: Final = 8192
 #: What a picture's name ends with, and its remap file's instead.
 PICTURE, REMAP = ".png", "-remap_info.json"
+
+
+def check_count(count: int, name: str) -> None:
+    """Refuse a mesh that has more vertices than readers take.
+
+    Raises
+    ------
+    ClonerError
+        If it has.
+    """
+    if count > MOST_VERTICES:
+        message = f"{count} points are more than the {MOST_VERTICES} that readers of vertex animation textures take"
+        raise ClonerError(message, "Give a shorter one with --length, or --out a name that ends with .pc2", name)
 
 
 def vat_pictures(rest_m: Array, moved_m: Array, normals: Array, animations: Mapping[str, Any]) -> dict[str, bytes]:

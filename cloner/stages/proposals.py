@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 
 from cloner.abreast import in_two_steps
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body.pose_order import from_mirror, is_exchanged
+from cloner.detectors.body.pose_order import read_again
 from cloner.detectors.face.profile_cut import free_profile
 from cloner.detectors.nets.portraits import is_cut_below
-from cloner.detectors.nets.results import Box, PoseResult
+from cloner.detectors.nets.results import Box
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -125,22 +125,10 @@ def find_figure(photo: Photo) -> Figure:
         pose = DETECTORS.get("pose_with_room")(photo.rgb) if photo.view is ViewId.FACE_SIDE else None
     if pose is None:
         raise nobody_in(photo)
-    pose = _read_again(photo, pose)
+    pose = read_again(photo.rgb, photo.view, pose, DETECTORS.get("pose"))
     if float((pose.mask > 0.5).mean()) < LEAST_PERSON:
         raise nobody_in(photo)
     return _figure(photo, pose.points_px, np.asarray(pose.visibility, dtype=np.float64), pose.mask)
-
-
-def _read_again(photo: Photo, pose: PoseResult) -> PoseResult:
-    """Return a pose, or that of the photo's mirror image where this one has left and right exchanged and that has not.
-
-    A back that is read as a front has more wrong than its sides: elbows lie on the trunk.
-    """
-    if not is_exchanged(pose.points_px, photo.view):
-        return pose
-    mirrored = DETECTORS.get("pose")(np.ascontiguousarray(photo.rgb[:, ::-1]))
-    again = pose if mirrored is None else from_mirror(mirrored, photo.rgb.shape[1])
-    return pose if is_exchanged(again.points_px, photo.view) else again
 
 
 def _figure(

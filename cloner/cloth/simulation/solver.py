@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.cloth.drafting.cut import Cloth
-from cloner.cloth.simulation.contact import Pairs, Spacing, keep_apart, pairs_of, spacing_of
+from cloner.cloth.simulation.contact import Spacing, keep_apart, pairs_of, spacing_of
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.threads import Threads, grouped, limit, pull
 from cloner.cloth.simulation.wearer import Planes, Skin, planes_under
@@ -209,8 +209,6 @@ def step(
     free[sheet.held] = 0.0
     kept = KEPT**h
     tree, half = skin_now.tree, max(1, substeps // 2)
-    planes: Planes | None = None
-    pairs: Pairs | None = None
     for number in range(substeps):
         if number % half == 0:
             planes = planes_under(skin_now, tree, places, REACH_M)
@@ -233,10 +231,8 @@ def step(
         pull(sheet.stretch, places, free, h)
         if number % 2:
             limit(sheet.stretch, places, free)
-        if pairs is not None:
-            keep_apart(pairs, places, free)
-        if planes is not None:
-            _keep_out(planes, places, before, sheet.fabric.friction, share, 1.0 / substeps)
+        keep_apart(pairs, places, free)
+        _keep_out(planes, places, before, sheet.fabric.friction, share, 1.0 / substeps)
         speeds = (places - before) * (kept / h)
     return State(places, speeds)
 

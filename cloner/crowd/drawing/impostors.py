@@ -21,18 +21,16 @@ from cloner.crowd.clones.cast import Cast, posed
 from cloner.crowd.clones.clips import Clip
 from cloner.crowd.clones.levels import BodyLevels
 from cloner.crowd.clones.stock import BAKED_FROM_M, TEXELS_PER_M, Baked, Stock, middle_m
-from cloner.crowd.drawing.texels import SAMPLES, reduced
 from cloner.crowd.drawing.theatre import Theatre
+from cloner.crowd.drawing.tiles import Tile, drawn
 from cloner.records.arrays import Array
 
 Pixels = NDArray[np.uint8]
 
-BAKED_LEVEL: Final = 0
-BAND: Final = 256  # rows of a page that are drawn at once, for the memory's sake
 PAGE_WIDE: Final = 1024  # one ring of 22 views then is about as tall
 _ALIGNED: Final = 4  # two levels of mips stay inside a tile
 _MARGIN: Final = 1.25  # texels around the person, for filters and the search of depth
-_NEAR_M: Final = 1.0
+#: Where sides are compared, radians: half-way, straight and half-way behind.
 _SIDES: Final = (np.pi / 4, np.pi / 2, 3 * np.pi / 4)
 #: Likeness of both sides from which one stands for both. Eight clones have .88 to .96; with those from .9 mirrored the
 #: impostors of all have .9855 in the mean (worst .962) at the switch instead of .9900 (.974): the bar is .985.
@@ -101,15 +99,6 @@ def axes(azimuth: float, elevation: float) -> Array:
     return np.array([[c, 0.0, -s], [-s * se, ce, -c * se], [s * ce, se, c * ce]])
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class _Tile:
-    clip: int
-    frame: int
-    axes: Array
-    box_m: tuple[float, float, float, float]  # left, bottom, right, top on the plane through the middle
-    size: tuple[int, int]
-
-
 def bake(cast: Cast, body: BodyLevels, held: Stock, wanted: Bake) -> Tiles:
     """Return the tiles of a clone.
 
@@ -138,7 +127,7 @@ def bake(cast: Cast, body: BodyLevels, held: Stock, wanted: Bake) -> Tiles:
             views = wanted.mirrored if Baked.LEFT in seen else wanted.views
         tiles, starts = _plan(cast, body, replace(wanted, views=views), seen)
         places, tall = _placed(tiles, wanted.page_wide)
-        colour, shape = _drawn(theatre, cast, tiles, places, (wanted.page_wide, tall))
+        colour, shape = drawn(theatre, cast, tiles, places, (wanted.page_wide, tall))
     finally:
         theatre.close()
     lines = np.zeros((2 * len(tiles), 4), np.float32)
@@ -167,7 +156,7 @@ def side_likeness(theatre: Theatre, cast: Cast, body: BodyLevels, number: int, w
             box = -high_x, low_y, -low_x, high_y
             tiles += [tile, replace(tile, frame=(frame + count // 2) % count, axes=right, box_m=box)]
     places, tall = _placed(tiles, wanted.page_wide)
-    page, _ = _drawn(theatre, cast, tiles, places, (wanted.page_wide, tall))
+    page, _ = drawn(theatre, cast, tiles, places, (wanted.page_wide, tall))
     shown = [
         _on_grey(page[y : y + tile.size[1], x : x + tile.size[0]]) for tile, (x, y) in zip(tiles, places, strict=True)
     ]
@@ -182,9 +171,9 @@ def _on_grey(rgba: Pixels) -> Array:
     return np.asarray(rgba[..., :3] * cover + 127.5 * (1.0 - cover))
 
 
-def _plan(cast: Cast, body: BodyLevels, wanted: Bake, seen: Sequence[Baked]) -> tuple[list[_Tile], list[int]]:
+def _plan(cast: Cast, body: BodyLevels, wanted: Bake, seen: Sequence[Baked]) -> tuple[list[Tile], list[int]]:
     """Return the tiles in their order (clip, ring, view, pose) and the first one of each clip."""
-    found: list[_Tile] = []
+    found: list[Tile] = []
     starts: list[int] = []
     names = [clip.name for clip in cast.clips]
     for number, clip in enumerate(cast.clips):
@@ -214,7 +203,7 @@ def _clouds(cast: Cast, body: BodyLevels, clip: Clip) -> list[Array]:
     return clouds
 
 
-def _tile(clip: int, frame: int, way: Array, cloud: Array, texels_per_m: float) -> _Tile:
+def _tile(clip: int, frame: int, way: Array, cloud: Array, texels_per_m: float) -> Tile:
     seen = cloud @ way.T
     plane = seen[:, :2] * (BAKED_FROM_M / (BAKED_FROM_M - seen[:, 2:]))
     low = plane.min(axis=0) - _MARGIN / texels_per_m
@@ -223,10 +212,10 @@ def _tile(clip: int, frame: int, way: Array, cloud: Array, texels_per_m: float) 
     middle = (low + high) / 2.0
     half = size / (2.0 * texels_per_m)
     box = (*(middle - half).tolist(), *(middle + half).tolist())
-    return _Tile(clip, frame, way, box, (int(size[0]), int(size[1])))
+    return Tile(clip, frame, way, box, (int(size[0]), int(size[1])))
 
 
-def _placed(tiles: Sequence[_Tile], page_wide: int) -> tuple[list[tuple[int, int]], int]:
+def _placed(tiles: Sequence[Tile], page_wide: int) -> tuple[list[tuple[int, int]], int]:
     """Return where each tile lies in the page, texels from its top left, and how tall the page is."""
     order = sorted(range(len(tiles)), key=lambda k: (-tiles[k].size[1], k))
     places = [(0, 0)] * len(tiles)
@@ -238,79 +227,6 @@ def _placed(tiles: Sequence[_Tile], page_wide: int) -> tuple[list[tuple[int, int
         places[k] = (x, y)
         x, shelf = x + wide, max(shelf, tall)
     return places, -(-(y + shelf) // 8) * 8
-
-
-def _people(cast: Cast, tiles: Sequence[_Tile]) -> tuple[list[int], NDArray[np.float32]]:
-    """Return the row of people that stands in each tile, and the rows: one a pose of each clip."""
-    poses = sorted({(tile.clip, tile.frame) for tile in tiles})
-    people = np.zeros((len(poses), 5, 4), np.float32)
-    for row, (clip, frame) in enumerate(poses):
-        people[row, 1] = 0.0, (frame + 0.5) / len(cast.clips[clip].frames), 0.0, 1.0
-        people[row, 2] = 0.0, 0.0, 0.0, clip
-        people[row, 3] = -1.0
-    place = {pose: row for row, pose in enumerate(poses)}
-    return [place[tile.clip, tile.frame] for tile in tiles], people
-
-
-def _drawn(
-    theatre: Theatre, cast: Cast, tiles: Sequence[_Tile], places: Sequence[tuple[int, int]], page: tuple[int, int]
-) -> tuple[Pixels, Pixels]:
-    """Return the page's colours (H, W, 4) and shapes (H/2, W/2, 4)."""
-    colours = np.zeros((page[1], page[0], 4), np.uint8)
-    shapes = np.zeros((page[1] // 2, page[0] // 2, 4), np.uint8)
-    size = (page[0] * SAMPLES, BAND * SAMPLES)
-    target = theatre.target(size, 2)
-    centre = np.array([0.0, middle_m(cast), 0.0])
-    rows, people = _people(cast, tiles)
-    theatre.send_people(people)
-    for first, last in _bands(tiles, places):
-        theatre.begin(target, (0.0, 0.0, 0.0, 0.0))
-        for tile, (x, y), row in zip(tiles, places, rows, strict=True):
-            if not first <= y < last:
-                continue
-            wide, high = tile.size
-            theatre.viewport((x * SAMPLES, size[1] - (y - first + high) * SAMPLES, wide * SAMPLES, high * SAMPLES))
-            eye = centre + BAKED_FROM_M * tile.axes[2]
-            values = {
-                "clipFromWorld": _window(tile, centre), "eye": eye, "tileRight": tile.axes[0], "tileUp": tile.axes[1],
-                "tileBack": tile.axes[2], "tileCentre": centre,
-            }  # fmt: skip
-            theatre.draw_people(BAKED_LEVEL, np.array([[row, 1.0]], np.float32), values, "bake")
-        used = (last - first) * SAMPLES
-        found = reduced(theatre.read(target)[:used], theatre.read(target, 1)[:used])
-        colours[first:last], shapes[first // 2 : last // 2] = found
-    return colours, shapes
-
-
-def _bands(tiles: Sequence[_Tile], places: Sequence[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Return the first and the last row of runs of whole shelves that fit ``BAND``."""
-    shelves: dict[int, int] = {}
-    for tile, (_, y) in zip(tiles, places, strict=True):
-        shelves[y] = max(shelves.get(y, 0), y + tile.size[1])
-    bands: list[tuple[int, int]] = []
-    for first, last in sorted(shelves.items()):
-        if bands and last - bands[-1][0] <= BAND:
-            bands[-1] = (bands[-1][0], last)
-        else:
-            bands.append((first, last))
-    return bands
-
-
-def _window(tile: _Tile, centre: Array) -> Array:
-    """Return the (4, 4) clip space that shows just the tile's box on the plane through the middle, in perspective."""
-    left, bottom, right, top = tile.box_m
-    view = np.eye(4)
-    view[:3, :3], view[:3, 3] = tile.axes, -tile.axes @ (centre + BAKED_FROM_M * tile.axes[2])
-    far, near = 2.0 * BAKED_FROM_M, _NEAR_M
-    lens = np.array(
-        [
-            [2 * BAKED_FROM_M / (right - left), 0, (right + left) / (right - left), 0],
-            [0, 2 * BAKED_FROM_M / (top - bottom), (top + bottom) / (top - bottom), 0],
-            [0, 0, -(far + near) / (far - near), -2 * far * near / (far - near)],
-            [0, 0, -1, 0],
-        ]
-    )
-    return np.asarray(lens @ view)
 
 
 def with_tiles(held: Stock, tiles: Sequence[Tiles], wanted: Bake) -> Stock:

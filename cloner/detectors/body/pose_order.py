@@ -6,10 +6,11 @@ known: the person's left lies to the image's right, from behind to its left; eac
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Final
 
 import numpy as np
+from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body import pose_rows as net
@@ -64,6 +65,20 @@ def from_mirror(seen: PoseResult, width: int) -> PoseResult:
     points = seen.points_px[rows] * (-1.0, 1.0) + (width - 1.0, 0.0)
     mask = np.ascontiguousarray(seen.mask[:, ::-1])
     return PoseResult(points, seen.visibility[rows], seen.presence[rows], seen.score, mask)
+
+
+def read_again(
+    rgb: NDArray[np.uint8], view: ViewId, pose: PoseResult, net_of: Callable[[NDArray[np.uint8]], PoseResult | None]
+) -> PoseResult:
+    """Return a pose, or that of the photo's mirror image where this one has left and right exchanged and that has not.
+
+    A back that is read as a front has more wrong than its sides: elbows lie on the trunk. ``net_of`` reads a photo.
+    """
+    if not is_exchanged(pose.points_px, view):
+        return pose
+    mirrored = net_of(np.ascontiguousarray(rgb[:, ::-1]))
+    again = pose if mirrored is None else from_mirror(mirrored, rgb.shape[1])
+    return pose if is_exchanged(again.points_px, view) else again
 
 
 def _apart(pose: Array, pairs: Sequence[tuple[int, int]], expected: float) -> float:

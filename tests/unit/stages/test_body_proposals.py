@@ -8,13 +8,12 @@ import pytest
 
 from cloner.body.bone_checks import check_bones
 from cloner.detectors.body import pose_rows as net
-from cloner.detectors.body.pose_order import from_mirror
+from cloner.detectors.body.pose_order import from_mirror, read_again
 from cloner.detectors.nets.results import PoseResult
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
 from cloner.records.labels import Label
 from cloner.records.points import PhotoState, Proposals, StateKind, ViewPoints, confidence_of, expected_error
-from cloner.stages import proposals
 from cloner.stages.photo_checks import check_photos
 from cloner.stages.points import body_proposals, told
 from kit import net as known_net
@@ -112,11 +111,11 @@ def test_a_front_in_the_back_s_place_is_refused_but_exchanged_labels_are_not(sho
 
 
 @pytest.mark.parametrize("right_in_mirror", [True, False])
-def test_a_back_read_as_a_front_is_read_again_in_the_mirror(shown, monkeypatch, right_in_mirror):
+def test_a_back_read_as_a_front_is_read_again_in_the_mirror(shown, right_in_mirror):
     """The mirror's reading is taken if its sides are right, with all its joints; else the first one stays."""
     mask, pose = shown[BACK]
     height, width = mask.shape
-    photo = studio.photo_set({BACK: np.zeros((height, width, 3), np.uint8)}).photos[BACK]
+    rgb = np.zeros((height, width, 3), np.uint8)
     seen = np.linspace(0.0, 1.0, 33)
     right = PoseResult(np.asarray(pose, float), seen, seen, 1.0, mask.astype(np.float32))
     swapped = right.points_px.copy()
@@ -125,14 +124,9 @@ def test_a_back_read_as_a_front_is_read_again_in_the_mirror(shown, monkeypatch, 
     wrong = replace(right, points_px=swapped)
     in_mirror = from_mirror(right if right_in_mirror else wrong, width)
 
-    class Net:
-        def get(self, name):
-            return lambda rgb: in_mirror
-
-    monkeypatch.setattr(proposals, "DETECTORS", Net())
-    found = proposals._read_again(photo, wrong)
+    found = read_again(rgb, BACK, wrong, lambda _: in_mirror)
     want = right if right_in_mirror else wrong
     assert found.points_px == pytest.approx(want.points_px)
     assert found.visibility == pytest.approx(want.visibility)
     assert np.array_equal(found.mask, want.mask)
-    assert proposals._read_again(photo, right) is right
+    assert read_again(rgb, BACK, right, lambda _: wrong) is right
