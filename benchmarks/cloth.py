@@ -18,7 +18,7 @@ from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.dressing import GARMENTS, STEP_M, Dressed, pattern_of, pictures
 from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.loop import best_loop
-from cloner.cloth.simulation.moving import Worn, put_on, simulate
+from cloner.cloth.simulation.moving import BLEND, SETTLE, Worn, put_on, simulate
 from cloner.cloth.simulation.placing import body_ring
 from cloner.cloth.simulation.solver import strains
 from cloner.evaluate.measures.crossings import self_crossings
@@ -80,6 +80,18 @@ def refused(places: Array, worn: Worn) -> bool:
     return bool(ipctk.has_intersections(mesh, places))
 
 
+def simulated(worn: Worn, cycles: int) -> tuple[list[Array], float]:
+    """Return the walk's frames (N, 3), and CPU seconds a frame."""
+    begun = time.process_time()
+    places = [state.places_m for number, state in simulate(worn, cycles) if number >= 0]
+    return places, (time.process_time() - begun) / (len(places) + SETTLE + BLEND)
+
+
+def strain_of(worn: Worn, frames: Array) -> list[float]:
+    """Return the 99th percentile of strain in each frame."""
+    return [float(np.quantile(strains(worn.sheet, frame), 0.99)) for frame in frames]
+
+
 def every_garment(clone: Clone) -> list[str]:
     """Return the table of all garments' closed loops."""
     lines = [
@@ -92,13 +104,11 @@ def every_garment(clone: Clone) -> list[str]:
     for garment in GARMENTS:
         pattern, level = pattern_of(clone, garment, None)
         worn = put_on(clone, pattern, body_ring(clone, level) if level else None, FABRICS["cotton"], motion, STEP_M)
-        begun = time.process_time()
-        places = [state.places_m for number, state in simulate(worn, FEW) if number >= 0]
-        spent = (time.process_time() - begun) / (len(places) + 48)
+        places, spent = simulated(worn, FEW)
         loop = best_loop(worn, np.array(places))
         sewn = crossed_triangles(worn.start.places_m, worn)
         crossed = [crossed_triangles(frame, worn) for frame in loop.frames_m]
-        strain = np.median([np.quantile(strains(worn.sheet, frame), 0.99) for frame in loop.frames_m])
+        strain = np.median(strain_of(worn, loop.frames_m))
         seam, usual = jolt(loop.frames_m)
         lines.append(
             f"| {garment} | {worn.cloth.count} | {spent:.3f} | {sewn}; {np.median(crossed):.0f}, {max(crossed)} of {len(worn.cloth.faces)} | {sum(refused(frame, worn) for frame in loop.frames_m)} of {len(crossed)} | {100 * strain:.1f} % | {100 * measured(worn, dict(enumerate(loop.frames_m)))[2]:.2f} % | {loop.gap_mm:.1f}, {loop.left_mm:.1f} | {seam / usual:.2f} |"
@@ -120,12 +130,8 @@ def main() -> None:
     begun = time.process_time()
     worn = put_on(clone, draft(BLOCKS["skirt"], ring.girth_m, 0.6), ring, fabric, motion, STEP_M)
     put = time.process_time() - begun
-    places, stretched, begun = [], [], time.process_time()
-    for number, state in simulate(worn, asked.cycles):
-        if number >= 0:
-            places.append(state.places_m)
-            stretched.append(np.quantile(strains(worn.sheet, state.places_m), 0.99))
-    spent = (time.process_time() - begun) / (len(places) + 48)
+    places, spent = simulated(worn, asked.cycles)
+    stretched = strain_of(worn, places)
     begun = time.process_time()
     loop = best_loop(worn, np.array(places))
     closing = time.process_time() - begun
@@ -133,7 +139,7 @@ def main() -> None:
     closed = measured(worn, dict(enumerate(loop.frames_m)))
     seam, usual = jolt(loop.frames_m)
     crossed = [crossed_triangles(frame, worn) for frame in loop.frames_m]
-    loop_strain = np.quantile([np.quantile(strains(worn.sheet, frame), 0.99) for frame in loop.frames_m], 0.5)
+    loop_strain = np.median(strain_of(worn, loop.frames_m))
     lines = [
         "# Cloth, measured", "", "`python benchmarks/cloth.py` writes this page: half-circle skirt, 60 cm, on a body from measures (168 cm, 92-74-99), walking.", "",
         "| what | figure | wanted |", "| --- | --- | --- |",

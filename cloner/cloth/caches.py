@@ -21,11 +21,10 @@ from cloner import __version__
 from cloner.cloth.dressing import Dressed
 from cloner.cloth.glb import ROUGHNESS
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
-from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.shared.credits import CREDITS
 from cloner.exporters.usd import usd_library
-from cloner.exporters.vat import columns, vat_pictures
+from cloner.exporters.vat import columns, mesh_glb, vat_pictures
 from cloner.geometry.meshes.wedges import vertex_normals
 
 
@@ -75,17 +74,8 @@ def vat(found: Dressed) -> dict[str, bytes]:
         TEXCOORD_1=buffer.uv(columns(points.shape[1], len(points))),
     )  # fmt: skip
     triangles = buffer.indices(cloth.triangles.astype(np.int32))
-    gltf.meshes.append(
-        pygltflib.Mesh(
-            name="Garment", primitives=[pygltflib.Primitive(attributes=attributes, indices=triangles, material=0)]
-        )
-    )
-    gltf.nodes.append(pygltflib.Node(name="Garment", mesh=0))
-    gltf.scenes.append(pygltflib.Scene(name="Garment", nodes=[0]))
-    data = buffer.data()
-    gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
-    gltf.set_binary_blob(data)
-    return files | {".glb": glb_bytes(gltf)}
+    primitive = pygltflib.Primitive(attributes=attributes, indices=triangles, material=0)
+    return files | {".glb": mesh_glb(gltf, buffer, primitive, "Garment", "Garment")}
 
 
 def usd(found: Dressed) -> bytes:

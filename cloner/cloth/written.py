@@ -25,10 +25,18 @@ from cloner.vision.photographs.films import FORMATS as FILMS
 from cloner.vision.photographs.films import write_film
 
 PC2: Final = ".pc2"
-WRITERS: Final[Mapping[str, Callable[[Dressed], bytes]]] = {".glb": glb, PC2: pc2, ".usdc": usd}
-ENDINGS: Final = (*WRITERS, PICTURE, *FILMS)
-#: Ends of the names of what is written beside a file.
+#: What is written, by the file's ending: contents by the ends of their names, the file's own first.
+WRITERS: Final[Mapping[str, Callable[[Dressed], Mapping[str, bytes]]]] = MappingProxyType(
+    {
+        ".glb": lambda found: {".glb": glb(found)},
+        PC2: lambda found: {PC2: pc2(found), ".obj": obj(found)},
+        ".usdc": lambda found: {".usdc": usd(found)},
+        PICTURE: vat,
+    }
+)
+#: Of these, what lies beside the file.
 BESIDE: Final = MappingProxyType({PC2: (".obj",), PICTURE: (REMAP, ".glb")})
+ENDINGS: Final = (*WRITERS, *FILMS)
 
 
 def dress_file(
@@ -125,13 +133,8 @@ def write_dressed(found: Dressed, out: Path) -> None:
     check_target(out)
     kind = out.suffix.lower()
     if kind in WRITERS:
-        write_bytes(out, WRITERS[kind](found))
-        if kind == PC2:
-            write_bytes(out.with_suffix(".obj"), obj(found))
-        return
-    if kind == PICTURE:
-        for end, data in vat(found).items():
-            write_bytes(out if end == PICTURE else out.with_name(out.stem + end), data)
+        for end, data in WRITERS[kind](found).items():
+            write_bytes(out if end == kind else out.with_name(out.stem + end), data)
         return
     with appears(out) as temporary:
         write_film(list(pictures(found)), FRAMES_PER_S, temporary)

@@ -16,8 +16,11 @@ from typing import Any, Final
 
 import cv2
 import numpy as np
+import pygltflib
 
 from cloner.errors import ClonerError
+from cloner.exporters.gltf.glb_file import glb_bytes
+from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.records.arrays import Array
 
 #: What one is in a picture of 16 bits.
@@ -69,6 +72,17 @@ def vat_pictures(rest_m: Array, moved_m: Array, normals: Array, animations: Mapp
 def columns(count: int, frames: int) -> Array:
     """Return (N, 2) the second texture coordinates of a mesh: where each vertex's column begins."""
     return np.column_stack([(np.arange(count) + 0.5) / count, np.full(count, 1.0 - 0.5 / (2 * frames))])
+
+
+def mesh_glb(gltf: Any, buffer: GltfBuffer, primitive: Any, name: str, scene: str) -> bytes:
+    """Return the file of a mesh of one primitive, whose second texture coordinates are its `columns`."""
+    gltf.meshes.append(pygltflib.Mesh(name=name, primitives=[primitive]))
+    gltf.nodes.append(pygltflib.Node(name=name, mesh=0))
+    gltf.scenes.append(pygltflib.Scene(name=scene, nodes=[0]))
+    data = buffer.data()
+    gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
+    gltf.set_binary_blob(data)
+    return glb_bytes(gltf)
 
 
 def _engine_axes(vectors: Array) -> Array:

@@ -119,9 +119,8 @@ def _closed(worn: Worn, places_m: Array, start: int) -> tuple[Array, float, floa
     stretch = places_m[start : start + period + 1]
     led = _led_back(worn, places_m, start)
     gap = stretch[0] - led[-1]
-    from_m = period - len(led)
     share = smoothstep(np.arange(1, len(led)) / len(led))[:, None, None]
-    closed = np.concatenate([stretch[: from_m + 1], led[:-1] + share * gap])
+    closed = np.concatenate([stretch[: period + 1 - len(led)], led[:-1] + share * gap])
     out = np.empty_like(closed)
     for number in range(period):
         frame = (start + number) % period
@@ -153,7 +152,8 @@ def _led_back(worn: Worn, places_m: Array, start: int) -> Array:
 def cleared(worn: Worn, places_m: Array, frame: int) -> Array:
     """Return a frame's cloth out of the skin; the same start always gives the same."""
     skin_m = worn.met_in(frame).skin_m
-    now, out = skin_between(worn.body, skin_m, skin_m), places_m.copy()
+    now = skin_between(worn.body, skin_m, skin_m)
+    tree, out = now.tree, places_m.copy()
     for _ in range(PUSHES):
-        planes_under(now, now.tree, out, 0.05).push_out(out, CLEAR_M)
+        planes_under(now, tree, out, 0.05).push_out(out, CLEAR_M)
     return out

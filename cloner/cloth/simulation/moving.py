@@ -132,8 +132,9 @@ def put_on(
 def _cleared(body: Wearer, met_m: Array, places_m: Array) -> Array:
     """Return places pushed out of all that is met, what will be held as well."""
     out, now = places_m.copy(), skin_between(body, met_m, met_m)
+    tree = now.tree
     for _ in range(PUSHES):
-        planes_under(now, now.tree, out, DEEP_M).push_out(out, THICK_M)
+        planes_under(now, tree, out, DEEP_M).push_out(out, THICK_M)
     return out
 
 
@@ -142,6 +143,7 @@ def _eased(sheet: Sheet, body: Wearer, met_m: Array, places_m: Array) -> Array:
     out, free = places_m.copy(), 1.0 / sheet.mass_kg
     free[sheet.held] = 0.0
     now = skin_between(body, met_m, met_m)
+    tree = now.tree
     for number in range(EASING):
         leash(sheet, out)  # drawn back later in one step, it would fly
         pull(sheet.stretch, out, free, 1.0, slack=True)  # what is short folds when it hangs
@@ -149,7 +151,7 @@ def _eased(sheet: Sheet, body: Wearer, met_m: Array, places_m: Array) -> Array:
             pairs = pairs_of(sheet.spacing, out, np.zeros_like(out), 0.0)
         keep_apart(pairs, out, free)
         if number % 3 == 2:
-            planes_under(now, now.tree, out, DEEP_M).push_out(out, THICK_M, sheet.held)
+            planes_under(now, tree, out, DEEP_M).push_out(out, THICK_M, sheet.held)
     return out
 
 

@@ -21,7 +21,7 @@ Ints = NDArray[np.int64]
 
 #: Frames a second of every cycle.
 FRAMES_PER_S: Final = 30
-#: What a skirt meets; arms swing beside it. Sleeves and capes meet arms too, but no hands.
+#: What a skirt meets; arms swing beside it. Sleeves and capes meet arms and hands too.
 MET: Final = ("torso", "pelvis", "left_thigh", "right_thigh", "left_calf", "right_calf", "left_foot", "right_foot")
 ARMS: Final = ("left_upper_arm", "right_upper_arm", "left_forearm", "right_forearm", "left_hand", "right_hand")
 #: Skin points that are blended into one tangent plane.

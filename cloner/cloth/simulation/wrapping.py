@@ -40,8 +40,9 @@ def wrapped(pattern: Pattern, cloth: Cloth, body: Sections) -> tuple[Array, Ints
     skin = wearer(body.clone, whole=True)
     skin_m = body.clone.vertices_m[skin.rows]
     now = skin_between(skin, skin_m, skin_m)
+    tree = now.tree
     for _ in range(PUSHES):
-        planes_under(now, now.tree, places, DEEP_M).push_out(places, OUTSIDE_M)
+        planes_under(now, tree, places, DEEP_M).push_out(places, OUTSIDE_M)
     held = np.unique(cloth.vertex[np.concatenate([np.zeros(0, np.int64), *(cloth.edges[e] for e in pattern.held)])])
     return places, held, places[held]
 

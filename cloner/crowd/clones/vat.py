@@ -11,11 +11,10 @@ from numpy.typing import NDArray
 from cloner import __version__
 from cloner.crowd.clones.cast import Cast, posed
 from cloner.crowd.clones.levels import BodyLevels
-from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.shared.credits import CREDITS
 from cloner.exporters.shared.files import jpeg_bytes
-from cloner.exporters.vat import columns, vat_pictures
+from cloner.exporters.vat import columns, mesh_glb, vat_pictures
 from cloner.records.arrays import Array
 
 #: The finest level under 8,192 vertices with its hair: what readers of the layout take.
@@ -94,11 +93,4 @@ def _mesh(
         TEXCOORD_1=buffer.uv(columns(len(rest), frames)),
     )  # fmt: skip
     primitive = pygltflib.Primitive(attributes=attributes, indices=buffer.indices(triangles), material=0)
-    name = f"{cast.identifier}_LOD{LEVEL}"
-    gltf.meshes.append(pygltflib.Mesh(name=name, primitives=[primitive]))
-    gltf.nodes.append(pygltflib.Node(name=name, mesh=0))
-    gltf.scenes.append(pygltflib.Scene(name=cast.identifier, nodes=[0]))
-    data = buffer.data()
-    gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
-    gltf.set_binary_blob(data)
-    return glb_bytes(gltf)
+    return mesh_glb(gltf, buffer, primitive, f"{cast.identifier}_LOD{LEVEL}", cast.identifier)

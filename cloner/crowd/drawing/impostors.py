@@ -122,9 +122,9 @@ def bake(cast: Cast, body: BodyLevels, held: Stock, wanted: Bake) -> Tiles:
         if wanted.mirrored:
             likeness = [side_likeness(theatre, cast, body, number, wanted) for number in range(len(cast.clips))]
             seen = [Baked.LEFT if one >= MIRRORED_FROM else own for own, one in zip(seen, likeness, strict=True)]
-            names = [clip.name for clip in cast.clips]
-            seen = [seen[names.index(clip.far or clip.name)] for clip in cast.clips]
             views = wanted.mirrored if Baked.LEFT in seen else wanted.views
+        names = [clip.name for clip in cast.clips]
+        seen = [seen[names.index(clip.far or clip.name)] for clip in cast.clips]
         tiles, starts = _plan(cast, body, replace(wanted, views=views), seen)
         places, tall = _placed(tiles, wanted.page_wide)
         colour, shape = drawn(theatre, cast, tiles, places, (wanted.page_wide, tall))

@@ -28,6 +28,8 @@ TIE: Final = _CALIBRATED.number("tie", "figure")
 BESIDE: Final = _CALIBRATED.number("beside", "figure")
 LEAST_LEG: Final = _CALIBRATED.number("least_leg", "figure")
 OFF_LINE: Final = _CALIBRATED.number("off_line", "figure")
+#: Which way the person's left lies from the right in the image, along its columns.
+_EXPECTED: Final = {ViewId.BODY_FRONT: 1.0, ViewId.BODY_BACK: -1.0}
 
 
 def in_order(figure: Figure, pose_px: Array, view: ViewId) -> tuple[Array, tuple[PhotoState, ...]]:
@@ -52,19 +54,16 @@ def in_order(figure: Figure, pose_px: Array, view: ViewId) -> tuple[Array, tuple
 
 def is_exchanged(pose_px: Array, view: ViewId) -> bool:
     """Return whether left and right of the whole person (33, 2) lie on each other's side in a front or back photo."""
-    if view not in (ViewId.BODY_FRONT, ViewId.BODY_BACK):
-        return False
-    return _apart(pose_px, (net.SHOULDERS, net.HIPS), 1.0 if view is ViewId.BODY_FRONT else -1.0) < 0.0
+    return view in _EXPECTED and _apart(pose_px, (net.SHOULDERS, net.HIPS), _EXPECTED[view]) < 0.0
 
 
 def from_mirror(seen: PoseResult, width: int) -> PoseResult:
     """Return the pose of a photo so many pixels wide from that of its mirror image."""
-    rows = np.arange(len(seen.points_px))
-    for left, right in net.TWINS:
-        rows[[left, right]] = right, left
-    points = seen.points_px[rows] * (-1.0, 1.0) + (width - 1.0, 0.0)
+    points, visibility, presence = (
+        _exchanged(each, net.TWINS) for each in (seen.points_px, seen.visibility, seen.presence)
+    )
     mask = np.ascontiguousarray(seen.mask[:, ::-1])
-    return PoseResult(points, seen.visibility[rows], seen.presence[rows], seen.score, mask)
+    return PoseResult(points * (-1.0, 1.0) + (width - 1.0, 0.0), visibility, presence, seen.score, mask)
 
 
 def read_again(
@@ -95,7 +94,7 @@ def _exchanged(pose: Array, pairs: Sequence[tuple[int, int]]) -> Array:
 
 def _sides_put_right(pose: Array, view: ViewId, tie_px: float) -> tuple[Array, list[PhotoState]]:
     """Return the pose with left on the expected side: the whole person, then arms and legs, then single joints."""
-    states, expected = [], 1.0 if view is ViewId.BODY_FRONT else -1.0
+    states, expected = [], _EXPECTED[view]
     if is_exchanged(pose, view):
         pose = _exchanged(pose, net.TWINS)
         states.append(_exchange_state("the whole person"))
