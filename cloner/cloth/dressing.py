@@ -15,7 +15,7 @@ from cloner.cloth.drafting.drawn import read_drawing
 from cloner.cloth.drafting.pattern import Pattern, read_pattern
 from cloner.cloth.drafting.sections import Sections, sections
 from cloner.cloth.drafting.tailored import TAILORED, TROUSERS, tailored
-from cloner.cloth.simulation.fabrics import FABRICS, Fabric
+from cloner.cloth.simulation.fabrics import FABRICS, Fabric, read_fabric
 from cloner.cloth.simulation.layered import Under
 from cloner.cloth.simulation.loop import Loop, best_loop
 from cloner.cloth.simulation.moving import BLEND, SETTLE, Worn, put_on, simulate
@@ -104,10 +104,13 @@ def dressed(
     cycles: int = CYCLES,
     step_m: float = STEP_M,
     under: Dressed | None = None,
+    elements: bool = False,
     progress: Progress = quiet,
 ) -> Dressed:
     """Return a clone with a garment that moves in a loop with a cyclic motion; only what hangs from a ring has one."""
-    made = Dressing(clone, pattern, ring_level, fabric, motion, cycles=cycles, step_m=step_m, under=under)
+    made = Dressing(
+        clone, pattern, ring_level, fabric, motion, cycles=cycles, step_m=step_m, under=under, elements=elements
+    )
     return made.walked(progress=progress)
 
 
@@ -125,6 +128,8 @@ class Dressing:
         Cyclic.
     under : Dressed or None
         What is worn below already, in the same motion.
+    elements : bool
+        Let the source's integrator move it (`cloner.cloth.simulation.implicit`), not threads.
     """
 
     def __init__(
@@ -138,10 +143,11 @@ class Dressing:
         cycles: int = CYCLES,
         step_m: float = STEP_M,
         under: Dressed | None = None,
+        elements: bool = False,
     ) -> None:
         ring = body_ring(clone, ring_level) if ring_level is not None else None
         below = None if under is None else under.below()
-        self.worn, self._under = put_on(clone, pattern, ring, fabric, motion, step_m, below), under
+        self.worn, self._under = put_on(clone, pattern, ring, fabric, motion, step_m, below, elements=elements), under
         self._clone, self._fabric, self._motion, self._cycles = clone, fabric, motion, cycles
         self._moving = simulate(self.worn, cycles)
         self._done = 0
@@ -184,15 +190,21 @@ class Dressing:
 
 
 def fabric_named(name: str) -> Fabric:
-    """Return a fabric.
+    """Return a fabric by its name, or that of a file (.toml).
 
     Raises
     ------
     ClonerError
-        If there is none of that name.
+        If there is none of that name, or the file is none.
     """
+    if Path(name).suffix.lower() == ".toml":
+        return read_fabric(Path(name))
     if name not in FABRICS:
-        raise ClonerError(f"the fabric {name!r} is not known", f"The fabrics are {', '.join(FABRICS)}", "--fabric")
+        raise ClonerError(
+            f"the fabric {name!r} is not known",
+            f"The fabrics are {', '.join([*FABRICS, 'or a .toml file'])}",
+            "--fabric",
+        )
     return FABRICS[name]
 
 

@@ -13,6 +13,7 @@ from cloner.cloth.caches import obj, pc2, usd, vat
 from cloner.cloth.drafting.cut import cut
 from cloner.cloth.dressing import STEP_M, WALK, Dressed, dressed, fabric_named, motion_of, pattern_of, pictures
 from cloner.cloth.glb import glb
+from cloner.cloth.simulation.loop import Loop
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import write_bytes
@@ -48,6 +49,7 @@ def dress_file(
     motion: str = WALK,
     length_cm: float | None = None,
     over: Sequence[tuple[str, str]] = (),
+    elements: bool = False,
     progress: Progress = quiet,
 ) -> tuple[str, ...]:
     """Put a garment on a clone, let it walk, and write the loop; return what to say of it.
@@ -61,12 +63,15 @@ def dress_file(
     garment : str
         One of `GARMENTS`, or a file of a garment (.json, .svg).
     fabric : str
+        One of `FABRICS`, or a file of its readings (.toml).
     motion : str
         "walk", or a capture of a walk (.bvh).
     length_cm : float or None
         Of a named garment, from the ring or the natural waist down.
     over : sequence of (str, str)
         Garments and fabrics worn over it, one over the other.
+    elements : bool
+        Let the source's integrator move the cloth (`cloner.cloth.simulation.implicit`): more exact, eight times as long.
     progress : callable
         May raise Cancelled: nothing was written then.
 
@@ -84,16 +89,17 @@ def dress_file(
     walk, found = motion_of(clone, motion), None
     for number, ((pattern, ring_level), cloth) in enumerate(zip(cuts, fabrics, strict=True)):
         share = functools.partial(_share, progress, number, len(cuts))
-        found = dressed(clone, pattern, ring_level, cloth, walk, under=found, progress=share)
+        found = dressed(clone, pattern, ring_level, cloth, walk, under=found, elements=elements, progress=share)
     assert found is not None
     progress("export", 0.97)
     write_dressed(found, out)
-    said = (
-        f"loop of {len(one.loop.frames_m)} frames, {one.worn.cloth.count} vertices: gap {one.loop.gap_mm:.0f} mm "
-        f"(median stretch {one.loop.median_mm:.0f}), closed by {one.loop.moved_mm:.0f} mm at most"
-        for one in found.layers
-    )
-    return (*said, str(out))
+    return (*(_said(one.loop, one.worn.cloth.count) for one in found.layers), str(out))
+
+
+def _said(loop: Loop, vertices: int) -> str:
+    """Return what to say of a garment's loop."""
+    found = f"loop of {len(loop.frames_m)} frames, {vertices} vertices: gap {loop.gap_mm:.0f} mm"
+    return f"{found} (median stretch {loop.median_mm:.0f}), closed by {loop.moved_mm:.0f} mm at most"
 
 
 def _share(progress: Progress, number: int, count: int, step: str, fraction: float) -> None:

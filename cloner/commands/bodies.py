@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 
@@ -19,6 +19,9 @@ from cloner.commands.options import (
 )
 from cloner.errors import ClonerError
 from cloner.terminal import ProgressLine, split_formats
+
+#: What moves cloth: the fast way, and the source's.
+INTEGRATORS: Final = ("threads", "elements")
 
 
 def body(
@@ -89,16 +92,24 @@ def dress(
         str,
         typer.Option(help="skirt, circle-, straight-, long-skirt, cape, tee, dress, coat, trousers, .json or .svg."),
     ] = "skirt",
-    fabric: Annotated[str, typer.Option(help="silk, cotton, linen, wool, denim or burlap.")] = "cotton",
+    fabric: Annotated[
+        str, typer.Option(help="silk, cotton, linen, wool, denim, burlap, or a .toml of KES readings.")
+    ] = "cotton",
     motion: Annotated[str, typer.Option(help="walk, or a captured walk (.bvh).")] = "walk",
     length: Annotated[float | None, typer.Option("--length", help="Length in cm.")] = None,
     over: Annotated[
         list[str] | None, typer.Option("--over", help="Worn over it: GARMENT or GARMENT:FABRIC. Repeat it.")
     ] = None,
+    integrator: Annotated[
+        str, typer.Option("--integrator", help="threads (fast), or elements (more exact, eight times as long).")
+    ] = "threads",
 ) -> None:
     """Put a garment on a clone and let its cloth flow in a loop with the walk."""
     from cloner.cloth.written import dress_file
 
+    if integrator not in INTEGRATORS:
+        hint = f"Give {' or '.join(INTEGRATORS)}"
+        raise ClonerError(f"the integrator {integrator!r} is not known", hint, "--integrator")
     worn_over = [(name, other or fabric) for name, _, other in (one.partition(":") for one in over or ())]
 
     with ProgressLine() as progress:
@@ -110,6 +121,7 @@ def dress(
             motion=motion,
             length_cm=length,
             over=worn_over,
+            elements=integrator == INTEGRATORS[1],
             progress=progress,
         )
     say(lines)

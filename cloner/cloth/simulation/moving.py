@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Final
 
 import numpy as np
@@ -11,8 +11,10 @@ import numpy as np
 from cloner.cloth.drafting.cut import Cloth, cut
 from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.drafting.sections import sections
+from cloner.cloth.simulation import implicit
 from cloner.cloth.simulation.contact import keep_apart, pairs_of
 from cloner.cloth.simulation.fabrics import Fabric
+from cloner.cloth.simulation.implicit import System, system_of
 from cloner.cloth.simulation.layered import Under, wearer_over
 from cloner.cloth.simulation.placing import Band, Ring, band, outside, placed
 from cloner.cloth.simulation.solver import THICK_M, Lead, Sheet, State, leash, sheet_of, step
@@ -63,6 +65,8 @@ class Worn:
     start : State
     under : Under or None
         What is worn below.
+    system : System or None
+        Its elements, if the source's integrator moves it; threads do else.
     """
 
     cloth: Cloth
@@ -74,6 +78,7 @@ class Worn:
     speed_m_s: float
     start: State
     under: Under | None = None
+    system: System | None = None
 
     def met(self, root_m: Array, rotations: Array, below_m: Array | None) -> Met:
         """Return what the cloth meets in a pose, with the points (N, 3) of what is worn below."""
@@ -90,7 +95,10 @@ class Worn:
         """Return the cloth's state a frame later."""
         skin = skin_between(self.body, before.skin_m, now.skin_m)
         wind = np.array([0.0, 0.0, -self.speed_m_s if walks else 0.0])
-        return step(self.sheet, state, skin, (before.held_m, now.held_m), 1.0 / FRAMES_PER_S, SUBSTEPS, wind, lead)
+        held = (before.held_m, now.held_m)
+        if self.system is not None:
+            return implicit.step(self.sheet, self.system, state, skin, held, 1.0 / FRAMES_PER_S, wind, lead)
+        return step(self.sheet, state, skin, held, 1.0 / FRAMES_PER_S, SUBSTEPS, wind, lead)
 
 
 def put_on(
@@ -101,10 +109,13 @@ def put_on(
     motion: Motion,
     step_m: float,
     under: Under | None = None,
+    *,
+    elements: bool = False,
 ) -> Worn:
     """Return a garment placed round a clone in rest pose, not yet let go; what hangs from a ring needs it.
 
-    ``under`` is a garment that is worn already: the new one is placed over it.
+    ``under`` is a garment that is worn already: the new one is placed over it. With ``elements`` the source's
+    integrator moves it, else threads.
     """
     cloth = cut(pattern, step_m)
     body = wearer(clone, whole=ring is None or float(ring.points_m[0, 1]) > NECK * clone.stature_m)
@@ -126,7 +137,8 @@ def put_on(
     if ring is None or under is not None:
         places = _eased(sheet, body, met_m, places)
     state = State(places, np.zeros_like(places))
-    return Worn(cloth, sheet, body, tied, root, rotations, motion.speed_m_s, state, under)
+    system = system_of(cloth, fabric) if elements else None
+    return Worn(cloth, sheet, body, tied, root, rotations, motion.speed_m_s, state, under, system)
 
 
 def _cleared(body: Wearer, met_m: Array, places_m: Array) -> Array:
@@ -171,6 +183,6 @@ def simulate(worn: Worn, cycles: int) -> Iterator[tuple[int, State]]:
         now = worn.met(*pose, None if under is None else under.at(number))
         state = worn.after(state, before, now, walks=number >= put)
         if number < SETTLE:
-            state = State(state.places_m, CALM * state.speeds_m_s)
+            state = replace(state, speeds_m_s=CALM * state.speeds_m_s)
         before = now
         yield number - put + 1, state

@@ -22,6 +22,7 @@ from scipy.spatial import cKDTree
 from cloner.cloth.drafting.cut import Cloth
 from cloner.cloth.simulation.contact import Spacing, keep_apart, pairs_of, spacing_of
 from cloner.cloth.simulation.fabrics import Fabric
+from cloner.cloth.simulation.forces import Slips
 from cloner.cloth.simulation.threads import Threads, grouped, limit, pull
 from cloner.cloth.simulation.wearer import Planes, Skin, planes_under
 from cloner.geometry.meshes.triangles import paired_edges
@@ -81,10 +82,11 @@ class Sheet:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class State:
-    """Places (N, 3) metres and speeds (N, 3) m/s."""
+    """Places (N, 3) metres and speeds (N, 3) m/s; of elements also where their friction holds."""
 
     places_m: Array
     speeds_m_s: Array
+    slips: Slips | None = None
 
 
 def sheet_of(cloth: Cloth, fabric: Fabric, held: Ints) -> Sheet:
@@ -213,7 +215,7 @@ def step(
         if number % half == 0:
             planes = planes_under(skin_now, tree, places, REACH_M)
             pairs = pairs_of(sheet.spacing, places, speeds, half * h)
-            thrust = _air(sheet, places, speeds, wind_m_s) * free[:, None]
+            thrust = air(sheet, places, speeds, wind_m_s) * free[:, None]
             thrust[:, 1] -= GRAVITY_M_S2
         before = places.copy()
         speeds += h * thrust
@@ -232,7 +234,7 @@ def step(
         if number % 2:
             limit(sheet.stretch, places, free)
         keep_apart(pairs, places, free)
-        _keep_out(planes, places, before, sheet.fabric.friction, share, 1.0 / substeps)
+        keep_out(planes, places, before, sheet.fabric.friction, share, 1.0 / substeps)
         speeds = (places - before) * (kept / h)
     return State(places, speeds)
 
@@ -248,7 +250,7 @@ def leash(sheet: Sheet, places: Array) -> None:
     places[:] = base + share[:, None] * away
 
 
-def _keep_out(planes: Planes, places: Array, before: Array, friction: float, share: float, step_share: float) -> None:
+def keep_out(planes: Planes, places: Array, before: Array, friction: float, share: float, step_share: float) -> None:
     """Push points out of the skin; what slides is held by as much as it was pushed, times the friction."""
     base = planes.early_m + share * (planes.late_m - planes.early_m)
     own = places[planes.rows]
@@ -262,7 +264,7 @@ def _keep_out(planes: Planes, places: Array, before: Array, friction: float, sha
     places[rows] = own[touching] + pushed[:, None] * normals - hold[:, None] * slid
 
 
-def _air(sheet: Sheet, places: Array, speeds: Array, wind_m_s: Array) -> Array:
+def air(sheet: Sheet, places: Array, speeds: Array, wind_m_s: Array) -> Array:
     """Return (N, 3) the air's force on each vertex, newtons: what meets a triangle straight on."""
     corner = places[sheet.faces]
     across = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])

@@ -69,7 +69,7 @@ def test_mass_and_area_are_the_fabric_s() -> None:
 
 def test_free_cloth_falls_as_everything_does() -> None:
     cloth = strip(0.1, 0.2, 0.03)
-    airless = FABRICS["wool"].__class__("x", 0.22, (0.05, 0.05), (0.1, 0.1), 0.6, 0.3, 0.0, (0, 0, 0))
+    airless = replace(FABRICS["wool"], air=0.0)
     sheet = sheet_of(cloth, airless, np.array([0]))
     sheet = replace(sheet, held=np.zeros(0, dtype=np.int64), leash_m=np.full(cloth.count, 1e6))
     state = run(sheet, upright(cloth), far_floor(-9.0), 6)
