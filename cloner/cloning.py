@@ -38,6 +38,7 @@ from cloner.records.photos import Person
 from cloner.records.points import Corrections
 from cloner.records.terms import Terms
 from cloner.report.build import Run, build_report, warnings_of
+from cloner.report.derived import GLB_FILE
 from cloner.report.viewer import write_viewer
 from cloner.report.write import write_page, write_report
 
@@ -45,7 +46,6 @@ log = logging.getLogger(__name__)
 
 DEFAULT_FORMATS: Final = ("glb", "wrl")
 PIPELINE_SHARE: Final = 0.85  # measured on the samples: the stages' part of the whole time
-GLB_FILE: Final = "clone.glb"
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -15,7 +15,7 @@ from cloner.bodies.carried import carried
 from cloner.bodies.population import SEXES
 from cloner.bodies.skin import regions
 from cloner.bodies.under import body_under
-from cloner.bodies.written import manifest_of, sex_of, write_result
+from cloner.bodies.written import sex_of
 from cloner.errors import ClonerError
 from cloner.exporters.table import check_formats
 from cloner.generic.features import named_features
@@ -27,6 +27,7 @@ from cloner.project.folder import safe_identifier
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import Clone
 from cloner.records.regions import REGIONS
+from cloner.report.derived import manifest_of, write_result
 from cloner.stages.join import flat_soles
 
 #: Nobody shorter is undressed: it may be a child.

@@ -7,31 +7,25 @@ import json
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
-import cloner
 from cloner.bodies.made import clone_of_measures, remeasured_clone
 from cloner.bodies.ruler import read
 from cloner.bodies.telling import GIRTHS, LENGTHS, Told, untold_mm
-from cloner.cloning import GLB_FILE
 from cloner.errors import ClonerError
-from cloner.exporters.table import EXPORTERS, check_formats
+from cloner.exporters.table import check_formats
 from cloner.generic.tape import load_tape_rules
 from cloner.making import check_texture_size
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder
-from cloner.project.clone_file import CLONE_FILE, save_clone
 from cloner.project.folder import safe_identifier
-from cloner.project.results import RESULT_MARK, read_manifest
-from cloner.project.stamps import digest_of_models, output_digests, stamp_text
+from cloner.project.results import RESULT_MARK
+from cloner.project.stamps import stamp_text
 from cloner.project.tape import read_tape
 from cloner.records.clones import Clone
-from cloner.report.viewer import write_viewer
-from cloner.report.write import write_report
+from cloner.report.derived import manifest_of, write_result
 
-#: Version of the manifest's form.
-FORMAT: Final = 1
 WHERE: Final = "--measure"
 
 
@@ -94,17 +88,6 @@ def body_folder(
     return out / safe_identifier(identifier), _said(clone, told, old)
 
 
-def write_result(clone: Clone, folder: Path, title: str, formats: Sequence[str], manifest: Mapping[str, Any]) -> None:
-    """Write a clone that no photos were read for into a result's folder: its file, formats, viewer and manifest."""
-    save_clone(clone, folder / CLONE_FILE)
-    for name in formats:
-        EXPORTERS.get(name)(clone, folder)
-    if (folder / GLB_FILE).is_file():
-        write_viewer(title, folder / GLB_FILE)
-    files = [path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()]
-    write_report(dict(manifest) | {"outputs": output_digests(folder, files)}, folder)
-
-
 def _tape(measures_cm: Mapping[str, float], stature_m: float) -> dict[str, float]:
     if not 0.0 < stature_m < 10.0:
         raise ClonerError("the stature must be a length in centimetres", "For example --stature 168", "--stature")
@@ -124,27 +107,6 @@ def _stamp(told: Told, identifier: str, size: int, old: Clone | None) -> str:
         return f"{old.stamp}, told {changed}"[:400]
     text = json.dumps([identifier, told.sex, told.stature_m, dict(told.mm)])
     return stamp_text(0, size, [hashlib.sha256(text.encode()).hexdigest()])
-
-
-def manifest_of(clone: Clone, kind: str, options: Mapping[str, Any], source: Path | None) -> dict[str, Any]:
-    """Return the manifest; what was made of a clone belongs to its photos' visitor as the clone itself."""
-    first = read_manifest(source if source.is_dir() else source.parent) if source is not None else None
-    kept = {name: first.stamp.get(name, {}) for name in ("photos", "beside")} if first is not None else {}
-    return {
-        "format": FORMAT,
-        "kind": kind,
-        "made_by": clone.stamp,
-        "stature_m": round(clone.stature_m, 4),
-        "measures_mm": dict(clone.measures_mm),
-        "source": first.source if first is not None else "",
-        "stamp": {
-            "cloner": cloner.__version__,
-            "models": digest_of_models(),
-            "photos": kept.get("photos", {}),
-            "beside": kept.get("beside", {}),
-            "options": dict(options),
-        },
-    }
 
 
 def _said(clone: Clone, told: Told, old: Clone | None) -> tuple[str, ...]:

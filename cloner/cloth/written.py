@@ -10,10 +10,12 @@ from types import MappingProxyType
 from typing import Final
 
 from cloner.cloth.caches import obj, pc2, usd, vat
+from cloner.cloth.clothed import check_folder, write_clothed
 from cloner.cloth.drafting.cut import cut
+from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.dressing import STEP_M, WALK, Dressed, dressed, fabric_named, motion_of, pattern_of, pictures
 from cloner.cloth.glb import glb
-from cloner.cloth.simulation.loop import Loop
+from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import write_bytes
@@ -22,6 +24,8 @@ from cloner.motion.limbs.rig import centred
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import appears, safe_output
+from cloner.records.clones import Clone
+from cloner.records.motions import Motion
 from cloner.vision.photographs.films import FORMATS as FILMS
 from cloner.vision.photographs.films import write_film
 
@@ -50,6 +54,7 @@ def dress_file(
     length_cm: float | None = None,
     over: Sequence[tuple[str, str]] = (),
     elements: bool = False,
+    formats: Sequence[str] = (),
     progress: Progress = quiet,
 ) -> tuple[str, ...]:
     """Put a garment on a clone, let it walk, and write the loop; return what to say of it.
@@ -58,8 +63,8 @@ def dress_file(
     ----------
     clone_path : Path
     out : Path
-        A .glb, a film (.gif, .webp, .mp4), or the garment's points alone: .pc2 (its mesh, .obj, beside it), .usdc, or
-        .png, a vertex animation texture (remap file and mesh beside it).
+        A .glb, a film, or the garment's points alone: .pc2, .usdc, or .png, a vertex animation texture. Without an
+        ending: a result's folder.
     garment : str
         One of `GARMENTS`, or a file of a garment (.json, .svg).
     fabric : str
@@ -67,38 +72,61 @@ def dress_file(
     motion : str
         "walk", or a capture of a walk (.bvh).
     length_cm : float or None
-        Of a named garment, from the ring or the natural waist down.
+        Of a named garment, from its ring or the waist down.
     over : sequence of (str, str)
-        Garments and fabrics worn over it, one over the other.
+        Garments and fabrics worn over it.
     elements : bool
-        Let the source's integrator move the cloth (`cloner.cloth.simulation.implicit`): more exact, eight times as long.
+        Let the source's integrator move the cloth (`cloner.cloth.simulation.implicit`), not threads.
+    formats : sequence of str
+        Exporters' names, for a result's folder.
     progress : callable
-        May raise Cancelled: nothing was written then.
+        May raise Cancelled.
 
     Raises
     ------
     ClonerError
         If something named does not exist, or cannot be worn or written.
     """
-    check_target(out)
+    if out.suffix:
+        check_target(out)
+    else:
+        check_folder(out, clone_path, formats)
     fabrics = [fabric_named(name) for name in (fabric, *(name for _, name in over))]
-    clone = centred(clone_of(clone_path))
+    clone = centred(plain := clone_of(clone_path))
     cuts = [pattern_of(clone, garment, length_cm), *(pattern_of(clone, name, None) for name, _ in over)]
     if out.suffix.lower() == PICTURE:
         check_count(len(cut(cuts[-1][0], STEP_M).flat_m), cuts[-1][0].name)
-    walk, found = motion_of(clone, motion), None
-    for number, ((pattern, ring_level), cloth) in enumerate(zip(cuts, fabrics, strict=True)):
-        share = functools.partial(_share, progress, number, len(cuts))
+    walk = motion_of(clone, motion)
+    found = _worn(clone, list(zip(cuts, fabrics, strict=True)), walk, elements, progress)
+    progress("export", 0.97)
+    if out.suffix:
+        write_dressed(found, out)
+    else:
+        names = {"garment": [one.name for one, _ in cuts], "fabric": [one.name for one in fabrics], "motion": walk.name}
+        write_clothed(found, plain, clone_path, out, names, formats, progress)
+    return (*map(_said, found.layers), str(out))
+
+
+def _worn(
+    clone: Clone,
+    pieces: Sequence[tuple[tuple[Pattern, str | None], Fabric]],
+    walk: Motion,
+    elements: bool,
+    progress: Progress,
+) -> Dressed:
+    """Return a clone in all its garments, the first one innermost."""
+    found: Dressed | None = None
+    for number, ((pattern, ring_level), cloth) in enumerate(pieces):
+        share = functools.partial(_share, progress, number, len(pieces))
         found = dressed(clone, pattern, ring_level, cloth, walk, under=found, elements=elements, progress=share)
     assert found is not None
-    progress("export", 0.97)
-    write_dressed(found, out)
-    return (*(_said(one.loop, one.worn.cloth.count) for one in found.layers), str(out))
+    return found
 
 
-def _said(loop: Loop, vertices: int) -> str:
+def _said(one: Dressed) -> str:
     """Return what to say of a garment's loop."""
-    found = f"loop of {len(loop.frames_m)} frames, {vertices} vertices: gap {loop.gap_mm:.0f} mm"
+    loop = one.loop
+    found = f"loop of {len(loop.frames_m)} frames, {one.worn.cloth.count} vertices: gap {loop.gap_mm:.0f} mm"
     return f"{found} (median stretch {loop.median_mm:.0f}), closed by {loop.moved_mm:.0f} mm at most"
 
 

@@ -86,7 +86,11 @@ def undress(
 def dress(
     clone_path: CloneArgument,
     out: Annotated[
-        Path, typer.Option("--out", help="The file: .glb, .pc2, .usdc, .png (VAT), or a film: .gif, .webp, .mp4.")
+        Path,
+        typer.Option(
+            "--out",
+            help="A result's folder (its cloth flows in crowds), or .glb, .pc2, .usdc, .png (VAT), .gif, .webp, .mp4.",
+        ),
     ],
     garment: Annotated[
         str,
@@ -103,6 +107,7 @@ def dress(
     integrator: Annotated[
         str, typer.Option("--integrator", help="threads (fast), or elements (more exact, eight times as long).")
     ] = "threads",
+    formats: FormatOption = DEFAULT_FORMATS,
 ) -> None:
     """Put a garment on a clone and let its cloth flow in a loop with the walk."""
     from cloner.cloth.written import dress_file
@@ -122,6 +127,7 @@ def dress(
             length_cm=length,
             over=worn_over,
             elements=integrator == INTEGRATORS[1],
+            formats=split_formats(formats),
             progress=progress,
         )
     say(lines)

@@ -11,7 +11,6 @@ import numpy as np
 
 from cloner.bodies.carried import carried_shells
 from cloner.bodies.made import clone_of_measures
-from cloner.bodies.written import manifest_of, write_result
 from cloner.errors import ClonerError
 from cloner.exporters.shared.files import write_bytes
 from cloner.exporters.table import check_formats
@@ -26,6 +25,7 @@ from cloner.project.atomic import result_folder, safe_output
 from cloner.project.folder import safe_identifier
 from cloner.project.stamps import stamp_text
 from cloner.records.clones import Clone
+from cloner.report.derived import manifest_of, write_result
 from cloner.statues.blobs import Blob, field_of, read_blobs, written_blobs
 from cloner.statues.carved import check_material, statue_of
 from cloner.statues.envelope import Envelope, enveloped

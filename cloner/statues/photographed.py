@@ -14,7 +14,6 @@ import cloner
 from cloner.bodies.carried import carried_shells
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
-from cloner.bodies.written import FORMAT, manifest_of, write_result
 from cloner.errors import ClonerError
 from cloner.exporters.table import check_formats
 from cloner.generic.features import named_features
@@ -30,6 +29,7 @@ from cloner.project.results import place_digest
 from cloner.project.stamps import output_digests, stamp_text
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone, TextureAtlas
+from cloner.report.derived import FORMAT, manifest_of, write_result
 from cloner.report.write import write_report
 from cloner.stages.join import eye_joints
 from cloner.statues.carved import check_material, statue_of

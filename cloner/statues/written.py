@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from cloner.bodies.written import manifest_of, write_result
 from cloner.exporters.table import check_formats
 from cloner.picture import clone_of, folder_name
 from cloner.pipeline import Progress, quiet
 from cloner.project.atomic import result_folder
 from cloner.project.folder import safe_identifier
+from cloner.report.derived import manifest_of, write_result
 from cloner.statues.carved import check_material, statue_of
 from cloner.statues.poses import REST, check_pose, standing
 

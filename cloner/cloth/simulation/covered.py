@@ -20,8 +20,8 @@ DEEP_M: Final = 0.005
 EVERY: Final = 3
 
 
-def covered(worn: Worn, frames_m: Array) -> NDArray[np.bool_]:
-    """Return (V,) which of the generic human's vertices lie 5 mm under cloth in all frames (F, N, 3), no hem near."""
+def covered(worn: Worn, frames_m: Array, deep_m: float = DEEP_M) -> NDArray[np.bool_]:
+    """Return (V,) which vertices of the generic human lie so deep under cloth in all frames (F, N, 3), no hem near."""
     faces, body = worn.cloth.faces.astype(np.int32), worn.body
     ends, count = np.unique(np.sort(sides(faces), axis=1), axis=0, return_counts=True)
     hem = np.zeros(worn.cloth.count, dtype=bool)
@@ -32,7 +32,7 @@ def covered(worn: Worn, frames_m: Array) -> NDArray[np.bool_]:
         outward = vertex_normals(frames_m[frame], faces)
         _, near = cKDTree(frames_m[frame]).query(skin)
         deep = np.einsum("ij,ij->i", frames_m[frame][near] - skin, outward[near])
-        found &= (deep > DEEP_M) & ~hem[near]
+        found &= (deep > deep_m) & ~hem[near]
     whole = np.zeros(len(load_generic().vertices_m), dtype=bool)
     whole[body.rows] = found
     ends = edges_of(load_generic().triangles()[0].astype(np.int32))[0]

@@ -11,7 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.crowd.clones.clips import Clip, clips_of
+from cloner.crowd.clones.flowing import flowing
 from cloner.crowd.clones.groups import (
+    GROUPS,
+    STEP,
     GroupLook,
     garment_masks,
     looks_of,
@@ -26,6 +29,7 @@ from cloner.generic.surfaces import surface_normals
 from cloner.geometry.meshes.wedges import welded_normals
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
+from cloner.records.flows import Flow
 from cloner.records.heads import Shell
 
 Pixels = NDArray[np.uint8]
@@ -38,6 +42,8 @@ DRAWN: Final = ("hair", "cloth")
 STRIDES: Final = 4
 #: Distance of colours, 0..255 a channel, from which a skirt that covers all below it is no part of the top; taste.
 UNLIKE: Final = 25.0
+#: Skin that cloth always covers lies so much deeper, metres: bones move cloth by some millimetres otherwise.
+SUNK_M: Final = 0.02
 #: Heights from the chest's middle count as chest, share of the stature either way; taste.
 CHEST: Final = (0.68, 0.80)
 
@@ -96,8 +102,11 @@ def cast_of(
     feelings: bool = False,
     atlas_px: int = ATLAS_PX,
     carved: Callable[[Clone], Clone] | None = None,
+    flow: Flow | None = None,
 ) -> Cast:
     """Return a clone ready for the crowd; ``carved`` makes a statue of it, which is taken along as another texture.
+
+    With ``flow`` its shell of cloth moves as it was simulated.
 
     Raises
     ------
@@ -109,12 +118,21 @@ def cast_of(
     codes = hemmed(atlas, texel_groups(groups, atlas_px))
     clips = clips_of(clone, poses, walks, feelings=feelings)
     statue = carved(clone) if carved else None
+    vertices_m, hung = clone.vertices_m, ""
+    if flow is not None:
+        place = next(k for k, one in enumerate(shells) if one.kind == "cloth")
+        shells[place], clips = flowing(clone, shells[place], flow, clips)
+        vertices_m = vertices_m - SUNK_M * flow.hidden[:, None] * surface_normals(vertices_m)
+        hung = "top" if shells[place].vertices_m[:, 1].max() > CHEST[0] * clone.stature_m else "bottom"
     normals = surface_normals(clone.vertices_m)[body.vertex]
     shell = _shell_picture(shells)
+    looks = looks_of(atlas, codes)
+    if flow is not None:
+        looks[hung] = _own_look(shell, hung)
     return Cast(
         identifier,
         clone.stature_m,
-        clone.vertices_m[body.vertex],
+        vertices_m[body.vertex],
         normals / np.linalg.norm(normals, axis=1, keepdims=True),
         _loose(shells, len(body.triangles), clips[0]),
         clips,
@@ -122,10 +140,10 @@ def cast_of(
         codes,
         marks_of(codes),
         shell,
-        looks_of(atlas, codes),
+        looks,
         groups,
         _width_to_depth(clone.vertices_m[body.vertex], body, clips[0], clone.stature_m),
-        _hung(shell, atlas, codes),
+        hung or _hung(shell, atlas, codes),
         smaller(statue.atlas.rgb, atlas_px) if statue else None,
         _shell_picture([one for one in statue.shells if one.kind in DRAWN])[..., :3] if statue else None,
     )
@@ -135,6 +153,13 @@ def posed(vertices_m: Array, joints: NDArray[np.int64], weights: Array, frame: A
     """Return (N, 3) vertices moved by one frame of bones (J, 3, 4), metres."""
     blended = np.einsum("nk,nkab->nab", weights, frame[joints])
     return np.asarray(np.einsum("nab,nb->na", blended[:, :, :3], vertices_m) + blended[:, :, 3])
+
+
+def _own_look(shell: Pixels, group: str) -> GroupLook:
+    """Return how cloth that hangs on looks by its own picture: what is below it is another garment."""
+    cloth = shell[:, SHELL_PX:]
+    codes = np.where(cloth[..., 3] > 127, STEP * (GROUPS.index(group) + 1), 0).astype(np.uint8)
+    return looks_of(cloth[..., :3], codes)[group]
 
 
 def _hung(shell: Pixels, atlas: Pixels, codes: Pixels) -> str:

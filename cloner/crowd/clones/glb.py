@@ -20,8 +20,8 @@ from cloner.crowd.clones.levels import BodyLevels, nested
 from cloner.exporters.gltf.glb_file import glb_bytes
 from cloner.exporters.gltf.gltf import add_skeleton, add_texture
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
-from cloner.exporters.gltf.gltf_motion import animation
-from cloner.exporters.shared.bones import hanim_bones
+from cloner.exporters.gltf.gltf_motion import add_free, animation
+from cloner.exporters.shared.bones import Bones, hanim_bones
 from cloner.exporters.shared.credits import CREDITS
 from cloner.exporters.shared.files import jpeg_bytes, png_bytes
 from cloner.records.arrays import Array
@@ -48,7 +48,9 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
     )
     buffer = GltfBuffer(gltf, np.zeros((2, 3)))
     bones = hanim_bones()
-    skin = add_skeleton(gltf, buffer, clone, bones)
+    skeleton = len(clone.joints_m)
+    free = cast.clips[0].frames.shape[1] - skeleton  # that carry simulated cloth
+    skin = add_skeleton(gltf, buffer, clone, bones, free)
     gltf.samplers.append(pygltflib.Sampler(magFilter=_LINEAR, minFilter=_TRILINEAR, wrapS=_CLAMP, wrapT=_CLAMP))
     atlas = _material(gltf, buffer, "atlas", jpeg_bytes(cast.atlas, JPEG_QUALITY), "image/jpeg", "OPAQUE")
     loose = cast.loose
@@ -59,7 +61,7 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
     own_loose = None
     order, sizes = nested(loose.triangles)
     if shell is not None:
-        carried = bones.carried(loose.joints[order], loose.weights[order])
+        carried = _loose_carried(bones, loose.joints[order], loose.weights[order], skeleton)
         own_loose = _shared(buffer, loose.vertices_m[order], loose.normals[order], loose.uv[order], carried)
         place = np.zeros(len(loose.vertices_m), np.int32)
         place[order] = np.arange(len(order))
@@ -82,11 +84,23 @@ def levels_glb(cast: Cast, clone: Clone, body: BodyLevels) -> bytes:
     for clip in cast.clips:
         if len(clip.frames) > 1:
             gltf.animations.append(animation(buffer, clone, motion_of(clip), bones, roots[1]))
+            closed = np.concatenate([clip.frames, clip.frames[:1]])[:, skeleton:]
+            add_free(buffer, gltf.animations[-1], 1 + len(bones.names), closed, motion_of(clip).times_s)
     gltf.scenes.append(pygltflib.Scene(name=cast.identifier, nodes=roots))
     data = buffer.data()
     gltf.buffers.append(pygltflib.Buffer(byteLength=len(data)))
     gltf.set_binary_blob(data)
     return glb_bytes(gltf)
+
+
+def _loose_carried(
+    bones: Bones, joints: NDArray[np.int64], weights: Array, skeleton: int
+) -> tuple[NDArray[np.int64], Array]:
+    """Return bones and weights (N, 4) of loose vertices: the skeleton's, and after these the cloth's own."""
+    found, share = bones.carried(np.minimum(joints, skeleton - 1), weights)
+    flows = joints[:, 0] >= skeleton
+    found[flows], share[flows] = joints[flows] - skeleton + len(bones.names), weights[flows]
+    return found, share
 
 
 def _shared(

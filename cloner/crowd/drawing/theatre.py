@@ -55,7 +55,9 @@ class Theatre:
         self._array("loose", stock.stacked(loose), "u2")
         corners = [stock.padded_rows(n.corners, stock.CORNERS_WIDE) for n in held.numbers]
         self._array("corners", stock.stacked(corners)[..., None], "u2")
-        bones = np.concatenate([n.bones for n in held.numbers])
+        joints = max(n.bones.shape[1] for n in held.numbers)  # who wears simulated cloth has more
+        rows = [np.pad(n.bones, ((0, 0), (0, joints - n.bones.shape[1]), (0, 0), (0, 0))) for n in held.numbers]
+        bones = np.concatenate(rows)
         self._flat("bones", bones.reshape(len(bones), -1, 4), "i2")
         self._flat("clones", held.table, "f4")
         self._array("atlases", held.atlases, "f1", mips=4)

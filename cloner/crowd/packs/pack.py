@@ -38,6 +38,7 @@ from cloner.crowd.packs.files import (
 from cloner.crowd.packs.wanted import Wanted, check_wanted
 from cloner.crowd.staged import scene
 from cloner.crowd.staged.looks import casting_of, lendable, read_looks
+from cloner.project.flow_file import load_flow
 from cloner.records.clones import Clone
 
 #: Width of the walking chest with arms against its depth from which arms and coats need 40 views. The source gives no
@@ -85,7 +86,7 @@ def make_pack(
             clone, _ = load_person(one, generic)
             cast = cast_of(
                 one.identifier, clone, body, poses=wanted.poses, walks=wanted.walks, feelings=wanted.feelings,
-                carved=wanted.carved,
+                carved=wanted.carved, flow=load_flow(one.folder, clone),
             )  # fmt: skip
             row, first_bone = _person(folder, cast, clone, body, wanted, first_bone, files)
             rows.append(row)

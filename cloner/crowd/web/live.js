@@ -37,7 +37,7 @@ function liveOf() {
     if (slot < 0) slot = slots.push(null) - 1;
     slots[slot] = told.key;
     const clone = own + slot, [atlas, codes, shell] = pictures;
-    stage.people[clone] = { numbers, atlas, codes, shell };
+    stage.people[clone] = { row: told.row, numbers, atlas, codes, shell };
     dressAgain();
     acted.dress(clone, numbers.touches, numbers.clips);
     const one = { who: -1, clone, slot, told: clock(), from: null, step: null };

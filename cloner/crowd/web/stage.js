@@ -99,16 +99,17 @@ async function loadStage(facts, told) {
 // Everybody's shape, motion and look: made anew when somebody comes or goes.
 function bodyTextures(people) {
   const of = (name) => people.map((one) => one.numbers[name]);
-  const bones = of("bones"), frames = bones.map((one) => one.length / (94 * 3 * 4));
-  const allBones = new Int16Array(bones.reduce((sum, one) => sum + one.length, 0));
+  const bones = of("bones"), joints = people.map((one) => one.row.arrays.bones.shape[1]);
+  const frames = bones.map((one, k) => one.length / (joints[k] * 12)), most = Math.max(...joints);
+  const allBones = new Int16Array(frames.reduce((sum, one) => sum + one, 0) * most * 12);
   const tables = of("table"), columns = tables[0].length / 4, table = new Float32Array(people.length * columns * 4);
   let at = 0, first = 0;
   tables.forEach((one, k) => {
-    allBones.set(bones[k], at);
-    at += bones[k].length;
+    const own = joints[k] * 12;  // who wears simulated cloth has more bones
+    for (let f = 0; f < frames[k]; f++, at += most * 12) allBones.set(bones[k].subarray(f * own, (f + 1) * own), at);
     table.set(one, k * columns * 4);
-    const clips = facts.people[0].clips.length, own = k * columns * 4;
-    for (let c = 1; c <= clips; c++) table[own + 4 * c] += first - one[4]; // frames lie after those of who is before
+    const clips = facts.people[0].clips.length, place = k * columns * 4;
+    for (let c = 1; c <= clips; c++) table[place + 4 * c] += first - one[4]; // frames lie after those of who is before
     first += frames[k];
   });
   const tiles = of("tiles"), tileWide = Math.max(...tiles.map((one) => one.length / 4));
@@ -119,7 +120,7 @@ function bodyTextures(people) {
     loose: arrayTexture(...layered(of("loose"), 4, 2 * WIDE, Uint16Array), WHOLE),
     corners: arrayTexture(...layered(of("corners"), 1, CORNERS_WIDE, Uint16Array),
       { format: THREE.RedIntegerFormat, type: THREE.UnsignedShortType, internalFormat: "R16UI" }),
-    bones: flatTexture(allBones, 94 * 3, first,
+    bones: flatTexture(allBones, most * 3, first,
       { format: THREE.RGBAIntegerFormat, type: THREE.ShortType, internalFormat: "RGBA16I" }),
     clones: flatTexture(table, columns, people.length, FLOATS),
     tiles: flatTexture(allTiles, tileWide, people.length, FLOATS),

@@ -153,17 +153,23 @@ def _box(clone: Clone) -> Array:
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
-def add_skeleton(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones) -> int:
-    """Add "Armature" as node 0 of an empty file with the bones below it, and return the skin."""
+def add_skeleton(gltf: Any, buffer: GltfBuffer, clone: Clone, bones: Bones, free: int = 0) -> int:
+    """Add "Armature" as node 0 of an empty file with the bones below it, and return the skin.
+
+    After the skeleton's come so many ``free`` bones, at the origin at rest, which hang on none.
+    """
     parents, places = bones.parents, clone.joints_m[bones.joints]
     gltf.nodes.append(pygltflib.Node(name="Armature", children=[1 + int(np.flatnonzero(parents < 0)[0])]))
     for bone, (name, parent) in enumerate(zip(bones.names, parents, strict=True)):
         origin = places[parent] if parent >= 0 else np.zeros(3)
         children = [1 + int(child) for child in np.flatnonzero(parents == bone)]
         gltf.nodes.append(pygltflib.Node(name=name, translation=(places[bone] - origin).tolist(), children=children))
-    inverse = np.tile(np.eye(4), (len(parents), 1, 1))
-    inverse[:, :3, 3] = -places
-    joints = list(range(1, 1 + len(parents)))
+    for number in range(free):
+        gltf.nodes.append(pygltflib.Node(name=f"Cloth {number + 1}"))
+        gltf.nodes[0].children.append(len(gltf.nodes) - 1)
+    inverse = np.tile(np.eye(4), (len(parents) + free, 1, 1))
+    inverse[: len(parents), :3, 3] = -places
+    joints = list(range(1, 1 + len(parents) + free))
     gltf.skins.append(
         pygltflib.Skin(name=bones.title, skeleton=0, joints=joints, inverseBindMatrices=buffer.bind(inverse))
     )

@@ -16,6 +16,7 @@ from scipy.spatial.transform import Rotation
 
 from cloner.exporters.gltf.gltf_buffer import GltfBuffer
 from cloner.exporters.shared.bones import Bones
+from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.motions import Motion
 
@@ -58,6 +59,28 @@ def animation(buffer: GltfBuffer, clone: Clone, motion: Motion, bones: Bones, me
         rows = [motion.weights.get(name, still) for name in clone.morph_names]
         channel(mesh, "weights", buffer.values(np.column_stack(rows).reshape(-1)))
     return made
+
+
+def add_free(buffer: GltfBuffer, made: Any, node: int, moved: Array, times_s: Array) -> None:
+    """Add the motion of free bones, nodes from ``node`` on, to an animation.
+
+    Parameters
+    ----------
+    buffer
+    made
+        The ``pygltflib.Animation``.
+    node : int
+    moved : (F, K, 3, 4)
+        Rigid transforms of each bone, metres.
+    times_s : (F,)
+    """
+    times = buffer.values(times_s, bounds=True)
+    for bone, rigid in enumerate(moved.transpose(1, 0, 2, 3)):
+        turned = quaternions(Rotation.from_matrix(rigid[:, :, :3]).as_rotvec())
+        for path, output in (("rotation", buffer.turns(turned)), ("translation", buffer.values(rigid[:, :, 3]))):
+            made.samplers.append(pygltflib.AnimationSampler(input=times, output=output, interpolation="LINEAR"))
+            target = pygltflib.AnimationChannelTarget(node=node + bone, path=path)
+            made.channels.append(pygltflib.AnimationChannel(sampler=len(made.samplers) - 1, target=target))
 
 
 def quaternions(rotations: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -25,6 +25,7 @@ from cloner.crowd.staged.footing import touches_of
 from cloner.crowd.staged.scene import IDLE
 from cloner.errors import ClonerError
 from cloner.project.clone_file import CLONE_FILE
+from cloner.project.flow_file import load_flow
 from cloner.project.results import RESULT_MARK
 
 _GENERIC: Final = re.compile(r"generic ([0-9a-f]+)")
@@ -52,7 +53,10 @@ def newcomer_of(found: Found, facts: Mapping[str, Any], body: BodyLevels) -> New
     match = _GENERIC.search(str(own["stamp"]))
     clone, _ = load_person(found, match.group(1) if match else "")
     names = tuple(str(one["name"]) for one in own["clips"])
-    cast = cast_of("newcomer", clone, body, poses=int(facts["impostors"]["poses"]), feelings=len(names) > IDLE + 2)
+    cast = cast_of(
+        "newcomer", clone, body, poses=int(facts["impostors"]["poses"]), feelings=len(names) > IDLE + 2,
+        flow=load_flow(found.folder, clone),
+    )  # fmt: skip
     if tuple(one.name for one in cast.clips) != names:
         hint = "Make the pack again with cloner crowd --feelings, without --walk, and the scene of it"
         raise ClonerError("the scene's clones walk as newcomers cannot", hint, found.identifier)

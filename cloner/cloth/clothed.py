@@ -1,0 +1,157 @@
+"""A dressed clone as a result of its own: its garments are a shell as a photographed skirt is, their flow lies beside.
+
+Every program that shows clones shows it dressed; crowds let the cloth flow (`cloner.crowd.clones.flowing`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+from scipy.spatial import cKDTree
+
+from cloner.cloth.dressing import Dressed
+from cloner.cloth.simulation.covered import covered
+from cloner.cloth.simulation.fabrics import Fabric
+from cloner.cloth.simulation.moving import SETTLE
+from cloner.cloth.simulation.wearer import wearer
+from cloner.errors import ClonerError
+from cloner.exporters.table import check_formats
+from cloner.generic.load import load_generic
+from cloner.geometry.meshes.triangles import edges_of
+from cloner.pipeline import Progress
+from cloner.project.atomic import result_folder
+from cloner.project.flow_file import FLOW_FILE, save_flow
+from cloner.project.folder import safe_identifier
+from cloner.records.arrays import Array
+from cloner.records.clones import Clone
+from cloner.records.flows import Flow
+from cloner.records.heads import Shell
+from cloner.report.derived import manifest_of, write_result
+
+#: Side of a garment's picture, texels, and how much lighter or darker its threads are, 0..1 (taste).
+PICTURE_PX, THREADS = 256, 0.02
+#: Times that a shell's weights are evened with their neighbours': cloth between the thighs follows both.
+EVENED: Final = 30
+SHELL: Final = "cloth"
+#: Skin counts as covered so far under the nearest cloth, metres: the cloth's corners lie between the skin's.
+UNDER_M: Final = -0.003
+
+
+def check_folder(out: Path, clone_path: Path, formats: Sequence[str]) -> None:
+    """Refuse what no result can be written to, before any work.
+
+    Raises
+    ------
+    ClonerError
+        If it is the clone's own folder, no name of a result, or a format is not known.
+    """
+    check_formats(formats)
+    safe_identifier(out.name)
+    if out.resolve() in (clone_path.resolve(), clone_path.resolve().parent):
+        raise ClonerError("the clone would be replaced by itself dressed", "Give --out another name", out.name)
+
+
+def write_clothed(
+    found: Dressed, clone: Clone, source: Path, out: Path, options: Mapping[str, Any], formats: Sequence[str],
+    progress: Progress,
+) -> None:  # fmt: skip
+    """Write a clone in its garments as a result, which belongs to the same visitor.
+
+    Parameters
+    ----------
+    found : Dressed
+    clone : Clone
+        As its file holds it.
+    source : Path
+        Its folder or file.
+    out : Path
+        The new folder.
+    options : mapping
+        What was asked for, for the manifest.
+    formats : sequence of str
+        Names of exporters.
+    progress : callable
+
+    Raises
+    ------
+    ClonerError
+        If something cannot be written.
+    """
+    name = safe_identifier(out.name)
+    with result_folder(out.parent, name) as folder:
+        worn, flow = clothed(found, clone)
+        progress("export", 0.9)
+        save_flow(flow, folder / FLOW_FILE)
+        write_result(worn, folder, f"Body {name}", formats, manifest_of(worn, "dressed", options, source))
+    progress("done", 1.0)
+
+
+def clothed(found: Dressed, clone: Clone) -> tuple[Clone, Flow]:
+    """Return a clone that wears its garments as one shell, in place of cloth that was photographed; and their flow."""
+    layers = found.layers
+    starts = np.cumsum([0, *(len(one.worn.cloth.flat_m) for one in layers)])
+    triangles = np.concatenate(
+        [one.worn.cloth.triangles + start for one, start in zip(layers, starts[:-1], strict=True)]
+    )
+    hung = np.concatenate([one.put_m[SETTLE - 1][one.worn.cloth.vertex] for one in layers])
+    frames = np.concatenate([one.loop.frames_m[:, one.worn.cloth.vertex] for one in layers], axis=1)
+    joints, weights = _carried(found, hung, triangles)
+    shell = Shell(
+        hung, triangles, np.concatenate([_uv(one, k, len(layers)) for k, one in enumerate(layers)]), joints, weights,
+        np.concatenate([_picture(one.fabric, len(layers)) for one in layers], axis=1), SHELL,
+    )  # fmt: skip
+    hidden = np.any([covered(one.worn, one.loop.frames_m, UNDER_M) for one in layers], axis=0)
+    root, rotations = (each.astype(np.float32) for each in (found.worn.root_m, found.worn.rotations))
+    kept = tuple(one for one in clone.shells if one.kind != SHELL)
+    return replace(clone, shells=(*kept, shell)), Flow(frames.astype(np.float32), root, rotations, hidden)
+
+
+def _carried(found: Dressed, hung_m: Array, triangles: NDArray[np.int64]) -> tuple[NDArray[np.int32], Array]:
+    """Return joints (N, 4) and weights (N, 4): those of the nearest skin, evened over the cloth."""
+    generic, rows = load_generic(), wearer(found.clone, whole=True).rows
+    near = rows[cKDTree(found.clone.vertices_m[rows]).query(hung_m)[1]]
+    _, weld = np.unique(np.round(hung_m, 6), axis=0, return_inverse=True)
+    weld = weld.reshape(-1)
+    count = int(weld.max()) + 1
+    dense = np.zeros((count, len(generic.joint_parents)))
+    np.add.at(dense, (weld[:, None], generic.skin_joints[near]), np.maximum(generic.skin_weights[near], 0.0))
+    ends = edges_of(weld[triangles].astype(np.int32))[0]
+    ends = ends[ends[:, 0] != ends[:, 1]]
+    ones = np.ones(2 * len(ends))
+    both = (np.concatenate([ends[:, 0], ends[:, 1]]), np.concatenate([ends[:, 1], ends[:, 0]]))
+    beside = sparse.csr_matrix((ones, both), shape=(count, count)) + sparse.identity(count)
+    beside = sparse.diags(1.0 / np.asarray(beside.sum(axis=1)).ravel()) @ beside
+    dense /= dense.sum(axis=1, keepdims=True)
+    for _ in range(EVENED):
+        dense = beside @ dense
+    most = np.argsort(-dense, axis=1, kind="stable")[:, :4]
+    weights = np.take_along_axis(dense, most, axis=1)
+    weights /= weights.sum(axis=1, keepdims=True)
+    return most[weld].astype(np.int32), weights[weld]
+
+
+def _uv(one: Dressed, place: int, count: int) -> Array:
+    """Return (W, 2) places in the picture: the pieces as they were cut, each in a column of the garment's part."""
+    flat, segment = one.worn.cloth.flat_m, one.worn.cloth.segment
+    pieces = int(segment.max()) + 1
+    sizes = np.array([np.ptp(flat[segment == k], axis=0) for k in range(pieces)]).max(axis=0)
+    low = np.array([flat[segment == k].min(axis=0) for k in range(pieces)])
+    share = (flat - low[segment]) / sizes
+    u = (place + (segment + 0.05 + 0.9 * share[:, 0]) / pieces) / count
+    return np.column_stack([u, 0.02 + 0.96 * (1.0 - share[:, 1])])
+
+
+def _picture(fabric: Fabric, count: int) -> NDArray[np.uint8]:
+    """Return (PICTURE_PX, PICTURE_PX / count, 4) of a fabric: its colour, thread by thread."""
+    wide = PICTURE_PX // count
+    noise = np.random.default_rng(24)
+    woven = noise.normal(size=(PICTURE_PX, 1)) + noise.normal(size=(1, wide))
+    shade = np.clip(1.0 + THREADS / 2.0 * woven, 1.0 - 2.0 * THREADS, 1.0 + 2.0 * THREADS)
+    rgb = np.clip(np.array(fabric.rgb) * shade[:, :, None], 0, 255)
+    return np.dstack([rgb, np.full((PICTURE_PX, wide), 255.0)]).round().astype(np.uint8)
