@@ -5,10 +5,10 @@ Every program that shows clones shows it dressed; crowds let the cloth flow (`cl
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,7 +58,7 @@ def check_folder(out: Path, clone_path: Path, formats: Sequence[str]) -> None:
 
 
 def write_clothed(
-    found: Dressed, clone: Clone, source: Path, out: Path, options: Mapping[str, Any], formats: Sequence[str],
+    found: Dressed, clone: Clone, source: Path, out: Path, garments: Sequence[str], formats: Sequence[str],
     progress: Progress,
 ) -> None:  # fmt: skip
     """Write a clone in its garments as a result, which belongs to the same visitor.
@@ -72,8 +72,8 @@ def write_clothed(
         Its folder or file.
     out : Path
         The new folder.
-    options : mapping
-        What was asked for, for the manifest.
+    garments : sequence of str
+        Names of what it wears, the innermost first.
     formats : sequence of str
         Names of exporters.
     progress : callable
@@ -87,6 +87,11 @@ def write_clothed(
     with result_folder(out.parent, name) as folder:
         worn, flow = clothed(found, clone)
         progress("export", 0.9)
+        options = {
+            "garment": list(garments),
+            "fabric": [one.fabric.name for one in found.layers],
+            "motion": found.motion.name,
+        }
         save_flow(flow, folder / FLOW_FILE)
         write_result(worn, folder, f"Body {name}", formats, manifest_of(worn, "dressed", options, source))
     progress("done", 1.0)

@@ -96,14 +96,12 @@ def dress_file(
     cuts = [pattern_of(clone, garment, length_cm), *(pattern_of(clone, name, None) for name, _ in over)]
     if out.suffix.lower() == PICTURE:
         check_count(len(cut(cuts[-1][0], STEP_M).flat_m), cuts[-1][0].name)
-    walk = motion_of(clone, motion)
-    found = _worn(clone, list(zip(cuts, fabrics, strict=True)), walk, elements, progress)
+    found = _worn(clone, list(zip(cuts, fabrics, strict=True)), motion_of(clone, motion), elements, progress)
     progress("export", 0.97)
     if out.suffix:
         write_dressed(found, out)
     else:
-        names = {"garment": [one.name for one, _ in cuts], "fabric": [one.name for one in fabrics], "motion": walk.name}
-        write_clothed(found, plain, clone_path, out, names, formats, progress)
+        write_clothed(found, plain, clone_path, out, [one.name for one, _ in cuts], formats, progress)
     return (*map(_said, found.layers), str(out))
 
 

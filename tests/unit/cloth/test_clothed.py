@@ -48,7 +48,7 @@ def result(eva: Clone, walking: Dressed, tmp_path_factory: pytest.TempPathFactor
     home = tmp_path_factory.mktemp("results")
     (home / "eva").mkdir()
     save_clone(eva, home / "eva" / "clone.npz")
-    write_clothed(walking, eva, home / "eva", home / "eva-skirt", {"garment": ["skirt"]}, ("glb",), quiet)
+    write_clothed(walking, eva, home / "eva", home / "eva-skirt", ["skirt"], ("glb",), quiet)
     return home / "eva-skirt"
 
 
@@ -70,7 +70,7 @@ def test_the_result_wears_its_garment_and_keeps_how_it_flows(result: Path, walki
     assert 300 < flow.hidden.sum() < 3000
     told = json.loads((result / "report.json").read_text())
     assert told["kind"] == "dressed"
-    assert told["stamp"]["options"] == {"garment": ["skirt"]}
+    assert told["stamp"]["options"] == {"garment": ["skirt"], "fabric": ["silk"], "motion": "walk"}
     assert (result / "clone.glb").is_file()
 
 
