@@ -34,6 +34,7 @@ from cloner.crowd.packs.reading import read_facts, read_stock
 from cloner.crowd.staged.eye import Eye
 from cloner.motion.limbs.rig import centred
 from cloner.project.clone_file import CLONE_FILE, load_clone
+from cloner.project.flow_file import load_flow
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "crowd_benchmark.md"
 FOCAL_PX = 869.0  # 45 degrees over 720 lines
@@ -103,8 +104,9 @@ def person_of(pack: Path, results: Path, k: int) -> tuple[Cast, Stock, Bake]:
     """Return one of a pack's clones with every triangle before the pack's own levels."""
     (facts, held), body = held_by(pack), body_levels(full=True)
     row = facts["people"][k]
-    cast = cast_of(row["id"], centred(load_clone(results / row["id"] / CLONE_FILE)), body,
-                   poses=facts["impostors"]["poses"])  # fmt: skip
+    clone = centred(load_clone(results / row["id"] / CLONE_FILE))
+    flow = load_flow(results / row["id"], clone)
+    cast = cast_of(row["id"], clone, body, poses=facts["impostors"]["poses"], flow=flow)
     budgets = (len(cast.loose.triangles[0]), *LOOSE)
     plan = Bake(row["views"], elevations=held.elevations, texels_per_m=facts["switch"]["texels_per_m"])
     sets = [(int(one[0]), stock.Baked(int(one[2]))) for one in held.table[k, stock.SETS_AT :][: len(cast.clips)]]
