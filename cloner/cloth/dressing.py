@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.drafting.drawn import read_drawing
-from cloner.cloth.drafting.pattern import Pattern, read_pattern
+from cloner.cloth.drafting.garmentcode import read_garment
+from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.drafting.sections import Sections, sections
 from cloner.cloth.drafting.tailored import TAILORED, TROUSERS, tailored
 from cloner.cloth.simulation.fabrics import FABRICS, Fabric, read_fabric
@@ -47,7 +48,10 @@ HIP_EASE: Final = 1.04
 #: Everything that is cut to measure by name.
 GARMENTS: Final = (*BLOCKS, *TAILORED)
 #: What a garment of one's own is read by.
-FILES: Final[Mapping[str, Callable[[Path], Pattern]]] = {".json": read_pattern, ".svg": read_drawing}
+FILES: Final[Mapping[str, Callable[[Path, Sections], Pattern]]] = {
+    ".json": read_garment,
+    ".svg": lambda path, _: read_drawing(path),
+}
 #: Cycles that are simulated to find a loop in, and the step of the cloth's triangles: about 5,000 vertices in a skirt.
 CYCLES: Final = 8
 STEP_M: Final = 0.0152
@@ -218,7 +222,7 @@ def pattern_of(clone: Clone, garment: str, length_cm: float | None) -> tuple[Pat
     """
     read = FILES.get(Path(garment).suffix.lower())
     if read is not None:
-        pattern = read(Path(garment))
+        pattern = read(Path(garment), sections(clone))
         return pattern, WAIST if pattern.from_ring else None
     if garment not in GARMENTS:
         hint = f"The garments are {', '.join(GARMENTS)}, or a .json or .svg file"

@@ -181,15 +181,39 @@ def _crosses(outline: Array) -> bool:
 
 
 def read_pattern(path: Path) -> Pattern:
-    """Return the garment in a JSON file.
+    """Return the garment in a JSON file of ours.
 
     Raises
     ------
     ClonerError
-        If the file is no garment, or one that cannot be cut.
+        As :func:`pattern_told`.
+    """
+    return pattern_told(json_of(path), path.stem, path.name)
+
+
+def json_of(path: Path) -> Any:
+    """Return what a garment's JSON file holds.
+
+    Raises
+    ------
+    ClonerError
+        If it is no JSON.
     """
     try:
-        told: Any = json.loads(read_text(path))
+        return json.loads(read_text(path))
+    except (ValueError, RecursionError) as error:
+        raise ClonerError("the file is no garment", _HINT, path.name) from error
+
+
+def pattern_told(told: Any, name: str, where: str) -> Pattern:
+    """Return the garment that a JSON file's contents tell.
+
+    Raises
+    ------
+    ClonerError
+        If it is no garment, or one that cannot be cut.
+    """
+    try:
         segments = tuple(
             Segment(
                 str(each["name"]),
@@ -200,12 +224,12 @@ def read_pattern(path: Path) -> Pattern:
         )
         seams = tuple((str(one), str(other)) for one, other in told["seams"])
         held = tuple(str(place) for place in told.get("held", ()))
-        pattern = Pattern(str(told.get("name", path.stem)), segments, seams, held)
+        pattern = Pattern(str(told.get("name", name)), segments, seams, held)
         if told.get("format") != FORMAT:
             raise ValueError("another form")
     except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
-        raise ClonerError("the file is no garment", _HINT, path.name) from error
-    check_pattern(pattern, path.name)
+        raise ClonerError("the file is no garment", _HINT, where) from error
+    check_pattern(pattern, where)
     return pattern
 
 

@@ -3766,6 +3766,22 @@
         <translation>die Datei ist kein Kleidungsstück</translation>
     </message>
     <message>
+        <source>the file is no garment of GarmentCode</source>
+        <translation>die Datei ist kein Kleidungsstück von GarmentCode</translation>
+    </message>
+    <message>
+        <source>Write it again with GarmentCode, or draw it anew (docs/cloth.md)</source>
+        <translation>Mit GarmentCode neu schreiben oder neu zeichnen (docs/cloth.md)</translation>
+    </message>
+    <message>
+        <source>the panel %1 is a leg&apos;s, which is not read</source>
+        <translation>das Teil %1 gehört zu einem Hosenbein, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>Cloner drafts trousers itself: --garment trousers</source>
+        <translation>Cloner schneidet Hosen selbst zu: --garment trousers</translation>
+    </message>
+    <message>
         <source>the piece %1 has no edge to hang from</source>
         <translation>das Teil %1 hat keine Kante, an der es hängt</translation>
     </message>

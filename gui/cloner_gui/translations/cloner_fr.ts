@@ -3766,6 +3766,22 @@
         <translation>le fichier n&apos;est pas un vêtement</translation>
     </message>
     <message>
+        <source>the file is no garment of GarmentCode</source>
+        <translation>le fichier n&apos;est pas un vêtement de GarmentCode</translation>
+    </message>
+    <message>
+        <source>Write it again with GarmentCode, or draw it anew (docs/cloth.md)</source>
+        <translation>Écrivez-le à nouveau avec GarmentCode, ou dessinez-le (docs/cloth.md)</translation>
+    </message>
+    <message>
+        <source>the panel %1 is a leg&apos;s, which is not read</source>
+        <translation>la pièce %1 est celle d&apos;une jambe, qui n&apos;est pas lue</translation>
+    </message>
+    <message>
+        <source>Cloner drafts trousers itself: --garment trousers</source>
+        <translation>Cloner coupe lui-même les pantalons : --garment trousers</translation>
+    </message>
+    <message>
         <source>the piece %1 has no edge to hang from</source>
         <translation>la pièce %1 n&apos;a pas de bord où pendre</translation>
     </message>

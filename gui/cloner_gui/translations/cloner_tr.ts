@@ -3765,6 +3765,22 @@
         <translation>dosya giysi değil</translation>
     </message>
     <message>
+        <source>the file is no garment of GarmentCode</source>
+        <translation>dosya bir GarmentCode giysisi değil</translation>
+    </message>
+    <message>
+        <source>Write it again with GarmentCode, or draw it anew (docs/cloth.md)</source>
+        <translation>GarmentCode ile yeniden yazın ya da yeniden çizin (docs/cloth.md)</translation>
+    </message>
+    <message>
+        <source>the panel %1 is a leg&apos;s, which is not read</source>
+        <translation>%1 parçası bir paçaya ait, okunmuyor</translation>
+    </message>
+    <message>
+        <source>Cloner drafts trousers itself: --garment trousers</source>
+        <translation>Cloner pantolonu kendisi çizer: --garment trousers</translation>
+    </message>
+    <message>
         <source>the piece %1 has no edge to hang from</source>
         <translation>%1 parçasının asılacak kenarı yok</translation>
     </message>

@@ -1,0 +1,205 @@
+"""Garments that GarmentCode wrote, as pieces of ours: its panels are laid round trunk and arms, its stitches are seams.
+
+A panel is drawn in centimetres and stands in space beside its body; where that is tells which part it goes round, which
+way is up and how far to the left it lies. Its height is not kept, for the body is another one's: what reaches the
+shoulders is hung from the wearer's neck, what does not from the natural waist. Trousers are not read.
+
+References
+----------
+M. Korosteleva, O. Sorkine-Hornung, GarmentCode: Programming Parametric Sewing Patterns, SIGGRAPH Asia 2023; form of
+``*_specification.json`` as its documentation and the files of the project show it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from cloner.cloth.drafting.blocks import line
+from cloner.cloth.drafting.pattern import MOST_SEGMENTS, Pattern, Segment, check_pattern, json_of, pattern_told
+from cloner.cloth.drafting.sections import Sections
+from cloner.cloth.drafting.tailored import OVER_M
+from cloner.errors import ClonerError
+from cloner.records.arrays import Array
+
+#: Edges whose middles lie so near under the highest point of what hangs from the waist stay on the skin, metres.
+HELD_M: Final = 0.02
+#: Sewn edges so near under the highest point of what reaches the shoulders are shoulder seams, metres.
+SHOULDER_M: Final = 0.05
+#: Panels whose names or labels have one of these words go round an arm; those of trousers are refused.
+ARMS, TROUSERS = ("arm", "sleeve", "sl_"), ("pant", "trouser")
+#: What reaches the shoulders has a panel with one of these words.
+TORSO: Final = ("torso", "bodice", "shirt")
+_HINT: Final = "Write it again with GarmentCode, or draw it anew (docs/cloth.md)"
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Panel:
+    """One panel: its curves (E, 4, 2) as drawn and its place in space, metres; ``around`` as a segment's."""
+
+    name: str
+    curves: tuple[Array, ...]
+    turn: Array
+    middle: Array
+    corner: Array
+    around: str
+
+
+def read_garment(path: Path, body: Sections) -> Pattern:
+    """Return the garment in a JSON file, ours or GarmentCode's.
+
+    Raises
+    ------
+    ClonerError
+        If it is neither, or cannot be worn.
+    """
+    told = json_of(path)
+    if isinstance(told, dict) and isinstance(told.get("pattern"), dict):
+        return from_garmentcode(told, path.stem.removesuffix("_specification"), body, path.name)
+    return pattern_told(told, path.stem, path.name)
+
+
+def from_garmentcode(told: Mapping[str, Any], name: str, body: Sections, where: str) -> Pattern:
+    """Return a garment of GarmentCode's for a body.
+
+    Parameters
+    ----------
+    told : mapping
+        The file's contents.
+    name : str
+    body : Sections
+    where : str
+        The file's name, for messages.
+
+    Raises
+    ------
+    ClonerError
+        If it is none, or cannot be worn.
+    """
+    try:
+        scale = 1.0 / float(told["properties"]["units_in_meter"])
+        rows = list(dict(told["pattern"]["panels"]).items())[: MOST_SEGMENTS + 1]
+        panels = [_panel(str(title), dict(each), scale, where) for title, each in rows]
+        stitches = [
+            tuple((str(side["panel"]), int(side["edge"])) for side in stitch[:2])
+            for stitch in told["pattern"]["stitches"]
+        ]
+        reaches = any(word in panel.name.lower() for panel in panels for word in TORSO)
+        high = float(body.place("neck_base_L")[1]) - body.waist_m + OVER_M if reaches else 0.0
+        rise = high - max(_in_space(panel)[:, 1].max() for panel in panels if "arm" not in panel.around)
+        pieces = dict(_piece(panel, panels, float(rise)) for panel in panels)
+        seams = tuple((pieces[one][1][k], pieces[other][1][m]) for (one, k), (other, m) in stitches)
+    except (ValueError, LookupError, TypeError, AttributeError, ZeroDivisionError) as error:
+        raise ClonerError("the file is no garment of GarmentCode", _HINT, where) from error
+    segments = tuple(segment for segment, _ in pieces.values())
+    pattern = Pattern(name, segments, seams, _held(segments, seams, reaches))
+    check_pattern(pattern, where)
+    return pattern
+
+
+def _panel(name: str, told: Mapping[str, Any], scale: float, where: str) -> _Panel:
+    words = f"{name} {told.get('label', '')}".lower()
+    if any(word in words for word in TROUSERS):
+        hint = "Cloner drafts trousers itself: --garment trousers"
+        raise ClonerError(f"the panel {name!r} is a leg's, which is not read", hint, where)
+    corners = scale * np.asarray(told["vertices"], np.float64).reshape(-1, 2)
+    curves = tuple(_curve(corners, dict(edge), scale) for edge in told["edges"])
+    turn = Rotation.from_euler("xyz", np.asarray(told.get("rotation", (0.0, 0.0, 0.0)), np.float64), degrees=True)
+    corner = scale * np.asarray(told["translation"], np.float64)
+    panel = _Panel(name, curves, turn.as_matrix(), corner, corner, "")
+    placed = _in_space(panel)
+    if not np.isfinite(placed).all():
+        raise ValueError("no number")
+    middle = (placed.min(axis=0) + placed.max(axis=0)) / 2.0
+    arm, trunk = ("left_arm" if middle[0] > 0.0 else "right_arm"), ("front" if middle[2] > 0.0 else "back")
+    return replace(panel, middle=middle, around=arm if any(word in words for word in ARMS) else trunk)
+
+
+def _curve(corners: Array, told: Mapping[str, Any], scale: float) -> Array:
+    """Return the (4, 2) cubic of an edge: straight, of one or two handles beside it, or an arc."""
+    start, end = (corners[int(row)] for row in told["endpoints"])
+    bend = told.get("curvature")
+    if bend is None:
+        return line(start, end)
+    along = end - start
+    across = np.array([-along[1], along[0]])
+    kind = "quadratic" if isinstance(bend, list) else str(bend["type"])
+    values: list[Any] = [bend] if isinstance(bend, list) else list(bend["params"])
+    if kind == "circle":
+        return _arc(start, end, scale * float(values[0]), large=bool(values[1]), right=bool(values[2]))
+    handles = [start + float(x) * along + float(y) * across for x, y in values]
+    if len(handles) == 1:  # a quadratic curve as a cubic one
+        handles = [start + 2.0 / 3.0 * (handles[0] - start), end + 2.0 / 3.0 * (handles[0] - end)]
+    return np.array([start, handles[0], handles[1], end])
+
+
+def _arc(start: Array, end: Array, radius: float, *, large: bool, right: bool) -> Array:
+    """Return the cubic of a circle's arc that bulges to the right or left of its chord."""
+    along = end - start
+    chord = float(np.linalg.norm(along))
+    half = float(np.arcsin(min(chord / (2.0 * radius), 1.0)))
+    half = np.pi - half if large else half
+    out = np.array([along[1], -along[0]]) / chord * (1.0 if right else -1.0)
+    handle = 4.0 / 3.0 * float(np.tan(half / 2.0)) * radius
+    ahead = along / chord
+    leave, arrive = np.cos(half) * ahead + np.sin(half) * out, np.cos(half) * ahead - np.sin(half) * out
+    return np.array([start, start + handle * leave, end - handle * arrive, end])
+
+
+def _piece(panel: _Panel, panels: list[_Panel], rise_m: float) -> tuple[str, tuple[Segment, list[str]]]:
+    """Return a panel's name, its segment as its wearer has it on, and the full names of its edges as they were told."""
+    beside = [one for one in panels if one.around == panel.around]
+    flat = [_on_arm(panel, curve, beside) if "arm" in panel.around else _on_trunk(panel, curve, rise_m)
+            for curve in panel.curves]  # fmt: skip
+    outline = np.concatenate([curve[:-1] for curve in flat])
+    following = np.roll(outline, -1, axis=0)
+    names = [f"e{number}" for number in range(len(flat))]
+    edges = dict(zip(names, flat, strict=True))
+    if float((outline[:, 0] * following[:, 1] - outline[:, 1] * following[:, 0]).sum()) < 0.0:  # seen from behind
+        edges = {edge: curve[::-1] for edge, curve in reversed(edges.items())}
+    return panel.name, (Segment(panel.name, edges, panel.around), [f"{panel.name}.{edge}" for edge in names])
+
+
+def _in_space(panel: _Panel) -> Array:
+    """Return where a panel's corners and handles stand, (M, 3) metres."""
+    flat = np.concatenate([curve[:-1] for curve in panel.curves])
+    return np.asarray(np.column_stack([flat, np.zeros(len(flat))]) @ panel.turn.T + panel.corner)
+
+
+def _on_trunk(panel: _Panel, curve: Array, rise_m: float) -> Array:
+    """Return a curve x to the left of the wearer's front, to the right of the back, y up from the natural waist."""
+    axes = panel.turn[:2, :2].T  # the panel's x and y as they are seen from the front
+    seen = curve @ (axes / np.maximum(np.linalg.norm(axes, axis=1, keepdims=True), 1e-9)) + panel.corner[:2]
+    return np.asarray((seen + [0.0, rise_m]) * [1.0 if panel.around == "front" else -1.0, 1.0])
+
+
+def _on_arm(panel: _Panel, curve: Array, beside: list[_Panel]) -> Array:
+    """Return a curve y along the arm from the shoulder, x round it from its upper line; its panels lie along x."""
+    inward = 1.0 if panel.turn[0, 0] * panel.middle[0] < 0.0 else -1.0
+    over = 1.0 if panel.turn[1, 1] > 0.0 else -1.0
+    highest = max(float((inward * np.concatenate(one.curves)[:, 0]).max()) for one in beside)
+    upper = max(float((over * np.concatenate(one.curves)[:, 1]).max()) for one in beside)
+    is_front = panel.middle[2] >= np.mean([one.middle[2] for one in beside])
+    round_m = (upper - over * curve[:, 1]) * (1.0 if is_front == (panel.around == "right_arm") else -1.0)
+    return np.column_stack([round_m, inward * curve[:, 0] - highest])
+
+
+def _held(segments: tuple[Segment, ...], seams: tuple[tuple[str, str], ...], reaches: bool) -> tuple[str, ...]:
+    """Return the edges that stay on the skin: the highest of what hangs from the waist, shoulders without sleeves."""
+    sewn = {place for seam in seams for place in seam}
+    trunk = [segment for segment in segments if "arm" not in segment.around]
+    if reaches and len(trunk) < len(segments):  # sleeves hold it
+        return ()
+    top = max(float(edge[:, 1].max()) for segment in trunk for edge in segment.edges.values())
+    low = top - (SHOULDER_M if reaches else HELD_M)
+    return tuple(
+        f"{segment.name}.{name}"
+        for segment in trunk
+        for name, edge in segment.edges.items()
+        if float(edge[[0, 3], 1].mean()) > low and (f"{segment.name}.{name}" in sewn) == reaches
+    )
