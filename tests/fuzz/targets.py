@@ -7,8 +7,9 @@ import json
 import tempfile
 import zipfile
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
+from importlib.resources import files
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -30,7 +31,10 @@ from cloner.booth.visitors.visits import read_visit
 from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.drafting.cut import cut
 from cloner.cloth.drafting.drawn import read_drawing
+from cloner.cloth.drafting.garmentcode import read_garment
 from cloner.cloth.drafting.pattern import pattern_text, read_pattern
+from cloner.cloth.drafting.sections import Sections, sections
+from cloner.cloth.simulation.fabrics import read_fabric
 from cloner.crowd.clones.groups import WORN
 from cloner.crowd.packs.files import VERSION
 from cloner.crowd.packs.reading import casting_from, read_facts
@@ -39,6 +43,7 @@ from cloner.crowd.staged.looks import read_looks as read_dyes
 from cloner.crowd.staged.scene import scene_of
 from cloner.errors import ClonerError, plain
 from cloner.frames import ViewId
+from cloner.generic.load import load_generic
 from cloner.motion.captures.acclaim import read_acclaim
 from cloner.motion.captures.bvh import read_bvh
 from cloner.motion.face.faps import read_fap
@@ -47,11 +52,14 @@ from cloner.motion.face.sound import frame_features, read_wav
 from cloner.motion.face.speech import phoneme_visemes, read_phonemes
 from cloner.personal_data.leftovers import Traces, tells
 from cloner.project.clone_file import load_clone, save_clone
+from cloner.project.flow_file import FLOW_FILE, load_flow, save_flow
 from cloner.project.folder import read_corrections, read_person
 from cloner.project.manifest import find_visitors
 from cloner.project.results import foreign_files
 from cloner.project.stamps import why_not_current
 from cloner.project.values_file import load_values, save_values
+from cloner.records.clones import Clone
+from cloner.records.flows import Flow
 from cloner.records.points import Correction, Corrections
 from cloner.scenes.building.reading import read_plan
 from cloner.scenes.building.solids import room_of
@@ -62,6 +70,7 @@ from cloner.statues.obj_files import read_obj
 from cloner.vision.photographs.pictures import read_picture
 from hostile import cases_motion, cases_photos
 from kit.clones import toy_clone
+from unit.cloth.test_garmentcode import shirt, skirt
 
 PERSON = b"""format = 1
 event = "Fair"
@@ -310,6 +319,7 @@ at 3 s: school goes to west
 _SCHOOL = read_text("floor 0, 0 to 9, 9\npoint west at 2, 6\ngroup school: 4 people, starts at west\n")
 
 
+FABRIC = (files("cloner.cloth.simulation") / "fabrics" / "wool.toml").read_bytes()
 _BARE = {garment: np.zeros((1, 1), np.bool_) for garment in WORN}
 
 
@@ -341,6 +351,27 @@ def _crowd(path: Path) -> Any:
 def _visitors(path: Path) -> None:
     (path.parent / "anna").mkdir(exist_ok=True)
     find_visitors(path)
+
+
+@cache
+def _measured() -> Sections:
+    return sections(toy_clone())
+
+
+@cache
+def _skirted() -> Clone:
+    clone = toy_clone()
+    return replace(clone, shells=(replace(clone.shells[0], kind="cloth"),))
+
+
+@cache
+def _flow_bytes() -> bytes:
+    generic, count = load_generic(), len(_skirted().shells[0].vertices_m)
+    turns = np.zeros((2, len(generic.joint_parents), 3), np.float32)
+    flow = Flow(np.zeros((2, count, 3), np.float32), turns[:, 0], turns, np.zeros(len(generic.vertices_m), np.bool_))
+    with tempfile.TemporaryDirectory() as folder:
+        save_flow(flow, Path(folder) / FLOW_FILE)
+        return (Path(folder) / FLOW_FILE).read_bytes()
 
 
 TARGETS: Mapping[str, Target] = {
@@ -377,6 +408,10 @@ TARGETS: Mapping[str, Target] = {
     "dyes": Target("looks.toml", lambda: (DYES,), lambda path: casting_of([_BARE, _BARE], read_dyes(path))),
     "pattern": Target("skirt.json", lambda: (pattern_text(draft(BLOCKS["skirt"], 0.7, 0.5)).encode(),),
                       lambda path: cut(read_pattern(path), 0.2)),
+    "garmentcode": Target("mine.json", lambda: (json.dumps(skirt()).encode(), json.dumps(shirt()).encode()),
+                          lambda path: cut(read_garment(path, _measured()), 0.2)),
+    "fabric": Target("wool.toml", lambda: (FABRIC,), read_fabric),
+    "cloth": Target("cloth.npz", lambda: (_flow_bytes(),), lambda path: load_flow(path.parent, _skirted())),
     "drawing": Target("skirt.svg", lambda: (DRAWING,), lambda path: cut(read_drawing(path), 0.2)),
     "ticket": Target("phone.json", lambda: (TICKET,), lambda path: read_ticket(path.parent)),
     "camera": Target("camera.json", lambda: (CAMERA,),

@@ -94,7 +94,7 @@ def from_garmentcode(told: Mapping[str, Any], name: str, body: Sections, where: 
         rise = high - max(_in_space(panel)[:, 1].max() for panel in panels if "arm" not in panel.around)
         pieces = dict(_piece(panel, panels, float(rise)) for panel in panels)
         seams = tuple((pieces[one][1][k], pieces[other][1][m]) for (one, k), (other, m) in stitches)
-    except (ValueError, LookupError, TypeError, AttributeError, ZeroDivisionError) as error:
+    except (ValueError, LookupError, TypeError, AttributeError, ArithmeticError) as error:
         raise ClonerError("the file is no garment of GarmentCode", _HINT, where) from error
     segments = tuple(segment for segment, _ in pieces.values())
     pattern = Pattern(name, segments, seams, _held(segments, seams, reaches))

@@ -124,7 +124,7 @@ def _fabric(name: str, text: str, where: str) -> Fabric:
     """
     try:
         told: dict[str, Any] = tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError) as error:
+    except (ValueError, RecursionError) as error:  # also a number of 5,000 digits
         raise ClonerError("the file is no fabric", _HINT, where) from error
     for key in told:
         if key not in _READINGS and key not in _UNREAD:
