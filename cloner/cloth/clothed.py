@@ -54,7 +54,7 @@ def check_folder(out: Path, clone_path: Path, formats: Sequence[str]) -> None:
     check_formats(formats)
     safe_identifier(out.name)
     if out.resolve() in (clone_path.resolve(), clone_path.resolve().parent):
-        raise ClonerError("the clone would be replaced by itself dressed", "Give --out another name", out.name)
+        raise ClonerError("the clone would be replaced by itself dressed", "Choose another name", out.name)
 
 
 def write_clothed(

@@ -12,6 +12,9 @@ from cloner.bodies.telling import Told
 from cloner.booth.studio.jobs import StudioJobs
 from cloner.cloth import dressing
 from cloner.errors import Cancelled
+from cloner.project.clone_file import load_clone
+from cloner.project.flow_file import load_flow
+from cloner_gui.studio.wardrobe import TARGETS
 from cloner_gui.studio.wearing import ANIMATE, ARRANGE, EXPORT, FABRIC, SEW, WearingWindow
 from kit.studio_window import Studio, press, tape_clone
 
@@ -36,7 +39,8 @@ class SteeredStudio(Studio):
 
 @pytest.fixture
 def studio(monkeypatch):
-    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", {"cycles": 4, "step_m": 0.05, "under": None})
+    usual = dressing.Dressing.__init__.__kwdefaults__
+    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", usual | {"cycles": 4, "step_m": 0.05})
     return SteeredStudio()
 
 
@@ -81,6 +85,16 @@ def test_a_skirt_is_arranged_sewn_walked_in_and_saved(wearing, qtbot, monkeypatc
     assert target.read_bytes()[:4] == b"glTF"
     assert wearing.written.isVisible()
     qtbot.waitUntil(lambda: any(one.draped is not None for one in seen if hasattr(one, "draped")))
+    folder, kind = tmp_path / "eva-skirt", f"{TARGETS['']} (*)"
+    monkeypatch.setattr(
+        "cloner_gui.studio.wearing.QFileDialog.getSaveFileName", lambda *_: (f"{folder}.glb", kind)
+    )  # the dialog's own proposal, with the folder chosen
+    wearing._export(wearing.outfit())
+    qtbot.waitUntil(lambda: (folder / "report.json").is_file() and not wearing.busy, timeout=30_000)
+    clone = load_clone(folder / "clone.npz")
+    flow = load_flow(folder, clone)
+    assert flow is not None
+    assert len(flow.frames_m) > 20
 
 
 def test_a_cape_is_worn_over_a_skirt(wearing, qtbot):
@@ -162,7 +176,8 @@ def test_a_bad_file_is_refused_in_one_sentence(wearing, qtbot, monkeypatch, tmp_
 
 
 def test_what_was_cancelled_leaves_no_file(eva, tmp_path, monkeypatch):
-    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", {"cycles": 4, "step_m": 0.06, "under": None})
+    usual = dressing.Dressing.__init__.__kwdefaults__
+    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", usual | {"cycles": 4, "step_m": 0.06})
     from cloner.booth.studio.values import Outfit
 
     def stop(step, fraction):

@@ -11,6 +11,7 @@ from cloner.bodies.undressed import undressed_clone
 from cloner.bodies.written import sex_of
 from cloner.booth.studio.values import Arranged, Draped, Outfit, Rgb
 from cloner.booth.worker import Show, not_shown
+from cloner.cloth.clothed import check_folder, write_clothed
 from cloner.cloth.drafting.pattern import Pattern, curve
 from cloner.cloth.dressing import Dressed, Dressing, Watch, fabric_named, motion_of, pattern_of
 from cloner.cloth.simulation.fabrics import Fabric
@@ -25,6 +26,8 @@ from cloner.records.clones import Clone
 
 #: Places along an edge that is drawn.
 _PLACES: Final = 16
+#: What a dressed clone is written as in a result's folder.
+FORMATS: Final = ("glb", "wrl")
 
 
 class Wearing:
@@ -38,7 +41,7 @@ class Wearing:
 
     def __init__(self, show: Show = not_shown) -> None:
         self._show = show
-        self._below: tuple[tuple[Path, bool, int], Clone] | None = None
+        self._below: tuple[tuple[Path, bool, int], Clone, Clone] | None = None
         self._dressing: tuple[Outfit, Dressing, Pattern] | None = None
         self._dressed: dict[Outfit, Dressed] = {}
 
@@ -66,11 +69,17 @@ class Wearing:
         return shown, float(FRAMES_PER_S)
 
     def save_worn(self, outfit: Outfit, out: Path, progress: Progress) -> Path:
-        """Write the clone in its garments; see `cloner.cloth.written.write_dressed`."""
+        """Write the clone in its garments; see `cloner.cloth.written.write_dressed`. Without an ending: as a result."""
+        if not out.suffix:
+            check_folder(out, outfit.clone, FORMATS)
         found = self._walked(outfit, progress)
         progress("export", 0.0)
-        clean_up(out)
-        write_dressed(found, out)
+        if out.suffix:
+            clean_up(out)
+            write_dressed(found, out)
+        else:
+            plain = self._plain(outfit, progress)
+            write_clothed(found, plain, outfit.clone, out, _garments(outfit), FORMATS, progress)
         return out
 
     def _walked(self, outfit: Outfit, progress: Progress) -> Dressed:
@@ -85,12 +94,19 @@ class Wearing:
         return self._dressed[outfit]
 
     def _wearer(self, outfit: Outfit, progress: Progress) -> Clone:
+        """Return who wears it, with joints in the middle of the limbs."""
+        self._plain(outfit, progress)
+        assert self._below is not None
+        return self._below[2]
+
+    def _plain(self, outfit: Outfit, progress: Progress) -> Clone:
+        """Return who wears it, undressed where that was asked for."""
         key = outfit.clone, outfit.bare, clone_file(outfit.clone).stat().st_mtime_ns
         if self._below is None or self._below[0] != key:
             progress("body", 0.0)
             clone = clone_of(outfit.clone)
             below = undressed_clone(clone, sex_of(clone)) if outfit.bare else clone
-            self._below, self._dressing, self._dressed = (key, centred(below)), None, {}
+            self._below, self._dressing, self._dressed = (key, below, centred(below)), None, {}
         return self._below[1]
 
     def _arranged(self, outfit: Outfit, progress: Progress) -> tuple[Dressing, Pattern]:
@@ -118,6 +134,11 @@ class Wearing:
             faces = np.concatenate([inner, faces + int(inner.max()) + 1])
             parts = (*_parts(below.layers), own)
         return Draped(places_m[None].astype(np.float32), faces.astype(np.int32), parts, root_m[None], rotations[None])
+
+
+def _garments(outfit: Outfit) -> list[str]:
+    """Return the names of what is worn, the innermost first."""
+    return [*(_garments(outfit.under) if outfit.under is not None else ()), Path(outfit.garment).stem]
 
 
 def _pieces(pattern: Pattern) -> tuple[Array, ...]:

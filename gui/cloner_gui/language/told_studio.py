@@ -78,6 +78,8 @@ STUDIO_SENTENCES: Final[tuple[str, ...]] = tuple(
         QT_TRANSLATE_NOOP("told", "Make them alike"),
         QT_TRANSLATE_NOOP("told", "the outline of the piece %1 is open"),
         QT_TRANSLATE_NOOP("told", "the file is no garment"),
+        QT_TRANSLATE_NOOP("told", "the clone would be replaced by itself dressed"),
+        QT_TRANSLATE_NOOP("told", "Choose another name"),
         QT_TRANSLATE_NOOP("told", "the file is no garment of GarmentCode"),
         QT_TRANSLATE_NOOP("told", "Write it again with GarmentCode, or draw it anew (docs/cloth.md)"),
         QT_TRANSLATE_NOOP("told", "the panel %1 is a leg's, which is not read"),

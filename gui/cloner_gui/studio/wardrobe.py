@@ -33,7 +33,7 @@ FABRICS: Final = Spoken(
         "burlap": QT_TRANSLATE_NOOP("fabrics", "Burlap"),
     },
 )
-#: What a dressed clone is written as, by file ending.
+#: What a dressed clone is written as, by file ending; a folder has none.
 TARGETS: Final = Spoken(
     "garments",
     {
@@ -43,5 +43,6 @@ TARGETS: Final = Spoken(
         ".gif": QT_TRANSLATE_NOOP("garments", "GIF film"),
         ".usdc": QT_TRANSLATE_NOOP("garments", "USD: the garment alone"),
         ".pc2": QT_TRANSLATE_NOOP("garments", "PC2 and OBJ: the garment alone"),
+        "": QT_TRANSLATE_NOOP("garments", "Folder: a clone in it, whose cloth flows in crowds"),
     },
 )

@@ -248,8 +248,11 @@ class WearingWindow(Bench):
         target, kind = QFileDialog.getSaveFileName(self, title, start, ";;".join(kinds))
         if not target:
             return
-        path = Path(target)
-        path = path if path.suffix.lower() in TARGETS else path.with_name(path.name + kinds.get(kind, ".glb"))
+        path, ending = Path(target), kinds.get(kind, ".glb")
+        if not ending:
+            path = path.with_suffix("") if path.suffix.lower() in TARGETS else path
+        elif path.suffix.lower() not in TARGETS or not path.suffix:
+            path = path.with_name(path.name + ending)
         self.work("save_worn", outfit, path, then=self._take_written)
 
     def _take_written(self, path: Path) -> None:

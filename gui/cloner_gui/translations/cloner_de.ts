@@ -378,7 +378,7 @@
     </message>
     <message>
         <source>GLB: the clone walks in it</source>
-        <extracomment>What a dressed clone is written as, by file ending.</extracomment>
+        <extracomment>What a dressed clone is written as, by file ending; a folder has none.</extracomment>
         <translation>GLB: der Klon geht darin</translation>
     </message>
     <message>
@@ -400,6 +400,10 @@
     <message>
         <source>PC2 and OBJ: the garment alone</source>
         <translation>PC2 und OBJ: das Kleidungsstück allein</translation>
+    </message>
+    <message>
+        <source>Folder: a clone in it, whose cloth flows in crowds</source>
+        <translation>Ordner: ein Klon darin, dessen Stoff in Mengen fließt</translation>
     </message>
 </context>
 <context>
@@ -3764,6 +3768,10 @@
     <message>
         <source>the file is no garment</source>
         <translation>die Datei ist kein Kleidungsstück</translation>
+    </message>
+    <message>
+        <source>the clone would be replaced by itself dressed</source>
+        <translation>der Klon würde durch sich selbst, angezogen, ersetzt</translation>
     </message>
     <message>
         <source>the file is no garment of GarmentCode</source>

@@ -378,7 +378,7 @@
     </message>
     <message>
         <source>GLB: the clone walks in it</source>
-        <extracomment>What a dressed clone is written as, by file ending.</extracomment>
+        <extracomment>What a dressed clone is written as, by file ending; a folder has none.</extracomment>
         <translation>GLB : le clone marche avec</translation>
     </message>
     <message>
@@ -400,6 +400,10 @@
     <message>
         <source>PC2 and OBJ: the garment alone</source>
         <translation>PC2 et OBJ : le vêtement seul</translation>
+    </message>
+    <message>
+        <source>Folder: a clone in it, whose cloth flows in crowds</source>
+        <translation>Dossier : un clone, dont le tissu flotte dans les foules</translation>
     </message>
 </context>
 <context>
@@ -3764,6 +3768,10 @@
     <message>
         <source>the file is no garment</source>
         <translation>le fichier n&apos;est pas un vêtement</translation>
+    </message>
+    <message>
+        <source>the clone would be replaced by itself dressed</source>
+        <translation>le clone serait remplacé par lui-même habillé</translation>
     </message>
     <message>
         <source>the file is no garment of GarmentCode</source>

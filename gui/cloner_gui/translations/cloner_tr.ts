@@ -377,7 +377,7 @@
     </message>
     <message>
         <source>GLB: the clone walks in it</source>
-        <extracomment>What a dressed clone is written as, by file ending.</extracomment>
+        <extracomment>What a dressed clone is written as, by file ending; a folder has none.</extracomment>
         <translation>GLB: klon onunla yürür</translation>
     </message>
     <message>
@@ -399,6 +399,10 @@
     <message>
         <source>PC2 and OBJ: the garment alone</source>
         <translation>PC2 ve OBJ: yalnız giysi</translation>
+    </message>
+    <message>
+        <source>Folder: a clone in it, whose cloth flows in crowds</source>
+        <translation>Klasör: içinde bir klon; kumaşı kalabalıklarda dalgalanır</translation>
     </message>
 </context>
 <context>
@@ -3763,6 +3767,10 @@
     <message>
         <source>the file is no garment</source>
         <translation>dosya giysi değil</translation>
+    </message>
+    <message>
+        <source>the clone would be replaced by itself dressed</source>
+        <translation>klonun yerine giyinmiş hali yazılırdı</translation>
     </message>
     <message>
         <source>the file is no garment of GarmentCode</source>

@@ -18,10 +18,12 @@ from cloner.cloth.dressing import Dressed, dressed, pattern_of
 from cloner.cloth.glb import glb
 from cloner.cloth.simulation.fabrics import FABRICS
 from cloner.cloth.simulation.layered import Under
+from cloner.errors import ClonerError
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.motion.limbs.rig import centred
 from cloner.motion.moves.own import own_motions
-from cloner.project.clone_file import save_clone
+from cloner.project.clone_file import load_clone, save_clone
+from cloner.project.flow_file import load_flow
 from cloner.records.clones import Clone
 
 
@@ -83,10 +85,11 @@ def test_what_is_below_goes_into_its_loop_within_the_first_cycle() -> None:
 
 
 def test_the_command_takes_what_is_worn_over_it(eva: Clone, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", {"cycles": 4, "step_m": 0.06, "under": None})
-    monkeypatch.setattr(dressing.dressed, "__kwdefaults__", {
-        "cycles": 4, "step_m": 0.06, "under": None, "progress": lambda *_: None
-    })  # fmt: skip
+    usual = dressing.Dressing.__init__.__kwdefaults__
+    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", usual | {"cycles": 4, "step_m": 0.06})
+    monkeypatch.setattr(dressing.dressed, "__kwdefaults__", dressing.dressed.__kwdefaults__ | {"cycles": 4})
+    monkeypatch.setattr("cloner.cloth.written.STEP_M", 0.06)
+    monkeypatch.setattr("cloner.cloth.written.FOLDER_STEP_M", 0.06)
     save_clone(eva, tmp_path / "clone.npz")
     out = tmp_path / "both.glb"
     asked = ["dress", str(tmp_path), "--garment", "trousers", "--over", "tee:denim", "--out", str(out)]
@@ -94,6 +97,15 @@ def test_the_command_takes_what_is_worn_over_it(eva: Clone, tmp_path: Path, monk
     assert told.exit_code == 0, told.output
     assert told.output.count("loop of") == 2
     assert out.is_file()
+    folder = tmp_path / "worn"
+    skirted = ["dress", str(tmp_path), "--garment", "skirt", "--out", str(folder)]
+    told = CliRunner().invoke(app, [*skirted, "--integrator", "elements", "--format", "glb"])
+    assert told.exit_code == 0, told.output
+    assert {path.name for path in folder.iterdir()} >= {"clone.npz", "cloth.npz", "clone.glb", "report.json"}
+    assert load_flow(folder, load_clone(folder / "clone.npz")) is not None
+    wrong = CliRunner().invoke(app, [*asked, "--integrator", "magic"])
+    assert isinstance(wrong.exception, ClonerError)
+    assert "threads or elements" in wrong.exception.hint
     wrong = CliRunner().invoke(app, [*asked[:-1], str(tmp_path / "x.glb"), "--over", "hat"])
     assert wrong.exit_code != 0
     assert not (tmp_path / "x.glb").exists()
