@@ -94,7 +94,9 @@ def dress(
     ],
     garment: Annotated[
         str,
-        typer.Option(help="skirt, circle-, straight-, long-skirt, cape, tee, dress, coat, trousers, .json or .svg."),
+        typer.Option(
+            help="skirt, circle-, straight-, long-skirt, cape, tee, dress, coat, trousers, .json, .svg or .mhclo."
+        ),
     ] = "skirt",
     fabric: Annotated[
         str, typer.Option(help="silk, cotton, linen, wool, denim, burlap, or a .toml of KES readings.")
@@ -110,14 +112,21 @@ def dress(
     formats: FormatOption = DEFAULT_FORMATS,
 ) -> None:
     """Put a garment on a clone and let its cloth flow in a loop with the walk."""
+    from cloner.cloth.fitted import ENDING, fit_folder
     from cloner.cloth.written import dress_file
 
     if integrator not in INTEGRATORS:
         hint = f"Give {' or '.join(INTEGRATORS)}"
         raise ClonerError(f"the integrator {integrator!r} is not known", hint, "--integrator")
+    is_fitted = Path(garment).suffix.lower() == ENDING
+    if is_fitted and (over or length is not None):
+        raise ClonerError("a fitted garment keeps its size and is worn alone", "Dress the result again", garment)
     worn_over = [(name, other or fabric) for name, _, other in (one.partition(":") for one in over or ())]
 
     with ProgressLine() as progress:
+        if is_fitted:
+            say(fit_folder(clone_path, Path(garment), out, formats=split_formats(formats), progress=progress))
+            return
         lines = dress_file(
             clone_path,
             out,

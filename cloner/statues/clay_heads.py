@@ -14,11 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.errors import ClonerError
+from cloner.exporters.shared.obj_files import wrapped
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.arrays import Array, freeze
-from cloner.statues.meshes import Mesh
-from cloner.statues.obj_files import wrapped
+from cloner.records.meshes import Mesh
 
 Index = NDArray[np.int32]
 

@@ -16,9 +16,9 @@ from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.rasters import nearest_depth
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.arrays import Array
+from cloner.records.meshes import Mesh
 from cloner.records.views import Camera
 from cloner.stages.textures import pad_charts
-from cloner.statues.meshes import Mesh
 from cloner.vision.retouching.aligning import sample
 
 Pixels = NDArray[np.uint8]

@@ -19,9 +19,9 @@ from cloner.fit.cameras import resect
 from cloner.geometry.cameras.viewpoints import facing_camera
 from cloner.geometry.deformation.dffd import deform, enclosing_points, sibson_weights
 from cloner.records.arrays import Array
+from cloner.records.meshes import Mesh
 from cloner.records.views import Camera
 from cloner.statues.continued import Laid, laid_photo, trusted
-from cloner.statues.meshes import Mesh
 
 Index = NDArray[np.int32]
 

@@ -15,6 +15,7 @@ from cloner.bodies.carried import carried_shells
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.telling import Told
 from cloner.errors import ClonerError
+from cloner.exporters.shared.obj_files import read_obj, write_obj
 from cloner.exporters.table import check_formats
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
@@ -29,13 +30,12 @@ from cloner.project.results import place_digest
 from cloner.project.stamps import output_digests, stamp_text
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone, TextureAtlas
+from cloner.records.meshes import Mesh
 from cloner.report.derived import FORMAT, manifest_of, write_result
 from cloner.report.write import write_report
 from cloner.stages.join import eye_joints
 from cloner.statues.carved import check_material, statue_of
 from cloner.statues.markers import read_markers
-from cloner.statues.meshes import Mesh
-from cloner.statues.obj_files import read_obj, write_obj
 from cloner.statues.photo_fit import Fit, PhotoFit, fit_photo, focal_px_of
 from cloner.vision.photographs.pictures import Picture, read_picture
 

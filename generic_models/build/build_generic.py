@@ -181,7 +181,7 @@ def main() -> None:
         "source_file_count": len(source.used),
         "outputs": {
             name: hashlib.sha256((options.out / name).read_bytes()).hexdigest()
-            for name in ("body.npz", "head.npz")
+            for name in ("body.npz", "head.npz", "helpers.npz")  # build_helpers.py writes the last one
             if (options.out / name).is_file()
         },
     }

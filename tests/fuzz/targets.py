@@ -42,6 +42,7 @@ from cloner.crowd.staged.looks import casting_of
 from cloner.crowd.staged.looks import read_looks as read_dyes
 from cloner.crowd.staged.scene import scene_of
 from cloner.errors import ClonerError, plain
+from cloner.exporters.shared.obj_files import read_obj
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.motion.captures.acclaim import read_acclaim
@@ -66,7 +67,6 @@ from cloner.scenes.building.solids import room_of
 from cloner.scenes.films.sequence import read_sequence
 from cloner.statues.blobs import field_of, read_blobs
 from cloner.statues.markers import read_markers
-from cloner.statues.obj_files import read_obj
 from cloner.vision.photographs.pictures import read_picture
 from hostile import cases_motion, cases_photos
 from kit.clones import toy_clone

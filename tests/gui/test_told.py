@@ -17,9 +17,9 @@ ELSEWHERE = (
     "cloner/animating.py", "cloner/batch.py", "cloner/cli.py", "cloner/commands/", "cloner/evaluate/",
     "cloner/machines/farm.py", "cloner/machines/cluster", "cloner/behaviour/", "cloner/crowd/", "cloner/outside.py",
     "cloner/acting/", "cloner/scenes/", "cloner/exporters/vat.py",
-    "cloner/cloth/simulation/fabrics.py", "cloner/project/flow_file.py",
+    "cloner/cloth/simulation/fabrics.py", "cloner/cloth/fitted.py", "cloner/project/flow_file.py",
     "cloner/statues/carved.py", "cloner/statues/clay_heads.py", "cloner/statues/markers.py",
-    "cloner/statues/obj_files.py", "cloner/statues/poses.py", "cloner/terminal.py",
+    "cloner/exporters/shared/obj_files.py", "cloner/statues/poses.py", "cloner/terminal.py",
     "cloner/motion/", "cloner/picture.py", "cloner/project/manifest.py", "cloner/project/tape.py",
 )  # fmt: skip
 #: What `cloner.clone` says to programs alone.

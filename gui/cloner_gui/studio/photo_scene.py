@@ -13,8 +13,8 @@ from PySide6.QtWidgets import QWidget
 
 from cloner.generic.layers import Layer
 from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.records.meshes import Mesh
 from cloner.render import draw
-from cloner.statues.meshes import Mesh
 from cloner.statues.photo_fit import Fit
 from cloner_gui.canvas.clones.preview import Preview
 from cloner_gui.canvas.clones.scene import BACKGROUND, Image, Scene

@@ -11,12 +11,12 @@ import trimesh
 from PIL import Image
 
 from cloner.errors import ClonerError
+from cloner.exporters.shared.obj_files import read_obj, wrapped
 from cloner.geometry.cameras.viewpoints import framing_camera
 from cloner.picture import clone_of
 from cloner.project.results import is_result, read_manifest
 from cloner.render import render_mesh
 from cloner.statues.markers import known_points, read_markers
-from cloner.statues.obj_files import read_obj, wrapped
 from cloner.statues.photographed import photo_folder
 from kit.clones import toy_clone
 from kit.crowds import dressed_toy, saved

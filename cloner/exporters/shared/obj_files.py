@@ -12,7 +12,7 @@ from cloner.errors import ClonerError
 from cloner.exporters.shared.files import png_bytes, write_bytes
 from cloner.outside import text_outside
 from cloner.records.arrays import Array
-from cloner.statues.meshes import Mesh
+from cloner.records.meshes import Mesh
 
 #: A larger file is no mesh to drag markers on.
 LARGEST_BYTES: Final = 80_000_000
