@@ -53,11 +53,14 @@ class Segment:
         Cubic Bézier curves, metres, in order round the piece.
     around : str
         One of `AROUND`.
+    lies : tuple of (float, float)
+        Heights y as drawn, rising, and where these lie on the body, metres; as drawn where it is empty.
     """
 
     name: str
     edges: Mapping[str, Array]
     around: str = ""
+    lies: tuple[tuple[float, float], ...] = ()
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -148,6 +151,8 @@ def _check_segment(segment: Segment, where: str) -> None:
     if segment.around not in AROUND:
         hint = f"A piece lies round {', '.join(filter(None, AROUND))}"
         raise ClonerError(f"the piece {segment.name!r} lies round {segment.around!r}, which is no part", hint, where)
+    if not all(np.isfinite(segment.lies).ravel()) or (np.diff([y for y, _ in segment.lies]) <= 0.0).any():
+        raise ClonerError(f"the piece {segment.name!r} lies at heights that do not rise", _HINT, where)
     if len(edges) < 2:
         raise ClonerError(f"the piece {segment.name!r} has fewer than two edges", _HINT, where)
     if not all(edge.shape == (4, 2) and np.isfinite(edge).all() for edge in edges):
@@ -219,6 +224,7 @@ def pattern_told(told: Any, name: str, where: str) -> Pattern:
                 str(each["name"]),
                 {str(name): np.asarray(edge, dtype=np.float64) for name, edge in dict(each["edges"]).items()},
                 str(each.get("around", "")),
+                tuple((float(y), float(at)) for y, at in each.get("lies", ())),
             )
             for each in list(told["segments"])[: MOST_SEGMENTS + 1]
         )
@@ -242,6 +248,7 @@ def pattern_text(pattern: Pattern) -> str:
             {
                 "name": segment.name,
                 "around": segment.around,
+                **({"lies": segment.lies} if segment.lies else {}),
                 "edges": {name: edge.round(5).tolist() for name, edge in segment.edges.items()},
             }
             for segment in pattern.segments

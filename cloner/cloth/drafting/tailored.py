@@ -14,7 +14,7 @@ import numpy as np
 
 from cloner.cloth.drafting.blocks import line
 from cloner.cloth.drafting.pattern import Pattern, Segment, length_m
-from cloner.cloth.drafting.sections import Sections
+from cloner.cloth.drafting.sections import STEP_M, Sections
 from cloner.records.arrays import Array
 
 Point = tuple[float, float]
@@ -25,6 +25,8 @@ DROP_M, OVER_M = 0.025, 0.012
 SEAT_M, SEAT_EASE = 0.035, 1.04
 RISES: Final = (0.055, 0.085)
 HALVINGS: Final = 40
+#: A section's points so near a line up the body lie on it, metres.
+SEEN_M: Final = 0.015
 
 
 @dataclass(frozen=True, slots=True)
@@ -93,26 +95,46 @@ def _upper(name: str, cut: Cut, body: Sections, length: float | None) -> Pattern
     }
     segments, seams, held = [], [], []
     for side in ("front", "back"):
+        up = _over(body, (tip + neck) / 2.0 - [0.0, body.waist_m - OVER_M, 0.0], under, is_front=side == "front")
         panel = _panel(
-            chest, bottom, hem, under, shoulder, collar, min(depth[side], collar[1] - 0.015), side == "front"
-        )
+            chest, bottom, hem, under, (shoulder[0], shoulder[1] + up), (collar[0], collar[1] + up),
+            min(depth[side], collar[1] - 0.015) + up, side == "front",
+        )  # fmt: skip
+        lies = tuple((y + (up if y > under else 0.0), y) for y in (hem, under, shoulder[1], collar[1]))
         if cut.is_open and side == "front":
-            segments += [Segment(f"{part}_front", edges, "front") for part, edges in _opened(panel).items()]
+            segments += [Segment(f"{part}_front", edges, "front", lies) for part, edges in _opened(panel).items()]
         else:
-            segments.append(Segment(side, panel, side))
+            segments.append(Segment(side, panel, side, lies))
     for part in ("left", "right"):
         front = f"{part}_front" if cut.is_open else "front"
         seams += [(f"{front}.{part}{edge}", f"back.{part}{edge}") for edge in ("", "_shoulder")]
         if cut.is_open or cut.sleeve == 0.0:  # a tee stays on by itself
             held.append(f"{front}.{part}_shoulder")
         if cut.sleeve > 0.0:
-            hole = length_m(next(s for s in segments if s.name == front).edges[f"{part}_armhole"])
+            holes = [next(s for s in segments if s.name == name).edges[f"{part}_armhole"] for name in (front, "back")]
+            hole = sum(map(length_m, holes)) / 2.0
             segments.append(_sleeve(part, cut, body, hole))
             seams.append((f"{part}_sleeve.under_a", f"{part}_sleeve.under_b"))
             ahead, behind = ("cap_b", "cap_a") if part == "left" else ("cap_a", "cap_b")
             seams.append((f"{front}.{part}_armhole", f"{part}_sleeve.{ahead}"))
             seams.append((f"back.{part}_armhole", f"{part}_sleeve.{behind}"))
     return Pattern(name, tuple(segments), tuple(seams), tuple(held))
+
+
+def _over(body: Sections, seam: Array, low: float, *, is_front: bool) -> float:
+    """Return how much longer the way over the body is than straight up, metres, to the middle of a shoulder seam.
+
+    ``seam`` (3,) is that middle, ``low`` where the way begins, over the waist. A front that was only as long as the
+    body is high was drawn 15 % too long over the bust.
+    """
+    way = []
+    for height in np.arange(low, seam[1], STEP_M):
+        ring = body.ring("trunk", body.waist_m + float(height))
+        beside = ring[np.abs(ring[:, 0] - seam[0]) < SEEN_M, 1]
+        if len(beside):
+            way.append((float(height), float(beside.max() if is_front else beside.min())))
+    steps = np.diff([*way, (seam[1], seam[2])], axis=0)
+    return float(np.hypot(steps[:, 0], steps[:, 1]).sum() - steps[:, 0].sum())
 
 
 def _panel(

@@ -96,7 +96,8 @@ def _laid(segment: Segment, flat: Array, body: Sections, widths: dict[str, Calla
     share = turn + flat[:, 0] / width
     if "_leg_" not in around:
         base = body.waist_m if part == "trunk" else 0.0
-        return _on(body, part, base + flat[:, 1], share, width)
+        height = np.interp(flat[:, 1], *np.transpose(segment.lies)) if segment.lies else flat[:, 1]
+        return _on(body, part, base + height, share, width)
     crotch = float(body.place("crotch")[1]) - body.waist_m
     low, high = _spans(segment, flat[:, 1])
     outer = 1.0 if np.nanmax(segment.edges["waist"][:, 0]) > 1e-6 else -1.0
