@@ -78,6 +78,7 @@ STUDIO_SENTENCES: Final[tuple[str, ...]] = tuple(
         QT_TRANSLATE_NOOP("told", "Make them alike"),
         QT_TRANSLATE_NOOP("told", "the outline of the piece %1 is open"),
         QT_TRANSLATE_NOOP("told", "the file is no garment"),
+        QT_TRANSLATE_NOOP("told", "the piece %1 lies at heights that do not rise"),
         QT_TRANSLATE_NOOP("told", "the clone would be replaced by itself dressed"),
         QT_TRANSLATE_NOOP("told", "Choose another name"),
         QT_TRANSLATE_NOOP("told", "the file is no garment of GarmentCode"),

@@ -3770,6 +3770,10 @@
         <translation>die Datei ist kein Kleidungsstück</translation>
     </message>
     <message>
+        <source>the piece %1 lies at heights that do not rise</source>
+        <translation>das Teil %1 liegt auf Höhen, die nicht steigen</translation>
+    </message>
+    <message>
         <source>the clone would be replaced by itself dressed</source>
         <translation>der Klon würde durch sich selbst, angezogen, ersetzt</translation>
     </message>

@@ -3770,6 +3770,10 @@
         <translation>le fichier n&apos;est pas un vêtement</translation>
     </message>
     <message>
+        <source>the piece %1 lies at heights that do not rise</source>
+        <translation>la pièce %1 se trouve à des hauteurs qui ne montent pas</translation>
+    </message>
+    <message>
         <source>the clone would be replaced by itself dressed</source>
         <translation>le clone serait remplacé par lui-même habillé</translation>
     </message>

@@ -3769,6 +3769,10 @@
         <translation>dosya giysi değil</translation>
     </message>
     <message>
+        <source>the piece %1 lies at heights that do not rise</source>
+        <translation>%1 parçasının yükseklikleri artmıyor</translation>
+    </message>
+    <message>
         <source>the clone would be replaced by itself dressed</source>
         <translation>klonun yerine giyinmiş hali yazılırdı</translation>
     </message>

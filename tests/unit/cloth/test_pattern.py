@@ -83,6 +83,10 @@ def test_what_cannot_be_cut_is_refused_by_name(skirt: Pattern) -> None:
     huge = changed(skirt, **{name: 100.0 * edge for name, edge in skirt.segments[0].edges.items()})
     with pytest.raises(ClonerError, match="no garment's size"):
         check_pattern(huge, "x")
+    for lies in (((0.0, 0.0), (0.0, 0.1)), ((0.0, np.nan),)):
+        falling = replace(skirt, segments=(replace(skirt.segments[0], lies=lies), skirt.segments[1]))
+        with pytest.raises(ClonerError, match="heights that do not rise"):
+            check_pattern(falling, "x")
 
 
 @pytest.mark.parametrize("text", ["", "[]", '{"format": 1}', '{"format": 9, "segments": [], "seams": []}', "[" * 2000])

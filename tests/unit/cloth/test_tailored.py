@@ -145,7 +145,25 @@ def test_a_tailored_garment_is_read_as_it_was_written(people: dict[str, Clone], 
     again = read_pattern(path)
     assert [segment.around for segment in again.segments] == [segment.around for segment in pattern.segments]
     assert again.held == pattern.held
+    assert [np.round(segment.lies, 6).tolist() for segment in again.segments] == [
+        np.round(segment.lies, 6).tolist() for segment in pattern.segments
+    ]
     assert pattern_of(people["eva"], str(path), None)[1] is None
+
+
+def test_a_front_is_as_long_as_the_way_over_the_bust(people: dict[str, Clone]) -> None:
+    """Its shoulder is drawn higher than it lies, a back's less; no thread is drawn out where it is put on."""
+    clone = people["eva"]
+    pattern, _ = pattern_of(clone, "tee", None)
+    longer = {
+        segment.name: segment.lies[-1][0] - segment.lies[-1][1]
+        for segment in pattern.segments
+        if segment.around in ("front", "back")
+    }
+    assert 0.015 < longer["front"] < 0.12
+    assert longer["back"] < longer["front"]
+    worn = put_on(clone, pattern, None, FABRICS["cotton"], own_motions(clone)[0], 0.035)
+    assert np.quantile(strains(worn.sheet, worn.start.places_m), 0.95) < 0.09
 
 
 def test_a_cape_hangs_open_in_front(people: dict[str, Clone]) -> None:
