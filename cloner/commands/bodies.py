@@ -107,7 +107,7 @@ def dress(
         list[str] | None, typer.Option("--over", help="Worn over it: GARMENT or GARMENT:FABRIC. Repeat it.")
     ] = None,
     integrator: Annotated[
-        str, typer.Option("--integrator", help="threads (fast), or elements (more exact, eight times as long).")
+        str, typer.Option("--integrator", help="threads (fast), or elements (more exact, ten times as long).")
     ] = "threads",
     formats: FormatOption = DEFAULT_FORMATS,
 ) -> None:
