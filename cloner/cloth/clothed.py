@@ -5,10 +5,10 @@ Every program that shows clones shows it dressed; crowds let the cloth flow (`cl
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Final
+from typing import Any, Final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ from cloner.cloth.simulation.wearer import wearer
 from cloner.errors import ClonerError
 from cloner.exporters.table import check_formats
 from cloner.generic.load import load_generic
+from cloner.geometry.articulation.skinning import dense_weights, strongest
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.pipeline import Progress
 from cloner.project.atomic import result_folder
@@ -83,18 +84,29 @@ def write_clothed(
     ClonerError
         If something cannot be written.
     """
+    worn, flow = clothed(found, clone)
+    progress("export", 0.9)
+    fabrics = [one.fabric.name for one in found.layers]
+    options = {"garment": list(garments), "fabric": fabrics, "motion": found.motion.name}
+    write_worn(worn, source, out, options, formats, flow)
+    progress("done", 1.0)
+
+
+def write_worn(
+    worn: Clone, source: Path, out: Path, options: Mapping[str, Any], formats: Sequence[str], flow: Flow | None = None
+) -> None:
+    """Write a clone that wears something as a result of its source's visitor, and how that flows.
+
+    Raises
+    ------
+    ClonerError
+        If something cannot be written.
+    """
     name = safe_identifier(out.name)
     with result_folder(out.parent, name) as folder:
-        worn, flow = clothed(found, clone)
-        progress("export", 0.9)
-        options = {
-            "garment": list(garments),
-            "fabric": [one.fabric.name for one in found.layers],
-            "motion": found.motion.name,
-        }
-        save_flow(flow, folder / FLOW_FILE)
+        if flow is not None:
+            save_flow(flow, folder / FLOW_FILE)
         write_result(worn, folder, f"Body {name}", formats, manifest_of(worn, "dressed", options, source))
-    progress("done", 1.0)
 
 
 def clothed(found: Dressed, clone: Clone) -> tuple[Clone, Flow]:
@@ -125,7 +137,8 @@ def _carried(found: Dressed, hung_m: Array, triangles: NDArray[np.int64]) -> tup
     weld = weld.reshape(-1)
     count = int(weld.max()) + 1
     dense = np.zeros((count, len(generic.joint_parents)))
-    np.add.at(dense, (weld[:, None], generic.skin_joints[near]), np.maximum(generic.skin_weights[near], 0.0))
+    given = np.maximum(generic.skin_weights[near], 0.0)
+    np.add.at(dense, weld, dense_weights(generic.skin_joints[near], given, dense.shape[1]))
     ends = edges_of(weld[triangles].astype(np.int32))[0]
     ends = ends[ends[:, 0] != ends[:, 1]]
     ones = np.ones(2 * len(ends))
@@ -135,10 +148,8 @@ def _carried(found: Dressed, hung_m: Array, triangles: NDArray[np.int64]) -> tup
     dense /= dense.sum(axis=1, keepdims=True)
     for _ in range(EVENED):
         dense = beside @ dense
-    most = np.argsort(-dense, axis=1, kind="stable")[:, :4]
-    weights = np.take_along_axis(dense, most, axis=1)
-    weights /= weights.sum(axis=1, keepdims=True)
-    return most[weld].astype(np.int32), weights[weld]
+    joints, weights = strongest(dense)
+    return joints[weld], weights[weld]
 
 
 def _uv(one: Dressed, place: int, count: int) -> Array:

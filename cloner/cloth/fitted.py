@@ -24,21 +24,19 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from cloner.cloth.clothed import SHELL, check_folder
+from cloner.cloth.clothed import SHELL, check_folder, write_worn
 from cloner.cloth.simulation.wearer import planes_under, skin_between, wearer
 from cloner.errors import ClonerError
 from cloner.exporters.shared.obj_files import read_obj
 from cloner.generic.load import load_generic
+from cloner.geometry.articulation.skinning import dense_weights, strongest
 from cloner.outside import read_outside, text_outside
 from cloner.picture import clone_of
 from cloner.pipeline import Progress, quiet
-from cloner.project.atomic import result_folder
-from cloner.project.folder import safe_identifier
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.heads import Shell
 from cloner.records.meshes import Mesh
-from cloner.report.derived import manifest_of, write_result
 
 Ints = NDArray[np.int64]
 
@@ -113,13 +111,10 @@ def fit_folder(
     check_folder(out, clone_path, formats)
     progress("body", 0.0)
     clone, found = clone_of(clone_path), read_fitted(garment)
-    name = safe_identifier(out.name)
-    with result_folder(out.parent, name) as folder:
-        shell = fitted_shell(clone, found)
-        worn = replace(clone, shells=(*(one for one in clone.shells if one.kind != SHELL), _together(clone, shell)))
-        progress("export", 0.5)
-        manifest = manifest_of(worn, "dressed", {"garment": [garment.stem]}, clone_path)
-        write_result(worn, folder, f"Body {name}", formats, manifest)
+    shell = fitted_shell(clone, found)
+    worn = replace(clone, shells=(*(one for one in clone.shells if one.kind != SHELL), _together(clone, shell)))
+    progress("export", 0.5)
+    write_worn(worn, clone_path, out, {"garment": [garment.stem]}, formats)
     progress("done", 1.0)
     return (f"{len(found.rows)} vertices of {garment.stem} lie on the skin", str(out))
 
@@ -252,13 +247,10 @@ def fitted_shell(clone: Clone, garment: Fitted) -> Shell:
 def _carried(garment: Fitted) -> tuple[NDArray[np.int32], Array]:
     """Return joints and weights (N, 4) of a garment's vertices: those of the skin that its rows name."""
     generic, (near, weight, _) = load_generic(), _helpers()
-    dense = np.zeros((ALL, len(generic.joint_parents)))
-    np.add.at(dense, (np.arange(SKIN)[:, None], generic.skin_joints[:SKIN]), np.maximum(generic.skin_weights[:SKIN], 0))
-    dense[SKIN:] = np.einsum("nk,nkj->nj", weight, dense[near])
-    own = np.einsum("nk,nkj->nj", np.maximum(garment.weights, 0.0), dense[garment.rows])
-    most = np.argsort(-own, axis=1, kind="stable")[:, :4]
-    kept = np.take_along_axis(own, most, axis=1)
-    return most.astype(np.int32), kept / np.maximum(kept.sum(axis=1, keepdims=True), 1e-12)
+    given = np.maximum(generic.skin_weights[:SKIN], 0.0)
+    skin = dense_weights(generic.skin_joints[:SKIN], given, len(generic.joint_parents))
+    base = np.concatenate([skin, np.einsum("nk,nkj->nj", weight, skin[near])])
+    return strongest(np.einsum("nk,nkj->nj", np.maximum(garment.weights, 0.0), base[garment.rows]))
 
 
 def _together(clone: Clone, shell: Shell) -> Shell:

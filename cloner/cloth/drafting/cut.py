@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from scipy.spatial import Delaunay, cKDTree
 
 from cloner.cloth.drafting.pattern import Pattern, Segment, even, length_m
+from cloner.geometry.meshes.triangles import paired_edges
 from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]
@@ -56,6 +57,48 @@ class Cloth:
         """Return the (N, 3) vertices of points (W, 3): the middle of those that are one after sewing."""
         counts = np.bincount(self.vertex, minlength=self.count)
         return np.stack([np.bincount(self.vertex, points_m[:, k]) / counts for k in range(3)], axis=1)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Hinges:
+    """Inner edges as they lie in the plane, pairs of both sides; over a seam two pieces are laid beside each other.
+
+    Attributes
+    ----------
+    edges, tips : (I, 2) int64
+        Vertices at the ends of every edge, and opposite it.
+    triangles : (I, 2) int64
+    heights_m, feet_m, lengths_m : (2, I) float64
+        How far each tip lies off the edge, and along it from its first end; the edge's length in both pieces.
+    weft : (2, I) float64
+        How much of the edge's normal lies along the weft, squared.
+    """
+
+    edges: Ints
+    tips: Ints
+    triangles: Ints
+    heights_m: Array
+    feet_m: Array
+    lengths_m: Array
+    weft: Array
+
+
+def hinges_of(cloth: Cloth) -> Hinges:
+    """Return the inner edges of sewn pieces."""
+    edges, triangles, tips = paired_edges(cloth.faces)
+    sides = []
+    for side in (0, 1):
+        corners = cloth.triangles[triangles[:, side]]
+        ours, rows = cloth.vertex[corners], np.arange(len(corners))
+        start, end, tip = (
+            cloth.flat_m[corners[rows, (ours == vertex[:, None]).argmax(axis=1)]]
+            for vertex in (edges[:, 0], edges[:, 1], tips[:, side])
+        )
+        length = np.linalg.norm(end - start, axis=1)
+        line, away = (end - start) / length[:, None], tip - start
+        height = np.abs(line[:, 0] * away[:, 1] - line[:, 1] * away[:, 0])
+        sides.append((height, (away * line).sum(axis=1), length, line[:, 1] ** 2))
+    return Hinges(edges, np.asarray(tips, dtype=np.int64), triangles, *np.stack(sides, axis=1))
 
 
 def cut(pattern: Pattern, step_m: float) -> Cloth:

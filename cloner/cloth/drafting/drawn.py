@@ -20,7 +20,7 @@ from xml.etree import ElementTree
 import numpy as np
 
 from cloner.cloth.drafting.blocks import line
-from cloner.cloth.drafting.pattern import MEET_M, MOST_SEGMENTS, Pattern, Segment, check_pattern
+from cloner.cloth.drafting.pattern import MEET_M, MOST_SEGMENTS, Pattern, Segment, check_pattern, seen_from_outside
 from cloner.errors import ClonerError
 from cloner.project.texts import read_text
 from cloner.records.arrays import Array
@@ -86,11 +86,7 @@ def _piece(element: ElementTree.Element, scale: float, where: str) -> Segment:
     if not curves:
         raise ClonerError(f"the outline of the piece {name!r} ends early", _HINT, where)
     edges = {edge: scale * curve * [1.0, -1.0] for edge, curve in zip(names, curves, strict=True)}
-    outline = np.concatenate([curve[:-1] for curve in edges.values()])
-    following = np.roll(outline, -1, axis=0)
-    if float((outline[:, 0] * following[:, 1] - outline[:, 1] * following[:, 0]).sum()) < 0.0:  # drawn clockwise
-        edges = {edge: curve[::-1] for edge, curve in reversed(edges.items())}
-    return Segment(name, edges, element.get("data-around", ""))
+    return Segment(name, seen_from_outside(edges), element.get("data-around", ""))
 
 
 def _curves(data: str, name: str, where: str) -> list[Array]:

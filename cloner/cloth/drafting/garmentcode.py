@@ -21,7 +21,15 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from cloner.cloth.drafting.blocks import line
-from cloner.cloth.drafting.pattern import MOST_SEGMENTS, Pattern, Segment, check_pattern, json_of, pattern_told
+from cloner.cloth.drafting.pattern import (
+    MOST_SEGMENTS,
+    Pattern,
+    Segment,
+    check_pattern,
+    json_of,
+    pattern_told,
+    seen_from_outside,
+)
 from cloner.cloth.drafting.sections import Sections
 from cloner.cloth.drafting.tailored import OVER_M
 from cloner.errors import ClonerError
@@ -156,12 +164,8 @@ def _piece(panel: _Panel, panels: list[_Panel], rise_m: float) -> tuple[str, tup
     beside = [one for one in panels if one.around == panel.around]
     flat = [_on_arm(panel, curve, beside) if "arm" in panel.around else _on_trunk(panel, curve, rise_m)
             for curve in panel.curves]  # fmt: skip
-    outline = np.concatenate([curve[:-1] for curve in flat])
-    following = np.roll(outline, -1, axis=0)
     names = [f"e{number}" for number in range(len(flat))]
-    edges = dict(zip(names, flat, strict=True))
-    if float((outline[:, 0] * following[:, 1] - outline[:, 1] * following[:, 0]).sum()) < 0.0:  # seen from behind
-        edges = {edge: curve[::-1] for edge, curve in reversed(edges.items())}
+    edges = seen_from_outside(dict(zip(names, flat, strict=True)))
     return panel.name, (Segment(panel.name, edges, panel.around), [f"{panel.name}.{edge}" for edge in names])
 
 

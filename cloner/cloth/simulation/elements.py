@@ -21,9 +21,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from cloner.cloth.drafting.cut import Cloth
+from cloner.cloth.drafting.cut import Cloth, hinges_of
 from cloner.cloth.simulation.fabrics import BENDING_N_M, FULL_N_M, LOOP_N, LOOP_N_M, SHEARING_N_M, Fabric
-from cloner.geometry.meshes.triangles import paired_edges
 from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]
@@ -106,8 +105,12 @@ def _bending(cloth: Cloth, area_m2: Array, fabric: Fabric) -> tuple[Ints, sparse
     A hinge's vector over half its heights' product is the curvature across it less a third of that along it, q. In a
     hexagonal grid B A (3/4 sum q² + 1/4 (sum q)²) / 2 a triangle is a plate's energy without Poisson's coupling.
     """
-    hinges, weights, lean, heights, owners = _hinges(cloth)
-    rows = np.arange(len(hinges))
+    found = hinges_of(cloth)
+    heights, lean, owners = found.heights_m, (found.weft[0] + found.weft[1]) / 2.0, found.triangles
+    hinges, rows = np.concatenate([found.tips, found.edges], axis=1), np.arange(len(found.edges))
+    first, second = heights[::-1] / heights.sum(axis=0)
+    middle = first * (found.feet_m[0] / found.lengths_m[0]) + second * (found.feet_m[1] / found.lengths_m[1])
+    weights = np.stack([first, second, middle - 1.0, -middle], axis=1)
     bent = sparse.csr_matrix((weights.ravel(), (np.repeat(rows, 4), hinges.ravel())), (len(hinges), cloth.count))
     curved = 2.0 / (heights[0] * heights[1])
     # A triangle at a border has fewer hinges, which stand for all of it.
@@ -133,34 +136,6 @@ def _directed(lean: Array, warp: float, weft: float) -> Array:
     turned = 2.0 * lean - 1.0
     share = 0.5 + 1.5 * turned - turned**3
     return np.asarray(np.maximum(share * weft + (1.0 - share) * warp, 0.1 * min(warp, weft)))
-
-
-def _hinges(cloth: Cloth) -> tuple[Ints, Array, Array, Array, Ints]:
-    """Return every inner edge's hinge, its weights, how its normal lies along the weft (0..1), heights, both triangles.
-
-    All as in the plane: over a seam the two pieces are laid beside each other.
-    """
-    edges, triangles, opposite = paired_edges(cloth.faces)
-    heights, foot, weft = [], [], []
-    for side in (0, 1):
-        corners = cloth.triangles[triangles[:, side]]
-        ours, rows = cloth.vertex[corners], np.arange(len(corners))
-        start, end, tip = (
-            cloth.flat_m[corners[rows, (ours == vertex[:, None]).argmax(axis=1)]]
-            for vertex in (edges[:, 0], edges[:, 1], opposite[:, side])
-        )
-        line, away = end - start, tip - start
-        length = np.linalg.norm(line, axis=1)
-        line /= length[:, None]
-        heights.append(np.abs(line[:, 0] * away[:, 1] - line[:, 1] * away[:, 0]))
-        foot.append((line * away).sum(axis=1) / length)
-        weft.append(line[:, 1] ** 2)
-    both = heights[0] + heights[1]
-    first, second = heights[1] / both, heights[0] / both
-    middle = first * foot[0] + second * foot[1]
-    weights = np.stack([first, second, middle - 1.0, -middle], axis=1)
-    hinges = np.concatenate([opposite, edges], axis=1).astype(np.int64)
-    return hinges, weights, (weft[0] + weft[1]) / 2.0, np.array(heights), triangles
 
 
 def strained(made: Elements, places_m: Array) -> Strained:

@@ -19,13 +19,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.cloth.drafting.cut import Cloth
+from cloner.cloth.drafting.cut import Cloth, hinges_of
 from cloner.cloth.simulation.contact import Spacing, keep_apart, pairs_of, spacing_of
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.forces import Slips
 from cloner.cloth.simulation.threads import Threads, grouped, limit, pull
 from cloner.cloth.simulation.wearer import Planes, Skin, planes_under
-from cloner.geometry.meshes.triangles import paired_edges
 from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]
@@ -101,7 +100,9 @@ def sheet_of(cloth: Cloth, fabric: Fabric, held: Ints) -> Sheet:
     down, across = along[:, 1] ** 2, along[:, 0] ** 2
     stiff = warp * down**2 + weft * across**2 + 4.0 * shear * down * across
     # A skip thread as long as two triangles are high: stiffness of a bent beam of that length, no finite elements.
-    bends, width, flat_m = _across(cloth)
+    hinges = hinges_of(cloth)
+    bends, width = hinges.tips, hinges.heights_m.sum(axis=0)
+    flat_m = np.hypot(width, hinges.feet_m[0] - hinges.feet_m[1])
     bending = np.asarray(fabric.bend_n_m() * 4.0 / np.maximum(width, 1e-6) ** 2, dtype=np.float64)
     return Sheet(
         faces,
@@ -145,29 +146,6 @@ def _edges(cloth: Cloth) -> tuple[Ints, Array, Array]:
     _, first = np.unique(key, return_index=True)
     length = np.linalg.norm(away[first], axis=1)
     return ends[first], length, away[first] / length[:, None]
-
-
-def _across(cloth: Cloth) -> tuple[Ints, Array, Array]:
-    """Return the corners opposite every inner edge (I, 2), both triangles' heights together, and the corners' distance.
-
-    All as in the plane: over a seam the two pieces are laid beside each other.
-    """
-    edges, triangles, opposite = paired_edges(cloth.faces)
-    height, along = np.zeros(len(edges)), np.zeros(len(edges))
-    for side, sign in ((0, 1.0), (1, -1.0)):
-        corners = cloth.triangles[triangles[:, side]]
-        ours = cloth.vertex[corners]
-
-        def flat(vertex: Ints, corners: Ints = corners, ours: Ints = ours) -> Array:
-            place = (ours == vertex[:, None]).argmax(axis=1)
-            return np.asarray(cloth.flat_m[corners[np.arange(len(corners)), place]])
-
-        start, end, tip = flat(edges[:, 0]), flat(edges[:, 1]), flat(np.asarray(opposite[:, side]))
-        line = (end - start) / np.linalg.norm(end - start, axis=1, keepdims=True)
-        away = tip - start
-        height += np.abs(line[:, 0] * away[:, 1] - line[:, 1] * away[:, 0])
-        along += sign * (away * line).sum(axis=1)
-    return np.asarray(opposite, dtype=np.int64), height, np.hypot(height, along)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -118,13 +118,13 @@ def cast_of(
     codes = hemmed(atlas, texel_groups(groups, atlas_px))
     clips = clips_of(clone, poses, walks, feelings=feelings)
     statue = carved(clone) if carved else None
-    vertices_m, hung = clone.vertices_m, ""
+    vertices_m, outward, hung = clone.vertices_m, surface_normals(clone.vertices_m), ""
     if flow is not None:
         place = next(k for k, one in enumerate(shells) if one.kind == "cloth")
         shells[place], clips = flowing(clone, shells[place], flow, clips)
-        vertices_m = vertices_m - SUNK_M * flow.hidden[:, None] * surface_normals(vertices_m)
+        vertices_m = vertices_m - SUNK_M * flow.hidden[:, None] * outward
         hung = "top" if shells[place].vertices_m[:, 1].max() > CHEST[0] * clone.stature_m else "bottom"
-    normals = surface_normals(clone.vertices_m)[body.vertex]
+    normals = outward[body.vertex]
     shell = _shell_picture(shells)
     looks = looks_of(atlas, codes)
     if flow is not None:

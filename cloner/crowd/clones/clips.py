@@ -147,11 +147,17 @@ def sitting(body: Body) -> Motion:
     return grounded(body, Motion("sit", np.array([0.0, 1.0]), np.zeros((2, 3)), rotations, cyclic=True))
 
 
+def bone_frames(clone: Clone, root_m: Array, rotations: Array) -> Array:
+    """Return (F, J, 3, 4) posed-from-rest transforms of a clone's joints, its root moved by (F, 3)."""
+    parents = load_generic().joint_parents.astype(np.int32)
+    frames = joint_transforms(clone.joints_m, parents, rotations)[:, :, :3]
+    frames[..., 3] += root_m[:, None]
+    return frames
+
+
 def _clip(clone: Clone, motion: Motion, poses: int, *, around: bool = True, far: str = "") -> Clip:
     """Return a motion whose last frame is its first one as a clip."""
     rotations, root = motion.rotations[:-1], motion.root_m[:-1]
-    parents = load_generic().joint_parents.astype(np.int32)
-    frames = joint_transforms(clone.joints_m, parents, rotations)[:, :, :3]
-    frames[..., 3] += root[:, None]
+    frames = bone_frames(clone, root, rotations)
     seconds, count = float(motion.times_s[-1]), len(frames)
     return Clip(motion.name, seconds, motion.speed_m_s, frames, rotations, root, min(poses, count), around, far)

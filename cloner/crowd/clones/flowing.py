@@ -19,9 +19,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.cluster.vq import kmeans2
 
-from cloner.crowd.clones.clips import Clip
-from cloner.generic.load import load_generic
-from cloner.geometry.articulation.skinning import joint_transforms
+from cloner.crowd.clones.clips import Clip, bone_frames
+from cloner.geometry.articulation.skinning import dense_weights
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 from cloner.records.flows import Flow
@@ -49,11 +48,7 @@ def flowing(clone: Clone, shell: Shell, flow: Flow, clips: Sequence[Clip]) -> tu
     flow : Flow
     clips : sequence of Clip
     """
-    generic = load_generic()
-    frames = joint_transforms(
-        clone.joints_m, generic.joint_parents.astype(np.int32), flow.rotations.astype(np.float64)
-    )[:, :, :3]
-    frames[..., 3] += flow.root_m[:, None]
+    frames = bone_frames(clone, flow.root_m.astype(np.float64), flow.rotations.astype(np.float64))
     bones, joints, weights = decomposed(shell.vertices_m, flow.frames_m.astype(np.float64))
     share = _shares(shell, joints, weights, frames.shape[1])
     beside = _after(_inverse(_blended(frames, share)), bones)
@@ -112,14 +107,24 @@ def _bones(rest: Array, frames: Array) -> Array:
     return bones
 
 
+def _turn(matrices: Array) -> Array:
+    """Return the rotations nearest to matrices (..., 3, 3)."""
+    left, _, right = np.linalg.svd(matrices)
+    left[..., 2] *= np.linalg.det(left @ right)[..., None]
+    return np.asarray(left @ right)
+
+
+def _straightened(mean: Array) -> Array:
+    """Return the rigid transforms nearest to means of such (..., 3, 4)."""
+    return np.concatenate([_turn(mean[..., :3]), mean[..., 3:]], axis=-1)
+
+
 def _rigid(rest: Array, frames: Array, weight: Array) -> Array:
     """Return (F, 3, 4) turns and shifts that bring rest (N, 3) to frames (F, N, 3) best (Kabsch)."""
     share = weight / max(float(weight.sum()), 1e-12)
     middle, middles = share @ rest, np.einsum("n,fna->fa", share, frames)
     cross = np.einsum("n,fna,nb->fab", share, frames - middles[:, None], rest - middle)
-    left, _, right = np.linalg.svd(cross)
-    left[:, :, 2] *= np.linalg.det(left @ right)[:, None]
-    turn = left @ right
+    turn = _turn(cross)
     return np.concatenate([turn, (middles - turn @ middle)[:, :, None]], axis=2)
 
 
@@ -145,8 +150,7 @@ def _weights(rest: Array, frames: Array, bones: Array) -> tuple[NDArray[np.int64
 
 def _shares(shell: Shell, joints: NDArray[np.int64], weights: Array, count: int) -> Array:
     """Return (K, J) how much of each of the skeleton's joints carries each bone of the cloth."""
-    own = np.zeros((len(joints), count))
-    np.add.at(own, (np.arange(len(own))[:, None], shell.skin_joints), shell.skin_weights)
+    own = dense_weights(shell.skin_joints, shell.skin_weights, count)
     share = np.zeros((int(joints.max()) + 1, count))
     np.add.at(share, joints.reshape(-1), weights.reshape(-1, 1) * np.repeat(own, joints.shape[1], axis=0))
     return np.asarray(share / np.maximum(share.sum(axis=1, keepdims=True), 1e-12))
@@ -154,10 +158,7 @@ def _shares(shell: Shell, joints: NDArray[np.int64], weights: Array, count: int)
 
 def _blended(frames: Array, share: Array) -> Array:
     """Return (F, K, 3, 4) rigid means of the skeleton's frames (F, J, 3, 4)."""
-    mean = np.einsum("kj,fjab->fkab", share, frames)
-    left, _, right = np.linalg.svd(mean[..., :3])
-    left[..., 2] *= np.linalg.det(left @ right)[..., None]
-    return np.concatenate([left @ right, mean[..., 3:]], axis=-1)
+    return _straightened(np.einsum("kj,fjab->fkab", share, frames))
 
 
 def _inverse(rigid: Array) -> Array:
@@ -176,6 +177,4 @@ def _between(cycle: Array, at: Array) -> Array:
     low = np.floor(at).astype(np.int64)
     share = (at - low)[:, None, None, None]
     mean = (1.0 - share) * cycle[low % len(cycle)] + share * cycle[(low + 1) % len(cycle)]
-    left, _, right = np.linalg.svd(mean[..., :3])
-    left[..., 2] *= np.linalg.det(left @ right)[..., None]
-    return np.concatenate([left @ right, mean[..., 3:]], axis=-1)
+    return _straightened(mean)

@@ -43,21 +43,16 @@ def animation(buffer: GltfBuffer, clone: Clone, motion: Motion, bones: Bones, me
         name=motion.name, extras={"cyclic": motion.cyclic, "speed_m_s": round(motion.speed_m_s, 4)}
     )
 
-    def channel(node: int, path: str, output: int) -> None:
-        made.samplers.append(pygltflib.AnimationSampler(input=times, output=output, interpolation="LINEAR"))
-        target = pygltflib.AnimationChannelTarget(node=node, path=path)
-        made.channels.append(pygltflib.AnimationChannel(sampler=len(made.samplers) - 1, target=target))
-
     for bone, rotations in enumerate(bones.rotations(motion).transpose(1, 0, 2)):
         if np.abs(rotations).max() > STILL:
-            channel(1 + bone, "rotation", buffer.turns(quaternions(rotations)))
+            _move(made, times, 1 + bone, "rotation", buffer.turns(quaternions(rotations)))
     root = int(np.flatnonzero(bones.parents < 0)[0])
     if np.abs(motion.root_m).max() > 0.0:
-        channel(1 + root, "translation", buffer.values(clone.joints_m[bones.joints[root]] + motion.root_m))
+        _move(made, times, 1 + root, "translation", buffer.values(clone.joints_m[bones.joints[root]] + motion.root_m))
     if set(motion.weights) & set(clone.morph_names):
         still = np.zeros(len(motion.times_s))
         rows = [motion.weights.get(name, still) for name in clone.morph_names]
-        channel(mesh, "weights", buffer.values(np.column_stack(rows).reshape(-1)))
+        _move(made, times, mesh, "weights", buffer.values(np.column_stack(rows).reshape(-1)))
     return made
 
 
@@ -78,9 +73,14 @@ def add_free(buffer: GltfBuffer, made: Any, node: int, moved: Array, times_s: Ar
     for bone, rigid in enumerate(moved.transpose(1, 0, 2, 3)):
         turned = quaternions(Rotation.from_matrix(rigid[:, :, :3]).as_rotvec())
         for path, output in (("rotation", buffer.turns(turned)), ("translation", buffer.values(rigid[:, :, 3]))):
-            made.samplers.append(pygltflib.AnimationSampler(input=times, output=output, interpolation="LINEAR"))
-            target = pygltflib.AnimationChannelTarget(node=node + bone, path=path)
-            made.channels.append(pygltflib.AnimationChannel(sampler=len(made.samplers) - 1, target=target))
+            _move(made, times, node + bone, path, output)
+
+
+def _move(made: Any, times: int, node: int, path: str, output: int) -> None:
+    """Add to an animation that a node's path takes the values of an accessor at the times of another."""
+    made.samplers.append(pygltflib.AnimationSampler(input=times, output=output, interpolation="LINEAR"))
+    target = pygltflib.AnimationChannelTarget(node=node, path=path)
+    made.channels.append(pygltflib.AnimationChannel(sampler=len(made.samplers) - 1, target=target))
 
 
 def quaternions(rotations: NDArray[np.float64]) -> NDArray[np.float64]:

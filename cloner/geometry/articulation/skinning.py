@@ -2,11 +2,30 @@
 
 from __future__ import annotations
 
+from typing import Final
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_matrix
 
 from cloner.records.arrays import Array
+
+#: Joints that a vertex follows.
+INFLUENCES: Final = 4
+
+
+def dense_weights(joints: NDArray[np.integer], weights: Array, count: int) -> Array:
+    """Return (N, J) the weight of each of ``count`` joints on vertices that tell joints and weights (N, k)."""
+    whole = np.zeros((len(joints), count))
+    np.add.at(whole, (np.arange(len(joints))[:, None], joints), weights)
+    return whole
+
+
+def strongest(weights: Array) -> tuple[NDArray[np.int32], Array]:
+    """Return the joints and weights (N, 4) of the strongest four of all joints' weights (N, J), summing to one."""
+    joints = np.argsort(-weights, axis=1, kind="stable")[:, :INFLUENCES]
+    kept = np.take_along_axis(weights, joints, axis=1)
+    return joints.astype(np.int32), kept / np.maximum(kept.sum(axis=1, keepdims=True), 1e-12)
 
 
 def skew(vectors: Array) -> Array:

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
 from cloner.generic.load import GenericHuman
+from cloner.geometry.articulation.skinning import dense_weights, strongest
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.hair.volumes.views import Hanger
 from cloner.records.arrays import Array
@@ -23,7 +24,6 @@ LYING_M: Final = (0.03, 0.07)
 NEAREST: Final = 8
 #: Rounds over the hair's own surface, so that locks do not tear where they leave the body.
 ROUNDS: Final = 8
-INFLUENCES: Final = 4
 
 
 def hair_weights(generic: GenericHuman, joined: Joined, vertices_m: Array, triangles: NDArray[np.int32]) -> Skinned:
@@ -47,18 +47,10 @@ def hair_weights(generic: GenericHuman, joined: Joined, vertices_m: Array, trian
     lying = np.zeros(len(vertices_m))
     lying[low] = np.clip((LYING_M[1] - gap_m[:, 0]) / (LYING_M[1] - LYING_M[0]), 0.0, 1.0)
     lying = below * surface_graph(vertices_m, triangles).smooth(lying, ROUNDS)
-    whole = np.zeros((len(vertices_m), len(generic.joint_names)))
-    np.add.at(whole, (np.arange(len(vertices_m))[:, None], joints), (1.0 - lying)[:, None] * weights)
+    whole = dense_weights(joints, (1.0 - lying)[:, None] * weights, len(generic.joint_names))
     closeness = 1.0 / (gap_m + 1e-3)
     closeness *= (lying[low] / closeness.sum(axis=1))[:, None]
     own = skin[near]
     share = closeness[..., None] * generic.skin_weights[own]
     np.add.at(whole, (low[:, None, None], generic.skin_joints[own]), share)
     return strongest(whole)
-
-
-def strongest(weights: Array) -> Skinned:
-    """Return the joints and weights (N, 4) of the strongest four of all joints' weights (N, J), summing to one."""
-    joints = np.argsort(-weights, axis=1, kind="stable")[:, :INFLUENCES]
-    kept = np.take_along_axis(weights, joints, axis=1)
-    return joints.astype(np.int32), kept / np.maximum(kept.sum(axis=1, keepdims=True), 1e-12)

@@ -32,7 +32,7 @@ def vest(tmp_path: Path) -> Path:
     return written(tmp_path)
 
 
-def written(folder: Path, rows: slice = slice(None), material: str = "vest.mhmat", spans: float = 1.0) -> Path:
+def written(folder: Path, material: str = "vest.mhmat", spans: float = 1.0) -> Path:
     """Write a vest that lies 1 cm off the generic human's trunk: each vertex beside one of the skin and two more."""
     generic = load_generic()
     triangles, _ = generic.triangles()
@@ -52,7 +52,7 @@ def written(folder: Path, rows: slice = slice(None), material: str = "vest.mhmat
         off = 10.0 * out[row]
         lines.append(f"{three[0]} {three[1]} {three[2]} 1.0 0.0 0.0 {off[0]:.6f} {off[1]:.6f} {off[2]:.6f}")
     head, body = lines[: lines.index("verts 0") + 1], lines[lines.index("verts 0") + 1 :]
-    (folder / "vest.mhclo").write_text("\n".join([*head, *body[rows], "delete_verts", "1 - 5"]) + "\n")
+    (folder / "vest.mhclo").write_text("\n".join([*head, *body, "delete_verts", "1 - 5"]) + "\n")
     (folder / "vest.mhmat").write_text("name vest\ndiffuseTexture vest.png\n")
     Image.new("RGB", (64, 64), (200, 30, 40)).save(folder / "vest.png")
     places = ["v 0 0 0", *(f"v {k} {k % 7} 1" for k in range(1, len(used)))]
