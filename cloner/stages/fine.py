@@ -97,6 +97,11 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
     ----------
     trust : (V,) 0..1
         How far outlines move each vertex; vertices without trust stay where they are.
+
+    Returns
+    -------
+    BodyMesh
+        The same one where no photo shows what may move at its outline.
     """
     triangles = body_triangles()
     normals = vertex_normals(mesh.vertices_m, triangles)
@@ -106,6 +111,8 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         seen = see(mesh, photo)
         camera = photo.posed.camera
         rim = np.flatnonzero(seen.body.on_rim & (trust > 0))
+        if not len(rim):  # arms or hair hide all that may move
+            continue
         turned = np.einsum("vab,vb->va", seen.blended[rim, :, :3], normals[rim])
         across = turned @ camera.camera_from_model[:3, :3].T
         moving = np.einsum("vab,vb->va", seen.blended[rim, :, :3], ways[rim]) @ camera.camera_from_model[:3, :3].T
@@ -125,6 +132,8 @@ def settled(mesh: BodyMesh, photos: tuple[Outlined, ...], reach_mm: float, param
         )
         step_mm = photo.field.step_px * seen.mm_per_px
         weights.append(np.full(len(vertex), step_mm / 4.0) * trust[vertex] * (1.0 - distance[keep] / reach_px))
+    if not rows:
+        return mesh
     anchor = np.where(trust > 0.5, params.anchor, np.where(trust > 0, 0.1, 1e3))
     heights = settle(
         np.concatenate(rows),
