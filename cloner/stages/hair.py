@@ -24,9 +24,10 @@ from cloner.hair.clothing.hoods import without_hoods
 from cloner.hair.clothing.loose_clothes import SAID, loose_shells
 from cloner.hair.clothing.peaks import find_peak, peak_mesh, under_headwear, worn_views
 from cloner.hair.shells.beard import beard_shell
-from cloner.hair.shells.frizz import measure_frizz
-from cloner.hair.shells.frizz_cards import frizz_shell, make_room
+from cloner.hair.shells.mattes import Matte, matte_of, rim_of, with_core
 from cloner.hair.shells.mesh import lowest_m, mesh_of
+from cloner.hair.shells.rim_cards import crown_of, rim_shell
+from cloner.hair.shells.rim_strips import strips_of
 from cloner.hair.shells.shell import dress_shell, shown_part
 from cloner.hair.volumes.cap import VOTE_MM, Scalp, covered_share, measure_scalp, settle_shell
 from cloner.hair.volumes.crowns import with_one_crown
@@ -37,6 +38,7 @@ from cloner.hair.volumes.weights import hair_weights
 from cloner.labels.glasses import wears_glasses
 from cloner.paint.details.glasses import glasses_shell
 from cloner.paint.details.tucking import ear_masks, lay_ears, whole_ears
+from cloner.paint.lookups.posed import pose
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
@@ -140,15 +142,13 @@ def grow_hair(
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
-    settled = settle_shell(views, scalp, *mesh, FILM_MM)
+    mattes = hair_mattes(photos, views, scalp)
+    reach_mm = rim_of(mattes.values())
+    settled = settle_shell(views if reach_mm is None else with_cores(views, mattes), scalp, *mesh, FILM_MM)
     used, triangles, inside_mm = shown_part(views, settled, mesh[1])
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
-    vertices, frizz = settled[used], measure_frizz(views, photos.photos, scalp.points_m)
-    if frizz is not None:
-        skin = skin_of(generic, joined, scalp)
-        free_mm = np.where(under_headwear(worn_views(views, proposals), vertices), 0.0, inside_mm)
-        vertices, frizz = make_room(frizz, vertices, triangles, free_mm, skin)
+    vertices = settled[used]
     surface = with_peak(generic, joined, views, proposals, scalp, (vertices, triangles, inside_mm))
     peaked = np.arange(len(surface[1])) >= len(triangles)
     worn = (peaked, worn_views(views, proposals)) if peaked.any() else None
@@ -158,13 +158,35 @@ def grow_hair(
     shell = dress_shell(
         generic, joined, photos, views, surface, hung, params.size, strands=strands, carried=carried, worn=worn
     )
-    cards = None if frizz is None else frizz_shell(frizz, shell, (vertices, triangles, free_mm), skin)
+    cards = None
+    if reach_mm is not None:
+        bodies = {view.posed.view: pose(generic, joined, view.posed) for view in views}
+        grown, bare = (vertices, triangles), under_headwear(worn_views(views, proposals), vertices)
+        strips = strips_of(grown, body, bodies, views, mattes, reach_mm, crown_of(vertices))
+        cards = rim_shell(shell, grown, (joined.vertices_m, body), strips, reach_mm, bare)
     residuals = (
         Residual("hair_thickness_median", float(np.median(thick)), "mm"),
         Residual("hair_thickness_largest", float(thick.max()), "mm"),
     )
     tick(1.0)
     return StageResult({"shells": (shell,) if cards is None else (shell, cards)}, residuals)
+
+
+def hair_mattes(photos: PhotoSet, views: list[HairView], scalp: Scalp) -> dict[ViewId, Matte]:
+    """Return every photo's shares of hair, where it shows enough of it."""
+    found = {}
+    for view in views:
+        if view.flip_m is None and view.posed.view in photos.photos:
+            pixel_mm = view.pixel_mm(view.to_view(scalp.points_m))
+            matte = matte_of(photos.photos[view.posed.view].rgb, view, pixel_mm)
+            if matte is not None:
+                found[view.posed.view] = matte
+    return found
+
+
+def with_cores(views: list[HairView], mattes: dict[ViewId, Matte]) -> list[HairView]:
+    """Return the evidence in which hair is its core alone."""
+    return [with_core(view, mattes[view.posed.view]) if view.posed.view in mattes else view for view in views]
 
 
 def with_peak(
