@@ -139,7 +139,7 @@ def matte_of(rgb: NDArray[np.uint8], view: HairView, pixel_mm: float) -> Matte |
 
 
 def _shares(picture: Picture, own: Picture, behind: Picture, hair: Mask) -> tuple[Picture, Mask, Picture]:
-    """Return (h, w) shares of hair, where it differs from the wall, and how far pixels are from all mixtures of both."""
+    """Return (h, w) shares of hair, where it differs from the wall, and how far pixels are from mixtures of both."""
     apart = own - behind
     contrast = np.einsum("ijk,ijk->ij", apart, apart)
     along = np.einsum("ijk,ijk->ij", picture - behind, apart) / np.maximum(contrast, 1.0)
