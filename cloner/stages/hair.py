@@ -29,6 +29,7 @@ from cloner.hair.shells.mesh import lowest_m, mesh_of
 from cloner.hair.shells.rim_cards import crown_of, rim_shell
 from cloner.hair.shells.rim_strips import strips_of
 from cloner.hair.shells.shell import dress_shell, shown_part
+from cloner.hair.volumes.amounts import odd_views
 from cloner.hair.volumes.cap import VOTE_MM, Scalp, covered_share, measure_scalp, settle_shell
 from cloner.hair.volumes.crowns import with_one_crown
 from cloner.hair.volumes.tail import find_tail
@@ -93,7 +94,7 @@ def run(
     Residuals: median and largest thickness of the cap, mm.
     """
     generic, photos = load_generic(), quieted(photos)
-    views = hair_views(generic, joined, proposals, silhouettes)
+    views, odd = with_like_amounts(generic, joined, hair_views(generic, joined, proposals, silhouettes))
     body, on_scalp = body_triangles(), generic.region("scalp")
     scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]
     views = with_whole_coverings(views, photos.photos, proposals, *scalp)
@@ -102,7 +103,22 @@ def run(
     loose = loose_shells(generic, joined, photos, proposals, silhouettes)
     worn = (*(() if beard is None else (beard,)), *loose, *worn_glasses(photos, proposals, joined))
     shells = (*cast(tuple[Shell, ...], hair.values["shells"]), *worn)
-    return StageResult({"shells": shells}, hair.residuals, (*hair.warnings, *((SAID,) if loose else ())))
+    return StageResult({"shells": shells}, hair.residuals, (*odd, *hair.warnings, *((SAID,) if loose else ())))
+
+
+def with_like_amounts(
+    generic: GenericHuman, joined: Joined, views: list[HairView]
+) -> tuple[list[HairView], tuple[str, ...]]:
+    """Return the evidence without photos whose hair is not that of the others, and a sentence for each of those."""
+    ears = joined.vertices_m[generic.region("ear_left") | generic.region("ear_right")]
+    middle = np.array([middle_of(generic, joined), ears[:, 1].max(), ears[:, 2].mean()])
+    odd = odd_views(views, middle)
+    said = tuple(
+        f"{view}: the hair is {share:.1f} times as large here as in the other photos, so this photo's was not used; "
+        "take it again before a wall that looks unlike the hair"
+        for view, share in odd.items()
+    )
+    return [view for view in views if view.posed.view not in odd], said
 
 
 def worn_glasses(photos: PhotoSet, proposals: Proposals, joined: Joined) -> tuple[Shell, ...]:
