@@ -239,6 +239,11 @@ SENTENCES: Final[tuple[str, ...]] = tuple(
         QT_TRANSLATE_NOOP("told", "%1: the clone covers the head's outline only to %2 percent"),
         QT_TRANSLATE_NOOP(
             "told",
+            "%1: the hair is %2 times as large here as in the other photos, so this photo's was not used; "
+            "take it again before a wall that looks unlike the hair",
+        ),
+        QT_TRANSLATE_NOOP(
+            "told",
             "%1: nobody can be made out in this photo, so it was left out; "
             "retake it with hair, hood or scarf away from the face",
         ),

@@ -3177,6 +3177,10 @@
         <translation>%1: der Klon deckt den Umriss des Kopfes nur zu %2 Prozent</translation>
     </message>
     <message>
+        <source>%1: the hair is %2 times as large here as in the other photos, so this photo&apos;s was not used; take it again before a wall that looks unlike the hair</source>
+        <translation>%1: Das Haar ist hier %2-mal so groß wie auf den anderen Fotos; dieses Foto wurde dafür nicht verwendet. Nehmen Sie es vor einer Wand neu auf, die anders aussieht als das Haar</translation>
+    </message>
+    <message>
         <source>%1: nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face</source>
         <translation>%1: auf diesem Foto ist niemand zu erkennen, daher wurde es ausgelassen; nehmen Sie es noch einmal auf, ohne Haar, Kapuze oder Tuch vor dem Gesicht</translation>
     </message>

@@ -3177,6 +3177,10 @@
         <translation>%1 : le clone ne couvre que %2 pour cent de la silhouette de la tête</translation>
     </message>
     <message>
+        <source>%1: the hair is %2 times as large here as in the other photos, so this photo&apos;s was not used; take it again before a wall that looks unlike the hair</source>
+        <translation>%1 : les cheveux sont ici %2 fois aussi grands que sur les autres photos ; cette photo n’a pas servi pour eux. Reprenez-la devant un mur qui ne ressemble pas aux cheveux</translation>
+    </message>
+    <message>
         <source>%1: nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face</source>
         <translation>%1 : on ne distingue personne sur cette photo, elle a donc été écartée ; reprenez-la sans cheveux, capuche ni foulard devant le visage</translation>
     </message>

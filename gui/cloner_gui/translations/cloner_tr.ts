@@ -3176,6 +3176,10 @@
         <translation>%1: klon, başın dış çizgisini yalnızca yüzde %2 oranında örtüyor</translation>
     </message>
     <message>
+        <source>%1: the hair is %2 times as large here as in the other photos, so this photo&apos;s was not used; take it again before a wall that looks unlike the hair</source>
+        <translation>%1: Saçlar burada diğer fotoğraflardakinin %2 katı; bu fotoğrafın saçı kullanılmadı. Fotoğrafı saça benzemeyen bir duvarın önünde yeniden çekin</translation>
+    </message>
+    <message>
         <source>%1: nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face</source>
         <translation>%1: bu fotoğrafta kimse seçilemiyor, bu yüzden kullanılmadı; saç, kapüşon veya atkı yüzü örtmeden yeniden çekin</translation>
     </message>
