@@ -27,7 +27,8 @@ def odd_views(views: list[HairView], ears_m: Array) -> dict[ViewId, float]:
     ears_m : (3,)
         The head's middle at the height of the ears' tops, at rest.
     """
-    shown = {view.posed.view: above_mm2(view, ears_m) for view in views if view.flip_m is None}
+    hairy = [view for view in views if view.flip_m is None and view.hair.any()]  # a bald front is not odd
+    shown = {view.posed.view: above_mm2(view, ears_m) for view in hairy}
     odd: dict[ViewId, float] = {}
     while len(shown) - len(odd) >= FEWEST:
         kept = {name: area for name, area in shown.items() if name not in odd}

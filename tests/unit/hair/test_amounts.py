@@ -1,5 +1,6 @@
 """A photo that lost its hair, or whose camera stands wrong, is found by what the other photos show above the ears."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -45,6 +46,13 @@ def test_a_photo_with_far_less_or_more_is_named_with_its_share(size, share, plac
     found = odd_views([*views, view(NAMES[4], *heads[4], flip_m=0.0)], EARS)
     assert set(found) == {NAMES[place]}
     assert found[NAMES[place]] == pytest.approx(share, rel=0.15)
+
+
+def test_photos_without_hair_say_nothing():
+    views = [view(name, 150.0, 115.0) for name in NAMES]
+    bald = [replace(one, hair=np.zeros_like(one.hair), outline_px=np.full_like(one.outline_px, -1e3)) for one in views]
+    assert odd_views(bald, EARS) == {}
+    assert odd_views([*views[:3], *bald[3:]], EARS) == {}
 
 
 def test_of_two_photos_nobody_knows_which_is_wrong():
