@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 from cloner.generic.load import load_generic
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.shells.beard import beard_rows
+from cloner.hair.shells.beard import beard_rows, contradicted
 from cloner.records.labels import Label
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
@@ -98,3 +98,17 @@ def test_stubble_is_paint():
 def test_lips_stay_free(full_beard):
     shells, _, _, _ = full_beard
     assert not load_generic().region("lips")[shells[0].rides].any()
+
+
+@pytest.mark.parametrize(
+    ("front", "side", "expected"), [(0.3, 0.3, False), (0.07, 0.016, False), (0.107, 0.01, True), (0.0, 0.4, True)]
+)
+def test_a_beard_that_one_face_photo_alone_shows_is_a_shadow(front, side, expected):
+    def proposal(view, share):
+        labels = np.full((100, 100), Label.FACE_SKIN, np.uint8)
+        labels.ravel()[: round(10_000 * share)] = Label.BEARD
+        return replace(studio.empty_proposal(view, labels > 0), labels=labels)
+
+    shown = {view: proposal(view, share) for view, share in (("face_front", front), ("face_side", side))}
+    assert contradicted(Proposals(shown)) == expected
+    assert not contradicted(Proposals({"face_front": shown["face_front"]}))
