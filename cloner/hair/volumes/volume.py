@@ -13,6 +13,7 @@ from cloner.frames import m_from_mm, mm_from_m
 from cloner.geometry.meshes.triangles import longest_sides
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, hairline_mm, seen_votes, surface_mm
+from cloner.hair.volumes.gaps import without_gaps
 from cloner.hair.volumes.rows import SIDES, agreed_mm
 from cloner.hair.volumes.tail import Tail, find_tail
 from cloner.hair.volumes.views import FAR_MM, HairView, hull_mm
@@ -236,6 +237,7 @@ def hair_field(
         grown = np.maximum(grown, tail_mm(views, tail, points))
         hanging = np.where(tail.holds(points), -CLIP_MM, hanging)
     found = np.where(_held_by(grown, hanging, rows, shape), np.maximum(grown, hanging), grown)
+    found = without_gaps(views, np.asarray(found, np.float32), skin_mm, points, rows, shape)
     field[rows] = np.clip(found, -CLIP_MM, CLIP_MM)
     skin[rows] = skin_mm
     return gaussian_filter(field.reshape(shape), SMOOTH_VOXELS), skin.reshape(shape)

@@ -1,0 +1,59 @@
+"""Gaps between hanging hair and the shoulders below it are closed, where no photo shows anything else in them.
+
+A shoulder stands some millimetres lower than in the photo, hair some millimetres higher: one saw through between them.
+"""
+
+from __future__ import annotations
+
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.ndimage import binary_dilation, binary_erosion
+
+from cloner.hair.volumes.views import HairView
+from cloner.records.arrays import Array
+
+#: Half the widest gap that is closed, voxels of 4 mm: bodies and heads err by a centimetre each.
+REACH: Final = 6
+#: How far the photos' outlines of hair may contradict it, mm.
+DOUBT_MM: Final = 4.0
+#: How deep what closes a gap lies in the hair, mm: half a voxel.
+DEEP_MM: Final = 2.0
+
+
+def without_gaps(
+    views: list[HairView],
+    found_mm: NDArray[np.float32],
+    skin_mm: NDArray[np.float32],
+    points_m: Array,
+    rows: NDArray[np.int64],
+    shape: tuple[int, ...],
+) -> NDArray[np.float32]:
+    """Return the hair's field (N,), mm, in which gaps between it and the skin are hair.
+
+    Parameters
+    ----------
+    views : list of HairView
+    found_mm, skin_mm : (N,) float32
+        The field so far, positive inside, and the distance to the whole body's skin, positive outside.
+    points_m : (N, 3) at rest
+    rows : (N,) their places in a grid
+    shape : of that grid
+    """
+    hair, solid = (np.zeros(int(np.prod(shape)), bool) for _ in range(2))
+    hair[rows] = found_mm > 0.0
+    solid[rows] = (found_mm > 0.0) | (skin_mm <= 0.0)
+    reached = binary_dilation(solid.reshape(shape), iterations=REACH)
+    closed = binary_erosion(reached, iterations=REACH, border_value=1).ravel()[rows]
+    near = binary_dilation(hair.reshape(shape), iterations=2 * REACH).ravel()[rows]
+    asked = np.flatnonzero(closed & near & (found_mm <= 0.0) & (skin_mm > 0.0))
+    shown = np.zeros(len(asked), np.bool_)
+    for view in views:
+        inside, judged = view.evidence(points_m[asked])
+        asked_here = judged & (inside < -DOUBT_MM)
+        shown |= judged & (inside > 0.0)
+        asked, shown = asked[~asked_here], shown[~asked_here]
+    result = found_mm.copy()
+    result[asked[shown]] = DEEP_MM
+    return result

@@ -1,0 +1,53 @@
+"""Hair that ends a little above a shoulder reaches it; wide gaps, and those in which a photo shows cloth, stay."""
+
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from cloner.hair.volumes.gaps import DEEP_MM, REACH, without_gaps
+from cloner.hair.volumes.volume import VOXEL_M
+
+SHAPE = (24, 40, 24)
+POINTS = VOXEL_M * np.indices(SHAPE).reshape(3, -1).T
+ROWS = np.arange(len(POINTS))
+LEVEL = np.indices(SHAPE)[1].ravel()
+SKIN_MM = (4.0 * (LEVEL - 8)).astype(np.float32)  # a shoulder's top at level 8
+
+
+def seen(inside_mm=10.0, judged=True):
+    """Return a photo that shows hair so deep everywhere, or cannot judge."""
+    return SimpleNamespace(
+        evidence=lambda points: (np.full(len(points), inside_mm, np.float32), np.full(len(points), judged))
+    )
+
+
+def hair(first):
+    """Return the field of hair from a level upwards."""
+    return (4.0 * (LEVEL - first) + 2.0).astype(np.float32)
+
+
+@pytest.mark.parametrize(("wide", "closes"), [(2, True), (2 * REACH - 1, True), (2 * REACH + 3, False)])
+def test_a_gap_closes_when_it_is_narrow(wide, closes):
+    field = hair(9 + wide)
+    found = without_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE)
+    between = (LEVEL > 8) & (LEVEL < 9 + wide)
+    assert (found[between] > 0.0).all() == closes
+    if closes:
+        assert (found[between] == DEEP_MM).all()
+    np.testing.assert_array_equal(found[~between], field[~between])
+
+
+@pytest.mark.parametrize(
+    "views", [[seen(-20.0)], [seen(), seen(-20.0)], [seen(judged=False)]], ids=["cloth", "one denies", "nobody sees"]
+)
+def test_it_stays_where_a_photo_shows_something_else_or_none_shows_hair(views):
+    field = hair(12)
+    np.testing.assert_array_equal(without_gaps(views, field, SKIN_MM, POINTS, ROWS, SHAPE), field)
+
+
+def test_gaps_of_the_body_alone_stay():
+    arm = np.abs(np.indices(SHAPE)[0].ravel() - 12)
+    skin = (4.0 * (arm - 2)).astype(np.float32)  # two walls of skin, four voxels apart
+    bald = np.full(len(POINTS), -15.0, np.float32)
+    np.testing.assert_array_equal(without_gaps([seen()], bald, -skin, POINTS, ROWS, SHAPE), bald)
