@@ -119,7 +119,7 @@ def undressed_clone(clone: Clone, sex: str, seed: int = 0) -> Clone:
     shells = tuple(
         replace(shell, vertices_m=carried(shell.vertices_m - lift, dressed.vertices_m[skin], shift[skin]))
         for shell in clone.shells
-        if shell.kind != "cloth"
+        if shell.kind not in ("cloth", "scarf")
     )
     plain = regions(sex)
     own = np.isin(clone.triangle_regions, [REGIONS.index(name) for name in _OWN])

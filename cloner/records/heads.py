@@ -51,7 +51,7 @@ class HeadFit:
 
 
 #: What a shell can be.
-SHELL_KINDS = ("hair", "cloth", "glasses", "beard", "frizz")
+SHELL_KINDS = ("hair", "cloth", "glasses", "beard", "frizz", "scarf")
 #: What a shell rides on that no morph target moves.
 NO_RIDES = np.zeros(0, np.int32)
 

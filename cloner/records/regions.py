@@ -9,5 +9,12 @@ from typing import Final
 REGIONS: Final = ("skin", "hair", "eyes", "mouth", "upper_clothes", "lower_clothes", "shoes")
 #: What a shell of each kind is; loose cloth hangs around the legs.
 SHELL_REGIONS: Final = MappingProxyType(
-    {"hair": "hair", "beard": "hair", "cloth": "lower_clothes", "glasses": "upper_clothes", "frizz": "hair"}
+    {
+        "hair": "hair",
+        "beard": "hair",
+        "cloth": "lower_clothes",
+        "glasses": "upper_clothes",
+        "frizz": "hair",
+        "scarf": "upper_clothes",
+    }
 )

@@ -23,8 +23,9 @@ from cloner.hair.clothing.coverings import with_whole_coverings
 from cloner.hair.clothing.hoods import without_hoods
 from cloner.hair.clothing.loose_clothes import SAID, loose_shells
 from cloner.hair.clothing.peaks import find_peak, peak_mesh, under_headwear, worn_views
+from cloner.hair.clothing.scarves import scarf_shell
 from cloner.hair.shells.beard import beard_shell
-from cloner.hair.shells.mattes import Matte, matte_of, rim_of, with_core
+from cloner.hair.shells.mattes import mattes_of, rim_of, with_cores
 from cloner.hair.shells.mesh import lowest_m, mesh_of
 from cloner.hair.shells.rim_cards import crown_of, rim_shell
 from cloner.hair.shells.rim_strips import strips_of
@@ -94,14 +95,16 @@ def run(
     Residuals: median and largest thickness of the cap, mm.
     """
     generic, photos = load_generic(), quieted(photos)
-    views, odd = with_like_amounts(generic, joined, hair_views(generic, joined, proposals, silhouettes))
+    bare_views = hair_views(generic, joined, proposals, silhouettes)
+    views, odd = with_like_amounts(generic, joined, bare_views)
     body, on_scalp = body_triangles(), generic.region("scalp")
     scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]
     views = with_whole_coverings(views, photos.photos, proposals, *scalp)
     hair = grow_hair(photos, proposals, views, joined, tick, params or Params())
     beard = beard_shell(generic, joined, photos, proposals, views)
     loose = loose_shells(generic, joined, photos, proposals, silhouettes)
-    worn = (*(() if beard is None else (beard,)), *loose, *worn_glasses(photos, proposals, joined))
+    scarf = scarf_shell(generic, joined, photos, proposals, bare_views)
+    worn = (*(one for one in (beard, scarf) if one is not None), *loose, *worn_glasses(photos, proposals, joined))
     shells = (*cast(tuple[Shell, ...], hair.values["shells"]), *worn)
     return StageResult({"shells": shells}, hair.residuals, (*odd, *hair.warnings, *((SAID,) if loose else ())))
 
@@ -158,9 +161,10 @@ def grow_hair(
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
-    mattes = hair_mattes(photos, views, scalp)
+    mattes = mattes_of(photos.photos, views, scalp.points_m)
     reach_mm = rim_of(mattes.values())
-    settled = settle_shell(views if reach_mm is None else with_cores(views, mattes), scalp, *mesh, FILM_MM)
+    fitted, below = views if reach_mm is None else with_cores(views, mattes), (scalp.points_m, scalp.normals)
+    settled = settle_shell(fitted, below, *mesh, FILM_MM)
     used, triangles, inside_mm = shown_part(views, settled, mesh[1])
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
@@ -186,23 +190,6 @@ def grow_hair(
     )
     tick(1.0)
     return StageResult({"shells": (shell,) if cards is None else (shell, cards)}, residuals)
-
-
-def hair_mattes(photos: PhotoSet, views: list[HairView], scalp: Scalp) -> dict[ViewId, Matte]:
-    """Return every photo's shares of hair, where it shows enough of it."""
-    found = {}
-    for view in views:
-        if view.flip_m is None and view.posed.view in photos.photos:
-            pixel_mm = view.pixel_mm(view.to_view(scalp.points_m))
-            matte = matte_of(photos.photos[view.posed.view].rgb, view, pixel_mm)
-            if matte is not None:
-                found[view.posed.view] = matte
-    return found
-
-
-def with_cores(views: list[HairView], mattes: dict[ViewId, Matte]) -> list[HairView]:
-    """Return the evidence in which hair is its core alone."""
-    return [with_core(view, mattes[view.posed.view]) if view.posed.view in mattes else view for view in views]
 
 
 def with_peak(

@@ -115,7 +115,7 @@ def beard_shell(
     mesh = mesh_of(field, skin_mm, low, TRIANGLES, SMALLEST_PIECE)
     if mesh is None:
         return None
-    shape = settle_shell(views, grown, *mesh, FILM_MM)
+    shape = settle_shell(views, (grown.points_m, grown.normals), *mesh, FILM_MM)
     used, triangles, inside_mm = shown_part(views, shape, mesh[1])
     aside = any(view.posed.view in (ViewId.FACE_SIDE, ViewId.BODY_SIDE) for view in views)
     if thickness_mm(grown, shape[used], inside_mm) < (THINNEST_MM if aside else UNSEEN_MM):

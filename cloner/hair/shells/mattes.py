@@ -7,7 +7,7 @@ core is the rim, tufts of a curly head, ends of a short cut.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -15,8 +15,10 @@ import cv2
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.frames import ViewId
 from cloner.hair.volumes.views import HairView, distances_px
 from cloner.records.arrays import Array
+from cloner.records.photos import Photo
 from cloner.vision.photographs.blending import push_pull
 
 Mask = NDArray[np.bool_]
@@ -163,6 +165,22 @@ def rim_of(mattes: Iterable[Matte]) -> float | None:
     ends = np.flatnonzero(usual < LEAST_SHARE)
     reach = int(ends[0]) if ends.size else RINGS
     return RING_MM * reach if RING_MM * usual[:reach].sum() >= LEAST_MM else None
+
+
+def mattes_of(photos: Mapping[ViewId, Photo], views: list[HairView], points_m: Array) -> dict[ViewId, Matte]:
+    """Return every photo's shares of hair, where it shows enough; ``points_m`` (N, 3) at rest tell a pixel's size."""
+    found = {}
+    for view in views:
+        if view.flip_m is None and view.posed.view in photos:
+            matte = matte_of(photos[view.posed.view].rgb, view, view.pixel_mm(view.to_view(points_m)))
+            if matte is not None:
+                found[view.posed.view] = matte
+    return found
+
+
+def with_cores(views: list[HairView], mattes: Mapping[ViewId, Matte]) -> list[HairView]:
+    """Return the evidence in which hair is its core alone."""
+    return [with_core(view, mattes[view.posed.view]) if view.posed.view in mattes else view for view in views]
 
 
 def with_core(view: HairView, matte: Matte) -> HairView:

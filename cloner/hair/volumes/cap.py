@@ -218,7 +218,11 @@ def surface_mm(
 
 
 def settle_shell(
-    views: list[HairView], scalp: Scalp, vertices_m: Array, triangles: NDArray[np.int32], least_mm: float
+    views: list[HairView],
+    skin: tuple[Array, Array],
+    vertices_m: Array,
+    triangles: NDArray[np.int32],
+    least_mm: float,
 ) -> Array:
     """Return the finished shell's vertices (N, 3) with its outlines on those of the photos.
 
@@ -228,29 +232,30 @@ def settle_shell(
 
     Parameters
     ----------
-    views, scalp
+    views : list of HairView
+    skin : (M, 3) vertices of the skin below, m, and their normals
     vertices_m, triangles : the shell
     least_mm : float
         No vertex is pushed nearer to the skin than this.
     """
     graph, start_m = surface_graph(vertices_m, triangles), vertices_m
-    moved_mm, floor_mm = np.zeros_like(start_m), np.minimum(_clear_mm(scalp, start_m)[0], least_mm)
+    moved_mm, floor_mm = np.zeros_like(start_m), np.minimum(_clear_mm(skin, start_m)[0], least_mm)
     for _ in range(SHELL_ROUNDS):
         drive, trust = outline_drive(views, vertices_m, triangles)
         gap = drive / np.maximum(trust, 1e-9)
         wanted_mm = moved_mm + gap[:, None] * vertex_normals(vertices_m, triangles)
         moved_mm = graph.fill(wanted_mm, np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)
         vertices_m = start_m + m_from_mm(1.0) * moved_mm
-        clear_mm, outward = _clear_mm(scalp, vertices_m)
+        clear_mm, outward = _clear_mm(skin, vertices_m)
         inside = (clear_mm < floor_mm) & (clear_mm > -DEEPEST_MM)  # deeper: below the neck, beside what is known
         vertices_m = vertices_m + np.where(inside, m_from_mm(1.0) * (floor_mm - clear_mm), 0.0)[:, None] * outward
     return vertices_m
 
 
-def _clear_mm(scalp: Scalp, points_m: Array) -> tuple[Array, Array]:
-    """Return how far points stand off the scalp (N,), mm, and which way is off it (N, 3)."""
-    away, rows, weight = surface_mm(scalp.points_m, scalp.normals, points_m)
-    return away.astype(np.float64), np.einsum("nk,nkc->nc", weight, scalp.normals[rows])
+def _clear_mm(skin: tuple[Array, Array], points_m: Array) -> tuple[Array, Array]:
+    """Return how far points stand off the skin (N,), mm, and which way is off it (N, 3)."""
+    away, rows, weight = surface_mm(*skin, points_m)
+    return away.astype(np.float64), np.einsum("nk,nkc->nc", weight, skin[1][rows])
 
 
 def outline_drive(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:

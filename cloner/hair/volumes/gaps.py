@@ -1,4 +1,4 @@
-"""Gaps between hanging hair and the shoulders below it are closed, where no photo shows anything else in them.
+"""Gaps between hanging hair and shoulders are closed where a front or back photo shows hair and none anything else.
 
 A shoulder stands some millimetres lower than in the photo, hair some millimetres higher: one saw through between them.
 """
@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation, binary_erosion
 
+from cloner.hair.volumes.rows import SIDES
 from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 
@@ -29,6 +30,7 @@ def without_gaps(
     points_m: Array,
     rows: NDArray[np.int64],
     shape: tuple[int, ...],
+    free: NDArray[np.bool_],
 ) -> NDArray[np.float32]:
     """Return the hair's field (N,), mm, in which gaps between it and the skin are hair.
 
@@ -40,6 +42,8 @@ def without_gaps(
     points_m : (N, 3) at rest
     rows : (N,) their places in a grid
     shape : of that grid
+    free : (N,) bool
+        Around a tail, which swings: it lies on nothing.
     """
     hair, solid = (np.zeros(int(np.prod(shape)), bool) for _ in range(2))
     hair[rows] = found_mm > 0.0
@@ -47,13 +51,14 @@ def without_gaps(
     reached = binary_dilation(solid.reshape(shape), iterations=REACH)
     closed = binary_erosion(reached, iterations=REACH, border_value=1).ravel()[rows]
     near = binary_dilation(hair.reshape(shape), iterations=2 * REACH).ravel()[rows]
-    asked = np.flatnonzero(closed & near & (found_mm <= 0.0) & (skin_mm > 0.0))
+    asked = np.flatnonzero(closed & near & ~free & (found_mm <= 0.0) & (skin_mm > 0.0))
     shown = np.zeros(len(asked), np.bool_)
     for view in views:
         inside, judged = view.evidence(points_m[asked])
-        asked_here = judged & (inside < -DOUBT_MM)
-        shown |= judged & (inside > 0.0)
-        asked, shown = asked[~asked_here], shown[~asked_here]
+        if view.posed.view not in SIDES[1]:  # from aside a tail's width and the neck beside it are one
+            shown |= judged & (inside > 0.0)
+        open_here = judged & (inside < -DOUBT_MM)
+        asked, shown = asked[~open_here], shown[~open_here]
     result = found_mm.copy()
     result[asked[shown]] = DEEP_MM
     return result

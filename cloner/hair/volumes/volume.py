@@ -35,6 +35,7 @@ LIFT_MM = 2.5  # labels are read this far above the skin: clear of the mesh, bel
 GROWTH_MM = 40.0  # the growth share falls from 1 to 0 over about two rings of this mesh
 UNSEEN_VOTE = 0.05  # what neighbours say counts where photos see badly
 FAR_SLACK_MM = 10.0  # planes of skin far below tell distances this badly
+BESIDE_TAIL_MM = 50.0  # what lies between a tail and the back below it is air
 CLIP_MM = 15.0  # the field is cut off here, so that smoothing stays local
 
 
@@ -237,7 +238,8 @@ def hair_field(
         grown = np.maximum(grown, tail_mm(views, tail, points))
         hanging = np.where(tail.holds(points), -CLIP_MM, hanging)
     found = np.where(_held_by(grown, hanging, rows, shape), np.maximum(grown, hanging), grown)
-    found = without_gaps(views, np.asarray(found, np.float32), skin_mm, points, rows, shape)
+    free = np.zeros(len(points), np.bool_) if tail is None else tail.inside_mm(points) > -BESIDE_TAIL_MM
+    found = without_gaps(views, np.asarray(found, np.float32), skin_mm, points, rows, shape, free)
     field[rows] = np.clip(found, -CLIP_MM, CLIP_MM)
     skin[rows] = skin_mm
     return gaussian_filter(field.reshape(shape), SMOOTH_VOXELS), skin.reshape(shape)

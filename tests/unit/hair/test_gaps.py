@@ -5,6 +5,7 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from cloner.frames import ViewId
 from cloner.hair.volumes.gaps import DEEP_MM, REACH, without_gaps
 from cloner.hair.volumes.volume import VOXEL_M
 
@@ -12,13 +13,15 @@ SHAPE = (24, 40, 24)
 POINTS = VOXEL_M * np.indices(SHAPE).reshape(3, -1).T
 ROWS = np.arange(len(POINTS))
 LEVEL = np.indices(SHAPE)[1].ravel()
+FREE = np.zeros(len(POINTS), bool)
 SKIN_MM = (4.0 * (LEVEL - 8)).astype(np.float32)  # a shoulder's top at level 8
 
 
-def seen(inside_mm=10.0, judged=True):
+def seen(inside_mm=10.0, judged=True, name=ViewId.BODY_BACK):
     """Return a photo that shows hair so deep everywhere, or cannot judge."""
     return SimpleNamespace(
-        evidence=lambda points: (np.full(len(points), inside_mm, np.float32), np.full(len(points), judged))
+        posed=SimpleNamespace(view=name),
+        evidence=lambda points: (np.full(len(points), inside_mm, np.float32), np.full(len(points), judged)),
     )
 
 
@@ -30,7 +33,7 @@ def hair(first):
 @pytest.mark.parametrize(("wide", "closes"), [(2, True), (2 * REACH - 1, True), (2 * REACH + 3, False)])
 def test_a_gap_closes_when_it_is_narrow(wide, closes):
     field = hair(9 + wide)
-    found = without_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE)
+    found = without_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE, FREE)
     between = (LEVEL > 8) & (LEVEL < 9 + wide)
     assert (found[between] > 0.0).all() == closes
     if closes:
@@ -39,15 +42,23 @@ def test_a_gap_closes_when_it_is_narrow(wide, closes):
 
 
 @pytest.mark.parametrize(
-    "views", [[seen(-20.0)], [seen(), seen(-20.0)], [seen(judged=False)]], ids=["cloth", "one denies", "nobody sees"]
+    "views",
+    [[seen(-20.0)], [seen(), seen(-20.0)], [seen(judged=False)], [seen(name=ViewId.BODY_SIDE)]],
+    ids=["cloth", "one denies", "nobody sees", "a side alone"],
 )
 def test_it_stays_where_a_photo_shows_something_else_or_none_shows_hair(views):
     field = hair(12)
-    np.testing.assert_array_equal(without_gaps(views, field, SKIN_MM, POINTS, ROWS, SHAPE), field)
+    np.testing.assert_array_equal(without_gaps(views, field, SKIN_MM, POINTS, ROWS, SHAPE, FREE), field)
 
 
 def test_gaps_of_the_body_alone_stay():
     arm = np.abs(np.indices(SHAPE)[0].ravel() - 12)
     skin = (4.0 * (arm - 2)).astype(np.float32)  # two walls of skin, four voxels apart
     bald = np.full(len(POINTS), -15.0, np.float32)
-    np.testing.assert_array_equal(without_gaps([seen()], bald, -skin, POINTS, ROWS, SHAPE), bald)
+    np.testing.assert_array_equal(without_gaps([seen()], bald, -skin, POINTS, ROWS, SHAPE, FREE), bald)
+
+
+def test_a_tail_lies_on_nothing():
+    field = hair(12)
+    found = without_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE, np.ones(len(POINTS), bool))
+    np.testing.assert_array_equal(found, field)

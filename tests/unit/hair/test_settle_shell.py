@@ -38,7 +38,9 @@ def _settled(
         return trust * 1e3 * (goal_m - np.linalg.norm(surface_m, axis=1)), trust
 
     monkeypatch.setattr(cap, "outline_drive", drive)
-    return start, settle_shell([], _scalp(skull_m), start, np.asarray(ball.faces, np.int32), FILM_MM)
+    return start, settle_shell(
+        [], (_scalp(skull_m).points_m, _scalp(skull_m).normals), start, np.asarray(ball.faces, np.int32), FILM_MM
+    )
 
 
 def test_a_rim_moves_outwards_and_what_faces_the_camera_stays(monkeypatch: pytest.MonkeyPatch) -> None:
