@@ -80,7 +80,7 @@ def rim_shell(
     bare : (N,) bool
         Vertices without cards: hats.
     """
-    ribbons = list(_ribbons(grown, body, strips, reach_mm, bare))
+    ribbons = list(_ribbons(grown, body, strips, reach_mm, bare)) if strips else []
     if not ribbons:
         return None
     order = sorted(strips)
@@ -144,12 +144,12 @@ def _nearest(sides: list[int], azimuth_rad: float) -> int:
 
 
 def _hairy(rim: Rim, strip: Strip, reach_mm: float) -> NDArray[np.bool_]:
-    """Return (K,) where hair stands out of a rim."""
+    """Return (K,) where a card may begin or end: hair stands out of the rim nearby, and the strip goes on."""
     beyond = beyond_mm(strip, reach_mm, NEIGHBOURS_MM)
     at = (np.arange(len(rim.free)) * STEP_MM / TEXEL_MM).astype(int)
-    shown = at < len(beyond)
-    hairy = shown & (beyond[np.minimum(at, len(beyond) - 1)] > LEAST_MM)
-    return np.asarray(rim.free & binary_dilation(hairy, iterations=round(NEIGHBOURS_MM / STEP_MM)), np.bool_)
+    hairy = beyond[np.minimum(at, len(beyond) - 1)] > LEAST_MM
+    near = binary_dilation(hairy, iterations=round(NEIGHBOURS_MM / STEP_MM))
+    return np.asarray(rim.free & near & (at + STATION * STEP_MM / TEXEL_MM < len(beyond)), np.bool_)
 
 
 def _rim_at_rest(grown: Mesh, body: Mesh, side: int) -> Array:

@@ -39,6 +39,8 @@ USUAL, SLACK_MM = 1.3, 2.0
 LEAST_MM: Final = 0.5
 #: Shorter runs of known columns tell nothing, mm.
 RUN_MM: Final = 12.0
+#: A rim of fewer steps shows nothing.
+FEWEST: Final = 3
 #: Where hair begins and ends along a rim cards fade over so many mm; taste.
 END_MM: Final = 3.0
 
@@ -92,6 +94,8 @@ def strips_of(
         top = view.to_view(crown_m[None])
         rims = rims_of((posed, grown[1]), (bodies[name], body_triangles), view.posed.camera, top[0])
         for rim in rims or ():
+            if len(rim.place_px) < FEWEST:
+                continue
             half = len(rim.place_m) // 3 + 1
             way = view.to_rest(rim.place_m[:half]).mean(axis=0) - crown_m
             if name in ACROSS:
@@ -100,7 +104,7 @@ def strips_of(
                 side = FOREHEAD if way[2] > 0.0 else NAPE
             strip = _strip(rim, matte, view.posed.camera.metres_per_pixel(top[0]), reach_mm)
             found[side] = _merged(found[side], strip) if side in found else strip
-    found = _without_walls(found, reach_mm)
+    found = _without_walls(found, reach_mm) if found else {}
     if {LEFT, RIGHT} <= found.keys():  # heads are as hairy left as right
         found[LEFT], found[RIGHT] = _merged(found[LEFT], found[RIGHT]), _merged(found[RIGHT], found[LEFT])
     whole = {side: _filled(strip) for side, strip in found.items()}

@@ -63,15 +63,14 @@ def rims_of(shell: Mesh, body: Mesh, camera: Camera, crown_m: Array) -> tuple[Ri
     first = np.floor(pixel.min(axis=0)) - MARGIN_PX
     width, height = (np.ceil(pixel.max(axis=0)) + MARGIN_PX - first).astype(int)
 
-    def depth_of(mesh: Mesh, sign: float) -> NDArray[np.float32]:
-        depth = camera.to_camera(mesh[0])[:, 2]
-        far = float(depth.max() + depth.min())
-        places = camera.project(mesh[0]) * scale - first
-        drawn = nearest_depth(places, depth if sign > 0.0 else far - depth, mesh[1], width, height)
-        return drawn if sign > 0.0 else np.where(np.isfinite(drawn), np.float32(far) - drawn, np.inf).astype(np.float32)
+    def nearest(mesh: Mesh, depth_m: Array) -> NDArray[np.float32]:
+        places = np.clip(camera.project(mesh[0]) * scale - first, -1e4, 1e4)
+        return nearest_depth(places, depth_m, mesh[1], width, height)
 
-    front, back = depth_of(shell, 1.0), depth_of(shell, -1.0)
-    near = _body_depth(body, camera, scale, first, (width, height))
+    deep, bodily = (camera.to_camera(mesh[0])[:, 2] for mesh in (shell, body))
+    turned = float(deep.max() + deep.min()) - deep  # as somebody beyond it sees it
+    front, near = nearest(shell, deep), nearest(body, bodily)
+    back = float(deep.max() + deep.min()) - nearest(shell, turned)  # minus infinity where there is none
     seen = np.isfinite(front) & (front < near)
     whole = np.isfinite(front) | np.isfinite(near)
     lines, _ = cv2.findContours(whole.astype(np.uint8), cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_NONE)
@@ -83,7 +82,7 @@ def rims_of(shell: Mesh, body: Mesh, camera: Camera, crown_m: Array) -> tuple[Ri
     start = int(np.argmin(above)) if np.isfinite(above).any() else int(np.argmin(line[:, 1]))
     ring = np.roll(line, -start, axis=0)
     outward = _outward(ring)
-    middle = 0.5 * (front + back)
+    middle = np.where(np.isfinite(front), 0.5 * (front + np.where(np.isfinite(back), back, front)), np.nan)
     halves = []
     for way in (1, -1):
         order = np.arange(len(ring) // 2) * way
@@ -94,12 +93,6 @@ def rims_of(shell: Mesh, body: Mesh, camera: Camera, crown_m: Array) -> tuple[Ri
         halves.append(_rim(place, out, here, depth, (camera, scale, first)))
     found = sorted(halves, key=lambda rim: float(rim.place_px[: len(rim.place_px) // 2 + 1, 0].mean()))
     return found[0], found[1]
-
-
-def _body_depth(body: Mesh, camera: Camera, scale: float, first: Array, size: tuple[int, int]) -> NDArray[np.float32]:
-    """Return the depth picture of the body in the shell's window."""
-    places = np.clip(camera.project(body[0]) * scale - first, -1e4, 1e4)
-    return nearest_depth(places, camera.to_camera(body[0])[:, 2], body[1], *size)
 
 
 def _outward(ring: Array) -> Array:

@@ -226,3 +226,10 @@ def test_what_a_photo_cuts_off_is_filled_by_its_other_half_and_by_what_is_near()
     beyond = round(20.0 / TEXEL_MM)
     amounts = [strip.rgba[:beyond, :, 3].mean() for strip in strips.values()]
     assert min(amounts) > 0.6 * max(amounts) > 0.0
+
+
+def test_without_a_photo_that_shows_the_rim_there_are_no_strips():
+    shell, body = head()
+    grown = shell.vertices_m, shell.triangles
+    assert strips_of(grown, body[1], {}, [], {}, 24.0, np.zeros(3)) == {}
+    assert rim_shell(shell, grown, body, {}, 24.0, np.zeros(len(grown[0]), bool)) is None
