@@ -85,7 +85,7 @@ def statue_of(clone: Clone, material: str) -> Clone:
     return replace(
         carved,
         atlas=TextureAtlas(pad_charts(rgb, covered), np.zeros_like(clone.atlas.coverage), small),
-        shells=tuple(_cut_shell(block, material, shell) for shell in clone.shells),
+        shells=tuple(_cut_shell(block, material, shell) for shell in clone.shells if shell.kind != "frizz"),
         triangle_regions=np.full(len(triangles), REGIONS.index("skin"), np.uint8),  # nothing on it can be dyed
         stamp=f"{clone.stamp}, {material}"[:400],
     )
@@ -143,6 +143,7 @@ def _light(generic: GenericHuman, clone: Clone, atlas: AtlasMap) -> Values:
 
 def _cut_shell(block: Block, material: str, shell: Shell) -> Shell:
     """Return hair or cloth cut from the same block, without anything sheer."""
+    shell = _squared(shell)
     size = len(shell.rgba)
     triangles = outwards(shell.vertices_m, shell.triangles)
     atlas = map_atlas(shell.uv, shell.triangles, shell.triangles, size)
@@ -152,3 +153,12 @@ def _cut_shell(block: Block, material: str, shell: Shell) -> Shell:
     rgb, _ = _cut(block, material, charts, hollows(shell.vertices_m, triangles), deep, light)
     alpha = np.where(shell.rgba[..., 3] >= OPAQUE, 255, 0).astype(np.uint8)
     return replace(shell, rgba=np.dstack([pad_charts(rgb, atlas.covered()), alpha]))
+
+
+def _squared(shell: Shell) -> Shell:
+    """Return a shell whose picture is square: glasses have a wide one, and atlases have one size."""
+    height, width = shell.rgba.shape[:2]
+    size = max(height, width)
+    rgba = np.zeros((size, size, 4), np.uint8)
+    rgba[:height, :width] = shell.rgba
+    return replace(shell, rgba=rgba, uv=shell.uv * (width / size, height / size))

@@ -204,3 +204,15 @@ def test_blocks_are_even_and_pores_whole() -> None:
     steps = np.linspace(0.0, 1.0, 200_001)[:, None] * [0.3, 0.2, 0.1] + [0.1, 0.2, 0.3]
     along = Block(1).pores(steps, 0.01, 1.0)
     assert np.abs(np.diff(along)).max() < 0.01  # none is cut off at its cell's side
+
+
+def test_glasses_are_cut_too_and_single_hairs_are_not(person: Clone) -> None:
+    hair = person.shells[0]
+    wide = replace(hair, kind="glasses", rgba=np.ascontiguousarray(hair.rgba[: len(hair.rgba) // 2]))
+    flat = replace(wide, uv=hair.uv * (1.0, 0.5))
+    worn = replace(person, shells=(hair, flat, replace(hair, kind="frizz")))
+    cut = statue_of(worn, "stone")
+    assert [shell.kind for shell in cut.shells] == ["hair", "glasses"]
+    glasses = cut.shells[1]
+    assert glasses.rgba.shape[0] == glasses.rgba.shape[1] == flat.rgba.shape[1]
+    np.testing.assert_allclose(glasses.uv[:, 1] * len(glasses.rgba), flat.uv[:, 1] * len(flat.rgba), atol=1e-6)
