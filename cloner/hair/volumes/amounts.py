@@ -11,9 +11,9 @@ from cloner.hair.volumes.views import HairView
 from cloner.records.arrays import Array
 
 #: Square millimetres of the person above the ears, against the median of the other photos: eleven generated people
-#: have .75 to 1.35 (sides are deeper than fronts are wide); a white afro before a pale wall .2, a face photo whose
-#: camera stood wrong under a beard 1.9.
-LEAST, MOST = 0.6, 1.6
+#: have .75 to 1.35 (sides are deeper than fronts are wide), with a tail high on the crown 1.7; a white afro before a
+#: pale wall .2. Far larger is a head that its camera sees at a wrong size.
+LEAST, MOST = 0.6, 2.5
 #: With fewer photos nobody knows which one is wrong.
 FEWEST: Final = 3
 
