@@ -95,15 +95,15 @@ def run(
     Residuals: median and largest thickness of the cap, mm.
     """
     generic, photos = load_generic(), quieted(photos)
-    bare_views = hair_views(generic, joined, proposals, silhouettes)
-    views, odd = with_like_amounts(generic, joined, bare_views)
+    views = hair_views(generic, joined, proposals, silhouettes)
     body, on_scalp = body_triangles(), generic.region("scalp")
     scalp = joined.vertices_m, vertex_normals(joined.vertices_m, body), body[on_scalp[body].all(axis=1)]
     views = with_whole_coverings(views, photos.photos, proposals, *scalp)
-    hair = grow_hair(photos, proposals, views, joined, tick, params or Params())
+    alike, odd = with_like_amounts(generic, joined, views)
+    hair = grow_hair(photos, proposals, alike, joined, tick, params or Params())
     beard = beard_shell(generic, joined, photos, proposals, views)
     loose = loose_shells(generic, joined, photos, proposals, silhouettes)
-    scarf = scarf_shell(generic, joined, photos, proposals, bare_views)
+    scarf = scarf_shell(generic, joined, photos, proposals, views)
     worn = (*(one for one in (beard, scarf) if one is not None), *loose, *worn_glasses(photos, proposals, joined))
     shells = (*cast(tuple[Shell, ...], hair.values["shells"]), *worn)
     return StageResult({"shells": shells}, hair.residuals, (*odd, *hair.warnings, *((SAID,) if loose else ())))
