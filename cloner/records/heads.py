@@ -58,7 +58,7 @@ NO_RIDES = np.zeros(0, np.int32)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Shell:
-    """A surface of its own beside the body: hair, its frizz, a beard, a skirt, the lower part of a coat, glasses.
+    """A surface of its own beside the body: hair, its frizz, a beard, a scarf, a skirt, a coat's lower part, glasses.
 
     Attributes
     ----------

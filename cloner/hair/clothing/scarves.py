@@ -37,12 +37,14 @@ Bools = NDArray[np.bool_]
 ABOVE_M, BELOW_M = 0.02, 0.22
 #: Smaller pieces are specks, and a photo with less shows no scarf, mm2.
 SPECK_MM2, LEAST_MM2 = 150.0, 1500.0
-#: Its height at the neck: anything flatter is a collar or a chain, mm.
-THICKEST_MM: Final = 12.0
+#: It stands out from the skin so far somewhere: anything flatter is a collar or a chain, mm.
+STANDS_OUT_MM: Final = 12.0
 #: How far the grid reaches around the neck, m; no scarf stands out farther.
 AROUND_M: Final = 0.2
 #: Labels err so much, mm.
 DOUBT_MM: Final = 1.0
+#: Photos from before.
+FRONTS: Final = (ViewId.FACE_FRONT, ViewId.BODY_FRONT)
 #: Never covered by a scarf.
 BARE: Final = (Label.FACE_SKIN, Label.EYES, Label.MOUTH, Label.BEARD, Label.HAIR, Label.BACKGROUND)
 #: Most triangles, the texture's side in texels, and pieces smaller than this share of the largest are dropped.
@@ -52,7 +54,7 @@ TRIANGLES, SIZE, SMALLEST_PIECE = 4000, 512, 0.2
 def scarf_shell(
     generic: GenericHuman, joined: Joined, photos: PhotoSet, proposals: Proposals, views: list[HairView]
 ) -> Shell | None:
-    """Return the scarf, None where photos of fewer than two sides show one.
+    """Return the scarf, None unless photos from before and from aside show one.
 
     Parameters
     ----------
@@ -74,7 +76,7 @@ def scarf_shell(
         return None
     shape = settle_shell(worn, body, *mesh, FILM_MM)
     used, triangles, inside_mm = shown_part(worn, shape, mesh[1])
-    if not len(triangles) or surface_mm(*body, shape[used])[0].max() < THICKEST_MM:
+    if not len(triangles) or surface_mm(*body, shape[used])[0].max() < STANDS_OUT_MM:
         return None
     carried = np.flatnonzero(near)[cKDTree(body[0]).query(shape[used])[1]]
     skinned = np.asarray(generic.skin_joints[carried], np.int32), np.asarray(generic.skin_weights[carried], np.float64)
@@ -106,10 +108,9 @@ def scarfed(view: HairView, labels: NDArray[np.uint8], chin_m: Array) -> HairVie
 
 
 def _round(worn: list[HairView]) -> bool:
-    """Whether photos from before, and from aside or behind, show it."""
+    """Whether photos from before and from aside show it."""
     seen = {view.posed.view for view in worn}
-    front = seen & {ViewId.FACE_FRONT, ViewId.BODY_FRONT}
-    return bool(front and seen & {ViewId.FACE_SIDE, ViewId.BODY_SIDE})
+    return bool(seen & set(FRONTS)) and bool(seen & {ViewId.FACE_SIDE, ViewId.BODY_SIDE})
 
 
 def scarf_field(
@@ -121,7 +122,7 @@ def scarf_field(
     shape = tuple(int(cells) for cells in np.ceil((high - low) / VOXEL_M))
     grid = low + VOXEL_M * np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3)
     deep_m = float(body[0][:, 2].min()), float(body[0][:, 2].max())
-    front = next(view for view in worn if view.posed.view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT))
+    front = next(view for view in worn if view.posed.view in FRONTS)
     near = np.flatnonzero(front.evidence(grid)[0] > -CLIP_MM)
     inside, sides = agreed_mm(worn, grid[near], deep_m)
     told = (inside > -CLIP_MM) & (sides > 1)  # one point of the grid in twelve
