@@ -164,7 +164,7 @@ def test_a_side_photo_of_hair_that_may_be_a_back_is_left_out_and_one_with_a_face
         check_photos(with_face, beside)
 
 
-@pytest.mark.parametrize(("broad", "stands"), [(20, True), (70, False)])
+@pytest.mark.parametrize(("broad", "stands"), [(20, True), (62, True), (90, False)])  # aside, arms away, too broad
 def test_somebody_standing_whom_only_the_label_net_sees_is_left_out(monkeypatch, broad, stands):
     front, mask = portrait((70, 45, 30))
     pictures = studio.photo_set({FACE: front, SIDE: np.full((160, 120, 3), 120, np.uint8)})
