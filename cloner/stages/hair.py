@@ -163,8 +163,8 @@ def grow_hair(
     tick(0.7)
     mattes = mattes_of(photos.photos, views, scalp.points_m)
     reach_mm = rim_of(mattes.values())
-    fitted, below = views if reach_mm is None else with_cores(views, mattes), (scalp.points_m, scalp.normals)
-    settled = settle_shell(fitted, below, *mesh, FILM_MM)
+    fitted = views if reach_mm is None else with_cores(views, mattes)
+    settled = settle_shell(fitted, skin_of(generic, joined, scalp), *mesh, FILM_MM)
     used, triangles, inside_mm = shown_part(views, settled, mesh[1])
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))

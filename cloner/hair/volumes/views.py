@@ -33,6 +33,7 @@ SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
 FAR_MM = 1000.0  # stands for "no hair anywhere near"
 MASK_SCALE = 0.5  # surfaces are drawn at this share of the photo's size
 NEAR_SHARE = 0.6  # distances are told within this share of the hair's size around it
+LIES_BELOW_M = 0.12  # so far below the chest's joint hair lies on the back and follows no head
 INVERSE_ROUNDS = 3  # rests to a micrometre: neck and skull differ by few degrees
 
 
@@ -60,8 +61,8 @@ class Hanger:
     def weights(self, points_m: Array) -> tuple[NDArray[np.int32], Array]:
         """Return skin joints and weights (N, 4) of rest points.
 
-        Hair below the skull's base follows the chest by half at most: it hangs
-        from the head but lies on the back.
+        Hair below the skull's base hangs from the head by half and follows the chest by half; what is farther down
+        than the chest's joint lies on the back and follows that.
         """
         shares = self.shares(points_m)
         weights = np.stack([*shares, np.zeros_like(shares[0])], axis=1)
@@ -74,6 +75,7 @@ class Hanger:
         half = max((top - middle) / max(top - bottom, 1e-6), 1e-6)
         neck = 0.5 * np.clip(np.minimum(down / half, (1.0 - down) / max(1.0 - half, 1e-6)), 0.0, 1.0)
         chest = 0.5 * np.clip((down - half) / max(1.0 - half, 1e-6), 0.0, 1.0)
+        chest += 0.5 * np.clip((bottom - points_m[:, 1]) / LIES_BELOW_M, 0.0, 1.0)
         return 1.0 - neck - chest, neck, chest
 
 

@@ -7,6 +7,7 @@ import pytest
 
 from cloner.frames import ViewId
 from cloner.hair.volumes.gaps import DEEP_MM, REACH, without_gaps
+from cloner.hair.volumes.views import Hanger
 from cloner.hair.volumes.volume import VOXEL_M
 
 SHAPE = (24, 40, 24)
@@ -62,3 +63,13 @@ def test_a_tail_lies_on_nothing():
     field = hair(12)
     found = without_gaps([seen()], field, SKIN_MM, POINTS, ROWS, SHAPE, np.ones(len(POINTS), bool))
     np.testing.assert_array_equal(found, field)
+
+
+def test_hair_hangs_from_the_head_and_lies_on_the_back():
+    hanger = Hanger(np.arange(4, dtype=np.int32), np.array([1.6, 1.55, 1.4]))
+    heights = np.array([1.7, 1.6, 1.4, 1.34, 1.28, 1.0])
+    points = np.column_stack([np.zeros(6), heights, np.zeros(6)])
+    skull, neck, chest = hanger.shares(points)
+    np.testing.assert_allclose(skull + neck + chest, 1.0)
+    np.testing.assert_allclose(skull, [1.0, 1.0, 0.5, 0.25, 0.0, 0.0], atol=1e-9)
+    np.testing.assert_allclose(chest, [0.0, 0.0, 0.5, 0.75, 1.0, 1.0], atol=1e-9)
