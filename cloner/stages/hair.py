@@ -157,21 +157,23 @@ def grow_hair(
     if hairy < params.least_share or thick.size == 0 or float(np.median(thick)) < params.thinnest_mm:
         return StageResult({"shells": ()}, (), ("The hair is too short or too little for a volume of its own",))
     tick(0.4)
-    mesh = hair_mesh(generic, joined, levelled(generic, joined, views, scalp), scalp, params)
+    skin = skin_of(generic, joined, scalp)
+    mesh = hair_mesh(generic, joined, levelled(generic, joined, views, scalp), scalp, skin, params)
     if mesh is None:
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     tick(0.7)
     mattes = mattes_of(photos.photos, views, scalp.points_m)
     reach_mm = rim_of(mattes.values())
     fitted = views if reach_mm is None else with_cores(views, mattes)
-    settled = settle_shell(fitted, skin_of(generic, joined, scalp), *mesh, FILM_MM)
+    settled = settle_shell(fitted, skin, *mesh, FILM_MM)
     used, triangles, inside_mm = shown_part(views, settled, mesh[1])
     if not len(triangles):
         return StageResult({"shells": ()}, (), ("The hair's shape could not be made out: it is only painted on",))
     vertices = settled[used]
     surface = with_peak(generic, joined, views, proposals, scalp, (vertices, triangles, inside_mm))
     peaked = np.arange(len(surface[1])) >= len(triangles)
-    worn = (peaked, worn_views(views, proposals)) if peaked.any() else None
+    hats = worn_views(views, proposals) if peaked.any() or reach_mm is not None else []
+    worn = (peaked, hats) if peaked.any() else None
     hung = Hanger.of(generic, joined).weights(surface[0])
     strands = 1.0 if all(view.posed.view in FRONTS for view in views) else 0.0
     carried = hair_weights(generic, joined, *surface[:2])
@@ -181,7 +183,7 @@ def grow_hair(
     cards = None
     if reach_mm is not None:
         bodies = {view.posed.view: pose(generic, joined, view.posed) for view in views}
-        grown, bare = (vertices, triangles), under_headwear(worn_views(views, proposals), vertices)
+        grown, bare = (vertices, triangles), under_headwear(hats, vertices)
         strips = strips_of(grown, body, bodies, views, mattes, reach_mm, crown_of(vertices))
         cards = rim_shell(shell, grown, (joined.vertices_m, body), strips, reach_mm, bare)
     residuals = (
@@ -271,16 +273,24 @@ def levelled(generic: GenericHuman, joined: Joined, views: list[HairView], scalp
 
 
 def hair_mesh(
-    generic: GenericHuman, joined: Joined, views: list[HairView], scalp: Scalp, params: Params
+    generic: GenericHuman,
+    joined: Joined,
+    views: list[HairView],
+    scalp: Scalp,
+    skin: tuple[Array, Array],
+    params: Params,
 ) -> tuple[Array, NDArray[np.int32]] | None:
-    """Return vertices (N, 3) and triangles (T, 3) of the hair's outer surface, None when empty."""
+    """Return vertices (N, 3) and triangles (T, 3) of the hair's outer surface, None when empty.
+
+    ``skin`` is what :func:`skin_of` gives.
+    """
     reach = np.array([params.margin_m, 0.0, params.margin_m])
     low, high = scalp.points_m.min(axis=0) - reach, scalp.points_m.max(axis=0) + reach + (0.0, params.margin_m, 0.0)
     low[1] = min(low[1], lowest_m(views) - params.margin_m)
     ear = generic.region("ear_left") | generic.region("ear_right")
-    whole, level = skin_of(generic, joined, scalp), float(joined.vertices_m[ear, 1].mean())
+    level = float(joined.vertices_m[ear, 1].mean())
     # Ears are folds: by the planes of their skin the hair above them would lie in the head, which left a hole.
     smooth = ~ear[generic.vertex_part == generic.part_names.index("body")]
-    body = whole[0][smooth], whole[1][smooth]
+    body = skin[0][smooth], skin[1][smooth]
     field, skin_mm = hair_field(views, scalp, body, low, high, middle_of(generic, joined), level)
     return mesh_of(field, skin_mm, low, params.triangles, params.smallest_piece)

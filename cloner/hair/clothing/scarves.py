@@ -14,16 +14,16 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 from scipy.spatial import cKDTree
 
-from cloner.frames import ViewId, m_from_mm, mm_from_m
+from cloner.frames import m_from_mm, mm_from_m
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.mesh import mesh_of
 from cloner.hair.shells.shell import dress_shell, shown_part
 from cloner.hair.volumes.cap import settle_shell, surface_mm
-from cloner.hair.volumes.rows import agreed_mm
+from cloner.hair.volumes.rows import SIDES, agreed_mm
 from cloner.hair.volumes.views import FAR_MM, HairView, distances_px
-from cloner.hair.volumes.volume import CLIP_MM, FILM_MM, INNER_MM, SMOOTH_VOXELS, VOXEL_M
+from cloner.hair.volumes.volume import CLIP_MM, FILM_MM, INNER_MM, SMOOTH_VOXELS, voxels
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
 from cloner.records.heads import Shell
@@ -43,8 +43,6 @@ STANDS_OUT_MM: Final = 12.0
 AROUND_M: Final = 0.2
 #: Labels err so much, mm.
 DOUBT_MM: Final = 1.0
-#: Photos from before.
-FRONTS: Final = (ViewId.FACE_FRONT, ViewId.BODY_FRONT)
 #: Never covered by a scarf.
 BARE: Final = (Label.FACE_SKIN, Label.EYES, Label.MOUTH, Label.BEARD, Label.HAIR, Label.BACKGROUND)
 #: Most triangles, the texture's side in texels, and pieces smaller than this share of the largest are dropped.
@@ -110,7 +108,7 @@ def scarfed(view: HairView, labels: NDArray[np.uint8], chin_m: Array) -> HairVie
 def _round(worn: list[HairView]) -> bool:
     """Whether photos from before and from aside show it."""
     seen = {view.posed.view for view in worn}
-    return bool(seen & set(FRONTS)) and bool(seen & {ViewId.FACE_SIDE, ViewId.BODY_SIDE})
+    return all(seen & set(names) for names in SIDES[:2])
 
 
 def scarf_field(
@@ -119,10 +117,9 @@ def scarf_field(
     """Return the scarf's field and the distance to the skin, (X, Y, Z) mm, and the grid's first point, m."""
     low = chin_m - (AROUND_M, BELOW_M, 1.5 * AROUND_M)
     high = chin_m + (AROUND_M, ABOVE_M + m_from_mm(CLIP_MM), AROUND_M)
-    shape = tuple(int(cells) for cells in np.ceil((high - low) / VOXEL_M))
-    grid = low + VOXEL_M * np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3)
+    grid, shape = voxels(low, high)
     deep_m = float(body[0][:, 2].min()), float(body[0][:, 2].max())
-    front = next(view for view in worn if view.posed.view in FRONTS)
+    front = next(view for view in worn if view.posed.view in SIDES[0])
     near = np.flatnonzero(front.evidence(grid)[0] > -CLIP_MM)
     inside, sides = agreed_mm(worn, grid[near], deep_m)
     told = (inside > -CLIP_MM) & (sides > 1)  # one point of the grid in twelve

@@ -39,6 +39,7 @@ from cloner.hair.volumes.volume import (
     VOXEL_M,
     cap_mm,
     near_skin,
+    voxels,
 )
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
@@ -199,8 +200,7 @@ def beard_field(
     """
     low, high = zone_m.min(axis=0) - MARGIN_M, zone_m.max(axis=0) + MARGIN_M
     low[1] = min(low[1], lowest_m(views) - MARGIN_M)
-    shape = tuple(int(cells) for cells in np.ceil((high - low) / VOXEL_M))
-    grid = low + VOXEL_M * np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3)
+    grid, shape = voxels(low, high)
     shown = next(view for name in SEEN_FROM for view in views if view.posed.view is name and view.flip_m is None)
     rows = np.flatnonzero(shown.evidence(grid)[0] > -CLIP_MM)  # four fifths of the box are beside the beard
     points = grid[rows]

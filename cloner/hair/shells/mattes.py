@@ -185,13 +185,9 @@ def with_cores(views: list[HairView], mattes: Mapping[ViewId, Matte]) -> list[Ha
 
 def with_core(view: HairView, matte: Matte) -> HairView:
     """Return a photo's evidence in which hair is its core alone: what surfaces are fitted to."""
-    height, width = view.hair.shape
-    row, column = np.mgrid[:height, :width]
-    place = matte.window_px(np.stack([column, row], axis=-1).reshape(-1, 2).astype(np.float64)).reshape(
-        height, width, 2
-    )
-    at = place.astype(np.float32)
-    core = cv2.remap(matte.core.astype(np.uint8), at[..., 0], at[..., 1], cv2.INTER_NEAREST) > 0
+    placed = np.column_stack([np.eye(2) / matte.step, matte.window_px(np.zeros((1, 2)))[0]])
+    flags = cv2.INTER_NEAREST | cv2.WARP_INVERSE_MAP
+    core = cv2.warpAffine(matte.core.astype(np.uint8), placed, view.hair.shape[::-1], flags=flags) > 0
     hair, to_hair, _, to_person = distances_px(core, (view.outline_px > 0.0) & (core | ~view.hair))
     return replace(view, hair=hair, hair_px=to_hair, outline_px=to_person)
 

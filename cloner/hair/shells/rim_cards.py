@@ -22,10 +22,11 @@ from scipy.ndimage import binary_dilation, gaussian_filter1d
 from scipy.spatial import cKDTree
 
 from cloner.frames import m_from_mm
-from cloner.hair.shells.rim_strips import FOREHEAD, LEAST_MM, LEFT, RIGHT, ROOT_MM, TEXEL_MM, Strip, beyond_mm
+from cloner.hair.shells.rim_strips import LEAST_MM, LEFT, RIGHT, ROOT_MM, TEXEL_MM, Strip, beyond_mm
 from cloner.hair.shells.rims import STEP_MM, Mesh, Rim, around, beside, rims_of
 from cloner.records.arrays import Array
 from cloner.records.heads import Shell
+from cloner.records.views import Camera
 
 #: Meridians around the head, each half an outline; taste: no view is farther than 23 degrees from one.
 MERIDIANS: Final = 8
@@ -80,7 +81,8 @@ def rim_shell(
     bare : (N,) bool
         Vertices without cards: hats.
     """
-    ribbons = list(_ribbons(grown, body, strips, reach_mm, bare)) if strips else []
+    meridians = meridians_of(grown, body) if strips else {}
+    ribbons = list(_ribbons(grown, meridians, strips, reach_mm, bare))
     if not ribbons:
         return None
     order = sorted(strips)
@@ -88,7 +90,8 @@ def rim_shell(
     vertex = cKDTree(shell.vertices_m)
     picture = np.zeros((height * len(order), width, 4), np.float32)
     for row, side in enumerate(order):
-        rgba = _evened(strips[side], shell, vertex, _rim_at_rest(grown, body, side))
+        places = meridians[side][1].place_m if side in meridians else crown_of(grown[0])[None]
+        rgba = _evened(strips[side], shell, vertex, places)
         picture[row * height : row * height + rgba.shape[0], : rgba.shape[1]] = rgba
     corners = np.concatenate([ribbon.corners_m for ribbon in ribbons])
     uv = []
@@ -115,31 +118,42 @@ def crown_of(vertices_m: Array) -> Array:
     return np.asarray(vertices_m[vertices_m[:, 1] > vertices_m[:, 1].max() - 0.1].mean(axis=0))
 
 
+def meridians_of(grown: Mesh, body: Mesh) -> dict[int, tuple[Camera, Rim]]:
+    """Return the meridians of a hair at rest by where around the head they lie, degrees, and who sees them in plane."""
+    crown_m, found = crown_of(grown[0]), dict[int, tuple[Camera, Rim]]()
+    for turn in range(0, 180, 360 // MERIDIANS):
+        camera = around(crown_m, np.radians(turn))
+        for azimuth, rim in zip((turn - 90, turn + 90), rims_of(grown, body, camera, crown_m) or (), strict=False):
+            found[azimuth % 360] = camera, rim
+    return found
+
+
 def _ribbons(
-    grown: Mesh, body: Mesh, strips: Mapping[int, Strip], reach_mm: float, bare: NDArray[np.bool_]
+    grown: Mesh,
+    meridians: Mapping[int, tuple[Camera, Rim]],
+    strips: Mapping[int, Strip],
+    reach_mm: float,
+    bare: NDArray[np.bool_],
 ) -> Iterator[Ribbon]:
     """Yield the meridians that carry cards."""
-    crown_m, tree, rng = crown_of(grown[0]), cKDTree(grown[0]), np.random.default_rng(SEED)
-    for turn in 2.0 * np.pi * np.arange(MERIDIANS // 2) / MERIDIANS:
-        camera = around(crown_m, turn)
-        rims = rims_of(grown, body, camera, crown_m)
-        for rim, azimuth in zip(rims or (), (turn - 0.5 * np.pi, turn + 0.5 * np.pi), strict=False):
-            side = _nearest(sorted(strips), azimuth)
-            away_m, vertex = tree.query(rim.place_m)
-            carries = _hairy(rim, strips[side], reach_mm) & ~bare[vertex] & (away_m < m_from_mm(NEAR_MM))
-            low, high = beside(camera, rim, -ROOT_MM), beside(camera, rim, reach_mm)
-            sway_m = m_from_mm(SWAY * reach_mm + SWAY_MM) * rng.uniform(-1.0, 1.0, (len(high), 1))
-            high += sway_m * camera.camera_from_model[2, :3]
-            first = STATION * np.flatnonzero(carries[:-STATION:STATION] | carries[STATION::STATION])
-            end = first + STATION
-            if len(first):
-                corners = np.stack([low[first], low[end], high[end], high[first]], axis=1).reshape(-1, 3)
-                yield Ribbon(side, corners, np.asarray(STEP_MM * np.stack([first, end], axis=1), np.float64))
+    tree, rng = cKDTree(grown[0]), np.random.default_rng(SEED)
+    for azimuth, (camera, rim) in meridians.items():
+        side = _nearest(sorted(strips), azimuth)
+        away_m, vertex = tree.query(rim.place_m)
+        carries = _hairy(rim, strips[side], reach_mm) & ~bare[vertex] & (away_m < m_from_mm(NEAR_MM))
+        low, high = beside(camera, rim, -ROOT_MM), beside(camera, rim, reach_mm)
+        sway_m = m_from_mm(SWAY * reach_mm + SWAY_MM) * rng.uniform(-1.0, 1.0, (len(high), 1))
+        high += sway_m * camera.camera_from_model[2, :3]
+        first = STATION * np.flatnonzero(carries[:-STATION:STATION] | carries[STATION::STATION])
+        end = first + STATION
+        if len(first):
+            corners = np.stack([low[first], low[end], high[end], high[first]], axis=1).reshape(-1, 3)
+            yield Ribbon(side, corners, np.asarray(STEP_MM * np.stack([first, end], axis=1), np.float64))
 
 
-def _nearest(sides: list[int], azimuth_rad: float) -> int:
+def _nearest(sides: list[int], azimuth_deg: float) -> int:
     """Return the strip next to an azimuth; of two the one on the side, where hair is longer than over the forehead."""
-    away = [np.cos(azimuth_rad - np.radians(side)) + (1e-3 if side in (LEFT, RIGHT) else 0.0) for side in sides]
+    away = [np.cos(np.radians(azimuth_deg - side)) + (1e-3 if side in (LEFT, RIGHT) else 0.0) for side in sides]
     return sides[int(np.argmax(away))]
 
 
@@ -150,13 +164,6 @@ def _hairy(rim: Rim, strip: Strip, reach_mm: float) -> NDArray[np.bool_]:
     hairy = beyond[np.minimum(at, len(beyond) - 1)] > LEAST_MM
     near = binary_dilation(hairy, iterations=round(NEIGHBOURS_MM / STEP_MM))
     return np.asarray(rim.free & near & (at + STATION * STEP_MM / TEXEL_MM < len(beyond)), np.bool_)
-
-
-def _rim_at_rest(grown: Mesh, body: Mesh, side: int) -> Array:
-    """Return (K, 3) the rim at rest that a strip belongs to."""
-    crown_m = crown_of(grown[0])
-    rims = rims_of(grown, body, around(crown_m, 0.0 if side in (LEFT, RIGHT) else 0.5 * np.pi), crown_m)
-    return crown_m[None] if rims is None else rims[0 if side in (RIGHT, FOREHEAD) else 1].place_m
 
 
 def _evened(strip: Strip, shell: Shell, vertex: cKDTree, places_m: Array) -> NDArray[np.float32]:

@@ -61,6 +61,12 @@ class Near:
     votes: NDArray[np.float32]
 
 
+def voxels(low_m: Array, high_m: Array) -> tuple[Array, tuple[int, ...]]:
+    """Return the points (N, 3) of a grid between two corners, `VOXEL_M` apart, and its shape."""
+    shape = tuple(int(cells) for cells in np.ceil((high_m - low_m) / VOXEL_M))
+    return low_m + VOXEL_M * np.stack(np.meshgrid(*map(np.arange, shape), indexing="ij"), axis=-1).reshape(-1, 3), shape
+
+
 def near_skin(scalp: Scalp, points_m: Array) -> Near:
     """Return points with what the nearest four skin vertices say, weighted by closeness."""
     skin, rows, weight = surface_mm(scalp.points_m, scalp.normals, points_m)
