@@ -14,13 +14,14 @@ import numpy as np
 from PIL import Image
 
 from cloner.abreast import abreast
+from cloner.detectors.face.found import face_in
 from cloner.detectors.table import DETECTORS
 from cloner.exporters.shared.files import jpeg_bytes, png_bytes
 from cloner.generic.surfaces import load_surfaces
 from cloner.previews import FOLDER
 from cloner.records.clones import Clone
 from cloner.records.photos import Photo, PhotoSet
-from cloner.stages.proposals import NobodySeen, check_people, face_in
+from cloner.stages.proposals import NobodySeen, check_people
 
 
 def ask_nets(photos: PhotoSet) -> None:

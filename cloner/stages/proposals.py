@@ -15,6 +15,8 @@ from numpy.typing import NDArray
 from cloner.abreast import in_two_steps
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body.pose_order import read_again
+from cloner.detectors.body.pose_twin import twins_put_right
+from cloner.detectors.face.found import Face, face_behind_hair, face_in
 from cloner.detectors.face.profile_cut import free_profile
 from cloner.detectors.nets.portraits import is_cut_below
 from cloner.detectors.nets.results import Box
@@ -33,7 +35,6 @@ from cloner.vision.segmentation.masks import refine_mask
 #: What each number is and where it comes from: ``cloner/calibration/stages.toml``.
 _CALIBRATED: Final = calibrated("stages.proposals")
 
-FACE_PRESENCE = _CALIBRATED.number("face_presence", "score")
 LEAST_PERSON = _CALIBRATED.number("least_person", "share")
 
 
@@ -43,10 +44,6 @@ MOST_UNSURE = _CALIBRATED.number("most_unsure", "share")
 HIDDEN = (
     "nobody can be made out in this photo, so it was left out; retake it with hair, hood or scarf away from the face"
 )
-
-
-#: (468, 2) points, (468,) depths, presence and (2, 2) irises.
-Face = tuple[NDArray[np.float64], NDArray[np.float64], float, NDArray[np.float64]]
 
 
 class NobodySeen(ClonerError):
@@ -78,16 +75,6 @@ def check_people(photo: Photo) -> Box:
     return people[0]
 
 
-def face_in(photo: Photo) -> Face:
-    """Return (468, 2) points, (468,) depths, all pixels, presence and (2, 2) irises of a face; zeros without one."""
-    if photo.view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
-        face = DETECTORS.get("face")(photo.rgb)
-        if face is not None and face.presence >= FACE_PRESENCE:
-            points = DETECTORS.get("refined_face")(photo.rgb, face.points_px, face.irises_px)
-            return points, np.asarray(face.depth_px, dtype=np.float64), float(face.presence), face.irises_px
-    return np.zeros((468, 2)), np.zeros(468), 0.0, np.zeros((2, 2))
-
-
 @dataclass(frozen=True, slots=True, eq=False)
 class Figure:
     """Where the person is in a photo.
@@ -100,7 +87,7 @@ class Figure:
     inside : (H, W) bool
     labels : (H, W) uint8
     face : tuple
-        As ``face_in`` gives it.
+        As :func:`cloner.detectors.face.found.face_in` gives it.
     """
 
     pose_px: NDArray[np.float64]
@@ -152,6 +139,8 @@ def _figure(
     if float((mask > 0.5).mean()) < LEAST_PERSON:
         raise nobody_in(photo)
     labels, _ = label_photo(photo.rgb, mask > 0.5, looks, shown)
+    if shown is None and visibility.any():
+        face = face_behind_hair(photo, pose_px, labels) or face
     probability = np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8)
     return Figure(pose_px, visibility, probability, mask > 0.5, labels, face)
 
@@ -205,7 +194,8 @@ def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Ma
 
     A side photo of the face may show hair, a hood or a cap alone. It is kept for what its mask tells when somebody is
     made out in it and its colours are the person's; with one of both it is left out. So are a side photo of hair that
-    may as well be a back, and a body photo from side or back in which only the label net sees somebody stand.
+    may as well be a back, and a body photo from side or back in which only the label net sees somebody stand. A front
+    or back pose that its outline contradicts is the other's.
 
     Raises
     ------
@@ -228,7 +218,8 @@ def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Ma
     side = views.get(ViewId.FACE_SIDE)
     if side is not None and len(views) > 1 and hides_its_side(side, photos.photos[ViewId.FACE_SIDE]):
         left_out[ViewId.FACE_SIDE] = HIDDEN
-    return Proposals({view: found[view] for view in photos.photos if view in found and view not in left_out}, left_out)
+    kept = {view: found[view] for view in photos.photos if view in found and view not in left_out}
+    return Proposals(twins_put_right(kept), left_out)
 
 
 def propose_within(photo: Photo, figure: Figure) -> Proposal:

@@ -147,9 +147,17 @@ def _curve(corners: Array, told: Mapping[str, Any], scale: float) -> Array:
 
 
 def _arc(start: Array, end: Array, radius: float, *, large: bool, right: bool) -> Array:
-    """Return the cubic of a circle's arc that bulges to the right or left of its chord."""
+    """Return the cubic of a circle's arc that bulges to the right or left of its chord.
+
+    Raises
+    ------
+    ValueError
+        If both ends are one point, or the radius is none.
+    """
     along = end - start
     chord = float(np.linalg.norm(along))
+    if not (chord > 0.0 and radius > 0.0):
+        raise ValueError("no arc")
     half = float(np.arcsin(min(chord / (2.0 * radius), 1.0)))
     half = np.pi - half if large else half
     out = np.array([along[1], -along[0]]) / chord * (1.0 if right else -1.0)

@@ -231,17 +231,26 @@ def detect_face(rgb: Photo) -> FaceResult | None:
     found = find_faces(rgb, 0.3)
     likely = [box for box in found if box.score > 0.6] or found
     largest_first = sorted(likely, key=lambda box: -box.width_px)
-    return next((face for box in largest_first if (face := _face_at(rgb, box)) is not None), None)
+    return next((face for box in largest_first if (face := _face_at(rgb, box, 0.5)) is not None), None)
 
 
-def _face_at(rgb: Photo, box: Box) -> FaceResult | None:
-    """Return the face that the mesh net sees in a detected box, or None."""
+def guess_face(rgb: Photo) -> FaceResult | None:
+    """Return the 468 points of the likeliest face as the mesh net guesses them, however little of a face it sees.
+
+    Hair before a face leaves the detector sure and the mesh net in doubt; so do backs of heads and profiles.
+    """
+    best = max(find_faces(rgb, 0.3), key=lambda box: box.score, default=None)
+    return None if best is None else _face_at(rgb, best, 0.0)
+
+
+def _face_at(rgb: Photo, box: Box, least: float) -> FaceResult | None:
+    """Return the face that the mesh net sees in a detected box, None where its presence is below the least."""
     box = _look_closer(rgb, box)
     points, presence = face_mesh(rgb, face_crop(box))
-    if presence < 0.5:
+    if presence < least:
         return None
     points, presence = _mean_mesh(rgb, mesh_crop(points))
-    if presence < 0.5:
+    if presence < least:
         return None
     # The second crop comes from the first points, as in MediaPipe.
     points = np.mean([_mean_mesh(rgb, near)[0] for near in nearby(mesh_crop(points))], axis=0)

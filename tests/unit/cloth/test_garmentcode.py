@@ -150,12 +150,15 @@ def test_somebody_else_wears_it(told: Any, eva: Clone, tmp_path: Path) -> None:
 
 
 def test_what_is_no_garment_is_refused_in_one_sentence(body: Sections, tmp_path: Path) -> None:
-    legs, none, open_one, unlike = skirt(), skirt(), skirt(), skirt()
+    legs, none, open_one, unlike, arc = skirt(), skirt(), skirt(), skirt(), skirt()
     legs["pattern"]["panels"]["pant_f_l"] = legs["pattern"]["panels"].pop("skirt_front")
     none["pattern"]["stitches"][0][0]["panel"] = "nobody"
     open_one["pattern"]["panels"]["skirt_front"]["edges"].pop()
     unlike["pattern"]["stitches"][0] = [{"panel": "skirt_front", "edge": 0}, {"panel": "skirt_back", "edge": 1}]
-    for told, words in ((legs, "'pant_f_l' is a leg's"), (none, "no garment of GarmentCode"), (open_one, "open"),
+    bend = {"endpoints": [0, 0], "curvature": {"type": "circle", "params": [120.0, 0, 1]}}
+    arc["pattern"]["panels"]["skirt_front"]["edges"][0] = bend
+    for told, words in ((arc, "no garment of GarmentCode"), (legs, "'pant_f_l' is a leg's"),
+                        (none, "no garment of GarmentCode"), (open_one, "open"),
                         (unlike, "long"), ({"pattern": {}}, "no garment of GarmentCode")):  # fmt: skip
         with pytest.raises(ClonerError, match=words):
             read_garment(written(told, tmp_path), body)

@@ -1,0 +1,74 @@
+"""The face of a photo that shows it from the front, also one that hair hides."""
+
+from __future__ import annotations
+
+from typing import Final
+
+import cv2
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.calibration.loader import calibrated
+from cloner.detectors.nets.results import FaceResult
+from cloner.detectors.table import DETECTORS
+from cloner.frames import ViewId
+from cloner.records.arrays import Array
+from cloner.records.labels import FACE, shows
+from cloner.records.photos import Photo
+
+#: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
+_CALIBRATED: Final = calibrated("detectors.found")
+
+LEAST_PRESENCE: Final = _CALIBRATED.number("least_presence", "score")
+LEAST_FACE: Final = _CALIBRATED.number("least_face", "share")
+BETWEEN_EARS: Final = _CALIBRATED.pair("between_ears", "share")
+# BlazePose numbering
+_NOSE, _LEFT_EAR, _RIGHT_EAR = 0, 7, 8
+
+#: (468, 2) points, (468,) depths, presence and (2, 2) irises.
+Face = tuple[NDArray[np.float64], NDArray[np.float64], float, NDArray[np.float64]]
+
+
+def face_in(photo: Photo) -> Face:
+    """Return (468, 2) points, (468,) depths, all pixels, presence and (2, 2) irises of a face; zeros without one."""
+    if photo.view in (ViewId.FACE_FRONT, ViewId.BODY_FRONT):
+        face: FaceResult | None = DETECTORS.get("face")(photo.rgb)
+        if face is not None and face.presence >= LEAST_PRESENCE:
+            return _looked_at(photo, face, float(face.presence))
+    return np.zeros((468, 2)), np.zeros(468), 0.0, np.zeros((2, 2))
+
+
+def face_behind_hair(photo: Photo, pose_px: Array, labels: NDArray[np.uint8]) -> Face | None:
+    """Return the face of a portrait from the front in which hair hides so much that the mesh net sees none.
+
+    Backs of heads have no skin where the net lays its mesh, profiles have the nose outside the ears. The mesh is a
+    guess from what is seen, so its presence is the least that still counts.
+
+    Parameters
+    ----------
+    photo : Photo
+    pose_px : (33, 2) float64
+    labels : (H, W) uint8
+    """
+    ears = pose_px[[_RIGHT_EAR, _LEFT_EAR], 0]
+    if photo.view is not ViewId.FACE_FRONT or ears[1] <= ears[0]:
+        return None
+    if not BETWEEN_EARS[0] < (pose_px[_NOSE, 0] - ears[0]) / (ears[1] - ears[0]) < BETWEEN_EARS[1]:
+        return None
+    face: FaceResult | None = DETECTORS.get("guessed_face")(photo.rgb)
+    if face is None or skin_share(face.points_px, labels) < LEAST_FACE:
+        return None
+    return _looked_at(photo, face, LEAST_PRESENCE)
+
+
+def skin_share(face_px: Array, labels: NDArray[np.uint8]) -> float:
+    """Return how much of what a face mesh covers is labelled face."""
+    inside = np.zeros(labels.shape, np.uint8)
+    cv2.fillConvexPoly(inside, cv2.convexHull(np.rint(face_px).astype(np.int32)), 1)
+    covered = labels[inside > 0]
+    return float(shows(covered, *FACE).mean()) if covered.size else 0.0
+
+
+def _looked_at(photo: Photo, face: FaceResult, presence: float) -> Face:
+    points = DETECTORS.get("refined_face")(photo.rgb, face.points_px, face.irises_px)
+    return points, np.asarray(face.depth_px, dtype=np.float64), presence, face.irises_px
