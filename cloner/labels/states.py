@@ -19,6 +19,7 @@ _CALIBRATED: Final = calibrated("labels.states")
 BEARD_SHARE: Final = _CALIBRATED.number("beard_share", "share")
 GLASSES_SHARE: Final = _CALIBRATED.number("glasses_share", "share")
 HEADWEAR_SHARE: Final = _CALIBRATED.number("headwear_share", "share")
+FRINGE_SHARE: Final = _CALIBRATED.number("fringe_share", "share")
 BALD_SHARE: Final = _CALIBRATED.number("bald_share", "share")
 BARE_FOOT: Final = _CALIBRATED.number("bare_foot", "share")
 #: Points of the 468-point face mesh: outer eye corners, and the brows' highest.
@@ -33,6 +34,7 @@ class State(StrEnum):
     BEARD = "beard"
     GLASSES = "glasses"
     HEADWEAR = "headwear"
+    FRINGE = "hair over an eye"
 
 
 def read_states(labels: Mapping[ViewId, NDArray[np.uint8]], face_px: NDArray[np.float64] | None) -> frozenset[State]:
@@ -59,6 +61,8 @@ def read_states(labels: Mapping[ViewId, NDArray[np.uint8]], face_px: NDArray[np.
             found.add(State.GLASSES)
         if _headwear_share(front, face_px) > HEADWEAR_SHARE:
             found.add(State.HEADWEAR)
+        if max(_fringe_shares(front, face_px)) > FRINGE_SHARE:
+            found.add(State.FRINGE)
     if count[Label.HAIR] < BALD_SHARE * face and State.HEADWEAR not in found:
         found.add(State.BALD)
     return frozenset(found)
@@ -77,6 +81,15 @@ def _glasses_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> 
     lower = _box(labels, middle - (0.65 * apart, 0.0), middle + (0.65 * apart, 0.32 * apart))
     above, below = (float((box == Label.ACCESSORY).mean()) if box.size else 0.0 for box in (upper, lower))
     return above, below
+
+
+def _fringe_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> tuple[float, float]:
+    """Return how much of each eye's surroundings is hair, the picture's left first."""
+    middle, apart = eyes_span(face_px)
+    low, high = middle - (0.65 * apart, 0.15 * apart), middle + (0.65 * apart, 0.2 * apart)
+    left, right = _box(labels, low, np.array([middle[0], high[1]])), _box(labels, np.array([middle[0], low[1]]), high)
+    first, second = (float((box == Label.HAIR).mean()) if box.size else 0.0 for box in (left, right))
+    return first, second
 
 
 def _headwear_share(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> float:

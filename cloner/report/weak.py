@@ -69,6 +69,11 @@ def _worn(states: frozenset[State]) -> list[str]:
         told.append(
             f"{ViewId.FACE_FRONT}: headwear hides the hair and becomes part of the head; take it off if you can"
         )
+    if State.FRINGE in states:
+        told.append(
+            f"{ViewId.FACE_FRONT}: hair hides an eye, so what lies behind it is a guess; retake the face photos with "
+            "the hair away from the face"
+        )
     return told
 
 

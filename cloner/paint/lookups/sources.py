@@ -117,6 +117,8 @@ def gather_sources(
         residuals.append(Residual("outline_shift", gap, "px", str(view)))
         if view in (ViewId.BODY_SIDE, ViewId.FACE_SIDE):
             sources.append(mirror_source(generic, source))
+        if view is ViewId.FACE_FRONT:
+            sources.append(mirror_hidden(generic, source))
     return sources, residuals
 
 
@@ -196,6 +198,13 @@ def mirror_source(generic: GenericHuman, source: Source) -> Source:
         lookup_px=source.lookup_px[twin],
         score=mirrored_share() * source.score[twin],
     )
+
+
+def mirror_hidden(generic: GenericHuman, source: Source) -> Source:
+    """Return a front photo of the face as the source of what hair hides in it and shows on the other half."""
+    mirrored = mirror_source(generic, source)
+    hidden = generic.region("face") & (source.score <= 0.0)
+    return replace(mirrored, score=np.where(hidden, mirrored.score, 0.0))
 
 
 def visible_points(

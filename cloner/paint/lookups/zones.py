@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import functools
+from typing import Final
+
 import cv2
 import numpy as np
 from numpy.typing import NDArray
+from scipy.spatial import cKDTree
 
-from cloner.generic.load import GenericHuman
+from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.photo_shares import arms_beside_head, lower_arms
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
 from cloner.vision.retouching.plates import Plate
 
 STRAY_SHARE = 0.006  # of the figure, 1 cm: how far lookups stray where a shoulder is misjudged
+#: How far from the scalp hairlines of people lie on the face: foreheads are 6 cm high.
+HAIRLINE_REACH_M: Final = 0.035
 
 
 def hair_allowed(generic: GenericHuman) -> NDArray[np.bool_]:
@@ -20,9 +26,20 @@ def hair_allowed(generic: GenericHuman) -> NDArray[np.bool_]:
     return generic.region("scalp")
 
 
+@functools.cache
+def _near_hairline() -> NDArray[np.bool_]:
+    generic = load_generic()
+    scalp = generic.vertices_m[generic.region("scalp")].astype(np.float64)
+    away, _ = cKDTree(scalp).query(generic.vertices_m.astype(np.float64))
+    return np.asarray(away < HAIRLINE_REACH_M)
+
+
 def hair_kept(generic: GenericHuman) -> NDArray[np.bool_]:
-    """Return (V,) where hair labels are not believed (brows) unless a shell hides the skin."""
-    return generic.region("face")
+    """Return (V,) where hair labels are not believed unless a shell hides the skin: the face's rim below the hairline.
+
+    Farther in it is a fringe or a strand that is labelled so, and the skin below it is another photo's.
+    """
+    return np.asarray(generic.region("face") & _near_hairline())
 
 
 def near_shell(hair_m: NDArray[np.float32], shape: tuple[int, ...], reach_px: float) -> NDArray[np.bool_]:

@@ -268,6 +268,11 @@ SENTENCES: Final[tuple[str, ...]] = tuple(
             "take the face photos without glasses if you can",
         ),
         QT_TRANSLATE_NOOP("told", "%1: headwear hides the hair and becomes part of the head; take it off if you can"),
+        QT_TRANSLATE_NOOP(
+            "told",
+            "%1: hair hides an eye, so what lies behind it is a guess; "
+            "retake the face photos with the hair away from the face",
+        ),
         QT_TRANSLATE_NOOP("told", "left"),
         QT_TRANSLATE_NOOP("told", "right"),
         QT_TRANSLATE_NOOP("told", "nothing can be written into this folder"),

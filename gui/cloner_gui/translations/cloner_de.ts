@@ -3205,6 +3205,10 @@
         <translation>%1: eine Kopfbedeckung verdeckt das Haar und wird Teil des Kopfes; nehmen Sie sie wenn möglich ab</translation>
     </message>
     <message>
+        <source>%1: hair hides an eye, so what lies behind it is a guess; retake the face photos with the hair away from the face</source>
+        <translation>%1: Haare verdecken ein Auge; was dahinter liegt, ist geraten. Nehmen Sie die Fotos des Gesichts neu auf, mit den Haaren aus dem Gesicht</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>links</translation>
     </message>

@@ -3205,6 +3205,10 @@
         <translation>%1 : un couvre-chef cache les cheveux et devient une partie de la tête ; enlevez-le si possible</translation>
     </message>
     <message>
+        <source>%1: hair hides an eye, so what lies behind it is a guess; retake the face photos with the hair away from the face</source>
+        <translation>%1 : des cheveux cachent un œil, ce qui est derrière est deviné ; reprenez les photos du visage, les cheveux dégagés</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>gauche</translation>
     </message>

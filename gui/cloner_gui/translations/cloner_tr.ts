@@ -3204,6 +3204,10 @@
         <translation>%1: başlık saçı gizliyor ve başın bir parçası oluyor; mümkünse çıkarın</translation>
     </message>
     <message>
+        <source>%1: hair hides an eye, so what lies behind it is a guess; retake the face photos with the hair away from the face</source>
+        <translation>%1: saç bir gözü örtüyor, arkasında kalan tahmindir; yüz fotoğraflarını saç yüzden çekilmiş olarak yeniden çekin</translation>
+    </message>
+    <message>
         <source>left</source>
         <translation>sol</translation>
     </message>

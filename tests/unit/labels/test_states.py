@@ -48,6 +48,7 @@ def test_a_plain_face_has_no_state() -> None:
         ((Label.BEARD, 140, 290, 260, 350), State.BEARD),
         ((Label.ACCESSORY, 140, 186, 260, 214), State.GLASSES),
         ((Label.ACCESSORY, 80, 20, 320, 130), State.HEADWEAR),
+        ((Label.HAIR, 200, 100, 320, 260), State.FRINGE),
     ],
 )
 def test_a_state_is_told(extra: tuple[int, int, int, int, int], state: State) -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.photo_shares import arms_beside_head
-from cloner.paint.lookups.zones import near_bare_head
+from cloner.paint.lookups.zones import hair_kept, near_bare_head
 from cloner.vision.retouching.plates import Plate
 
 SIZE = 1000
@@ -53,3 +53,11 @@ def test_an_arm_looked_up_on_the_neck_is_not_painted(generic: GenericHuman, look
     top = upper & (misjudged[:, 1] < neck)
     assert top.any()
     assert near_bare_head(generic, side_plate(bare), misjudged)[top].all()
+
+
+def test_hair_before_the_face_is_no_hairline(generic: GenericHuman) -> None:
+    kept, face = hair_kept(generic), generic.region("face")
+    inner = [generic.feature(name) for name in ("nose_tip", "lip_top", "eye_outer_L", "chin_front")]
+    assert face[inner].all()
+    assert not kept[inner].any()
+    assert 0.05 < kept.sum() / face.sum() < 0.7  # the rim below the hairline

@@ -1,0 +1,35 @@
+"""What hair hides of a face in its front photo is painted from the other half, and nothing else is."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from cloner.frames import ViewId
+from cloner.generic.load import load_generic
+from cloner.generic.photo_shares import mirrored_share
+from cloner.generic.surfaces import body_triangles
+from cloner.geometry.cameras.seeing import look
+from cloner.paint.lookups.sources import Source, mirror_hidden
+from cloner.records.views import Camera
+
+GENERIC = load_generic()
+
+
+def test_the_hidden_half_takes_the_other_half_s_pixels() -> None:
+    points = GENERIC.vertices_m.astype(np.float64)
+    to_camera = np.diag([1.0, -1.0, -1.0, 1.0])
+    to_camera[:3, 3] = 0.0, 1.6, 2.0
+    sight = look(points, body_triangles(), Camera(600, 600, 1500.0, to_camera))
+    face = GENERIC.region("face")
+    left = points[:, 0] > 0.005
+    score = np.where(face & ~left, 0.8, 0.0)
+    nothing = np.zeros((4, 4), np.float32)
+    front = Source(ViewId.FACE_FRONT, False, None, sight, sight.pixel_px, nothing, nothing, score)  # type: ignore[arg-type]
+    twin = mirror_hidden(GENERIC, front)
+    assert twin.mirrored
+    assert not twin.score[score > 0.0].any()
+    assert not twin.score[~face].any()
+    hidden = np.flatnonzero(face & left & (score[GENERIC.mirror] > 0.0))
+    assert len(hidden) > 100
+    assert np.allclose(twin.score[hidden], mirrored_share() * 0.8)
+    assert np.array_equal(twin.lookup_px[hidden], front.lookup_px[GENERIC.mirror[hidden]])
