@@ -30,6 +30,7 @@ from cloner.vision.segmentation.pieces import pieces_of
 
 NEVER_ON_SCALPS = (Label.BODY_SKIN, Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES)
 SMALLEST_PIECE = 0.08  # of the largest hair area: brows and specks are smaller
+LARGEST_HOLE = 0.02  # of the hair: a nape between two locks that meet below it is larger (taste)
 FAR_MM = 1000.0  # stands for "no hair anywhere near"
 MASK_SCALE = 0.5  # surfaces are drawn at this share of the photo's size
 NEAR_SHARE = 0.6  # distances are told within this share of the hair's size around it
@@ -245,7 +246,17 @@ def clean_hair(proposal: Proposal, person: NDArray[np.bool_]) -> NDArray[np.bool
     kept = np.zeros(hair.shape, np.bool_)
     if area.any():
         kept[box] = (area >= SMALLEST_PIECE * area.max())[pieces]
+        if proposal.view is ViewId.BODY_BACK:
+            kept[box] |= _small_holes(kept[box])
     return kept
+
+
+def _small_holes(hair: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return (H, W) the small holes in hair: from behind neither ear nor face shows through it, light plays on it."""
+    _, pieces, figures, _ = cv2.connectedComponentsWithStats((~np.pad(hair, 1)).astype(np.uint8), connectivity=4)
+    small = figures[:, cv2.CC_STAT_AREA] < LARGEST_HOLE * np.count_nonzero(hair)
+    small[[0, pieces[0, 0]]] = False  # the hair itself, and what lies around it
+    return np.asarray(small[pieces[1:-1, 1:-1]], np.bool_)
 
 
 def hull_mm(views: list[HairView], points_m: Array) -> NDArray[np.float32]:
