@@ -37,6 +37,7 @@ HANGS: Final = 1.6
 BLUR_SHARE: Final = 0.02
 #: Where less than this share of a scalp is told to be worn, what looks like hair there tells the cloth's colour too.
 SEED_SHARE: Final = 0.2
+CLOTHES: Final = (Label.UPPER_CLOTHES, Label.LOWER_CLOTHES)
 #: Never part of a covering.
 BARE: Final = (Label.EYES, Label.MOUTH, Label.BEARD, Label.BACKGROUND)
 
@@ -69,7 +70,7 @@ def with_whole_coverings(
     places = {view.posed.view: seen_scalp(view, scalp_m, normals, triangles) for view in straight}
     worn, clothed, hairy = (
         sum(int(np.count_nonzero(shows(labels[view], *kinds) & place)) for view, place in places.items())
-        for kinds in ((Label.ACCESSORY,), (Label.UPPER_CLOTHES, Label.LOWER_CLOTHES), (Label.HAIR,))
+        for kinds in ((Label.ACCESSORY,), CLOTHES, (Label.HAIR,))
     )
     if worn + clothed < WORN_SHARE * (worn + clothed + hairy) or worn < (1.0 - HOOD_SHARE) * (worn + clothed):
         return views
@@ -108,7 +109,8 @@ def covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bools) ->
     ]
     place, shown = scalp[box], labels[box]
     seed = place & shows(shown, Label.ACCESSORY, Label.UPPER_CLOTHES)
-    if seed.sum() < SEED_SHARE * place.sum():
+    hairy = bool(seed.sum() < SEED_SHARE * place.sum())
+    if hairy:
         seed = place & shows(shown, Label.ACCESSORY, Label.UPPER_CLOTHES, Label.HAIR)
     if not seed.any():
         return cloth
@@ -119,7 +121,9 @@ def covering(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], scalp: Bools) ->
     alike = (np.abs(colour - middle) < DEVIATIONS * spread).all(axis=2)
     # cloth lies higher than the scalp: what is told to be skin up there is cloth too, lower down it is a face
     crown = np.arange(box[0].start, box[0].start + len(shown))[:, None] < rows[0] + height // 2
-    alike &= ~shows(shown, *BARE) & (place | crown | ~shows(shown, Label.FACE_SKIN, Label.HAIR))
+    # and where hair may be hair, clothes and necks of its colour are no cloth that hangs from the head
+    elsewhere = (Label.FACE_SKIN, Label.HAIR, *((Label.BODY_SKIN, *CLOTHES) if hairy else ()))
+    alike &= ~shows(shown, *BARE) & (place | crown | ~shows(shown, *elsewhere))
     pieces = cv2.connectedComponents((alike | seed).astype(np.uint8), connectivity=4)[1]
     cloth[box] = np.isin(pieces, np.unique(pieces[seed & alike])) & (alike | seed) & (pieces > 0)
     return cloth

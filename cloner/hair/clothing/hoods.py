@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.hair.volumes.views import HairView, cover, distances_px
 from cloner.records.arrays import Array
+from cloner.vision.segmentation.pieces import pieces_of
 
 HOOD = 0.5  # of the scalp that photos show clothed
 
@@ -19,7 +20,8 @@ def without_hoods(
 ) -> list[HairView]:
     """Return the evidence with hair where single photos have clothes on a scalp that is mostly hair.
 
-    A hood is a hood in all photos; a patch of clothes on a crown is the label net's mistake.
+    A hood is a hood in all photos; a patch of clothes on a crown is the label net's mistake. What goes on beyond the
+    scalp is none: a neck below a high hairline, a collar.
 
     Parameters
     ----------
@@ -34,12 +36,23 @@ def without_hoods(
         return views
     found = []
     for view, place in zip(views, places, strict=True):
-        wrong = view.clothed & place
+        wrong = _lying_on(view.clothed, place)
         if wrong.any():
             hair, to_hair, to_hairline, _ = distances_px(view.hair | wrong, view.outline_px > 0.0)
             view = replace(view, hair=hair, hair_px=to_hair, line_px=to_hairline)
         found.append(view)
     return found
+
+
+def _lying_on(clothed: NDArray[np.bool_], place: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Return (H, W) the pieces that lie on a place by more than half, as far as they do."""
+    box, pieces, figures = pieces_of(clothed)
+    inside = np.bincount(pieces[place[box]], minlength=len(figures))
+    most = inside > 0.5 * figures[:, cv2.CC_STAT_AREA]
+    most[0] = False
+    found = np.zeros(clothed.shape, np.bool_)
+    found[box] = most[pieces]
+    return found & place
 
 
 def seen_scalp(view: HairView, scalp_m: Array, normals: Array, triangles: NDArray[np.int32]) -> NDArray[np.bool_]:

@@ -1,5 +1,6 @@
 """Clothes on a scalp: a hood stays, a patch in one photo becomes the hair that the others show."""
 
+import dataclasses
 from types import SimpleNamespace
 
 import numpy as np
@@ -55,3 +56,15 @@ def test_clothes_beside_the_scalp_stay_clothes():
     patch[12:24, 22:38] = True
     _, back = _cleaned(np.zeros_like(patch), patch)
     assert not back.hair[40:58].any()
+
+
+def test_a_neck_below_a_high_hairline_stays_skin():
+    """It is one piece with the back below, which lies on no scalp."""
+    neck = np.zeros((SIZE, SIZE), bool)
+    neck[24:40, 25:35] = True
+    front, back = (_photo(view, neck) for view in (ViewId.BODY_FRONT, ViewId.BODY_BACK))
+    whole = back.clothed | neck
+    views = [front, dataclasses.replace(back, clothed=whole)]
+    nothing = np.zeros((0, 3))
+    found = hoods.without_hoods(views, nothing, nothing, np.zeros((0, 3), np.int32))[1]
+    assert np.array_equal(found.hair, SCALP & ~neck)
