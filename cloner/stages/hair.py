@@ -8,7 +8,7 @@ Method notes section 12; visual hull after Laurentini 1994, limited to what labe
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import cast
 
 import numpy as np
@@ -31,15 +31,15 @@ from cloner.hair.shells.rim_cards import crown_of, rim_shell
 from cloner.hair.shells.rim_strips import strips_of
 from cloner.hair.shells.shell import dress_shell, shown_part
 from cloner.hair.volumes.amounts import odd_views
-from cloner.hair.volumes.cap import VOTE_MM, Scalp, covered_share, measure_scalp, settle_shell
+from cloner.hair.volumes.cap import VOTE_MM, Scalp, measure_scalp, settle_shell
 from cloner.hair.volumes.crowns import with_one_crown
+from cloner.hair.volumes.ears import with_ears_laid
 from cloner.hair.volumes.tail import find_tail
-from cloner.hair.volumes.views import HairView, Hanger, hair_views, views_of
+from cloner.hair.volumes.views import HairView, Hanger, hair_views
 from cloner.hair.volumes.volume import FILM_MM, hair_field
 from cloner.hair.volumes.weights import hair_weights
 from cloner.labels.glasses import wears_glasses
 from cloner.paint.details.glasses import glasses_shell
-from cloner.paint.details.tucking import ear_masks, lay_ears, whole_ears
 from cloner.paint.lookups.posed import pose
 from cloner.records.arrays import Array
 from cloner.records.clones import Joined
@@ -215,19 +215,6 @@ def with_peak(
         np.concatenate([triangles, faces + np.int32(len(vertices))]),
         np.concatenate([inside_mm, np.full(len(points), VOTE_MM)]),
     )
-
-
-def with_ears_laid(generic: GenericHuman, joined: Joined, views: list[HairView]) -> tuple[Joined, list[HairView]]:
-    """Return the person with ears laid on the head where the photos show hair over them, and the evidence anew."""
-    ears = np.flatnonzero(np.any(ear_masks(generic), axis=0))
-    normals = vertex_normals(joined.vertices_m, body_triangles())
-    covered = np.zeros(len(joined.vertices_m))
-    covered[ears] = covered_share(views, joined.vertices_m[ears], normals[ears])
-    laid = lay_ears(generic, joined.vertices_m, whole_ears(generic, covered))
-    if laid is joined.vertices_m:
-        return joined, views
-    joined = replace(joined, vertices_m=laid)
-    return joined, views_of(generic, joined, views)
 
 
 def head_rows(generic: GenericHuman) -> NDArray[np.int64]:

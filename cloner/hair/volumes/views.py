@@ -199,16 +199,6 @@ def hair_views(
     return found
 
 
-def views_of(generic: GenericHuman, joined: Joined, views: list[HairView]) -> list[HairView]:
-    """Return the evidence with the depth pictures of a person whose vertices were moved; poses are as before."""
-    triangles, shown = body_triangles(), {view.posed.view: view.posed for view in views}
-    depths = abreast(
-        lambda posed: nearest_of(pose(generic, joined, posed), triangles, posed.camera), list(shown.values())
-    )
-    nearest = dict(zip(shown, depths, strict=True))
-    return [replace(view, nearest_m=nearest[view.posed.view]) for view in views]
-
-
 def distances_px(
     hair: NDArray[np.bool_], person: NDArray[np.bool_]
 ) -> tuple[NDArray[np.bool_], NDArray[np.float32], NDArray[np.float32], NDArray[np.float32]]:
