@@ -43,6 +43,7 @@ THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this ag
 DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
 THINNEST_MM = 2.0  # where hair grows it covers the skin
 SHELL_ROUNDS = 5  # of the finished shell
+WALL_MM = 6.0  # what lies so near to the skin and faces it is no outline: it came out through the hair over it
 SHELL_STIFFNESS = 3.0  # of what it is moved by in all, against one outline point
 PLANE_REACH_M = 0.03  # tangent planes tell distances up to here
 
@@ -168,11 +169,9 @@ def settle_cap(
 ) -> Array:
     """Return the cap's thickness (N,), mm, with which the head's outlines meet those of the photos.
 
-    It is negative where the skull stands out of the photos' hair.
-
-    The surface is pushed along its normals by the gap between its own outline
-    and the photo's, and again, because the rim moves with it. Between
-    outlines the thickness is smooth. Where photos disagree it is their mean.
+    It is negative where the skull stands out of the photos' hair. The surface is pushed along its normals by the gap
+    between its own outline and the photo's, and again, because the rim moves with it. Between outlines the thickness is
+    smooth. Where photos disagree it is their mean.
     """
     normals = vertex_normals(points_m, triangles)
     thickness = held(np.full(len(points_m), FIRST_MM), hairy)
@@ -226,9 +225,9 @@ def settle_shell(
 ) -> Array:
     """Return the finished shell's vertices (N, 3) with its outlines on those of the photos.
 
-    The cap met them with the coarse mesh of the head; voxels, tails and what stands out over the hairline did not yet.
-    What the shell is moved by in all is smooth, in its directions too: no outline tells how deep what faces its camera
-    lies, and surfaces blown up along their own normals round by round became strings of pearls.
+    The cap met them with the head's coarse mesh; voxels, tails and what stands out over the hairline did not yet. What
+    the shell is moved by in all is smooth, in its directions too: no outline tells how deep what faces its camera lies,
+    and surfaces blown up along their own normals round by round became strings of pearls.
 
     Parameters
     ----------
@@ -239,9 +238,12 @@ def settle_shell(
         No vertex is pushed nearer to the skin than this.
     """
     graph, start_m = surface_graph(vertices_m, triangles), vertices_m
-    moved_mm, floor_mm = np.zeros_like(start_m), np.minimum(_clear_mm(skin, start_m)[0], least_mm)
+    clear_mm, outward = _clear_mm(skin, start_m)
+    moved_mm, floor_mm = np.zeros_like(start_m), np.minimum(clear_mm, least_mm)
+    facing = np.einsum("nc,nc->n", outward, vertex_normals(start_m, triangles))
+    outer = (facing > 0.0) | (clear_mm > WALL_MM)
     for _ in range(SHELL_ROUNDS):
-        drive, trust = outline_drive(views, vertices_m, triangles)
+        drive, trust = (outer * each for each in outline_drive(views, vertices_m, triangles))
         gap = drive / np.maximum(trust, 1e-9)
         wanted_mm = moved_mm + gap[:, None] * vertex_normals(vertices_m, triangles)
         moved_mm = graph.fill(wanted_mm, np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)

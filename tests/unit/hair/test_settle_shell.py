@@ -62,3 +62,19 @@ def test_outlines_that_disagree_from_place_to_place_leave_no_pearls(monkeypatch:
 def test_no_shell_sinks_below_the_film_over_the_skin(monkeypatch: pytest.MonkeyPatch) -> None:
     _, found = _settled(monkeypatch, np.array([-30.0]), skull_m=0.09)
     assert 1e3 * np.linalg.norm(found, axis=1).min() > 90.0 + FILM_MM - 0.7
+
+
+def test_the_wall_that_lies_on_the_skin_stays_below_the_hair(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Outlines that lie farther in moved it out along its own normals, through the hair over it: torn hair on backs."""
+    skull, outer, inner = _scalp(0.1), _ball(0.108), _ball(0.0985)
+    points = np.concatenate([outer.vertices, inner.vertices])
+    triangles = np.concatenate([outer.faces, inner.faces[:, ::-1] + len(outer.vertices)]).astype(np.int32)
+
+    def drive(_: object, surface_m: np.ndarray, __: object) -> tuple[np.ndarray, np.ndarray]:
+        return np.full(len(surface_m), -5.0), np.ones(len(surface_m))
+
+    monkeypatch.setattr(cap, "outline_drive", drive)
+    found = settle_shell([], (skull.points_m, skull.normals), points, triangles, FILM_MM)
+    radius_mm = 1e3 * np.linalg.norm(found, axis=1)
+    assert radius_mm[: len(outer.vertices)].max() < 104.0  # moved in, on to the film over the skin
+    assert radius_mm[len(outer.vertices) :].max() < radius_mm[: len(outer.vertices)].min()
