@@ -7,11 +7,14 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import binary_dilation
+from scipy.sparse.csgraph import connected_components
 
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.geometry.charts.atlas import map_atlas
 from cloner.geometry.charts.unwrapping import unwrap
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.geometry.meshes.triangles import areas
 from cloner.hair.shells.edge import FADE_MM, STRAND_MM, inside_hairline_mm, soften_edge
 from cloner.hair.shells.shell_paint import ShellView, paint_shell
 from cloner.hair.volumes.views import HairView
@@ -30,6 +33,7 @@ CLAIM: Final = {  # taste: face photos have three times the pixels
     ViewId.BODY_SIDE: 0.6,
 }
 
+SMALLEST_PIECE: Final = 0.02  # of the largest piece's area (24 people: scraps had .4 % at most)
 EDGE_TEXELS: Final = 2  # colours go on so far beyond a part's charts, for what is sampled between texels
 
 
@@ -38,9 +42,19 @@ def shown_part(
 ) -> tuple[NDArray[np.int32], NDArray[np.int32], Array]:
     """Return which vertices (M,) photos show as hair, triangles of those, and how far inside its edge they lie, mm."""
     inside_mm = inside_hairline_mm(views, [CLAIM[v.posed.view] for v in views], vertices_m, triangles)
-    shown = (inside_mm[triangles] > FADE_MM[0] - STRAND_MM).any(axis=1)
-    used, places = np.unique(triangles[shown], return_inverse=True)
+    shown = triangles[(inside_mm[triangles] > FADE_MM[0] - STRAND_MM).any(axis=1)]
+    used, places = np.unique(without_scraps(vertices_m, shown), return_inverse=True)
     return used.astype(np.int32), places.reshape(-1, 3).astype(np.int32), inside_mm[used]
+
+
+def without_scraps(vertices_m: Array, triangles: NDArray[np.int32]) -> NDArray[np.int32]:
+    """Return the triangles (T, 3) without pieces too small beside the largest: they would hang in the air."""
+    if not len(triangles):
+        return triangles
+    _, pieces = connected_components(surface_graph(vertices_m, triangles).lengths, directed=False)
+    piece = pieces[triangles[:, 0]]
+    area = np.bincount(piece, areas(vertices_m, triangles))
+    return np.asarray(triangles[(area >= SMALLEST_PIECE * area.max())[piece]], np.int32)
 
 
 def shell_views(views: list[HairView]) -> list[ShellView]:

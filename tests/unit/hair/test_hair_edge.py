@@ -1,9 +1,11 @@
 """Hair's soft edge is soft between the texels too: beside a chart lies what lies at its border."""
 
 import numpy as np
+import trimesh
 
 from cloner.geometry.charts.atlas import map_atlas
 from cloner.hair.shells.edge import FADE_MM, soften_edge
+from cloner.hair.shells.shell import without_scraps
 
 SIZE = 64
 
@@ -20,3 +22,16 @@ def test_texels_beside_a_chart_are_as_clear_as_its_border():
     assert not atlas.covered()[SIZE // 2, [left, right]].any()
     assert alpha[SIZE // 2, left] == 0
     assert alpha[SIZE // 2, right] == 255
+
+
+def test_scraps_beside_the_hair_are_dropped_and_two_locks_kept():
+    whole = trimesh.creation.icosphere(subdivisions=3, radius=0.1)
+    lock, scrap = (trimesh.creation.icosphere(subdivisions=2, radius=radius) for radius in (0.03, 0.01))
+    points = np.concatenate([whole.vertices, lock.vertices + 0.3, scrap.vertices - 0.3])
+    starts = np.cumsum([0, len(whole.vertices), len(lock.vertices)])
+    triangles = np.concatenate(
+        [one.faces + start for one, start in zip((whole, lock, scrap), starts, strict=True)]
+    ).astype(np.int32)
+    kept = without_scraps(points, triangles)
+    assert np.array_equal(kept, triangles[: len(whole.faces) + len(lock.faces)])
+    assert without_scraps(points, triangles[:0]).shape == (0, 3)
