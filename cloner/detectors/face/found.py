@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
+from cloner.detectors.body import pose_rows as net
 from cloner.detectors.nets.results import FaceResult
 from cloner.detectors.table import DETECTORS
 from cloner.frames import ViewId
@@ -22,8 +23,6 @@ _CALIBRATED: Final = calibrated("detectors.found")
 LEAST_PRESENCE: Final = _CALIBRATED.number("least_presence", "score")
 LEAST_FACE: Final = _CALIBRATED.number("least_face", "share")
 BETWEEN_EARS: Final = _CALIBRATED.pair("between_ears", "share")
-# BlazePose numbering
-_NOSE, _LEFT_EAR, _RIGHT_EAR = 0, 7, 8
 
 #: (468, 2) points, (468,) depths, presence and (2, 2) irises.
 Face = tuple[NDArray[np.float64], NDArray[np.float64], float, NDArray[np.float64]]
@@ -50,10 +49,10 @@ def face_behind_hair(photo: Photo, pose_px: Array, labels: NDArray[np.uint8]) ->
     pose_px : (33, 2) float64
     labels : (H, W) uint8
     """
-    ears = pose_px[[_RIGHT_EAR, _LEFT_EAR], 0]
-    if photo.view is not ViewId.FACE_FRONT or ears[1] <= ears[0]:
+    left, right = pose_px[list(net.EARS), 0]
+    if photo.view is not ViewId.FACE_FRONT or left <= right:
         return None
-    if not BETWEEN_EARS[0] < (pose_px[_NOSE, 0] - ears[0]) / (ears[1] - ears[0]) < BETWEEN_EARS[1]:
+    if not BETWEEN_EARS[0] < (pose_px[net.NOSE, 0] - right) / (left - right) < BETWEEN_EARS[1]:
         return None
     face: FaceResult | None = DETECTORS.get("guessed_face")(photo.rgb)
     if face is None or skin_share(face.points_px, labels) < LEAST_FACE:
