@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.detectors.body import pose_rows as net
+from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.geometry.articulation.skinning import joint_transforms, posed_joints

@@ -16,6 +16,7 @@ import numpy as np
 
 from cloner.calibration.loader import calibrated
 from cloner.detectors.face.face_side import side_face_of
+from cloner.detectors.nets import pose_rows as net
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
@@ -35,9 +36,6 @@ FIGURE_WIDE: Final = _CALIBRATED.number("figure_wide", "share")
 USUAL_FACE: Final = _CALIBRATED.number("usual_face", "share")
 SIDE_NAME: Final = _CALIBRATED.number("side_name", "score")
 LEAST_BELIEF: Final = _CALIBRATED.number("least_belief", "factor")
-# BlazePose numbering
-_NOSE, _EARS, _SHOULDERS, _HIPS, _KNEES, _ANKLES = 0, (7, 8), (11, 12), (23, 24), (25, 26), (27, 28)
-_HEELS, _TOES = (29, 30), (31, 32)
 #: Outer eye corners in the face net.
 _EYES: Final = (33, 263)
 _HINT: Final = "Rename or retake the photos so that each shows what its name says"
@@ -77,9 +75,9 @@ def _trouble_in_body(proposal: Proposal, photo: Photo, hidden: float = 0.0) -> s
     """Return what is wrong with a body photo, "" when all is well; ``hidden`` adds to the odds of a missing face."""
     pose, view = proposal.pose_px, proposal.view
     height = proposal.mask.shape[0]
-    if pose[_KNEES, 1].min() > height:
+    if pose[net.KNEES, 1].min() > height:
         return "this photo shows only the upper part of the person, not the whole body"
-    if pose[_ANKLES, 1].min() > height:
+    if pose[net.ANKLES, 1].min() > height:
         return "the feet are outside this photo"
     sideways = side_odds(proposal)
     if view is ViewId.BODY_SIDE:
@@ -109,9 +107,9 @@ def side_odds(proposal: Proposal) -> float:
     rows, columns = (np.flatnonzero(shown.any(axis=axis)) for axis in (1, 0))
     tall = max(float(rows[-1] - rows[0]), 1.0) if len(rows) else 1.0
     wide = float(columns[-1] - columns[0]) / tall if len(columns) else FIGURE_WIDE
-    shoulders, hips = (abs(float(pose[pair[0], 0] - pose[pair[1], 0])) / tall for pair in (_SHOULDERS, _HIPS))
-    toes = abs(float(pose[[*_TOES], 0].mean() - pose[[*_HEELS], 0].mean())) / tall
-    nose = abs(float(pose[_NOSE, 0] - pose[[*_EARS], 0].mean())) / tall
+    shoulders, hips = (abs(float(pose[pair[0], 0] - pose[pair[1], 0])) / tall for pair in (net.SHOULDERS, net.HIPS))
+    toes = abs(float(pose[[*net.TOES], 0].mean() - pose[[*net.HEELS], 0].mean())) / tall
+    nose = abs(float(pose[net.NOSE, 0] - pose[[*net.EARS], 0].mean())) / tall
     broad = weight(shoulders, 0.085, 0.02, 3.0) + weight(hips, 0.04, 0.015, 1.5) + weight(wide, FIGURE_WIDE, 0.05, 3.0)
     return weight(toes, 0.06, 0.02, 1.5) + weight(nose, 0.02, 0.01, 1.0) - broad
 
@@ -122,9 +120,9 @@ def front_odds(proposal: Proposal) -> float:
     The net knows left from right as a rule. It is surer of the toes than of the heels on people who face the camera
     (0.10-0.51 in front, -0.59 to 0.05 from behind; of one person in a cap with long hair 0.51 from behind).
     """
-    left, right = proposal.pose_px[_SHOULDERS[0], 0], proposal.pose_px[_SHOULDERS[1], 0]
+    left, right = proposal.pose_px[net.SHOULDERS[0], 0], proposal.pose_px[net.SHOULDERS[1], 0]
     seen = proposal.pose_visibility
-    lead = float(seen[[*_TOES]].mean() - seen[[*_HEELS]].mean())
+    lead = float(seen[[*net.TOES]].mean() - seen[[*net.HEELS]].mean())
     return (2.0 if left > right else -2.0) + weight(lead, 0.08, 0.08, 2.0)
 
 
@@ -210,8 +208,8 @@ def profile_odds(proposal: Proposal) -> float:
     """
     pose, place = proposal.pose_px, nose_between_ears(proposal)
     between = -2.0 if FRONTAL[0] < place < FRONTAL[1] else 2.0 if not PROFILE[0] < place < PROFILE[1] else 0.0
-    up = max(float(pose[[*_SHOULDERS], 1].mean() - pose[_NOSE, 1]), 1.0)
-    shoulders, ears = (abs(float(pose[pair[0], 0] - pose[pair[1], 0])) / up for pair in (_SHOULDERS, _EARS))
+    up = max(float(pose[[*net.SHOULDERS], 1].mean() - pose[net.NOSE, 1]), 1.0)
+    shoulders, ears = (abs(float(pose[pair[0], 0] - pose[pair[1], 0])) / up for pair in (net.SHOULDERS, net.EARS))
     return between - weight(shoulders, 1.4, 0.2, 1.5) - weight(ears, 0.45, 0.1, 1.5)
 
 
@@ -243,14 +241,14 @@ def _front_face_odds(photo: Photo) -> float:
 
 def nose_between_ears(proposal: Proposal) -> float:
     """Return where the nose lies across the picture: 0 and 1 at the ears, outside on a profile."""
-    ears = np.sort(proposal.pose_px[_EARS, 0])
-    return float((proposal.pose_px[_NOSE, 0] - ears[0]) / max(ears[1] - ears[0], 1.0))
+    ears = np.sort(proposal.pose_px[net.EARS, 0])
+    return float((proposal.pose_px[net.NOSE, 0] - ears[0]) / max(ears[1] - ears[0], 1.0))
 
 
 def _shows_whole_body(proposal: Proposal) -> bool:
-    inside = bool(proposal.pose_px[_ANKLES, 1].max() < proposal.mask.shape[0])
+    inside = bool(proposal.pose_px[net.ANKLES, 1].max() < proposal.mask.shape[0])
     return inside and float((proposal.mask[-2:] > 127).mean()) < CUT_BELOW
 
 
 def _ear_distance_px(proposal: Proposal) -> float:
-    return float(np.ptp(proposal.pose_px[_EARS, 0]))
+    return float(np.ptp(proposal.pose_px[net.EARS, 0]))

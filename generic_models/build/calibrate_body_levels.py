@@ -22,7 +22,6 @@ from numpy.typing import NDArray
 from painted_people import BACKGROUNDS, TIGHTNESSES, Shot, photograph_once
 from painted_people_clothes import HAIR
 
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.flanks import columns_at, find_flank, outwards_of
 from cloner.detectors.body.front_cues import arm_cues, front_cues, level_of
 from cloner.detectors.body.front_features import foot_end, joint_places, look_along
@@ -30,6 +29,7 @@ from cloner.detectors.body.pose_order import in_order
 from cloner.detectors.body.side_cues import body_axis, find_profile, foot_ends, side_cues
 from cloner.detectors.body.side_features import look_from_side, profile_joints
 from cloner.detectors.nets import litert
+from cloner.detectors.nets import pose_rows as net
 from cloner.evaluate.measures.posing import JOINTS
 from cloner.evaluate.truths.kit import kit_people, read_kit
 from cloner.frames import ViewId

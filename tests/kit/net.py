@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.levels import load_levels
+from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.points import Proposal

@@ -14,13 +14,13 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.front_cues import sole_row
 from cloner.detectors.body.front_features import Found, Look, crotch, look_along, side_points
 from cloner.detectors.body.levels import load_levels, load_offsets
 from cloner.detectors.body.photo_states import cut_states, front_states, turned_states
 from cloner.detectors.body.pose_order import in_order
 from cloner.detectors.body.side_features import look_from_side, profile_points
+from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
 from cloner.records.labels import Label

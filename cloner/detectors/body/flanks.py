@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body import pose_rows as net
+from cloner.detectors.nets import pose_rows as net
 from cloner.geometry.meshes.vectors import arc_lengths
 from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import Figure, Strip, gap_between, polyline, sample, walk_strip

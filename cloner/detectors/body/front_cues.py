@@ -11,8 +11,8 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.flanks import Flank, arm_strip
+from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import SMOOTH, Figure, Strip, extreme, gap_top, smoothed
 

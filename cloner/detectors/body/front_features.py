@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.flanks import Flank, arm_line, find_flank
 from cloner.detectors.body.front_cues import arm_cues, front_cues, row_of, sole_row
 from cloner.detectors.body.levels import Levels, Offsets, conclude, load_levels, load_offsets
+from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import Figure, Strip, apex
 

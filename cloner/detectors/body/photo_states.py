@@ -7,10 +7,10 @@ from typing import Final
 import numpy as np
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.flanks import ARM_HALF
 from cloner.detectors.body.front_cues import row_of
 from cloner.detectors.body.front_features import Found, Look
+from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.records.arrays import Array
 from cloner.records.points import PhotoState, StateKind

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body import pose_rows as net
+from cloner.detectors.nets import pose_rows as net
 from cloner.detectors.nets.results import PoseResult
 from cloner.frames import ViewId
 from cloner.records.arrays import Array

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.flanks import ARM_HALF, REACH, SLACK, arm_line, columns_at
 from cloner.detectors.body.front_cues import level_of
+from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import SMOOTH, Figure, Strip, extreme, sample, smoothed, walk_strip
 

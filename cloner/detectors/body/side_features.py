@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.front_cues import row_of
 from cloner.detectors.body.front_features import MASK_ERROR, MEAN_OF_NORMAL, Found, Placed
 from cloner.detectors.body.levels import Levels, conclude, load_levels, load_offsets
 from cloner.detectors.body.side_cues import Profile, find_profile, foot_ends, side_cues
+from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
 from cloner.vision.segmentation.outline_walk import Figure
 

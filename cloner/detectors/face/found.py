@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.calibration.loader import calibrated
-from cloner.detectors.body import pose_rows as net
+from cloner.detectors.nets import pose_rows as net
 from cloner.detectors.nets.results import FaceResult
 from cloner.detectors.table import DETECTORS
 from cloner.frames import ViewId

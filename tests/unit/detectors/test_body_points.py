@@ -6,8 +6,8 @@ import cv2
 import numpy as np
 import pytest
 
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.body_points import propose_body_points
+from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.generic.load import load_generic
 from cloner.records.labels import Label

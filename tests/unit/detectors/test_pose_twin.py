@@ -5,8 +5,8 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.pose_twin import fits, mirrored_onto, twins_put_right
+from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
 from cloner.records.points import Proposal
 from cloner.vision.segmentation.outline_walk import figure_of

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from cloner.body.bone_checks import check_bones
-from cloner.detectors.body import pose_rows as net
 from cloner.detectors.body.pose_order import from_mirror, read_again
+from cloner.detectors.nets import pose_rows as net
 from cloner.detectors.nets.results import PoseResult
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
