@@ -82,10 +82,11 @@ def test_x_ite_multiplies_base_and_light(folder: Path, tmp_path: Path) -> None:
         Image.new("RGB", size, (level,) * 3).save(folder / "light.png")
         with browser(tmp_path / f"profile-{level}", "--allow-file-access-from-files") as page:
             page.open(folder / "page.html", 320, 200)
-            end, mean = time.monotonic() + 60, 0.0
-            while time.monotonic() < end and not 15.0 < mean < 180.0:  # white while it loads
-                time.sleep(3.0)
-                mean = float(page.picture()[120:].mean())
+            end, before, mean = time.monotonic() + 60, 255.0, 0.0
+            # white while it loads, then texture after texture comes
+            while time.monotonic() < end and not (15.0 < mean < 180.0 and abs(mean - before) < 0.1):
+                time.sleep(2.0)
+                before, mean = mean, float(page.picture()[120:].mean())
             shown[level] = mean
             assert not page.complaints()
     assert shown[48] == pytest.approx(shown[128] * 48 / 128, rel=0.12)
