@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.cloth.drafting.blocks import BLOCKS, draft
-from cloner.cloth.drafting.drawn import read_drawing
+from cloner.cloth.drafting.freesewing import read_svg_garment
 from cloner.cloth.drafting.garmentcode import read_garment
 from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.drafting.sections import Sections, sections
@@ -50,7 +50,7 @@ GARMENTS: Final = (*BLOCKS, *TAILORED)
 #: What a garment of one's own is read by.
 FILES: Final[Mapping[str, Callable[[Path, Sections], Pattern]]] = {
     ".json": read_garment,
-    ".svg": lambda path, _: read_drawing(path),
+    ".svg": read_svg_garment,
 }
 #: Cycles that are simulated to find a loop in, and the step of the cloth's triangles: about 5,000 vertices in a skirt.
 CYCLES: Final = 8

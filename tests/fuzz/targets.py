@@ -30,7 +30,7 @@ from cloner.booth.photos.looks import read_looks
 from cloner.booth.visitors.visits import read_visit
 from cloner.cloth.drafting.blocks import BLOCKS, draft
 from cloner.cloth.drafting.cut import cut
-from cloner.cloth.drafting.drawn import read_drawing
+from cloner.cloth.drafting.freesewing import read_svg_garment
 from cloner.cloth.drafting.garmentcode import read_garment
 from cloner.cloth.drafting.pattern import pattern_text, read_pattern
 from cloner.cloth.drafting.sections import Sections, sections
@@ -70,7 +70,8 @@ from cloner.statues.markers import read_markers
 from cloner.vision.photographs.pictures import read_picture
 from hostile import cases_motion, cases_photos
 from kit.clones import toy_clone
-from unit.cloth.test_garmentcode import shirt, skirt
+from unit.cloth.test_freesewing import BACK, CAP, FRONT, draft_text
+from unit.cloth.test_garmentcode import shirt, skirt, trousers
 
 PERSON = b"""format = 1
 event = "Fair"
@@ -408,11 +409,13 @@ TARGETS: Mapping[str, Target] = {
     "dyes": Target("looks.toml", lambda: (DYES,), lambda path: casting_of([_BARE, _BARE], read_dyes(path))),
     "pattern": Target("skirt.json", lambda: (pattern_text(draft(BLOCKS["skirt"], 0.7, 0.5)).encode(),),
                       lambda path: cut(read_pattern(path), 0.2)),
-    "garmentcode": Target("mine.json", lambda: (json.dumps(skirt()).encode(), json.dumps(shirt()).encode()),
+    "garmentcode": Target("mine.json", lambda: tuple(json.dumps(told()).encode() for told in (skirt, shirt, trousers)),
                           lambda path: cut(read_garment(path, _measured()), 0.2)),
     "fabric": Target("wool.toml", lambda: (FABRIC,), read_fabric),
     "cloth": Target("cloth.npz", lambda: (_flow_bytes(),), lambda path: load_flow(path.parent, _skirted())),
-    "drawing": Target("skirt.svg", lambda: (DRAWING,), lambda path: cut(read_drawing(path), 0.2)),
+    "drawing": Target("skirt.svg", lambda: (DRAWING,), lambda path: cut(read_svg_garment(path, _measured()), 0.2)),
+    "freesewing": Target("tee.svg", lambda: (draft_text({"front": FRONT, "back": BACK, "sleeve": CAP}).encode(),),
+                         lambda path: cut(read_svg_garment(path, _measured()), 0.2)),
     "ticket": Target("phone.json", lambda: (TICKET,), lambda path: read_ticket(path.parent)),
     "camera": Target("camera.json", lambda: (CAMERA,),
                      _folded(".camera.json", lambda folder: read_note(folder, Path("/media/card")))),

@@ -11,6 +11,8 @@ import numpy as np
 from cloner.cloth.drafting.pattern import Pattern, Segment
 from cloner.records.arrays import Array
 
+Corner = Array | tuple[float, float]
+
 
 @dataclass(frozen=True, slots=True)
 class Block:
@@ -83,10 +85,18 @@ def _at(radius: float, angle: float) -> Array:
     return np.array([radius * np.sin(angle), -radius * np.cos(angle)])
 
 
-def line(start: Array | tuple[float, float], end: Array | tuple[float, float]) -> Array:
+def line(start: Corner, end: Corner) -> Array:
     """Return the (4, 2) curve of a straight edge."""
     start, end = np.asarray(start, np.float64), np.asarray(end, np.float64)
     return np.array([start + share * (end - start) for share in (0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0)])
+
+
+def through(start: Corner, one: Corner, other: Corner, end: Corner) -> Array:
+    """Return the (4, 2) cubic that goes through four points, a third of it between each."""
+    a, b, c, d = (np.asarray(each, np.float64) for each in (start, one, other, end))
+    return np.array(
+        [a, (-5.0 * a + 18.0 * b - 9.0 * c + 2.0 * d) / 6.0, (2.0 * a - 9.0 * b + 18.0 * c - 5.0 * d) / 6.0, d]
+    )
 
 
 def _arc(radius: float, start: float, end: float) -> Array:

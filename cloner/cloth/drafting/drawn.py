@@ -35,38 +35,48 @@ _TOKEN: Final = re.compile(r"[A-Za-z]|[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _HINT: Final = "See docs/cloth.md for how a garment is drawn"
 
 
-def read_drawing(path: Path) -> Pattern:
-    """Return the garment in an SVG file; the waist (or an arm's shoulder joint) is its own origin's height.
+def read_svg(path: Path) -> ElementTree.Element:
+    """Return the root of an SVG file.
 
     Raises
     ------
     ClonerError
-        If the file is no drawing of a garment, or one that cannot be cut.
+        If it is none.
     """
     text = read_text(path)
     if "<!DOCTYPE" in text or "<!ENTITY" in text:
         raise ClonerError("the drawing has a DOCTYPE", "Save it as plain SVG", path.name)
     try:
-        root = ElementTree.fromstring(text)
+        return ElementTree.fromstring(text)
     except (ElementTree.ParseError, ValueError, RecursionError) as error:
         raise ClonerError("the file is no SVG", _HINT, path.name) from error
-    scale = _scale(root, path.name)
+
+
+def garment_drawn(root: ElementTree.Element, stem: str, where: str) -> Pattern:
+    """Return the garment in a drawing; the waist (or an arm's shoulder joint) is its own origin's height.
+
+    Raises
+    ------
+    ClonerError
+        If it is no drawing of a garment, or one that cannot be cut.
+    """
+    scale = metres_of(root, where)
     segments: list[Segment] = []
     for element in root.iter():
         if element.get("transform"):
-            raise ClonerError("a part of the drawing is transformed", "Apply the transformation first", path.name)
+            raise ClonerError("a part of the drawing is transformed", "Apply the transformation first", where)
         if element.tag.rpartition("}")[2] == "path" and len(segments) <= MOST_SEGMENTS:
-            segments.append(_piece(element, scale, path.name))
+            segments.append(_piece(element, scale, where))
     seams = [tuple(pair.split()) for pair in root.get("data-seams", "").split(";") if pair.strip()]
     if not all(len(pair) == 2 for pair in seams):
-        raise ClonerError("a seam of the drawing does not name two edges", _HINT, path.name)
+        raise ClonerError("a seam of the drawing does not name two edges", _HINT, where)
     pairs = tuple((pair[0], pair[1]) for pair in seams)
-    pattern = Pattern(path.stem, tuple(segments), pairs, tuple(root.get("data-held", "").split()))
-    check_pattern(pattern, path.name)
+    pattern = Pattern(stem, tuple(segments), pairs, tuple(root.get("data-held", "").split()))
+    check_pattern(pattern, where)
     return pattern
 
 
-def _scale(root: ElementTree.Element, where: str) -> float:
+def metres_of(root: ElementTree.Element, where: str) -> float:
     """Return metres of a drawing's unit."""
     found = re.fullmatch(r"\s*([\d.]+)\s*([a-z]*)\s*", root.get("width", ""))
     box = [float(each) for each in _TOKEN.findall(root.get("viewBox", "")) if not each.isalpha()]
@@ -79,7 +89,7 @@ def _scale(root: ElementTree.Element, where: str) -> float:
 def _piece(element: ElementTree.Element, scale: float, where: str) -> Segment:
     name = element.get("id", "")
     names = element.get("data-edges", "").split()
-    curves = _curves(element.get("d", ""), name, where)
+    curves = curves_of(element.get("d", ""), name, where)
     if len(names) != len(curves) or len(set(names)) != len(names):
         told = f"the piece {name!r} has {len(curves)} edges and {len(names)} names for them"
         raise ClonerError(told, "Name every edge once, in the order of drawing", where)
@@ -89,7 +99,7 @@ def _piece(element: ElementTree.Element, scale: float, where: str) -> Segment:
     return Segment(name, seen_from_outside(edges), element.get("data-around", ""))
 
 
-def _curves(data: str, name: str, where: str) -> list[Array]:
+def curves_of(data: str, name: str, where: str) -> list[Array]:
     """Return (4, 2) curves of path data, in its own units, y down."""
     tokens = _TOKEN.findall(data)
     found: list[Array] = []

@@ -2,7 +2,8 @@
 
 A panel is drawn in centimetres and stands in space beside its body; where that is tells which part it goes round, which
 way is up and how far to the left it lies. Its height is not kept, for the body is another one's: what reaches the
-shoulders is hung from the wearer's neck, what does not from the natural waist. Trousers are not read.
+shoulders is hung from the wearer's neck, what does not from the natural waist. Trousers meet in the middle where their
+rises stand upright.
 
 References
 ----------
@@ -22,10 +23,12 @@ from scipy.spatial.transform import Rotation
 
 from cloner.cloth.drafting.blocks import line
 from cloner.cloth.drafting.pattern import (
+    LARGEST_M,
     MOST_SEGMENTS,
     Pattern,
     Segment,
     check_pattern,
+    even,
     json_of,
     pattern_told,
     seen_from_outside,
@@ -39,8 +42,8 @@ from cloner.records.arrays import Array
 HELD_M: Final = 0.02
 #: Sewn edges so near under the highest point of what reaches the shoulders are shoulder seams, metres.
 SHOULDER_M: Final = 0.05
-#: Panels whose names or labels have one of these words go round an arm; those of trousers are refused.
-ARMS, TROUSERS = ("arm", "sleeve", "sl_"), ("pant", "trouser")
+#: Panels whose names or labels have one of these words go round an arm, or a leg.
+ARMS, LEGS = ("arm", "sleeve", "sl_"), ("pant", "trouser")
 #: What reaches the shoulders has a panel with one of these words.
 TORSO: Final = ("torso", "bodice", "shirt")
 _HINT: Final = "Write it again with GarmentCode, or draw it anew (docs/cloth.md)"
@@ -92,7 +95,7 @@ def from_garmentcode(told: Mapping[str, Any], name: str, body: Sections, where: 
     try:
         scale = 1.0 / float(told["properties"]["units_in_meter"])
         rows = list(dict(told["pattern"]["panels"]).items())[: MOST_SEGMENTS + 1]
-        panels = [_panel(str(title), dict(each), scale, where) for title, each in rows]
+        panels = [_panel(str(title), dict(each), scale) for title, each in rows]
         stitches = [
             tuple((str(side["panel"]), int(side["edge"])) for side in stitch[:2])
             for stitch in told["pattern"]["stitches"]
@@ -110,12 +113,11 @@ def from_garmentcode(told: Mapping[str, Any], name: str, body: Sections, where: 
     return pattern
 
 
-def _panel(name: str, told: Mapping[str, Any], scale: float, where: str) -> _Panel:
+def _panel(name: str, told: Mapping[str, Any], scale: float) -> _Panel:
     words = f"{name} {told.get('label', '')}".lower()
-    if any(word in words for word in TROUSERS):
-        hint = "Cloner drafts trousers itself: --garment trousers"
-        raise ClonerError(f"the panel {name!r} is a leg's, which is not read", hint, where)
     corners = scale * np.asarray(told["vertices"], np.float64).reshape(-1, 2)
+    if not (np.abs(corners) < LARGEST_M).all():  # nor nan
+        raise ValueError("no garment's size")
     curves = tuple(_curve(corners, dict(edge), scale) for edge in told["edges"])
     turn = Rotation.from_euler("xyz", np.asarray(told.get("rotation", (0.0, 0.0, 0.0)), np.float64), degrees=True)
     corner = scale * np.asarray(told["translation"], np.float64)
@@ -124,8 +126,10 @@ def _panel(name: str, told: Mapping[str, Any], scale: float, where: str) -> _Pan
     if not np.isfinite(placed).all():
         raise ValueError("no number")
     middle = (placed.min(axis=0) + placed.max(axis=0)) / 2.0
-    arm, trunk = ("left_arm" if middle[0] > 0.0 else "right_arm"), ("front" if middle[2] > 0.0 else "back")
-    return replace(panel, middle=middle, around=arm if any(word in words for word in ARMS) else trunk)
+    side, trunk = ("left" if middle[0] > 0.0 else "right"), ("front" if middle[2] > 0.0 else "back")
+    if any(word in words for word in LEGS):
+        return replace(panel, middle=middle, around=f"{side}_leg_{trunk}")
+    return replace(panel, middle=middle, around=f"{side}_arm" if any(word in words for word in ARMS) else trunk)
 
 
 def _curve(corners: Array, told: Mapping[str, Any], scale: float) -> Array:
@@ -172,6 +176,9 @@ def _piece(panel: _Panel, panels: list[_Panel], rise_m: float) -> tuple[str, tup
     beside = [one for one in panels if one.around == panel.around]
     flat = [_on_arm(panel, curve, beside) if "arm" in panel.around else _on_trunk(panel, curve, rise_m)
             for curve in panel.curves]  # fmt: skip
+    if "_leg_" in panel.around:
+        middle = np.array([_rise_of(panel, flat), 0.0])
+        flat = [curve - middle for curve in flat]
     names = [f"e{number}" for number in range(len(flat))]
     edges = seen_from_outside(dict(zip(names, flat, strict=True)))
     return panel.name, (Segment(panel.name, edges, panel.around), [f"{panel.name}.{edge}" for edge in names])
@@ -187,7 +194,15 @@ def _on_trunk(panel: _Panel, curve: Array, rise_m: float) -> Array:
     """Return a curve x to the left of the wearer's front, to the right of the back, y up from the natural waist."""
     axes = panel.turn[:2, :2].T  # the panel's x and y as they are seen from the front
     seen = curve @ (axes / np.maximum(np.linalg.norm(axes, axis=1, keepdims=True), 1e-9)) + panel.corner[:2]
-    return np.asarray((seen + [0.0, rise_m]) * [1.0 if panel.around == "front" else -1.0, 1.0])
+    return np.asarray((seen + [0.0, rise_m]) * [1.0 if panel.around.endswith("front") else -1.0, 1.0])
+
+
+def _rise_of(panel: _Panel, flat: list[Array]) -> float:
+    """Return where across a leg's piece its rise stands upright: in the upper third over the inmost point."""
+    outer = 1.0 if panel.around in ("left_leg_front", "right_leg_back") else -1.0
+    x, y = np.concatenate([even(curve, 16) for curve in flat]).T
+    inmost = int(np.argmin(outer * x))
+    return outer * float((outer * x)[y > (y[inmost] + 2.0 * y.max()) / 3.0].min())
 
 
 def _on_arm(panel: _Panel, curve: Array, beside: list[_Panel]) -> Array:

@@ -113,11 +113,15 @@ def even(points: Array, count: int) -> Array:
     return places_along(fine, run, wanted)
 
 
+def is_clockwise(outline: Array) -> bool:
+    """Return whether a closed polygon (N, 2) runs clockwise, y up."""
+    following = np.roll(outline, -1, axis=0)
+    return float((outline[:, 0] * following[:, 1] - outline[:, 1] * following[:, 0]).sum()) < 0.0
+
+
 def seen_from_outside(edges: Mapping[str, Array]) -> dict[str, Array]:
     """Return a piece's edges in counter-clockwise order: run back where they were told clockwise."""
-    outline = np.concatenate([edge[:-1] for edge in edges.values()])
-    following = np.roll(outline, -1, axis=0)
-    if float((outline[:, 0] * following[:, 1] - outline[:, 1] * following[:, 0]).sum()) < 0.0:
+    if is_clockwise(np.concatenate([edge[:-1] for edge in edges.values()])):
         return {name: edge[::-1] for name, edge in reversed(list(edges.items()))}
     return dict(edges)
 

@@ -12,7 +12,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.cloth.drafting.blocks import line
+from cloner.cloth.drafting.blocks import line, through
 from cloner.cloth.drafting.pattern import Pattern, Segment, length_m
 from cloner.cloth.drafting.sections import STEP_M, Sections
 from cloner.records.arrays import Array
@@ -95,7 +95,7 @@ def _upper(name: str, cut: Cut, body: Sections, length: float | None) -> Pattern
     }
     segments, seams, held = [], [], []
     for side in ("front", "back"):
-        up = _over(body, (tip + neck) / 2.0 - [0.0, body.waist_m - OVER_M, 0.0], under, is_front=side == "front")
+        up = over_m(body, (tip + neck) / 2.0 - [0.0, body.waist_m - OVER_M, 0.0], under, is_front=side == "front")
         panel = _panel(
             chest, bottom, hem, under, (shoulder[0], shoulder[1] + up), (collar[0], collar[1] + up),
             min(depth[side], collar[1] - 0.015) + up, side == "front",
@@ -121,7 +121,7 @@ def _upper(name: str, cut: Cut, body: Sections, length: float | None) -> Pattern
     return Pattern(name, tuple(segments), tuple(seams), tuple(held))
 
 
-def _over(body: Sections, seam: Array, low: float, *, is_front: bool) -> float:
+def over_m(body: Sections, seam: Array, low: float, *, is_front: bool) -> float:
     """Return how much longer the way over the body is than straight up, metres, to the middle of a shoulder seam.
 
     ``seam`` (3,) is that middle, ``low`` where the way begins, over the waist. A front that was only as long as the
@@ -216,14 +216,6 @@ def _sleeve(part: str, cut: Cut, body: Sections, hole: float) -> Segment:
     return Segment(f"{part}_sleeve", edges, arm)
 
 
-def _through(start: Point, one: Point, other: Point, end: Point) -> Array:
-    """Return the (4, 2) cubic that goes through four points, a third of it between each."""
-    a, b, c, d = (np.asarray(each, np.float64) for each in (start, one, other, end))
-    return np.array(
-        [a, (-5.0 * a + 18.0 * b - 9.0 * c + 2.0 * d) / 6.0, (2.0 * a - 9.0 * b + 18.0 * c - 5.0 * d) / 6.0, d]
-    )
-
-
 def _trousers(body: Sections, length: float | None) -> Pattern:
     crotch = float(body.place("crotch")[1]) - body.waist_m - SEAT_M
     ankle = -body.waist_m + 0.06 * body.stature_m
@@ -243,7 +235,7 @@ def _trousers(body: Sections, length: float | None) -> Pattern:
         edges = {
             "hem": line(*bottom),
             "out": np.array([bottom[1], (middle + half, 0.6 * hem + 0.4 * seat), (wide[0], seat + 0.4 * crotch), wide]),
-            "hip": _through(wide, (fulls[0], 2.0 * seat / 3.0), (fulls[1], seat / 3.0), (waist, 0.0)),
+            "hip": through(wide, (fulls[0], 2.0 * seat / 3.0), (fulls[1], seat / 3.0), (waist, 0.0)),
             "waist": line((waist, 0.0), (0.0, 0.0)),
             "rise": np.array([(0.0, 0.0), (0.0, 0.8 * crotch), (-0.15 * reach, crotch), (-reach, crotch)]),
             "in": line((-reach, crotch), bottom[0]),

@@ -100,7 +100,7 @@ def _laid(segment: Segment, flat: Array, body: Sections, widths: dict[str, Calla
         return _on(body, part, base + height, share, width)
     crotch = float(body.place("crotch")[1]) - body.waist_m
     low, high = _spans(segment, flat[:, 1])
-    outer = 1.0 if np.nanmax(segment.edges["waist"][:, 0]) > 1e-6 else -1.0
+    outer = 1.0 if around in ("left_leg_front", "right_leg_back") else -1.0
     beyond = np.minimum(flat[:, 0] * outer, 0.0)
     above = _on(body, "trunk", body.waist_m + flat[:, 1], np.where(beyond < 0.0, turn, share), width)
     above[:, 2] += beyond * (-1.0 if turn else 1.0)  # under the crotch, towards the other piece
@@ -109,7 +109,8 @@ def _laid(segment: Segment, flat: Array, body: Sections, widths: dict[str, Calla
     leg = around.split("_")[0] + "_leg"
     below = _on(body, leg, body.waist_m + np.minimum(flat[:, 1], crotch - 0.02), side, 4.0 * half)
     below[:, 1] = body.waist_m + flat[:, 1]
-    lowest = float(segment.edges["in"][[0, 3], 1].max())  # the garment's own crotch
+    corners = np.array([edge[0] for edge in segment.edges.values()])
+    lowest = float(corners[np.argmin(outer * corners[:, 0]), 1])  # the garment's own crotch
     share_low = np.clip((lowest + 0.01 - flat[:, 1]) / 0.06, 0.0, 1.0)[:, None]
     return np.asarray((1.0 - share_low) * above + share_low * below)
 

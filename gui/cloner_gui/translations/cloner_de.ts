@@ -3794,12 +3794,40 @@
         <translation>Mit GarmentCode neu schreiben oder neu zeichnen (docs/cloth.md)</translation>
     </message>
     <message>
-        <source>the panel %1 is a leg&apos;s, which is not read</source>
-        <translation>das Teil %1 gehört zu einem Hosenbein, das nicht gelesen wird</translation>
+        <source>the draft has no parts &apos;front&apos; and &apos;back&apos;</source>
+        <translation>Der Schnitt hat keine Teile „front“ und „back“</translation>
     </message>
     <message>
-        <source>Cloner drafts trousers itself: --garment trousers</source>
-        <translation>Cloner schneidet Hosen selbst zu: --garment trousers</translation>
+        <source>Cloner reads fronts and backs on the fold and sleeves of one piece (docs/cloth.md)</source>
+        <translation>Cloner liest Vorder- und Rückenteile im Stoffbruch und Ärmel aus einem Stück (docs/cloth.md)</translation>
+    </message>
+    <message>
+        <source>the part %1 has no outline</source>
+        <translation>Das Teil %1 hat keinen Umriss</translation>
+    </message>
+    <message>
+        <source>the part %1 is not cut on the fold</source>
+        <translation>Das Teil %1 liegt nicht im Stoffbruch</translation>
+    </message>
+    <message>
+        <source>the part %1 has %2 edges from corner to corner, not hem, side, armhole, shoulder, neck</source>
+        <translation>Das Teil %1 hat %2 Kanten von Ecke zu Ecke, nicht Saum, Seite, Armloch, Schulter, Hals</translation>
+    </message>
+    <message>
+        <source>the armhole of the part %1 lies below this wearer&apos;s trunk</source>
+        <translation>Das Armloch des Teils %1 liegt unter dem Rumpf dieser Person</translation>
+    </message>
+    <message>
+        <source>Draft it to the wearer&apos;s measures, in millimetres</source>
+        <translation>Zeichnen Sie ihn nach den Maßen der Person, in Millimetern</translation>
+    </message>
+    <message>
+        <source>the sleeve has %1 edges from corner to corner, not hem, side, cap and side</source>
+        <translation>Der Ärmel hat %1 Kanten von Ecke zu Ecke, nicht Saum, Seite, Kugel und Seite</translation>
+    </message>
+    <message>
+        <source>the part %1 is no whole sleeve</source>
+        <translation>Das Teil %1 ist kein ganzer Ärmel</translation>
     </message>
     <message>
         <source>the piece %1 has no edge to hang from</source>

@@ -3794,12 +3794,40 @@
         <translation>Écrivez-le à nouveau avec GarmentCode, ou dessinez-le (docs/cloth.md)</translation>
     </message>
     <message>
-        <source>the panel %1 is a leg&apos;s, which is not read</source>
-        <translation>la pièce %1 est celle d&apos;une jambe, qui n&apos;est pas lue</translation>
+        <source>the draft has no parts &apos;front&apos; and &apos;back&apos;</source>
+        <translation>Le patron n’a pas de pièces « front » et « back »</translation>
     </message>
     <message>
-        <source>Cloner drafts trousers itself: --garment trousers</source>
-        <translation>Cloner coupe lui-même les pantalons : --garment trousers</translation>
+        <source>Cloner reads fronts and backs on the fold and sleeves of one piece (docs/cloth.md)</source>
+        <translation>Cloner lit les devants et dos au pli et les manches d’une pièce (docs/cloth.md)</translation>
+    </message>
+    <message>
+        <source>the part %1 has no outline</source>
+        <translation>La pièce %1 n’a pas de contour</translation>
+    </message>
+    <message>
+        <source>the part %1 is not cut on the fold</source>
+        <translation>La pièce %1 n’est pas coupée au pli</translation>
+    </message>
+    <message>
+        <source>the part %1 has %2 edges from corner to corner, not hem, side, armhole, shoulder, neck</source>
+        <translation>La pièce %1 a %2 bords d’un angle à l’autre, et non ourlet, côté, emmanchure, épaule, encolure</translation>
+    </message>
+    <message>
+        <source>the armhole of the part %1 lies below this wearer&apos;s trunk</source>
+        <translation>L’emmanchure de la pièce %1 se trouve sous le tronc de cette personne</translation>
+    </message>
+    <message>
+        <source>Draft it to the wearer&apos;s measures, in millimetres</source>
+        <translation>Tracez-le aux mesures de la personne, en millimètres</translation>
+    </message>
+    <message>
+        <source>the sleeve has %1 edges from corner to corner, not hem, side, cap and side</source>
+        <translation>La manche a %1 bords d’un angle à l’autre, et non ourlet, côté, tête et côté</translation>
+    </message>
+    <message>
+        <source>the part %1 is no whole sleeve</source>
+        <translation>La pièce %1 n’est pas une manche entière</translation>
     </message>
     <message>
         <source>the piece %1 has no edge to hang from</source>

@@ -3793,12 +3793,40 @@
         <translation>GarmentCode ile yeniden yazın ya da yeniden çizin (docs/cloth.md)</translation>
     </message>
     <message>
-        <source>the panel %1 is a leg&apos;s, which is not read</source>
-        <translation>%1 parçası bir paçaya ait, okunmuyor</translation>
+        <source>the draft has no parts &apos;front&apos; and &apos;back&apos;</source>
+        <translation>Kalıpta &apos;front&apos; ve &apos;back&apos; parçaları yok</translation>
     </message>
     <message>
-        <source>Cloner drafts trousers itself: --garment trousers</source>
-        <translation>Cloner pantolonu kendisi çizer: --garment trousers</translation>
+        <source>Cloner reads fronts and backs on the fold and sleeves of one piece (docs/cloth.md)</source>
+        <translation>Cloner kumaş katında ön ve arka parçaları ile tek parça kolları okur (docs/cloth.md)</translation>
+    </message>
+    <message>
+        <source>the part %1 has no outline</source>
+        <translation>%1 parçasının çevre çizgisi yok</translation>
+    </message>
+    <message>
+        <source>the part %1 is not cut on the fold</source>
+        <translation>%1 parçası kumaş katında kesilmiyor</translation>
+    </message>
+    <message>
+        <source>the part %1 has %2 edges from corner to corner, not hem, side, armhole, shoulder, neck</source>
+        <translation>%1 parçasının köşeden köşeye %2 kenarı var; etek ucu, yan, kol oyuğu, omuz, yaka değil</translation>
+    </message>
+    <message>
+        <source>the armhole of the part %1 lies below this wearer&apos;s trunk</source>
+        <translation>%1 parçasının kol oyuğu bu kişinin gövdesinin altında kalıyor</translation>
+    </message>
+    <message>
+        <source>Draft it to the wearer&apos;s measures, in millimetres</source>
+        <translation>Kişinin ölçülerine göre, milimetre olarak çizin</translation>
+    </message>
+    <message>
+        <source>the sleeve has %1 edges from corner to corner, not hem, side, cap and side</source>
+        <translation>Kolun köşeden köşeye %1 kenarı var; uç, yan, kol evi ve yan değil</translation>
+    </message>
+    <message>
+        <source>the part %1 is no whole sleeve</source>
+        <translation>%1 parçası tam bir kol değil</translation>
     </message>
     <message>
         <source>the piece %1 has no edge to hang from</source>

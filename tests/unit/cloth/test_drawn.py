@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from cloner.cloth.drafting.cut import cut
-from cloner.cloth.drafting.drawn import read_drawing
-from cloner.cloth.drafting.pattern import length_m
+from cloner.cloth.drafting.drawn import garment_drawn, read_svg
+from cloner.cloth.drafting.pattern import Pattern, length_m
 from cloner.errors import ClonerError
 
 HEAD = '<svg xmlns="http://www.w3.org/2000/svg" width="800mm" viewBox="0 0 800 800" data-seams="{seams}">'
@@ -22,6 +22,10 @@ def drawing(folder: Path, *paths: str, seams: str = SEAMS, head: str = HEAD) -> 
     path = folder / "skirt.svg"
     path.write_text(head.format(seams=seams) + "".join(paths) + "</svg>")
     return path
+
+
+def read_drawing(path: Path) -> Pattern:
+    return garment_drawn(read_svg(path), path.stem, path.name)
 
 
 def test_edges_have_the_drawn_lengths_in_metres(tmp_path: Path) -> None:

@@ -101,6 +101,31 @@ def skirt() -> dict[str, Any]:
                          [("skirt_front", 0, "skirt_back", 0), ("skirt_front", 2, "skirt_back", 2)])  # fmt: skip
 
 
+def trousers() -> dict[str, Any]:
+    """Return trousers with a dart in each of four panels and a band of two; crotch at 78 cm of another body."""
+    rise, panels, stitches = {"type": "quadratic", "params": [[0.9, 0.3]]}, {}, []
+    for part, reach, wide, z in (("f", 5.0, 24.0, 22.0), ("b", 9.0, 26.0, -20.0)):
+        side, dart = reach + wide - 3.0, reach + (wide - 3.0) / 2.0
+        corners = [(side + 1.0, -68.0), (side + 3.0, 6.0), (side, 26.0), (dart + 1.25, 26.0), (dart, 14.0),
+                   (dart - 1.25, 26.0), (reach, 26.0), (reach, 15.0), (0.0, 0.0), (reach, -68.0)]  # fmt: skip
+        left = panel(corners, (0.5, 78.0, z), e7=rise)
+        right = mirrored(left)
+        right["edges"][7]["curvature"]["params"][0][1] *= -1.0
+        panels |= {f"pant_{part}_l": left, f"pant_{part}_r": right}
+        piece = (wide - 3.0 - 2.5) / 2.0
+        across = [k * piece for k in (-2.0, -1.0, 0.0, 1.0, 2.0)]
+        panels[f"wb_{part}"] = panel(
+            [*((x, 0.0) for x in across), (across[-1], 4.0), (across[0], 4.0)], (0.0, 106.0, z)
+        )
+        for number, place in enumerate(("r", "r", "l", "l")):
+            stitches.append((f"wb_{part}", number, f"pant_{part}_{place}", (2, 5, 5, 2)[number]))
+        stitches += [(f"pant_{part}_{side}", 3, f"pant_{part}_{side}", 4) for side in "lr"]
+        stitches += [(f"pant_{part}_l", edge, f"pant_{part}_r", edge) for edge in (6, 7)]
+    stitches += [(f"pant_f_{side}", edge, f"pant_b_{side}", edge) for side in "lr" for edge in (0, 1, 8)]
+    stitches += [("wb_f", edge, "wb_b", edge) for edge in (4, 6)]
+    return specification(panels, stitches)
+
+
 def written(told: Any, folder: Path, name: str = "mine_specification.json") -> Path:
     (folder / name).write_text(json.dumps(told))
     return folder / name
@@ -136,7 +161,21 @@ def test_an_arc_is_as_long_as_the_circle_s(body: Sections, tmp_path: Path) -> No
     assert set(pattern.held) == {"skirt_front.e3", "skirt_back.e3"}
 
 
-@pytest.mark.parametrize("told", [shirt, skirt])
+def test_trousers_meet_in_the_middle_and_hang_by_their_band(body: Sections, tmp_path: Path) -> None:
+    pattern = read_garment(written(trousers(), tmp_path), body)
+    around = {segment.name: segment.around for segment in pattern.segments}
+    assert around["pant_f_l"] == "left_leg_front"
+    assert around["pant_b_r"] == "right_leg_back"
+    assert around["wb_b"] == "back"
+    assert pattern.held == ("wb_f.e5", "wb_b.e5")
+    for name, reach, outer in (("pant_f_l", 0.05, 1.0), ("pant_f_r", 0.05, -1.0), ("pant_b_l", 0.09, -1.0)):
+        rise = pattern.edge(f"{name}.e6")
+        np.testing.assert_allclose(rise[:, 0], 0.0, atol=1e-3)
+        own = next(one for one in pattern.segments if one.name == name).edges
+        assert min(float((outer * edge[:, 0]).min()) for edge in own.values()) == pytest.approx(-reach, abs=1e-3)
+
+
+@pytest.mark.parametrize("told", [shirt, skirt, trousers])
 def test_somebody_else_wears_it(told: Any, eva: Clone, tmp_path: Path) -> None:
     pattern, ring = pattern_of(eva, str(written(told(), tmp_path)), None)
     assert ring is None
@@ -145,19 +184,19 @@ def test_somebody_else_wears_it(told: Any, eva: Clone, tmp_path: Path) -> None:
     moved = next(state.places_m for number, state in simulate(worn, 1) if number == 0)
     assert np.isfinite(moved).all()
     start = worn.start.places_m
-    assert np.linalg.norm(moved - start, axis=1).max() < 0.35, "it stays on"
+    trunk = start[:, 1] > 0.45 * eva.stature_m  # legs walk
+    assert np.linalg.norm(moved - start, axis=1)[trunk].max() < 0.35, "it stays on"
     assert len(np.unique(self_crossings(moved, worn.cloth.faces).pairs)) < 0.05 * len(worn.cloth.faces)
 
 
 def test_what_is_no_garment_is_refused_in_one_sentence(body: Sections, tmp_path: Path) -> None:
-    legs, none, open_one, unlike, arc = skirt(), skirt(), skirt(), skirt(), skirt()
-    legs["pattern"]["panels"]["pant_f_l"] = legs["pattern"]["panels"].pop("skirt_front")
+    none, open_one, unlike, arc = skirt(), skirt(), skirt(), skirt()
     none["pattern"]["stitches"][0][0]["panel"] = "nobody"
     open_one["pattern"]["panels"]["skirt_front"]["edges"].pop()
     unlike["pattern"]["stitches"][0] = [{"panel": "skirt_front", "edge": 0}, {"panel": "skirt_back", "edge": 1}]
     bend = {"endpoints": [0, 0], "curvature": {"type": "circle", "params": [120.0, 0, 1]}}
     arc["pattern"]["panels"]["skirt_front"]["edges"][0] = bend
-    for told, words in ((arc, "no garment of GarmentCode"), (legs, "'pant_f_l' is a leg's"),
+    for told, words in ((arc, "no garment of GarmentCode"),
                         (none, "no garment of GarmentCode"), (open_one, "open"),
                         (unlike, "long"), ({"pattern": {}}, "no garment of GarmentCode")):  # fmt: skip
         with pytest.raises(ClonerError, match=words):
