@@ -16,6 +16,7 @@ from cloner.cloth.drafting.garmentcode import read_garment
 from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.drafting.sections import Sections, sections
 from cloner.cloth.drafting.tailored import TAILORED, TROUSERS, tailored
+from cloner.cloth.resumed import keep, kept, told_by
 from cloner.cloth.simulation.fabrics import FABRICS, Fabric, read_fabric
 from cloner.cloth.simulation.layered import Under
 from cloner.cloth.simulation.loop import Loop, best_loop
@@ -109,12 +110,14 @@ def dressed(
     step_m: float = STEP_M,
     under: Dressed | None = None,
     elements: bool = False,
+    resumed: Path | None = None,
     progress: Progress = quiet,
 ) -> Dressed:
     """Return a clone with a garment that moves in a loop with a cyclic motion; only what hangs from a ring has one."""
     made = Dressing(
-        clone, pattern, ring_level, fabric, motion, cycles=cycles, step_m=step_m, under=under, elements=elements
-    )
+        clone, pattern, ring_level, fabric, motion,
+        cycles=cycles, step_m=step_m, under=under, elements=elements, resumed=resumed,
+    )  # fmt: skip
     return made.walked(progress=progress)
 
 
@@ -134,6 +137,8 @@ class Dressing:
         What is worn below already, in the same motion.
     elements : bool
         Let the source's integrator move it (`cloner.cloth.simulation.implicit`), not threads.
+    resumed : Path or None
+        Where its frames are kept cycle by cycle; what the same garment kept there is not simulated again.
     """
 
     def __init__(
@@ -148,36 +153,39 @@ class Dressing:
         step_m: float = STEP_M,
         under: Dressed | None = None,
         elements: bool = False,
+        resumed: Path | None = None,
     ) -> None:
         ring = body_ring(clone, ring_level) if ring_level is not None else None
         below = None if under is None else under.below()
         self.worn, self._under = put_on(clone, pattern, ring, fabric, motion, step_m, below, elements=elements), under
         self._clone, self._fabric, self._motion, self._cycles = clone, fabric, motion, cycles
-        self._moving = simulate(self.worn, cycles)
-        self._done = 0
-        self._put: list[Array] = []
+        self._frames: list[Array] = []
+        self._resumed, state = resumed, None
+        if resumed is not None:
+            self._key = told_by(self.worn, cycles)
+            self._frames, state = kept(resumed, self._key) or ([], None)
+        self._moving = simulate(self.worn, cycles, len(self._frames), state)
 
     def hung(self, watch: Watch = unwatched, *, progress: Progress = quiet) -> None:
         """Let the garment hang on the clone at rest; ``watch`` sees every frame."""
-        while self._done < SETTLE:
+        while len(self._frames) < SETTLE:
             places = self._next()
-            watch(self.with_below(places, self._done - 1), np.zeros(3), np.zeros_like(self.worn.rotations[0]))
-            progress("sew", self._done / SETTLE)
+            watch(self.with_below(places, len(self._frames) - 1), np.zeros(3), np.zeros_like(self.worn.rotations[0]))
+            progress("sew", len(self._frames) / SETTLE)
 
     def walked(self, watch: Watch = unwatched, *, progress: Progress = quiet) -> Dressed:
         """Walk with it until a loop is found; ``watch`` sees every frame, once it walks."""
         self.hung(progress=lambda _, __: progress("cloth", 0.0))
         put, count = SETTLE + BLEND - 1, len(self.worn.rotations)
-        total, kept = self._cycles * count, []
-        while self._done < put + total:
-            number, places = self._done - put, self._next()
+        total = self._cycles * count
+        while len(self._frames) < put + total:
+            number, places = len(self._frames) - put, self._next()
             if number >= 0:
-                kept.append(places)
                 all_m = self.with_below(places, number + put)
                 watch(all_m, self.worn.root_m[number % count], self.worn.rotations[number % count])
             progress("cloth", 0.9 * max(number, 0) / total)
         progress("loop", 0.9)
-        loop, first = best_loop(self.worn, np.array(kept)), np.array(self._put)
+        loop, first = best_loop(self.worn, np.array(self._frames[put:])), np.array(self._frames[: put + count])
         return Dressed(self._clone, self._motion, self.worn, loop, self._fabric, first, self._under)
 
     def with_below(self, places_m: Array, frame: int) -> Array:
@@ -186,11 +194,11 @@ class Dressing:
         return places_m if under is None else np.concatenate([under.at(frame), places_m])
 
     def _next(self) -> Array:
-        places = next(self._moving)[1].places_m
-        self._done += 1
-        if self._done < SETTLE + BLEND + len(self.worn.rotations):
-            self._put.append(places)
-        return places
+        state = next(self._moving)[1]
+        self._frames.append(state.places_m)
+        if self._resumed is not None and len(self._frames) % len(self.worn.rotations) == 0:
+            keep(self._resumed, self._key, self._clone.stamp, self._frames, state)
+        return state.places_m
 
 
 def fabric_named(name: str) -> Fabric:

@@ -15,6 +15,7 @@ from cloner.cloth.drafting.cut import cut
 from cloner.cloth.drafting.pattern import Pattern
 from cloner.cloth.dressing import STEP_M, WALK, Dressed, dressed, fabric_named, motion_of, pattern_of, pictures
 from cloner.cloth.glb import glb
+from cloner.cloth.resumed import kept_path
 from cloner.cloth.simulation.fabrics import Fabric
 from cloner.cloth.simulation.wearer import FRAMES_PER_S
 from cloner.errors import ClonerError
@@ -56,6 +57,7 @@ def dress_file(
     length_cm: float | None = None,
     over: Sequence[tuple[str, str]] = (),
     elements: bool = False,
+    resume: bool = False,
     formats: Sequence[str] = (),
     progress: Progress = quiet,
 ) -> tuple[str, ...]:
@@ -66,21 +68,17 @@ def dress_file(
     clone_path : Path
     out : Path
         A .glb, a film, or the garment's points alone: .pc2, .usdc, or .png, a vertex animation texture. Without an
-        ending: a result's folder.
-    garment : str
-        One of `GARMENTS`, or a file of a garment (.json, .svg).
-    fabric : str
-        One of `FABRICS`, or a file of its readings (.toml).
-    motion : str
-        "walk", or a capture of a walk (.bvh).
+        ending: a result's folder, with ``formats``.
+    garment, fabric, motion : str
+        One of `GARMENTS` or a file (.json, .svg); of `FABRICS` or a .toml; "walk" or a captured one (.bvh).
     length_cm : float or None
         Of a named garment, from its ring or the waist down.
     over : sequence of (str, str)
         Garments and fabrics worn over it.
     elements : bool
         Let the source's integrator move the cloth (`cloner.cloth.simulation.implicit`), not threads.
-    formats : sequence of str
-        Of a result's folder.
+    resume : bool
+        Keep frames beside ``out`` until it is written, and go on from those that the same call left.
     progress : callable
         May raise Cancelled.
 
@@ -99,18 +97,22 @@ def dress_file(
     if out.suffix.lower() == PICTURE:
         check_count(len(cut(cuts[-1][0], STEP_M).flat_m), cuts[-1][0].name)
     step_m = STEP_M if out.suffix else FOLDER_STEP_M
-    found = _worn(clone, list(zip(cuts, fabrics, strict=True)), motion_of(clone, motion), step_m, elements, progress)
+    rests = [kept_path(out, number) if resume else None for number in range(len(cuts))]
+    pieces = list(zip(cuts, fabrics, rests, strict=True))
+    found = _worn(clone, pieces, motion_of(clone, motion), step_m, elements, progress)
     progress("export", 0.97)
     if out.suffix:
         write_dressed(found, out)
     else:
         write_clothed(found, plain, clone_path, out, [one.name for one, _ in cuts], formats, progress)
+    for rest in filter(None, rests):
+        rest.unlink(missing_ok=True)
     return (*map(_said, found.layers), str(out))
 
 
 def _worn(
     clone: Clone,
-    pieces: Sequence[tuple[tuple[Pattern, str | None], Fabric]],
+    pieces: Sequence[tuple[tuple[Pattern, str | None], Fabric, Path | None]],
     walk: Motion,
     step_m: float,
     elements: bool,
@@ -118,11 +120,12 @@ def _worn(
 ) -> Dressed:
     """Return a clone in all its garments, the first one innermost."""
     found: Dressed | None = None
-    for number, ((pattern, ring_level), cloth) in enumerate(pieces):
+    for number, ((pattern, ring_level), cloth, rest) in enumerate(pieces):
         share = functools.partial(_share, progress, number, len(pieces))
         found = dressed(
-            clone, pattern, ring_level, cloth, walk, step_m=step_m, under=found, elements=elements, progress=share
-        )
+            clone, pattern, ring_level, cloth, walk,
+            step_m=step_m, under=found, elements=elements, resumed=rest, progress=share,
+        )  # fmt: skip
     assert found is not None
     return found
 

@@ -94,9 +94,7 @@ def dress(
     ],
     garment: Annotated[
         str,
-        typer.Option(
-            help="skirt, circle-, straight-, long-skirt, cape, tee, dress, coat, trousers, .json, .svg or .mhclo."
-        ),
+        typer.Option(help="skirt, circle-, straight-, long-skirt, cape, tee, dress, coat, trousers or a file of one."),
     ] = "skirt",
     fabric: Annotated[
         str, typer.Option(help="silk, cotton, linen, wool, denim, burlap, or a .toml of KES readings.")
@@ -109,6 +107,9 @@ def dress(
     integrator: Annotated[
         str, typer.Option("--integrator", help="threads (fast), or elements (more exact, ten times as long).")
     ] = "threads",
+    resume: Annotated[
+        bool, typer.Option("--resume", help="Keep frames beside --out until it is written, and go on from them.")
+    ] = False,
     formats: FormatOption = DEFAULT_FORMATS,
 ) -> None:
     """Put a garment on a clone and let its cloth flow in a loop with the walk."""
@@ -116,13 +117,13 @@ def dress(
     from cloner.cloth.written import dress_file
 
     if integrator not in INTEGRATORS:
-        hint = f"Give {' or '.join(INTEGRATORS)}"
-        raise ClonerError(f"the integrator {integrator!r} is not known", hint, "--integrator")
+        raise ClonerError(
+            f"the integrator {integrator!r} is not known", f"Give {' or '.join(INTEGRATORS)}", "--integrator"
+        )
     is_fitted = Path(garment).suffix.lower() == ENDING
     if is_fitted and (over or length is not None):
         raise ClonerError("a fitted garment keeps its size and is worn alone", "Dress the result again", garment)
     worn_over = [(name, other or fabric) for name, _, other in (one.partition(":") for one in over or ())]
-
     with ProgressLine() as progress:
         if is_fitted:
             say(fit_folder(clone_path, Path(garment), out, formats=split_formats(formats), progress=progress))
@@ -136,6 +137,7 @@ def dress(
             length_cm=length,
             over=worn_over,
             elements=integrator == INTEGRATORS[1],
+            resume=resume,
             formats=split_formats(formats),
             progress=progress,
         )

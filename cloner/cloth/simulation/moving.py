@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
@@ -167,8 +167,11 @@ def _eased(sheet: Sheet, body: Wearer, met_m: Array, places_m: Array) -> Array:
     return out
 
 
-def simulate(worn: Worn, cycles: int) -> Iterator[tuple[int, State]]:
-    """Yield the cloth's state after every frame: negative numbers while it is put on, then from 0 on."""
+def simulate(worn: Worn, cycles: int, done: int = 0, state: State | None = None) -> Iterator[tuple[int, State]]:
+    """Yield the cloth's state after every frame: negative numbers while it is put on, then from 0 on.
+
+    With ``done`` frames behind it, it goes on from the ``state`` after the last of them.
+    """
     count = len(worn.rotations)
     poses = [(np.zeros(3), np.zeros_like(worn.rotations[0]))] * SETTLE
     for number in range(1, BLEND + 1):
@@ -176,13 +179,17 @@ def simulate(worn: Worn, cycles: int) -> Iterator[tuple[int, State]]:
         poses.append((share * worn.root_m[0], share * worn.rotations[0]))
     put = len(poses)
     poses += [(worn.root_m[k % count], worn.rotations[k % count]) for k in range(1, cycles * count)]
-    state = worn.start
-    under = worn.under
-    before = worn.met(*poses[0], None if under is None else under.at(0))
-    for number, pose in enumerate(poses):
-        now = worn.met(*pose, None if under is None else under.at(number))
+    state = worn.start if state is None else state
+    before = _met_at(worn, poses, max(done - 1, 0))
+    for number in range(done, len(poses)):
+        now = _met_at(worn, poses, number)
         state = worn.after(state, before, now, walks=number >= put)
         if number < SETTLE:
             state = replace(state, speeds_m_s=CALM * state.speeds_m_s)
         before = now
         yield number - put + 1, state
+
+
+def _met_at(worn: Worn, poses: Sequence[tuple[Array, Array]], number: int) -> Met:
+    """Return what the cloth meets in a frame counted from the beginning."""
+    return worn.met(*poses[number], None if worn.under is None else worn.under.at(number))

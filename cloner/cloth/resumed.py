@@ -1,0 +1,72 @@
+"""Frames of a simulation kept beside what is written, so that one that was stopped goes on where it was."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+from pathlib import Path
+from typing import Any, Final
+
+import numpy as np
+
+import cloner
+from cloner.cloth.simulation.forces import Slips
+from cloner.cloth.simulation.moving import Worn
+from cloner.cloth.simulation.solver import State
+from cloner.exporters.shared.files import write_bytes
+from cloner.project.archives import BROKEN, opened
+from cloner.records.arrays import Array
+
+#: No simulation's frames take more: three hundred of twenty thousand vertices are a tenth of it.
+MOST_BYTES: Final = 2 << 30
+
+
+def kept_path(out: Path, number: int) -> Path:
+    """Return where the frames of the ``number``-th garment lie while ``out`` is made: hidden, beside it."""
+    return out.with_name(f".{out.name}.{number}.frames")
+
+
+def told_by(worn: Worn, cycles: int) -> str:
+    """Return a digest of all that a simulation follows from."""
+    digest = hashlib.sha256(repr((cloner.__version__, cycles, worn.system is None, worn.sheet.fabric)).encode())
+    below = () if worn.under is None else (worn.under.put_m, worn.under.loop_m)
+    sheet = worn.sheet
+    for values in (worn.start.places_m, sheet.rest_m, sheet.mass_kg, sheet.held, worn.met_in(0).skin_m, *below):
+        digest.update(np.ascontiguousarray(values).tobytes())
+    for values in (worn.root_m, worn.rotations):
+        digest.update(np.ascontiguousarray(values).tobytes())
+    return digest.hexdigest()
+
+
+def keep(path: Path, key: str, stamp: str, frames_m: list[Array], state: State) -> None:
+    """Keep frames (F, N, 3) and the state after the last of them; readable by their owner alone.
+
+    The clone's ``stamp`` stands in it as in every output, so that what is left of a visitor is found.
+
+    Raises
+    ------
+    ClonerError
+        If they cannot be written.
+    """
+    told: dict[str, Any] = {"key": np.array(key), "frames_m": np.array(frames_m), "speeds_m_s": state.speeds_m_s}
+    told["stamp"] = np.frombuffer(stamp.encode(), np.uint8)
+    if state.slips is not None:
+        told |= {"strain": state.slips.strain, "bent_m": state.slips.bent_m}
+    data = io.BytesIO()
+    np.savez(data, **told)
+    write_bytes(path, data.getvalue())
+
+
+def kept(path: Path, key: str) -> tuple[list[Array], State] | None:
+    """Return the frames of the same simulation and the state after them; None where there are none."""
+    try:
+        with opened(path, MOST_BYTES) as told:
+            if str(told["key"]) != key:
+                return None
+            frames, speeds = told["frames_m"], told["speeds_m_s"]
+            slips = Slips(told["strain"], told["bent_m"]) if "strain" in told else None
+    except BROKEN:  # none, or cut off
+        return None
+    if frames.ndim != 3 or not len(frames) or frames[0].shape != speeds.shape:
+        return None
+    return list(frames), State(frames[-1], speeds, slips)
