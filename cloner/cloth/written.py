@@ -98,8 +98,9 @@ def dress_file(
         check_count(len(cut(cuts[-1][0], STEP_M).flat_m), cuts[-1][0].name)
     step_m = STEP_M if out.suffix else FOLDER_STEP_M
     rests = [kept_path(out, number) if resume else None for number in range(len(cuts))]
-    pieces = list(zip(cuts, fabrics, rests, strict=True))
-    found = _worn(clone, pieces, motion_of(clone, motion), step_m, elements, progress)
+    found = _worn(
+        clone, list(zip(cuts, fabrics, rests, strict=True)), motion_of(clone, motion), step_m, elements, progress
+    )
     progress("export", 0.97)
     if out.suffix:
         write_dressed(found, out)
