@@ -67,8 +67,7 @@ def dress_file(
     ----------
     clone_path : Path
     out : Path
-        A .glb, a film, or the garment's points alone: .pc2, .usdc, or .png, a vertex animation texture. Without an
-        ending: a result's folder, with ``formats``.
+        A .glb, a film, or the garment's points alone (.pc2, .usdc, .png). Without an ending: a result's folder.
     garment, fabric, motion : str
         One of `GARMENTS` or a file (.json, .svg); of `FABRICS` or a .toml; "walk" or a captured one (.bvh).
     length_cm : float or None
@@ -98,9 +97,7 @@ def dress_file(
         check_count(len(cut(cuts[-1][0], STEP_M).flat_m), cuts[-1][0].name)
     step_m = STEP_M if out.suffix else FOLDER_STEP_M
     rests = [kept_path(out, number) if resume else None for number in range(len(cuts))]
-    found = _worn(
-        clone, list(zip(cuts, fabrics, rests, strict=True)), motion_of(clone, motion), step_m, elements, progress
-    )
+    found = _worn(clone, cuts, fabrics, rests, motion_of(clone, motion), step_m, elements, progress)
     progress("export", 0.97)
     if out.suffix:
         write_dressed(found, out)
@@ -113,7 +110,9 @@ def dress_file(
 
 def _worn(
     clone: Clone,
-    pieces: Sequence[tuple[tuple[Pattern, str | None], Fabric, Path | None]],
+    cuts: Sequence[tuple[Pattern, str | None]],
+    fabrics: Sequence[Fabric],
+    rests: Sequence[Path | None],
     walk: Motion,
     step_m: float,
     elements: bool,
@@ -121,10 +120,10 @@ def _worn(
 ) -> Dressed:
     """Return a clone in all its garments, the first one innermost."""
     found: Dressed | None = None
-    for number, ((pattern, ring_level), cloth, rest) in enumerate(pieces):
-        share = functools.partial(_share, progress, number, len(pieces))
+    for number, ((pattern, ring_level), fabric, rest) in enumerate(zip(cuts, fabrics, rests, strict=True)):
+        share = functools.partial(_share, progress, number, len(cuts))
         found = dressed(
-            clone, pattern, ring_level, cloth, walk,
+            clone, pattern, ring_level, fabric, walk,
             step_m=step_m, under=found, elements=elements, resumed=rest, progress=share,
         )  # fmt: skip
     assert found is not None
