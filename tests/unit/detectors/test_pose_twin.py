@@ -57,10 +57,12 @@ def test_a_back_read_as_a_side_takes_the_front_s_pose() -> None:
     misread = truth.copy()
     for pair in (net.HIPS, net.KNEES, net.ANKLES):
         misread[list(pair), 0] = 190.0
+    misread[net.ELBOWS[0]] += 3.0  # on the person: the arms' own pose stays
     front = proposal(ViewId.BODY_FRONT, front_pose(), drawn(front_pose()))
     back = proposal(ViewId.BODY_BACK, misread, behind(front_pose()))
     out = twins_put_right({ViewId.BODY_FRONT: front, ViewId.BODY_BACK: back})
     assert out[ViewId.BODY_FRONT] is front
+    assert (out[ViewId.BODY_BACK].pose_px[net.ELBOWS[0]] == misread[net.ELBOWS[0]]).all()
     rows = [row for pair in LEFT for row in pair]
     assert np.abs(out[ViewId.BODY_BACK].pose_px[rows] - truth[rows]).max() < 8.0
 
@@ -99,6 +101,7 @@ def test_a_figure_cut_by_its_picture_tells_nothing_of_the_other() -> None:
 def test_sides_count_in_the_fit() -> None:
     figure = figure_of(drawn(front_pose()))
     assert figure is not None
-    assert fits(front_pose(), figure, 1.0) > 0.9
-    assert fits(front_pose(), figure, -1.0) < 0.1
+    for chain in ((net.SHOULDERS, net.ELBOWS, net.WRISTS), (net.HIPS, net.KNEES, net.ANKLES)):
+        assert fits(front_pose(), chain, figure, 1.0) > 0.9
+        assert fits(front_pose(), chain, figure, -1.0) < 0.1
     assert np.allclose(mirrored_onto(front_pose(), figure, figure)[net.WRISTS[0]], front_pose()[net.WRISTS[1]], atol=3)
