@@ -1,4 +1,4 @@
-"""A back photo shows the front photo's figure in the mirror: limbs misread in one of both are taken from the other.
+"""A back photo shows the front photo's figure in the mirror: a pose misread in one of both is taken from the other.
 
 The net was taught on people who face the camera. Long hair behind a head can make it read a back as a side, with both
 knees between the legs and elbows on the trunk, while the outline is as clear as in front.
@@ -6,7 +6,7 @@ knees between the legs and elbows on the trunk, while the outline is as clear as
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from itertools import pairwise
 from typing import Final
@@ -23,17 +23,16 @@ from cloner.vision.segmentation.outline_walk import Figure, figure_of
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
 _CALIBRATED: Final = calibrated("detectors.pose_twin")
 
-BETTER: Final = _CALIBRATED.number("better", "share")
+DOUBTED: Final = _CALIBRATED.number("doubted", "share")
 APART: Final = _CALIBRATED.number("apart", "figure")
 #: Places along every bone that are asked, shares of its length.
 _ALONG: Final = np.linspace(0.0, 1.0, 5)
-#: Arms and legs as chains of joints, left and right, and what else goes with them.
-_ARMS: Final = ((net.SHOULDERS, net.ELBOWS, net.WRISTS), net.FINGERS)
-_LEGS: Final = ((net.HIPS, net.KNEES, net.ANKLES), (net.HEELS, net.TOES))
+#: Limbs as chains of joints, left and right.
+_CHAINS: Final = ((net.SHOULDERS, net.ELBOWS, net.WRISTS), (net.HIPS, net.KNEES, net.ANKLES))
 
 
 def twins_put_right(views: Mapping[ViewId, Proposal]) -> dict[ViewId, Proposal]:
-    """Return the proposals, arms or legs that their own outline contradicts replaced by the other's mirror image.
+    """Return the proposals, a front or back pose that its own outline contradicts replaced by the other's mirror image.
 
     Parameters
     ----------
@@ -53,17 +52,9 @@ def _with_better_pose(own: Proposal, twin: Proposal) -> Proposal:
         return own
     moved = mirrored_onto(twin.pose_px, seen, figure)
     facing = 1.0 if own.view is ViewId.BODY_FRONT else -1.0
-    taken = [
-        [row for pair in (*chain, *ends) for row in pair]
-        for chain, ends in (_ARMS, _LEGS)
-        if fits(moved, chain, figure, facing) >= fits(own.pose_px, chain, figure, facing) + BETTER
-    ]
-    if not taken:
+    if fits(own.pose_px, figure, facing) >= DOUBTED or fits(moved, figure, facing) < DOUBTED:
         return own
-    rows = taken[0] if len(taken) == 1 else list(range(len(moved)))  # the head too where all is misread
-    pose, visibility = own.pose_px.copy(), own.pose_visibility.copy()
-    pose[rows], visibility[rows] = moved[rows], twin.pose_visibility[rows]
-    return replace(own, pose_px=pose, pose_visibility=visibility)
+    return replace(own, pose_px=moved, pose_visibility=twin.pose_visibility, barefoot=twin.barefoot)
 
 
 def mirrored_onto(pose_px: Array, seen: Figure, figure: Figure) -> Array:
@@ -79,21 +70,22 @@ def mirrored_onto(pose_px: Array, seen: Figure, figure: Figure) -> Array:
     return np.column_stack([column, row])
 
 
-def fits(pose_px: Array, chain: Sequence[tuple[int, int]], figure: Figure, facing: float) -> float:
-    """Return how much of two limbs lies on the person, left and right on their own sides, 0..1.
+def fits(pose_px: Array, figure: Figure, facing: float) -> float:
+    """Return how much of the limbs lies on the person, left and right on their own sides, 0..1.
 
     Parameters
     ----------
     pose_px : (33, 2) float64
-    chain : sequence of (int, int)
-        Rows of the left and the right limb's joints.
     figure : Figure
     facing : float
         1 where the person's left lies to the image's right, -1 where it lies to its left.
     """
-    left, right = (_along([pose_px[pair[side]] for pair in chain]) for side in (net.LEFT, net.RIGHT))
-    apart = facing * (left[:, 0] - right[:, 0]) > APART * figure.height_px
-    return float((apart & figure.inside(left) & figure.inside(right)).mean())
+    told = []
+    for chain in _CHAINS:
+        left, right = (_along([pose_px[pair[side]] for pair in chain]) for side in (net.LEFT, net.RIGHT))
+        apart = facing * (left[:, 0] - right[:, 0]) > APART * figure.height_px
+        told.append(apart & figure.inside(left) & figure.inside(right))
+    return float(np.concatenate(told).mean())
 
 
 def _along(joints: list[Array]) -> Array:

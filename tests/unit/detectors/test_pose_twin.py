@@ -55,16 +55,24 @@ def behind(pose: np.ndarray) -> np.ndarray:
 def test_a_back_read_as_a_side_takes_the_front_s_pose() -> None:
     truth = back_of(front_pose())
     misread = truth.copy()
-    for pair in (net.HIPS, net.KNEES, net.ANKLES):
+    for pair in (net.ELBOWS, net.WRISTS, net.HIPS, net.KNEES, net.ANKLES):
         misread[list(pair), 0] = 190.0
-    misread[net.ELBOWS[0]] += 3.0  # on the person: the arms' own pose stays
     front = proposal(ViewId.BODY_FRONT, front_pose(), drawn(front_pose()))
     back = proposal(ViewId.BODY_BACK, misread, behind(front_pose()))
     out = twins_put_right({ViewId.BODY_FRONT: front, ViewId.BODY_BACK: back})
     assert out[ViewId.BODY_FRONT] is front
-    assert (out[ViewId.BODY_BACK].pose_px[net.ELBOWS[0]] == misread[net.ELBOWS[0]]).all()
     rows = [row for pair in LEFT for row in pair]
     assert np.abs(out[ViewId.BODY_BACK].pose_px[rows] - truth[rows]).max() < 8.0
+
+
+def test_a_pose_that_mostly_lies_on_the_person_is_its_own() -> None:
+    off = back_of(front_pose())
+    off[list(net.ANKLES), 0] = 190.0
+    views = {
+        ViewId.BODY_FRONT: proposal(ViewId.BODY_FRONT, front_pose(), drawn(front_pose())),
+        ViewId.BODY_BACK: proposal(ViewId.BODY_BACK, off, behind(front_pose())),
+    }
+    assert twins_put_right(views) == views
 
 
 def test_a_back_that_its_outline_bears_out_is_kept() -> None:
@@ -101,7 +109,6 @@ def test_a_figure_cut_by_its_picture_tells_nothing_of_the_other() -> None:
 def test_sides_count_in_the_fit() -> None:
     figure = figure_of(drawn(front_pose()))
     assert figure is not None
-    for chain in ((net.SHOULDERS, net.ELBOWS, net.WRISTS), (net.HIPS, net.KNEES, net.ANKLES)):
-        assert fits(front_pose(), chain, figure, 1.0) > 0.9
-        assert fits(front_pose(), chain, figure, -1.0) < 0.1
+    assert fits(front_pose(), figure, 1.0) > 0.9
+    assert fits(front_pose(), figure, -1.0) < 0.1
     assert np.allclose(mirrored_onto(front_pose(), figure, figure)[net.WRISTS[0]], front_pose()[net.WRISTS[1]], atol=3)
