@@ -31,9 +31,8 @@ def told_by(worn: Worn, cycles: int) -> str:
     digest = hashlib.sha256(repr((cloner.__version__, cycles, worn.system is None, worn.sheet.fabric)).encode())
     below = () if worn.under is None else (worn.under.put_m, worn.under.loop_m)
     sheet = worn.sheet
-    for values in (worn.start.places_m, sheet.rest_m, sheet.mass_kg, sheet.held, worn.met_in(0).skin_m, *below):
-        digest.update(np.ascontiguousarray(values).tobytes())
-    for values in (worn.root_m, worn.rotations):
+    cloth = (worn.start.places_m, sheet.rest_m, sheet.mass_kg, sheet.held)
+    for values in (*cloth, worn.met_in(0).skin_m, *below, worn.root_m, worn.rotations):
         digest.update(np.ascontiguousarray(values).tobytes())
     return digest.hexdigest()
 
