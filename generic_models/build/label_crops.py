@@ -1,15 +1,17 @@
-"""Photographs of the people kit as the label net sees them: crops, features, labels.
+"""Photographs of the people kit as the label net sees them: crops, features, labels, joints, the body under clothes.
 
 ``python generic_models/build/label_crops.py KIT PEOPLE WORK --workers 2``: KIT is the folder of the generator of
-labelled people (``make_people.py``), PEOPLE how many to draw, WORK where photographs and crops are kept. What is there
-already is kept, so a stopped run goes on.
+labelled people (``make_people.py``), PEOPLE how many to draw, WORK where crops are kept. What is there already is kept,
+so a stopped run goes on; ``--minutes`` ends it in time.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import shutil
 import sys
+import time
 from collections.abc import Iterator
 from functools import lru_cache
 from itertools import count, islice
@@ -33,6 +35,41 @@ VIEWS = {"face": (("face_front", "face_side"), 640), "body": (("body_front", "bo
 COPIES = 2
 SIDE = 256
 OUTSIDE = 255  # label of what lies beyond the photo
+#: Points that the net is taught to find in a person's crop: the kit's joints, then points of the skin.
+JOINTS = tuple(f"{joint}_{side}" for joint in ("shoulder", "elbow", "wrist", "hip", "knee", "ankle") for side in "LR")
+SKIN_POINTS = (
+    "acromion_L", "acromion_R", "neck_base_L", "neck_base_R",
+    "crotch", "nape", "neck_front_base", "vertex_top", "chin_bottom",
+)  # fmt: skip
+POINTS = (*JOINTS, *SKIN_POINTS)
+#: Beginnings of the names of the kit's bones, by limb.
+LIMBS = {
+    "upper_arm": ("upperarm",), "lower_arm": ("lowerarm",), "hand": ("wrist", "metacarpal", "finger"),
+    "thigh": ("upperleg",), "shank": ("lowerleg",), "foot": ("foot", "toe"),
+}  # fmt: skip
+#: Parts of the naked body, 1 and on (0 is none): beginnings and end of the names of their bones.
+PARTS = {
+    "head": (
+        (
+            "head",
+            "jaw",
+            "eye",
+            "tongue",
+            "levator",
+            "oculi",
+            "orbicularis",
+            "oris",
+            "risorius",
+            "special",
+            "temporalis",
+        ),
+        "",
+    ),
+    "trunk": (("root", "spine", "pelvis", "breast", "clavicle", "shoulder", "neck"), ""),
+    **{f"{limb}_{side}": (begins, f".{side}") for limb, begins in LIMBS.items() for side in "LR"},
+}
+#: Longer side of the picture of parts before it is cut, and side of its crops, px.
+DRAWN, PART_SIDE = 512, 128
 
 
 def is_wanted(person: dict[str, Any], seed: int) -> bool:
@@ -62,16 +99,37 @@ def wanted_seeds(kit: Path, people: int) -> list[int]:
     return list(islice((seed for seed, person in drawn if is_wanted(person, seed)), people))
 
 
-def photograph(task: tuple[Path, Path, int]) -> None:
-    """Photograph one person, without the truth that labels do not need."""
-    kit, work, seed = task
+def photograph(kit: Path, work: Path, seed: int) -> list[Path]:
+    """Photograph one person; return the folders of its photos of face and body."""
+    make_people, maker = generator(kit)
     for kind, (views, width) in VIEWS.items():
-        folder = work / kind / f"p{seed:05d}"
-        if not (folder / "done").exists():
-            make_people, maker = generator(kit)
-            make_people.person(maker, seed, str(work / kind), list(views), width, quiet=True)
-            (folder / "truth_body.npz").unlink()
-            (folder / "done").touch()
+        make_people.person(maker, seed, str(work / kind), list(views), width, quiet=True)
+    return [work / kind / f"p{seed:05d}" for kind in VIEWS]
+
+
+@lru_cache(maxsize=1)
+def part_of_vertex(kit: Path) -> NDArray[np.uint8]:
+    """Return which of `PARTS`, counted from 1, carries each vertex of the kit's body."""
+    _, maker = generator(kit)
+    of_bone = np.zeros(len(maker.m.bones), np.uint8)
+    for number, (begins, end) in enumerate(PARTS.values(), 1):
+        of_bone[[name.startswith(begins) and name.endswith(end) for name in maker.m.bones]] = number
+    return np.asarray(of_bone[np.asarray(maker.m.W.argmax(axis=1)).ravel()], np.uint8)
+
+
+def draw_parts(vertices: NDArray[np.float64], quads: NDArray[np.int64], parts: NDArray[np.uint8],
+               camera: dict[str, Any], scale: float) -> NDArray[np.uint8]:  # fmt: skip
+    """Return a picture of the naked body's parts: its quads, the far ones first."""
+    world = np.asarray(camera["world_to_camera"])
+    seen = vertices @ world[:3, :3].T + world[:3, 3]
+    places = seen[:, :2] / seen[:, 2:] * (camera["fx"], camera["fy"]) + (camera["cx"], camera["cy"])
+    picture = np.zeros((round(camera["height"] * scale), round(camera["width"] * scale)), np.uint8)
+    corners = np.round(places[quads] * scale * 16.0).astype(np.int32)
+    order = np.argsort(-seen[quads, 2].mean(axis=1))
+    part = np.sort(parts[quads], axis=1)[:, 1]
+    for quad in order:
+        cv2.fillConvexPoly(picture, corners[quad], int(part[quad]), cv2.LINE_4, 4)
+    return picture
 
 
 def crops_of(view: str, labels: NDArray[np.uint8], points: dict[str, Any], rng: np.random.Generator) -> Iterator[Crop]:
@@ -120,29 +178,67 @@ def in_other_light(rgb: NDArray[np.uint8], rng: np.random.Generator, *, strong: 
     return np.asarray(np.clip(255.0 * light, 0.0, 255.0), np.uint8)
 
 
-def cut_person(folder: Path) -> tuple[NDArray[np.float16], NDArray[np.uint8], NDArray[np.uint8]]:
-    """Return features (N, F) float16, crops (N, 256, 256, 3) and labels (N, 256, 256) of one person's photos."""
-    points = json.loads((folder / "truth.json").read_text())["features"]
+def mirrored_names(names: tuple[str, ...]) -> list[int]:
+    """Return where each name's mirror image stands."""
+    swap = {"L": "R", "R": "L"}
+    return [names.index(name[:-1] + swap[name[-1]] if name[-2:] in ("_L", "_R") else name) for name in names]
+
+
+#: Rows of points, and of parts with "none" first, after a picture was mirrored.
+POINT_MIRROR = np.array(mirrored_names(POINTS))
+PART_MIRROR = np.array([0, *(1 + np.array(mirrored_names(tuple(PARTS))))], np.uint8)
+
+
+def cut_person(folder: Path, kit: Path) -> dict[str, NDArray[Any]]:
+    """Return what the decoder is taught by one person's photos: a row a crop.
+
+    ``features`` (N, F) float16, ``rgb`` (N, 256, 256, 3), ``labels`` (N, 256, 256), ``parts`` (N, 128, 128) and
+    ``points`` (N, P, 2) float16, px of the crop, NaN where a crop is not of the whole person.
+    """
+    truth = json.loads((folder / "truth.json").read_text())
+    with np.load(folder / "truth_body.npz") as arrays:
+        quads = arrays["faces"]
+        bodies = {view: arrays[f"vertices_{view}"] for view in truth["features"]}
     seed = int(folder.name[1:])
-    features, crops, labelled = [], [], []
-    for view in points:
+    found: dict[str, list[NDArray[Any]]] = {name: [] for name in ("features", "rgb", "labels", "parts", "points")}
+    for view, features in truth["features"].items():
         photo = np.asarray(Image.open(folder / f"{view}.jpg").convert("RGB"))
-        truth = np.asarray(Image.open(folder / f"{view}_labels.png"))
+        labels = np.asarray(Image.open(folder / f"{view}_labels.png"))
+        scale = DRAWN / max(labels.shape)
+        parts = draw_parts(bodies[view], quads, part_of_vertex(kit), truth["cameras"][view], scale)
+        joints = features["joints_2d"] | {name: features["points"][name]["xy"] for name in SKIN_POINTS}
+        places = np.array([joints[name] for name in POINTS]) - 0.5  # the kit's origin is a pixel's corner
         for copy in range(COPIES):
             rng = np.random.default_rng([seed, copy, sum(map(ord, view))])
             wall = copy > 0 and rng.random() < 0.22
-            rgb = before_another_wall(photo, truth, rng) if wall else photo
-            for crop in crops_of(view, truth, points[view]["points"], rng):
-                image, label = cut_pair(rgb, truth, crop)
+            rgb = before_another_wall(photo, labels, rng) if wall else photo
+            for number, crop in enumerate(crops_of(view, labels, features["points"], rng)):
+                image, label = cut_pair(rgb, labels, crop)
                 image = in_other_light(image, rng, strong=copy > 0)
                 image[label == OUTSIDE] = 0
+                part = cut_parts(parts, crop, scale)
+                point = np.full((len(POINTS), 2), np.nan)
+                if number == 0 and view.startswith("body"):
+                    photo_from_crop = photo_px_from_crop(crop, width=SIDE, height=SIDE)
+                    point = (places - photo_from_crop[:, 2]) @ np.linalg.inv(photo_from_crop[:, :2]).T
                 if rng.random() < 0.5:
                     image, label = np.ascontiguousarray(image[:, ::-1]), np.ascontiguousarray(label[:, ::-1])
+                    part = PART_MIRROR[part[:, ::-1]]
+                    point = point[POINT_MIRROR] * (-1.0, 1.0) + (SIDE - 1.0, 0.0)
                 planes = [np.clip(plane, -6e4, 6e4).astype(np.float16).ravel() for plane in label_features(image)]
-                features.append(np.concatenate(planes))
-                crops.append(image)
-                labelled.append(label)
-    return np.stack(features), np.stack(crops), np.stack(labelled)
+                rows = (np.concatenate(planes), image, label, part, point.astype(np.float16))
+                for kept, row in zip(found.values(), rows, strict=True):
+                    kept.append(row)
+    return {name: np.stack(rows) for name, rows in found.items()}
+
+
+def cut_parts(parts: NDArray[np.uint8], crop: Crop, scale: float) -> NDArray[np.uint8]:
+    """Return a crop of a picture of parts, `PART_SIDE` px a side."""
+    photo_from_crop = photo_px_from_crop(crop, width=PART_SIDE, height=PART_SIDE)
+    drawn_from_crop = photo_from_crop * scale
+    drawn_from_crop[:, 2] += (scale - 1.0) / 2.0
+    flags = cv2.INTER_NEAREST | cv2.WARP_INVERSE_MAP
+    return np.asarray(cv2.warpAffine(parts, drawn_from_crop, (PART_SIDE, PART_SIDE), flags=flags), np.uint8)
 
 
 def cut_pair(
@@ -155,13 +251,20 @@ def cut_pair(
     return cut(np.ascontiguousarray(rgb), crop, width=SIDE, height=SIDE), np.asarray(kind, np.uint8)
 
 
-def cut_to_file(task: tuple[Path, Path]) -> None:
+def teach(task: tuple[Path, Path, int]) -> int:
     """Keep crops, features and labels of one person's photos."""
-    folder, target = task
+    kit, work, seed = task
+    target = work / "crops" / f"p{seed:05d}"
     if not target.with_suffix(".npz").exists():
-        features, rgb, labels = cut_person(folder)
-        np.save(target.with_suffix(".npy"), features)
-        np.savez_compressed(target.with_suffix(".npz"), rgb=rgb, labels=labels)
+        folders = photograph(kit, work, seed)
+        cut = [cut_person(folder, kit) for folder in folders]
+        arrays = {name: np.concatenate([part[name] for part in cut]) for name in cut[0]}
+        np.save(target.with_suffix(".npy"), arrays.pop("features"))
+        np.savez_compressed(part := target.with_suffix(".part.npz"), **arrays)
+        part.rename(target.with_suffix(".npz"))
+        for folder in folders:
+            shutil.rmtree(folder)
+    return seed
 
 
 def main() -> None:
@@ -170,17 +273,17 @@ def main() -> None:
     parser.add_argument("people", type=int)
     parser.add_argument("work", type=Path)
     parser.add_argument("--workers", type=int, default=2)
+    parser.add_argument("--minutes", type=float, default=float("inf"))
     given = parser.parse_args()
-    crops = given.work / "crops"
-    crops.mkdir(parents=True, exist_ok=True)
+    end = time.monotonic() + 60.0 * given.minutes
+    (given.work / "crops").mkdir(parents=True, exist_ok=True)
     with get_context("spawn").Pool(given.workers) as pool:
-        seeds = wanted_seeds(given.kit, given.people)
-        for _ in pool.imap_unordered(photograph, [(given.kit, given.work, seed) for seed in seeds]):
-            pass
-        folders = [done.parent for kind in VIEWS for done in sorted((given.work / kind).glob("p*/done"))]
-        tasks = [(folder, crops / f"{folder.parent.name}_{folder.name}") for folder in folders]
-        for done, _ in enumerate(pool.imap_unordered(cut_to_file, tasks), 1):
-            print(f"{done} of {len(tasks)}", flush=True)
+        tasks = [(given.kit, given.work, seed) for seed in wanted_seeds(given.kit, given.people)]
+        for done, _ in enumerate(pool.imap_unordered(teach, tasks), 1):
+            if done % 20 == 0:
+                print(f"{done} of {len(tasks)}", flush=True)
+            if time.monotonic() > end:
+                break
 
 
 if __name__ == "__main__":
