@@ -117,6 +117,8 @@ def _round(rgb: NDArray[np.uint8], hair: Floats, person: Flags, never: Flags, he
 
 def fill_slivers(hair: Flags, person: Flags, head_px: float) -> Flags:
     """Return hair (H, W) with the person's thin strips between it and the background: shine at the outline."""
+    if not hair.any():  # also of a head whose ears are the picture's first row: no rows at all
+        return hair
     size = 2 * max(1, round(SLIVER * head_px)) + 1
     disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (size, size))
     shown = (person & ~hair).astype(np.uint8)

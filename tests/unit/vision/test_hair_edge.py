@@ -5,7 +5,7 @@ from __future__ import annotations
 import cv2
 import numpy as np
 
-from cloner.vision.segmentation.hair_edge import fill_slivers, sharpen_hair
+from cloner.vision.segmentation.hair_edge import draw_edge, fill_slivers, sharpen_hair
 
 SIZE, HEAD_PX = (300, 260), 230.0
 
@@ -55,3 +55,10 @@ def test_shine_at_the_outline_is_hair_and_a_forehead_is_not():
     filled = fill_slivers(shine, person, HEAD_PX)
     assert (filled & true)[:58].sum() > 0.98 * true[:58].sum()
     assert not filled[100:140, 70:190].any()
+
+
+def test_a_head_whose_ears_are_the_first_row_has_no_rows_above_them():
+    nothing = np.zeros((0, 40), bool)
+    assert fill_slivers(nothing, nothing, HEAD_PX).shape == (0, 40)
+    rgb, person, true = drawn()
+    assert draw_edge(rgb, true.astype(np.float32), person, None, HEAD_PX, ear_px=0.0).any()
