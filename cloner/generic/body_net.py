@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import functools
 import importlib.resources
-from collections.abc import Collection
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 import numpy as np
 
+from cloner.generic import seen_points
 from cloner.generic.load import GenericHuman
 from cloner.records.arrays import Array, freeze
 from cloner.records.points import Proposal
@@ -143,6 +144,8 @@ def load_body_net() -> BodyNet:
 def net_points(proposal: Proposal, side_shown: str, *, without: Collection[str] = ()) -> NetPoints:
     """Return the calibrated points of one photo; none where the net found no pose.
 
+    Points under clothes are the label net's where it looked for them, the others the pose net's.
+
     Parameters
     ----------
     side_shown : str
@@ -150,19 +153,44 @@ def net_points(proposal: Proposal, side_shown: str, *, without: Collection[str] 
     without : collection of str
         Feature points that an operator corrected: the net's opinion of them is left out.
     """
+    rows = [] if not proposal.pose_visibility.any() else [*_posed(proposal, side_shown), *_seen(proposal, side_shown)]
+    told = [row for row in rows if row.corrected_as not in without]
+    return NetPoints(
+        np.array([row.point_px for row in told]).reshape(-1, 2),
+        tuple(row.base for row in told),
+        np.array([row.offset for row in told]).reshape(-1, 3),
+        np.array([row.spread for row in told]),
+    )
+
+
+class _Row(NamedTuple):
+    """One point of `NetPoints`, and the name by which an operator corrects it."""
+
+    point_px: Array
+    base: str
+    offset: Array
+    spread: float
+    corrected_as: str
+
+
+def _posed(proposal: Proposal, side_shown: str) -> Iterator[_Row]:
+    """Yield the pose net's points, less those that the label net was asked for."""
     net = load_body_net()
-    points, bases, offsets, spreads = [], [], [], []
     for row, mark in enumerate(LANDMARKS):
         middle = mark.rows[0] == mark.rows[1]
         for left in (True,) if middle else (True, False):
-            if mark.corrected_as(left) in without or not proposal.pose_visibility.any():
+            base = mark.base(left)
+            if len(proposal.seen_px) and base in seen_points.NAMES and mark.name != "heel":
                 continue
             near = middle or side_shown == ("left" if left else "right")
-            side = side_shown if side_shown in SIDES else ("near" if near else "far")
-            place = SIDES.index(side)
+            place = SIDES.index(side_shown if side_shown in SIDES else ("near" if near else "far"))
             mirrored = side_shown == "right" if middle else not left
-            points.append(proposal.pose_px[mark.rows[not left]])
-            bases.append(mark.base(left))
-            offsets.append(net.offset[place, row] * ((-1.0, 1.0, 1.0) if mirrored else 1.0))
-            spreads.append(_REAL * net.spread[place, row])
-    return NetPoints(np.array(points).reshape(-1, 2), tuple(bases), np.array(offsets).reshape(-1, 3), np.array(spreads))
+            offset = net.offset[place, row] * ((-1.0, 1.0, 1.0) if mirrored else 1.0)
+            spread = _REAL * float(net.spread[place, row])
+            yield _Row(proposal.pose_px[mark.rows[not left]], base, offset, spread, mark.corrected_as(left))
+
+
+def _seen(proposal: Proposal, side_shown: str) -> Iterator[_Row]:
+    """Yield the label net's points."""
+    for point, name in zip(proposal.seen_px, seen_points.NAMES, strict=False):
+        yield _Row(point, name, np.zeros(3), seen_points.spread(name, side_shown), name)

@@ -1,4 +1,4 @@
-"""The label net: a small decoder over features of the pose and selfie nets.
+"""The label net: a small decoder over features of the pose and selfie nets, for labels and for points under clothes.
 
 The two nets were taught by their makers on photographs of real people and stay as they are; the decoder's weights come
 from ``generic_models/build/train_labels.py``. It is small enough to be computed with matrix products and OpenCV's
@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 from importlib.resources import files
-from typing import Final
+from typing import Final, NamedTuple
 
 import cv2
 import numpy as np
@@ -25,6 +25,8 @@ Floats = NDArray[np.float32]
 
 #: Side of the crop that the nets see and of the scores that come back, px.
 SIDE_PX: Final = 256
+#: Side of the maps of points, px.
+POINT_SIDE_PX: Final = 64
 WIDEST: Final = _CALIBRATED.number("widest", "spreads")
 #: Which features enter at which side of the pyramid, px; 9 and 10 are the person masks of both nets.
 LEVELS: Final = ((16, (3, 8)), (32, (2, 7)), (64, (1, 4, 6)), (128, (0, 5)), (256, (9, 10)))
@@ -37,8 +39,23 @@ def _weights() -> dict[str, Floats]:
         return {name: np.asarray(arrays[name], np.float32) for name in arrays.files}
 
 
-def class_scores(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Floats:
-    """Return the log-odds of every class for a crop.
+class Scores(NamedTuple):
+    """What the decoder says of a crop, before any softmax.
+
+    Attributes
+    ----------
+    classes : (11, 256, 256) float32
+        The classes are ``cloner.records.labels.Label``.
+    points : (21, 64, 64) float32
+        Where each of ``cloner.generic.seen_points.NAMES`` lies.
+    """
+
+    classes: Floats
+    points: Floats
+
+
+def decoded(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Scores:
+    """Return the log-odds of every class and of every point's place for a crop.
 
     Parameters
     ----------
@@ -46,16 +63,12 @@ def class_scores(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Floats:
         Inner tensors and masks as ``cloner.detectors.nets.litert.label_features`` gives them.
     rgb : (256, 256, 3) uint8
         The crop.
-
-    Returns
-    -------
-    (11, 256, 256) float32
-        Before the softmax; the classes are ``cloner.records.labels.Label``.
     """
     weights = _weights()
     planes = [_standardised(weights, k, values) for k, values in enumerate(features)]
     picture = np.ascontiguousarray(rgb.transpose(2, 0, 1), np.float32) / np.float32(127.5) - np.float32(1.0)
     x: Floats | None = None
+    points: Floats | None = None
     for side, entering in LEVELS:
         joined = [planes[k] for k in entering]
         if side >= SIDE_PX // 2:
@@ -69,8 +82,17 @@ def class_scores(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Floats:
         while f"b{side}.{block}.dw.weight" in weights:
             x = _separable(weights, f"b{side}.{block}", x)
             block += 1
+        if side == POINT_SIDE_PX:
+            points = _mixed(weights, "p64", x)
     assert x is not None
-    return _mixed(weights, "o", x)
+    assert points is not None
+    return Scores(_mixed(weights, "o", x), points)
+
+
+def shares_of(classes: Floats) -> Floats:
+    """Return (11, h, w) probabilities of the classes from their log-odds."""
+    shares = np.exp(classes - classes.max(axis=0))
+    return np.asarray(shares / shares.sum(axis=0), np.float32)
 
 
 def _standardised(weights: dict[str, Floats], index: int, values: Floats) -> Floats:

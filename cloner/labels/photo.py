@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 from cloner.calibration.loader import calibrated
 from cloner.frames import ViewId
 from cloner.labels.crops import head_crop, person_crop
-from cloner.labels.decoder import SIDE_PX, class_scores
+from cloner.labels.decoder import SIDE_PX, Scores, decoded, shares_of
+from cloner.labels.points import points_seen
 from cloner.records.labels import Label, shows
 from cloner.vision.photographs.crops import Crop, cut, photo_px_from_crop
 from cloner.vision.photographs.head_frame import HeadFrame, find_head
@@ -49,12 +50,15 @@ class Looks:
     box : pair of slices or None
         The head's rows and columns in the photo.
     head : HeadFrame
+    points_px : (21, 2) float64
+        Joints and points under clothes, ``cloner.generic.seen_points.NAMES``; no rows in a photo of the face.
     """
 
     whole: Floats
     near: Floats | None
     box: tuple[slice, slice] | None
     head: HeadFrame
+    points_px: NDArray[np.float64]
 
     def person(self, shape: tuple[int, ...]) -> Floats:
         """Return (H, W) the probability that a pixel of the photo shows the person."""
@@ -90,13 +94,16 @@ def look(
         Pose points in px.
     """
     crop = person_crop(person, view)
-    whole = _in_photo(_class_shares(rgb, crop, features), crop, person.shape)
+    scores = _scores(rgb, crop, features)
+    points = points_seen(scores.points, crop, view) if view.is_body else np.zeros((0, 2))
+    whole = _in_photo(shares_of(scores.classes), crop, person.shape)
     head = find_head(person, face_points, str(view), pose_points)
     near = head_crop(head)
     box = _box(near, person.shape)
     if box is None:
-        return Looks(whole, None, None, head)
-    return Looks(whole, _blended(_class_shares(rgb, near, features), near, whole, box, person.shape), box, head)
+        return Looks(whole, None, None, head, points)
+    close = shares_of(_scores(rgb, near, features).classes)
+    return Looks(whole, _blended(close, near, whole, box, person.shape), box, head, points)
 
 
 def label_photo(
@@ -131,12 +138,10 @@ def label_photo(
     return without_specks(labels, SPECK * looks.head.head_px**2), sure
 
 
-def _class_shares(rgb: Photo, crop: Crop, features: Features) -> Floats:
-    """Return (11, 256, 256) probabilities in a crop."""
+def _scores(rgb: Photo, crop: Crop, features: Features) -> Scores:
+    """Return what the label net says of a crop."""
     image = cut(rgb, crop, width=SIDE_PX, height=SIDE_PX)
-    scores = class_scores(features(image), image)
-    shares = np.exp(scores - scores.max(axis=0))
-    return np.asarray(shares / shares.sum(axis=0), np.float32)
+    return decoded(features(image), image)
 
 
 def _in_photo(shares: Floats, crop: Crop, shape: tuple[int, ...]) -> Floats:

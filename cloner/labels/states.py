@@ -107,23 +107,15 @@ def _box(labels: NDArray[np.uint8], low: NDArray[np.float64], high: NDArray[np.f
     return labels[top:bottom, left:right]
 
 
-def stands_barefoot(labels: NDArray[np.uint8], feet_px: NDArray[np.float64], reach_px: float) -> bool:
-    """Return whether all feet that a body photo shows are bare.
+def stands_barefoot(labels: NDArray[np.uint8], ankles_px: NDArray[np.float64]) -> bool:
+    """Return whether what a body photo shows below the ankles is skin and not shoes.
 
     Parameters
     ----------
     labels : (H, W) uint8
-    feet_px : (N, 2) float64
-        Places in the feet, between heel and toes.
-    reach_px : float
-        Half the side of the square looked at around each place.
+    ankles_px : (N, 2) float64
+        Both ankles, photo px; what lies below the higher one counts.
     """
-    reach = max(reach_px, 1.0)
-    seen = []
-    for place in feet_px:
-        box = _box(labels, place - reach, place + reach + 1)
-        shown = box[shows(box, *SKINS, Label.SHOES, Label.LOWER_CLOTHES)]
-        if shown.size == 0:
-            return False
-        seen.append(float(shows(shown, *SKINS).mean()))
-    return len(seen) > 0 and min(seen) > BARE_FOOT
+    feet = labels[max(0, round(float(ankles_px[:, 1].min()))) :]
+    skin, shoes = int(shows(feet, *SKINS).sum()), int(shows(feet, Label.SHOES).sum())
+    return skin > BARE_FOOT * (skin + shoes)

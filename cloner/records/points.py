@@ -170,6 +170,8 @@ class Proposal:
         Whether the feet have the colour of the face.
     irises_px : (2, 2) float64
         Centres of the person's left and right iris; zeros where no face was found or nobody looked.
+    seen_px : (21, 2) float64
+        Joints and points under clothes, ``cloner.generic.seen_points.NAMES``; no rows where nobody looked for them.
     """
 
     view: ViewId
@@ -182,6 +184,7 @@ class Proposal:
     labels: NDArray[np.uint8]
     barefoot: bool = False
     irises_px: NDArray[np.float64] = field(default_factory=lambda: np.zeros((2, 2)))
+    seen_px: NDArray[np.float64] = field(default_factory=lambda: np.zeros((0, 2)))
 
     def __post_init__(self) -> None:
         freeze(
@@ -193,6 +196,7 @@ class Proposal:
             mask=(np.uint8, (None, None)),
             labels=(np.uint8, (None, None)),
             irises_px=(np.float64, (2, 2)),
+            seen_px=(np.float64, (None, 2)),
         )
 
 

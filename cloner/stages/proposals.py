@@ -23,6 +23,7 @@ from cloner.detectors.nets.results import Box
 from cloner.detectors.table import DETECTORS
 from cloner.errors import ClonerError
 from cloner.frames import ViewId
+from cloner.generic.seen_points import ANKLES
 from cloner.labels.photo import label_photo, look
 from cloner.labels.states import stands_barefoot
 from cloner.records.photos import Photo, PhotoSet
@@ -88,6 +89,8 @@ class Figure:
     labels : (H, W) uint8
     face : tuple
         As :func:`cloner.detectors.face.found.face_in` gives it.
+    seen_px : (21, 2) or (0, 2)
+        Joints and points under clothes.
     """
 
     pose_px: NDArray[np.float64]
@@ -96,6 +99,7 @@ class Figure:
     inside: NDArray[np.bool_]
     labels: NDArray[np.uint8]
     face: Face
+    seen_px: NDArray[np.float64]
 
 
 def find_figure(photo: Photo) -> Figure:
@@ -142,7 +146,7 @@ def _figure(
     if shown is None and visibility.any():
         face = face_behind_hair(photo, pose_px, labels) or face
     probability = np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8)
-    return Figure(pose_px, visibility, probability, mask > 0.5, labels, face)
+    return Figure(pose_px, visibility, probability, mask > 0.5, labels, face, looks.points_px)
 
 
 def both_masks(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:
@@ -234,8 +238,9 @@ def propose_within(photo: Photo, figure: Figure) -> Proposal:
         presence,
         figure.probability,
         figure.labels,
-        photo.view.is_body and barefoot(figure),
+        photo.view.is_body and stands_barefoot(figure.labels, figure.seen_px[ANKLES]),
         irises,
+        figure.seen_px,
     )
     return free_profile(photo, found) if photo.view is ViewId.FACE_SIDE else found
 
@@ -249,13 +254,6 @@ def propose(photo: Photo) -> Proposal:
         If the photo does not show exactly one person.
     """
     return propose_within(photo, find_figure(photo))
-
-
-def barefoot(figure: Figure) -> bool:
-    """Return whether a body photo shows bare feet, looking halfway between heels and toes."""
-    feet = (figure.pose_px[29:31] + figure.pose_px[31:33]) / 2
-    height = float(np.ptp(np.flatnonzero(figure.inside.any(axis=1))))
-    return stands_barefoot(figure.labels, feet, 0.008 * height)
 
 
 def run(*, photos: PhotoSet, tick: Callable[[float], None]) -> StageResult:

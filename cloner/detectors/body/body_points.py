@@ -2,12 +2,13 @@
 
 The steps: the net's left and right are put in order (``pose_order``); pose and contour give levels along the body
 that are weighed against each other (``front_cues``, ``side_cues``, ``levels``); points are placed on the outline at
-these levels, joints halfway between a limb's borders (``front_features``, ``side_features``); and what the photo
-does not show is said (``photo_states``).
+these levels, joints where the label net sees them under clothes, else halfway between a limb's borders
+(``front_features``, ``side_features``); and what the photo does not show is said (``photo_states``).
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Final
 
@@ -22,6 +23,7 @@ from cloner.detectors.body.pose_order import in_order
 from cloner.detectors.body.side_features import look_from_side, profile_points
 from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
+from cloner.generic import seen_points
 from cloner.records.arrays import Array
 from cloner.records.labels import Label
 from cloner.records.points import PhotoState, Proposal, ViewPoints, confidence_of
@@ -32,6 +34,8 @@ _CALIBRATED: Final = calibrated("detectors.body_points")
 
 
 KINDS: Final = {ViewId.BODY_FRONT: "front", ViewId.BODY_SIDE: "side", ViewId.BODY_BACK: "back"}
+#: Mean length of a two-dimensional normal error, in its standard deviations (Rayleigh).
+MEAN_DISTANCE: Final = math.sqrt(math.pi / 2)
 #: Points that set a body photo's scale.
 ENDS = ("head_top", "sole_left", "sole_right")
 END_ERROR: Final = _CALIBRATED.number("end_error", "figure")
@@ -64,7 +68,7 @@ def propose_body_points(proposal: Proposal) -> ViewPoints:
         found, seen = _from_side(figure, pose, proposal)
     else:
         found, seen = _from_front(figure, pose, proposal)
-    found = _head_and_feet(figure, pose, proposal) | found
+    found = _head_and_feet(figure, pose, proposal) | found | _under_clothes(found, pose, proposal)
     names = tuple(found)
     return ViewPoints(
         proposal.view,
@@ -131,6 +135,17 @@ def _from_side(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found, 
         error = CUT_ERROR if "bottom" in figure.cut else END_ERROR
         found[f"sole_{name}"] = np.array([pose[net.ANKLES[side], 0], figure.bottom_px[1]]), error
     return found, cut_states(figure, proposal.view) + turned_states(figure, pose, proposal.view)
+
+
+def _under_clothes(found: Found, pose: Array, proposal: Proposal) -> Found:
+    """Return the joints among the found points where the label net sees them, if it looked."""
+    near = "right" if looks_right(pose) else "left"
+    shown = near if proposal.view is ViewId.BODY_SIDE else KINDS[proposal.view]
+    return {
+        name: (point, MEAN_DISTANCE * seen_points.spread(name, shown))
+        for name, point in zip(seen_points.NAMES, proposal.seen_px, strict=False)
+        if name in found and name in net.JOINTS
+    }
 
 
 def _head_and_feet(figure: Figure, pose: Array, proposal: Proposal) -> Found:

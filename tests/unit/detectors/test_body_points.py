@@ -9,7 +9,9 @@ import pytest
 from cloner.detectors.body.body_points import propose_body_points
 from cloner.detectors.nets import pose_rows as net
 from cloner.frames import ViewId
+from cloner.generic.body_net import base_place
 from cloner.generic.load import load_generic
+from cloner.generic.seen_points import NAMES
 from cloner.records.labels import Label
 from cloner.records.points import StateKind, expected_error
 from cloner.vision.segmentation.outline_walk import figure_of
@@ -48,6 +50,22 @@ def turned(**degrees):
 
 def kinds(points):
     return {state.kind for state in points.states}
+
+
+@pytest.mark.parametrize("view", VIEWS)
+def test_joints_are_proposed_where_the_label_net_sees_them(shown, view):
+    mask, pose, camera, vertices, joints = shown[view]
+    given, generic = known_net.proposal(view, mask, pose), load_generic()
+    before = propose_body_points(given)
+    under = camera.project(np.array([base_place(generic, name, vertices, joints) for name in NAMES]))
+    after = propose_body_points(replace(given, seen_px=under))
+    assert after.names == before.names
+    told = [name in net.JOINTS for name in after.names]
+    np.testing.assert_allclose(
+        after.points_px[told], [under[NAMES.index(name)] for name in after.names if name in net.JOINTS]
+    )
+    np.testing.assert_array_equal(after.points_px[~np.array(told)], before.points_px[~np.array(told)])
+    assert after.confidence[told].mean() > before.confidence[told].mean()
 
 
 @pytest.mark.parametrize("view", VIEWS)

@@ -49,5 +49,5 @@ def test_no_wall_between_nose_and_lip():
     front = (slice(900, 1300), slice(1050, None))
     true = truth_mask("anna", "handheld", "face_side")[front]
     found = propose(shot).mask[front] > 127
-    assert (found & ~true).sum() < 0.01 * true.sum()
-    assert (true & ~found).sum() < 0.02 * true.sum()
+    assert (found & ~true).sum() < 0.012 * true.sum()
+    assert (true & ~found).sum() < 0.012 * true.sum()

@@ -82,11 +82,11 @@ def test_a_scarf_is_no_hat_and_no_glasses() -> None:
 def test_bare_feet(left: Label, right: Label, bare: bool) -> None:
     labels = np.zeros((60, 100), np.uint8)
     labels[40:, 10:40], labels[40:, 60:90] = left, right
-    assert stands_barefoot(labels, np.array([[25.0, 50.0], [75.0, 50.0]]), 6.0) is bare
+    assert stands_barefoot(labels, np.array([[25.0, 44.0], [75.0, 46.0]])) is bare
 
 
 def test_nothing_at_the_feet_is_not_bare() -> None:
-    assert not stands_barefoot(np.zeros((60, 100), np.uint8), np.array([[25.0, 50.0]]), 6.0)
+    assert not stands_barefoot(np.zeros((60, 100), np.uint8), np.array([[25.0, 50.0]]))
 
 
 def test_a_speck_becomes_what_lies_around_it_and_eyes_stay() -> None:

@@ -1,0 +1,54 @@
+"""Joints and points of the skin that the label net sees under clothes, and where they lie on the generic human."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from cloner.calibration.loader import calibrated
+
+#: What each number is and where it comes from: ``cloner/calibration/generic.toml``.
+_CALIBRATED: Final = calibrated("generic.seen_points")
+
+#: Joints and features of the generic human, in the order of the net's maps (``build/label_crops.py``).
+NAMES: Final = (
+    *(f"{side}_{joint}" for joint in ("shoulder", "elbow", "wrist", "hip", "knee", "ankle") for side in "lr"),
+    "acromion_L", "acromion_R", "neck_base_L", "neck_base_R",
+    "crotch", "nape", "neck_front_base", "vertex_top", "chin_bottom",
+)  # fmt: skip
+#: Rows of the ankles.
+ANKLES: Final = [NAMES.index(f"{side}_ankle") for side in "lr"]
+#: How names tell the person's sides.
+_MARKS: Final = {"left": ("l_", "_L"), "right": ("r_", "_R")}
+#: Expected errors by side and kind of point.
+SPREADS: Final = {side: _CALIBRATED.table(f"spread_{side}", "share") for side in ("front", "back", "near", "far")}
+#: Rows of a point on the left and of its twin on the right.
+PAIRS: Final = tuple((row, row + 1) for row in range(0, 16, 2))
+
+
+def kind_and_side(name: str, side_shown: str) -> tuple[str, str]:
+    """Return a point's kind, for left and right alike, and what a photo shows of it.
+
+    Parameters
+    ----------
+    name : str
+        One of `NAMES`.
+    side_shown : str
+        "front", "back", "left" or "right": the person's side that the camera sees.
+
+    Returns
+    -------
+    kind : str
+    side : str
+        "front", "back", or "near" or "far" of the body in a side photo.
+    """
+    own = next((side for side, marks in _MARKS.items() if name.startswith(marks[0]) or name.endswith(marks[1])), "")
+    kind = name.removeprefix("l_").removeprefix("r_").removesuffix("_L").removesuffix("_R")
+    if side_shown in ("front", "back"):
+        return kind, side_shown
+    return kind, "near" if own in ("", side_shown) else "far"
+
+
+def spread(name: str, side_shown: str) -> float:
+    """Return a point's expected error along one picture axis, share of the stature."""
+    kind, side = kind_and_side(name, side_shown)
+    return SPREADS[side][kind]
