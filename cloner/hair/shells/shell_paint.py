@@ -24,7 +24,14 @@ from cloner.records.clones import Joined
 from cloner.records.photos import Photo
 from cloner.vision.photographs.blending import Layer, blend_pyramids, push_pull
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.retouching.evening import REFERENCE_HOLD, apply_light, common_balance, even_light, light_basis
+from cloner.vision.retouching.evening import (
+    CLOTH_REFERENCES,
+    REFERENCE_HOLD,
+    apply_light,
+    common_balance,
+    even_light,
+    light_basis,
+)
 from cloner.vision.retouching.repair import own_pixels, repair_bleeding
 
 SHARPNESS = 5  # weights are (claim x cosine)**5: mostly one photo a texel, so strands do not ghost
@@ -95,7 +102,7 @@ def paint_shell(
     seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
     claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
     own = np.array([view.flip_m is None for view in usable])
-    first = int(np.argmax(claims.sum(axis=1) * own))
+    first = _first_cloth(usable) if strands is None else int(np.argmax(claims.sum(axis=1) * own))
     light, evened = _evened(pictures, sights, seen, normals, first, own)
     shown = [_Shown(*each) for each in zip(pictures, sights, claims, light, strict=True)]
     ground, weight = _plain(atlas.shape, claims, evened)
@@ -127,6 +134,13 @@ class _Shown:
     sight: Sight
     claim: Array
     light: Array
+
+
+def _first_cloth(views: Sequence[ShellView]) -> int:
+    """Return the photo whose light cloth keeps on the body too: both meet without a step."""
+    return min(
+        range(len(views)), key=lambda k: (CLOTH_REFERENCES.index(views[k].posed.view), views[k].flip_m is not None)
+    )
 
 
 def _pictures(photos: Mapping[ViewId, Photo], views: Sequence[ShellView]) -> list[NDArray[np.uint8]]:

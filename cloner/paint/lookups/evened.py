@@ -15,6 +15,7 @@ from cloner.paint.lookups.sources import Source, shown_colours
 from cloner.records.arrays import Array
 from cloner.records.results import Residual
 from cloner.vision.retouching.evening import (
+    CLOTH_REFERENCES,
     FLATTENED_CLOTH,
     REFERENCE_HOLD,
     apply_light,
@@ -39,8 +40,6 @@ NEAREST_WEIGHT = 2e-4  # the nearest colour holds a little, so that borders of c
 BORDER_LEVELS = 20.0  # neighbours that differ by more are two things
 # The face's tone counts most: neck and hands are matched to it.
 _REFERENCES = (ViewId.FACE_FRONT, ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.BODY_SIDE, ViewId.FACE_SIDE)
-
-_CLOTH_REFERENCES = (ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
 
 
 def vertex_colours(sources: list[Source]) -> Array:
@@ -109,7 +108,7 @@ def _even_kind(sources: list[Source], colours: Array, normals: Array, trust: Arr
     trust: light that overlaps do not show is told by the skin itself.
     """
     level = evened_colours(colours, own)
-    first = _first_of(sources, _REFERENCES if prior > 0.0 else _CLOTH_REFERENCES)
+    first = _first_of(sources, _REFERENCES if prior > 0.0 else CLOTH_REFERENCES)
     hold = np.where(np.arange(len(sources)) == first, REFERENCE_HOLD, 1.0)
     rows = trust[first] > 0.0
     if prior > 0.0 and rows.any():

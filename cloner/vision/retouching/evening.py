@@ -5,8 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.frames import ViewId
 from cloner.records.arrays import Array
 
+#: Whose light cloth keeps: the first of these photos that shows it, on the body and on surfaces beside it.
+CLOTH_REFERENCES = (ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.BODY_SIDE, ViewId.FACE_FRONT, ViewId.FACE_SIDE)
 LUMA = np.array([0.299, 0.587, 0.114])  # ITU-R BT.601
 LEVEL_OFFSET = 8.0  # grey levels; keeps the logarithm of dark cloth finite and its noise small
 ROUNDS = 8  # reweighted least squares settles after 6-8 rounds (measured)
