@@ -110,7 +110,7 @@ def run(
     value = HeadFit(
         head,
         _cameras(model, fitted, front, side, phenotype),
-        _iris(photos, model, fitted, front),
+        _iris(photos, proposals, model, fitted, front),
         IRIS_M,
         "" if side is None else ("right" if side.facing > 0 else "left"),
         {view: float(jaw) for view, jaw in zip(PHOTOS, jaws, strict=True)},
@@ -222,7 +222,7 @@ def _sight(fitted: Fitted, front: Front | None, proposals: Proposals) -> Sight |
     return Sight(fitted.front, proposal.irises_px)
 
 
-def _iris(photos: PhotoSet, model: Model, fitted: Fitted, front: Front | None) -> Array:
+def _iris(photos: PhotoSet, proposals: Proposals, model: Model, fitted: Fitted, front: Front | None) -> Array:
     """Return the iris colour of the front photo, or brown."""
     if front is None or fitted.front is None:
         return BROWN
@@ -230,5 +230,6 @@ def _iris(photos: PhotoSet, model: Model, fitted: Fitted, front: Front | None) -
     pupils = [model.generic.feature(f"pupil_{side}") for side in "LR"]
     metres = fitted.front.metres_per_pixel(whole[pupils[0]])
     rules = [model.net.rules[model.net.names.index(f"pupil_{side}")] for side in "LR"]
-    colour = sample_iris(photos.photos[front.view].rgb, np.stack(rules) @ front.net_px, IRIS_M / metres)
+    rgb, labels = photos.photos[front.view].rgb, proposals.views[front.view].labels
+    colour = sample_iris(rgb, labels, np.stack(rules) @ front.net_px, IRIS_M / metres)
     return BROWN if colour is None else colour

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.records.arrays import Array
-from cloner.records.labels import Label
+from cloner.records.labels import Label, shows
 
 #: Outer and inner corner of both eyes in the 468-point face mesh.
 EYE_CORNERS: Final = ((33, 133), (263, 362))
@@ -18,8 +18,8 @@ WHITE_FROM: Final = 0.23
 LEAST_WHITE: Final = 12
 
 
-def sample_iris(rgb: NDArray[np.uint8], centres_px: Array, radius_px: float) -> Array | None:
-    """Return the median colour (3,) of the irises' rings, or None when they are too small or off the photo.
+def sample_iris(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], centres_px: Array, radius_px: float) -> Array | None:
+    """Return the median colour (3,) of the irises' rings, or None when they are too small, veiled or off the photo.
 
     The ring from 0.45 to 0.85 of the radius leaves out pupil and rim; its upper part lies under the lid, so only what
     is below 0.3 radius above the middle counts; the brightest tenth are reflections.
@@ -27,6 +27,8 @@ def sample_iris(rgb: NDArray[np.uint8], centres_px: Array, radius_px: float) -> 
     Parameters
     ----------
     rgb : (H, W, 3) uint8
+    labels : (H, W) uint8
+        Values of ``Label``: an iris behind hair or a frame by more than half does not count.
     centres_px : (N, 2)
     radius_px : float
     """
@@ -43,7 +45,9 @@ def sample_iris(rgb: NDArray[np.uint8], centres_px: Array, radius_px: float) -> 
         grid_x, grid_y = np.meshgrid(columns, rows)
         away = np.hypot(grid_x - x, grid_y - y) / radius_px
         ring = (away > 0.45) & (away < 0.85) & (grid_y - y > -0.3 * radius_px)
-        samples.append(rgb[grid_y[ring], grid_x[ring]].astype(np.float64))
+        shown = ~shows(labels[grid_y[ring], grid_x[ring]], Label.HAIR, Label.ACCESSORY)
+        if shown.mean() > 0.5:
+            samples.append(rgb[grid_y[ring], grid_x[ring]][shown].astype(np.float64))
     if not samples:
         return None
     colours = np.concatenate(samples)
