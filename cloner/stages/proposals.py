@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 from cloner.abreast import in_two_steps
 from cloner.calibration.loader import calibrated
 from cloner.detectors.body.pose_order import read_again
-from cloner.detectors.body.pose_twin import twins_put_right
 from cloner.detectors.face.found import Face, face_behind_hair, face_in
 from cloner.detectors.face.profile_cut import free_profile
 from cloner.detectors.nets.portraits import is_cut_below
@@ -198,8 +197,7 @@ def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Ma
 
     A side photo of the face may show hair, a hood or a cap alone. It is kept for what its mask tells when somebody is
     made out in it and its colours are the person's; with one of both it is left out. So are a side photo of hair that
-    may as well be a back, and a body photo from side or back in which only the label net sees somebody stand. A front
-    or back pose that its outline contradicts is the other's.
+    may as well be a back, and a body photo from side or back in which only the label net sees somebody stand.
 
     Raises
     ------
@@ -223,7 +221,7 @@ def settle_hidden(photos: PhotoSet, views: Mapping[ViewId, Proposal], unseen: Ma
     if side is not None and len(views) > 1 and hides_its_side(side, photos.photos[ViewId.FACE_SIDE]):
         left_out[ViewId.FACE_SIDE] = HIDDEN
     kept = {view: found[view] for view in photos.photos if view in found and view not in left_out}
-    return Proposals(twins_put_right(kept), left_out)
+    return Proposals(kept, left_out)
 
 
 def propose_within(photo: Photo, figure: Figure) -> Proposal:
