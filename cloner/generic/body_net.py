@@ -179,15 +179,14 @@ def _posed(proposal: Proposal, side_shown: str) -> Iterator[_Row]:
     for row, mark in enumerate(LANDMARKS):
         middle = mark.rows[0] == mark.rows[1]
         for left in (True,) if middle else (True, False):
-            base = mark.base(left)
-            if len(proposal.seen_px) and base in seen_points.NAMES and mark.name != "heel":
+            if len(proposal.seen_px) and mark.corrected_as(left) in seen_points.NAMES:
                 continue
-            near = middle or side_shown == ("left" if left else "right")
-            place = SIDES.index(side_shown if side_shown in SIDES else ("near" if near else "far"))
+            own = "" if middle else "left" if left else "right"
+            place = SIDES.index(seen_points.side_seen(own, side_shown))
             mirrored = side_shown == "right" if middle else not left
             offset = net.offset[place, row] * ((-1.0, 1.0, 1.0) if mirrored else 1.0)
             spread = _REAL * float(net.spread[place, row])
-            yield _Row(proposal.pose_px[mark.rows[not left]], base, offset, spread, mark.corrected_as(left))
+            yield _Row(proposal.pose_px[mark.rows[not left]], mark.base(left), offset, spread, mark.corrected_as(left))
 
 
 def _seen(proposal: Proposal, side_shown: str) -> Iterator[_Row]:

@@ -25,6 +25,21 @@ SPREADS: Final = {side: _CALIBRATED.table(f"spread_{side}", "share") for side in
 PAIRS: Final = tuple((row, row + 1) for row in range(0, 16, 2))
 
 
+def side_seen(own: str, side_shown: str) -> str:
+    """Return what a photo shows of a point: "front", "back", or "near" or "far" of the body in a side photo.
+
+    Parameters
+    ----------
+    own : str
+        The person's side that the point lies on: "left", "right", or "" for the middle.
+    side_shown : str
+        "front", "back", "left" or "right": the person's side that the camera sees.
+    """
+    if side_shown in ("front", "back"):
+        return side_shown
+    return "near" if own in ("", side_shown) else "far"
+
+
 def kind_and_side(name: str, side_shown: str) -> tuple[str, str]:
     """Return a point's kind, for left and right alike, and what a photo shows of it.
 
@@ -33,19 +48,17 @@ def kind_and_side(name: str, side_shown: str) -> tuple[str, str]:
     name : str
         One of `NAMES`.
     side_shown : str
-        "front", "back", "left" or "right": the person's side that the camera sees.
+        As for :func:`side_seen`.
 
     Returns
     -------
     kind : str
     side : str
-        "front", "back", or "near" or "far" of the body in a side photo.
+        As :func:`side_seen` gives it.
     """
     own = next((side for side, marks in _MARKS.items() if name.startswith(marks[0]) or name.endswith(marks[1])), "")
     kind = name.removeprefix("l_").removeprefix("r_").removesuffix("_L").removesuffix("_R")
-    if side_shown in ("front", "back"):
-        return kind, side_shown
-    return kind, "near" if own in ("", side_shown) else "far"
+    return kind, side_seen(own, side_shown)
 
 
 def spread(name: str, side_shown: str) -> float:

@@ -89,10 +89,10 @@ def decoded(features: Sequence[Floats], rgb: NDArray[np.uint8]) -> Scores:
     return Scores(_mixed(weights, "o", x), points)
 
 
-def shares_of(classes: Floats) -> Floats:
-    """Return (11, h, w) probabilities of the classes from their log-odds."""
-    shares = np.exp(classes - classes.max(axis=0))
-    return np.asarray(shares / shares.sum(axis=0), np.float32)
+def shares_of(scores: Floats, axis: int | tuple[int, int] = 0) -> Floats:
+    """Return (C, h, w) probabilities from log-odds: they sum to one over the classes, or over each map's (1, 2)."""
+    shares = np.exp(scores - scores.max(axis=axis, keepdims=True))
+    return np.asarray(shares / shares.sum(axis=axis, keepdims=True), np.float32)
 
 
 def _standardised(weights: dict[str, Floats], index: int, values: Floats) -> Floats:

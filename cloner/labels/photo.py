@@ -50,7 +50,7 @@ class Looks:
     box : pair of slices or None
         The head's rows and columns in the photo.
     head : HeadFrame
-    points_px : (21, 2) float64
+    seen_px : (21, 2) float64
         Joints and points under clothes, ``cloner.generic.seen_points.NAMES``; no rows in a photo of the face.
     """
 
@@ -58,7 +58,7 @@ class Looks:
     near: Floats | None
     box: tuple[slice, slice] | None
     head: HeadFrame
-    points_px: NDArray[np.float64]
+    seen_px: NDArray[np.float64]
 
     def person(self, shape: tuple[int, ...]) -> Floats:
         """Return (H, W) the probability that a pixel of the photo shows the person."""

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.seen_points import PAIRS
-from cloner.labels.decoder import POINT_SIDE_PX, SIDE_PX
+from cloner.labels.decoder import POINT_SIDE_PX, SIDE_PX, shares_of
 from cloner.vision.photographs.crops import Crop, move_points, photo_px_from_crop
 
 Floats = NDArray[np.float32]
@@ -39,8 +39,7 @@ def points_seen(scores: Floats, crop: Crop, view: ViewId) -> NDArray[np.float64]
     (21, 2) float64
         Photo px; rows are ``cloner.generic.seen_points.NAMES``.
     """
-    shares = np.exp(scores - scores.max(axis=(1, 2), keepdims=True))
-    shares /= shares.sum(axis=(1, 2), keepdims=True)
+    shares = shares_of(scores, axis=(1, 2))
     cells = np.array([_mean_near(share, share) for share in shares])
     if view in _LEFT:
         for pair in PAIRS:

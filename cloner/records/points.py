@@ -167,7 +167,7 @@ class Proposal:
     labels : (H, W) uint8
         0 background, 1 skin, 2 hair, 3 cloth or other (meaningful on the head).
     barefoot : bool
-        Whether the feet have the colour of the face.
+        Whether what a body photo shows below the ankles is skin and not shoes.
     irises_px : (2, 2) float64
         Centres of the person's left and right iris; zeros where no face was found or nobody looked.
     seen_px : (21, 2) float64

@@ -145,7 +145,7 @@ def _figure(
     if shown is None and visibility.any():
         face = face_behind_hair(photo, pose_px, labels) or face
     probability = np.round(np.clip(mask, 0.0, 1.0) * 255).astype(np.uint8)
-    return Figure(pose_px, visibility, probability, mask > 0.5, labels, face, looks.points_px)
+    return Figure(pose_px, visibility, probability, mask > 0.5, labels, face, looks.seen_px)
 
 
 def both_masks(posed: NDArray[np.float32], labelled: NDArray[np.float32]) -> NDArray[np.float32]:

@@ -28,9 +28,10 @@ from painted_people_pictures import BACKGROUNDS
 from cloner.detectors.nets import litert
 from cloner.evaluate.measures.posing import JOINTS
 from cloner.evaluate.measures.rulers import fit_similarity
-from cloner.evaluate.truths.kit import KitTruth, kit_people, read_kit
+from cloner.evaluate.truths.kit import KitTruth, kit_people, read_kit, side_shown
 from cloner.generic.body_net import LANDMARKS, SIDES, base_place
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.generic.seen_points import side_seen
 from cloner.geometry.articulation.skinning import blend_transforms, joint_transforms
 from cloner.records.views import Camera
 
@@ -61,13 +62,6 @@ class Found:
     side: str
     sight: Array
     error: Array
-
-
-def side_of(direction: str, left: bool, middle: bool) -> str:
-    """Return which of `SIDES` a landmark shows in a photo."""
-    if direction in ("front", "back"):
-        return direction
-    return "near" if middle or left == (direction == "left") else "far"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,9 +112,7 @@ def generated(kit: KitTruth, view: str, generic: GenericHuman) -> Photographed:
         turn = motion[:3, :3] / np.cbrt(np.linalg.det(motion[:3, :3]))
         return told[base] if base in told else motion[:3, :3] @ generic.joints_m[joint] + motion[:3, 3], turn
 
-    sides = truth.camera.camera_from_model[:3, :3] @ (truth.joints_m["shoulder_L"] - truth.joints_m["shoulder_R"])
-    direction = {"body_front": "front", "body_back": "back"}.get(view, "left" if sides[2] < 0.0 else "right")
-    return Photographed(truth.photo, truth.camera, direction, kit.truth.stature_m, {b: found(b) for b in BASES})
+    return Photographed(truth.photo, truth.camera, side_shown(truth), kit.truth.stature_m, {b: found(b) for b in BASES})
 
 
 def findings(photo: Photographed) -> Iterator[Found]:
@@ -136,7 +128,12 @@ def findings(photo: Photographed) -> Iterator[Found]:
             error = (pose.points_px[landmark.rows[number]] - photo.camera.project(place[None])[0]) * metres
             sight = photo.camera.camera_from_model[:2, :3] @ turn
             mirrored = (photo.direction == "right") if middle else not left
-            yield Found(row, side_of(photo.direction, left, middle), sight * MIRROR if mirrored else sight, error)
+            yield Found(
+                row,
+                side_seen("" if middle else "left" if left else "right", photo.direction),
+                sight * MIRROR if mirrored else sight,
+                error,
+            )
 
 
 def solve(found: list[Found]) -> tuple[Array, float]:

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 
 from cloner.evaluate.measures.posing import JOINTS
-from cloner.evaluate.truths.kit import kit_people, read_kit
+from cloner.evaluate.truths.kit import kit_people, read_kit, side_shown
 from cloner.frames import BODY_VIEWS
 from cloner.generic.body_net import SIDES
 from cloner.generic.seen_points import NAMES, kind_and_side
@@ -35,8 +35,7 @@ def main() -> None:
             if view not in BODY_VIEWS:
                 continue
             seen, camera = truth.views[view].joints_m | dict(truth.views[view].points_m), truth.views[view].camera
-            sides = camera.camera_from_model[:3, :3] @ (seen["shoulder_L"] - seen["shoulder_R"])
-            shown = {"body_front": "front", "body_back": "back"}.get(view, "left" if sides[2] < 0.0 else "right")
+            shown = side_shown(truth.views[view])
             for name, point in zip(NAMES, find_figure(photo).seen_px, strict=True):
                 true = seen[TRUE_NAMES.get(name, name)]
                 away = np.linalg.norm(point - camera.project(true[None])[0]) * camera.metres_per_pixel(true)

@@ -25,6 +25,8 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from cloner.detectors.nets.litert import label_features
+from cloner.evaluate.measures.posing import JOINTS
+from cloner.generic.seen_points import NAMES
 from cloner.vision.photographs.crops import Crop, cut, photo_px_from_crop
 
 #: First seed of the people that teach; benchmarks judge on 5000 to 5999, other judges on 9000 to 9999.
@@ -35,36 +37,18 @@ VIEWS = {"face": (("face_front", "face_side"), 640), "body": (("body_front", "bo
 COPIES = 2
 SIDE = 256
 OUTSIDE = 255  # label of what lies beyond the photo
-#: Points that the net is taught to find in a person's crop: the kit's joints, then points of the skin.
-JOINTS = tuple(f"{joint}_{side}" for joint in ("shoulder", "elbow", "wrist", "hip", "knee", "ankle") for side in "LR")
-SKIN_POINTS = (
-    "acromion_L", "acromion_R", "neck_base_L", "neck_base_R",
-    "crotch", "nape", "neck_front_base", "vertex_top", "chin_bottom",
-)  # fmt: skip
-POINTS = (*JOINTS, *SKIN_POINTS)
+#: Points that the net is taught to find in a person's crop, as the kit names them.
+POINTS = tuple({ours: name for name, ours in JOINTS.items()}.get(name, name) for name in NAMES)
 #: Beginnings of the names of the kit's bones, by limb.
 LIMBS = {
     "upper_arm": ("upperarm",), "lower_arm": ("lowerarm",), "hand": ("wrist", "metacarpal", "finger"),
     "thigh": ("upperleg",), "shank": ("lowerleg",), "foot": ("foot", "toe"),
 }  # fmt: skip
+#: Beginnings of the names of the bones that move a face.
+FACIAL = ("levator", "oculi", "orbicularis", "oris", "risorius", "temporalis")
 #: Parts of the naked body, 1 and on (0 is none): beginnings and end of the names of their bones.
 PARTS = {
-    "head": (
-        (
-            "head",
-            "jaw",
-            "eye",
-            "tongue",
-            "levator",
-            "oculi",
-            "orbicularis",
-            "oris",
-            "risorius",
-            "special",
-            "temporalis",
-        ),
-        "",
-    ),
+    "head": (("head", "jaw", "eye", "tongue", "special", *FACIAL), ""),
     "trunk": (("root", "spine", "pelvis", "breast", "clavicle", "shoulder", "neck"), ""),
     **{f"{limb}_{side}": (begins, f".{side}") for limb, begins in LIMBS.items() for side in "LR"},
 }
@@ -206,7 +190,7 @@ def cut_person(folder: Path, kit: Path) -> dict[str, NDArray[Any]]:
         labels = np.asarray(Image.open(folder / f"{view}_labels.png"))
         scale = DRAWN / max(labels.shape)
         parts = draw_parts(bodies[view], quads, part_of_vertex(kit), truth["cameras"][view], scale)
-        joints = features["joints_2d"] | {name: features["points"][name]["xy"] for name in SKIN_POINTS}
+        joints = features["joints_2d"] | {name: point["xy"] for name, point in features["points"].items()}
         places = np.array([joints[name] for name in POINTS]) - 0.5  # the kit's origin is a pixel's corner
         for copy in range(COPIES):
             rng = np.random.default_rng([seed, copy, sum(map(ord, view))])

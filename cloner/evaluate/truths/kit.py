@@ -123,6 +123,14 @@ def read_kit(person: Path) -> KitTruth:
     )
 
 
+def side_shown(seen: TruthView) -> str:
+    """Return the side of a person that a body photo shows: "front", "back", "left" or "right"."""
+    if seen.name in ("body_front", "body_back"):
+        return seen.name.removeprefix("body_")
+    across = seen.camera.camera_from_model[:3, :3] @ (seen.joints_m["shoulder_L"] - seen.joints_m["shoulder_R"])
+    return "left" if across[2] < 0.0 else "right"
+
+
 def _read_labels(path: Path) -> Labels:
     try:
         with Image.open(path) as picture:

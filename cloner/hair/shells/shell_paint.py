@@ -30,6 +30,7 @@ from cloner.vision.retouching.evening import (
     apply_light,
     common_balance,
     even_light,
+    first_of,
     light_basis,
 )
 from cloner.vision.retouching.repair import own_pixels, repair_bleeding
@@ -102,7 +103,7 @@ def paint_shell(
     seen = [_claim(view, sight) for view, sight in zip(usable, sights, strict=True)]
     claims = np.stack([graph.smooth(claim[:, None], SMOOTHING)[:, 0] * (claim > 0.0) for claim in seen])
     own = np.array([view.flip_m is None for view in usable])
-    first = _first_cloth(usable) if strands is None else int(np.argmax(claims.sum(axis=1) * own))
+    first = first_of(_shown(usable), CLOTH_REFERENCES) if strands is None else int(np.argmax(claims.sum(axis=1) * own))
     light, evened = _evened(pictures, sights, seen, normals, first, own)
     shown = [_Shown(*each) for each in zip(pictures, sights, claims, light, strict=True)]
     ground, weight = _plain(atlas.shape, claims, evened)
@@ -136,11 +137,9 @@ class _Shown:
     light: Array
 
 
-def _first_cloth(views: Sequence[ShellView]) -> int:
-    """Return the photo whose light cloth keeps on the body too: both meet without a step."""
-    return min(
-        range(len(views)), key=lambda k: (CLOTH_REFERENCES.index(views[k].posed.view), views[k].flip_m is not None)
-    )
+def _shown(views: Sequence[ShellView]) -> list[tuple[ViewId, bool]]:
+    """Return each view's photo and whether it is mirrored."""
+    return [(view.posed.view, view.flip_m is not None) for view in views]
 
 
 def _pictures(photos: Mapping[ViewId, Photo], views: Sequence[ShellView]) -> list[NDArray[np.uint8]]:

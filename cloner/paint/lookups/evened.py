@@ -22,6 +22,7 @@ from cloner.vision.retouching.evening import (
     beyond_light,
     common_balance,
     even_light,
+    first_of,
     light_basis,
     log_levels,
     one_sided_light,
@@ -75,7 +76,7 @@ def even_photos(
     sides = _flattened(generic, sources, colours, trust * worn, normals)
     light = kinds.bare[:, None] * bare
     light += kinds.worn[:, None] * _even_kind(sources, colours, normals, trust * worn, sides, 0.0)
-    first = _first_of(sources, _REFERENCES)
+    first = first_of(_shown(sources), _REFERENCES)
     if (trust[first] * skin).any():
         logs = np.asarray(log_levels(colours), np.float64) + light
         plain = np.median(logs[first, (trust[first] > 0.0) & skin], axis=0)
@@ -108,7 +109,7 @@ def _even_kind(sources: list[Source], colours: Array, normals: Array, trust: Arr
     trust: light that overlaps do not show is told by the skin itself.
     """
     level = evened_colours(colours, own)
-    first = _first_of(sources, _REFERENCES if prior > 0.0 else CLOTH_REFERENCES)
+    first = first_of(_shown(sources), _REFERENCES if prior > 0.0 else CLOTH_REFERENCES)
     hold = np.where(np.arange(len(sources)) == first, REFERENCE_HOLD, 1.0)
     rows = trust[first] > 0.0
     if prior > 0.0 and rows.any():
@@ -122,9 +123,9 @@ def _even_kind(sources: list[Source], colours: Array, normals: Array, trust: Arr
     return np.asarray(light + common_balance(colours, light, trust[: len(sources)], photos))
 
 
-def _first_of(sources: list[Source], references: tuple[ViewId, ...]) -> int:
-    """Return the photo whose colours count most."""
-    return min(range(len(sources)), key=lambda k: (references.index(sources[k].view), sources[k].mirrored))
+def _shown(sources: list[Source]) -> list[tuple[ViewId, bool]]:
+    """Return each source's photo and whether it is mirrored."""
+    return [(source.view, source.mirrored) for source in sources]
 
 
 def _flattened(generic: GenericHuman, sources: list[Source], colours: Array, trust: Array, normals: Array) -> Array:

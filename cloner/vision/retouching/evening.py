@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -93,6 +95,12 @@ def even_light(
             right[second] -= drive
         result = np.asarray(np.linalg.solve(system, right), np.float64).reshape(count, 4, 3)
     return _without_harm(result, logs, weights, basis)
+
+
+def first_of(shown: Iterable[tuple[ViewId, bool]], references: Sequence[ViewId]) -> int:
+    """Return the place of the photo whose colours count most, of (view, whether mirrored): own ones before mirrored."""
+    places = [(references.index(view), mirrored) for view, mirrored in shown]
+    return places.index(min(places))
 
 
 def common_balance(colours: Array, light: Array, weights: Array, own: NDArray[np.bool_]) -> Array:

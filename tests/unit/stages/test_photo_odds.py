@@ -125,7 +125,7 @@ def _seeing(monkeypatch, soft):
 
     def look(*given, **more):
         seen = proposals_look(*given, **more)
-        return Seen(seen.whole, seen.near, seen.box, seen.head, seen.points_px)
+        return Seen(seen.whole, seen.near, seen.box, seen.head, seen.seen_px)
 
     monkeypatch.setattr(proposals, "look", look)
 
