@@ -11,7 +11,7 @@ import numpy as np
 from body_scores import HELD_OUT, KnownTruth
 from numpy.typing import NDArray
 
-from cloner.evaluate.measures.posing import JOINTS, hand_vertices
+from cloner.evaluate.measures.posing import JOINTS, turning_marks
 from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.evaluate.truths.truth import TruthSurface, TruthView
 from cloner.generic.load import load_generic
@@ -83,7 +83,7 @@ def marks_m(shot: Shot) -> dict[str, Array]:
     generic = load_generic()
     named = {name: shot.naked_m[generic.feature(name)] for name in generic.feature_names}
     named |= {name: shot.dressed_m[generic.feature(name)] for name in TRUNK_MARKS}
-    named |= {name: shot.naked_m[vertex] for name, vertex in hand_vertices(generic).items()}
+    named |= turning_marks(generic, shot.naked_m)
     return {**named, **{name: named[own] for name, own in _SHOES.items()}}
 
 

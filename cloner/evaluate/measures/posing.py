@@ -42,6 +42,7 @@ BODY_MARKS: Final = (
     *(f"{name}_{side}" for name in ("acromion", "neck_base") for side in "LR"),
     *("crotch", "nape", "vertex_top", "chin_bottom"),
 )
+_SIDES: Final = ("left", "right")
 #: How far a joint of another skeleton may lie from ours and still agree, metres; taste.
 _JOINT_SIGMA_M: Final = 0.01
 #: The same for a mark of trunk or head on the skin. Joints alone leave the spine free: measured on random people, a
@@ -212,13 +213,26 @@ def _trunk(
 def hand_vertices(generic: GenericHuman) -> dict[str, int]:
     """Return the vertices whose places tell how a hand is turned, by the truth's names: knuckles and fingertip."""
     marks = {}
-    for side, name in (("L", "left"), ("R", "right")):
+    for side, name in zip("LR", _SIDES, strict=True):
         for finger in ("index", "pinky"):
             joint = generic.joints_m[generic.joint(f"{side.lower()}_{finger}1")]
             away = np.linalg.norm(generic.vertices_m - joint, axis=1)
             marks[f"knuckle_{finger}_{side}"] = int(away.argmin())
         marks[f"fingertip_{side}"] = generic.feature(f"fingertip_{name}")
     return marks
+
+
+def turning_marks(generic: GenericHuman, body_m: Array) -> dict[str, Array]:
+    """Return the marks (3,) that tell how hands and feet are turned, of a naked body's vertices, metres.
+
+    Parameters
+    ----------
+    body_m : (V, 3)
+        Numbered as the generic human's; no more are needed than the skin's.
+    """
+    rows = hand_vertices(generic)
+    rows |= {f"{part}_{side}": generic.feature(f"{part}_{side}") for part in ("toe", "heel") for side in _SIDES}
+    return {name: body_m[row] for name, row in rows.items()}
 
 
 def _hands(
@@ -250,7 +264,7 @@ def _feet(clone: Clone, generic: GenericHuman, truth_marks: Mapping[str, Array])
     stands with flat soles, but the joints let a foot roll over.
     """
     found, up = [], np.array([0.0, 1.0, 0.0])
-    for side, name in (("L", "left"), ("R", "right")):
+    for side, name in zip("LR", _SIDES, strict=True):
         own = [clone.features_m.get(f"{part}_{name}") for part in ("toe", "heel")]
         true = [truth_marks.get(f"{part}_{name}", truth_marks.get(f"shoe_{part}_{side}")) for part in ("toe", "heel")]
         if own[0] is not None and own[1] is not None and true[0] is not None and true[1] is not None:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from cloner.errors import ClonerError
+from cloner.evaluate.measures.posing import turning_marks
 from cloner.evaluate.measures.surfaces import sample_surface
 from cloner.evaluate.truths.truth import HALF_PIXEL, Truth, TruthSurface, TruthView, read_json, truth_camera, vectors
 from cloner.frames import ViewId, m_from_mm
@@ -113,7 +114,7 @@ def read_kit(person: Path) -> KitTruth:
         stature_m=m_from_mm(float(data["stature_mm"])),
         sole_m=m_from_mm(float(data["sole_height_mm"])),
         girths_mm={name: float(value) for name, value in data["girths_mm"].items()},
-        views={ours: _read_view(person, view, ours, data, labels[view]) for view, ours in named.items()},
+        views={ours: _read_view(person, view, data, labels[view], bodies[view]) for view, ours in named.items()},
         surface=_surface(data, bodies[str(data["measured_in_pose_of"])], quads),
     )
     return KitTruth(
@@ -142,12 +143,12 @@ def _read_labels(path: Path) -> Labels:
     return labels
 
 
-def _read_view(person: Path, view: str, ours: str, data: Mapping[str, Any], labels: Labels) -> TruthView:
+def _read_view(person: Path, view: str, data: Mapping[str, Any], labels: Labels, body_m: Array) -> TruthView:
     marks = data["features"][view]["points"]
     return TruthView(
-        name=ours,
+        name=HELD_OUT.get(view, view),
         camera=truth_camera(data["cameras"][view]),
-        points_m=vectors(data["points_3d_m_by_view"][view]),
+        points_m=vectors(data["points_3d_m_by_view"][view]) | turning_marks(load_generic(), body_m),
         joints_m=vectors(data["joints_3d_m_by_view"][view]),
         marks_px={
             mark: np.array(entry["xy"], dtype=np.float64) - HALF_PIXEL
@@ -176,7 +177,7 @@ def _surface(data: Mapping[str, Any], body_m: Array, quads: NDArray[np.int32]) -
         np.vstack([normals, outwards, outwards]),
         kind,
         joints,
-        vectors(data["points_3d_m"]),
+        vectors(data["points_3d_m"]) | turning_marks(load_generic(), body_m),
         body_m,
         skin,
     )
