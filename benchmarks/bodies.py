@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ import trimesh
 from PIL import Image
 from scipy.spatial import ConvexHull
 
+from cloner.bodies.children import USUAL_AGE, stature_mm
 from cloner.bodies.measured import measured_body
 from cloner.bodies.population import SEXES, STATURE_MM, people
 from cloner.bodies.ruler import read, tapes
@@ -31,6 +33,8 @@ from cloner.render import render_mesh
 DOCS = Path(__file__).resolve().parents[1] / "docs"
 #: Lengths vary together less than girths do: all of a tailor's at once so many spreads off would be nobody.
 LENGTH_SHARE = 0.5
+#: Ages of the children, years.
+CHILDREN = (5.0, 9.0, 13.0)
 SHEET = (
     "f+0four",
     "f+2nine",
@@ -44,6 +48,7 @@ SHEET = (
     "m-2nine",
     "m+3four",
     "m-3four",
+    *(f"{sex} {age:g} years +0" for sex in SEXES for age in CHILDREN),
 )
 
 
@@ -55,9 +60,15 @@ def cases() -> Iterator[tuple[str, float, Told]]:
             for preset, keys in PRESETS.items():
                 mm = {}
                 for key in keys:
-                    mean, spread = people(sex).spread_mm(key, stature_m)
+                    mean, spread = people(sex, USUAL_AGE).spread_mm(key, stature_m)
                     mm[key] = mean + spreads * spread * (1.0 if key in GIRTHS else LENGTH_SHARE)
                 yield f"{sex}{spreads:+d}{preset}", abs(spreads), Told(sex, stature_m, mm)
+        for age, spreads in product(CHILDREN, (0, 1, -1)):
+            stature_m, mm = stature_mm(sex, age)[0] / 1e3, {}
+            for key in PRESETS["four"]:
+                mean, spread = people(sex, age).spread_mm(key, stature_m)
+                mm[key] = mean + spreads * spread
+            yield f"{sex} {age:g} years {spreads:+d}", abs(spreads), Told(sex, stature_m, mm, age)
     for stature_m in (1.50, 1.90):
         yield f"f {stature_m:.2f} m", 2, Told("f", stature_m, {"waist_girth": 0.44 * 1e3 * stature_m})
     yield "apple", 3, Told("f", 1.65, {"bust_girth": 1100.0, "waist_girth": 1150.0, "hip_girth": 1060.0})

@@ -13,6 +13,7 @@ from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
+from cloner.bodies.children import stature_mm
 from cloner.bodies.made import clone_of_measures
 from cloner.bodies.population import SEXES, STATURE_MM, SURVEY_MM
 from cloner.bodies.telling import Told
@@ -52,6 +53,10 @@ def told_of(sex: str, tall: int, stout: int) -> Told:
 PEOPLE = {
     f"{'woman' if sex == 'f' else 'man'} {tall:+d} {stout:+d}": told_of(sex, tall, stout)
     for tall, stout in sorted(AWAY, key=lambda each: abs(each[0]) + abs(each[1]))
+    for sex in SEXES
+} | {
+    f"{'girl' if sex == 'f' else 'boy'} of {age:g}": Told(sex, stature_mm(sex, age)[0] / 1e3, {}, age)
+    for age in (5.0, 9.0, 13.0)
     for sex in SEXES
 }
 OPENINGS = dict.fromkeys(GARMENTS, 2) | {"cape": 1, "tee": 4, "dress": 4, "coat": 3, "trousers": 3}
@@ -165,7 +170,7 @@ def main() -> None:
         )
         print(lines[-1], flush=True)
     lines += [
-        "", f"Bodies: women and men from -2 to +2 spreads of the survey in stature and in bust, navel and hip girth, told together ({', '.join(people)}). Whole: as many open borders as the garment has (a tee's neck, hem and two sleeves), no edge with three triangles. Seams are one from the start, so they gape by nothing; what their two edges differ by is eased in.", "",
+        "", f"Bodies: women and men from -2 to +2 spreads of the survey in stature and in bust, navel and hip girth, told together, and children as tall as most ({', '.join(people)}). Whole: as many open borders as the garment has (a tee's neck, hem and two sleeves), no edge with three triangles. Seams are one from the start, so they gape by nothing; what their two edges differ by is eased in.", "",
         "![six garments settled](pictures/garments.png)", "",
     ]  # fmt: skip
     lines += layered({name: people[name] for name in list(people)[:2]})

@@ -10,13 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.sparse import csr_array
 
+from cloner.bodies.children import GROWN, children
 from cloner.generic.load import GENERIC_STATURE_M, GenericHuman, load_generic
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 
-#: Age of a body of which nothing is said, years.
-USUAL_AGE: Final = 35.0
 #: Rounds in which a mode's displacements are averaged with their neighbours' (taste: no nipple turns over).
 SMOOTHINGS: Final = 12
 #: The head turns with the end of the neck: joints from here on go with it.
@@ -47,26 +46,31 @@ class Family:
         return BodyMesh(self.base.vertices_m + shift, joints)
 
 
-def usual(sex: str) -> Array:
-    """Return (C,) the likeliest coefficients of a woman ("f") or a man ("m") of the usual age."""
+def usual(sex: str, age_years: float) -> Array:
+    """Return (C,) the likeliest coefficients of a woman or girl ("f"), a man or boy ("m") of an age."""
+    if age_years < GROWN:
+        return children(sex).at(age_years)[0]
     generic = load_generic()
     rows = [generic.phenotype_names.index(name) for name in ("sex", "age_years")]
-    told = np.array([0.0 if sex == "f" else 1.0, USUAL_AGE]) - generic.phenotype_mean[rows]
+    told = np.array([0.0 if sex == "f" else 1.0, age_years]) - generic.phenotype_mean[rows]
     slopes = generic.phenotype_from_shape[rows].astype(np.float64)
     return np.asarray(slopes.T @ np.linalg.solve(slopes @ slopes.T, told))
 
 
-def usual_body(sex: str, stature_m: float) -> BodyMesh:
-    """Return the usual woman or man of a stature."""
+def usual_body(sex: str, stature_m: float, age_years: float) -> BodyMesh:
+    """Return the usual woman, man, girl or boy of a stature and an age."""
     generic, scale = load_generic(), stature_m / GENERIC_STATURE_M
+    vertices, joints = generic.shape(usual(sex, age_years), stature_m)
+    if age_years < GROWN:  # a mean of drawn children, whole; adults are a line through theirs, heads apart
+        return BodyMesh(vertices, joints)
     mean = BodyMesh(scale * generic.vertices_m.astype(np.float64), scale * generic.joints_m.astype(np.float64))
-    own = round_body(mean, stature_m).body(usual(sex))
-    head, joints = generic.shape(usual(sex), stature_m)  # heads of women and men differ
+    own = round_body(mean, stature_m).body(usual(sex, age_years))
     share, above = generic.head_blend.astype(np.float64)[:, None], head_joints(generic)[:, None]
     skull = generic.joint("skullbase")
     aside = (own.joints_m[skull] - joints[skull]) * [0.0, 0.0, 1.0]
     return BodyMesh(
-        (1.0 - share) * own.vertices_m + share * (head + aside), (1.0 - above) * own.joints_m + above * (joints + aside)
+        (1.0 - share) * own.vertices_m + share * (vertices + aside),
+        (1.0 - above) * own.joints_m + above * (joints + aside),
     )
 
 

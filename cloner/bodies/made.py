@@ -7,9 +7,10 @@ from dataclasses import replace
 import numpy as np
 
 from cloner.bodies.carried import carried_shells
+from cloner.bodies.children import GROWN
 from cloner.bodies.measured import measured_body, remeasured_body
 from cloner.bodies.ruler import read
-from cloner.bodies.skin import painted, regions
+from cloner.bodies.skin import CHILD, painted, regions
 from cloner.bodies.telling import Told, check_told
 from cloner.generic.features import named_features
 from cloner.generic.load import load_generic
@@ -42,12 +43,13 @@ def clone_of_measures(told: Told, size: int, seed: int = 0) -> Clone:
     vertices, joints = body.vertices_m, body.joints_m
     names, index, delta, start = face_targets(vertices)
     shown = measures_mm(vertices, joints, load_tape_rules())
+    worn = told.sex if told.age_years >= GROWN else CHILD
     return Clone(
         vertices, joints, names, index, delta, start,
-        painted(body, told.sex, size, np.random.default_rng(seed)),
+        painted(body, worn, size, np.random.default_rng(seed)),
         (), named_features(generic, vertices), {}, told.stature_m, 0.0,
         consent=True, terms=Terms(licence="everyone"),  # nobody's likeness: a family's face and drawn skin
-        triangle_regions=regions(told.sex),
+        triangle_regions=regions(worn),
         measures_mm={key: round(told.mm.get(key, shown[key]), 1) for key in MEASURE_KEYS},
     )  # fmt: skip
 

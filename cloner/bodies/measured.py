@@ -33,7 +33,7 @@ def measured_body(told: Told) -> BodyMesh:
         If a measure cannot be met.
     """
     untold = {key: pair for key, pair in untold_mm(told).items() if key in LIKELY}
-    base = usual_body(told.sex, told.stature_m)
+    base = usual_body(told.sex, told.stature_m, told.age_years)
     family = round_body(base, told.stature_m)
     return _close(fitted(family, load_tape_rules(), told.mm, untold, seat=told.seat), told, load_tape_rules())
 

@@ -1,8 +1,8 @@
-"""What adults measure: the shipped family's table, moved to the means and spreads of a public survey.
+"""What people measure: for adults the shipped family's table, moved to the means and spreads of a public survey.
 
 The family (``measures.npz``, from CC0 data) knows how measures go together; its women and men are slimmer than people.
 So the measures that the survey has are given the survey's mean and spread, and all others follow (Jeffrey's rule on a
-Gaussian). What is told then tells of what is not told.
+Gaussian). What is told then tells of what is not told. Children are the family's.
 
 References
 ----------
@@ -20,6 +20,7 @@ from typing import Final
 
 import numpy as np
 
+from cloner.bodies.children import GROWN, children
 from cloner.generic.measure_prior import load_measure_prior
 from cloner.geometry.measurement.measuring import ALL_KEYS
 from cloner.records.arrays import Array
@@ -72,9 +73,16 @@ class People:
         return People(mean, self.covariance - gain @ self.covariance[rows])
 
 
+def people(sex: str, age_years: float) -> People:
+    """Return the table of a sex of `SEXES` at an age: one for all adults."""
+    if age_years < GROWN:
+        own = children(sex)
+        return People(own.at(age_years)[1], own.covariance.astype(np.float64))
+    return _adults(sex)
+
+
 @functools.cache
-def people(sex: str) -> People:
-    """Return the table of a sex of `SEXES`."""
+def _adults(sex: str) -> People:
     prior = load_measure_prior()
     mean, covariance = (table[SEXES.index(sex)] for table in (prior.means, prior.covariances))
     stature_m = STATURE_MM[sex][0] / 1e3

@@ -1,4 +1,7 @@
-"""What a body is painted with that no photo shows: one tone of skin, short hair, brows, lips, and underwear."""
+"""What a body is painted with that no photo shows: one tone of skin, short hair, brows, lips, and underwear.
+
+Children wear a shirt and shorts.
+"""
 
 from __future__ import annotations
 
@@ -30,20 +33,25 @@ SOFT_M: Final = 0.002
 KNIT, HEM_SHADE, HEM_M = 3.0, 22.0, 0.010
 #: Briefs reach so far above the crotch, shares of the generic stature; their legs rise to the sides.
 BRIEFS: Final = (0.085, 0.75)
+#: What `underwear` draws for children: a shirt and shorts, neutral as underwear is.
+CHILD: Final = "child"
+#: Their waist lies so far above the briefs', shorts reach below the crotch, the collar below the neck's base, metres at
+#: 1.70 m; sleeves go so far from shoulder to elbow (taste).
+WAIST_M, SHORTS_M, COLLAR_M, SLEEVE = 0.05, 0.20, 0.008, 0.6
 #: Brows stand above the eyes, at 1.70 m: height, half thickness, metres.
 BROW_M: Final = (0.019, 0.0035)
 #: Grain of skin: levels, and metres of its smallest patches.
 GRAIN: Final = 4.0
 
 
-def painted(body: BodyMesh, sex: str, size: int, rng: np.random.Generator) -> TextureAtlas:
+def painted(body: BodyMesh, worn: str, size: int, rng: np.random.Generator) -> TextureAtlas:
     """Return the atlas of a body that no photo shows: decent, and plain.
 
     Parameters
     ----------
     body : BodyMesh
-    sex : str
-        Women wear two pieces, men one.
+    worn : str
+        As for :func:`underwear`.
     size : int
         Side, texels.
     """
@@ -57,19 +65,19 @@ def painted(body: BodyMesh, sex: str, size: int, rng: np.random.Generator) -> Te
     brows = np.where(skin, _brows(generic, places.astype(np.float64)), -1.0)
     for field, colour in ((brows, BROWS), *((atlas.interpolate(each), rgb_) for each, rgb_ in _fields(generic))):
         texels += _inside(field) * (colour.astype(np.float32) - texels)
-    draw_underwear(texels, generic, sex, atlas)
+    draw_underwear(texels, generic, worn, atlas)
     rgb.reshape(-1, 3)[atlas.texel] = np.clip(np.rint(texels), 0, 255)
     paint_parts(generic, parts_atlas(generic, size), rgb, body.vertices_m, IRIS, 0.0, None, rng)
     return TextureAtlas(pad_charts(rgb, atlas.covered()), np.zeros((size, size), np.uint8))
 
 
-def regions(sex: str) -> NDArray[np.uint8]:
+def regions(worn: str) -> NDArray[np.uint8]:
     """Return (T,) places in `REGIONS` of the generic human's triangles as :func:`painted` paints them."""
     generic = load_generic()
     triangles, _ = generic.triangles()
     part = np.array([name.split("_")[0] for name in generic.part_names])[generic.vertex_part[triangles[:, 0]]]
     labels = np.full(len(triangles), REGIONS.index("skin"))
-    fields = {name: field[triangles].mean(axis=1) > 0.0 for name, field in underwear(generic, sex).items()}
+    fields = {name: field[triangles].mean(axis=1) > 0.0 for name, field in underwear(generic, worn).items()}
     labels[fields["briefs"]] = REGIONS.index("lower_clothes")
     labels[fields.get("top", np.zeros(len(triangles), bool))] = REGIONS.index("upper_clothes")
     labels[_hair(generic)[triangles].mean(axis=1) > 0.0] = REGIONS.index("hair")
@@ -78,11 +86,11 @@ def regions(sex: str) -> NDArray[np.uint8]:
     return labels.astype(np.uint8)
 
 
-def draw_underwear(texels: NDArray[np.float32], generic: GenericHuman, sex: str, atlas: AtlasMap) -> None:
+def draw_underwear(texels: NDArray[np.float32], generic: GenericHuman, worn: str, atlas: AtlasMap) -> None:
     """Draw neutral underwear over (N, 3) texels of an atlas: a plain knit with a hem."""
     rows, columns = np.divmod(atlas.texel, atlas.shape[1])
     knit = KNIT * np.where((rows + columns) % 4 < 2, 1.0, -1.0).astype(np.float32)[:, None]
-    for each in underwear(generic, sex).values():
+    for each in underwear(generic, worn).values():
         field = atlas.interpolate(each)
         hem = HEM_SHADE * np.clip(1.0 - np.abs(field - HEM_M) / SOFT_M, 0.0, 1.0)[:, None]
         texels += _inside(field) * (CLOTH.astype(np.float32) + knit - hem - texels)
@@ -105,20 +113,42 @@ def _fields(generic: GenericHuman) -> list[tuple[Array, Array]]:
     return [(lips, LIPS), (_hair(generic), HAIR)]
 
 
-def underwear(generic: GenericHuman, sex: str) -> dict[str, Array]:
-    """Return by "briefs" and "top" (women's) the signed distance (V,) of every vertex to its edge, positive inside."""
+def underwear(generic: GenericHuman, worn: str) -> dict[str, Array]:
+    """Return by "briefs" and "top" the signed distance (V,) of every vertex to its edge, metres, positive inside.
+
+    Parameters
+    ----------
+    worn : str
+        "m" briefs alone, "f" a top too; `CHILD` a shirt and shorts in their place.
+    """
     places = generic.vertices_m.astype(np.float64)
     x, y = np.abs(places[:, 0]), places[:, 1]
     trunk = (generic.share("torso", "pelvis", "left_thigh", "right_thigh") - 0.5) * 0.1
     crotch = float(places[generic.feature("crotch"), 1])
     top = crotch + BRIEFS[0] * 1.7
+    if worn == CHILD:
+        return _shirt_and_shorts(generic, top + WAIST_M, crotch - SHORTS_M)
     legs = y - (crotch - 0.015 + BRIEFS[1] * np.maximum(x - 0.05, 0.0))
     found = {"briefs": np.minimum(np.minimum(top - y, legs), trunk)}
-    if sex == "f":
+    if worn == "f":
         low = float(places[generic.feature("chest_front"), 1]) - 0.075
         high = float(places[generic.feature("armpit_left"), 1]) + 0.005
         found["top"] = np.minimum(np.minimum(y - low, high - y), trunk)
     return found
+
+
+def _shirt_and_shorts(generic: GenericHuman, waist_m: float, hem_m: float) -> dict[str, Array]:
+    places = generic.vertices_m.astype(np.float64)
+    x, y = np.abs(places[:, 0]), places[:, 1]
+    legs = (generic.share("torso", "pelvis", "left_thigh", "right_thigh") - 0.5) * 0.1
+    arms = (generic.share("torso", "pelvis", "head", "left_upper_arm", "right_upper_arm") - 0.5) * 0.1
+    shoulder, elbow = (abs(float(generic.joints_m[generic.joint(f"l_{name}"), 0])) for name in ("shoulder", "elbow"))
+    sleeve = shoulder + SLEEVE * (elbow - shoulder) - x
+    collar = float(places[generic.feature("neck_base_L"), 1]) - COLLAR_M - y
+    return {
+        "briefs": np.minimum(np.minimum(waist_m - y, y - hem_m), legs),
+        "top": np.minimum(np.minimum(np.minimum(y - waist_m, collar), sleeve), arms),
+    }
 
 
 def _hair(generic: GenericHuman) -> Array:

@@ -8,7 +8,8 @@ from typing import Final
 
 import numpy as np
 
-from cloner.bodies.population import SEXES, STATURE_MM, people
+from cloner.bodies.children import GROWN, OLDEST, USUAL_AGE, YOUNGEST, stature_mm
+from cloner.bodies.population import SEXES, people
 from cloner.errors import ClonerError
 from cloner.geometry.measurement.measuring import ALL_KEYS
 from cloner.records.measures import BY_KEY
@@ -29,7 +30,7 @@ PRESETS: Final = {
         "arm_length",
     ),
 }  # fmt: skip
-#: Adults only: the family's children are not tested.
+#: Of adults.
 STATURES_M: Final = (1.30, 2.20)
 #: A measure alone may be so many spreads from the mean, and given the others told with it; beyond, nobody is.
 FAR, FAR_TOGETHER = 4.5, 6.0
@@ -56,17 +57,27 @@ class Told:
     stature_m : float
     mm : mapping of str to float
         By key of the measures' table.
+    age_years : float
     """
 
     sex: str
     stature_m: float
     mm: Mapping[str, float]
+    age_years: float = USUAL_AGE
 
     @property
     def seat(self) -> bool:
         """Whether the waist exceeds the hips: then their tape lies over the buttocks, not at the widest."""
         waists = [self.mm.get(key, 0.0) for key in ("waist_girth", "navel_girth", "narrowest_waist_girth")]
         return "hip_girth" in self.mm and max(waists) > self.mm["hip_girth"] - BELLY_MM
+
+
+def statures_m(sex: str, age_years: float) -> tuple[float, float]:
+    """Return the least and the greatest stature that can be made, metres."""
+    if age_years >= GROWN:
+        return STATURES_M
+    median, spread = stature_mm(sex, age_years)
+    return (median - FAR * spread) / 1e3, (median + FAR * spread) / 1e3
 
 
 def check_told(told: Told) -> None:
@@ -79,9 +90,14 @@ def check_told(told: Told) -> None:
     """
     if told.sex not in SEXES:
         raise ClonerError(f"the sex {told.sex!r} is not known", "Give --sex f or --sex m", "--sex")
-    if not STATURES_M[0] <= told.stature_m <= STATURES_M[1]:  # neither nan
-        low, high = (100.0 * end for end in STATURES_M)
+    if not YOUNGEST <= told.age_years <= OLDEST:  # neither nan
+        hint = f"People of {YOUNGEST:.0f} to {OLDEST:.0f} years can be made"
+        raise ClonerError(f"an age of {told.age_years:g} years cannot be made", hint, "--age")
+    low, high = (100.0 * end for end in statures_m(told.sex, told.age_years))
+    if not low <= 100.0 * told.stature_m <= high:
         hint = f"Adults of {low:.0f} to {high:.0f} cm can be made"
+        if told.age_years < GROWN:
+            hint = f"At {told.age_years:g} years bodies of {low:.0f} to {high:.0f} cm can be made"
         raise ClonerError(f"a stature of {100.0 * told.stature_m:g} cm cannot be made", hint, "--stature")
     for key in told.mm:
         if key not in (*GIRTHS, *LENGTHS):
@@ -100,7 +116,7 @@ def check_told(told: Told) -> None:
 
 def _check_likely(told: Told) -> None:
     """Refuse measures far from everybody's, alone or beside the others."""
-    everybody = people(told.sex)
+    everybody = people(told.sex, told.age_years)
     for key, value in told.mm.items():
         _check_near(told, key, value, everybody.spread_mm(key, told.stature_m), FAR, alone=True)
     for key, value in told.mm.items():
@@ -113,8 +129,7 @@ def _check_near(told: Told, key: str, value: float, usual: tuple[float, float], 
     mean, spread = usual[0], max(usual[1], 0.02 * usual[0])
     if abs(value - mean) > far * spread:
         hint = f"Measure again; {_cm(mean - far * spread)} to {_cm(mean + far * spread)} can be made"
-        stature = STATURE_MM[told.sex][0] / 1e3 if not told.stature_m else told.stature_m
-        message = f"a {_words(key)} of {_cm(value)} is no body's of {100.0 * stature:.0f} cm"
+        message = f"a {_words(key)} of {_cm(value)} is no body's of {100.0 * told.stature_m:.0f} cm"
         raise ClonerError(message if alone else f"{message} with the other measures", hint, key)
 
 
@@ -126,7 +141,7 @@ def refused(key: str, error_mm: float, wanted_mm: float) -> ClonerError:
 
 def untold_mm(told: Told) -> dict[str, tuple[float, float]]:
     """Return the likeliest value and the spread of every measure beside those told, mm."""
-    alike = people(told.sex).told(told.stature_m, told.mm)
+    alike = people(told.sex, told.age_years).told(told.stature_m, told.mm)
     deviation = told.stature_m * np.sqrt(np.maximum(np.diag(alike.covariance), 0.0))
     values = told.stature_m * alike.mean
     return {key: (float(values[row]), float(deviation[row])) for row, key in enumerate(ALL_KEYS) if key not in told.mm}

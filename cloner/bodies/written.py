@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
+from cloner.bodies.children import USUAL_AGE
 from cloner.bodies.made import clone_of_measures, remeasured_clone
 from cloner.bodies.ruler import read
 from cloner.bodies.telling import GIRTHS, LENGTHS, Told, untold_mm
@@ -38,6 +39,7 @@ def body_folder(
     measures_cm: Mapping[str, float],
     formats: Sequence[str],
     texture_size: int,
+    age_years: float = USUAL_AGE,
     source: Path | None = None,
     progress: Progress = quiet,
 ) -> tuple[Path, tuple[str, ...]]:
@@ -58,6 +60,8 @@ def body_folder(
         Names of exporters.
     texture_size : int
         Side of the texture of a new body, texels.
+    age_years : float
+        Below 18 a child's body.
     source : Path or None
         The clone that is told new measures.
     progress : callable
@@ -74,18 +78,27 @@ def body_folder(
         raise ClonerError("the stature is missing", "Give --stature and as many measures as you know", "--stature")
     progress("body", 0.0)
     old = clone_of(source) if source is not None else None
-    stature_m = old.stature_m if stature_cm is None and old is not None else float(stature_cm or 0.0) / 100.0
-    told = Told(sex or (sex_of(old) if old is not None else ""), stature_m, _tape(measures_cm, stature_m))
+    told = _told(sex, stature_cm, measures_cm, age_years, old)
     with result_folder(out, safe_identifier(identifier)) as folder:
         clone = clone_of_measures(told, texture_size) if old is None else remeasured_clone(old, told)
         clone = replace(clone, stamp=_stamp(told, identifier, texture_size, old))
         progress("export", 0.5)
-        options = {"sex": told.sex, "stature_m": round(told.stature_m, 4), "told_mm": dict(told.mm)}
+        options = {"sex": told.sex, "stature_m": round(told.stature_m, 4), "age_years": told.age_years}
+        options["told_mm"] = dict(told.mm)
         told_mm = {key: round(value, 1) for key, value in told.mm.items()}
         manifest = manifest_of(clone, "body from measures", options, source) | {"told_mm": told_mm}
         write_result(clone, folder, f"Body {identifier}", formats, manifest)
     progress("done", 1.0)
     return out / safe_identifier(identifier), _said(clone, told, old)
+
+
+def _told(
+    sex: str, stature_cm: float | None, measures_cm: Mapping[str, float], age_years: float, old: Clone | None
+) -> Told:
+    """Return what is told of a new body, or of a clone, which keeps its stature and sex where they are not told."""
+    stature_m = old.stature_m if stature_cm is None and old is not None else float(stature_cm or 0.0) / 100.0
+    whose = sex or (sex_of(old) if old is not None else "")
+    return Told(whose, stature_m, _tape(measures_cm, stature_m), age_years)
 
 
 def _tape(measures_cm: Mapping[str, float], stature_m: float) -> dict[str, float]:
@@ -105,7 +118,7 @@ def _stamp(told: Told, identifier: str, size: int, old: Clone | None) -> str:
     changed = ", ".join(f"{key.replace('_', ' ')} {value:.1f}" for key, value in told.mm.items())
     if old is not None:
         return f"{old.stamp}, told {changed}"[:400]
-    text = json.dumps([identifier, told.sex, told.stature_m, dict(told.mm)])
+    text = json.dumps([identifier, told.sex, told.age_years, told.stature_m, dict(told.mm)])
     return stamp_text(0, size, [hashlib.sha256(text.encode()).hexdigest()])
 
 

@@ -29,6 +29,7 @@ def body(
     identifier: IdOption,
     sex: Annotated[str, typer.Option("--sex", help="f or m.")] = "",
     stature: Annotated[float | None, typer.Option("--stature", help="Barefoot height in cm.")] = None,
+    age: Annotated[float | None, typer.Option("--age", help="Years; below 18 a child's body.")] = None,
     bust: Annotated[float | None, typer.Option("--bust", help="Chest girth in cm.")] = None,
     waist: Annotated[float | None, typer.Option("--waist", help="Waist girth in cm.")] = None,
     hip: Annotated[float | None, typer.Option("--hip", help="Hip girth in cm.")] = None,
@@ -40,6 +41,7 @@ def body(
     size: SizeOption = DEFAULT_TEXTURE_SIZE,
 ) -> None:
     """Make a body from measures, or tell a clone new ones."""
+    from cloner.bodies.children import USUAL_AGE
     from cloner.bodies.written import body_folder
 
     told = {name: value for name, value in (("bust", bust), ("waist", waist), ("hip", hip)) if value is not None}
@@ -50,7 +52,7 @@ def body(
     with ProgressLine() as progress:
         folder, lines = body_folder(
             out, identifier, sex=sex.lower(), stature_cm=stature, measures_cm=told, formats=split_formats(formats),
-            texture_size=size, source=source, progress=progress,
+            texture_size=size, age_years=USUAL_AGE if age is None else age, source=source, progress=progress,
         )  # fmt: skip
     say(lines)
     typer.echo(str(folder))

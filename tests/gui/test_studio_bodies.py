@@ -8,6 +8,7 @@ from cloner.bodies.ruler import read
 from cloner.bodies.telling import Told
 from cloner.generic.tape import load_tape_rules
 from cloner.picture import clone_of
+from cloner.records.regions import REGIONS
 from cloner_gui.studio.bodies import CLONE, NINE, BodiesWindow
 from cloner_gui.studio.measure_row import STATURE
 from kit.studio_window import TEXELS, tape_clone
@@ -52,6 +53,19 @@ def test_a_slider_tells_a_measure_and_the_others_follow(bodies, qtbot):
     )
     rested(qtbot, bodies)
     assert bodies.wish().cm == {"bust_girth": 100.0}
+
+
+def test_a_child_of_that_age_stands_there(bodies, qtbot):
+    rested(qtbot, bodies)
+    bodies.age.setValue(8)
+    rested(qtbot, bodies)
+    assert bodies.rows[STATURE].number.value() == pytest.approx(127.6, abs=0.2)
+    assert bodies.wish().age_years == 8.0
+    shirt = bodies.preview._clone.triangle_regions == REGIONS.index("upper_clothes")
+    assert shirt.any()
+    bodies.rows["waist_girth"].number.setValue(60.0)
+    rested(qtbot, bodies)
+    assert girth(bodies.preview._clone, "waist_girth") == pytest.approx(600.0, abs=1.0)
 
 
 def test_nine_measures_are_asked_where_a_tailor_takes_them(bodies, qtbot):

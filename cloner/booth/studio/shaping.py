@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Final
 
+from cloner.bodies.children import GROWN, stature_mm
 from cloner.bodies.made import clone_of_measures, figure, remeasured_clone
 from cloner.bodies.telling import Told
 from cloner.bodies.written import body_folder, sex_of
@@ -22,11 +24,17 @@ _SHOWN_TEXELS: Final = 1024
 _USUAL_M: Final = {"f": 1.65, "m": 1.75}
 
 
+@functools.lru_cache(maxsize=4)
+def _usual(sex: str, age_years: float) -> Clone:
+    """Return somebody of whom nothing else is told."""
+    stature_m = _USUAL_M[sex] if age_years >= GROWN else stature_mm(sex, age_years)[0] / 1e3
+    return clone_of_measures(Told(sex, stature_m, {}, age_years), _SHOWN_TEXELS)
+
+
 class Shaping:
     """The jobs of the window for bodies."""
 
     def __init__(self) -> None:
-        self._usual: dict[str, Clone] = {}
         self._source: tuple[tuple[Path, int], Clone] | None = None
 
     def begin_body(self, wish: BodyWish, progress: Progress) -> tuple[Clone, str]:
@@ -35,20 +43,20 @@ class Shaping:
         if wish.source is not None:
             clone = self._of(wish.source)
             return clone, wish.sex or sex_of(clone)
-        if wish.sex not in self._usual:
-            self._usual[wish.sex] = clone_of_measures(Told(wish.sex, _USUAL_M[wish.sex], {}), _SHOWN_TEXELS)
-        return self._usual[wish.sex], wish.sex
+        return _usual(wish.sex, wish.age_years), wish.sex
 
     def shape_body(self, wish: BodyWish, progress: Progress) -> Figure:
         """Return a body of told measures; see `cloner.bodies.made`."""
         progress("body", 0.0)
         told_mm = {key: 10.0 * value for key, value in wish.cm.items()}
         if wish.source is None:
-            body = figure(Told(wish.sex, wish.stature_cm / 100.0, told_mm))
+            body = figure(Told(wish.sex, wish.stature_cm / 100.0, told_mm, wish.age_years))
             shown = measures_mm(body.vertices_m, body.joints_m, load_tape_rules())
             return Figure(body.vertices_m, body.joints_m, (), {**shown, **told_mm})
         clone = self._of(wish.source)
-        made = remeasured_clone(clone, Told(wish.sex or sex_of(clone), wish.stature_cm / 100.0, told_mm))
+        made = remeasured_clone(
+            clone, Told(wish.sex or sex_of(clone), wish.stature_cm / 100.0, told_mm, wish.age_years)
+        )
         return Figure(
             made.vertices_m, made.joints_m, tuple(shell.vertices_m for shell in made.shells), made.measures_mm
         )
@@ -59,7 +67,7 @@ class Shaping:
         """Write a body as a result; see `cloner.bodies.written.body_folder`."""
         folder, _ = body_folder(
             out, identifier, sex=wish.sex, stature_cm=wish.stature_cm, measures_cm=wish.cm, formats=formats,
-            texture_size=size, source=wish.source, progress=progress,
+            texture_size=size, age_years=wish.age_years, source=wish.source, progress=progress,
         )  # fmt: skip
         return folder
 

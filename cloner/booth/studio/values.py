@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from cloner.bodies.children import USUAL_AGE
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
 
@@ -121,12 +122,14 @@ class BodyWish:
         What is told, by key of the measures' table.
     source : Path or None
         The clone that is told new measures; None makes a body of nobody's.
+    age_years : float
     """
 
     sex: str
     stature_cm: float
     cm: Mapping[str, float] = field(default_factory=dict)
     source: Path | None = None
+    age_years: float = USUAL_AGE
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,9 +6,10 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Final
 
-from PySide6.QtWidgets import QComboBox, QFileDialog, QLineEdit, QWidget
+from PySide6.QtWidgets import QComboBox, QFileDialog, QLineEdit, QSpinBox, QWidget
 
-from cloner.bodies.telling import PRESETS, STATURES_M, Told, untold_mm
+from cloner.bodies.children import OLDEST, USUAL_AGE, YOUNGEST
+from cloner.bodies.telling import PRESETS, Told, statures_m, untold_mm
 from cloner.booth.studio.values import BodyWish, Figure, received
 from cloner.errors import ClonerError
 from cloner.project.folder import safe_identifier
@@ -36,6 +37,7 @@ class BodiesWindow(Bench):
         super().__init__(booth, translate("studio", "Body from measures"), parent)
         self.subject, self.preview = Subject(booth), Preview()
         self.kind, self.preset, self.refused = QComboBox(), QComboBox(), label("warn")
+        self.age = QSpinBox()
         self.rows = {key: MeasureRow(key) for key in (STATURE, *_in_order())}
         self.name_field, self.save_button = QLineEdit(), button("main")
         self.preview.say_when_empty("")
@@ -54,21 +56,26 @@ class BodiesWindow(Bench):
             return None
         told = {key: row.told_cm() for key, row in self.rows.items() if key != STATURE and row.isVisibleTo(self)}
         known = {key: value for key, value in told.items() if value is not None}
-        return BodyWish(self._sex, self.rows[STATURE].number.value(), known, source)
+        return BodyWish(self._sex, self.rows[STATURE].number.value(), known, source, float(self.age.value()))
 
     def _fill(self) -> None:
         for text, kind in (
-            (translate("studio", "A woman"), WOMAN),
-            (translate("studio", "A man"), MAN),
+            (translate("studio", "A woman or a girl"), WOMAN),
+            (translate("studio", "A man or a boy"), MAN),
             (translate("studio", "A clone, told new measures"), CLONE),
         ):
             self.kind.addItem(text, kind)
+        self.age.setRange(int(YOUNGEST), int(OLDEST))
+        self.age.setValue(int(USUAL_AGE))
+        self.age.setSuffix(translate("studio", " years"))
+        self.age.setKeyboardTracking(False)
         self.preset.addItem(translate("studio", "Four, as a shop asks"), FOUR)
         self.preset.addItem(translate("studio", "Nine, as a tailor takes"), NINE)
         self.save_button.setText(translate("studio", "&Save the body…"))
 
     def _place(self) -> None:
         self.field(translate("studio", "&Who"), self.kind)
+        self.field(translate("studio", "&Age"), self.age)
         self.controls.addWidget(self.subject)
         self.field(translate("studio", "&Measures"), self.preset)
         for row in self.rows.values():
@@ -81,6 +88,7 @@ class BodiesWindow(Bench):
 
     def _connect(self) -> None:
         self.kind.activated.connect(self._take_kind)
+        self.age.valueChanged.connect(self._take_kind)
         self.subject.changed.connect(self._take_kind)
         self.preset.activated.connect(self._take_preset)
         for row in self.rows.values():
@@ -112,9 +120,10 @@ class BodiesWindow(Bench):
 
     def _set_ranges(self) -> None:
         """Let sliders go as far as bodies of this height do."""
-        low, high = STATURES_M
+        age = float(self.age.value())
+        low, high = statures_m(self._sex, age)
         self.rows[STATURE].set_range(100.0 * low, 100.0 * high)
-        usual = untold_mm(Told(self._sex, self.rows[STATURE].number.value() / 100.0, {}))
+        usual = untold_mm(Told(self._sex, self.rows[STATURE].number.value() / 100.0, {}, age))
         for key, row in self.rows.items():
             if key != STATURE:
                 mean, spread = usual[key]
@@ -168,7 +177,7 @@ class BodiesWindow(Bench):
     def _tell_ready(self) -> None:
         """Go on with what was told meanwhile, once a job is done."""
         self.save_button.setEnabled(not self.busy and self._base is not None and not self.refused.text())
-        for one in (self.kind, self.subject, self.preset):
+        for one in (self.kind, self.subject, self.preset, self.age):
             one.setEnabled(not self.busy or self._quiet)
         if not self.busy and self._stale:
             self._shape()

@@ -2117,16 +2117,20 @@
         <translation>Körper nach Maßen</translation>
     </message>
     <message>
-        <source>A woman</source>
-        <translation>Eine Frau</translation>
+        <source>A woman or a girl</source>
+        <translation>Eine Frau oder ein Mädchen</translation>
     </message>
     <message>
-        <source>A man</source>
-        <translation>Ein Mann</translation>
+        <source>A man or a boy</source>
+        <translation>Ein Mann oder ein Junge</translation>
     </message>
     <message>
         <source>A clone, told new measures</source>
         <translation>Ein Klon, neu vermessen</translation>
+    </message>
+    <message>
+        <source> years</source>
+        <translation> Jahre</translation>
     </message>
     <message>
         <source>Four, as a shop asks</source>
@@ -2143,6 +2147,10 @@
     <message>
         <source>&amp;Who</source>
         <translation>&amp;Wer</translation>
+    </message>
+    <message>
+        <source>&amp;Age</source>
+        <translation>&amp;Alter</translation>
     </message>
     <message>
         <source>&amp;Measures</source>
@@ -3532,6 +3540,18 @@
     <message>
         <source>Adults of %1 to %2 cm can be made</source>
         <translation>Erwachsene von %1 bis %2 cm lassen sich machen</translation>
+    </message>
+    <message>
+        <source>At %1 years bodies of %2 to %3 cm can be made</source>
+        <translation>Mit %1 Jahren lassen sich Körper von %2 bis %3 cm herstellen</translation>
+    </message>
+    <message>
+        <source>an age of %1 years cannot be made</source>
+        <translation>ein Alter von %1 Jahren lässt sich nicht herstellen</translation>
+    </message>
+    <message>
+        <source>People of %1 to %2 years can be made</source>
+        <translation>Menschen von %1 bis %2 Jahren lassen sich herstellen</translation>
     </message>
     <message>
         <source>These can: %1</source>

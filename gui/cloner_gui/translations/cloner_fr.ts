@@ -2117,16 +2117,20 @@
         <translation>Corps d&apos;après mesures</translation>
     </message>
     <message>
-        <source>A woman</source>
-        <translation>Une femme</translation>
+        <source>A woman or a girl</source>
+        <translation>Une femme ou une fille</translation>
     </message>
     <message>
-        <source>A man</source>
-        <translation>Un homme</translation>
+        <source>A man or a boy</source>
+        <translation>Un homme ou un garçon</translation>
     </message>
     <message>
         <source>A clone, told new measures</source>
         <translation>Un clone, nouvelles mesures</translation>
+    </message>
+    <message>
+        <source> years</source>
+        <translation> ans</translation>
     </message>
     <message>
         <source>Four, as a shop asks</source>
@@ -2143,6 +2147,10 @@
     <message>
         <source>&amp;Who</source>
         <translation>&amp;Qui</translation>
+    </message>
+    <message>
+        <source>&amp;Age</source>
+        <translation>Â&amp;ge</translation>
     </message>
     <message>
         <source>&amp;Measures</source>
@@ -3532,6 +3540,18 @@
     <message>
         <source>Adults of %1 to %2 cm can be made</source>
         <translation>Des adultes de %1 à %2 cm peuvent être faits</translation>
+    </message>
+    <message>
+        <source>At %1 years bodies of %2 to %3 cm can be made</source>
+        <translation>À %1 ans, des corps de %2 à %3 cm sont possibles</translation>
+    </message>
+    <message>
+        <source>an age of %1 years cannot be made</source>
+        <translation>un âge de %1 ans n’est pas possible</translation>
+    </message>
+    <message>
+        <source>People of %1 to %2 years can be made</source>
+        <translation>Des personnes de %1 à %2 ans sont possibles</translation>
     </message>
     <message>
         <source>These can: %1</source>

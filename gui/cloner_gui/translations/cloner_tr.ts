@@ -2116,16 +2116,20 @@
         <translation>Ölçülerden beden</translation>
     </message>
     <message>
-        <source>A woman</source>
-        <translation>Bir kadın</translation>
+        <source>A woman or a girl</source>
+        <translation>Bir kadın ya da kız</translation>
     </message>
     <message>
-        <source>A man</source>
-        <translation>Bir erkek</translation>
+        <source>A man or a boy</source>
+        <translation>Bir erkek ya da oğlan</translation>
     </message>
     <message>
         <source>A clone, told new measures</source>
         <translation>Yeni ölçülerle bir klon</translation>
+    </message>
+    <message>
+        <source> years</source>
+        <translation> yaş</translation>
     </message>
     <message>
         <source>Four, as a shop asks</source>
@@ -2142,6 +2146,10 @@
     <message>
         <source>&amp;Who</source>
         <translation>&amp;Kim</translation>
+    </message>
+    <message>
+        <source>&amp;Age</source>
+        <translation>Y&amp;aş</translation>
     </message>
     <message>
         <source>&amp;Measures</source>
@@ -3531,6 +3539,18 @@
     <message>
         <source>Adults of %1 to %2 cm can be made</source>
         <translation>%1 ile %2 cm arası yetişkinler yapılabilir</translation>
+    </message>
+    <message>
+        <source>At %1 years bodies of %2 to %3 cm can be made</source>
+        <translation>%1 yaşında %2 ile %3 cm arası bedenler yapılabilir</translation>
+    </message>
+    <message>
+        <source>an age of %1 years cannot be made</source>
+        <translation>%1 yaş yapılamaz</translation>
+    </message>
+    <message>
+        <source>People of %1 to %2 years can be made</source>
+        <translation>%1 ile %2 yaş arası insanlar yapılabilir</translation>
     </message>
     <message>
         <source>These can: %1</source>

@@ -7,6 +7,7 @@ import pytest
 import trimesh
 from scipy.spatial import ConvexHull
 
+from cloner.bodies.children import USUAL_AGE
 from cloner.bodies.family import round_body, usual_body
 from cloner.bodies.measured import measured_body, remeasured_body
 from cloner.bodies.ruler import girth_slopes, level_slopes, read
@@ -64,6 +65,18 @@ def test_a_waist_beyond_the_hips_is_met_over_the_seat() -> None:
     assert foreign_girth_mm(body, float(seat)) == pytest.approx(1060.0, abs=1.0)
 
 
+def test_a_child_has_a_child_s_proportions_and_what_was_told() -> None:
+    told = Told("m", 1.28, {"bust_girth": 640.0, "waist_girth": 580.0, "hip_girth": 690.0}, 8.0)
+    child, man = measured_body(told), measured_body(Told("m", 1.76, {}))
+    shown = read(child.vertices_m, child.joints_m, load_tape_rules(), tuple(told.mm)).mm
+    for key, value in told.mm.items():
+        assert shown[key] == pytest.approx(value, abs=1.0), key
+    head = load_generic().head_blend > 0.999
+    heads = [np.ptp(body.vertices_m[head, 1]) / stature for body, stature in ((child, 1.28), (man, 1.76))]
+    assert heads[0] > 1.15 * heads[1]
+    assert child.vertices_m[load_generic().feature("head_top"), 1] == pytest.approx(1.28, abs=0.001)
+
+
 def test_the_head_keeps_its_shape_whatever_the_tape_says() -> None:
     generic = load_generic()
     skull = generic.head_blend > 0.999
@@ -92,14 +105,14 @@ def test_no_skin_turns_over_in_an_extreme_body() -> None:
 
 
 def test_a_body_told_what_it_has_stays_as_it_is() -> None:
-    base, rules = usual_body("f", 1.70), load_tape_rules()
+    base, rules = usual_body("f", 1.70, USUAL_AGE), load_tape_rules()
     own = read(base.vertices_m, base.joints_m, rules, ("waist_girth", "hip_girth")).mm
     again = remeasured_body(base, Told("f", 1.70, dict(own)))
     assert np.abs(again.vertices_m - base.vertices_m).max() < 1e-5
 
 
 def test_slopes_of_a_girth_are_those_of_the_tape() -> None:
-    family, rules = round_body(usual_body("f", 1.70), 1.70), load_tape_rules()
+    family, rules = round_body(usual_body("f", 1.70, USUAL_AGE), 1.70), load_tape_rules()
     body = family.base
     for key in ("bust_girth", "thigh_girth"):
         planes = girth_planes(body.vertices_m, body.joints_m, rules, (key,))

@@ -5,9 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from cloner.bodies.children import STATURES_MM, SURVEY_AGES, USUAL_AGE, stature_mm
 from cloner.bodies.population import STATURE_MM, SURVEY_MM, people
 from cloner.bodies.telling import Told, check_told, untold_mm
 from cloner.errors import ClonerError
+from cloner.geometry.measurement.measuring import ALL_KEYS
 
 
 @pytest.mark.parametrize(
@@ -16,6 +18,9 @@ from cloner.errors import ClonerError
         (Told("x", 1.7, {}), "sex"),
         (Told("f", 0.9, {}), "stature of 90 cm"),
         (Told("f", float("nan"), {}), "stature"),
+        (Told("f", 1.7, {}, 8.0), "stature of 170 cm"),
+        (Told("m", 0.8, {}, 2.0), "age of 2 years"),
+        (Told("m", 1.28, {"waist_girth": 900.0}, 8.0), "waist girth of 90.0 cm"),
         (Told("f", 1.7, {"head_girth": 560.0}), "head girth"),
         (Told("f", 1.7, {"bust_girth": 800.0, "underbust_girth": 850.0}), "bust girth of 80.0 cm is smaller"),
         (Told("f", 1.7, {"inside_leg_height": 700.0, "waist_height": 690.0}), "waist height of 69.0 cm is smaller"),
@@ -40,8 +45,8 @@ def test_what_people_have_is_taken() -> None:
 def test_the_table_has_the_survey_s_means_and_spreads(sex: str) -> None:
     stature_m = STATURE_MM[sex][0] / 1e3
     for key, pair in SURVEY_MM[sex].items():
-        assert people(sex).spread_mm(key, stature_m) == pytest.approx(pair, rel=1e-6)
-    assert np.linalg.eigvalsh(people(sex).covariance).min() > -1e-9
+        assert people(sex, USUAL_AGE).spread_mm(key, stature_m) == pytest.approx(pair, rel=1e-6)
+    assert np.linalg.eigvalsh(people(sex, USUAL_AGE).covariance).min() > -1e-9
 
 
 def test_what_is_told_moves_what_is_not_told_and_makes_it_surer() -> None:
@@ -49,3 +54,15 @@ def test_what_is_told_moves_what_is_not_told_and_makes_it_surer() -> None:
     stout = untold_mm(Told("f", 1.68, {"hip_girth": 1200.0}))
     assert stout["thigh_girth"][0] > nothing["thigh_girth"][0] + 60.0
     assert stout["thigh_girth"][1] < 0.7 * nothing["thigh_girth"][1]
+
+
+@pytest.mark.parametrize("sex", ["f", "m"])
+def test_children_grow_and_their_heads_are_large_for_them(sex: str) -> None:
+    statures = [stature_mm(sex, age)[0] for age in SURVEY_AGES]
+    assert statures == sorted(STATURES_MM[sex])
+    tables = [people(sex, age) for age in (5.0, 9.0, 13.0, 17.0, USUAL_AGE)]
+    heads = [table.mean[ALL_KEYS.index("head_girth")] for table in tables]
+    assert heads == sorted(heads, reverse=True), "over the stature"
+    assert heads[0] > 1.3 * heads[-1]
+    for table in tables:
+        assert np.linalg.eigvalsh(table.covariance).min() > -1e-9
