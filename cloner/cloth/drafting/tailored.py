@@ -22,8 +22,10 @@ Point = tuple[float, float]
 #: An armhole ends so far below the armpit, a shoulder lies so far over the skin, metres.
 DROP_M, OVER_M = 0.025, 0.012
 #: Crotch below the body's, and how far the rise of front and back reaches between the legs, shares of the hips' girth.
-SEAT_M, SEAT_EASE = 0.035, 1.04
-RISES: Final = (0.055, 0.085)
+SEAT_M, SEAT_EASE = 0.035, 1.08
+RISES: Final = (0.0675, 0.105)
+#: Trousers end so high over the floor, a share of the stature: lower, a foot that swings pulls their hem apart.
+ANKLE: Final = 0.08
 HALVINGS: Final = 40
 #: A section's points so near a line up the body lie on it, metres.
 SEEN_M: Final = 0.015
@@ -218,7 +220,7 @@ def _sleeve(part: str, cut: Cut, body: Sections, hole: float) -> Segment:
 
 def _trousers(body: Sections, length: float | None) -> Pattern:
     crotch = float(body.place("crotch")[1]) - body.waist_m - SEAT_M
-    ankle = -body.waist_m + 0.06 * body.stature_m
+    ankle = -body.waist_m + ANKLE * body.stature_m
     hem = ankle if length is None else -length
     buttock = float(body.place("buttock_left")[1])
     hips, seat = SEAT_EASE * body.girth("trunk", buttock), buttock - body.waist_m

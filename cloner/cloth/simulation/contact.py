@@ -30,8 +30,9 @@ APART: Final = 0.9
 #: 1.2 m/s can pass. Nor are those whose speeds bring them no nearer than ``SURE_M``.
 REACH_M: Final = 0.02
 SURE_M: Final = 0.004
-#: Farthest that one pair is moved apart at once, of its spacing: what was sewn too near unfolds step by step.
-AT_ONCE: Final = 0.2
+#: Farthest that one pair is moved apart in one small step, of its spacing: what was sewn too near unfolds step by step,
+#: and what is pushed faster flies (with .2 and small steps half as long a skirt passed through itself).
+AT_ONCE: Final = 0.1
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -18,8 +18,7 @@ from cloner.records.arrays import Array
 
 Ints = NDArray[np.int64]
 
-#: No thread stays longer than this: fabrics stiffen (KES curves rise steeply towards EM). Springs alone left the 99th
-#: percentile 7 % too long; drawn back at every other small step it is 4 %, for a tenth of the time.
+#: No thread stays longer than this: fabrics stiffen (KES curves rise steeply towards EM).
 LONGEST: Final = 1.03
 
 
@@ -29,11 +28,25 @@ class Threads:
 
     Attributes
     ----------
-    groups : tuple of (int64 (G,), int64 (G,), float64 (G,), float64 (G,))
-        Both ends, rest length in metres, compliance in m/N.
+    groups : tuple of (int64 (2 G,), float64 (G,), float64 (G,))
+        All first ends, then all second ones; rest length in metres, compliance in m/N.
     """
 
-    groups: tuple[tuple[Ints, Ints, Array, Array], ...]
+    groups: tuple[tuple[Ints, Array, Array], ...]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Drawn:
+    """Threads ready to be drawn, for given masses and a given small step.
+
+    Attributes
+    ----------
+    groups : tuple of (int64 (2 G,), float64 (G,), float64 (G,), float64 (G,))
+        All first ends, then all second ones; lengths in metres; the share of what is missing that the first ends go,
+        and the second ends.
+    """
+
+    groups: tuple[tuple[Ints, Array, Array, Array], ...]
 
 
 def grouped(ends: Ints, rest_m: Array, compliance: Array, count: int) -> Threads:
@@ -47,30 +60,48 @@ def grouped(ends: Ints, rest_m: Array, compliance: Array, count: int) -> Threads
         used[one] |= 1 << free
         used[other] |= 1 << free
     rows = [np.flatnonzero(group == number) for number in range(int(group.max(initial=-1)) + 1)]
-    return Threads(tuple((ends[own, 0], ends[own, 1], rest_m[own], compliance[own]) for own in rows))
+    return Threads(tuple((ends[own].T.ravel(), rest_m[own], compliance[own]) for own in rows))
 
 
-def pull(threads: Threads, places: Array, free: Array, h: float, *, slack: bool = False) -> None:
-    """Move the ends of threads to their lengths, group after group; with ``slack`` short ones stay short."""
-    for one, other, rest, compliance in threads.groups:
-        away = places[other] - places[one]
-        length = np.sqrt(np.einsum("ij,ij->i", away, away))
-        first, second = free[one], free[other]
-        longer = np.maximum(length - rest, 0.0) if slack else length - rest
-        weight = longer / (np.maximum(length, 1e-9) * (first + second + compliance / h**2 + 1e-12))
-        places[one] += (weight * first)[:, None] * away
-        places[other] -= (weight * second)[:, None] * away
+def springs(threads: Threads, free: Array, h: float) -> Drawn:
+    """Return threads that give as their fabric does, for inverse masses (N,) and a step of ``h`` seconds."""
+    return _ready(threads, free, 1.0 / h**2, 1.0)
 
 
-def limit(threads: Threads, places: Array, free: Array) -> None:
-    """Draw threads that are longer than `LONGEST` back to that (Provot 1995), group after group."""
-    for one, other, rest, _ in threads.groups:
-        away = places[other] - places[one]
-        length = np.sqrt(np.einsum("ij,ij->i", away, away))
-        rows = np.flatnonzero(length > LONGEST * rest)
-        if not len(rows):
-            continue
-        first, second, away = free[one[rows]], free[other[rows]], away[rows]
-        weight = (1.0 - LONGEST * rest[rows] / length[rows]) / np.maximum(first + second, 1e-12)
-        places[one[rows]] += (weight * first)[:, None] * away
-        places[other[rows]] -= (weight * second)[:, None] * away
+def limits(threads: Threads, free: Array) -> Drawn:
+    """Return threads that give by nothing once they are `LONGEST` (Provot 1995), to be drawn as ``slack``."""
+    return _ready(threads, free, 0.0, LONGEST)
+
+
+def _ready(threads: Threads, free: Array, softer: float, longer: float) -> Drawn:
+    found = []
+    for ends, rest, compliance in threads.groups:
+        first, second = free[ends].reshape(2, -1)
+        both = first + second + softer * compliance + 1e-12
+        found.append((ends, longer * rest, first / both, second / both))
+    return Drawn(tuple(found))
+
+
+def pull(drawn: Drawn, places: Array, *, slack: bool = False) -> None:
+    """Move the ends of threads (places (N, 3), in place) to their lengths; with ``slack`` short ones stay short.
+
+    Group after group. Coordinates lie apart meanwhile: four times as fast as rows of three.
+    """
+    apart = np.ascontiguousarray(places.T)
+    for ends, rest, first, second in drawn.groups:
+        count = len(rest)
+        own = apart.take(ends, axis=1, mode="clip")  # no index is checked twice
+        away = own[:, count:] - own[:, :count]
+        share = np.einsum("aj,aj->j", away, away)
+        np.sqrt(share, out=share)
+        np.maximum(share, 1e-9, out=share)
+        np.divide(rest, share, out=share)
+        np.subtract(1.0, share, out=share)
+        if slack:
+            np.maximum(share, 0.0, out=share)
+        away *= share
+        own[:, :count] += away * first
+        own[:, count:] -= away * second
+        for axis in range(3):
+            apart[axis][ends] = own[axis]
+    places[:] = apart.T

@@ -70,7 +70,8 @@ def _width(pattern: Pattern, part: str, body: Sections) -> Callable[[Array], Arr
     """Return how long all pieces round a part are together, by height."""
     own = [segment for segment in pattern.segments if _part(segment) == part]
     ends = [edge[[0, 3], 1] for segment in own for edge in segment.edges.values()]
-    heights = np.arange(float(np.min(ends)), float(np.max(ends)) + STEP_M, STEP_M)
+    highest = float(np.max(ends))
+    heights = np.append(np.arange(float(np.min(ends)), highest, STEP_M), highest)  # a waist is narrower than below
     total = np.zeros(len(heights))
     for segment in own:
         low, high = _spans(segment, heights)
