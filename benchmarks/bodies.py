@@ -52,23 +52,25 @@ SHEET = (
 )
 
 
+def spread_told(sex: str, stature_m: float, age: float, keys: tuple[str, ...], spreads: float) -> Told:
+    """Return a body whose measures are so many spreads from the mean of its sex and age."""
+    mm = {}
+    for key in keys:
+        mean, spread = people(sex, age).spread_mm(key, stature_m)
+        mm[key] = mean + spreads * spread * (1.0 if key in GIRTHS else LENGTH_SHARE)
+    return Told(sex, stature_m, mm, age)
+
+
 def cases() -> Iterator[tuple[str, float, Told]]:
     """Yield name, spreads from the mean, and what is told."""
     for sex in SEXES:
         stature_m = STATURE_MM[sex][0] / 1e3
         for spreads in (0, 1, -1, 2, -2, 3, -3):
             for preset, keys in PRESETS.items():
-                mm = {}
-                for key in keys:
-                    mean, spread = people(sex, USUAL_AGE).spread_mm(key, stature_m)
-                    mm[key] = mean + spreads * spread * (1.0 if key in GIRTHS else LENGTH_SHARE)
-                yield f"{sex}{spreads:+d}{preset}", abs(spreads), Told(sex, stature_m, mm)
+                yield f"{sex}{spreads:+d}{preset}", abs(spreads), spread_told(sex, stature_m, USUAL_AGE, keys, spreads)
         for age, spreads in product(CHILDREN, (0, 1, -1)):
-            stature_m, mm = stature_mm(sex, age)[0] / 1e3, {}
-            for key in PRESETS["four"]:
-                mean, spread = people(sex, age).spread_mm(key, stature_m)
-                mm[key] = mean + spreads * spread
-            yield f"{sex} {age:g} years {spreads:+d}", abs(spreads), Told(sex, stature_m, mm, age)
+            told = spread_told(sex, stature_mm(sex, age)[0] / 1e3, age, PRESETS["four"], spreads)
+            yield f"{sex} {age:g} years {spreads:+d}", abs(spreads), told
     for stature_m in (1.50, 1.90):
         yield f"f {stature_m:.2f} m", 2, Told("f", stature_m, {"waist_girth": 0.44 * 1e3 * stature_m})
     yield "apple", 3, Told("f", 1.65, {"bust_girth": 1100.0, "waist_girth": 1150.0, "hip_girth": 1060.0})

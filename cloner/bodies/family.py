@@ -60,11 +60,12 @@ def usual(sex: str, age_years: float) -> Array:
 def usual_body(sex: str, stature_m: float, age_years: float) -> BodyMesh:
     """Return the usual woman, man, girl or boy of a stature and an age."""
     generic, scale = load_generic(), stature_m / GENERIC_STATURE_M
-    vertices, joints = generic.shape(usual(sex, age_years), stature_m)
+    coefficients = usual(sex, age_years)
+    vertices, joints = generic.shape(coefficients, stature_m)
     if age_years < GROWN:  # a mean of drawn children, whole; adults are a line through theirs, heads apart
         return BodyMesh(vertices, joints)
     mean = BodyMesh(scale * generic.vertices_m.astype(np.float64), scale * generic.joints_m.astype(np.float64))
-    own = round_body(mean, stature_m).body(usual(sex, age_years))
+    own = round_body(mean, stature_m).body(coefficients)
     share, above = generic.head_blend.astype(np.float64)[:, None], head_joints(generic)[:, None]
     skull = generic.joint("skullbase")
     aside = (own.joints_m[skull] - joints[skull]) * [0.0, 0.0, 1.0]

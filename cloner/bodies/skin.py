@@ -127,7 +127,7 @@ def underwear(generic: GenericHuman, worn: str) -> dict[str, Array]:
     crotch = float(places[generic.feature("crotch"), 1])
     top = crotch + BRIEFS[0] * 1.7
     if worn == CHILD:
-        return _shirt_and_shorts(generic, top + WAIST_M, crotch - SHORTS_M)
+        return _shirt_and_shorts(generic, trunk, top + WAIST_M, crotch - SHORTS_M)
     legs = y - (crotch - 0.015 + BRIEFS[1] * np.maximum(x - 0.05, 0.0))
     found = {"briefs": np.minimum(np.minimum(top - y, legs), trunk)}
     if worn == "f":
@@ -137,16 +137,16 @@ def underwear(generic: GenericHuman, worn: str) -> dict[str, Array]:
     return found
 
 
-def _shirt_and_shorts(generic: GenericHuman, waist_m: float, hem_m: float) -> dict[str, Array]:
+def _shirt_and_shorts(generic: GenericHuman, trunk: Array, waist_m: float, hem_m: float) -> dict[str, Array]:
+    """Return as `underwear` does what lies within the trunk's and thighs' field (V,), and the sleeves."""
     places = generic.vertices_m.astype(np.float64)
     x, y = np.abs(places[:, 0]), places[:, 1]
-    legs = (generic.share("torso", "pelvis", "left_thigh", "right_thigh") - 0.5) * 0.1
     arms = (generic.share("torso", "pelvis", "head", "left_upper_arm", "right_upper_arm") - 0.5) * 0.1
     shoulder, elbow = (abs(float(generic.joints_m[generic.joint(f"l_{name}"), 0])) for name in ("shoulder", "elbow"))
     sleeve = shoulder + SLEEVE * (elbow - shoulder) - x
     collar = float(places[generic.feature("neck_base_L"), 1]) - COLLAR_M - y
     return {
-        "briefs": np.minimum(np.minimum(waist_m - y, y - hem_m), legs),
+        "briefs": np.minimum(np.minimum(waist_m - y, y - hem_m), trunk),
         "top": np.minimum(np.minimum(np.minimum(y - waist_m, collar), sleeve), arms),
     }
 

@@ -7,20 +7,17 @@ measures differ between children of one age. Heads are children's too. ``build_g
 from __future__ import annotations
 
 import argparse
-import hashlib
-import json
 from pathlib import Path
 
 import hanim
 import numpy as np
 import population
-import shape_basis
-from archives import save
-from build_generic import OTHER_SIDE, SOLES
+from archives import save_told
+from build_generic import normal_body
 from cage import Cage
 from source import BaseMesh, FloatArray, Source
 
-from cloner.generic.load import load_generic
+from cloner.generic.load import GENERIC_STATURE_M, load_generic
 from cloner.generic.tape import load_tape_rules
 from cloner.geometry.measurement.measuring import ALL_KEYS, measures_mm
 
@@ -53,6 +50,7 @@ def main() -> None:
     generic, rules, rng = load_generic(), load_tape_rules(), np.random.default_rng(SEED)
     basis = generic.shape_basis.reshape(len(generic.shape_basis), -1).astype(np.float64)
     gram = basis @ basis.T
+    every = np.arange(len(base.vertices_m))
     coefficients = np.zeros((2, len(AGES), len(basis)))
     means, apart = np.zeros((2, len(AGES), len(ALL_KEYS))), []
     for sex in (0, 1):
@@ -61,33 +59,24 @@ def main() -> None:
             people = phenotypes(float(sex), age, rng)
             names, weights = population.macro_weights(people, source)
             local, own = population.pair_weights(population.BODY_PAIRS, len(people), rng=rng, asymmetry=0.0)
-            every = np.arange(len(base.vertices_m))
             offsets = population.blend(source, [*names, *local], np.hstack([weights, own]), every)
             measured = []
             for offset in offsets:
                 full = (base.vertices_m + offset.reshape(-1, 3))[None].astype(np.float32)
-                vertices = shape_basis.symmetrise(cage.build(full), cage.mirror)
-                joints = shape_basis.symmetrise((regressor @ full[0].astype(np.float64))[None], OTHER_SIDE)
-                vertices, joints, _ = shape_basis.normalise(
-                    vertices, joints, np.array(SOLES), np.array([hanim.INDEX["l_ankle"], hanim.INDEX["r_ankle"]])
-                )
-                away = (vertices[0] - generic.vertices_m).reshape(-1).astype(np.float64)
+                vertices, joints, _ = normal_body(cage, regressor, full)
+                away = (vertices - generic.vertices_m).reshape(-1).astype(np.float64)
                 coefficients[sex, row] += np.linalg.solve(gram, basis @ away) / len(people)
-                found = measures_mm(vertices[0].astype(np.float64), joints[0], rules)
-                measured.append([found[key] / 1.70 for key in ALL_KEYS])
+                found = measures_mm(vertices.astype(np.float64), joints, rules)
+                measured.append([found[key] / GENERIC_STATURE_M for key in ALL_KEYS])
             means[sex, row] = np.mean(measured, axis=0)
             residuals.append(np.array(measured) - means[sex, row])
             print(f"{'fm'[sex]} {age:g} years", np.round(coefficients[sex, row, :4], 2), flush=True)
         apart.append(np.cov(np.vstack(residuals).T))
-    save(OUT / FILE, {
+    save_told(OUT / FILE, {
         "keys": np.array(ALL_KEYS, dtype=np.str_), "ages": np.array(AGES, np.float32),
         "coefficients": coefficients.astype(np.float32), "means": means.astype(np.float32),
         "covariances": np.array(apart, np.float32),
     })  # fmt: skip
-    place = OUT / "PROVENANCE.json"
-    told = json.loads(place.read_text())
-    told["outputs"][FILE] = hashlib.sha256((OUT / FILE).read_bytes()).hexdigest()
-    place.write_text(json.dumps(told, indent=1) + "\n")
 
 
 if __name__ == "__main__":

@@ -55,22 +55,30 @@ class Crowd:
         offsets = population.blend(source, [*names_m, *names_l], np.hstack([weights_m, weights_l]), rows)
         vertices, joints = [], []
         full = np.zeros((1, *cage.base.vertices_m.shape), dtype=np.float32)
-        soles = np.array(SOLES)
-        ankles = np.array([hanim.INDEX["l_ankle"], hanim.INDEX["r_ankle"]])
         statures = []
         for row in offsets:
             full[0, rows] = cage.base.vertices_m[rows] + row.reshape(-1, 3)
-            v = shape_basis.symmetrise(cage.build(full), cage.mirror)
-            j = shape_basis.symmetrise((regressor @ full[0].astype(np.float64))[None], OTHER_SIDE)
-            v, j, stature = shape_basis.normalise(v, j, soles, ankles)
-            vertices.append(v[0].astype(np.float32))
-            joints.append(j[0].astype(np.float32))
-            statures.append(stature[0])
+            v, j, stature = normal_body(cage, regressor, full)
+            vertices.append(v.astype(np.float32))
+            joints.append(j.astype(np.float32))
+            statures.append(stature)
         self.vertices_m, self.joints_m = np.stack(vertices), np.stack(joints)
         self.statures_m = np.array(statures)
 
 
 OTHER_SIDE = np.array([hanim.INDEX[skinning.other_side(n)] for n in hanim.NAMES])
+
+
+def normal_body(cage: Cage, regressor: FloatArray, full: FloatArray) -> tuple[FloatArray, FloatArray, float]:
+    """Return vertices (V, 3) and joints (94, 3) of a body of hm08 (1, F, 3), symmetric and at 1.70 m, and its stature.
+
+    The stature is that before it was scaled, metres.
+    """
+    vertices = shape_basis.symmetrise(cage.build(full), cage.mirror)
+    joints = shape_basis.symmetrise((regressor @ full[0].astype(np.float64))[None], OTHER_SIDE)
+    ankles = np.array([hanim.INDEX["l_ankle"], hanim.INDEX["r_ankle"]])
+    vertices, joints, statures = shape_basis.normalise(vertices, joints, np.array(SOLES), ankles)
+    return vertices[0], joints[0], float(statures[0])
 
 
 def build_body(source: Source, cage: Cage, crowd: Crowd) -> dict[str, np.ndarray]:
@@ -181,7 +189,12 @@ def main() -> None:
         "source_file_count": len(source.used),
         "outputs": {
             name: hashlib.sha256((options.out / name).read_bytes()).hexdigest()
-            for name in ("body.npz", "head.npz", "helpers.npz")  # build_helpers.py writes the last one
+            for name in (
+                "body.npz",
+                "head.npz",
+                "helpers.npz",
+                "children.npz",
+            )  # the last two have scripts of their own
             if (options.out / name).is_file()
         },
     }

@@ -6,12 +6,10 @@ Clothes of MakeHuman's community name them; the product's own mesh has none. Eve
 from __future__ import annotations
 
 import argparse
-import hashlib
-import json
 from pathlib import Path
 
 import numpy as np
-from archives import save
+from archives import save_told
 from cage import BODY_COUNT
 from scipy.spatial import cKDTree
 from source import BaseMesh, Source
@@ -30,11 +28,7 @@ def main() -> None:
     weight = 1.0 / np.maximum(away, 1e-4) ** 2
     weight = (weight / weight.sum(axis=1, keepdims=True)).astype(np.float32)
     beside = places[BODY_COUNT:] - np.einsum("nk,nka->na", weight, places[near])
-    save(OUT / FILE, {"skin": near.astype(np.uint16), "weight": weight, "beside_m": beside.astype(np.float32)})
-    place = OUT / "PROVENANCE.json"
-    told = json.loads(place.read_text())
-    told["outputs"][FILE] = hashlib.sha256((OUT / FILE).read_bytes()).hexdigest()
-    place.write_text(json.dumps(told, indent=1) + "\n")
+    save_told(OUT / FILE, {"skin": near.astype(np.uint16), "weight": weight, "beside_m": beside.astype(np.float32)})
 
 
 if __name__ == "__main__":

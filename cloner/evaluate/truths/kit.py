@@ -114,7 +114,7 @@ def read_kit(person: Path) -> KitTruth:
         stature_m=m_from_mm(float(data["stature_mm"])),
         sole_m=m_from_mm(float(data["sole_height_mm"])),
         girths_mm={name: float(value) for name, value in data["girths_mm"].items()},
-        views={ours: _read_view(person, view, data, labels[view], bodies[view]) for view, ours in named.items()},
+        views={ours: _read_view(person, view, ours, data, labels[view], bodies[view]) for view, ours in named.items()},
         surface=_surface(data, bodies[str(data["measured_in_pose_of"])], quads),
     )
     return KitTruth(
@@ -143,10 +143,10 @@ def _read_labels(path: Path) -> Labels:
     return labels
 
 
-def _read_view(person: Path, view: str, data: Mapping[str, Any], labels: Labels, body_m: Array) -> TruthView:
+def _read_view(person: Path, view: str, ours: str, data: Mapping[str, Any], labels: Labels, body_m: Array) -> TruthView:
     marks = data["features"][view]["points"]
     return TruthView(
-        name=HELD_OUT.get(view, view),
+        name=ours,
         camera=truth_camera(data["cameras"][view]),
         points_m=vectors(data["points_3d_m_by_view"][view]) | turning_marks(load_generic(), body_m),
         joints_m=vectors(data["joints_3d_m_by_view"][view]),
