@@ -8,7 +8,7 @@ from typing import Final
 
 import numpy as np
 
-from cloner.fit.cameras import Aim
+from cloner.fit.cameras import MOST_SHIFT, Aim
 from cloner.fit.evidence import Rows, points, together
 from cloner.fit.problem import Block, Problem, Values
 from cloner.records.arrays import Array
@@ -140,15 +140,17 @@ def _stepped(
 ) -> ShapeFit:
     """Return the fit after one turn of the solver."""
     names = [f"camera {k}" for k in range(len(fit.cameras))]
+    depths = _depths(fit, found)
     blocks = {"shape": Block(fit.coefficients, 0.0, 1.0, np.inf, rarity, at_least, longest=MOST_SHAPE)}
     for number, name in enumerate(names):
-        spread, expected, longest = np.full(6, np.inf), np.zeros(6), np.repeat([MOST_TURN, np.inf], 3)
+        spread, expected = np.full(6, np.inf), np.zeros(6)
         expected[:3] = -fit.turned[number]
         spread[:3] = np.inf if turn_sigma is None else turn_sigma[number]
+        longest = np.repeat([MOST_TURN, MOST_SHIFT * depths[number]], 3)
         blocks[name] = Block(np.zeros(6), expected, spread, TURN_OUTLIER, longest=longest)
     if zoom_sigma > 0.0:
         blocks["zoom"] = Block(np.zeros(1), -fit.zoomed, zoom_sigma, longest=MOST_ZOOM)
-    aims = [Aim(camera, float(depth)) for camera, depth in zip(fit.cameras, _depths(fit, found), strict=True)]
+    aims = [Aim(camera, float(depth)) for camera, depth in zip(fit.cameras, depths, strict=True)]
 
     def look(values: Values, turn: int) -> list[Rows]:
         zoom = values.get("zoom")

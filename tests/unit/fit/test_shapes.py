@@ -58,3 +58,18 @@ def test_a_bounded_coefficient_stays_within_and_lets_the_others_explain(true, fo
         assert fit.coefficients[0] - fit.coefficients[1] == pytest.approx(0.2, abs=0.02)
     else:
         assert fit.coefficients[0] == 0.0
+
+
+@pytest.mark.parametrize(("turns", "depth_m"), [(1, 0.6), (20, 1.2 / 3.5)])
+def test_a_camera_that_must_come_nearer_never_passes_the_face(turns, depth_m):
+    """Points seen three and a half times as large: the first straight step would end behind the face."""
+    centre = np.array([450.0, 600.0])
+    flat = PLACES * [1.0, 1.0, 0.0]
+    target = centre + 3.5 * (camera(0.0).project(flat) - centre)
+
+    def gather(fit, iteration):
+        return [Evidence(0, flat, np.zeros((1, 40, 3)), target, np.full(40, 1.0), outlier=1e6)]
+
+    start = ShapeFit(np.zeros(1), (camera(0.0),), np.zeros((1, 3)))
+    fit = fit_shape(start, gather, turn_sigma=np.full((1, 3), 1e-9), iterations=turns)
+    assert fit.cameras[0].camera_from_model[2, 3] == pytest.approx(depth_m, rel=1e-3)
