@@ -5,6 +5,9 @@ from __future__ import annotations
 from typing import Final
 
 from cloner.calibration.loader import calibrated
+from cloner.frames import ViewId
+from cloner.records.arrays import Array
+from cloner.records.points import Proposal
 
 #: What each number is and where it comes from: ``cloner/calibration/generic.toml``.
 _CALIBRATED: Final = calibrated("generic.seen_points")
@@ -17,6 +20,8 @@ NAMES: Final = (
 )  # fmt: skip
 #: Rows of the ankles.
 ANKLES: Final = [NAMES.index(f"{side}_ankle") for side in "lr"]
+#: Rows of a pose (BlazePose) of the first twelve.
+POSE_ROWS: Final = [11, 12, 13, 14, 15, 16, 23, 24, 25, 26, 27, 28]
 #: How names tell the person's sides.
 _MARKS: Final = {"left": ("l_", "_L"), "right": ("r_", "_R")}
 #: Expected errors by side and kind of point.
@@ -65,3 +70,19 @@ def spread(name: str, side_shown: str) -> float:
     """Return a point's expected error along one picture axis, share of the stature."""
     kind, side = kind_and_side(name, side_shown)
     return SPREADS[side][kind]
+
+
+def stance(proposal: Proposal) -> tuple[Array, Array]:
+    """Return a photo's pose (33, 2) px and its visibility (33,), with the joints where they are seen under clothes.
+
+    What the body hides in a side photo, its far side, is as visible as the pose says.
+    """
+    pose, visibility = proposal.pose_px.copy(), proposal.pose_visibility.copy()
+    if len(proposal.seen_px):
+        pose[POSE_ROWS] = proposal.seen_px[: len(POSE_ROWS)]
+        sides = [POSE_ROWS[0::2], POSE_ROWS[1::2]]
+        if proposal.view is ViewId.BODY_SIDE:
+            sides = [max(sides, key=lambda rows: float(proposal.pose_visibility[rows].sum()))]
+        for rows in sides:
+            visibility[rows] = 1.0
+    return pose, visibility

@@ -26,6 +26,7 @@ from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.memory import give_back
 from cloner.paint.composing.baked import Baked, unpainted
 from cloner.paint.composing.compose import bake, blend_levels, share_surface
+from cloner.paint.composing.shell_light import in_light_of_body
 from cloner.paint.composing.tiles import Tile, cut_tiles
 from cloner.paint.details.hands import finish_hands, finish_soles
 from cloner.paint.details.lid_skin import clean_lids
@@ -103,7 +104,9 @@ def run(
     generic, photos = load_generic(), quieted(photos)
     hiding = tuple(shell for shell in shells if shell.kind in ("hair", "cloth"))  # lenses are clear, beards thin out
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, hiding))
-    baked, surfaces, residuals = lay_photos(generic, photos, proposals, silhouettes, joined, hiding, params, tick)
+    baked, surfaces, worn_rgb, residuals = lay_photos(
+        generic, photos, proposals, silhouettes, joined, hiding, params, tick
+    )
     warnings = () if baked else ("No photo could be laid on the body: it keeps one plain colour",)
     baked = baked or unpainted(generic, params.size)
     seen, charts = int(baked.seen.sum()), int(baked.covered.sum())
@@ -114,7 +117,8 @@ def run(
     baked = replace(baked, rgb=clean_lids(generic, baked.rgb, joined.vertices_m))
     atlas = TextureAtlas(pad_charts(baked.rgb, baked.covered), baked.seen * np.uint8(255))
     tick(1.0)
-    painted = assemble(joined, shells, atlas)
+    lit = (in_light_of_body(s, joined.vertices_m, worn_rgb, surfaces) if s.kind == "cloth" else s for s in shells)
+    painted = assemble(joined, tuple(lit), atlas)
     return StageResult({"painted": painted, "surfaces": surfaces}, tuple(residuals), warnings)
 
 
@@ -158,24 +162,30 @@ def lay_photos(
     shells: tuple[Shell, ...],
     params: Params,
     tick: Callable[[float], None],
-) -> tuple[Baked | None, Array, list[Residual]]:
+) -> tuple[Baked | None, Array, Array, list[Residual]]:
     """Return the atlas painted with the photos, None where no photo shows the body.
 
-    Returned beside it: (V, 6) shares of ``SURFACES`` that the photos show, and the residuals of painting.
+    Returned beside it: (V, 6) shares of ``SURFACES`` that the photos show, (V, 3) levels of what is worn, and the
+    residuals of painting.
     """
     shared, residuals = share_photos(generic, photos, proposals, silhouettes, joined, shells, params, tick)
     if shared is None:
-        return None, np.zeros((len(joined.vertices_m), len(SURFACES))), residuals
+        return None, np.zeros((len(joined.vertices_m), len(SURFACES))), np.zeros_like(joined.vertices_m), residuals
     baked = bake(
         generic, params.size, shared.sources, shared.shares, shared.light, shared.base, shared.kinds, params.limits,
         levels=blend_levels(params.size), tick=lambda part: tick(0.4 + 0.5 * part),
     )  # fmt: skip
     claim = np.max([np.where(source.mirrored, 0.0, source.score) for source in shared.sources], axis=0)
-    kinds = shared.kinds
+    kinds, worn_rgb = shared.kinds, shared.base[2].astype(np.float64)
     del shared  # its pictures would be the larger part of the memory from here on
     give_back()
     baked = replace(baked, rgb=finish_hands(baked.rgb, claim, kinds))
-    return replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb, joined.vertices_m))), kinds.surfaces, residuals
+    return (
+        replace(baked, rgb=darken_nostrils(finish_soles(baked.rgb, joined.vertices_m))),
+        kinds.surfaces,
+        worn_rgb,
+        residuals,
+    )
 
 
 def share_photos(

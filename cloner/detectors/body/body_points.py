@@ -111,7 +111,7 @@ def _from_front(figure: Figure, pose: Array, proposal: Proposal) -> tuple[Found,
     for look in looks:
         found |= side_points(figure, pose, look, kind)
         found[f"sole_{net.SIDES[look.flank.side]}"] = _sole(figure, pose, look)
-    fork = crotch(figure, looks, kind)
+    fork = crotch(figure, looks, kind, proposal.labels)
     if fork is not None:
         found["crotch"] = fork
     return found, front_states(figure, pose, proposal.pose_visibility, looks, found, proposal.view)

@@ -15,6 +15,7 @@ from cloner.detectors.body.front_cues import arm_cues, front_cues, row_of, sole_
 from cloner.detectors.body.levels import Levels, Offsets, conclude, load_levels, load_offsets
 from cloner.detectors.nets import pose_rows as net
 from cloner.records.arrays import Array
+from cloner.records.labels import Label, labels_at
 from cloner.vision.segmentation.outline_walk import Figure, Strip, apex
 
 #: What each number is and where it comes from: ``cloner/calibration/detectors.toml``.
@@ -31,6 +32,7 @@ ARM_WIDTH: Final = _CALIBRATED.number("arm_width", "figure")
 _LEAN: Final = _CALIBRATED.number("lean", "factor")
 GAP_ASTRAY: Final = _CALIBRATED.number("gap_astray", "figure")
 GAP_ERROR: Final = _CALIBRATED.number("gap_error", "figure")
+HEM_REACH: Final = _CALIBRATED.pair("hem_reach", "figure")
 NECK_REACH: Final = _CALIBRATED.number("neck_reach", "figure")
 FOOT_END: Final = _CALIBRATED.number("foot_end", "figure")
 
@@ -190,13 +192,27 @@ def _armpit(figure: Figure, pose_px: Array, look: Look, kind: str) -> Placed | N
     return _gap_point(figure, look, "armpit", kind, flank.strip.centres_px[entry], arm)
 
 
-def crotch(figure: Figure, looks: tuple[Look, Look], kind: str) -> Placed | None:
-    """Return the top of the background between the legs, None where it is not the crotch."""
+def crotch(figure: Figure, looks: tuple[Look, Look], kind: str, labels: NDArray[np.uint8]) -> Placed | None:
+    """Return the top of the background between the legs, None where it is not the crotch.
+
+    Under the hem of a coat or a long shirt it is not: there the garment above ends and the legs go on in another.
+    """
     if not looks[0].used("cue_crotch"):
         return None
     entries = [round(look.flank.place(row_of(figure, looks[0].cues["cue_crotch"]))) for look in looks]
     ends = [look.flank.strip.centres_px[entry] for look, entry in zip(looks, entries, strict=True)]
-    return _gap_point(figure, looks[0], "crotch", kind, ends[0], ends[1])
+    placed = _gap_point(figure, looks[0], "crotch", kind, ends[0], ends[1])
+    return None if placed is None or _under_a_hem(labels, placed[0], np.array(ends), figure.height_px) else placed
+
+
+def _under_a_hem(labels: NDArray[np.uint8], apex_px: Array, ends_px: Array, height_px: float) -> bool:
+    """Whether upper clothes are seen above a gap and none on both legs (2, 2) px beside it."""
+    steps = height_px * np.linspace(*HEM_REACH, 8)
+    above = labels_at(labels, apex_px - steps[:, None] * [0.0, 1.0])
+    legs = [np.array([column, apex_px[1]]) for column in ends_px[:, 0]]
+    below = [labels_at(labels, leg + steps[:, None] * [0.0, 1.0]) for leg in legs]
+    upper = [float(np.mean(seen == Label.UPPER_CLOTHES)) for seen in (above, *below)]
+    return upper[0] > 0.5 > max(upper[1:])
 
 
 def _gap_point(figure: Figure, look: Look, name: str, kind: str, first_px: Array, second_px: Array) -> Placed | None:

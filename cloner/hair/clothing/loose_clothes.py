@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
+from cloner.generic.seen_points import stance
 from cloner.geometry.charts.atlas import map_atlas
 from cloner.geometry.charts.tubes import tube_mesh
 from cloner.hair.clothing.loose_shape import COLUMNS, loose_tube
@@ -25,8 +26,8 @@ from cloner.records.loose import AROUND_LEGS
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
+from cloner.vision.photographs.arms import arm_zone
 from cloner.vision.retouching.repair import signed_distance
-from cloner.vision.segmentation.leg_rows import arm_zone
 
 #: The sentence of the report.
 SAID = "Loose clothing between hips and knees was given its own surface"
@@ -89,7 +90,7 @@ def shell_views(views: list[LooseView], proposals: Proposals, silhouettes: Silho
         mask: NDArray[np.bool_] = person & view.region.cloth(
             (person.shape[0], person.shape[1]), margin_px=HEM_MARGIN * figure
         )
-        arms = arm_zone(proposal.pose_px, proposal.pose_visibility, figure, (person.shape[0], person.shape[1]))
+        arms = arm_zone(stance(proposal), figure, person.shape)
         # labels know bare arms where the net's lines miss them; sleeves are told by the lines alone
         mask &= (signed_distance(arms) < -ARM_MARGIN * figure) & shows(proposal.labels, *CLOTHES)
         inside = signed_distance(mask)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.frames import ViewId
+from cloner.generic.seen_points import stance
 from cloner.labels.glasses import frame_of
 from cloner.records.labels import Label
 from cloner.records.photos import PhotoSet
@@ -80,7 +81,7 @@ def make_plate(
         mask,
         proposal.labels,
         proposal.face_px if frontal else None,
-        (proposal.pose_px, proposal.pose_visibility) if view is ViewId.BODY_SIDE else None,
+        stance(proposal) if view is ViewId.BODY_SIDE else None,
         skin,
     )
 

@@ -60,7 +60,7 @@ def near_bare_head(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDA
 
 
 def in_arm_zone(generic: GenericHuman, plate: Plate, lookup_px: Array) -> NDArray[np.bool_]:
-    """Return (V,) False where the pose net sees an arm but the mesh the trunk, or the other way round."""
+    """Return (V,) False where an arm is seen but the mesh has the trunk, or the other way round."""
     if not plate.arms.any():
         return np.ones(len(lookup_px), bool)
     shown = sample(plate.arms.astype(np.uint8), lookup_px)[:, 0] > 0.5

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.records.labels import OWN, SKINS, Label, shows
+from cloner.vision.photographs.arms import BELOW_SHOULDER, arm_zone
 from cloner.vision.retouching.open_mouth import open_borders
 from cloner.vision.retouching.repair import repair_bleeding
 from cloner.vision.retouching.skin_colour import SkinColour
@@ -26,12 +27,6 @@ BROWS = (
 )
 BROW_SPARE = 0.08  # of a brow's length: hairs beyond the outline
 BROW_REACH = 0.25  # of a brow's length, 1.2 cm: a photo a little off shows the tail so far away
-#: Elbow, wrist, little finger, index finger, thumb of the left and right arm in the pose net's order.
-ARM_POINTS = ((13, 15, 17, 19, 21), (14, 16, 18, 20, 22))
-#: Full width of a forearm and of a finger's line with the net's error (20 px in 1,800), share of the figure.
-FOREARM_SHARE, HAND_SHARE = 0.055, 0.055
-FINGER_STRETCH = 3.0  # the net's finger points are knuckles; long hands' tips lie this much farther from the wrist
-POSE_TRUST = 0.5
 BAND_SHARE = 0.004  # unsafe band inside the outline, of the figure's height (0.5 % less what edge linking wins)
 SMALLEST_BAND_PX = 2.0
 
@@ -65,7 +60,7 @@ class Plate:
     brows : (H, W) uint8
         Brows of a frontal face 255, what lies close by 127: two photos never agree about them to the millimetre.
     arms : (H, W) bool
-        Where the pose net sees forearms and hands; all False where it was not asked.
+        Where arms and hands are seen below the shoulders; all False where nobody looked.
     figure_px : float
         Height of the person in the photo.
     """
@@ -90,7 +85,7 @@ def prepare_plate(
     mask: NDArray[np.bool_],
     labels: NDArray[np.uint8],
     face_px: NDArray[np.float64] | None,
-    pose: tuple[NDArray[np.float64], NDArray[np.float64]] | None,
+    stance: tuple[NDArray[np.float64], NDArray[np.float64]] | None,
     skin: SkinColour | None,
 ) -> Plate:
     """Return a photo ready for projection.
@@ -102,8 +97,8 @@ def prepare_plate(
     labels : (H, W) uint8, values of ``Label``
     face_px : (468, 2) or None
         Points of the face net; None where there is no frontal face.
-    pose : ((33, 2), (33,)) or None
-        Points and visibility of the pose net; None where arms do not lie before the body.
+    stance : ((33, 2), (33,)) or None
+        Points and visibility (``generic.seen_points.stance``); None where arms do not lie before the body.
     skin : SkinColour or None
         The person's, from this photo or, where it shows no face, from another.
     """
@@ -115,7 +110,9 @@ def prepare_plate(
     repaired, inside = repair_bleeding(rgb, mask, band, shadow)
     blurred = cv2.GaussianBlur(repaired, (0, 0), max(1.5, 0.003 * figure))
     hair, bare = labels == Label.HAIR, shows(labels, *SKINS)
-    arms = _arm_zone(*pose, figure, mask.shape) if pose is not None else np.zeros(mask.shape, bool)
+    arms = np.zeros(mask.shape, bool)
+    if stance is not None:
+        arms = arm_zone(stance, figure, mask.shape, below_shoulder=BELOW_SHOULDER)
     own = shows(labels, *OWN).astype(np.uint8) * 255
     shares = None if skin is None else skin.shares()
     lips = None if face_px is None else open_borders(face_px)
@@ -136,24 +133,6 @@ def prepare_plate(
         arms,
         figure,
     )
-
-
-def _arm_zone(
-    points_px: NDArray[np.float64], visibility: NDArray[np.float64], figure: float, shape: tuple[int, ...]
-) -> NDArray[np.bool_]:
-    """Return (H, W) forearms and hands that the pose net sees, drawn as thick lines."""
-    picture = np.zeros(shape, np.uint8)
-    for elbow, wrist, *fingers in ARM_POINTS:
-        if min(visibility[elbow], visibility[wrist]) < POSE_TRUST:
-            continue
-        lines = [(points_px[elbow], points_px[wrist], FOREARM_SHARE)]
-        for finger in fingers:
-            tip = points_px[wrist] + FINGER_STRETCH * (points_px[finger] - points_px[wrist])
-            lines.append((points_px[wrist], tip, HAND_SHARE))
-        for start, end, share in lines:
-            ends = [tuple(round(float(v)) for v in point) for point in (start, end)]
-            cv2.line(picture, ends[0], ends[1], 255, max(1, int(share * figure)))
-    return picture > 0
 
 
 def _openings(

@@ -4,21 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import cv2
 import numpy as np
 from numpy.typing import NDArray
 
 from cloner.records.arrays import Array
+from cloner.vision.photographs.arms import arm_zone
 
 Bools = NDArray[np.bool_]
 
 #: BlazePose rows: left, right.
 SHOULDERS, HIPS, KNEES, ANKLES = (11, 12), (23, 24), (25, 26), (27, 28)
-#: Shoulder, elbow, wrist, then fingers of each arm.
-ARMS = ((11, 13, 15, 17, 19, 21), (12, 14, 16, 18, 20, 22))
-FINGER_STRETCH = 2.0  # the net's finger points are knuckles; the tips lie this much farther from the wrist
 #: Everything below is a share of the figure's height in the photo.
-ARM_SHARE, HAND_SHARE = 0.030, 0.020  # half widths of a sleeved arm and of a finger's line with the net's error
 LEG_SHARES = (0.055, 0.036, 0.027)  # half widths of a leg at hip, knee and ankle (generic mean) with trousers on
 WAIST_SHARE = 0.62  # of shoulder to hip: cloth is loose from the waist down
 
@@ -52,28 +48,13 @@ class LegRows:
     figure_px: float
 
 
-def arm_zone(pose_px: Array, visibility: Array, figure_px: float, shape: tuple[int, int]) -> Bools:
-    """Return the (H, W) pixels where the pose net sees arms and hands, with its usual error."""
-    picture = np.zeros(shape, np.uint8)
-    arm, hand = (max(1, round(2.0 * share * figure_px)) for share in (ARM_SHARE, HAND_SHARE))
-    for shoulder, elbow, wrist, *fingers in ARMS:
-        if min(visibility[shoulder], visibility[elbow], visibility[wrist]) < 0.5:
-            continue
-        tips = [pose_px[wrist] + FINGER_STRETCH * (pose_px[finger] - pose_px[wrist]) for finger in fingers]
-        lines = [(pose_px[shoulder], pose_px[elbow], arm), (pose_px[elbow], pose_px[wrist], arm)]
-        for start, end, width in [*lines, *((pose_px[wrist], tip, hand) for tip in tips)]:
-            ends = [tuple(round(float(value)) for value in point) for point in (start, end)]
-            cv2.line(picture, ends[0], ends[1], 255, width)
-    return picture > 0
-
-
 def leg_rows(mask: Bools, pose_px: Array, visibility: Array) -> LegRows | None:
     """Return the outline around the legs from the waist down, None without a figure or legs.
 
     Parameters
     ----------
     mask : (H, W) bool, the filled outline
-    pose_px, visibility : (33, 2), (33,) of the pose net
+    pose_px, visibility : (33, 2), (33,), ``generic.seen_points.stance``
     """
     rows = np.flatnonzero(mask.any(axis=1))
     if rows.size < 100 or visibility[list(HIPS + KNEES + ANKLES)].max() < 0.3:
@@ -86,7 +67,7 @@ def leg_rows(mask: Bools, pose_px: Array, visibility: Array) -> LegRows | None:
     at = np.arange(max(int(waist), 0), min(int(rows[-1]), mask.shape[0] - 1) + 1)
     axes = _leg_axes(pose_px, at)
     half = figure * np.interp((at - hips) / (ankles - hips), (0.0, 0.5, 1.0), LEG_SHARES)
-    arms = arm_zone(pose_px, visibility, figure, (mask.shape[0], mask.shape[1]))[at]
+    arms = arm_zone((pose_px, visibility), figure, mask.shape)[at]
     first, last = _runs(mask[at])
     columns = np.clip(np.round(axes).astype(int), 0, mask.shape[1] - 1)
     line = np.arange(len(at))

@@ -174,6 +174,18 @@ def test_feet_together_have_no_crotch():
     assert StateKind.LEGS_TOGETHER in kinds(found)
 
 
+def test_under_a_coat_s_hem_there_is_no_crotch(shown):
+    """Trousers go on above a crotch; under a hem the garment above ends."""
+    mask, pose, *_ = shown["body_front"]
+    given = known_net.proposal("body_front", mask, pose)
+    fork = propose_body_points(given).get("crotch")
+    above = np.arange(mask.shape[0])[:, None] < fork[1]
+    for upper, found in ((above, False), (np.zeros_like(above), True)):
+        worn = np.where(upper, np.uint8(Label.UPPER_CLOTHES), np.uint8(Label.LOWER_CLOTHES))
+        labels = np.where(mask > 127, worn, np.uint8(Label.BACKGROUND))
+        assert ("crotch" in propose_body_points(replace(given, labels=labels)).names) is found
+
+
 def test_a_hand_before_the_body_is_told(shown):
     mask, pose, *_ = shown["body_front"]
     wrong = mask.copy()
