@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import tempfile
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack
@@ -11,7 +12,7 @@ from typing import Final
 import numpy as np
 from numpy.typing import NDArray
 
-from cloner.errors import ClonerError
+from cloner.errors import Cancelled, ClonerError
 from cloner.evaluate.figures import likeness, skins
 from cloner.evaluate.figures.parts import wrong_part_share
 from cloner.evaluate.figures.seams import seam_ratios
@@ -26,6 +27,8 @@ from cloner.evaluate.truths.truth import told_height_m
 from cloner.frames import BODY_VIEWS, ViewId, mm_from_m
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.records.clones import Clone
+
+log = logging.getLogger(__name__)
 
 Pictures = dict[str, list[NDArray[np.uint8]]]
 Told = Callable[[str], None]
@@ -82,12 +85,18 @@ def _companion(people: Sequence[Path]) -> list[Path]:
 
 
 def clone_person(person: Path, out: Path, told: Told) -> CloneRun | None:
-    """Return the clone of one person from the photos alone, None if the photos were refused."""
+    """Return the clone of one person from the photos alone, None if there is none: refused, or a defect of ours."""
     with photos_alone(person) as photos:
         try:
             run = clone_apart(photos, told_height_m(person), out, labelled=True)
         except ClonerError as error:
             told(f"{person.name}: refused: {error}")
+            return None
+        except Cancelled:
+            raise
+        except Exception as error:  # one person's defect must not end a night's evaluation
+            log.info("%s failed", person.name, exc_info=True)  # a trace is for --verbose
+            told(f"{person.name}: not cloned: a defect of Cloner ({type(error).__name__}); report what --verbose says")
             return None
     for warning in run.warnings:
         told(f"{person.name}: {warning}")
