@@ -240,6 +240,7 @@ def settle_shell(
     graph, start_m = surface_graph(vertices_m, triangles), vertices_m
     clear_mm, outward = _clear_mm(skin, start_m)
     moved_mm, floor_mm = np.zeros_like(start_m), np.minimum(clear_mm, least_mm)
+    known = clear_mm > -DEEPEST_MM  # deeper: below the neck, beside what is known
     facing = np.einsum("nc,nc->n", outward, vertex_normals(start_m, triangles))
     outer = (facing > 0.0) | (clear_mm > WALL_MM)
     for _ in range(SHELL_ROUNDS):
@@ -249,7 +250,7 @@ def settle_shell(
         moved_mm = graph.fill(wanted_mm, np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)
         vertices_m = start_m + m_from_mm(1.0) * moved_mm
         clear_mm, outward = _clear_mm(skin, vertices_m)
-        inside = (clear_mm < floor_mm) & (clear_mm > -DEEPEST_MM)  # deeper: below the neck, beside what is known
+        inside = known & (clear_mm < floor_mm)
         vertices_m = vertices_m + np.where(inside, m_from_mm(1.0) * (floor_mm - clear_mm), 0.0)[:, None] * outward
     return vertices_m
 

@@ -59,8 +59,10 @@ def test_outlines_that_disagree_from_place_to_place_leave_no_pearls(monkeypatch:
     assert radius_mm[rim].std() < 3.5, "the wanted gaps have 12.5"
 
 
-def test_no_shell_sinks_below_the_film_over_the_skin(monkeypatch: pytest.MonkeyPatch) -> None:
-    _, found = _settled(monkeypatch, np.array([-30.0]), skull_m=0.09)
+@pytest.mark.parametrize("rim_mm", [-30.0, -60.0])
+def test_no_shell_sinks_below_the_film_over_the_skin(monkeypatch: pytest.MonkeyPatch, rim_mm: float) -> None:
+    """However deep inside the body an outline lies: a back stood out through long hair."""
+    _, found = _settled(monkeypatch, np.array([rim_mm]), skull_m=0.09)
     assert 1e3 * np.linalg.norm(found, axis=1).min() > 90.0 + FILM_MM - 0.7
 
 
