@@ -14,7 +14,7 @@ from cloner.generic.load import GenericHuman
 from cloner.geometry.articulation.skinning import joint_transforms, skin
 from cloner.geometry.cameras.seeing import Sight, look
 from cloner.geometry.charts.atlas import AtlasMap
-from cloner.geometry.meshes.graphs import surface_graph
+from cloner.geometry.meshes.graphs import SurfaceGraph, surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.strands import grow_strands, roughness
 from cloner.paint.lookups.posed import parents_of
@@ -32,12 +32,16 @@ from cloner.vision.retouching.evening import (
     even_light,
     first_of,
     light_basis,
+    light_spans,
 )
 from cloner.vision.retouching.repair import own_pixels, repair_bleeding
 
 SHARPNESS = 5  # weights are (claim x cosine)**5: mostly one photo a texel, so strands do not ghost
 LEVELS = 2  # charts are small islands: wide bands would make them differ along their borders
 SMOOTHING = 3  # rounds over the surface, where charts do not matter
+KNOWN = 0.01  # of a claim, squared: what photos show goes on from there
+NEAREST_WEIGHT = 0.05  # of what is nearest, against an edge to a neighbour, where nothing is known (taste)
+PLAIN_ROUNDS = 4  # of averaging: a pattern does not go on where no photo shows it (taste)
 FLOOR = 1e-6  # keeps from dividing by nothing
 _MIRRORED = 0.8  # taste: trust in a colour of the other side against a photo's own
 REACH_SHARE = 0.02  # of the shell's size in the photo: how deep other things shine through its edge
@@ -106,7 +110,7 @@ def paint_shell(
     first = first_of(_shown(usable), CLOTH_REFERENCES) if strands is None else int(np.argmax(claims.sum(axis=1) * own))
     light, evened = _evened(pictures, sights, seen, normals, first, own)
     shown = [_Shown(*each) for each in zip(pictures, sights, claims, light, strict=True)]
-    ground, weight = _plain(atlas.shape, claims, evened)
+    ground, weight = _ground(atlas, graph, claims, evened)
     if strands is not None:
         rough = roughness(pictures[first], usable[first].mask)
         total = np.maximum((claims**2).sum(axis=0), 1e-9)[:, None]
@@ -181,11 +185,21 @@ def _evened(
     return list(light), np.stack([apply_light(colour, gain) for colour, gain in zip(colours, light, strict=True)])
 
 
-def _plain(shape: tuple[int, int], claims: Array, evened: Array) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return a picture (h, w, 3) of the mean colour that photos show, and hardly any weight (h, w)."""
-    total = max(float((claims**2).sum(axis=0).sum()), 1e-9)
-    mean = ((claims**2)[..., None] * evened).sum(axis=(0, 1)) / total
-    return np.tile(mean.astype(np.float32), (*shape, 1)), np.full(shape, FLOOR, np.float32)
+def _ground(
+    atlas: AtlasMap, graph: SurfaceGraph, claims: Array, evened: Array
+) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
+    """Return a picture (h, w, 3) of what photos show, evened out and gone on with where none does, and hardly any
+    weight (h, w).
+    """
+    sure, seen = (claims**2).sum(axis=0), ((claims**2)[..., None] * evened).sum(axis=0)
+    mean = seen.sum(axis=0) / max(float(sure.sum()), 1e-9)
+    shown = graph.smooth(seen / np.maximum(sure, 1e-9)[:, None], PLAIN_ROUNDS)
+    known = sure > KNOWN
+    near = shown[graph.nearest(known)] if known.any() else np.tile(mean, (len(sure), 1))
+    picture = np.tile(mean.astype(np.float32), (*atlas.shape, 1))
+    whole = graph.fill(near, np.clip(sure, NEAREST_WEIGHT, 1.0), 1.0, light_spans(near))
+    _flat(picture)[atlas.texel] = atlas.interpolate(whole)
+    return picture, np.full(atlas.shape, FLOOR, np.float32)
 
 
 def _laid(atlas: AtlasMap, shown: _Shown) -> Layer:

@@ -24,6 +24,7 @@ from cloner.vision.retouching.evening import (
     even_light,
     first_of,
     light_basis,
+    light_spans,
     log_levels,
     one_sided_light,
     unsaturated,
@@ -38,7 +39,6 @@ FILL_STIFFNESS = 0.02  # taste: seen colours hold, unseen ones are harmonic
 FILL_TRUST = 0.1  # a colour seen worse than this spreads nowhere
 BURNT_WEIGHT = 0.02  # burnt-out colours spread only where there is nothing else
 NEAREST_WEIGHT = 2e-4  # the nearest colour holds a little, so that borders of cloth do not melt over a hole
-BORDER_LEVELS = 20.0  # neighbours that differ by more are two things
 # The face's tone counts most: neck and hands are matched to it.
 _REFERENCES = (ViewId.FACE_FRONT, ViewId.BODY_FRONT, ViewId.BODY_BACK, ViewId.BODY_SIDE, ViewId.FACE_SIDE)
 
@@ -225,7 +225,7 @@ def fill_surface(
         if not (own > FILL_TRUST).any():  # no photo shows this kind: whatever is there must do
             colour, own = _mean_shown(generic, sources, evened, np.ones_like(shown))
         near = colour[graph.nearest(own > FILL_TRUST)]
-        return graph.fill(near, np.maximum(own, NEAREST_WEIGHT), FILL_STIFFNESS, near / BORDER_LEVELS)
+        return graph.fill(near, np.maximum(own, NEAREST_WEIGHT), FILL_STIFFNESS, light_spans(near))
 
     bare = kinds.bare
     all_kinds = ((bare * (1.0 - kinds.scalp), shown), (bare * kinds.scalp, shown), (kinds.worn, 1.0 - shown))

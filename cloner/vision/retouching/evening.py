@@ -139,6 +139,16 @@ def beyond_light(gap: NDArray[np.floating]) -> NDArray[np.floating]:
     return np.asarray(np.hypot(grey / LIGHT_LOG, hue / HUE_LOG))
 
 
+def light_spans(rgb: NDArray[np.floating]) -> Array:
+    """Return (N, 4) brightness and hues of colours (N, 3), levels, in spans of what light does to one thing.
+
+    Mean distances of two rows are about those of `beyond_light`.
+    """
+    logs = np.asarray(log_levels(rgb), np.float64)
+    grey = logs.mean(axis=1, keepdims=True)
+    return np.asarray(np.concatenate([4.0 * grey / LIGHT_LOG, 4.0 / 3.0 * (logs - grey) / HUE_LOG], axis=1))
+
+
 def unsaturated(rgb: NDArray[np.floating]) -> NDArray[np.floating]:
     """Return (...,) trust 1..0 in colours (..., 3), levels: burnt-out ones tell neither light nor colour.
 
