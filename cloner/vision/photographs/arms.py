@@ -12,7 +12,7 @@ from cloner.records.arrays import Array
 ARMS = ((11, 13, 15, 17, 19, 21), (12, 14, 16, 18, 20, 22))
 #: Full widths of a sleeved arm and of a finger's line with the net's error (20 px in 1,800), share of the figure.
 ARM_SHARE, HAND_SHARE = 0.060, 0.055
-FINGER_STRETCH = 3.0  # the net's finger points are knuckles; the long hands' tips lie this much farther from the wrist
+FINGER_STRETCH = 3.0  # the net's finger points are knuckles; long hands' tips lie this much farther from the wrist
 POSE_TRUST = 0.5
 #: Before the shoulder's end lies the trunk's own side: lines begin this share of the upper arm below the shoulder.
 BELOW_SHOULDER = 0.3
