@@ -60,11 +60,13 @@ def test_clone_is_pressed_while_points_are_still_sought(event, jobs, qtbot, samp
 
 
 def test_who_is_left_without_a_clone_is_put_into_the_queue_and_it_is_said(event, jobs, qtbot, samples):  # noqa: F811
+    jobs.wait_for_cancel = True  # a clone that is ready at once is said in its place
     folder = photographed(event, qtbot, samples, FRONT)
     event.go(VISITOR)
     new_by_mouse(event, qtbot)
     assert event.session.folder != folder
     assert "Visitor 1 waits for the clone" in event.notice.text.text()
+    jobs.wait_for_cancel = False
     qtbot.waitUntil(lambda: read_visit(folder).state is State.CLONED)
 
 

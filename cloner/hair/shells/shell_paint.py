@@ -41,7 +41,7 @@ LEVELS = 2  # charts are small islands: wide bands would make them differ along 
 SMOOTHING = 3  # rounds over the surface, where charts do not matter
 KNOWN = 0.01  # of a claim, squared: what photos show goes on from there
 NEAREST_WEIGHT = 0.05  # of what is nearest, against an edge to a neighbour, where nothing is known (taste)
-PLAIN_ROUNDS = 4  # of averaging: a pattern does not go on where no photo shows it (taste)
+PLAIN_ROUNDS = 10  # of averaging: a pattern does not go on where no photo shows it (taste)
 FLOOR = 1e-6  # keeps from dividing by nothing
 _MIRRORED = 0.8  # taste: trust in a colour of the other side against a photo's own
 REACH_SHARE = 0.02  # of the shell's size in the photo: how deep other things shine through its edge
@@ -193,9 +193,10 @@ def _ground(
     """
     sure, seen = (claims**2).sum(axis=0), ((claims**2)[..., None] * evened).sum(axis=0)
     mean = seen.sum(axis=0) / max(float(sure.sum()), 1e-9)
-    shown = graph.smooth(seen / np.maximum(sure, 1e-9)[:, None], PLAIN_ROUNDS)
+    evenly = graph.smooth(np.column_stack([seen, sure]), PLAIN_ROUNDS)
     known = sure > KNOWN
-    near = shown[graph.nearest(known)] if known.any() else np.tile(mean, (len(sure), 1))
+    nearest = graph.nearest(known)
+    near = np.where(known[nearest][:, None], evenly[nearest, :3] / np.maximum(evenly[nearest, 3:], 1e-9), mean)
     picture = np.tile(mean.astype(np.float32), (*atlas.shape, 1))
     whole = graph.fill(near, np.clip(sure, NEAREST_WEIGHT, 1.0), 1.0, light_spans(near))
     _flat(picture)[atlas.texel] = atlas.interpolate(whole)
