@@ -12,6 +12,7 @@ from scipy.sparse.csgraph import connected_components
 from cloner.errors import ClonerError
 from cloner.generic.charts import person_graph
 from cloner.generic.load import GenericHuman, load_generic
+from cloner.geometry.charts.atlas import colours_at
 from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.triangles import areas
 from cloner.paint.lookups.materials import always_bare
@@ -72,9 +73,7 @@ def vertex_rgb(generic: GenericHuman, rgb: NDArray[np.uint8]) -> Array:
     triangles, uv_triangles = generic.triangles()
     uv = np.zeros((len(generic.vertices_m), 2))
     uv[triangles] = np.asarray(generic.uv, np.float64)[uv_triangles]
-    size = len(rgb)
-    column, row = np.clip((uv * size).astype(np.int64), 0, size - 1).T
-    return np.asarray(rgb[row, column], np.float64)
+    return np.asarray(colours_at(rgb, uv), np.float64)
 
 
 def usual_skin(generic: GenericHuman, colours: Array, bare: Flags) -> Array:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.exporters.shared.files import jpeg_bytes, png_bytes, write_bytes
 from cloner.generic.surfaces import load_surfaces, surface_normals
+from cloner.geometry.charts.atlas import colours_at
 from cloner.geometry.meshes.wedges import welded_normals
 from cloner.records.clones import Clone
 
@@ -113,9 +114,7 @@ def _meshes(clone: Clone) -> list[_Mesh]:
 
 def _sample(texture: NDArray[np.uint8], uv: NDArray[np.float64]) -> NDArray[np.uint8]:
     """Return the (N, 4) nearest texels, opaque where the texture has no alpha."""
-    size = np.array(texture.shape[1::-1])
-    column, row = np.clip(np.floor(uv * size), 0, size - 1).astype(int).T
-    found = texture[row, column]
+    found = colours_at(texture, uv)
     return found if found.shape[1] == 4 else np.column_stack([found, np.full(len(found), 255, np.uint8)])
 
 

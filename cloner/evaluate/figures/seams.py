@@ -15,6 +15,7 @@ from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.cameras.seeing import look
+from cloner.geometry.charts.atlas import colours_at
 from cloner.geometry.meshes.triangles import edges_of
 from cloner.records.arrays import Array
 from cloner.records.clones import Clone
@@ -151,6 +152,4 @@ def _vertex_colours(clone: Clone, generic: GenericHuman) -> NDArray[np.uint8]:
     triangles, corners = generic.triangles()
     place = np.zeros((len(clone.vertices_m), 2))
     place[triangles.ravel()] = generic.uv[corners.ravel()]
-    size = np.array(clone.atlas.rgb.shape[1::-1])
-    column, row = np.clip((place * size).astype(int), 0, size - 1).T
-    return np.asarray(clone.atlas.rgb[row, column])
+    return colours_at(clone.atlas.rgb, place)

@@ -67,6 +67,13 @@ class Window:
     width: int
 
 
+def colours_at(picture: NDArray[np.uint8], uv: NDArray[np.floating]) -> NDArray[np.uint8]:
+    """Return (N, C) the texels of a texture (h, w, C) that hold places (N, 2), uv in 0..1, v downwards."""
+    size = np.array(picture.shape[1::-1])
+    column, row = np.clip((uv * size).astype(np.int64), 0, size - 1).T
+    return np.asarray(picture[row, column])
+
+
 def map_atlas(
     uv: NDArray[np.floating],
     uv_triangles: NDArray[np.int32],

@@ -110,11 +110,14 @@ def paint_shell(
     first = first_of(_shown(usable), CLOTH_REFERENCES) if strands is None else int(np.argmax(claims.sum(axis=1) * own))
     light, evened = _evened(pictures, sights, seen, normals, first, own)
     shown = [_Shown(*each) for each in zip(pictures, sights, claims, light, strict=True)]
-    ground, weight = _ground(atlas, graph, claims, evened)
-    if strands is not None:
+    sure, summed = (claims**2).sum(axis=0), ((claims**2)[..., None] * evened).sum(axis=0)
+    mean = summed.sum(axis=0) / max(float(sure.sum()), 1e-9)
+    ground, weight = np.tile(mean.astype(np.float32), (*atlas.shape, 1)), np.full(atlas.shape, FLOOR, np.float32)
+    if strands is None:
+        _flat(ground)[atlas.texel] = atlas.interpolate(_gone_on(graph, sure, summed, mean))
+    else:
         rough = roughness(pictures[first], usable[first].mask)
-        total = np.maximum((claims**2).sum(axis=0), 1e-9)[:, None]
-        seen_rgb = ((claims**2)[..., None] * evened).sum(axis=0) / total
+        seen_rgb = summed / np.maximum(sure, 1e-9)[:, None]
         made = grow_strands(atlas, vertices_m, graph, seen_rgb, claims.max(axis=0), rough)
         own = (strands * atlas.interpolate(made.claim[:, None])[:, 0]) ** SHARPNESS
         _flat(ground)[atlas.texel], weight.ravel()[atlas.texel] = made.rgb, np.maximum(own, FLOOR)
@@ -185,22 +188,20 @@ def _evened(
     return list(light), np.stack([apply_light(colour, gain) for colour, gain in zip(colours, light, strict=True)])
 
 
-def _ground(
-    atlas: AtlasMap, graph: SurfaceGraph, claims: Array, evened: Array
-) -> tuple[NDArray[np.float32], NDArray[np.float32]]:
-    """Return a picture (h, w, 3) of what photos show, evened out and gone on with where none does, and hardly any
-    weight (h, w).
+def _gone_on(graph: SurfaceGraph, sure: Array, summed: Array, mean: Array) -> Array:
+    """Return (N, 3) what photos show, evened out, and what goes on along the surface where none does.
+
+    Parameters
+    ----------
+    sure : (N,) sum of the photos' weights
+    summed : (N, 3) of their colours by weight
+    mean : (3,) of all, for parts that no photo shows
     """
-    sure, seen = (claims**2).sum(axis=0), ((claims**2)[..., None] * evened).sum(axis=0)
-    mean = seen.sum(axis=0) / max(float(sure.sum()), 1e-9)
-    evenly = graph.smooth(np.column_stack([seen, sure]), PLAIN_ROUNDS)
+    evenly = graph.smooth(np.column_stack([summed, sure]), PLAIN_ROUNDS)
     known = sure > KNOWN
     nearest = graph.nearest(known)
     near = np.where(known[nearest][:, None], evenly[nearest, :3] / np.maximum(evenly[nearest, 3:], 1e-9), mean)
-    picture = np.tile(mean.astype(np.float32), (*atlas.shape, 1))
-    whole = graph.fill(near, np.clip(sure, NEAREST_WEIGHT, 1.0), 1.0, light_spans(near))
-    _flat(picture)[atlas.texel] = atlas.interpolate(whole)
-    return picture, np.full(atlas.shape, FLOOR, np.float32)
+    return graph.fill(near, np.clip(sure, NEAREST_WEIGHT, 1.0), 1.0, light_spans(near))
 
 
 def _laid(atlas: AtlasMap, shown: _Shown) -> Layer:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.spatial import cKDTree
 
-from cloner.geometry.charts.atlas import map_atlas
+from cloner.geometry.charts.atlas import colours_at, map_atlas
 from cloner.records.arrays import Array
 from cloner.records.heads import Shell
 from cloner.records.labels import SURFACES
@@ -46,7 +46,8 @@ def in_light_of_body(shell: Shell, vertices_m: Array, worn_rgb: Array, surfaces:
     np.maximum.at(top, sector, places[:, 1])
     rim = np.flatnonzero(places[:, 1] > top[sector] - RIM_M)
     away, near = cKDTree(vertices_m).query(places[rim])
-    gap = np.asarray(log_levels(worn_rgb[near])) - np.asarray(log_levels(_colours(shell)[rim]))
+    own = colours_at(shell.rgba[..., :3], shell.uv[rim]).astype(np.float64)
+    gap = np.asarray(log_levels(worn_rgb[near])) - np.asarray(log_levels(own))
     weight = surfaces[near][:, WORN].sum(axis=1) * (away < REACH_M) / (1.0 + beyond_light(gap) ** 4)
     basis = _round(turn)
     told = basis[rim] * weight[:, None]
@@ -59,13 +60,6 @@ def in_light_of_body(shell: Shell, vertices_m: Array, worn_rgb: Array, surfaces:
 def _round(turn: Array) -> Array:
     """Return (N, 5) light around a person: constant, and once and twice around."""
     return np.column_stack([np.ones(len(turn)), *(f(k * turn) for k in (1, 2) for f in (np.cos, np.sin))])
-
-
-def _colours(shell: Shell) -> Array:
-    """Return (N, 3) the texture's colour at every vertex, levels."""
-    size = np.array(shell.rgba.shape[1::-1])
-    column, row = np.clip((shell.uv * size).astype(np.int64), 0, size - 1).T
-    return np.asarray(shell.rgba[row, column, :3], np.float64)
 
 
 def _over_texture(shell: Shell, values: Array) -> NDArray[np.float32]:
