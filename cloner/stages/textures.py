@@ -21,7 +21,7 @@ from cloner.generic.charts import generic_atlas, person_graph
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.generic.surfaces import body_triangles
 from cloner.geometry.charts.atlas import AtlasMap
-from cloner.geometry.charts.iris import white_to_skin
+from cloner.geometry.charts.iris import skin_around_eyes, white_to_skin
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.memory import give_back
 from cloner.paint.composing.baked import Baked, unpainted
@@ -31,7 +31,7 @@ from cloner.paint.composing.tiles import Tile, cut_tiles
 from cloner.paint.details.hands import finish_hands, finish_soles
 from cloner.paint.details.lid_skin import clean_lids
 from cloner.paint.details.nostrils import darken_nostrils
-from cloner.paint.details.parts import paint_parts
+from cloner.paint.details.parts import face_rgb, paint_parts
 from cloner.paint.details.tucking import tuck_scalp
 from cloner.paint.details.undressed import dress_unseen, near_sight, only_faces, plain_beyond
 from cloner.paint.lookups.doubted import doubt_grazing, doubt_slanted, doubt_strangers
@@ -102,7 +102,7 @@ def run(
     """
     params = params or Params()
     generic, photos = load_generic(), quieted(photos)
-    hiding = tuple(shell for shell in shells if shell.kind in ("hair", "cloth"))  # lenses are clear, beards thin out
+    hiding = tuple(shell for shell in shells if shell.kind in ("hair", "cloth", "beard"))  # lenses are clear
     joined = replace(joined, vertices_m=tuck_scalp(generic, joined.vertices_m, hiding))
     baked, surfaces, worn_rgb, residuals = lay_photos(
         generic, photos, proposals, silhouettes, joined, hiding, params, tick
@@ -112,8 +112,8 @@ def run(
     seen, charts = int(baked.seen.sum()), int(baked.covered.sum())
     residuals.append(Residual("texels_seen", 100.0 * seen / max(charts, 1), "percent"))
     parts = parts_atlas(generic, params.size)
-    whites = shown_whites(photos, proposals)
-    paint_parts(generic, parts, baked.rgb, joined.vertices_m, head.iris_rgb, head.iris_radius_m, whites, rng)
+    whites, iris_rgb = shown_eyes(photos, proposals, head, face_rgb(generic, baked.rgb))
+    paint_parts(generic, parts, baked.rgb, joined.vertices_m, iris_rgb, head.iris_radius_m, whites, rng)
     baked = replace(baked, rgb=clean_lids(generic, baked.rgb, joined.vertices_m))
     atlas = TextureAtlas(pad_charts(baked.rgb, baked.covered), baked.seen * np.uint8(255))
     tick(1.0)
@@ -122,13 +122,17 @@ def run(
     return StageResult({"painted": painted, "surfaces": surfaces}, tuple(residuals), warnings)
 
 
-def shown_whites(photos: PhotoSet, proposals: Proposals) -> Array | None:
-    """Return how much lighter the face's front photo shows the whites of the eyes than the skin, None without one."""
+def shown_eyes(photos: PhotoSet, proposals: Proposals, head: HeadFit, skin_rgb: Array) -> tuple[Array | None, Array]:
+    """Return how much lighter the face's front photo shows the whites than the skin, None without one, and the irises'
+    colour (3,) beside skin of the atlas: as the photo shows it beside its own.
+    """
     proposal = proposals.views.get(ViewId.FACE_FRONT)
     if proposal is None or proposal.face_presence == 0.0 or ViewId.FACE_FRONT not in photos.photos:
-        return None
-    rgb = photos.photos[ViewId.FACE_FRONT].rgb
-    return white_to_skin(rgb, proposal.labels, proposal.face_px, proposal.irises_px)
+        return None, head.iris_rgb
+    seen = photos.photos[ViewId.FACE_FRONT].rgb, proposal.labels, proposal.face_px, proposal.irises_px
+    shown_rgb = skin_around_eyes(*seen)
+    iris_rgb = head.iris_rgb if shown_rgb is None else np.minimum(head.iris_rgb * skin_rgb / shown_rgb, 255.0)
+    return white_to_skin(*seen), iris_rgb
 
 
 @dataclass(frozen=True, slots=True, eq=False)

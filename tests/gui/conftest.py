@@ -20,10 +20,15 @@ for wait in (QtBot.waitUntil, QtBot.waitSignal, QtBot.waitSignals):
 
 @pytest.fixture(autouse=True)
 def _garbage_on_the_main_thread():
-    """Widgets of earlier tests must not die on a worker's thread: see `cloner_gui.background.tidying`."""
+    """Widgets of earlier tests must not die on a worker's thread: see `cloner_gui.background.tidying`.
+
+    What was there before is not searched: by then other tests keep gigabytes of people.
+    """
+    gc.freeze()
     gc.disable()
     yield
     gc.collect()
+    gc.unfreeze()
     gc.enable()
 
 

@@ -40,7 +40,7 @@ class SteeredStudio(Studio):
 @pytest.fixture
 def studio(monkeypatch):
     usual = dressing.Dressing.__init__.__kwdefaults__
-    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", usual | {"cycles": 4, "step_m": 0.05})
+    monkeypatch.setattr(dressing.Dressing.__init__, "__kwdefaults__", usual | {"cycles": 4, "step_m": 0.08})
     return SteeredStudio()
 
 

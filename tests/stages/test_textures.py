@@ -7,7 +7,7 @@ from cloner.frames import ViewId
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import load_generic
 from cloner.records.clones import Joined
-from cloner.records.heads import HeadFit
+from cloner.records.heads import HeadFit, Shell
 from cloner.records.photos import PhotoSet
 from cloner.records.points import Proposals
 from cloner.records.silhouettes import SilhouetteSet
@@ -23,19 +23,32 @@ def eyes():
     return HeadFit(np.zeros((1, 3)), {}, np.array([70.0, 90.0, 60.0]), 0.0058, "right")
 
 
-def bake(fit, colours, *, believed=None, exposure=None):
-    """Photograph a painted fit and bake it; ``believed`` is the fit the stage is given."""
+def bake(fit, colours, *, believed=None, exposure=None, worn=None):
+    """Photograph a painted fit and bake it; ``believed`` is the fit the stage is given, ``worn`` a shell in SKIN."""
     pictures, proposals, outlines = {}, {}, {}
     for view in fit.views:
-        rgb, mask = painted.photograph(fit, colours, view)
+        rgb, mask = (
+            painted.photograph(fit, colours, view) if worn is None else photograph_worn(fit, colours, view, worn)
+        )
         pictures[view] = np.clip(rgb * (exposure or {}).get(view, 1.0), 0, 255).astype(np.uint8)
         proposals[view] = studio.empty_proposal(view, mask)
         outlines[view] = studio.silhouette_record(view, mask)
     return textures.run(
         photos=studio.photo_set(pictures), proposals=Proposals(proposals), silhouettes=SilhouetteSet(outlines),
-        joined=believed or fit, shells=(), head=eyes(), tick=lambda part: None, rng=np.random.default_rng(0),
+        joined=believed or fit, shells=() if worn is None else (worn,), head=eyes(), tick=lambda part: None,
+        rng=np.random.default_rng(0),
         params=textures.Params(size=SIZE),
     )  # fmt: skip
+
+
+def photograph_worn(fit, colours, view, worn):
+    """Return picture and mask of a painted fit before whose chest a shell hangs."""
+    skin, seen_by = people.skin_triangles(), fit.views[view].camera
+    vertices = np.vstack([painted.posed(fit, view), worn.vertices_m])
+    both = np.vstack([skin, worn.triangles + len(fit.vertices_m)])
+    flat = np.vstack([colours[skin].mean(axis=1), np.tile(np.float64(SKIN), (len(worn.triangles), 1))])
+    rgb = painted.draw(vertices, both, flat, seen_by)
+    return rgb, (rgb != (90, 140, 90)).any(axis=2)
 
 
 def on_texels(values):
@@ -102,6 +115,26 @@ def test_an_arm_before_the_hip_is_not_painted_on_the_hip(error_deg):
     texel, hip = on_texels(np.isin(generic.vertex_segment, low).astype(float)[:, None])
     rgb = result.values["painted"].atlas.rgb.reshape(-1, 3)[texel[hip[:, 0] > 0.99]].astype(int)
     assert np.mean(rgb[:, 0] > rgb[:, 2]) < 0.005
+
+
+@pytest.mark.parametrize(("kind", "share"), [("beard", (0.0, 0.02)), ("glasses", (0.5, 1.0))])
+def test_a_chest_behind_a_beard_is_no_beard_and_behind_a_lens_as_it_is_seen(kind, share):
+    person = people.known_person(12, spread=0.5)
+    fit = painted.joined(person, dict.fromkeys(painted.BODY, np.zeros((94, 3))))
+    chest = person.vertices_m[load_generic().segment("torso")]
+    top, front = chest[:, 1].max() - 0.1, chest[:, 2].max() + 0.04
+    corners = np.array([[x, y, front] for y in (top, top - 0.16) for x in (-0.09, 0.09)])
+    shell = Shell(
+        corners, np.array([[0, 2, 1], [1, 2, 3]], np.int32), np.array([[0.0, 0.0], [1, 0], [0, 1], [1, 1]]),
+        np.zeros((4, 4), np.int32), np.tile([1.0, 0.0, 0.0, 0.0], (4, 1)), np.full((8, 8, 4), 255, np.uint8), kind,
+    )  # fmt: skip
+    result = bake(fit, np.tile(np.float64(CLOTH), (len(person.vertices_m), 1)), worn=shell)
+    behind = (np.abs(person.vertices_m[:, 0]) < 0.06) & (person.vertices_m[:, 2] > front - 0.12)
+    behind &= np.abs(person.vertices_m[:, 1] - (top - 0.08)) < 0.05
+    texel, inside = on_texels(behind.astype(float)[:, None])
+    rgb = result.values["painted"].atlas.rgb.reshape(-1, 3)[texel[inside[:, 0] > 0.99]].astype(int)
+    assert len(rgb) > 300
+    assert share[0] <= np.mean(rgb[:, 0] > rgb[:, 2]) <= share[1]
 
 
 def test_a_darker_back_photo_is_evened(gradient):

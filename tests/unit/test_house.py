@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import ast
 import re
+import tomllib
 from collections import defaultdict
 from collections.abc import Iterator
 from pathlib import Path
 
-CLONER = Path(__file__).resolve().parents[2] / "cloner"
+ROOT = Path(__file__).resolve().parents[2]
+CLONER = ROOT / "cloner"
 FILE_LINES, FUNCTION_LINES = 300, 60
 FOLDER_FILES = 20
 #: Functions of fewer nodes, docstring left out, may say the same: accessors of one line.
@@ -66,3 +68,10 @@ def test_words_that_context_explains_are_used() -> None:
     text = "\n".join(path.read_text(encoding="utf-8") for path in CLONER.rglob("*.py"))
     used = re.sub(r"[^a-z]+", " ", re.sub(r"(?<=[a-z])(?=[A-Z])", " ", text).lower())
     assert not [word for word in words if word.lower() not in used]
+
+
+def test_every_folder_of_tests_is_run() -> None:
+    """They are named one by one, the longest first."""
+    asked = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["pytest"]["ini_options"]
+    there = {f"tests/{path.relative_to(ROOT / 'tests').parts[0]}" for path in (ROOT / "tests").rglob("test_*.py")}
+    assert set(asked["testpaths"]) == there

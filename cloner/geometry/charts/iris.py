@@ -75,20 +75,36 @@ def white_to_skin(rgb: NDArray[np.uint8], labels: NDArray[np.uint8], face_px: Ar
     (3,) float64
         Ratio of levels per channel.
     """
-    width_px = float(np.mean([np.hypot(*(face_px[a] - face_px[b])) for a, b in EYE_CORNERS]))
+    width_px = _eye_px(face_px)
     white = labels == Label.EYES
     rows, columns = np.nonzero(white)
     if len(rows) < LEAST_WHITE:
         return None
     away = np.stack([np.hypot(columns - x, rows - y) for x, y in irises_px]).min(axis=0)
     beside = (away > WHITE_FROM * width_px) & (away < width_px)
-    reach = int(width_px)
-    top, left = max(int(irises_px[:, 1].min()) - reach, 0), max(int(irises_px[:, 0].min()) - reach, 0)
-    box = np.s_[top : int(irises_px[:, 1].max()) + reach, left : int(irises_px[:, 0].max()) + reach]
-    skin = rgb[box][labels[box] == Label.FACE_SKIN].astype(np.float64)
-    if int(beside.sum()) < LEAST_WHITE or len(skin) < LEAST_WHITE:
+    skin_rgb = skin_around_eyes(rgb, labels, face_px, irises_px)
+    if int(beside.sum()) < LEAST_WHITE or skin_rgb is None:
         return None
     colours = rgb[rows[beside], columns[beside]].astype(np.float64)
     light = colours.sum(axis=1)
     lighter = np.median(colours[light >= np.median(light)], axis=0)
-    return np.asarray(lighter / np.maximum(np.median(skin, axis=0), 1.0))
+    return np.asarray(lighter / skin_rgb)
+
+
+def skin_around_eyes(
+    rgb: NDArray[np.uint8], labels: NDArray[np.uint8], face_px: Array, irises_px: Array
+) -> Array | None:
+    """Return the median colour (3,) of the skin around both eyes, 1 level at least, None where too little is seen.
+
+    Parameters are those of :func:`white_to_skin`.
+    """
+    reach = int(_eye_px(face_px))
+    top, left = max(int(irises_px[:, 1].min()) - reach, 0), max(int(irises_px[:, 0].min()) - reach, 0)
+    box = np.s_[top : int(irises_px[:, 1].max()) + reach, left : int(irises_px[:, 0].max()) + reach]
+    skin = rgb[box][labels[box] == Label.FACE_SKIN].astype(np.float64)
+    return None if len(skin) < LEAST_WHITE else np.maximum(np.median(skin, axis=0), 1.0)
+
+
+def _eye_px(face_px: Array) -> float:
+    """Return the width of an eye's opening, pixels."""
+    return float(np.mean([np.hypot(*(face_px[a] - face_px[b])) for a, b in EYE_CORNERS]))

@@ -12,7 +12,7 @@ from cloner.records.labels import OWN, SKINS, Label, shows
 from cloner.vision.photographs.arms import BELOW_SHOULDER, arm_zone
 from cloner.vision.retouching.open_mouth import open_borders
 from cloner.vision.retouching.repair import repair_bleeding
-from cloner.vision.retouching.skin_colour import SkinColour
+from cloner.vision.retouching.skin_colour import LEAST_SAMPLES, SkinColour
 from cloner.vision.retouching.soles import contact_shadow, shaded_floor
 
 #: Outline of the eye openings in the 468-point face net, right eye then left eye (MediaPipe's own contour lists).
@@ -29,6 +29,7 @@ BROW_SPARE = 0.08  # of a brow's length: hairs beyond the outline
 BROW_REACH = 0.25  # of a brow's length, 1.2 cm: a photo a little off shows the tail so far away
 BAND_SHARE = 0.004  # unsafe band inside the outline, of the figure's height (0.5 % less what edge linking wins)
 SMALLEST_BAND_PX = 2.0
+BRIGHT = (200, 225)  # green of skin next to burning out: from 225 on levels are believed less (`evening.SATURATED`)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -114,7 +115,7 @@ def prepare_plate(
     if stance is not None:
         arms = arm_zone(stance, figure, mask.shape, below_shoulder=BELOW_SHOULDER)
     own = shows(labels, *OWN).astype(np.uint8) * 255
-    shares = None if skin is None else skin.shares()
+    shares = None if skin is None else skin_shares(skin, rgb[bare])
     lips = None if face_px is None else open_borders(face_px)
     openings, brows = _openings(face_px, lips, labels), _brows(face_px, mask.shape)
     # labels end in steps of a pixel: a soft edge keeps them from showing
@@ -133,6 +134,15 @@ def prepare_plate(
         arms,
         figure,
     )
+
+
+def skin_shares(skin: SkinColour, shown: NDArray[np.uint8]) -> tuple[float, float]:
+    """Return red and blue against green of burnt-out skin; blue as the brightest of the skin (N, 3) has it that still
+    tells: there it is paler than elsewhere, and beside it a patch of the usual blue is yellow.
+    """
+    red, blue = skin.shares()
+    bright = shown[(shown[:, 1] > BRIGHT[0]) & (shown[:, 1] < BRIGHT[1])].astype(np.float64)
+    return red, max(blue, float(np.median(bright[:, 2] / bright[:, 1]))) if len(bright) >= LEAST_SAMPLES else blue
 
 
 def _openings(

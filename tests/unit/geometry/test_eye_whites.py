@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import pytest
 
-from cloner.geometry.charts.iris import EYE_CORNERS, white_to_skin
+from cloner.geometry.charts.iris import EYE_CORNERS, skin_around_eyes, white_to_skin
+from cloner.records.heads import HeadFit
 from cloner.records.labels import Label
+from cloner.records.points import Proposals
+from cloner.stages.textures import shown_eyes
 from cloner.vision.retouching.painting import paint_eye
+from kit import studio
 
 SKIN, WHITE, IRIS = (60, 40, 30), (150, 140, 135), (50, 35, 25)
 PUPILS = ((100, 100), (200, 100))
@@ -36,6 +42,30 @@ def test_closed_eyes_tell_nothing() -> None:
     rgb, labels, mesh = eyes()
     labels[:] = Label.FACE_SKIN
     assert white_to_skin(rgb, labels, mesh, np.array(PUPILS, float)) is None
+
+
+def test_the_skin_is_that_around_the_eyes_alone() -> None:
+    rgb, labels, mesh = eyes()
+    rgb[180:] = 255
+    assert skin_around_eyes(rgb, labels, mesh, np.array(PUPILS, float)) == pytest.approx(SKIN)
+    labels[:] = Label.HAIR
+    assert skin_around_eyes(rgb, labels, mesh, np.array(PUPILS, float)) is None
+
+
+def test_an_iris_is_as_dark_beside_the_skin_of_the_atlas_as_beside_that_of_its_photo() -> None:
+    rgb, labels, mesh = eyes()
+    bright = np.minimum(rgb.astype(int) * 3 // 2, 255).astype(np.uint8)
+    proposal = replace(
+        studio.empty_proposal("face_front", labels > 0),
+        labels=labels, face_px=mesh, irises_px=np.array(PUPILS, float), face_presence=1.0,
+    )  # fmt: skip
+    painted = []
+    for shown in (rgb, bright):
+        head = HeadFit(np.zeros((1, 3)), {}, shown[PUPILS[0][1], PUPILS[0][0]].astype(float), 0.0058, "right")
+        photos, proposals = studio.photo_set({"face_front": shown}), Proposals({"face_front": proposal})
+        painted.append(shown_eyes(photos, proposals, head, np.array(SKIN, float))[1])
+    assert painted[0] == pytest.approx(IRIS)
+    assert painted[1] == pytest.approx(IRIS, rel=0.05), "twice as much light in the photo makes no lighter eyes"
 
 
 def test_light_eyes_in_a_dark_face_stay_light() -> None:

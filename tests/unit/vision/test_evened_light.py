@@ -1,8 +1,11 @@
 """Light told from the person's own symmetry, burnt-out skin, and skin told from collars."""
 
 import numpy as np
+import pytest
 
 from cloner.vision.retouching.evening import beyond_light, log_levels, one_sided_light, unclipped
+from cloner.vision.retouching.plates import skin_shares
+from cloner.vision.retouching.skin_colour import SkinColour
 
 SKIN = np.array([190, 140, 115])
 
@@ -40,6 +43,15 @@ def test_shade_is_light_and_another_hue_or_white_on_black_is_another_thing():
     assert beyond_light(suit - blue) > 1.0
     assert beyond_light(log_levels(SKIN) - log_levels(0.6 * SKIN)) < 1.0
     assert beyond_light(log_levels(SKIN) - shirt) > 1.0
+
+
+def test_burnt_out_skin_is_as_pale_as_the_skin_beside_it():
+    skin = SkinColour((0.6, -0.4), (0.05, 0.05))
+    usual, pale = np.tile([180, 140, 110], (100, 1)), np.tile([255, 215, 204], (50, 1))
+    red, blue = skin_shares(skin, np.vstack([usual, pale]).astype(np.uint8))
+    assert red == pytest.approx(skin.shares()[0])
+    assert blue == pytest.approx(204 / 215)
+    assert skin_shares(skin, usual.astype(np.uint8)) == pytest.approx(skin.shares())
 
 
 def test_burnt_out_skin_gets_its_hue_back_and_cloth_does_not():
