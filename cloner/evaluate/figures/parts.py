@@ -41,7 +41,8 @@ def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> 
     -----
     A texel is judged where a photo, also a held-out one, truly shows its place on the body. It is wrong when the label
     of the pixel it came from is none that the photos show within `NEAR_M` of its true place, or when that pixel shows
-    an arm and the texel lies on no arm within that distance, or the other way round.
+    an arm and the texel lies on no arm within that distance, or the other way round. A face is skin also where every
+    photo shows hair or a thing before it: what hangs there is a surface of its own.
 
     Returns
     -------
@@ -52,6 +53,8 @@ def wrong_part_share(origins: Origins, generic: GenericHuman, kit: KitTruth) -> 
     on_body: Flags = np.asarray((origins.vertices < body).all(axis=1), bool)
     pixel = np.rint(origins.pixel_px).astype(int)
     allowed, judged = _true_labels(origins, kit, on_body)
+    corners = np.where(on_body[:, None], origins.vertices, 0)
+    allowed = with_skin_below(allowed, np.asarray(generic.region("face")[corners].all(axis=1), bool))
     wrong = np.zeros(len(pixel), bool)
     for row, view in enumerate(origins.views):
         truth = kit.truth.views[view.value]
@@ -93,6 +96,13 @@ def _true_labels(origins: Origins, kit: KitTruth, on_body: Flags) -> tuple[NDArr
         bits[found] |= _labels_near(labels, camera, body_m)[place[:, 1], place[:, 0]]
         seen[found] = True
     return bits, seen
+
+
+def with_skin_below(allowed: NDArray[np.int64], face: Flags) -> NDArray[np.int64]:
+    """Return the labels near each texel as bits, with skin where a face (N,) is seen behind hair or things alone."""
+    hanging = (1 << LABELS.index("hair")) | (1 << LABELS.index("accessory"))
+    hidden = face & (allowed > 0) & (allowed & ~hanging == 0)
+    return np.where(hidden, allowed | (1 << LABELS.index("body_skin")), allowed)
 
 
 def _labels_near(labels: NDArray[np.uint8], camera: Camera, body_m: Array) -> NDArray[np.int64]:

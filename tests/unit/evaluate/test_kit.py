@@ -9,7 +9,7 @@ from PIL import Image
 from cloner.errors import ClonerError
 from cloner.evaluate import kit_scores
 from cloner.evaluate.figures.origins import Origins
-from cloner.evaluate.figures.parts import wrong_part_share
+from cloner.evaluate.figures.parts import with_skin_below, wrong_part_share
 from cloner.evaluate.scoreboard import evaluate_visitors
 from cloner.evaluate.truths.kit import is_kit_person, kit_people, photos_alone, read_kit
 from cloner.evaluate.truths.labels import label_ious
@@ -148,6 +148,14 @@ def test_texels_from_another_part_are_counted(person):
     wrong = Origins(inner.vertices, inner.barycentric, inner.view, inner.mirrored, streak, inner.views)
     share = torso / len(rows)
     assert wrong_part_share(wrong, generic, kit) == pytest.approx(share, abs=0.15 * share + 0.02)
+
+
+def test_a_face_behind_hair_is_skin_and_a_beard_is_none():
+    bit = {name: 1 << LABELS.index(name) for name in ("hair", "accessory", "beard", "upper_clothes", "body_skin")}
+    near = np.array([bit["hair"], bit["hair"] | bit["accessory"], bit["beard"], bit["hair"] | bit["upper_clothes"], 0])
+    skin = with_skin_below(near, np.ones(5, bool)) & bit["body_skin"]
+    assert list(skin > 0) == [True, True, False, False, False]
+    assert np.array_equal(with_skin_below(near, np.zeros(5, bool)), near)
 
 
 def test_a_refused_person_is_a_row_and_a_sentence(person, monkeypatch):
