@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from cloner.vision.retouching.evening import beyond_light, log_levels, one_sided_light, unclipped
+from cloner.vision.retouching.evening import (
+    apply_light,
+    beyond_light,
+    even_light,
+    light_basis,
+    log_levels,
+    one_sided_light,
+    unclipped,
+)
 from cloner.vision.retouching.plates import skin_shares
 from cloner.vision.retouching.skin_colour import SkinColour
 
@@ -32,6 +40,22 @@ def test_one_half_alone_tells_no_light():
     normals, twin = _ball()
     weight = np.where(np.arange(len(normals)) < len(normals) // 2, 1.0, 0.0)
     assert not one_sided_light(np.asarray(log_levels(normals + 2.0)), weight, normals, twin).any()
+
+
+def test_a_photo_much_darker_is_evened_whole():
+    normals, _ = _ball()
+    cloth = np.tile([120.0, 110.0, 100.0], (len(normals), 1))
+    photos = np.stack([cloth, cloth * 0.62])  # as dark as a back photo is beside a front one, .45 in log levels
+    gains = even_light(photos, np.ones((2, len(normals))), normals, np.array([1e4, 1.0]))
+    assert np.abs(apply_light(photos[1], light_basis(normals) @ gains[1]) - cloth).max() < 4.0
+
+
+def test_no_photo_is_evened_beyond_what_light_does():
+    normals, _ = _ball()
+    black = np.full((len(normals), 3), 4.0)
+    photos = np.stack([np.full((len(normals), 3), 200.0), black])
+    gains = even_light(photos, np.ones((2, len(normals))), normals, np.array([1e4, 1.0]))
+    assert apply_light(black, light_basis(normals) @ gains[1]).max() < 24.0
 
 
 def test_shade_is_light_and_another_hue_or_white_on_black_is_another_thing():
