@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.sparse.csgraph import connected_components
 
 from cloner.errors import ClonerError
-from cloner.generic.charts import person_graph
+from cloner.generic.charts import person_graph, vertex_uv
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.charts.atlas import colours_at
 from cloner.geometry.meshes.graphs import SurfaceGraph
@@ -70,10 +70,7 @@ def worn_skin(generic: GenericHuman, clone: Clone) -> Flags:
 def vertex_rgb(generic: GenericHuman, rgb: NDArray[np.uint8]) -> Array:
     """Return (V, 3) the atlas' colour round every vertex, levels."""
     rgb = cv2.GaussianBlur(rgb, (0, 0), len(rgb) / 1024.0)
-    triangles, uv_triangles = generic.triangles()
-    uv = np.zeros((len(generic.vertices_m), 2))
-    uv[triangles] = np.asarray(generic.uv, np.float64)[uv_triangles]
-    return np.asarray(colours_at(rgb, uv), np.float64)
+    return np.asarray(colours_at(rgb, vertex_uv(generic)), np.float64)
 
 
 def usual_skin(generic: GenericHuman, colours: Array, bare: Flags) -> Array:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from cloner.generic.charts import generic_atlas
 from cloner.generic.load import GenericHuman, load_generic
 from cloner.geometry.charts.atlas import AtlasMap
-from cloner.paint.details.parts import paint_parts
+from cloner.paint.details.parts import face_rgb, paint_parts
 from cloner.records.arrays import Array
 from cloner.records.bodies import BodyMesh
 from cloner.records.clones import TextureAtlas
@@ -67,7 +67,7 @@ def painted(body: BodyMesh, worn: str, size: int, rng: np.random.Generator) -> T
         texels += _inside(field) * (colour.astype(np.float32) - texels)
     draw_underwear(texels, generic, worn, atlas)
     rgb.reshape(-1, 3)[atlas.texel] = np.clip(np.rint(texels), 0, 255)
-    paint_parts(generic, parts_atlas(generic, size), rgb, body.vertices_m, IRIS, 0.0, None, rng)
+    paint_parts(generic, parts_atlas(generic, size), rgb, body.vertices_m, face_rgb(generic, rgb), IRIS, 0.0, None, rng)
     return TextureAtlas(pad_charts(rgb, atlas.covered()), np.zeros((size, size), np.uint8))
 
 

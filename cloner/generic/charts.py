@@ -26,6 +26,14 @@ def generic_atlas(
     return map_atlas(uv, uv_triangles[wanted].astype(np.int32), triangles[wanted].astype(np.int32), size, window)
 
 
+def vertex_uv(generic: GenericHuman) -> NDArray[np.float64]:
+    """Return (V, 2) a place of every vertex in the texture, uv in 0..1; on a seam one of its places."""
+    triangles, uv_triangles = generic.triangles()
+    places = np.zeros((len(generic.vertices_m), 2))
+    places[triangles.ravel()] = generic.uv[uv_triangles.ravel()]
+    return places
+
+
 def person_graph(generic: GenericHuman, vertices_m: np.ndarray) -> SurfaceGraph:
     """Return the edge graph of a person with the generic's topology."""
     return surface_graph(vertices_m, generic.triangles()[0].astype(np.int32))

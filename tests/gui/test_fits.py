@@ -155,8 +155,7 @@ def cut_everywhere(window, code, screens, *, beside=True):
         for width, height in screens:
             where = f"{code}, {width}x{height}, {percent} %{', big' if big else ''}"
             found += [f"{where}, {told}" for told in cut_in_pages(window, width, height, pages)]
-            if beside and (width, height) != SCREENS[1]:  # with no window of its own size but what the others have
-                found += [f"{where}, {told}" for told in cut_beside(window, width, height)]
+            found += [f"{where}, {told}" for told in cut_beside(window, width, height)] if beside else []
     return found
 
 

@@ -43,10 +43,16 @@ def posed(fit, view):
     return skin(fit.vertices_m, moved, generic.skin_joints, generic.skin_weights.astype(float))
 
 
-def photograph(fit, colour_of_vertex, view):
-    """Return picture (H, W, 3) and mask (H, W) of a person painted by vertex."""
+def photograph(fit, colour_of_vertex, view, *, before=None):
+    """Return picture (H, W, 3) and mask (H, W) of a person painted by vertex; ``before`` are vertices, triangles and
+    colour of a thing that hangs there.
+    """
     triangles = people.skin_triangles()
     colours = colour_of_vertex[triangles].mean(axis=1)
     vertices, seen_by = posed(fit, view), fit.views[ViewId(view)].camera
+    if before is not None:
+        places, faces, colour = before
+        triangles, vertices = np.vstack([triangles, faces + len(vertices)]), np.vstack([vertices, places])
+        colours = np.vstack([colours, np.tile(np.float64(colour), (len(faces), 1))])
     mask = studio.silhouette(vertices, triangles, seen_by)
     return draw(vertices, triangles, colours, seen_by), mask

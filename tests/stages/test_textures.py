@@ -26,10 +26,9 @@ def eyes():
 def bake(fit, colours, *, believed=None, exposure=None, worn=None):
     """Photograph a painted fit and bake it; ``believed`` is the fit the stage is given, ``worn`` a shell in SKIN."""
     pictures, proposals, outlines = {}, {}, {}
+    before = None if worn is None else (worn.vertices_m, worn.triangles, SKIN)
     for view in fit.views:
-        rgb, mask = (
-            painted.photograph(fit, colours, view) if worn is None else photograph_worn(fit, colours, view, worn)
-        )
+        rgb, mask = painted.photograph(fit, colours, view, before=before)
         pictures[view] = np.clip(rgb * (exposure or {}).get(view, 1.0), 0, 255).astype(np.uint8)
         proposals[view] = studio.empty_proposal(view, mask)
         outlines[view] = studio.silhouette_record(view, mask)
@@ -39,16 +38,6 @@ def bake(fit, colours, *, believed=None, exposure=None, worn=None):
         rng=np.random.default_rng(0),
         params=textures.Params(size=SIZE),
     )  # fmt: skip
-
-
-def photograph_worn(fit, colours, view, worn):
-    """Return picture and mask of a painted fit before whose chest a shell hangs."""
-    skin, seen_by = people.skin_triangles(), fit.views[view].camera
-    vertices = np.vstack([painted.posed(fit, view), worn.vertices_m])
-    both = np.vstack([skin, worn.triangles + len(fit.vertices_m)])
-    flat = np.vstack([colours[skin].mean(axis=1), np.tile(np.float64(SKIN), (len(worn.triangles), 1))])
-    rgb = painted.draw(vertices, both, flat, seen_by)
-    return rgb, (rgb != (90, 140, 90)).any(axis=2)
 
 
 def on_texels(values):

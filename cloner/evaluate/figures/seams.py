@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from cloner.evaluate.measures.posing import pose_clone
 from cloner.evaluate.measures.rulers import colour_jumps, seam_ratio
 from cloner.frames import ViewId
+from cloner.generic.charts import vertex_uv
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import surface_normals
 from cloner.geometry.cameras.seeing import look
@@ -149,7 +150,4 @@ def _neck(generic: GenericHuman) -> Mask:
 
 def _vertex_colours(clone: Clone, generic: GenericHuman) -> NDArray[np.uint8]:
     """Return (V, 3) atlas colours at one texture coordinate of each vertex."""
-    triangles, corners = generic.triangles()
-    place = np.zeros((len(clone.vertices_m), 2))
-    place[triangles.ravel()] = generic.uv[corners.ravel()]
-    return colours_at(clone.atlas.rgb, place)
+    return colours_at(clone.atlas.rgb, vertex_uv(generic))

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from cloner.generic.load import GenericHuman
-from cloner.geometry.charts.atlas import AtlasMap
+from cloner.geometry.charts.atlas import AtlasMap, colours_at
 from cloner.geometry.meshes.vectors import unit
 from cloner.vision.retouching.painting import (
     LASH_RGB,
@@ -28,6 +28,7 @@ def paint_parts(
     atlas: AtlasMap,
     rgb: NDArray[np.uint8],
     vertices_m: NDArray[np.float64],
+    skin_rgb: NDArray[np.float64],
     iris_rgb: NDArray[np.float64],
     iris_radius_m: float,
     white_to_skin: NDArray[np.float64] | None,
@@ -35,10 +36,10 @@ def paint_parts(
 ) -> None:
     """Paint every part but the skin into the texels (size, size, 3); ``atlas`` is that of the parts.
 
-    ``white_to_skin`` (3,) is how much lighter the whites are than the skin around the eyes, None for the usual.
+    ``skin_rgb`` (3,) is the face's in these texels (:func:`face_rgb`), ``white_to_skin`` (3,) how much lighter the
+    whites are than the skin around the eyes, None for the usual.
     """
     flat = rgb.reshape(-1, 3)
-    skin_rgb = face_rgb(generic, rgb)
     # teeth of full white stare out of a dark photo: they stand in the light of the eyes' whites
     light = min(float(np.mean(white_rgb(skin_rgb, white_to_skin)) / np.mean(SCLERA_RGB)), 1.0)
     part_of = generic.vertex_part[atlas.triangles[:, 0]]
@@ -75,8 +76,7 @@ def face_rgb(generic: GenericHuman, rgb: NDArray[np.uint8]) -> NDArray[np.float6
     face = uv_triangles[np.all(generic.region("face")[triangles], axis=1)]
     if not len(face):
         return np.array(USUAL_SKIN_RGB)
-    column, row = np.floor(generic.uv[face].mean(axis=1) * len(rgb)).astype(int).clip(0, len(rgb) - 1).T
-    return np.asarray(np.median(rgb[row, column], axis=0), np.float64)
+    return np.asarray(np.median(colours_at(rgb, generic.uv[face].mean(axis=1)), axis=0), np.float64)
 
 
 def fit_ball(points_m: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:

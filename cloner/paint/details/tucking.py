@@ -9,6 +9,7 @@ from scipy.spatial import cKDTree
 from cloner.frames import m_from_mm
 from cloner.generic.load import GenericHuman
 from cloner.generic.surfaces import body_triangles
+from cloner.geometry.charts.atlas import colours_at
 from cloner.geometry.meshes.graphs import surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.records.arrays import Array
@@ -121,7 +122,4 @@ def ears_below(generic: GenericHuman, vertices_m: Array, shells: tuple[Shell, ..
 
 def _opaque(shell: Shell) -> NDArray[np.bool_]:
     """Return (N,) which vertices of a shell its texture shows."""
-    height, width = shell.rgba.shape[:2]
-    column = np.clip((shell.uv[:, 0] * width).astype(int), 0, width - 1)
-    row = np.clip((shell.uv[:, 1] * height).astype(int), 0, height - 1)
-    return np.asarray(shell.rgba[row, column, 3] >= OPAQUE)
+    return np.asarray(colours_at(shell.rgba, shell.uv)[:, 3] >= OPAQUE)

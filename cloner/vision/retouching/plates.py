@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from cloner.records.labels import OWN, SKINS, Label, shows
 from cloner.vision.photographs.arms import BELOW_SHOULDER, arm_zone
+from cloner.vision.retouching.evening import SATURATED
 from cloner.vision.retouching.open_mouth import open_borders
 from cloner.vision.retouching.repair import repair_bleeding
 from cloner.vision.retouching.skin_colour import LEAST_SAMPLES, SkinColour
@@ -29,7 +30,7 @@ BROW_SPARE = 0.08  # of a brow's length: hairs beyond the outline
 BROW_REACH = 0.25  # of a brow's length, 1.2 cm: a photo a little off shows the tail so far away
 BAND_SHARE = 0.004  # unsafe band inside the outline, of the figure's height (0.5 % less what edge linking wins)
 SMALLEST_BAND_PX = 2.0
-BRIGHT = (200, 225)  # green of skin next to burning out: from 225 on levels are believed less (`evening.SATURATED`)
+BRIGHT = 200  # green of skin next to burning out, up to where levels are believed less
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -141,7 +142,7 @@ def skin_shares(skin: SkinColour, shown: NDArray[np.uint8]) -> tuple[float, floa
     tells: there it is paler than elsewhere, and beside it a patch of the usual blue is yellow.
     """
     red, blue = skin.shares()
-    bright = shown[(shown[:, 1] > BRIGHT[0]) & (shown[:, 1] < BRIGHT[1])].astype(np.float64)
+    bright = shown[(shown[:, 1] > BRIGHT) & (shown[:, 1] < SATURATED[0])].astype(np.float64)
     return red, max(blue, float(np.median(bright[:, 2] / bright[:, 1]))) if len(bright) >= LEAST_SAMPLES else blue
 
 
