@@ -36,7 +36,8 @@ SKINS = (Label.BODY_SKIN, Label.FACE_SKIN)
 FACE = (Label.FACE_SKIN, Label.EYES, Label.MOUTH, Label.BEARD)
 #: The person's own, nothing worn.
 OWN = (*SKINS, Label.HAIR, Label.EYES, Label.MOUTH, Label.BEARD)
-CLOTHES = (Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES, Label.ACCESSORY)
+GARMENTS = (Label.UPPER_CLOTHES, Label.LOWER_CLOTHES, Label.SHOES)
+CLOTHES = (*GARMENTS, Label.ACCESSORY)
 
 
 #: What a surface can be made of, as far as texture and regions tell it apart.

@@ -44,7 +44,7 @@ from cloner.paint.lookups.evened import (
     vertex_colours,
 )
 from cloner.paint.lookups.feature_lines import meet_lines
-from cloner.paint.lookups.materials import Materials, find_materials
+from cloner.paint.lookups.materials import Materials, find_materials, with_surroundings
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.sources import Source, gather_sources
 from cloner.records.arrays import Array
@@ -216,7 +216,9 @@ def share_photos(
     kinds = find_materials(generic, sources, graph)
     if only_faces(sources):
         kinds = dress_unseen(generic, sources, kinds, joined.vertices_m)
-    sources = doubt_grazing(generic, doubt_strangers(generic, sources, kinds), colours, kinds, graph)
+    sources = doubt_strangers(generic, sources, kinds)
+    kinds = with_surroundings(sources, colours, kinds, graph)
+    sources = doubt_grazing(generic, sources, colours, kinds)
     light = even_photos(generic, sources, colours, normals, kinds, graph)
     sources = doubt_slanted(generic, sources, evened_colours(colours, light), graph)
     light = level_photos(generic, sources, colours, light, kinds, graph)

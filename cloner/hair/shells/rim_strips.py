@@ -39,6 +39,9 @@ USUAL, SLACK_MM = 1.3, 2.0
 LEAST_MM: Final = 0.5
 #: Shorter runs of known columns tell nothing, mm.
 RUN_MM: Final = 12.0
+#: Of all rims' columns: of a wall that hides more nearly everything told is its own clutter (a dark fringe before dark
+#: boards, .24, wore rods of it; curls and spikes before plain and cluttered walls have .39 to .85).
+LEAST_KNOWN: Final = 0.3
 #: A rim of fewer steps shows nothing.
 FEWEST: Final = 3
 #: Where hair begins and ends along a rim cards fade over so many mm; taste.
@@ -105,6 +108,8 @@ def strips_of(
             strip = _strip(rim, matte, view.posed.camera.metres_per_pixel(top[0]), reach_mm)
             found[side] = _merged(found[side], strip) if side in found else strip
     found = _without_walls(found, reach_mm) if found else {}
+    if not found or np.concatenate([strip.known for strip in found.values()]).mean() < LEAST_KNOWN:
+        return {}
     if {LEFT, RIGHT} <= found.keys():  # heads are as hairy left as right
         found[LEFT], found[RIGHT] = _merged(found[LEFT], found[RIGHT]), _merged(found[RIGHT], found[LEFT])
     whole = {side: _filled(strip) for side, strip in found.items()}

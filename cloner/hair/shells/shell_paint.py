@@ -16,7 +16,7 @@ from cloner.geometry.cameras.seeing import Sight, look
 from cloner.geometry.charts.atlas import AtlasMap
 from cloner.geometry.meshes.graphs import SurfaceGraph, surface_graph
 from cloner.geometry.meshes.wedges import vertex_normals
-from cloner.hair.shells.strands import grow_strands, roughness
+from cloner.hair.shells.strands import curliness, grow_strands, roughness
 from cloner.paint.lookups.posed import parents_of
 from cloner.records.arrays import Array
 from cloner.records.bodies import PosedView
@@ -116,9 +116,9 @@ def paint_shell(
     if strands is None:
         _flat(ground)[atlas.texel] = atlas.interpolate(_gone_on(graph, sure, summed, mean))
     else:
-        rough = roughness(pictures[first], usable[first].mask)
-        seen_rgb = summed / np.maximum(sure, 1e-9)[:, None]
-        made = grow_strands(atlas, vertices_m, graph, seen_rgb, claims.max(axis=0), rough)
+        look = pictures[first], usable[first].mask
+        seen_rgb, claim = summed / np.maximum(sure, 1e-9)[:, None], claims.max(axis=0)
+        made = grow_strands(atlas, vertices_m, graph, seen_rgb, claim, roughness(*look), curliness(*look))
         own = (strands * atlas.interpolate(made.claim[:, None])[:, 0]) ** SHARPNESS
         _flat(ground)[atlas.texel], weight.ravel()[atlas.texel] = made.rgb, np.maximum(own, FLOOR)
 

@@ -14,20 +14,18 @@ from cloner.geometry.meshes.triangles import longest_sides
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.cap import FULL_SHARE, SOFT_MM, Scalp, hairline_mm, seen_votes, surface_mm
 from cloner.hair.volumes.gaps import without_gaps
+from cloner.hair.volumes.hanging import INNER_MM, hanging_mm, seen_aside, usual_depth_m
 from cloner.hair.volumes.rows import SIDES, agreed_mm
 from cloner.hair.volumes.tail import Tail, find_tail
 from cloner.hair.volumes.views import FAR_MM, HairView, hull_mm
 from cloner.records.arrays import Array
 
-INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
 LYING_MM = 8.0  # taste: hair that a photo shows on neck, shoulders or back is so thick at least
-DRAPE_MM = 25.0  # taste: hair that one side alone shows lies this thick on the skin at most
 VOXEL_M = 0.004  # taste: side of a cell, finer than photos tell
 SMOOTH_VOXELS = 0.8  # taste: sigma that takes the cells' steps away
 COARSE = 4  # voxels a side of a trial cell
 FILM_MM = 2.0  # clear of the skin's mesh
 BEYOND_MM = 8.0  # how far the film reaches: past what labels and mesh may err
-DRAPE_DOUBT_MM = 4.0  # without it a ponytail had a skirt of 5 cm, a cap a peak of hair behind
 OVERHANG_DOUBT_MM = 2.0  # heads stand a little off their photos
 TAIL_DOUBT_MM = 6.0  # heads nod between photos, and tails swing
 SMALLEST_LOCK_M3 = 4e-5  # taste: 40 ml, a thin lock
@@ -122,9 +120,12 @@ def lying_near(body: tuple[Array, Array], votes: Array, points_m: Array) -> Near
 
 
 def overhang_mm(views: list[HairView], scalp: Scalp, points_m: Array) -> NDArray[np.float32]:
-    """Return (N,) the field of hair that stands out over the hairline, mm: thick as inside it, where photos agree."""
+    """Return (N,) the field of hair that stands out over the hairline, mm: thick as inside it, where photos agree.
+
+    There is none where no photo shows the head from aside: nothing would end it in front.
+    """
     full = scalp.hairy > FULL_SHARE
-    if not full.any():
+    if not full.any() or not seen_aside(views):
         return np.full(len(points_m), -CLIP_MM, np.float32)
     thickness = scalp.thickness_mm[full]
     reach = m_from_mm(float(thickness.max()) + CLIP_MM)
@@ -167,38 +168,6 @@ def tail_mm(views: list[HairView], tail: Tail, points_m: Array) -> NDArray[np.fl
     return field
 
 
-def usual_depth_m(scalp: Scalp) -> tuple[float, float]:
-    """Return where hair ends behind and in front (z) if no side photo tells: a drape behind the head, at its roots."""
-    hairy = scalp.points_m[scalp.hairy > 0.5, 2]
-    front = hairy if hairy.size else scalp.points_m[:, 2]
-    return float(scalp.points_m[:, 2].min()) - m_from_mm(DRAPE_MM), float(front.max())
-
-
-def hanging_mm(
-    views: list[HairView], points_m: Array, skin_mm: NDArray[np.float32], deep_m: tuple[float, float]
-) -> NDArray[np.float32]:
-    """Return (N,) the field of hair that stands off the head's cap, hangs, or lies on neck, shoulders or cheeks, mm.
-
-    Here all photos must agree, because labels low down are the least sure; what one side alone tells of lies thin.
-
-    Parameters
-    ----------
-    views : list of HairView
-    points_m : (N, 3)
-    skin_mm : (N,) float32
-        Signed distance to the whole body's skin, positive outside.
-    deep_m : (float, float)
-        As in :func:`agreed_mm`.
-    """
-    field = np.full(len(skin_mm), -FAR_MM, np.float32)
-    rows = np.flatnonzero(skin_mm > -INNER_MM)
-    inside, sides = agreed_mm(views, points_m[rows], deep_m)
-    thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[rows])
-    # Hair that hangs free and is thinner than the labels' doubt is none.
-    field[rows] = np.minimum(np.minimum(inside - DRAPE_DOUBT_MM, thin), skin_mm[rows] + INNER_MM)
-    return field
-
-
 def hair_field(
     views: list[HairView],
     scalp: Scalp,
@@ -238,7 +207,7 @@ def hair_field(
     lain = lying_near(body, votes, points)
     skin_mm, low = lain.skin_mm, points[:, 1] < hang_below_m
     grown = np.maximum(cap_mm(views, near), overhang_mm(views, scalp, points))
-    hanging = hanging_mm(views, points, skin_mm, usual_depth_m(scalp))
+    hanging = hanging_mm(views, points, skin_mm, usual_depth_m(scalp), hang_below_m)
     hanging = np.where(low, np.maximum(hanging, cap_mm(views, lain)), hanging)
     if tail is not None:
         grown = np.maximum(grown, tail_mm(views, tail, points))

@@ -18,7 +18,7 @@ from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.composing.baked import Baked, blank
 from cloner.paint.composing.grain import coarse_tiles
 from cloner.paint.composing.tiles import Tile, cut_tiles
-from cloner.paint.lookups.materials import Materials, always_bare
+from cloner.paint.lookups.materials import SQUARE, Materials, always_bare, goes_on, shows_garment
 from cloner.paint.lookups.prepared import Limits
 from cloner.paint.lookups.sources import Source, covered_by_hair, shown_colours, visible_points
 from cloner.paint.lookups.zones import hair_allowed, hair_kept
@@ -153,7 +153,8 @@ def bake_tile(
 def paint_table(
     generic: GenericHuman, source: Source, share: Array, light: Array, kinds: Materials
 ) -> NDArray[np.float32]:
-    """Return (V, 14) what :func:`paint` must know of every vertex: places and depth, shares, kinds, light."""
+    """Return (V, 18) what :func:`paint` must know of every vertex: places and depth, shares, kinds, light, skin."""
+    around = np.zeros_like(light) if kinds.around is None else kinds.around
     return np.column_stack(
         [
             source.sight.pixel_px,
@@ -166,6 +167,8 @@ def paint_table(
             kinds.bare,
             always_bare(generic),
             light,
+            kinds.skin & (kinds.around is not None),
+            around,
         ]
     ).astype(np.float32)
 
@@ -218,11 +221,14 @@ def _paint_rows(
     good = ~covered_by_hair(source, pixel, lookup, depth, scalp > 0.5, face > 0.5)
     # Only who owns a border draws it: another's collar a little off would lie beside it.
     skin = sample(source.plate.skin, lookup)[:, 0] / 255.0
-    clash = np.abs(np.maximum(skin, own) - bare)
+    clash = np.abs(np.maximum(skin, np.where(shows_garment(source, lookup), 0.0, own)) - bare)
     unsure = (weight > OWNER_SHARE) & (np.abs(bare - 0.5) < BORDER_KIND)
     good &= (clash < CLASH) | unsure
     unsafe = source.sight.before_edge(pixel, depth, cosine)
     weight = np.where(unsafe, LAST_CHOICE * weight, weight)
+    doubtful = np.flatnonzero(good & (cosine < SQUARE) & (kinds[7] > 0.5))
+    blurred = shown_colours(source, lookup[doubtful], skin[doubtful], blurred=True)
+    good[doubtful] = goes_on(blurred, kinds[8:, doubtful].T)
     colour = apply_light(shown_colours(source, lookup[good], skin[good]), kinds[4:7, good].T)
     return atlas.texel[rows[good]], colour.astype(np.float32), weight[good]
 

@@ -12,18 +12,25 @@ from cloner.frames import ViewId
 from cloner.generic.load import GenericHuman
 from cloner.generic.photo_shares import mirrored_share, photo_shares
 from cloner.geometry.meshes.graphs import SurfaceGraph
-from cloner.paint.lookups.materials import SQUARE, Materials, always_bare, shown_bare, shown_surfaces
+from cloner.paint.lookups.materials import (
+    SQUARE,
+    Materials,
+    always_bare,
+    goes_on,
+    shown_bare,
+    shown_surfaces,
+    shows_garment,
+)
 from cloner.paint.lookups.sources import CLAIM_POWER, Source
 from cloner.records.arrays import Array
 from cloner.vision.retouching.aligning import sample
-from cloner.vision.retouching.evening import beyond_light, log_levels
+from cloner.vision.retouching.evening import log_levels
 
 #: Share of bareness by which two photos call a texel skin and cloth (taste).
 STRANGE_KIND: Final = 0.5
 #: A photo that shows a part of which the surface is less than this shows something that stands before or behind it.
 STRANGER: Final = 0.25
 PATTERNED: Final = 0.35  # cosine from which stripes are believed on cloth; who strays so far shows skin, hair or wall
-SPREAD_STIFFNESS: Final = 0.02  # what is seen squarely holds, other vertices follow their neighbours
 #: Log level by which evened photos of one face show different things; measured on the sample visitors: nine in ten
 #: vertices of the face differ by less than .25, hair before the temple by .4 and more.
 FACE_GAP: Final = 0.3
@@ -35,30 +42,24 @@ BROW, BESIDE_BROW = 0.75, 0.25
 BROW_CLAIM: Final = 2.0  # of its usual claim has the photo that faces the brows, around them
 
 
-def doubt_grazing(
-    generic: GenericHuman, sources: list[Source], colours: Array, kinds: Materials, graph: SurfaceGraph
-) -> list[Source]:
+def doubt_grazing(generic: GenericHuman, sources: list[Source], colours: Array, kinds: Materials) -> list[Source]:
     """Return the sources without grazing sights that show something else than their surroundings.
 
-    The top of a shoulder takes the colour of the neck behind it. Such a sight is believed where it agrees with what
-    photos show squarely nearby; if it is not too slant, cloth may have stripes of its own.
+    The top of a shoulder takes the colour of the neck behind it, a jaw that of a collar. Such a sight is believed where
+    it agrees with what photos show squarely nearby; if it is not too slant, cloth may have stripes of its own.
 
     Parameters
     ----------
     colours : (K, V, 3) levels, not yet evened
     kinds : Materials
+        With its surroundings.
     """
-    logs = np.asarray(log_levels(colours), np.float64)
-    square = np.stack([np.where(s.sight.cosine > SQUARE, s.score, 0.0) for s in sources])
-    total = square.sum(axis=0)
-    if not total.any():
+    if kinds.around is None:
         return sources
-    mean = (square[..., None] * logs).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
-    around = graph.fill(mean, np.clip(2.0 * total, 0.0, 1.0), SPREAD_STIFFNESS)
     shown = shown_bare(generic, sources)
     found = []
     for k, source in enumerate(sources):
-        alike = (beyond_light(logs[k] - around) < 1.0) | (source.sight.cosine > PATTERNED)
+        alike = goes_on(colours[k], kinds.around) | ((source.sight.cosine > PATTERNED) & ~kinds.skin)
         alike &= np.abs(shown[k] - kinds.bare) < STRANGE_KIND
         found.append(replace(source, score=source.score * ((source.sight.cosine > SQUARE) | alike)))
     return found
@@ -69,7 +70,7 @@ def doubt_strangers(generic: GenericHuman, sources: list[Source], kinds: Materia
 
     The fitted arm misses the photo's arm by a centimetre, and the trunk behind would paint a streak on the sleeve.
     Where no photo shows the right part the surface is filled from around it. Face and ears keep what photos show
-    there, glasses too: nothing else would be left of them.
+    there but garments, glasses too: nothing else would be left of them.
 
     Parameters
     ----------
@@ -78,7 +79,8 @@ def doubt_strangers(generic: GenericHuman, sources: list[Source], kinds: Materia
     shown = shown_surfaces(sources)
     rows = np.arange(shown.shape[1])
     own = np.stack([np.where(each < 0, 1.0, kinds.surfaces[rows, np.maximum(each, 0)]) for each in shown])
-    strange = (own < STRANGER) & ~always_bare(generic)
+    garment = np.stack([shows_garment(source, source.lookup_px) for source in sources])
+    strange = (own < STRANGER) & (~always_bare(generic) | garment)
     return [replace(s, score=np.where(strange[k], 0.0, s.score)) for k, s in enumerate(sources)]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,13 +12,15 @@ from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.paint.lookups.sources import Source
 from cloner.paint.lookups.zones import hair_allowed
 from cloner.records.arrays import Array
-from cloner.records.labels import SURFACE_OF, SURFACES, labels_at
+from cloner.records.labels import GARMENTS, SURFACE_OF, SURFACES, labels_at
 from cloner.vision.retouching.aligning import sample
+from cloner.vision.retouching.evening import beyond_light, log_levels
 
 SQUARE = 0.5  # cosine from which a sight is believed by itself
 KIND_STIFFNESS = 0.4  # an island of one or two edges is outvoted by what surrounds it
 #: Bareness at which a texel begins to be skin and is all skin (taste).
 KIND_STEP = (0.25, 0.75)
+SPREAD_STIFFNESS = 0.02  # what is seen squarely holds, other vertices follow their neighbours
 MAJORITY = 0.3  # weight of what most of a body part is, against one square sight
 SURE = 4.0  # a claim of a half decides alone; a grazing one says little beside the neighbours
 CUFF_SHARE = 0.35  # of the hand: how far cuffs reach from the wrist
@@ -37,12 +39,20 @@ class Materials:
     worn : (V,) float64, 1 - bare
     surfaces : (V, 6) float64
         Shares of ``SURFACES``; rows sum to one.
+    around : (V, 3) float64 or None
+        Log levels of the same kind nearby, as photos show it squarely; None where nobody looked.
     """
 
     bare: Array
     scalp: Array
     worn: Array
     surfaces: Array
+    around: Array | None = None
+
+    @property
+    def skin(self) -> NDArray[np.bool_]:
+        """Which vertices (V,) are skin and neither hair nor worn."""
+        return np.asarray(self.bare * (1.0 - self.scalp) > 0.5)
 
 
 def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[Array, Array]:
@@ -57,7 +67,7 @@ def _with_majority(generic: GenericHuman, vote: Array, weight: Array) -> tuple[A
 
 
 def always_bare(generic: GenericHuman) -> NDArray[np.bool_]:
-    """Return (V,) face and ears: the person's own whatever labels and colours say, under paint and glasses too."""
+    """Return (V,) face and ears: the person's own whatever colours say, under paint and glasses too."""
     return generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
 
 
@@ -71,10 +81,40 @@ def hands_beyond_cuffs(generic: GenericHuman) -> list[NDArray[np.intp]]:
     return found
 
 
+def with_surroundings(sources: list[Source], colours: Array, kinds: Materials, graph: SurfaceGraph) -> Materials:
+    """Return the kinds with what photos show squarely around each vertex: skin beside skin, other things beside such.
+
+    Parameters
+    ----------
+    colours : (K, V, 3) levels, not yet evened
+    """
+    logs = np.asarray(log_levels(colours), np.float64)
+    square = np.stack([np.where(s.sight.cosine > SQUARE, s.score, 0.0) for s in sources])
+    if not square.any():
+        return kinds
+    around = []
+    for alike in (~kinds.skin, kinds.skin):
+        total = (square * alike).sum(axis=0)
+        mean = ((square * alike)[..., None] * logs).sum(axis=0) / np.maximum(total, 1e-9)[:, None]
+        around.append(graph.fill(mean, np.clip(2.0 * total, 0.0, 1.0), SPREAD_STIFFNESS))
+    return replace(kinds, around=np.where(kinds.skin[:, None], around[1], around[0]))
+
+
+def goes_on(rgb: NDArray[np.floating], around: NDArray[np.floating]) -> NDArray[np.bool_]:
+    """Return which colours (N, 3), levels, differ from log levels around them (N, 3) by no more than light can do."""
+    return np.asarray(beyond_light(log_levels(rgb) - around) < 1.0)
+
+
+def shows_garment(source: Source, lookup_px: Array) -> NDArray[np.bool_]:
+    """Return which of (N,) lookups land on a garment: a collar beside the jaw is not the face's."""
+    return np.isin(labels_at(source.plate.labels, lookup_px), GARMENTS)
+
+
 def shown_bare(generic: GenericHuman, sources: list[Source]) -> Array:
     """Return (K, V) in 0..1 how much of the person's own, skin or hair, each photo shows at each vertex."""
     shown = np.stack([sample(s.plate.skin, s.lookup_px)[:, 0] / 255.0 for s in sources]).astype(np.float64)
-    return np.where(always_bare(generic), 1.0, shown)
+    garment = np.stack([shows_garment(source, source.lookup_px) for source in sources])
+    return np.where(always_bare(generic) & ~garment, 1.0, shown)
 
 
 def shown_surfaces(sources: list[Source]) -> NDArray[np.int8]:

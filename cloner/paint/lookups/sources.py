@@ -201,9 +201,14 @@ def mirror_source(generic: GenericHuman, source: Source) -> Source:
 
 
 def mirror_hidden(generic: GenericHuman, source: Source) -> Source:
-    """Return a front photo of the face as the source of what hair hides in it and shows on the other half."""
+    """Return a front photo of the face as the source of what hair or the head's turn hides in it on one half.
+
+    A turned head shows one cheek and ear at a slant, its edge stretched, and the other ones well.
+    """
     mirrored = mirror_source(generic, source)
-    hidden = generic.region("face") & (source.score <= 0.0)
+    slant = (source.sight.cosine < SQUARE_COSINE[0]) & (mirrored.score > source.score)
+    head = generic.region("face") | generic.region("ear_left") | generic.region("ear_right")
+    hidden = head & ((source.score <= 0.0) | slant)
     return replace(mirrored, score=np.where(hidden, mirrored.score, 0.0))
 
 

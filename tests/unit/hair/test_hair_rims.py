@@ -233,3 +233,10 @@ def test_without_a_photo_that_shows_the_rim_there_are_no_strips():
     grown = shell.vertices_m, shell.triangles
     assert strips_of(grown, body[1], {}, [], {}, 24.0, np.zeros(3)) == {}
     assert rim_shell(shell, grown, body, {}, 24.0, np.zeros(len(grown[0]), bool)) is None
+
+
+def test_a_wall_that_hides_most_of_the_rims_leaves_no_cards():
+    """Dark boards behind dark hair: what little was told were the boards' own corners, and rods stood out of a head."""
+    rgb = curly()
+    rgb[:, 100:] = HAIR.mean().astype(np.uint8)
+    assert cards_of(rgb)[1] == {}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cv2
 import numpy as np
 import pytest
 from skimage.measure import marching_cubes
@@ -9,7 +10,7 @@ from skimage.measure import marching_cubes
 from cloner.geometry.charts.atlas import map_atlas
 from cloner.geometry.charts.unwrapping import unwrap
 from cloner.geometry.meshes.graphs import surface_graph
-from cloner.hair.shells.strands import grow_strands, roughness, strand_noise
+from cloner.hair.shells.strands import curliness, grow_strands, roughness, strand_noise
 
 BROWN = np.array([110.0, 80.0, 60.0])
 ROUGH = np.array([12.0, 10.0, 8.0])
@@ -64,3 +65,26 @@ def test_smooth_hair_has_no_roughness_and_striped_hair_has():
     striped[:, ::2] += 40
     assert roughness(plain, hair).max() < 1.0
     assert np.allclose(roughness(striped, hair), 20.0, atol=2.0)
+
+
+def test_curls_run_every_way_and_strands_one_way():
+    hair = np.zeros((200, 200), bool)
+    hair[20:180, 20:180] = True
+    rng = np.random.default_rng(3)
+    strands = cv2.GaussianBlur(rng.uniform(0.0, 255.0, (200, 200)).astype(np.float32), (0, 0), 1.5, sigmaY=25.0)
+    curls = cv2.GaussianBlur(rng.uniform(0.0, 255.0, (200, 200)).astype(np.float32), (0, 0), 1.5)
+    told = []
+    for grey in (strands, curls):
+        levels = 128.0 + 40.0 * (grey - grey.mean()) / grey.std()
+        told.append(curliness(np.repeat(np.clip(levels, 0, 255).astype(np.uint8)[..., None], 3, axis=2), hair))
+    assert told == [0.0, 1.0]
+    assert curliness(np.full((200, 200, 3), 90, np.uint8), hair) == 0.0
+    assert curliness(np.full((200, 200, 3), 90, np.uint8), ~hair & hair) == 0.0
+
+
+def test_curls_are_as_long_as_wide():
+    side = np.radians(np.linspace(60.0, 120.0, 400))
+    level = 0.09 * np.column_stack([np.sin(side), np.zeros(400), np.cos(side)])
+    down = 0.09 * np.column_stack([np.zeros(400), np.cos(side), -np.sin(side)])
+    around, below = (np.abs(np.diff(strand_noise(line, 1.0))).mean() for line in (level, down))
+    assert around == pytest.approx(below, rel=0.35)

@@ -3,11 +3,22 @@
 from types import SimpleNamespace
 
 import numpy as np
+import pytest
 
 from cloner.frames import ViewId
 from cloner.hair.volumes.cap import FACE_PHOTO, Scalp
+from cloner.hair.volumes.hanging import hanging_mm, seen_aside
 from cloner.hair.volumes.rows import ROUND_MM, agreed_mm
-from cloner.hair.volumes.volume import LYING_MM, TAIL_DOUBT_MM, _held_by, cap_mm, lying_near, near_skin, tail_mm
+from cloner.hair.volumes.volume import (
+    LYING_MM,
+    TAIL_DOUBT_MM,
+    _held_by,
+    cap_mm,
+    lying_near,
+    near_skin,
+    overhang_mm,
+    tail_mm,
+)
 
 SIDE_MM, THICK_MM, FOLD_M = 4.0, 20.0, 0.01
 DEEP = (-0.12, 0.12)
@@ -137,3 +148,29 @@ def test_hair_that_a_photo_shows_on_the_back_lies_on_it_as_a_film():
     field = cap_mm([seen], lying_near(body, np.ones((1, len(back))), points))
     assert np.array_equal(field > 0.0, [True, True, False, False, False, False])
     np.testing.assert_allclose(field[1:3], [0.5 * LYING_MM, -0.5 * LYING_MM], atol=0.1)
+
+
+@pytest.mark.parametrize(("longer", "kept"), [(False, False), (True, True)])
+def test_a_front_photo_alone_lets_hair_stand_before_a_temple_only_if_it_goes_on_below_the_ears(longer, kept):
+    """A crop's temples had flaps 25 mm thick: from the front they hide behind the hairline, aside they stand out."""
+    front = _slab(ViewId.FACE_FRONT, 0, 100.0)
+    ears_m = 1.6
+
+    def evidence(at):
+        hair = (at[:, 0] > 0.05) & (longer | (at[:, 1] > ears_m))
+        return np.where(hair, 20.0, -20.0).astype(np.float32), np.ones(len(at), bool)
+
+    front.evidence = evidence
+    temple = np.array([[0.07, 1.65, 0.05]])
+    field = hanging_mm([front], temple, np.array([15.0], np.float32), DEEP, ears_m)
+    assert (field[0] > 0.0) == kept
+    assert seen_aside([front, _slab(ViewId.BODY_SIDE, 2, 100.0)])
+    assert not seen_aside([front, _slab(ViewId.BODY_BACK, 0, 100.0)])
+
+
+def test_hair_stands_out_over_its_line_only_where_a_photo_from_aside_ends_it():
+    head = _folded_sheet()
+    above = head.points_m + (0.0, 0.0, 0.01)
+    front, aside = _slab(ViewId.FACE_FRONT, 0, 100.0), _slab(ViewId.BODY_SIDE, 1, 100.0)
+    assert overhang_mm([front, aside], head, above).max() > 0.0
+    assert overhang_mm([front], head, above).max() < 0.0

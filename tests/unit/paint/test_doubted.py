@@ -12,7 +12,7 @@ from cloner.frames import ViewId
 from cloner.generic.charts import person_graph
 from cloner.generic.load import load_generic
 from cloner.paint.lookups.doubted import doubt_grazing, doubt_slanted, doubt_strangers
-from cloner.paint.lookups.materials import Materials
+from cloner.paint.lookups.materials import Materials, goes_on, with_surroundings
 from cloner.records.labels import SURFACES, Label
 
 GENERIC = load_generic()
@@ -112,7 +112,7 @@ def test_a_stripe_on_cloth_goes_on_at_a_slant_and_skin_behind_it_does_not(graph,
     photo = Photo(ViewId.BODY_FRONT, angles, angles, skin=np.where(stripe, shown, 0))
     colours = np.where(stripe[:, None], ORANGE, BLUE)[None]
     worn = Materials(np.zeros(COUNT), np.zeros(COUNT), np.ones(COUNT), surfaces("upper_clothes"))
-    (found,) = doubt_grazing(GENERIC, [photo], colours, worn, graph)
+    (found,) = doubt_grazing(GENERIC, [photo], colours, with_surroundings([photo], colours, worn, graph))
     shoulders = GENERIC.vertices_m[:, 1] < GENERIC.vertices_m[GENERIC.feature("neck_base_L"), 1]
     below = stripe & shoulders  # ears are bare whatever they show
     assert bool((found.score[below] > 0.0).mean() > 0.99) == kept
@@ -132,3 +132,47 @@ def test_a_photo_that_shows_trousers_where_the_surface_is_sleeve_is_not_believed
     assert np.array_equal(front.score, angles)
     assert not side.score[arm].any()
     assert np.array_equal(side.score[~arm], angles[~arm])
+
+
+def bare():
+    return Materials(np.ones(COUNT), np.zeros(COUNT), np.zeros(COUNT), surfaces("skin"))
+
+
+def test_skin_has_no_stripes_a_collar_beside_the_jaw_is_not_its_colour(graph):
+    """The labels end a pixel or two beside a white collar: at a slant that is a centimetre of jaw."""
+    jaw = around("chin_bottom", 0.03) & (GENERIC.vertices_m[:, 1] < GENERIC.vertices_m[GENERIC.feature("chin_bottom"), 1])
+    angles = np.where(jaw, 0.4, 0.9)
+    photo = Photo(ViewId.FACE_FRONT, angles, angles)
+    colours = np.where(jaw[:, None], (225.0, 235.0, 250.0), SKIN)[None]
+    kinds = with_surroundings([photo], colours, bare(), graph)
+    (found,) = doubt_grazing(GENERIC, [photo], colours, kinds)
+    assert jaw.sum() > 10
+    assert not found.score[jaw].any()
+    assert np.array_equal(found.score[~jaw], angles[~jaw])
+    # Texels between vertices are asked the same; a lamp's shade is still skin.
+    assert not goes_on(colours[0, jaw], kinds.around[jaw]).any()
+    assert goes_on(0.7 * np.tile(SKIN, (int(jaw.sum()), 1)), kinds.around[jaw]).all()
+
+
+def test_skin_is_compared_with_skin_and_cloth_with_cloth(graph):
+    """A neck above a white collar: the mean of both would let the collar climb it."""
+    cloth = GENERIC.vertices_m[:, 1] < GENERIC.vertices_m[GENERIC.feature("neck_base_L"), 1]
+    angles = np.full(COUNT, 0.9)
+    photo = Photo(ViewId.FACE_FRONT, angles, angles)
+    colours = np.where(cloth[:, None], (225.0, 235.0, 250.0), SKIN)[None]
+    kinds = Materials(1.0 * ~cloth, np.zeros(COUNT), 1.0 * cloth, surfaces("skin"))
+    around = with_surroundings([photo], colours, kinds, graph).around
+    person = np.abs(np.diff(around, axis=0)).max() > 0.0
+    assert person
+    assert np.allclose(np.exp(around[~cloth & GENERIC.region("neck")]).std(axis=0), 0.0, atol=1e-3)
+
+
+def test_a_garment_that_a_photo_shows_at_the_face_is_not_the_face():
+    chin = around("chin_bottom", 0.03)
+    angles = np.full(COUNT, 0.9)
+    labels = np.where(chin, Label.UPPER_CLOTHES, Label.FACE_SKIN)
+    (found,) = doubt_strangers(GENERIC, [Photo(ViewId.FACE_FRONT, angles, angles, labels=labels)], bare())
+    assert not found.score[chin].any()
+    worn = np.where(chin, Label.ACCESSORY, Label.FACE_SKIN)  # glasses stay: nothing else would be left of them
+    (kept,) = doubt_strangers(GENERIC, [Photo(ViewId.FACE_FRONT, angles, angles, labels=worn)], bare())
+    assert np.array_equal(kept.score, angles)

@@ -1,0 +1,60 @@
+"""Hair that hangs: what stands off the head's cap, lies on neck and shoulders, or falls over the ears."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from cloner.frames import m_from_mm
+from cloner.hair.volumes.cap import Scalp
+from cloner.hair.volumes.rows import SIDES, agreed_mm
+from cloner.hair.volumes.views import FAR_MM, HairView
+from cloner.records.arrays import Array
+
+INNER_MM = 6.0  # the volume reaches this far into the head, so that the hairline is a clean cut
+DRAPE_MM = 25.0  # taste: hair that one side alone shows lies this thick on the skin at most
+DRAPE_DOUBT_MM = 4.0  # without it a ponytail had a skirt of 5 cm, a cap a peak of hair behind
+BELOW_EARS_MM = 10.0  # taste: hair that goes on so far below the ears' middle hangs
+
+
+def seen_aside(views: list[HairView]) -> bool:
+    """Return whether a photo shows the head from aside."""
+    return any(view.posed.view in SIDES[1] for view in views)
+
+
+def usual_depth_m(scalp: Scalp) -> tuple[float, float]:
+    """Return where hair ends behind and in front (z) if no side photo tells: a drape behind the head, at its roots."""
+    hairy = scalp.points_m[scalp.hairy > 0.5, 2]
+    front = hairy if hairy.size else scalp.points_m[:, 2]
+    return float(scalp.points_m[:, 2].min()) - m_from_mm(DRAPE_MM), float(front.max())
+
+
+def hanging_mm(
+    views: list[HairView], points_m: Array, skin_mm: NDArray[np.float32], deep_m: tuple[float, float], low_m: float
+) -> NDArray[np.float32]:
+    """Return (N,) the field of hair that stands off the head's cap, hangs, or lies on neck, shoulders or cheeks, mm.
+
+    Here all photos must agree, because labels low down are the least sure; what one side alone tells of lies thin. If
+    no photo shows the head from aside only what goes on below the ears hangs: a flap would stand before the temples.
+
+    Parameters
+    ----------
+    views : list of HairView
+    points_m : (N, 3)
+    skin_mm : (N,) float32
+        Signed distance to the whole body's skin, positive outside.
+    deep_m : (float, float)
+        As in :func:`agreed_mm`.
+    low_m : float
+        Height of the ears.
+    """
+    field = np.full(len(skin_mm), -FAR_MM, np.float32)
+    rows = np.flatnonzero(skin_mm > -INNER_MM)
+    inside, sides = agreed_mm(views, points_m[rows], deep_m)
+    thin = np.where(sides > 1, np.float32(FAR_MM), DRAPE_MM - skin_mm[rows])
+    if not seen_aside(views):
+        below = np.minimum(points_m[rows], (np.inf, low_m - m_from_mm(BELOW_EARS_MM), np.inf))
+        thin = np.where(agreed_mm(views, below, deep_m)[0] > 0.0, thin, np.float32(-FAR_MM))
+    # Hair that hangs free and is thinner than the labels' doubt is none.
+    field[rows] = np.minimum(np.minimum(inside - DRAPE_DOUBT_MM, thin), skin_mm[rows] + INNER_MM)
+    return field
