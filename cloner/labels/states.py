@@ -74,13 +74,16 @@ def eyes_span(face_px: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]
     return corners.mean(axis=0), float(np.hypot(*(corners[1] - corners[0])))
 
 
-def _glasses_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> tuple[float, float]:
-    """Return how much of the bands above and below the eyes' corners is something worn: heavy brows are above alone."""
+def _glasses_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> tuple[float, ...]:
+    """Return how much of the bands above the eyes' corners, and below the left and the right one, is something worn.
+
+    Heavy brows are above alone, an earring or a clip is on one side.
+    """
     middle, apart = eyes_span(face_px)
     upper = _box(labels, middle - (0.65 * apart, 0.22 * apart), middle + (0.65 * apart, 0.0))
-    lower = _box(labels, middle - (0.65 * apart, 0.0), middle + (0.65 * apart, 0.32 * apart))
-    above, below = (float((box == Label.ACCESSORY).mean()) if box.size else 0.0 for box in (upper, lower))
-    return above, below
+    left = _box(labels, middle - (0.65 * apart, 0.0), middle + (0.0, 0.32 * apart))
+    right = _box(labels, middle, middle + (0.65 * apart, 0.32 * apart))
+    return tuple(float((box == Label.ACCESSORY).mean()) if box.size else 0.0 for box in (upper, left, right))
 
 
 def _fringe_shares(labels: NDArray[np.uint8], face_px: NDArray[np.float64]) -> tuple[float, float]:

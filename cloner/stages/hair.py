@@ -31,9 +31,10 @@ from cloner.hair.shells.rim_cards import crown_of, rim_shell
 from cloner.hair.shells.rim_strips import strips_of
 from cloner.hair.shells.shell import dress_shell, shown_part
 from cloner.hair.volumes.amounts import odd_views
-from cloner.hair.volumes.cap import VOTE_MM, Scalp, measure_scalp, settle_shell
+from cloner.hair.volumes.cap import VOTE_MM, Scalp, measure_scalp
 from cloner.hair.volumes.crowns import with_one_crown
 from cloner.hair.volumes.ears import with_ears_laid
+from cloner.hair.volumes.settled import settle_shell
 from cloner.hair.volumes.tail import find_tail
 from cloner.hair.volumes.views import HairView, Hanger, hair_views
 from cloner.hair.volumes.volume import FILM_MM, hair_field

@@ -20,9 +20,10 @@ from cloner.generic.surfaces import body_triangles
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.shells.mesh import mesh_of
 from cloner.hair.shells.shell import dress_shell, shown_part
-from cloner.hair.volumes.cap import settle_shell, surface_mm
+from cloner.hair.volumes.cap import surface_mm
 from cloner.hair.volumes.hanging import INNER_MM
 from cloner.hair.volumes.rows import SIDES, agreed_mm
+from cloner.hair.volumes.settled import settle_shell
 from cloner.hair.volumes.views import FAR_MM, HairView, distances_px
 from cloner.hair.volumes.volume import CLIP_MM, FILM_MM, SMOOTH_VOXELS, voxels
 from cloner.records.arrays import Array

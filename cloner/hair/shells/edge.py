@@ -20,6 +20,7 @@ SEEN_COSINE = 0.15  # surfaces turned farther away are seen too narrowly
 SEEN_SLACK_M = 0.012  # a head a little off its photo hides its own hair
 SHARPNESS = 2  # weights are (claim x cosine)**2
 UNSEEN_STIFFNESS = 0.02  # of the hairline between what photos see
+UNSEEN_TRUST = 0.02  # of what no photo sees, that it is hair: an edge goes on for some vertices, not around a head
 STRAND_MM = 1.5  # dark strands reach this much farther out than light gaps
 STRAND_TEXELS = 4.0  # width of what counts as one strand's surroundings
 LIGHTEST_LEVELS = 6.0  # differences below this are noise
@@ -48,7 +49,8 @@ def inside_hairline_mm(
         total += weight
     graph = surface_graph(vertices_m, triangles)
     mean = np.where(total > 0.0, drive / np.maximum(total, 1e-9), VOTE_MM)
-    return np.asarray(graph.fill(mean[:, None], np.clip(total, 0.0, 1.0), UNSEEN_STIFFNESS)[:, 0])
+    trust = np.where(total > 0.0, np.clip(total, 0.0, 1.0), UNSEEN_TRUST)
+    return np.asarray(graph.fill(mean[:, None], trust, UNSEEN_STIFFNESS)[:, 0])
 
 
 def soften_edge(rgba: NDArray[np.uint8], atlas: AtlasMap, inside_mm: NDArray[np.floating]) -> NDArray[np.uint8]:

@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 from cloner.abreast import ABREAST, abreast
 from cloner.frames import m_from_mm, mm_from_m
 from cloner.geometry.cameras.seeing import depth_at
-from cloner.geometry.meshes.graphs import SurfaceGraph, surface_graph
+from cloner.geometry.meshes.graphs import SurfaceGraph
 from cloner.geometry.meshes.wedges import vertex_normals
 from cloner.hair.volumes.tail import Tail
 from cloner.hair.volumes.views import MASK_SCALE, HairView, cover_cut
@@ -27,6 +27,7 @@ FACE_PHOTO = 0.35  # weight of a face photo's outline: its camera is worse known
 SOFT_MM = 2.0 * VOTE_MM  # hairiness goes from 0 to 1 over what a photo can tell
 ROOT_MM, STEEP_MM = 1.0, 0.5  # hair rises from this far outside the hairline: 4 mm thick 3 mm inside, 30 at 9
 BARE_MM = 6.0  # beyond the scalp (ears, cheeks, neck) labels must be this sure of hair, and none as sure of skin
+HAIR_BESIDE = 0.25  # taste: so much hair in what photos show beside unseen scalp is no stray label
 SURE_VOTE = 0.2  # of photos that see it
 GROWTH_RINGS = 3  # hair may grow this many rings of edges beyond the scalp
 RIM_POWER = 6  # an outline says nothing about surfaces that face the camera: trust is (1 - |cos|)**6
@@ -42,9 +43,6 @@ SURE_RIM = 0.3  # weight of outline points that tell how thick the cap usually i
 THICKEST_SHARE, THICKEST_EXTRA_MM = 1.8, 5.0  # a cap is no thicker than this against its median; more is a tail
 DEEPEST_MM = 20.0  # the bare skull may stand out of the photos' hair by this much
 THINNEST_MM = 2.0  # where hair grows it covers the skin
-SHELL_ROUNDS = 5  # of the finished shell
-WALL_MM = 6.0  # what lies so near to the skin and faces it is no outline: it came out through the hair over it
-SHELL_STIFFNESS = 3.0  # of what it is moved by in all, against one outline point
 PLANE_REACH_M = 0.03  # tangent planes tell distances up to here
 
 
@@ -106,6 +104,7 @@ def measure_scalp(
     total = votes.sum(axis=0)
     mean = (votes * line).sum(axis=0) / np.maximum(total, 1e-9)
     mean = graph.fill(mean[:, None], np.clip(total, 0.0, 1.0), 0.02)[:, 0]
+    mean = _with_unseen(graph, scalp, mean, total > 0.0, points_m[:, 1] > points_m[ears, 1].max(initial=-np.inf))
     denied = ((line < -BARE_MM) & (votes > SURE_VOTE)).any(axis=0)
     hidden = (mean > BARE_MM) & (total > SURE_VOTE)
     beyond = (_grown(scalp, triangles) | _grown(hidden, triangles)) & ~denied & (~ears | hidden)
@@ -115,6 +114,35 @@ def measure_scalp(
     # A skull may stand out of the photos' hair: no photo shows it, so it gives way.
     tucked = points_m + normals * m_from_mm(1.0) * np.minimum(thickness - THINNEST_MM * hairy, 0.0)[:, None]
     return Scalp(tucked, normals, triangles, votes, hairy, growth, held(np.maximum(thickness, THINNEST_MM), hairy))
+
+
+def _with_unseen(
+    graph: SurfaceGraph, scalp: NDArray[np.bool_], line_mm: Array, shown: NDArray[np.bool_], high: NDArray[np.bool_]
+) -> Array:
+    """Return (N,) distances to the hairline, mm, in which scalp that no photo shows is hair if photos show some beside.
+
+    Faces, ears and necks around it are no sign of baldness; the bare top of a head goes on behind.
+
+    Parameters
+    ----------
+    graph : SurfaceGraph
+    scalp, shown, high : (N,) bool
+        Where hair grows, what some photo shows, and what lies above the ears.
+    line_mm : (N,)
+        Known where photos show the scalp.
+    """
+    rows = np.flatnonzero(scalp)
+    if shown[rows].all() or not shown[rows].any():
+        return line_mm
+    nearest = rows[type(graph)(graph.lengths[rows][:, rows]).nearest(shown[rows])]
+    beside, unseen = np.unique(nearest[~shown[rows]]), rows[~shown[rows]]
+    if (line_mm[beside] > 0.0).mean() < HAIR_BESIDE or not high[beside].any():
+        return line_mm
+    bare = line_mm < -BARE_MM
+    bald = bare[nearest[~shown[rows]]] & high[unseen] & (bare[beside[high[beside]]].mean() > 0.5)
+    found = line_mm.copy()
+    found[unseen] = np.where(bald, -VOTE_MM, VOTE_MM)
+    return found
 
 
 def held(thickness_mm: Array, hairy: Array) -> Array:
@@ -178,7 +206,7 @@ def settle_cap(
     for _ in range(ROUNDS):
         surface = points_m + normals * m_from_mm(1.0) * thickness[:, None]
         drive, trust, thickest = np.zeros(len(points_m)), np.zeros(len(points_m)), 0.0
-        for gap, weight in _outline_gaps(views, surface, triangles):
+        for gap, weight in outline_gaps(views, surface, triangles):
             weight = weight * (hairy > 0.5)
             limit = _thickest_mm(thickness + gap, weight, hairy) if len(views) > 1 else FURTHEST_MM
             weight = np.where(thickness + gap > limit, 0.0, weight)  # a tail's root says nothing about the cap
@@ -216,61 +244,7 @@ def surface_mm(
     return away.astype(np.float32), rows, weight
 
 
-def settle_shell(
-    views: list[HairView],
-    skin: tuple[Array, Array],
-    vertices_m: Array,
-    triangles: NDArray[np.int32],
-    least_mm: float,
-) -> Array:
-    """Return the finished shell's vertices (N, 3) with its outlines on those of the photos.
-
-    The cap met them with the head's coarse mesh; voxels, tails and what stands out over the hairline did not yet. What
-    the shell is moved by in all is smooth, in its directions too: no outline tells how deep what faces its camera lies,
-    and surfaces blown up along their own normals round by round became strings of pearls.
-
-    Parameters
-    ----------
-    views : list of HairView
-    skin : (M, 3) vertices of the skin below, m, and their normals
-    vertices_m, triangles : the shell
-    least_mm : float
-        No vertex is pushed nearer to the skin than this.
-    """
-    graph, start_m = surface_graph(vertices_m, triangles), vertices_m
-    clear_mm, outward = _clear_mm(skin, start_m)
-    moved_mm, floor_mm = np.zeros_like(start_m), np.minimum(clear_mm, least_mm)
-    known = clear_mm > -DEEPEST_MM  # deeper: below the neck, beside what is known
-    facing = np.einsum("nc,nc->n", outward, vertex_normals(start_m, triangles))
-    outer = (facing > 0.0) | (clear_mm > WALL_MM)
-    for _ in range(SHELL_ROUNDS):
-        drive, trust = (outer * each for each in outline_drive(views, vertices_m, triangles))
-        gap = drive / np.maximum(trust, 1e-9)
-        wanted_mm = moved_mm + gap[:, None] * vertex_normals(vertices_m, triangles)
-        moved_mm = graph.fill(wanted_mm, np.clip(trust, 0.0, 1.0), SHELL_STIFFNESS)
-        vertices_m = start_m + m_from_mm(1.0) * moved_mm
-        clear_mm, outward = _clear_mm(skin, vertices_m)
-        inside = known & (clear_mm < floor_mm)
-        vertices_m = vertices_m + np.where(inside, m_from_mm(1.0) * (floor_mm - clear_mm), 0.0)[:, None] * outward
-    return vertices_m
-
-
-def _clear_mm(skin: tuple[Array, Array], points_m: Array) -> tuple[Array, Array]:
-    """Return how far points stand off the skin (N,), mm, and which way is off it (N, 3)."""
-    away, rows, weight = surface_mm(*skin, points_m)
-    return away.astype(np.float64), np.einsum("nk,nkc->nc", weight, skin[1][rows])
-
-
-def outline_drive(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> tuple[Array, Array]:
-    """Return (N,) the sum of what the photos want a surface moved outwards, mm, and of their weights."""
-    drive, trust = np.zeros(len(surface_m)), np.zeros(len(surface_m))
-    for gap, weight in _outline_gaps(views, surface_m, triangles):
-        drive += weight * gap
-        trust += weight
-    return drive, trust
-
-
-def _outline_gaps(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> list[tuple[Array, Array]]:
+def outline_gaps(views: list[HairView], surface_m: Array, triangles: NDArray[np.int32]) -> list[tuple[Array, Array]]:
     """Return each photo's gaps (N,) to a surface's outline, mm, and their weights."""
     facing = vertex_normals(surface_m, triangles)
     straight = [view for view in views if view.flip_m is None]

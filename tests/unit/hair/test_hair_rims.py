@@ -1,5 +1,6 @@
 """Hair beyond its surface: its share in photos, where its surface ends, and cards that show it where photos do."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -9,6 +10,7 @@ import trimesh
 from cloner.frames import ViewId
 from cloner.generic.layers import Layer
 from cloner.generic.painter import paint
+from cloner.hair.shells.edge import FADE_MM, inside_hairline_mm
 from cloner.hair.shells.mattes import matte_of, rim_of, with_core
 from cloner.hair.shells.rim_cards import crown_of, rim_shell
 from cloner.hair.shells.rim_strips import LEFT, RIGHT, TEXEL_MM, strips_of
@@ -139,6 +141,22 @@ def test_rims_of_a_ball_are_its_great_circle_from_the_crown_down(azimuth_deg):
         assert (sign * rim.place_m[5:-5] @ across > 0.0).all()
         out = beside(around(np.zeros(3), np.radians(azimuth_deg)), rim, 20.0)
         np.testing.assert_allclose(np.linalg.norm(out, axis=1), 0.13, atol=0.003)
+
+
+def test_hair_that_no_photo_shows_is_whole_beside_a_hairline():
+    """From the front the lower half is face: behind, a little farther than that line tells, the hair has no edge."""
+    hair, _ = head()
+    person = OUT_MM < 5.0
+    hair_flags, to_hair, to_line, to_person = distances_px(person & (ROW < 210), person)
+    front = replace(
+        view(person), hair=hair_flags, hair_px=to_hair, line_px=to_line, outline_px=to_person,
+        nearest_m=np.full((SIZE // 2, SIZE // 2), np.inf, np.float32),
+    )  # fmt: skip
+    inside_mm = inside_hairline_mm([front], [1.0], hair.vertices_m, hair.triangles)
+    face = (hair.vertices_m[:, 2] > 0.05) & (hair.vertices_m[:, 1] < -0.02)
+    behind = hair.vertices_m[:, 2] < -0.08
+    assert inside_mm[face].max() < 0.0
+    assert inside_mm[behind].min() > FADE_MM[1]
 
 
 def test_a_rim_is_not_the_hair_s_where_the_body_stands_out():

@@ -59,6 +59,10 @@ def test_heavy_brows_are_no_glasses() -> None:
     assert states(drawn(brows=(Label.ACCESSORY, 130, 176, 270, 196))) == frozenset()
 
 
+def test_an_ear_s_ring_and_a_clip_of_one_side_are_no_glasses() -> None:
+    assert states(drawn(one=(Label.ACCESSORY, 205, 182, 262, 226))) == frozenset()
+
+
 def test_no_hair_is_bald_but_not_under_a_hat() -> None:
     bald = drawn()
     bald[bald == Label.HAIR] = Label.FACE_SKIN

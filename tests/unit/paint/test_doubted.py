@@ -140,7 +140,9 @@ def bare():
 
 def test_skin_has_no_stripes_a_collar_beside_the_jaw_is_not_its_colour(graph):
     """The labels end a pixel or two beside a white collar: at a slant that is a centimetre of jaw."""
-    jaw = around("chin_bottom", 0.03) & (GENERIC.vertices_m[:, 1] < GENERIC.vertices_m[GENERIC.feature("chin_bottom"), 1])
+    jaw = around("chin_bottom", 0.03) & (
+        GENERIC.vertices_m[:, 1] < GENERIC.vertices_m[GENERIC.feature("chin_bottom"), 1]
+    )
     angles = np.where(jaw, 0.4, 0.9)
     photo = Photo(ViewId.FACE_FRONT, angles, angles)
     colours = np.where(jaw[:, None], (225.0, 235.0, 250.0), SKIN)[None]

@@ -1,0 +1,50 @@
+"""What a front photo alone tells of the back of a head: hair beside what it shows goes on, a bare top too."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from cloner.generic.load import load_generic
+from cloner.generic.surfaces import body_triangles
+from cloner.geometry.meshes.graphs import surface_graph
+from cloner.geometry.meshes.wedges import vertex_normals
+from cloner.hair.volumes.cap import VOTE_MM, _with_unseen
+
+GENERIC = load_generic()
+POINTS = GENERIC.vertices_m.astype(np.float64)
+SCALP = GENERIC.region("scalp")
+HIGH = POINTS[:, 1] > POINTS[GENERIC.region("ear_left"), 1].max()
+SHOWN = vertex_normals(POINTS, body_triangles())[:, 2] > 0.0
+
+
+@pytest.fixture(scope="module")
+def graph():
+    return surface_graph(POINTS, body_triangles())
+
+
+def told(graph, line_mm):
+    return _with_unseen(graph, SCALP, line_mm, SHOWN, HIGH)[SCALP & ~SHOWN]
+
+
+def test_behind_a_crop_is_hair_whatever_ears_and_neck_are(graph):
+    line = np.where(SCALP & HIGH, 6.0, -VOTE_MM)
+    assert (told(graph, line) == VOTE_MM).all()
+
+
+def test_behind_a_bald_head_is_skin_and_a_wreath_keeps_its_bare_top(graph):
+    bald = np.full(len(POINTS), -VOTE_MM)
+    assert (told(graph, bald) == -VOTE_MM).all()
+    wreath = np.where(np.abs(POINTS[:, 0]) > 0.06, 6.0, -VOTE_MM)
+    found = _with_unseen(graph, SCALP, wreath, SHOWN, HIGH)
+    crown = SCALP & ~SHOWN & (np.abs(POINTS[:, 0]) < 0.02) & HIGH
+    nape = SCALP & ~SHOWN & ~HIGH
+    assert (found[crown] < 0.0).mean() > 0.6
+    assert (found[nape] == VOTE_MM).all()
+
+
+def test_what_photos_show_stays_as_they_show_it(graph):
+    line = np.where(SCALP & HIGH, 6.0, -VOTE_MM)
+    assert np.array_equal(_with_unseen(graph, SCALP, line, SHOWN, HIGH)[SHOWN], line[SHOWN])
+    seen = np.ones(len(POINTS), bool)
+    assert _with_unseen(graph, SCALP, line, seen, HIGH) is line
