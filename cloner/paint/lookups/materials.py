@@ -105,7 +105,7 @@ def goes_on(rgb: NDArray[np.floating], around: NDArray[np.floating]) -> NDArray[
     return np.asarray(beyond_light(log_levels(rgb) - around) < 1.0)
 
 
-def shows_garment(source: Source, lookup_px: Array) -> NDArray[np.bool_]:
+def shows_garment(source: Source, lookup_px: NDArray[np.floating]) -> NDArray[np.bool_]:
     """Return which of (N,) lookups land on a garment: a collar beside the jaw is not the face's."""
     return np.isin(labels_at(source.plate.labels, lookup_px), GARMENTS)
 
