@@ -103,12 +103,13 @@ def beard_shell(
     roots = np.flatnonzero(zone & (grown.hairy > 0.5))
     if not roots.size:
         return None
-    skin = generic.skin
-    field, skin_mm, low = beard_field(views, grown, (joined.vertices_m[skin], normals[skin]), points[zone])
+    body = joined.vertices_m[generic.skin], normals[generic.skin]
+    field, skin_mm, low = beard_field(views, grown, body, points[zone])
     mesh = mesh_of(field, skin_mm, low, TRIANGLES, SMALLEST_PIECE)
     if mesh is None:
         return None
-    shape = settle_shell(views, (grown.points_m, grown.normals), *mesh, FILM_MM)
+    # By the planes of a neck's end the chest's air would be skin: long beards were pushed out of it as spikes.
+    shape = settle_shell(views, body, *mesh, FILM_MM)
     used, triangles, inside_mm = shown_part(views, shape, mesh[1])
     aside = any(view.posed.view in (ViewId.FACE_SIDE, ViewId.BODY_SIDE) for view in views)
     if thickness_mm(grown, shape[used], inside_mm) < (THINNEST_MM if aside else UNSEEN_MM):
@@ -241,11 +242,12 @@ def below_mm(cap: Floats) -> Floats:
     """Return how deep the points of a grid (X, Y, Z) lie below a beard that grows above, mm, negative beside it."""
     foot, height = (cap > 0.0).any(axis=1), np.arange(cap.shape[1])[None, :, None]
     lowest = np.where(foot, (cap > 0.0).argmax(axis=1), 0)
+    highest = np.where(foot, cap.shape[1] - 1 - (cap > 0.0)[:, ::-1].argmax(axis=1), 0)  # a chin's over its throat's
     _, nearest = distance_transform_edt(~foot, return_indices=True)
-    root = lowest[tuple(nearest)] if foot.any() else np.full(foot.shape, -1)
+    root, crest = (ends[tuple(nearest)] if foot.any() else np.full(foot.shape, -1) for ends in (lowest, highest))
     away_mm = mm_from_m(VOXEL_M) * (distance_transform_edt(foot) - distance_transform_edt(~foot))[:, None, :]
     drop_mm = mm_from_m(VOXEL_M) * np.maximum(root[:, None, :] - height, 0)
-    return np.asarray(np.where(height < root[:, None, :], away_mm + WIDER_MM + SPREAD * drop_mm, -CLIP_MM), np.float32)
+    return np.asarray(np.where(height < crest[:, None, :], away_mm + WIDER_MM + SPREAD * drop_mm, -CLIP_MM), np.float32)
 
 
 def thickness_mm(grown: Scalp, shape_m: Array, inside_mm: Array) -> float:

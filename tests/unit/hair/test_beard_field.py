@@ -1,0 +1,17 @@
+"""A beard hangs below all of its roots: the air between a chin's and those of the throat under it is beard too."""
+
+import numpy as np
+
+from cloner.hair.shells.beard import below_mm
+
+
+def test_between_the_beard_of_a_chin_and_that_of_the_throat_below_it_hangs_beard():
+    """Only what lay below the throat's counted, and a long beard had a hole from aside."""
+    cap = np.full((9, 20, 9), -5.0, np.float32)
+    cap[3:6, 15:17, 3:6] = 5.0  # the chin's
+    cap[3:6, 2:4, 3:6] = 5.0  # the throat's
+    hanging = below_mm(cap) > 0.0
+    assert hanging[4, 4:15, 4].all()
+    assert hanging[4, :2, 4].all()
+    assert not hanging[:, 17:].any()
+    assert (below_mm(np.full((3, 3, 3), -5.0, np.float32)) <= 0.0).all()
